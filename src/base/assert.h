@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// ORIEL_ASSERT: a programmer's mistake stops the program with its place; compiled out in release.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+#if defined(ORIEL_ASSERTIONS)
+#define ORIEL_ASSERT(condition)                                                            \
+  ((condition) ? static_cast<void>(0)                                                      \
+               : (std::fprintf(stderr, "%s:%d: assertion failed: %s\n", __FILE__, __LINE__, \
+                               #condition),                                                \
+                  std::abort()))
+#else
+#define ORIEL_ASSERT(condition) static_cast<void>(0)
+#endif

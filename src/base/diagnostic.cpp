@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/diagnostic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace oriel {
+namespace {
+
+constexpr std::string_view kSeverityNames[] = {"note", "warning", "error"};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+Diagnostics::Diagnostics() { files_.push_back({"", {}}); }
+
+std::uint32_t Diagnostics::add_file(std::string path, SourceLocation included_from) {
+  const std::scoped_lock lock(mutex_);
+  files_.push_back({std::move(path), included_from});
+  return static_cast<std::uint32_t>(files_.size() - 1);
+}
+
+void Diagnostics::report(Severity severity, std::string_view code, SourceLocation where,
+                         std::string message, std::string hint) {
+  const std::scoped_lock lock(mutex_);
+  const auto same = std::count_if(all_.begin(), all_.end(),
+                                  [&](const Diagnostic& d) { return d.code == code; });
+  if (static_cast<std::size_t>(same) > kMostPerCode) return;
+  if (static_cast<std::size_t>(same) == kMostPerCode) {
+    message = "further messages of this kind are left out";
+    hint.clear();
+  }
+  all_.push_back({severity, std::string(code), where, std::move(message), std::move(hint)});
+}
+
+std::size_t Diagnostics::count(Severity severity) const {
+  return static_cast<std::size_t>(std::count_if(
+      all_.begin(), all_.end(), [&](const Diagnostic& d) { return d.severity == severity; }));
+}
+
+bool Diagnostics::has(std::string_view code) const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [&](const Diagnostic& d) { return d.code == code; });
+}
+
+std::string Diagnostics::format(const Diagnostic& d) const {
+  std::string text;
+  const auto place = [&](SourceLocation w) {
+    if (w.line == 0) return w.file ? files_[w.file].path : std::string("oriel");
+    return fmt::format("{}:{}:{}", files_[w.file].path, w.line, w.column);
+  };
+  for (SourceLocation from = files_[d.where.file].included_from; from.file != 0;
+       from = files_[from.file].included_from)
+    text = fmt::format("in file included from {}:\n", place(from)) + text;
+  text += fmt::format("{}: {}: {} [{}]", place(d.where),
+                      kSeverityNames[static_cast<int>(d.severity)], d.message, d.code);
+  if (!d.hint.empty()) text += fmt::format("\n    hint: {}", d.hint);
+  return text;
+}
+
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
+  constexpr std::size_t kLongestCompared = 128;
+  if (name.size() > kLongestCompared) return {};
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > kLongestCompared) continue;
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace oriel

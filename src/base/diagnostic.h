@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Oriel tells a user about a scene: severity, stable code, place through includes, hint.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace oriel {
+
+/// Where something was written. `file` is an index into Diagnostics::files; line and column count
+/// from 1, 0 means unknown. Locations compare equal always: where a thing was written is no part of
+/// what it is, so scenes compare by content.
+struct SourceLocation {
+  std::uint32_t file = 0;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+  friend bool operator==(const SourceLocation&, const SourceLocation&) { return true; }
+};
+
+enum class Severity : std::uint8_t { Note, Warning, Error };
+
+struct Diagnostic {
+  Severity severity = Severity::Note;
+  std::string code;     ///< stable, such as "OR-MI-012"
+  SourceLocation where;
+  std::string message;  ///< one sentence, no full stop needed
+  std::string hint;     ///< what to do, or empty
+};
+
+/// Collects diagnostics; safe to call from several threads.
+class Diagnostics {
+ public:
+  Diagnostics();
+
+  /// Registers a file (index 0 is "no file") and where it was included from.
+  std::uint32_t add_file(std::string path, SourceLocation included_from = {});
+  const std::string& file(std::uint32_t index) const { return files_[index].path; }
+
+  void report(Severity severity, std::string_view code, SourceLocation where, std::string message,
+              std::string hint = {});
+  void note(std::string_view code, SourceLocation w, std::string m, std::string hint = {}) {
+    report(Severity::Note, code, w, std::move(m), std::move(hint));
+  }
+  void warning(std::string_view code, SourceLocation w, std::string m, std::string hint = {}) {
+    report(Severity::Warning, code, w, std::move(m), std::move(hint));
+  }
+  void error(std::string_view code, SourceLocation w, std::string m, std::string hint = {}) {
+    report(Severity::Error, code, w, std::move(m), std::move(hint));
+  }
+
+  const std::vector<Diagnostic>& all() const { return all_; }
+  std::size_t count(Severity severity) const;
+  bool has(std::string_view code) const;
+
+  /// "file:line:column: warning: message [code]", one line for each include it came through, and
+  /// the hint.
+  std::string format(const Diagnostic& diagnostic) const;
+
+  /// Messages of one code kept before the rest is only counted (a broken file can hold millions).
+  static constexpr std::size_t kMostPerCode = 50;
+
+ private:
+  struct File {
+    std::string path;
+    SourceLocation included_from;
+  };
+  std::mutex mutex_;
+  std::vector<File> files_;
+  std::vector<Diagnostic> all_;
+};
+
+/// The candidate nearest to `name` by edit distance, empty when none is near enough to be a likely
+/// slip (a third of the length).
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace oriel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+namespace oriel {
+namespace {
+
+TEST(Diagnostics, NamesThePlaceThroughIncludes) {
+  Diagnostics d;
+  const auto outer = d.add_file("scene.mi");
+  const auto inner = d.add_file("part.mi", {outer, 7, 1});
+  d.error("OR-MI-001", {inner, 3, 9}, "unknown statement 'colour'", "did you mean 'color'?");
+  const std::string text = d.format(d.all().front());
+  EXPECT_NE(text.find("in file included from scene.mi:7:1:"), std::string::npos);
+  EXPECT_NE(text.find("part.mi:3:9: error: unknown statement"), std::string::npos);
+  EXPECT_NE(text.find("hint: did you mean"), std::string::npos);
+}
+
+TEST(Diagnostics, FloodOfOneKindIsCutAndSaid) {
+  Diagnostics d;
+  for (int i = 0; i < 1000; ++i) d.warning("OR-MI-002", {}, "again");
+  EXPECT_EQ(d.all().size(), Diagnostics::kMostPerCode + 1);
+}
+
+TEST(NearestName, FindsASlipAndRefusesAStranger) {
+  const std::string names[] = {"refl_gloss", "diffuse", "reflectivity"};
+  EXPECT_EQ(nearest_name("refl_glos", names), "refl_gloss");
+  EXPECT_EQ(nearest_name("zzz", names), "");
+}
+
+}  // namespace
+}  // namespace oriel

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parallel loops: oneTBB with denormals flushed on every thread that works.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace oriel {
+
+/// Limits all parallel loops of the process to `count` threads while it lives; 0 = all cores.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int count);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  void* control_;
+};
+
+/// Flushes denormals to zero on the calling thread (Embree asks for it).
+void flush_denormals();
+
+/// Calls body(i) for each i in [0, count), in any order, on any thread.
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
+
+}  // namespace oriel

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vectors, matrices and colours: Imath's, under the names Oriel uses.
+#pragma once
+
+#include <ImathColor.h>
+#include <ImathMatrix.h>
+#include <ImathVec.h>
+
+#include <cmath>
+
+namespace oriel {
+
+// Conventions
+//   Vectors are rows and multiply on the left, p' = p * M; the translation is the last row. This is
+//   both Imath's and mental ray's convention.
+//   World space is right-handed. Lengths are scene units. Angles are radians.
+using Vec2 = Imath::V2f;
+using Vec3 = Imath::V3f;
+using Mat4 = Imath::M44f;
+
+/// Linear colour. Components may exceed 1 and are never clamped on the way.
+using Rgb = Imath::C3f;
+/// Linear colour with alpha; alpha is opacity (coverage), colours are premultiplied.
+using Rgba = Imath::C4f;
+
+inline constexpr float kPi = 3.14159265358979323846f;
+inline constexpr float kInvPi = 0.31830988618379067154f;
+inline constexpr float kTwoPi = 2 * kPi;
+
+inline float dot(const Vec3& a, const Vec3& b) { return a.dot(b); }
+inline Vec3 cross(const Vec3& a, const Vec3& b) { return a.cross(b); }
+inline float length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+/// Unit vector of v; a null vector stays null.
+inline Vec3 normalize(const Vec3& v) {
+  const float len = length(v);
+  return len > 0 ? v * (1 / len) : v;
+}
+inline float sqr(float x) { return x * x; }
+inline float lerp(float a, float b, float t) { return a + t * (b - a); }
+inline float clamp(float x, float lo, float hi) { return x < lo ? lo : (x > hi ? hi : x); }
+inline float clamp01(float x) { return clamp(x, 0.0f, 1.0f); }
+/// Hermite step from 0 at a to 1 at b.
+inline float smoothstep(float a, float b, float x) {
+  const float t = clamp01((x - a) / (b - a));
+  return t * t * (3 - 2 * t);
+}
+
+inline Rgb rgb(const Rgba& c) { return Rgb(c.r, c.g, c.b); }
+inline float max_component(const Rgb& c) { return std::max(c.x, std::max(c.y, c.z)); }
+inline bool is_black(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+inline bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Point through an affine matrix (no perspective division).
+inline Vec3 transform_point(const Vec3& p, const Mat4& m) {
+  return Vec3(p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
+              p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
+              p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]);
+}
+/// Direction or displacement through the upper 3x3 of m.
+inline Vec3 transform_vector(const Vec3& v, const Mat4& m) {
+  return Vec3(v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
+              v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
+              v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]);
+}
+/// Normal carried by a transform whose *inverse* is `inverse` (multiplies with its transpose).
+inline Vec3 transform_normal(const Vec3& n, const Mat4& inverse) {
+  return Vec3(n.x * inverse[0][0] + n.y * inverse[0][1] + n.z * inverse[0][2],
+              n.x * inverse[1][0] + n.y * inverse[1][1] + n.z * inverse[1][2],
+              n.x * inverse[2][0] + n.y * inverse[2][1] + n.z * inverse[2][2]);
+}
+
+}  // namespace oriel
