@@ -39,8 +39,8 @@ std::uint32_t Diagnostics::add_file(std::string path, SourceLocation included_fr
 void Diagnostics::report(Severity severity, std::string_view code, SourceLocation where,
                          std::string message, std::string hint) {
   const std::scoped_lock lock(mutex_);
-  const auto same = std::count_if(all_.begin(), all_.end(),
-                                  [&](const Diagnostic& d) { return d.code == code; });
+  const auto same =
+      std::count_if(all_.begin(), all_.end(), [&](const Diagnostic& d) { return d.code == code; });
   if (static_cast<std::size_t>(same) > kMostPerCode) return;
   if (static_cast<std::size_t>(same) == kMostPerCode) {
     message = "further messages of this kind are left out";
@@ -55,8 +55,7 @@ std::size_t Diagnostics::count(Severity severity) const {
 }
 
 bool Diagnostics::has(std::string_view code) const {
-  return std::any_of(all_.begin(), all_.end(),
-                     [&](const Diagnostic& d) { return d.code == code; });
+  return std::any_of(all_.begin(), all_.end(), [&](const Diagnostic& d) { return d.code == code; });
 }
 
 std::string Diagnostics::format(const Diagnostic& d) const {

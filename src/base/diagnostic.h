@@ -25,7 +25,7 @@ enum class Severity : std::uint8_t { Note, Warning, Error };
 
 struct Diagnostic {
   Severity severity = Severity::Note;
-  std::string code;     ///< stable, such as "OR-MI-012"
+  std::string code;  ///< stable, such as "OR-MI-012"
   SourceLocation where;
   std::string message;  ///< one sentence, no full stop needed
   std::string hint;     ///< what to do, or empty

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/elements.h"
+
+namespace oriel::scene {
+
+const ShaderList* Material::slot(std::string_view keyword) const {
+  for (const Slot& s : slots)
+    if (s.keyword == keyword) return &s.shaders;
+  return nullptr;
+}
+
+bool operator==(const Texture& a, const Texture& b) {
+  return a.name == b.name && a.type == b.type && a.local == b.local && a.writable == b.writable &&
+         a.filter == b.filter && a.file == b.file && a.format == b.format &&
+         a.data_type == b.data_type && a.size == b.size && a.pixels == b.pixels &&
+         a.procedure == b.procedure;
+}
+
+std::string_view type_name(ParamType type) {
+  constexpr std::string_view kNames[] = {
+      "boolean",      "integer",   "scalar",        "string",         "color",
+      "vector",       "transform", "light",         "material",       "geometry",
+      "lightprofile", "spectrum",  "color texture", "scalar texture", "vector texture",
+      "shader",       "data",      "struct",        "array"};
+  return kNames[static_cast<int>(type)];
+}
+
+}  // namespace oriel::scene

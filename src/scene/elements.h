@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The other elements of a scene: options, cameras, lights, materials, textures, instances, groups.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "scene/object.h"
+#include "scene/shader.h"
+
+namespace oriel::scene {
+
+/// options "name" ... end options. Statements in the order written; render_options.h reads them.
+struct Options {
+  std::string name;
+  std::vector<Statement> statements;
+  std::vector<KeptText> kept;  ///< state, data blocks
+  SourceLocation where;
+  bool operator==(const Options&) const = default;
+};
+
+/// One `output` statement of a camera: an image file or an output shader.
+struct Output {
+  std::string types;   ///< "rgba", "+rgba,z", "fb0"; empty when only a format was written
+  std::string format;  ///< "exr", "tif"; empty for a shader
+  std::string file;
+  std::vector<Statement> modifiers;  ///< quality, compress, dpi, ...
+  ShaderList shaders;                ///< an output shader instead of a file
+  SourceLocation where;
+  bool operator==(const Output&) const = default;
+};
+
+/// camera "name" ... end camera
+struct Camera {
+  std::string name;
+  std::optional<float> focal;  ///< unset = orthographic (`focal infinity`) when `orthographic`
+  bool orthographic = false;
+  std::optional<float> aperture;  ///< film width, unit of focal; orthographic: width in scene units
+  std::optional<float> aspect;    ///< image width / height
+  std::optional<std::array<int, 2>> resolution;
+  std::vector<Output> outputs;
+  ShaderList lens, volume, environment;
+  std::vector<Statement> other;  ///< offset, window, clip, frame, dof, ... as written
+  std::vector<KeptText> kept;    ///< framebuffer and pass blocks, data
+  SourceLocation where;
+  bool operator==(const Camera&) const = default;
+};
+
+/// light "name" ... end light. Origin, direction and area vectors are in the light's local space.
+struct Light {
+  std::string name;
+  ShaderList shaders, emitters;
+  std::optional<Vec3> origin, direction;
+  std::optional<float> spread;    ///< cosine of the outer cone angle
+  std::optional<Statement> area;  ///< keyword rectangle|disc|sphere|cylinder|object|user, numbers
+  std::vector<Statement> other;   ///< energy, exponent, visible, photons, shadowmap, ...
+  SourceLocation where;
+  bool operator==(const Light&) const = default;
+};
+
+/// material "name" flags shader_list { slot shader_list }... end material
+struct Material {
+  std::string name;
+  bool nocontour = false, opaque = false;
+  ShaderList shaders;
+  /// displace, shadow, volume, environment, contour, photon, photonvol, lightmap, hardware
+  struct Slot {
+    std::string keyword;
+    ShaderList shaders;
+    bool operator==(const Slot&) const = default;
+  };
+  std::vector<Slot> slots;
+  SourceLocation where;
+  const ShaderList* slot(std::string_view keyword) const;  ///< null when absent
+  bool operator==(const Material&) const = default;
+};
+
+/// [local] [filter] color|scalar|vector texture "name" ...
+struct Texture {
+  std::string name;
+  ParamType type = ParamType::ColorTexture;
+  bool local = false, writable = false;
+  std::optional<float> filter;    ///< set when `filter` was written; 1 by default
+  std::string file;               ///< as written; empty for pixels or a procedure
+  std::string format, data_type;  ///< of the raw form
+  std::vector<int> size;          ///< width height [bytes or depth]
+  std::vector<std::uint8_t> pixels;
+  ShaderList procedure;
+  std::string directory;  ///< of the file that defined it, for relative names; not compared
+  SourceLocation where;
+  friend bool operator==(const Texture&, const Texture&);
+};
+
+/// lightprofile "name" ... end lightprofile
+struct LightProfile {
+  std::string name;
+  std::vector<Statement> statements;
+  SourceLocation where;
+  bool operator==(const LightProfile&) const = default;
+};
+
+/// Names in an instance's light list.
+struct LightLinks {
+  bool exclusive = false;
+  std::vector<std::string> lights;
+  bool operator==(const LightLinks&) const = default;
+};
+
+/// instance "name" "element" ... end instance
+struct Instance {
+  std::string name;
+  std::string element;
+  ShaderList geometry;            ///< geometry shaders instead of an element
+  std::vector<Statement> flags;   ///< visible, shadow, hide, ... as written; override, approximate
+  std::optional<Mat4> transform;  ///< parent space to local space, rows as written
+  std::optional<Mat4> motion_transform;
+  ShaderList transform_shaders;
+  bool material_list = false;  ///< written in brackets
+  std::vector<std::string> materials;
+  std::optional<LightLinks> light_links, shadow_links;
+  std::optional<std::vector<Argument>> parameters;
+  std::vector<KeptText> kept;
+  SourceLocation where;
+  bool operator==(const Instance&) const = default;
+};
+
+/// instgroup "name" members... end instgroup
+struct InstanceGroup {
+  std::string name;
+  std::vector<Statement> settings;  ///< merge, tag, data
+  std::vector<std::string> members;
+  SourceLocation where;
+  bool operator==(const InstanceGroup&) const = default;
+};
+
+/// An element this renderer only keeps: data, gui, assembly, colorprofile, spectrum, registry...
+struct KeptElement {
+  std::string kind;
+  std::string name;
+  std::string text;  ///< everything between the name and the end, tokens separated by blanks
+  SourceLocation where;
+  bool operator==(const KeptElement&) const = default;
+};
+
+/// render "root" "camera instance" "options"
+struct RenderCommand {
+  std::string root, camera, options;
+  SourceLocation where;
+  bool operator==(const RenderCommand&) const = default;
+};
+
+}  // namespace oriel::scene

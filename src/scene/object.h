@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Geometry as a scene holds it: polygon groups over a pool of vectors, and what is only kept.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "scene/value.h"
+
+namespace oriel::scene {
+
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+// Conventions
+//   All indices are 0-based. Columns of a vertex list are either empty (no vertex has the field) or
+//   have one entry per vertex, kNone where that vertex lacks it. Memory per field and vertex is
+//   thus four bytes, which is what keeps a million triangles small.
+
+/// One texture space of a vertex list: indices into the group's vectors.
+struct TextureColumn {
+  std::vector<std::uint32_t> coordinate;
+  std::vector<std::uint32_t> basis_u, basis_v;  ///< bump basis vectors, object space
+  bool operator==(const TextureColumn&) const = default;
+};
+
+/// `v P n N d U V [..] t T [X Y] m M u W`: the vertices of a group, column by column.
+struct VertexList {
+  std::vector<std::uint32_t> point;
+  std::vector<std::uint32_t> normal;
+  std::vector<std::vector<std::uint32_t>> derivative;  ///< 2, 3 or 5 columns
+  std::vector<TextureColumn> textures;
+  std::vector<std::vector<std::uint32_t>> motion;  ///< one column per motion step
+  std::vector<std::vector<std::uint32_t>> user;
+  std::size_t size() const { return point.size(); }
+  bool operator==(const VertexList&) const = default;
+};
+
+/// Polygons of a group. Polygon i has the corners indices[first[i]] .. indices[first[i+1]-1]; where
+/// it has holes, `holes` lists the offsets in `indices` at which each hole's loop begins (ascending
+/// over the whole group). Strips and fans are stored as triangles.
+struct PolygonList {
+  std::vector<std::uint32_t> indices;  ///< into the vertex list
+  std::vector<std::uint32_t> first;    ///< polygons + 1 entries; empty when there are none
+  std::vector<std::uint32_t> holes;    ///< offsets into indices
+  /// Empty, or one per polygon: index into PolygonGroup::materials, or in a tagged object the label
+  /// itself; kNone = the instance supplies the material.
+  std::vector<std::uint32_t> material;
+  std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
+  bool operator==(const PolygonList&) const = default;
+};
+
+/// `group ... end group`; a `trilist` is stored in the same form.
+struct PolygonGroup {
+  std::string name;
+  std::vector<Vec3> vectors;  ///< positions, normals, texture coordinates... in object space
+  VertexList vertices;
+  PolygonList polygons;
+  std::vector<std::string> materials;  ///< names that polygons use
+  std::vector<Statement> settings;     ///< merge, approximate
+  SourceLocation where;
+  bool operator==(const PolygonGroup&) const = default;
+};
+
+/// A construct that is read, kept and written back, but has no meaning to this renderer: free-form
+/// surfaces, subdivision, hair, gui blocks... `text` is its source, tokens separated by blanks.
+struct KeptText {
+  std::string keyword;
+  std::string text;
+  SourceLocation where;
+  bool operator==(const KeptText&) const = default;
+};
+
+/// object "name" flags... body end object
+struct Object {
+  std::string name;
+  std::vector<Statement> flags;  ///< visible, shadow, trace, tagged, tag, box, ... as written
+  std::vector<PolygonGroup> groups;
+  std::vector<KeptText> kept;  ///< other geometry
+  SourceLocation where;
+  bool tagged() const;
+  bool operator==(const Object&) const = default;
+};
+
+}  // namespace oriel::scene

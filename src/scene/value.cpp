@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/value.h"
+
+#include <algorithm>
+
+namespace oriel::scene {
+
+bool operator==(const Value& a, const Value& b) {
+  return a.kind == b.kind && a.boolean == b.boolean && a.integral == b.integral &&
+         a.numbers == b.numbers && a.text == b.text && a.items == b.items && a.members == b.members;
+}
+
+bool operator==(const Argument& a, const Argument& b) {
+  return a.name == b.name && a.value == b.value;
+}
+
+bool operator==(const Statement& a, const Statement& b) {
+  return a.keyword == b.keyword && a.quoted == b.quoted && a.values == b.values;
+}
+
+const Statement* find_last(const std::vector<Statement>& statements, std::string_view keyword) {
+  const auto found = std::find_if(statements.rbegin(), statements.rend(),
+                                  [&](const Statement& s) { return s.keyword == keyword; });
+  return found == statements.rend() ? nullptr : &*found;
+}
+
+}  // namespace oriel::scene

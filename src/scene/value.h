@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values as a scene file writes them, before any declaration has given them a type.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+
+namespace oriel::scene {
+
+struct Argument;
+
+/// One value of a parameter or statement, as written. The declared type is applied when the value
+/// is bound (runtime/bind.h), so a value can be kept and written back although nobody knows its
+/// shader.
+struct Value {
+  enum class Kind : std::uint8_t {
+    Null,        ///< `null`
+    Boolean,     ///< on off true false
+    Numbers,     ///< one or more numbers in a row
+    Text,        ///< quoted string or bare symbol
+    Connection,  ///< = "shader" or = "shader.member"; text holds the name
+    Interface,   ///< = interface "parameter"; text holds the name
+    Struct,      ///< { parameters }; members
+    Array        ///< [ values, ... ]; items
+  };
+  Kind kind = Kind::Null;
+  bool boolean = false;
+  bool integral = false;        ///< Numbers: all were written without point and exponent
+  std::vector<double> numbers;  ///< double: labels and tags up to 2^32 must survive
+  std::string text;
+  std::vector<Value> items;
+  std::vector<Argument> members;
+  SourceLocation where;
+
+  friend bool operator==(const Value&, const Value&);
+};
+
+/// "name" value
+struct Argument {
+  std::string name;
+  Value value;
+  SourceLocation where;
+  friend bool operator==(const Argument&, const Argument&);
+};
+
+/// A statement that is a keyword (of one or more words, joined by single blanks) and values:
+/// `trace depth 2 2 4`, `shadow on`, `"finalgather mode" "automatic"`. Keeps what was written, in
+/// order, for meaning to be read from it by name.
+struct Statement {
+  std::string keyword;
+  bool quoted = false;  ///< a string option: the keyword stood in quotes
+  std::vector<Value> values;
+  SourceLocation where;
+  friend bool operator==(const Statement&, const Statement&);
+};
+
+/// The last statement of that keyword (later ones override), or null.
+const Statement* find_last(const std::vector<Statement>& statements, std::string_view keyword);
+
+}  // namespace oriel::scene
