@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""tools/lint finds what it promises to find, and nothing in a clean file."""
+import importlib.machinery
+import importlib.util
+import pathlib
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def load(name):
+    loader = importlib.machinery.SourceFileLoader(name, str(HERE / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
+
+
+lint = load("lint")
+
+TABLE = """
+| level | folder | answers | only here |
+|---|---|---|---|
+| 0 | include/oriel | headers | |
+| 0 | src/base | basics | |
+| 2 | src/image | pixels | OpenImageIO, png |
+| 3 | src/geom | hits | embree3 |
+| 5 | src/shaders | shaders | |
+| 5 | src/transport | light | |
+"""
+HEAD = "// " + lint.SPDX + "\n#pragma once\n"
+
+
+def messages(path, text, known=()):
+    house = lint.House(TABLE)
+    return [finding.message for finding in lint.check(path, text, house, set(known).__contains__)]
+
+
+class Levels(unittest.TestCase):
+    def test_downward_include_is_clean(self):
+        self.assertEqual([], messages("src/geom/a.h", HEAD + '#include "base/vec.h"\n'))
+
+    def test_include_within_a_folder_is_clean(self):
+        self.assertEqual([], messages("src/shaders/architectural/a.h",
+                                      HEAD + '#include "shaders/base/b.h"\n'))
+
+    def test_upward_include_is_found(self):
+        found = messages("src/base/a.h", HEAD + '#include "geom/mesh.h"\n')
+        self.assertEqual(1, len(found))
+        self.assertIn("downward only", found[0])
+
+    def test_folders_of_one_level_do_not_see_each_other(self):
+        self.assertEqual(1, len(messages("src/shaders/a.h", HEAD + '#include "transport/b.h"\n')))
+
+    def test_angle_brackets_are_seen_through(self):
+        self.assertEqual(1, len(messages("src/base/a.h", HEAD + "# include <geom/mesh.h>\n")))
+
+    def test_installed_headers_are_on_the_ground(self):
+        self.assertEqual([], messages("src/geom/a.h", HEAD + "#include <oriel/shader.h>\n"))
+        self.assertEqual(1, len(messages("include/oriel/a.h", HEAD + '#include "geom/mesh.h"\n')))
+
+    def test_tests_may_use_everything(self):
+        text = "// " + lint.SPDX + '\n#include "transport/b.h"\n#include <embree3/rtcore.h>\n'
+        self.assertEqual([], messages("tests/render/a_test.cpp", text))
+
+    def test_a_library_stays_in_its_folder(self):
+        self.assertEqual([], messages("src/geom/a.h", HEAD + "#include <embree3/rtcore.h>\n"))
+        self.assertEqual(1, len(messages("src/transport/a.h",
+                                         HEAD + "#include <embree3/rtcore.h>\n")))
+        self.assertEqual(1, len(messages("src/base/a.h", HEAD + "#include <png.h>\n")))
+
+    def test_a_page_without_a_table_is_an_error(self):
+        with self.assertRaises(ValueError):
+            lint.House("# Architecture\n")
+
+    def test_the_project_has_a_level_for_every_folder_of_src(self):
+        house = lint.House((HERE.parent / "docs/dev/architecture.md").read_text(encoding="utf-8"))
+        for folder in (HERE.parent / "src").iterdir():
+            if folder.is_dir():
+                self.assertIn(f"src/{folder.name}", house.levels)
+
+
+class Files(unittest.TestCase):
+    def test_missing_spdx_line_is_found(self):
+        self.assertEqual(["no SPDX line at the top"], messages("src/base/a.h", "#pragma once\n"))
+
+    def test_scripts_need_the_spdx_line_too(self):
+        self.assertEqual(1, len(messages("tools/run", "#!/bin/sh\n")))
+        self.assertEqual(1, len(messages("src/CMakeLists.txt", "add_subdirectory(base)\n")))
+
+    def test_text_and_scenes_are_left_alone(self):
+        self.assertEqual([], messages("docs/page.md", "# Page\n"))
+        self.assertEqual([], messages("scenes/a.mi", "verbose on\n"))
+
+    def test_500_lines_pass_and_501_do_not(self):
+        def source(lines):
+            return "// " + lint.SPDX + "\n" + "int a();\n" * (lines - 1)
+        self.assertEqual([], messages("src/base/a.cpp", source(500)))
+        self.assertEqual(1, len(messages("src/base/a.cpp", source(501))))
+        self.assertEqual([], messages("src/base/albedo_table.cpp", source(501)))
+
+    def test_words_that_promise_are_found(self):
+        for word in ("TO" "DO", "FIX" "ME", "XX" "X"):
+            self.assertEqual(1, len(messages("src/base/a.h", HEAD + f"// {word} later\n")))
+        self.assertEqual([], messages("src/base/a.h", HEAD + 'const char* t = "/tmp/XXXXXX";\n'))
+
+
+class Headers(unittest.TestCase):
+    def test_header_without_guard_is_found(self):
+        found = messages("src/base/a.h", "// " + lint.SPDX + "\nint a();\n")
+        self.assertEqual(["header without #pragma once"], found)
+
+    def test_c_guard_is_a_guard(self):
+        text = "/* " + lint.SPDX + " */\n#ifndef ORIEL_SHADER_H\n#define ORIEL_SHADER_H\n#endif\n"
+        self.assertEqual([], messages("include/oriel/shader.h", text))
+
+    def test_using_namespace_is_found_at_the_margin_only(self):
+        self.assertEqual(1, len(messages("src/base/a.h", HEAD + "using namespace std;\n")))
+        inside = HEAD + "inline void f() {\n  using namespace std;\n}\n"
+        self.assertEqual([], messages("src/base/a.h", inside))
+
+    def test_own_header_comes_first(self):
+        late = "// " + lint.SPDX + '\n#include <vector>\n\n#include "base/a.h"\n'
+        self.assertEqual(1, len(messages("src/base/a.cpp", late, ["src/base/a.h"])))
+        self.assertEqual(1, len(messages("src/base/a_test.cpp", late, ["src/base/a.h"])))
+        first = "// " + lint.SPDX + '\n#include "base/a.h"\n\n#include <vector>\n'
+        self.assertEqual([], messages("src/base/a.cpp", first, ["src/base/a.h"]))
+        self.assertEqual([], messages("src/base/main.cpp", late, ["src/base/a.h"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
