@@ -59,17 +59,9 @@ struct PolygonGroup {
   PolygonList polygons;
   std::vector<std::string> materials;  ///< names that polygons use
   std::vector<Statement> settings;     ///< merge, approximate
+  std::vector<KeptText> kept;          ///< curves, surfaces, subdivision over the same vectors
   SourceLocation where;
   bool operator==(const PolygonGroup&) const = default;
-};
-
-/// A construct that is read, kept and written back, but has no meaning to this renderer: free-form
-/// surfaces, subdivision, hair, gui blocks... `text` is its source, tokens separated by blanks.
-struct KeptText {
-  std::string keyword;
-  std::string text;
-  SourceLocation where;
-  bool operator==(const KeptText&) const = default;
 };
 
 /// object "name" flags... body end object

@@ -72,6 +72,7 @@ struct ShaderDeclaration {
   std::vector<ParamDecl> results;  ///< one unnamed for a plain type, the members for a struct
   std::vector<ParamDecl> parameters;
   std::vector<Statement> requirements;  ///< version, apply, trace, shadow, ... as written
+  std::vector<KeptText> kept;           ///< gui and hardware blocks
   bool old_form = false;                ///< without the word shader: ended at the parenthesis
   SourceLocation where;
   bool operator==(const ShaderDeclaration&) const = default;
@@ -82,6 +83,7 @@ struct DataDeclaration {
   std::string name;
   std::vector<ParamDecl> parameters;
   std::vector<Statement> requirements;
+  std::vector<KeptText> kept;  ///< gui blocks
   SourceLocation where;
   bool operator==(const DataDeclaration&) const = default;
 };

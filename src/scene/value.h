@@ -30,6 +30,7 @@ struct Value {
   bool integral = false;        ///< Numbers: all were written without point and exponent
   std::vector<double> numbers;  ///< double: labels and tags up to 2^32 must survive
   std::string text;
+  bool bare = false;  ///< Text: written without quotes (`filter gauss`); not compared
   std::vector<Value> items;
   std::vector<Argument> members;
   SourceLocation where;
@@ -54,6 +55,16 @@ struct Statement {
   std::vector<Value> values;
   SourceLocation where;
   friend bool operator==(const Statement&, const Statement&);
+};
+
+/// A construct that is read, kept and written back, but has no meaning to this renderer: free-form
+/// surfaces, subdivision, hair, gui blocks... `text` is its source after the keyword, tokens
+/// separated by blanks.
+struct KeptText {
+  std::string keyword;
+  std::string text;
+  SourceLocation where;
+  bool operator==(const KeptText&) const = default;
 };
 
 /// The last statement of that keyword (later ones override), or null.
