@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colour and the light output of a black body by temperature.
+#pragma once
+
+#include "base/vec.h"
+
+namespace oriel {
+
+/// CIE 1931 2-degree colour matching functions at a wavelength, as XYZ.
+///
+/// Model:   sums of piecewise Gaussians, within about 1 % of the tables.
+/// Source:  Wyman, Sloan, Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching
+///          Functions", JCGT 2(2), 2013, equation 4.
+Vec3 cie_1931_matching(float wavelength_nm);
+
+/// Luminance (Y, cd/m2) and its X and Z of a black body at `kelvin` > 0.
+/// Checked: BlackBody.ChromaticityMatchesTable, BlackBody.SunDiscGivesItsIlluminance
+Vec3 black_body_xyz(float kelvin);
+
+/// Linear sRGB of a black body scaled to a largest component of 1; negative channels become 0.
+Rgb black_body_color(float kelvin);
+
+/// Luminous efficacy of a black body's whole radiation, lm/W.
+float black_body_efficacy(float kelvin);
+
+}  // namespace oriel
