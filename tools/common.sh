@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # SPDX-License-Identifier: Apache-2.0
 # What tools/start, tools/test and .ci/run share: saying what happens, and building a preset.
 # Sourced from the repository's root.
