@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sampling/distribution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+
+namespace oriel::sampling {
+namespace {
+
+constexpr float kBelowOne = 0x1.fffffep-1f;
+
+float usable(float v) { return std::isfinite(v) && v > 0 ? v : 0; }
+
+/// Fills cdf (one longer than values) and returns the sum of the values. Sums run in double: a
+/// million small terms would stall in float.
+double build_cdf(std::span<const float> values, std::span<float> cdf) {
+  double total = 0;
+  for (const float v : values) total += v;
+  const auto n = static_cast<double>(values.size());
+  double sum = 0;
+  cdf[0] = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += total > 0 ? values[i] / total : 1 / n;
+    cdf[i + 1] = static_cast<float>(std::min(sum, 1.0));
+  }
+  // Everything after the last cell with weight is exactly 1, so that no u below 1 lands there.
+  std::size_t last = values.size();
+  while (total > 0 && last > 1 && values[last - 1] == 0) --last;
+  for (std::size_t i = last; i <= values.size(); ++i) cdf[i] = 1;
+  return total;
+}
+
+/// The cell of u and the position in it.
+struct Cell {
+  std::size_t index;
+  float u;
+};
+Cell find_cell(std::span<const float> cdf, float u) {
+  const auto above = std::upper_bound(cdf.begin() + 1, cdf.end() - 1, u);
+  const auto index = static_cast<std::size_t>(above - cdf.begin()) - 1;
+  const float width = cdf[index + 1] - cdf[index];
+  const float inside = width > 0 ? (u - cdf[index]) / width : 0;
+  return {index, clamp(inside, 0.0f, kBelowOne)};
+}
+
+std::size_t cell_of(float x, std::size_t count) {
+  const float i = clamp01(x) * static_cast<float>(count);
+  return std::min(static_cast<std::size_t>(i), count - 1);
+}
+
+float position(const Cell& cell, std::size_t count) {
+  const float x = (static_cast<float>(cell.index) + cell.u) / static_cast<float>(count);
+  return std::min(x, kBelowOne);
+}
+
+}  // namespace
+
+Distribution1D::Distribution1D(std::span<const float> values)
+    : values_(values.size()), cdf_(values.size() + 1) {
+  ORIEL_ASSERT(!values.empty());
+  std::transform(values.begin(), values.end(), values_.begin(), usable);
+  const double total = build_cdf(values_, cdf_);
+  integral_ = static_cast<float>(total / static_cast<double>(values_.size()));
+  if (!(integral_ > 0)) std::fill(values_.begin(), values_.end(), 1.0f);
+  inverse_integral_ = integral_ > 0 ? 1 / integral_ : 1;
+}
+
+Distribution1D::Sample Distribution1D::sample(float u) const {
+  const Cell cell = find_cell(cdf_, u);
+  return {position(cell, size()), values_[cell.index] * inverse_integral_, cell.index};
+}
+
+Distribution1D::Choice Distribution1D::choose(float u) const {
+  const Cell cell = find_cell(cdf_, u);
+  return {cell.index, pmf(cell.index), cell.u};
+}
+
+float Distribution1D::pdf(float x) const { return values_[cell_of(x, size())] * inverse_integral_; }
+
+Distribution2D::Distribution2D(std::span<const float> values, std::size_t width, std::size_t height)
+    : width_(width),
+      height_(height),
+      values_(width * height),
+      row_cdf_((width + 1) * height),
+      marginal_(height + 1) {
+  ORIEL_ASSERT(width > 0 && height > 0 && values.size() == width * height);
+  std::transform(values.begin(), values.end(), values_.begin(), usable);
+  std::vector<float> row_means(height);
+  for (std::size_t y = 0; y < height; ++y) {
+    const double total = build_cdf(std::span(values_).subspan(y * width, width),
+                                   std::span(row_cdf_).subspan(y * (width + 1), width + 1));
+    row_means[y] = static_cast<float>(total / static_cast<double>(width));
+  }
+  const double total = build_cdf(row_means, marginal_);
+  integral_ = static_cast<float>(total / static_cast<double>(height));
+  if (!(integral_ > 0)) std::fill(values_.begin(), values_.end(), 1.0f);
+  inverse_integral_ = integral_ > 0 ? 1 / integral_ : 1;
+}
+
+Distribution2D::Sample Distribution2D::sample(const Vec2& u) const {
+  const Cell row = find_cell(marginal_, u.y);
+  const Cell cell =
+      find_cell(std::span(row_cdf_).subspan(row.index * (width_ + 1), width_ + 1), u.x);
+  return {Vec2(position(cell, width_), position(row, height_)),
+          values_[row.index * width_ + cell.index] * inverse_integral_};
+}
+
+float Distribution2D::pdf(const Vec2& uv) const {
+  return values_[cell_of(uv.y, height_) * width_ + cell_of(uv.x, width_)] * inverse_integral_;
+}
+
+}  // namespace oriel::sampling

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random choice in proportion to tabulated values: one row (lights), or a picture (environments).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace oriel::sampling {
+
+// Conventions
+//   The table spreads over [0,1) (or [0,1)^2, row 0 at v = 0) in equal cells, constant in each.
+//   Densities are with respect to that unit domain; the caller adds the Jacobian of its own map.
+//   Negative and non-finite entries count as 0; a table without any weight is uniform.
+
+/// Piecewise constant distribution over [0,1).
+///
+/// Errors:  total, except that a table must have at least one cell (assertion).
+/// Checked: Distribution1D.SamplesMatchTheTable, Distribution1D.NeverPicksAnEmptyCell.
+class Distribution1D {
+ public:
+  struct Sample {
+    float x;            ///< in [0,1)
+    float pdf;          ///< with respect to x
+    std::size_t index;  ///< cell of x
+  };
+  struct Choice {
+    std::size_t index;
+    float pmf;  ///< probability of this cell
+    float u;    ///< position in the cell, uniform in [0,1) and free to use again
+  };
+
+  Distribution1D() : Distribution1D(std::vector<float>{1.0f}) {}
+  explicit Distribution1D(std::span<const float> values);
+
+  std::size_t size() const { return values_.size(); }
+  /// Mean of the table: the integral over [0,1).
+  float integral() const { return integral_; }
+
+  Sample sample(float u) const;
+  Choice choose(float u) const;
+  float pdf(float x) const;
+  float pmf(std::size_t index) const {
+    return values_[index] * inverse_integral_ / static_cast<float>(values_.size());
+  }
+
+ private:
+  std::vector<float> values_;
+  std::vector<float> cdf_;  // size() + 1 entries from 0 to exactly 1
+  float integral_ = 0;
+  float inverse_integral_ = 0;
+};
+
+/// Piecewise constant distribution over [0,1)^2, a row by its total, then a cell in the row.
+///
+/// Inputs:  values, row after row, width x height.
+/// Checked: Distribution2D.SamplesMatchTheTable, Distribution2D.PdfIntegratesToOne.
+class Distribution2D {
+ public:
+  struct Sample {
+    Vec2 uv;
+    float pdf;  ///< with respect to area in [0,1)^2
+  };
+
+  Distribution2D() : Distribution2D(std::vector<float>{1.0f}, 1, 1) {}
+  Distribution2D(std::span<const float> values, std::size_t width, std::size_t height);
+
+  std::size_t width() const { return width_; }
+  std::size_t height() const { return height_; }
+  /// Mean of the table: the integral over [0,1)^2.
+  float integral() const { return integral_; }
+
+  Sample sample(const Vec2& u) const;
+  float pdf(const Vec2& uv) const;
+
+ private:
+  std::size_t width_ = 0, height_ = 0;
+  std::vector<float> values_;
+  std::vector<float> row_cdf_;   // height x (width + 1)
+  std::vector<float> marginal_;  // height + 1
+  float integral_ = 0;
+  float inverse_integral_ = 0;
+};
+
+}  // namespace oriel::sampling

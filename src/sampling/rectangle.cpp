@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sampling/rectangle.h"
+
+#include <algorithm>
+
+namespace oriel::sampling {
+
+SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner, const Vec3& edge_u,
+                                       const Vec3& edge_v)
+    : point_(point) {
+  const float length_u = length(edge_u), length_v = length(edge_v);
+  x_ = edge_u * (1 / length_u);
+  y_ = edge_v * (1 / length_v);
+  z_ = cross(x_, y_);
+  const Vec3 d = corner - point;
+  z0_ = dot(d, z_);
+  if (z0_ > 0) {
+    z0_ = -z0_;
+    z_ = -z_;
+  }
+  x0_ = dot(d, x_);
+  y0_ = dot(d, y_);
+  x1_ = x0_ + length_u;
+  y1_ = y0_ + length_v;
+
+  // The z components of the four edge planes' normals are all the dihedral angles need.
+  const float zz = z0_ * z0_;
+  const auto slope = [zz](float v) {
+    const float len2 = zz + v * v;
+    return len2 > 0 ? v / std::sqrt(len2) : 0.0f;
+  };
+  const float n0 = -slope(y0_), n1 = slope(x1_), n2 = slope(y1_), n3 = -slope(x0_);
+  const auto arc = [](float c) { return std::asin(clamp(c, -1.0f, 1.0f)); };
+  // The four angles minus 2 pi; written with arc sines nothing large has to cancel.
+  const float a0 = arc(n0 * n1), a1 = arc(n1 * n2), a2 = arc(n2 * n3), a3 = arc(n3 * n0);
+  solid_angle_ = std::max(0.0f, (a0 + a1) + (a2 + a3));
+  b0_ = n0;
+  b1_ = n2;
+  k_ = kPi - a2 - a3;
+  by_area_ = solid_angle_ < kSmallestSolidAngle;
+}
+
+SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& u) const {
+  float x, y;
+  if (by_area_) {
+    x = lerp(x0_, x1_, u.x);
+    y = lerp(y0_, y1_, u.y);
+  } else {
+    // Column: the x whose strip holds the share u.x of the solid angle.
+    const float au = u.x * solid_angle_ + k_;
+    const float fu = (std::cos(au) * b0_ - b1_) / std::sin(au);
+    const float r2 = fu * fu + b0_ * b0_;
+    const float cu = std::copysign(1 / std::sqrt(std::max(r2, 1.0f)), fu);
+    x = clamp(-cu * z0_ / std::sqrt(std::max(1 - cu * cu, 1e-12f)), x0_, x1_);
+    // Row: heights on the strip are uniform in the sine of the elevation.
+    const float d2 = x * x + z0_ * z0_;
+    const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
+    const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
+    const float h = lerp(h0, h1, u.y);
+    y = clamp(h * std::sqrt(d2 / std::max(1 - h * h, 1e-12f)), y0_, y1_);
+  }
+  const Vec3 to_point = x_ * x + y_ * y + z_ * z0_;
+  Sample s;
+  s.point = point_ + to_point;
+  s.distance = length(to_point);
+  s.wi = s.distance > 0 ? to_point * (1 / s.distance) : z_;
+  s.pdf = pdf(s.wi, s.distance);
+  return s;
+}
+
+float SphericalRectangle::pdf(const Vec3& wi, float distance) const {
+  if (!by_area_) return 1 / solid_angle_;
+  const float cos_light = std::abs(dot(wi, z_));
+  const float area = (x1_ - x0_) * (y1_ - y0_);
+  return cos_light > 1e-7f && solid_angle_ > 0 ? distance * distance / (area * cos_light) : 0;
+}
+
+}  // namespace oriel::sampling

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of a rectangle seen from a point, uniform in solid angle.
+#pragma once
+
+#include "base/vec.h"
+
+namespace oriel::sampling {
+
+/// A rectangle projected on the sphere of directions around a point.
+///
+/// Model:   uniform in solid angle. Below kSmallestSolidAngle, where float no longer resolves the
+///          spherical excess, uniform in area instead; `pdf` follows.
+/// Inputs:  point; corner, edge_u, edge_v of the rectangle, edges at right angles, scene units.
+/// Returns: pdf per solid angle; 0 when the point lies in the rectangle's plane.
+/// Errors:  total.
+/// Source:  Urena, Fajardo, King, "An Area-Preserving Parametrization for Spherical Rectangles",
+///          EGSR 2013.
+/// Checked: Rectangle.SolidAngleMatchesTheClosedForm, Rectangle.SamplesAreUniformInSolidAngle,
+///          Rectangle.IrradianceMatchesTheFormFactor.
+class SphericalRectangle {
+ public:
+  /// The sum of arcs carries an error near 3e-7, so this keeps the density within 1e-4.
+  static constexpr float kSmallestSolidAngle = 4e-3f;
+
+  struct Sample {
+    Vec3 point;      ///< on the rectangle, world space
+    Vec3 wi;         ///< unit, from the reference point
+    float distance;  ///< scene units
+    float pdf;       ///< per solid angle
+  };
+
+  SphericalRectangle(const Vec3& point, const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v);
+
+  float solid_angle() const { return solid_angle_; }
+  Sample sample(const Vec2& u) const;
+  /// Density of the unit direction `wi`, which meets the rectangle at `distance`.
+  float pdf(const Vec3& wi, float distance) const;
+
+ private:
+  Vec3 point_, x_, y_, z_;  // axes along the edges and the normal, z away from the rectangle
+  float x0_, x1_, y0_, y1_, z0_;
+  float b0_, b1_, k_;
+  float solid_angle_;
+  bool by_area_;
+};
+
+}  // namespace oriel::sampling

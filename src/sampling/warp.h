@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// How uniform numbers become points and directions, how dense those are, and how two ways of
+// sampling share one integral.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec.h"
+
+namespace oriel::sampling {
+
+// Conventions
+//   u is uniform in [0,1)^2. Directions are unit, around +z. `pdf` is per solid angle.
+
+/// Point of the unit disc, uniform in area, neighbours stay neighbours.
+/// Source:  Shirley, Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997.
+/// Checked: Warp.DiscMatchesItsDensity.
+inline Vec2 sample_disc(const Vec2& u) {
+  const float a = 2 * u.x - 1, b = 2 * u.y - 1;
+  if (a == 0 && b == 0) return Vec2(0, 0);
+  const bool wide = std::abs(a) > std::abs(b);
+  const float r = wide ? a : b;
+  const float t = (kPi / 4) * (wide ? b / a : a / b);
+  const float c = std::cos(t), s = std::sin(t);
+  return wide ? Vec2(r * c, r * s) : Vec2(r * s, r * c);
+}
+
+/// Direction of the upper hemisphere with density cos / pi.
+/// Checked: Warp.DirectionsMatchTheirDensity.
+inline Vec3 sample_cosine_hemisphere(const Vec2& u) {
+  const Vec2 d = sample_disc(u);
+  // A tiny positive z keeps the density of a rim sample above zero.
+  return Vec3(d.x, d.y, std::sqrt(std::max(1e-12f, 1 - d.x * d.x - d.y * d.y)));
+}
+inline float cosine_hemisphere_pdf(float cos_theta) { return std::max(0.0f, cos_theta) * kInvPi; }
+
+inline constexpr float kUniformSpherePdf = 0.25f * kInvPi;
+
+/// Direction of the whole sphere, uniform.
+inline Vec3 sample_uniform_sphere(const Vec2& u) {
+  const float z = 1 - 2 * u.x;
+  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+  const float phi = kTwoPi * u.y;
+  return Vec3(r * std::cos(phi), r * std::sin(phi), z);
+}
+
+/// 1 - cos(theta) from sin^2(theta) for theta up to 90 degrees, exact where the cone is narrow.
+inline float one_minus_cos(float sin2_theta) {
+  return sin2_theta / (1 + std::sqrt(std::max(0.0f, 1 - sin2_theta)));
+}
+
+/// Direction of the cone around +z, uniform. The width is given as 1 - cos(half angle), since a
+/// cosine in float does not resolve the sun. Distance from the axis grows with u.x.
+inline Vec3 sample_cone(const Vec2& u, float one_minus_cos_max) {
+  const float h = u.x * one_minus_cos_max;
+  const float r = std::sqrt(std::max(0.0f, h * (2 - h)));
+  const float phi = kTwoPi * u.y;
+  return Vec3(r * std::cos(phi), r * std::sin(phi), 1 - h);
+}
+inline float cone_pdf(float one_minus_cos_max) { return 1 / (kTwoPi * one_minus_cos_max); }
+
+/// Barycentric weights of the second and third corner of a triangle, uniform in area (the density
+/// is 1 / area).
+/// Source: Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
+inline Vec2 sample_triangle(const Vec2& u) {
+  if (u.y > u.x) {
+    const float x = u.x * 0.5f;
+    return Vec2(x, u.y - x);
+  }
+  const float y = u.y * 0.5f;
+  return Vec2(u.x - y, y);
+}
+
+/// Share of the first of two ways to sample, from their densities times sample counts; a way that
+/// cannot happen has share 0, an infinite density (delta) has share 1.
+/// Source:  Veach, Guibas, "Optimally Combining Sampling Techniques", SIGGRAPH 1995.
+/// Checked: Heuristics.SharesSumToOne.
+inline float balance_heuristic(float pdf_this, float pdf_other) {
+  return pdf_this > 0 ? 1 / (1 + pdf_other / pdf_this) : 0;
+}
+/// As above with the densities squared.
+inline float power_heuristic(float pdf_this, float pdf_other) {
+  return pdf_this > 0 ? 1 / (1 + sqr(pdf_other / pdf_this)) : 0;
+}
+
+}  // namespace oriel::sampling
