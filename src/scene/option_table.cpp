@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/option_table.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace oriel::scene {
+namespace {
+
+using O = RenderOptions;
+using V = const OptionValues&;
+using P = PhotonOptions;
+using F = FinalGatherOptions;
+using M = MotionOptions;
+using enum OptionSupport;
+
+/// Writes the values into one member, by its type; an enumeration takes the number of the
+/// alternative, a switch without a value is on.
+template <auto... kPath>
+void to(O& o, V v) {
+  auto& target = (o.*....*kPath);
+  using T = std::remove_reference_t<decltype(target)>;
+  if constexpr (std::is_same_v<T, bool>)
+    target = v.size() == 0 || v.on(0);
+  else if constexpr (std::is_same_v<T, int>)
+    target = v.integer(0);
+  else if constexpr (std::is_same_v<T, float>)
+    target = v.number(0);
+  else if constexpr (std::is_same_v<T, Rgba>)
+    target = v.color();
+  else if constexpr (std::is_same_v<T, TraceDepth>)
+    target = v.depth();
+  else
+    target = static_cast<T>(v.choice(0));
+}
+
+template <auto kMember, auto kEnumerator>
+void is(O& o, V) {
+  o.*kMember = kEnumerator;
+}
+
+void set_samples(O& o, V v) {
+  const bool range = v.size() > 1;
+  o.samples_max = v.integer(range ? 1 : 0);
+  o.samples_min = range ? v.integer(0) : o.samples_max - 2;
+}
+
+/// Without a fourth number alpha's threshold is the mean of the others.
+template <auto kMember>
+void set_contrast(O& o, V v) {
+  const Rgba c = v.color();
+  o.*kMember = v.size() == 4 ? c : Rgba(c.r, c.g, c.b, (c.r + c.g + c.b) / 3);
+}
+
+template <bool clipped>
+void set_filter(O& o, V v) {
+  const auto kind = clipped ? (v.choice(0) ? FilterKind::ClipLanczos : FilterKind::ClipMitchell)
+                            : static_cast<FilterKind>(v.choice(0));
+  const auto extent = [&](std::size_t i, float otherwise) {
+    return i < v.size() && v.number(i) > 0 ? v.number(i) : otherwise;
+  };
+  const float width = extent(1, default_filter_width(kind));
+  o.filter = {kind, width, extent(2, width)};
+}
+
+template <ShadowMode kMode>
+void set_shadow_switch(O& o, V v) {
+  o.shadow = v.size() == 0 || v.on(0) ? kMode : ShadowMode::Simple;
+}
+
+void set_shutter(O& o, V v) {
+  if (v.size() > 1) o.motion.delay = v.number(0);
+  o.motion.shutter = v.number(v.size() - 1);
+  o.motion.on = o.motion.shutter > 0;
+}
+
+template <auto kPhotons>
+void set_photons(O& o, V v) {
+  if (v.choice(0) == 0)
+    (o.*kPhotons).on = v.on(0);
+  else
+    (o.*kPhotons).object_flags = v.integer(0);
+}
+
+template <auto kPhotons>
+void set_accuracy(O& o, V v) {
+  (o.*kPhotons).accuracy = v.integer(0);
+  (o.*kPhotons).radius = v.size() > 1 ? v.number(1) : 0;
+}
+
+template <auto kPhotons>
+void set_photon_filter(O& o, V v) {
+  (o.*kPhotons).filter = static_cast<P::Filter>(v.choice(0));
+  (o.*kPhotons).filter_constant = v.size() > 1 ? v.number(1) : P{}.filter_constant;
+}
+
+void set_photonmap_file(O& o, V v) { o.photonmap_file = v.choice(0) ? v.text(0) : ""; }
+
+void set_gather(O& o, V v) {
+  o.finalgather.on = v.choice(0) != 0 || v.on(0);
+  o.finalgather.only = v.choice(0) == 1;
+  o.finalgather.fast_lookup = v.choice(0) == 2;
+}
+
+template <bool pixels>
+void set_gather_accuracy(O& o, V v) {
+  o.finalgather.radius_in_pixels = pixels;
+  o.finalgather.rays = v.integer(0);
+  o.finalgather.max_radius = v.size() > 1 ? v.number(1) : 0;
+  o.finalgather.min_radius = v.size() > 2 ? v.number(2) : 0;
+}
+
+// Source: published grammar. With three numbers the third stands for both diffuse and sum.
+void set_gather_depth(O& o, V v) {
+  const int r = v.integer(0), t = v.size() > 1 ? v.integer(1) : r;
+  const int diffuse = v.size() > 2 ? v.integer(2) : r + t;
+  o.finalgather.depth = {r, t, diffuse, v.size() > 3 ? v.integer(3) : diffuse};
+}
+
+void set_gather_falloff(O& o, V v) {
+  o.finalgather.falloff_start = v.number(0);
+  o.finalgather.falloff_stop = v.number(v.size() - 1);
+}
+
+void set_gather_files(O& o, V v) {
+  o.finalgather.files.clear();
+  if (v.choice(0) == 0)
+    for (const Value& name : v.value(0).items) o.finalgather.files.push_back(name.text);
+  if (v.choice(0) == 2) o.finalgather.files.push_back(v.text(0));
+}
+
+void set_frame_buffer(O& o, V v) {
+  UserFrameBuffer b{v.integer(0), v.size() > 1 ? v.text(1) : "", true};
+  if (b.type.starts_with('+') || b.type.starts_with('-')) {
+    b.interpolate = b.type[0] == '+';
+    b.type.erase(0, 1);
+  }
+  std::erase_if(o.frame_buffers, [&](const UserFrameBuffer& old) { return old.index == b.index; });
+  o.frame_buffers.push_back(std::move(b));
+}
+
+void set_luminance(O& o, V v) { o.luminance_weight = {v.number(0), v.number(1), v.number(2)}; }
+void set_luminance_ntsc(O& o, V) { o.luminance_weight = kLuminanceNtsc; }
+
+constexpr std::string_view kDepth = "int [int [int]]", kColor = "float [float float [float]]",
+                           kDepthMeaning = "reflection, refraction, sum",
+                           kMapsUnused = "shadows are traced instead of mapped",
+                           kAcceleration = "acceleration structure",
+                           kImportance = "importance of rays";
+constexpr auto kCaustic = &O::caustic, kGlobillum = &O::globillum, kPhotonvol = &O::photonvol;
+constexpr auto kGather = &O::finalgather;
+constexpr auto kMotion = &O::motion;
+
+// One row, one statement: the formatter would break rows in the middle.
+// clang-format off
+constexpr OptionRow kRows[] = {
+    // Sampling
+    {"samples", "int [int [int int]]", Effective, "max, or min max: levels n of 4^n", set_samples},
+    {"samples collect", "int", Harmless, "rasteriser"},
+    {"samples motion", "int", Harmless, "rasteriser"},
+    {"shading samples", "float", Harmless, "rasteriser"},
+    {"contrast", "float float float [float]", Effective, "difference that asks for more samples",
+     set_contrast<&O::contrast>},
+    {"time contrast", "float float float [float]", NotYet, "the same for motion blur",
+     set_contrast<&O::time_contrast>},
+    {"filter", "box|triangle|gauss|mitchell|lanczos [float [float]]", Effective,
+     "kind, width and height in pixels", set_filter<false>},
+    {"filter clip", "mitchell|lanczos [float [float]]", Effective, "no negative results",
+     set_filter<true>},
+    {"jitter", "float", Effective, "0 none, 1 the whole cell", to<&O::jitter>},
+    {"samplelock", "bool", Effective, "same pattern in every frame", to<&O::samplelock>},
+    {"task size", "int", Harmless, "tile edge", to<&O::task_size>},
+    // Rays
+    {"trace", "bool", Effective, "secondary rays", to<&O::trace>},
+    {"trace depth", kDepth, Effective, kDepthMeaning, to<&O::trace_depth>},
+    {"trace importance", "...", Kept, kImportance},
+    {"scanline", "bool|rast|rapid|opengl", Harmless, "first hit method"},
+    {"shadow", "off|on|sort|segments", Effective, "how blockers are met", to<&O::shadow>},
+    {"shadow sort", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Sort>},
+    {"shadow segments", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Segments>},
+    {"shadowmap", "off|on|only|opengl|detail", Harmless, kMapsUnused, to<&O::shadowmap>},
+    {"shadowmap trace", "...", Harmless, kMapsUnused},
+    {"shadowmap window", "...", Harmless, kMapsUnused},
+    {"shadowmap bias", "...", Harmless, kMapsUnused},
+    {"shadowmap motion", "...", Harmless, kMapsUnused},
+    {"shadowmap rebuild", "...", Harmless, kMapsUnused},
+    {"face", "front|back|both", Effective, "sides that primary rays see", to<&O::face>},
+    {"acceleration", "...", Harmless, kAcceleration},
+    {"bsp", "...", Harmless, kAcceleration},
+    {"grid", "...", Harmless, kAcceleration},
+    {"object space", "", Effective, "geometry is local", is<&O::space, Space::Object>},
+    {"camera space", "", NotYet, "geometry is in camera space", is<&O::space, Space::Camera>},
+    {"mixed space", "", NotYet, "geometry local, instances camera", is<&O::space, Space::Mixed>},
+    {"world space", "", NotYet, "geometry is in world space", is<&O::space, Space::World>},
+    // Geometry and motion
+    {"displace", "bool", NotYet, "displacement shaders", to<&O::displace>},
+    {"displace presample", "bool", Harmless, "looks for bounds first", to<&O::displace_presample>},
+    {"max displace", "float", NotYet, "greatest displacement", to<&O::max_displace>},
+    {"approximate", "...", Kept, "tessellation of every object"},
+    {"motion", "bool", NotYet, "motion blur", to<kMotion, &M::on>},
+    {"motion steps", "int", NotYet, "points of a path", to<kMotion, &M::steps>},
+    {"shutter", "float [float]", NotYet, "close, or delay close", set_shutter},
+    {"shutter delay", "float", NotYet, "opens at", to<kMotion, &M::delay>},
+    {"field", "off|even|odd", Kept, "half pictures"},
+    {"inheritance", "...", Kept, "function that inherits parameters"},
+    {"traversal", "...", Kept, "function that inherits parameters"},
+    {"state", "...", Kept, "state shaders"},
+    {"data", "...", Kept, "user data"},
+    {"hardware", "...", Harmless, "graphics hardware"},
+    {"attribute", "...", Kept, "overrides of attributes"},
+    // Switches
+    {"lens", "bool", Effective, "lens shaders", to<&O::lens>},
+    {"volume", "bool", NotYet, "volume shaders", to<&O::volume>},
+    {"geometry", "bool", NotYet, "geometry shaders", to<&O::geometry>},
+    {"output", "bool", Effective, "output shaders and files", to<&O::output>},
+    {"merge", "bool", Harmless, "joins surfaces", to<&O::merge>},
+    {"hair", "bool", NotYet, "hair geometry", to<&O::hair>},
+    {"pass", "bool", NotYet, "sample passes", to<&O::pass>},
+    {"autovolume", "bool", NotYet, "finds the volumes around the eye", to<&O::autovolume>},
+    {"lightmap", "off|on|only", NotYet, "light map shaders", to<&O::lightmap>},
+    // Photons
+    {"caustic", "bool|int", NotYet, "photons; flags of objects", set_photons<kCaustic>},
+    {"globillum", "bool|int", NotYet, "photons; flags of objects", set_photons<kGlobillum>},
+    {"caustic accuracy", "int [float]", NotYet, "photons, radius", set_accuracy<kCaustic>},
+    {"globillum accuracy", "int [float]", NotYet, "photons, radius", set_accuracy<kGlobillum>},
+    {"photonvol accuracy", "int [float]", NotYet, "photons, radius", set_accuracy<kPhotonvol>},
+    {"caustic filter", "box|cone|gauss [float]", NotYet, "weight within the radius",
+     set_photon_filter<kCaustic>},
+    {"globillum filter", "box|cone|gauss [float]", NotYet, "weight within the radius",
+     set_photon_filter<kGlobillum>},
+    {"caustic scale", kColor, NotYet, "factor", to<kCaustic, &P::scale>},
+    {"globillum scale", kColor, NotYet, "factor", to<kGlobillum, &P::scale>},
+    {"photonvol scale", kColor, NotYet, "factor", to<kPhotonvol, &P::scale>},
+    {"photon trace depth", kDepth, NotYet, kDepthMeaning, to<&O::photon_depth>},
+    {"photon autovolume", "bool", NotYet, "volumes around lights", to<&O::photon_autovolume>},
+    {"photonmap file", "off|string", NotYet, "kept photon map", set_photonmap_file},
+    {"photonmap rebuild", "bool", NotYet, "start over", to<&O::photonmap_rebuild>},
+    {"photonmap only", "[bool]", NotYet, "no picture", to<&O::photonmap_only>},
+    {"caustic importance", "...", Kept, kImportance},
+    {"globillum importance", "...", Kept, kImportance},
+    // Final gathering
+    {"finalgather", "bool|only|fastlookup", NotYet, "final gathering", set_gather},
+    {"finalgather accuracy", "int [float [float]]", NotYet, "rays, max and min radius",
+     set_gather_accuracy<false>},
+    {"finalgather accuracy view", "int [float [float]]", NotYet, "radii in pixels",
+     set_gather_accuracy<true>},
+    {"finalgather trace depth", "int [int [int [int]]]", NotYet,
+     "reflection, refraction, diffuse, sum", set_gather_depth},
+    {"finalgather presample density", "float", NotYet, "points before the picture",
+     to<kGather, &F::presample_density>},
+    {"finalgather filter", "int", NotYet, "against speckles", to<kGather, &F::filter>},
+    {"finalgather falloff", "float [float]", NotYet, "reach: start, stop", set_gather_falloff},
+    {"finalgather scale", kColor, NotYet, "factor", to<kGather, &F::scale>},
+    {"finalgather secondary scale", kColor, NotYet, "factor of further bounces",
+     to<kGather, &F::secondary_scale>},
+    {"finalgather file", "list|off|string", NotYet, "kept points", set_gather_files},
+    {"finalgather rebuild", "off|on|freeze", NotYet, "start over", to<kGather, &F::rebuild>},
+    {"finalgather importance", "...", Kept, kImportance},
+    {"ambientocclusion", "...", Kept, "ambient occlusion of the whole scene"},
+    {"ibl", "...", Kept, "light from the environment"},
+    // Output
+    {"frame buffer", "int [string]", NotYet, "buffer by number", set_frame_buffer},
+    {"gamma", "float", Effective, "of integer files", to<&O::gamma>},
+    {"desaturate", "bool", Effective, "too bright colours fade to white", to<&O::desaturate>},
+    {"dither", "bool", Effective, "noise below one step", to<&O::dither>},
+    {"premultiply", "bool", Effective, "colours times alpha", to<&O::premultiply>},
+    {"colorclip", "rgb|alpha|raw", Effective, "which of colour and alpha yields", to<&O::colorclip>},
+    {"luminance weight", "float float float", Effective, "red, green, blue", set_luminance},
+    {"luminance weight ntsc", "", Effective, ".299 .587 .114", set_luminance_ntsc},
+    {"colorprofile", "...", Kept, "render space"},
+    {"contour store", "...", Kept, "contours"},
+    {"contour contrast", "...", Kept, "contours"},
+    {"diagnostic", "...", Kept, "pictures of the method"},
+    // String options
+    {"\"indirect\"", "scene|path|fg|photons|fg+photons", Effective, "how light is gathered",
+     to<&O::indirect>},
+    {"\"contrast all buffers\"", "bool", NotYet, "contrast of user buffers too",
+     to<&O::contrast_all_buffers>},
+    {"\"finalgather mode\"", "automatic|multiframe|3.4|strict_3.4", NotYet,
+     "how points are weighted", to<kGather, &F::mode>},
+    {"\"finalgather points\"", "int", NotYet, "interpolated points", to<kGather, &F::points>},
+    {"\"finalgather rays\"", "int", NotYet, "rays", to<kGather, &F::rays>},
+    {"\"finalgather normal tolerance\"", "float", NotYet, "degrees",
+     to<kGather, &F::normal_tolerance>},
+    {"\"caustic merge\"", "float", NotYet, "distance", to<kCaustic, &P::merge>},
+    {"\"globillum merge\"", "float", NotYet, "distance", to<kGlobillum, &P::merge>},
+    {"\"photonvol merge\"", "float", NotYet, "distance", to<kPhotonvol, &P::merge>},
+};
+// clang-format on
+
+bool is_word(const OptionItem& item, std::string_view word) {
+  if (!item.value || item.value->kind == Value::Kind::Text) {
+    return item.text.size() == word.size() &&
+           std::equal(word.begin(), word.end(), item.text.begin(),
+                      [](char w, char c) { return w == c || (w == '_' && c == ' '); });
+  }
+  return item.value->kind == Value::Kind::Boolean && word == (item.value->boolean ? "on" : "off");
+}
+
+bool is_alternative(const OptionItem& item, std::string_view alternative) {
+  const auto kind = item.value ? item.value->kind : Value::Kind::Null;
+  if (alternative == "bool") return kind == Value::Kind::Boolean;
+  if (alternative == "float") return kind == Value::Kind::Numbers;
+  // A scalar with a whole value may stand for an integer: exporters write `500.`.
+  if (alternative == "int")
+    return kind == Value::Kind::Numbers && item.number == std::floor(item.number) &&
+           std::abs(item.number) < 2147483648.0;
+  if (alternative == "string") return kind == Value::Kind::Text;
+  if (alternative == "list") return kind == Value::Kind::Array;
+  return is_word(item, alternative);
+}
+
+bool fits_atom(std::string_view atom, OptionItem& item) {
+  for (item.choice = 0; !atom.empty(); ++item.choice) {
+    const auto bar = atom.find('|');
+    if (is_alternative(item, atom.substr(0, bar))) return true;
+    atom = bar == std::string_view::npos ? std::string_view{} : atom.substr(bar + 1);
+  }
+  return false;
+}
+
+}  // namespace
+
+Rgba OptionValues::color() const {
+  if (size() == 1) return {number(0), number(0), number(0), 1};
+  return {number(0), number(1), number(2), size() > 3 ? number(3) : 1.0f};
+}
+
+TraceDepth OptionValues::depth() const {
+  const int r = integer(0), t = size() > 1 ? integer(1) : r;
+  return {r, t, size() > 2 ? integer(2) : r + t};
+}
+
+std::span<const OptionRow> option_table() { return kRows; }
+
+bool fits_form(std::string_view form, std::span<OptionItem> items) {
+  std::size_t used = 0;
+  while (!form.empty()) {
+    if (form == "...") return true;
+    // A bracket opens a rest that may be missing as a whole.
+    if (form.front() == '[' && used == items.size()) return true;
+    if (form.front() == ' ' || form.front() == '[' || form.front() == ']') {
+      form.remove_prefix(1);
+      continue;
+    }
+    const auto end = std::min(form.find_first_of(" ]"), form.size());
+    if (used == items.size() || !fits_atom(form.substr(0, end), items[used])) return false;
+    ++used;
+    form.remove_prefix(end);
+  }
+  return used == items.size();
+}
+
+}  // namespace oriel::scene

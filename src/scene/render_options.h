@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an options block means: every statement as a typed value with its documented default.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "scene/elements.h"
+
+namespace oriel::scene {
+
+// Conventions
+//   A sampling level n is 4^n samples per pixel; negative levels take one sample per block of
+//   pixels. Radii are scene units unless a flag says pixels; 0 = chosen from the scene. Where
+//   sources disagree about a default, the C interface's wins over a host application's.
+
+/// Pixel filters, in the order of the keyword table.
+enum class FilterKind : std::uint8_t {
+  Box,
+  Triangle,
+  Gauss,
+  Mitchell,
+  Lanczos,
+  ClipMitchell,
+  ClipLanczos
+};
+/// Full width in pixels a filter has when none is written: 1, 2, 3, 4, 4.
+float default_filter_width(FilterKind kind);
+
+struct PixelFilter {
+  FilterKind kind = FilterKind::Box;
+  float width = 1, height = 1;  ///< full extent, pixels
+  bool operator==(const PixelFilter&) const = default;
+};
+
+/// How often light may be reflected, refracted, and both together.
+struct TraceDepth {
+  int reflection = 1, refraction = 1, sum = 1;
+  bool operator==(const TraceDepth&) const = default;
+};
+
+enum class ShadowMode : std::uint8_t { Off, Simple, Sort, Segments };
+enum class Face : std::uint8_t { Front, Back, Both };
+enum class ColorClip : std::uint8_t { Rgb, Alpha, Raw };
+enum class Space : std::uint8_t { Object, Camera, Mixed, World };
+/// `lightmap`, `shadowmap`: off, on, or make only the map. OpenGL and Detail: shadow maps' kinds.
+enum class MapMode : std::uint8_t { Off, On, Only, OpenGl, Detail };
+/// How indirect light is gathered; Scene: as the photon and final gather statements say.
+enum class IndirectMethod : std::uint8_t { Scene, Path, FinalGather, Photons, FinalGatherPhotons };
+
+/// `caustic ...`, `globillum ...` or `photonvol ...`.
+struct PhotonOptions {
+  bool on = false;
+  std::optional<int> object_flags;  ///< bits 1 generate, 2 receive, 4 and 8 switch these off
+  int accuracy = 64;                ///< photons in an estimate
+  float radius = 0;
+  enum class Filter : std::uint8_t { Box, Cone, Gauss } filter = Filter::Box;
+  float filter_constant = 1.1f;
+  Rgba scale{1, 1, 1, 1};
+  float merge = 0;  ///< photons nearer than this become one
+  bool operator==(const PhotonOptions&) const = default;
+};
+
+struct FinalGatherOptions {
+  bool on = false, only = false, fast_lookup = false;
+  enum class Mode : std::uint8_t { Automatic, Multiframe, Radius, StrictRadius };
+  Mode mode = Mode::Automatic;  ///< "automatic", "multiframe", "3.4", "strict 3.4"
+  int rays = 100;
+  int points = 10;  ///< interpolated points
+  bool radius_in_pixels = false;
+  float max_radius = 0, min_radius = 0;
+  struct Depth {
+    int reflection = 1, refraction = 1, diffuse = 0, sum = 2;
+    bool operator==(const Depth&) const = default;
+  } depth;
+  float presample_density = 1;
+  int filter = 0;                             ///< median over rays; 0 = none
+  float falloff_start = 0, falloff_stop = 0;  ///< reach of the rays; both 0 = unlimited
+  float normal_tolerance = 0;                 ///< degrees; 0 = the method's own
+  Rgba scale{1, 1, 1, 1}, secondary_scale{1, 1, 1, 1};
+  std::vector<std::string> files;
+  enum class Rebuild : std::uint8_t { Off, On, Freeze } rebuild = Rebuild::On;
+  bool operator==(const FinalGatherOptions&) const = default;
+};
+
+struct MotionOptions {
+  bool on = false;  ///< written, or implied by a shutter that opens
+  int steps = 1;
+  float delay = 0, shutter = 0;  ///< the shutter is open in [delay, shutter], fractions of a frame
+  bool operator==(const MotionOptions&) const = default;
+};
+
+/// `frame buffer N "type"`: a buffer that shaders write to by number.
+struct UserFrameBuffer {
+  int index = 0;
+  std::string type;         ///< without its sign
+  bool interpolate = true;  ///< false for a leading minus
+  bool operator==(const UserFrameBuffer&) const = default;
+};
+
+/// Rec. 709 weights, as the option's default is documented.
+inline constexpr std::array<float, 3> kLuminance709 = {0.212671f, 0.715160f, 0.072169f};
+inline constexpr std::array<float, 3> kLuminanceNtsc = {0.299f, 0.587f, 0.114f};
+
+/// A statement that was read but does not act on the picture.
+struct WithoutEffect {
+  std::string keyword;
+  enum class Reason : std::uint8_t {
+    NotYet,    ///< its meaning is known, nothing acts on it
+    Kept,      ///< kept and written back, not interpreted
+    Harmless,  ///< concerns speed or another program's method; the picture does not depend on it
+  } reason = Reason::Kept;
+  SourceLocation where;
+  bool operator==(const WithoutEffect&) const = default;
+};
+
+/// The meaning of an options block. A default-constructed one is an empty block's.
+struct RenderOptions {
+  int samples_min = -2, samples_max = 0;
+  Rgba contrast{0.1f, 0.1f, 0.1f, 0.1f}, time_contrast{0.2f, 0.2f, 0.2f, 0.2f};
+  bool contrast_all_buffers = false;
+  PixelFilter filter;
+  float jitter = 0;        ///< 0 none, 1 the whole cell
+  bool samplelock = true;  ///< same pattern in every frame
+  int task_size = 0;
+
+  bool trace = true;  ///< off: no secondary rays
+  TraceDepth trace_depth;
+  ShadowMode shadow = ShadowMode::Simple;
+  MapMode shadowmap = MapMode::Off;
+  Face face = Face::Both;
+  Space space = Space::Object;
+  float max_displace = 0;
+  MotionOptions motion;
+
+  bool lens = true, volume = true, geometry = true, output = true, displace = true, merge = true,
+       hair = true, pass = true, autovolume = false, photon_autovolume = false,
+       displace_presample = true;
+  MapMode lightmap = MapMode::On;
+
+  PhotonOptions caustic, globillum, photonvol{false, std::nullopt, 30};
+  TraceDepth photon_depth{5, 5, 5};
+  std::string photonmap_file;
+  bool photonmap_rebuild = true, photonmap_only = false;
+  FinalGatherOptions finalgather;
+  IndirectMethod indirect = IndirectMethod::Scene;
+
+  float gamma = 1;
+  bool desaturate = false, dither = false, premultiply = true;
+  ColorClip colorclip = ColorClip::Raw;
+  std::array<float, 3> luminance_weight = kLuminance709;
+  std::vector<UserFrameBuffer> frame_buffers;
+
+  std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
+  std::vector<std::string> unknown_strings;   ///< string options nobody here knows, each once
+
+  bool operator==(const RenderOptions&) const = default;
+};
+
+/// Reads the statements in order; later ones override earlier ones.
+///
+/// Errors:  OR-SC-101 values that do not fit (the statement is skipped), OR-SC-102 unknown
+///          statement, OR-SC-103 a known string option with other values than it takes.
+/// Source:  reference of the language, section Options; the table is in option_table.cpp.
+/// Checked: render_options_test.cpp
+RenderOptions interpret_options(const Options& options, Diagnostics& diagnostics);
+
+}  // namespace oriel::scene
