@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names and structure: lists, calls, phenomena, connections. Values are in binder_values.cpp.
+#include "runtime/binder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/stand_in.h"
+
+namespace oriel {
+namespace {
+
+/// Nested calls and phenomena deeper than this are a mistake or an attack.
+constexpr int kMostDepth = 200;
+
+template <class Range, class Name>
+std::vector<std::string> names_of(const Range& range, Name name) {
+  std::vector<std::string> names;
+  for (const auto& item : range) names.emplace_back(name(item));
+  return names;
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string near = nearest_name(name, candidates);
+  return near.empty() ? std::string() : fmt::format("did you mean \"{}\"?", near);
+}
+
+}  // namespace
+
+Binder::Binder(const scene::Scene& scene, const Registry& registry, World& world,
+               const std::unordered_map<std::string, std::vector<int>>& lights_by_name,
+               Diagnostics& diagnostics)
+    : scene_(scene),
+      registry_(registry),
+      world_(world),
+      lights_by_name_(lights_by_name),
+      diagnostics_(diagnostics) {}
+
+NodeList Binder::bind(const scene::ShaderList& list) { return bind_list(list, nullptr); }
+
+NodeList Binder::bind_list(const scene::ShaderList& list, Scope* scope) {
+  NodeList nodes;
+  for (const scene::ShaderUse& use : list)
+    if (const ShaderNode* node = bind_use(use, scope)) nodes.push_back(node);
+  return nodes;
+}
+
+const ShaderNode* Binder::bind_use(const scene::ShaderUse& use, Scope* scope) {
+  if (use.reference.empty()) return bind_call(use.type, use.arguments, use.where, scope);
+  return resolve(use.reference, use.where, scope).node;
+}
+
+const ShaderNode* Binder::named(const std::string& name, SourceLocation where) {
+  return resolve(name, where, nullptr).node;
+}
+
+const ShaderNode* Binder::find_named(const std::string& name, Scope* scope) {
+  for (Scope* s = scope; s; s = const_cast<Scope*>(s->outer)) {
+    for (const scene::ShaderElement& element : s->phenomenon->shaders) {
+      if (element.name != name) continue;
+      if (const auto known = s->named.find(name); known != s->named.end()) return known->second;
+      if (std::count(binding_.begin(), binding_.end(), name) > 8) return nullptr;
+      binding_.push_back(name);
+      const NodeList nodes = bind_list(element.functions, s);
+      binding_.pop_back();
+      return s->named[name] = nodes.empty() ? nullptr : nodes.back();
+    }
+  }
+  if (const auto known = named_.find(name); known != named_.end()) return known->second;
+  const auto* element = scene_.get<scene::ShaderElement>(name);
+  if (!element) return nullptr;
+  if (std::find(binding_.begin(), binding_.end(), name) != binding_.end()) {
+    diagnostics_.error("OR-RT-004", element->where,
+                       fmt::format("shader \"{}\" is connected to itself", name),
+                       "break the cycle; the stand-in is used here");
+    return nullptr;
+  }
+  binding_.push_back(name);
+  const NodeList nodes = bind_list(element->functions, nullptr);
+  binding_.pop_back();
+  return named_[name] = nodes.empty() ? nullptr : nodes.back();
+}
+
+Binder::Resolved Binder::resolve(const std::string& dotted, SourceLocation where, Scope* scope) {
+  const auto main_result = [](const ShaderNode* node) {
+    const ShaderSpec& spec = node->spec();
+    return Resolved{node, spec.result == ParamType::Struct ? spec.results[0].type : spec.result, 0};
+  };
+  if (const ShaderNode* node = find_named(dotted, scope)) return main_result(node);
+  const std::size_t dot = dotted.rfind('.');
+  if (dot != std::string::npos) {
+    if (const ShaderNode* node = find_named(dotted.substr(0, dot), scope)) {
+      const std::string member = dotted.substr(dot + 1);
+      for (const ParamSpec& result : node->spec().results)
+        if (member == result.name) return {node, result.type, result.offset};
+      // Hosts name the single result of a shader after it ("file1.outColor").
+      if (node->spec().results.empty()) return main_result(node);
+      diagnostics_.warning(
+          "OR-RT-006", where,
+          fmt::format("shader \"{}\" has no result \"{}\"", dotted.substr(0, dot), member),
+          did_you_mean(member, names_of(node->spec().results, [](auto& r) { return r.name; })));
+      return main_result(node);
+    }
+  }
+  if (!scene_.find(dotted)) {
+    std::vector<std::string> shaders;
+    for (const scene::Element& e : scene_.elements())
+      if (std::holds_alternative<scene::ShaderElement>(e)) shaders.push_back(scene::name_of(e));
+    diagnostics_.warning("OR-RT-005", where, fmt::format("there is no shader \"{}\"", dotted),
+                         did_you_mean(dotted, shaders));
+  }
+  return {};
+}
+
+ShaderNode* Binder::make_node(const ShaderSpec& spec) {
+  world_.nodes.push_back(std::make_unique<ShaderNode>(spec));
+  ShaderNode* node = world_.nodes.back().get();
+  set_defaults(*node);
+  return node;
+}
+
+const ShaderNode* Binder::stand_in() {
+  if (!stand_in_) stand_in_ = make_node(kStandIn);
+  return stand_in_;
+}
+
+const ShaderNode* Binder::bind_call(const std::string& type,
+                                    const std::vector<scene::Argument>& args, SourceLocation where,
+                                    Scope* scope) {
+  if (depth_ >= kMostDepth) {
+    diagnostics_.error("OR-RT-003", where, "shader calls are nested too deeply");
+    return stand_in();
+  }
+  struct Deeper {
+    int& depth;
+    explicit Deeper(int& d) : depth(d) { ++depth; }
+    ~Deeper() { --depth; }
+  } deeper(depth_);
+
+  if (const scene::Phenomenon* phenomenon = scene_.find_phenomenon(type))
+    return bind_phenomenon(*phenomenon, args, where, scope);
+  const ShaderSpec* spec = registry_.find(type);
+  if (!spec) {
+    if (reported_[type]++ == 0) {
+      report_.missing_shaders.push_back(type);
+      diagnostics_.warning(
+          "OR-RT-001", where, fmt::format("shader \"{}\" is not available", type),
+          did_you_mean(type, names_of(registry_.all(), [](auto* s) { return s->name; })));
+    }
+    return stand_in();
+  }
+  ++report_.shaders[type];
+  ShaderNode* node = make_node(*spec);
+  for (const scene::Argument& argument : args) bind_argument(*node, argument, scope);
+  if (spec->prepare) node->state_ = spec->prepare(node->constants_.data(), world_);
+  return node;
+}
+
+const ShaderNode* Binder::bind_phenomenon(const scene::Phenomenon& phenomenon,
+                                          const std::vector<scene::Argument>& args,
+                                          SourceLocation where, Scope* scope) {
+  scopes_.push_back(std::make_unique<Scope>(Scope{&phenomenon, &args, scope, {}}));
+  Scope* inner = scopes_.back().get();
+  for (const scene::Phenomenon::Root& root : phenomenon.roots) {
+    if (root.keyword == "root") {
+      const NodeList nodes = bind_list(root.shaders, inner);
+      if (!nodes.empty()) return nodes.back();
+    }
+    if (root.keyword == "root material") {
+      // Used as a shader, a material phenomenon answers with its surface.
+      for (const scene::Material& material : phenomenon.materials)
+        if (material.name == root.name) {
+          const NodeList nodes = bind_list(material.shaders, inner);
+          if (!nodes.empty()) return nodes.back();
+        }
+    }
+  }
+  diagnostics_.warning(
+      "OR-RT-002", where,
+      fmt::format("phenomenon \"{}\" has no root shader", phenomenon.declaration.name));
+  return stand_in();
+}
+
+Material Binder::bind_material(const scene::Material& material) {
+  return bind_material(material, nullptr);
+}
+
+Material Binder::bind_material(const scene::Material& material, Scope* scope) {
+  // A surface that is one call of a phenomenon with a root material takes over all its slots.
+  if (material.shaders.size() == 1) {
+    const scene::ShaderUse* use = &material.shaders[0];
+    if (const auto* element = scene_.get<scene::ShaderElement>(use->reference);
+        element && element->functions.size() == 1)
+      use = &element->functions[0];
+    if (const scene::Phenomenon* phenomenon = scene_.find_phenomenon(use->type)) {
+      for (const scene::Phenomenon::Root& root : phenomenon->roots)
+        for (const scene::Material& inner : phenomenon->materials)
+          if (root.keyword == "root material" && inner.name == root.name && depth_ < kMostDepth) {
+            scopes_.push_back(
+                std::make_unique<Scope>(Scope{phenomenon, &use->arguments, scope, {}}));
+            ++depth_;
+            Material bound = bind_material(inner, scopes_.back().get());
+            --depth_;
+            bound.name = material.name;
+            return bound;
+          }
+    }
+  }
+  Material bound;
+  bound.name = material.name;
+  bound.opaque = material.opaque;
+  bound.surface = bind_list(material.shaders, scope);
+  if (const auto* list = material.slot("environment")) bound.environment = bind_list(*list, scope);
+  if (const auto* list = material.slot("shadow")) bound.has_shadow_shader = !list->empty();
+  for (const ShaderNode* node : bound.surface)
+    if (node->spec().may_transmit && node->spec().may_transmit(*node)) bound.may_transmit = true;
+  bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
+  return bound;
+}
+
+const scene::Value* Binder::interface_value(const std::string& name, const Scope& scope) const {
+  const std::size_t dot = name.find('.');
+  const std::string head = name.substr(0, dot);
+  const scene::Value* value = nullptr;
+  for (const scene::Argument& argument : *scope.arguments)
+    if (argument.name == head) value = &argument.value;
+  if (!value)
+    for (const scene::ParamDecl& param : scope.phenomenon->declaration.parameters)
+      if (param.name == head && param.default_value) value = &*param.default_value;
+  if (value && dot != std::string::npos) {
+    const std::string member = name.substr(dot + 1);
+    for (const scene::Argument& argument : value->members)
+      if (argument.name == member) return &argument.value;
+    return nullptr;
+  }
+  return value;
+}
+
+}  // namespace oriel

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns shader calls of the scene into bound nodes: names, types, defaults, connections, phenomena.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "runtime/world.h"
+#include "scene/scene.h"
+
+namespace oriel {
+
+/// What a name in the scene was bound with; `oriel check` lists it.
+struct BindingReport {
+  /// shader type -> how many calls
+  std::map<std::string, int> shaders;
+  /// "shader.parameter" set by the scene but not followed exactly -> places
+  std::map<std::string, int> approximated, ignored;
+  std::vector<std::string> missing_shaders, missing_textures;
+};
+
+/// Binds shader lists into `world`. Keep one per World: named shaders are shared.
+///
+/// Errors: OR-RT-nnn diagnostics; an unknown shader becomes a visible stand-in (magenta), a
+///         parameter that is unknown or of the wrong type is skipped.
+class Binder {
+ public:
+  /// `lights_by_name` maps light instances and groups of them to indices into World::lights.
+  Binder(const scene::Scene& scene, const Registry& registry, World& world,
+         const std::unordered_map<std::string, std::vector<int>>& lights_by_name,
+         Diagnostics& diagnostics);
+
+  NodeList bind(const scene::ShaderList& list);
+  /// A shader by name; null and a diagnostic when there is none.
+  const ShaderNode* named(const std::string& name, SourceLocation where);
+  /// A material; phenomena whose root is a material are expanded.
+  Material bind_material(const scene::Material& material);
+
+  const BindingReport& report() const { return report_; }
+
+ private:
+  /// Inside of one call of a phenomenon.
+  struct Scope {
+    const scene::Phenomenon* phenomenon;
+    const std::vector<scene::Argument>* arguments;
+    const Scope* outer;
+    std::map<std::string, const ShaderNode*> named;
+  };
+  struct Resolved {
+    const ShaderNode* node = nullptr;
+    ParamType type = ParamType::Color;
+    std::size_t offset = 0;
+  };
+
+  NodeList bind_list(const scene::ShaderList& list, Scope* scope);
+  const ShaderNode* bind_use(const scene::ShaderUse& use, Scope* scope);
+  const ShaderNode* bind_call(const std::string& type, const std::vector<scene::Argument>& args,
+                              SourceLocation where, Scope* scope);
+  const ShaderNode* bind_phenomenon(const scene::Phenomenon& phenomenon,
+                                    const std::vector<scene::Argument>& args, SourceLocation where,
+                                    Scope* scope);
+  Material bind_material(const scene::Material& material, Scope* scope);
+  const ShaderNode* find_named(const std::string& name, Scope* scope);
+  Resolved resolve(const std::string& dotted, SourceLocation where, Scope* scope);
+  const scene::Value* interface_value(const std::string& name, const Scope& scope) const;
+
+  void set_defaults(ShaderNode& node);
+  void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);
+  void bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
+                  const scene::Value& value, Scope* scope);
+  void bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
+                    const scene::Value& value);
+  void bind_text(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
+                 const scene::Value& value, Scope* scope);
+  void bind_array(ShaderNode& node, const ParamSpec& param, const scene::Value& value,
+                  Scope* scope);
+  void mismatch(const ShaderNode& node, const ParamSpec& param, const scene::Value& value);
+  const TextureNode* texture(const std::string& name, SourceLocation where, Scope* scope);
+  ShaderNode* make_node(const ShaderSpec& spec);
+  const ShaderNode* stand_in();
+
+  const scene::Scene& scene_;
+  const Registry& registry_;
+  World& world_;
+  const std::unordered_map<std::string, std::vector<int>>& lights_by_name_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, const ShaderNode*> named_;
+  std::map<std::string, const TextureNode*> textures_;
+  std::vector<std::unique_ptr<Scope>> scopes_;
+  std::vector<std::string> binding_;  ///< names being bound, to find cycles
+  int depth_ = 0;
+  const ShaderNode* stand_in_ = nullptr;
+  std::map<std::string, int> reported_;
+  BindingReport report_;
+};
+
+}  // namespace oriel

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values into parameter structs: defaults, numbers, names, arrays, connections.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/assert.h"
+#include "runtime/binder.h"
+
+namespace oriel {
+namespace {
+
+using scene::Value;
+
+std::string describe(const Value& value) {
+  switch (value.kind) {
+    case Value::Kind::Null:
+      return "null";
+    case Value::Kind::Boolean:
+      return value.boolean ? "on" : "off";
+    case Value::Kind::Numbers:
+      return fmt::format("{} number(s)", value.numbers.size());
+    case Value::Kind::Text:
+      return fmt::format("\"{}\"", value.text);
+    case Value::Kind::Connection:
+      return fmt::format("= \"{}\"", value.text);
+    case Value::Kind::Interface:
+      return fmt::format("= interface \"{}\"", value.text);
+    case Value::Kind::Struct:
+      return "a struct";
+    case Value::Kind::Array:
+      return "an array";
+  }
+  return "a value";
+}
+
+/// Writes `count` floats as a value of `type`.
+void store_numbers(std::byte* target, ParamType type, const float* v, std::size_t count) {
+  const auto at = [&](std::size_t i, float missing) { return i < count ? v[i] : missing; };
+  switch (type) {
+    case ParamType::Boolean: {
+      const bool b = at(0, 0) != 0;
+      std::memcpy(target, &b, sizeof b);
+      break;
+    }
+    case ParamType::Integer: {
+      const int i = static_cast<int>(clamp(at(0, 0), -2.1e9f, 2.1e9f));
+      std::memcpy(target, &i, sizeof i);
+      break;
+    }
+    case ParamType::Scalar: {
+      const float f = at(0, 0);
+      std::memcpy(target, &f, sizeof f);
+      break;
+    }
+    case ParamType::Color: {
+      // One number is a grey; with three, alpha is 1.
+      const Rgba c =
+          count == 1 ? Rgba(v[0], v[0], v[0], 1) : Rgba(at(0, 0), at(1, 0), at(2, 0), at(3, 1));
+      std::memcpy(target, &c, sizeof c);
+      break;
+    }
+    case ParamType::Vector: {
+      const Vec3 p = count == 1 ? Vec3(v[0]) : Vec3(at(0, 0), at(1, 0), at(2, 0));
+      std::memcpy(target, &p, sizeof p);
+      break;
+    }
+    case ParamType::Transform:
+      if (count == 16) std::memcpy(target, v, sizeof(Mat4));
+      break;
+    default:
+      break;
+  }
+}
+
+/// How many numbers a value of that type may have.
+bool count_fits(ParamType type, std::size_t count) {
+  switch (type) {
+    case ParamType::Boolean:
+    case ParamType::Integer:
+    case ParamType::Scalar:
+      return count == 1;
+    case ParamType::Color:
+      return count == 1 || count == 3 || count == 4;
+    case ParamType::Vector:
+      return count == 1 || count == 3;
+    case ParamType::Transform:
+      return count == 16;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void Binder::set_defaults(ShaderNode& node) {
+  const ShaderSpec& spec = node.spec();
+  ORIEL_ASSERT(spec.params_size <= kMostParamBytes && spec.result_size <= kMostParamBytes);
+  node.storage_.resize(spec.params_size / sizeof(std::max_align_t) + 1);
+  auto* bytes = reinterpret_cast<std::byte*>(node.storage_.data());
+  std::memset(bytes, 0, node.storage_.size() * sizeof(std::max_align_t));
+  node.constants_ = {bytes, spec.params_size};
+  for (const ParamSpec& param : spec.params) {
+    if (param.type == ParamType::Light) {
+      const LightRef none;
+      std::memcpy(bytes + param.offset, &none, sizeof none);
+    } else if (param.type == ParamType::String) {
+      const std::string_view empty;
+      std::memcpy(bytes + param.offset, &empty, sizeof empty);
+    } else if (param.type == ParamType::Transform) {
+      const Mat4 identity;
+      std::memcpy(bytes + param.offset, &identity, sizeof identity);
+    } else {
+      const std::size_t count = param.type == ParamType::Color && param.fallback[3] == 0 ? 3 : 4;
+      store_numbers(bytes + param.offset, param.type, param.fallback.data(), count);
+    }
+  }
+}
+
+void Binder::bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope) {
+  const ShaderSpec& spec = node.spec();
+  const auto found = std::find_if(spec.params.begin(), spec.params.end(), [&](const ParamSpec& p) {
+    return argument.name == p.name || (p.alias && argument.name == p.alias);
+  });
+  if (found == spec.params.end()) {
+    std::vector<std::string> names;
+    for (const ParamSpec& p : spec.params) names.emplace_back(p.name);
+    const std::string near = nearest_name(argument.name, names);
+    diagnostics_.warning(
+        "OR-RT-010", argument.where,
+        fmt::format("shader \"{}\" has no parameter \"{}\"; skipped", spec.name, argument.name),
+        near.empty() ? fmt::format("`oriel shaders {}` lists its parameters", spec.name)
+                     : fmt::format("did you mean \"{}\"?", near));
+    return;
+  }
+  const std::vector<std::byte> before(node.constants_.begin(), node.constants_.end());
+  const std::size_t connections = node.connections_.size();
+  bind_value(node, *found, found->offset, found->type, argument.value, scope);
+  const bool changed = connections != node.connections_.size() ||
+                       !std::equal(before.begin(), before.end(), node.constants_.begin());
+  if (changed && found->support != Support::Exact) {
+    auto& list = found->support == Support::Ignored ? report_.ignored : report_.approximated;
+    ++list[fmt::format("{}.{}", spec.name, found->name)];
+  }
+}
+
+void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset,
+                        ParamType type, const Value& value, Scope* scope) {
+  switch (value.kind) {
+    case Value::Kind::Null:
+      return;
+    case Value::Kind::Boolean:
+      if (type == ParamType::Boolean || type == ParamType::Integer) {
+        const float v = value.boolean ? 1.0f : 0.0f;
+        store_numbers(node.constants_.data() + offset, type, &v, 1);
+      } else {
+        mismatch(node, param, value);
+      }
+      return;
+    case Value::Kind::Numbers:
+      return bind_numbers(node, param, offset, type, value);
+    case Value::Kind::Text:
+      return bind_text(node, param, offset, type, value, scope);
+    case Value::Kind::Connection: {
+      if (type == ParamType::Shader || type == ParamType::ColorTexture ||
+          type == ParamType::ScalarTexture || type == ParamType::VectorTexture)
+        return bind_text(node, param, offset, type, value, scope);
+      const Resolved source = resolve(value.text, value.where, scope);
+      if (!source.node) return;
+      if (!source.node->spec().value) {
+        diagnostics_.warning(
+            "OR-RT-012", value.where,
+            fmt::format("shader \"{}\" gives no value that \"{}\" of \"{}\" can use",
+                        source.node->spec().name, param.name, node.spec().name),
+            "its declared default is used");
+        return;
+      }
+      node.connections_.push_back({offset, type, source.node, source.type, source.offset});
+      return;
+    }
+    case Value::Kind::Interface: {
+      if (!scope) {
+        diagnostics_.warning("OR-RT-013", value.where,
+                             "an interface value outside of a phenomenon; skipped");
+        return;
+      }
+      if (const Value* outer = interface_value(value.text, *scope))
+        bind_value(node, param, offset, type, *outer, const_cast<Scope*>(scope->outer));
+      return;
+    }
+    case Value::Kind::Array:
+      if (type == ParamType::Array) return bind_array(node, param, value, scope);
+      return mismatch(node, param, value);
+    case Value::Kind::Struct:
+      return mismatch(node, param, value);
+  }
+}
+
+void Binder::bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset,
+                          ParamType type, const Value& value) {
+  // One number too many in a colour is reported, the rest is used.
+  if (!count_fits(type, value.numbers.size())) return mismatch(node, param, value);
+  std::vector<float> v(value.numbers.begin(), value.numbers.end());
+  store_numbers(node.constants_.data() + offset, type, v.data(), v.size());
+}
+
+void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
+                       const Value& value, Scope* scope) {
+  std::byte* target = node.constants_.data() + offset;
+  switch (type) {
+    case ParamType::String: {
+      world_.strings.push_back(value.text);
+      const std::string_view text = world_.strings.back();
+      std::memcpy(target, &text, sizeof text);
+      return;
+    }
+    case ParamType::Shader: {
+      if (value.text.empty()) return;
+      const ShaderRef ref{resolve(value.text, value.where, scope).node};
+      std::memcpy(target, &ref, sizeof ref);
+      return;
+    }
+    case ParamType::Light: {
+      if (value.text.empty()) return;
+      const auto found = lights_by_name_.find(value.text);
+      if (found == lights_by_name_.end() || found->second.empty()) {
+        std::vector<std::string> names;
+        for (const auto& [name, indices] : lights_by_name_) names.push_back(name);
+        const std::string near = nearest_name(value.text, names);
+        diagnostics_.warning(
+            "OR-RT-015", value.where,
+            fmt::format("there is no light instance \"{}\" in the rendered scene", value.text),
+            near.empty() ? "lights are named by their instances"
+                         : fmt::format("did you mean \"{}\"?", near));
+        return;
+      }
+      const LightRef ref{found->second[0]};
+      std::memcpy(target, &ref, sizeof ref);
+      return;
+    }
+    case ParamType::ColorTexture:
+    case ParamType::ScalarTexture:
+    case ParamType::VectorTexture: {
+      if (value.text.empty()) return;
+      const ColorTextureRef ref{texture(value.text, value.where, scope)};
+      std::memcpy(target, &ref, sizeof ref);
+      return;
+    }
+    case ParamType::Material:
+    case ParamType::Geometry:
+    case ParamType::LightProfile:
+    case ParamType::Data:
+    case ParamType::Spectrum:
+      return;
+    default:
+      return mismatch(node, param, value);
+  }
+}
+
+void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& value,
+                        Scope* scope) {
+  const std::size_t stride = size_of(param.element);
+  std::vector<std::byte> elements;
+  const auto append = [&](const void* data) {
+    const auto* bytes = static_cast<const std::byte*>(data);
+    elements.insert(elements.end(), bytes, bytes + stride);
+  };
+  for (const Value& item : value.items) {
+    if (item.kind == Value::Kind::Text && param.element == ParamType::Light) {
+      // A name may stand for a group of light instances.
+      const auto found = lights_by_name_.find(item.text);
+      if (found == lights_by_name_.end())
+        diagnostics_.warning(
+            "OR-RT-015", item.where,
+            fmt::format("there is no light instance \"{}\" in the rendered scene", item.text));
+      else
+        for (const int index : found->second) append(&index);
+    } else if (item.kind == Value::Kind::Numbers &&
+               count_fits(param.element, item.numbers.size())) {
+      alignas(16) std::byte element[sizeof(Mat4)] = {};
+      const std::vector<float> v(item.numbers.begin(), item.numbers.end());
+      store_numbers(element, param.element, v.data(), v.size());
+      append(element);
+    } else if (item.kind == Value::Kind::Boolean && param.element == ParamType::Boolean) {
+      append(&item.boolean);
+    } else if ((item.kind == Value::Kind::Text || item.kind == Value::Kind::Connection) &&
+               param.element == ParamType::Shader) {
+      const ShaderRef ref{resolve(item.text, item.where, scope).node};
+      append(&ref);
+    } else if (item.kind != Value::Kind::Null) {
+      mismatch(node, param, item);
+    }
+  }
+  world_.arrays.push_back(std::move(elements));
+  const ArrayView<std::byte> view{world_.arrays.back().data(),
+                                  static_cast<int>(world_.arrays.back().size() / stride)};
+  std::memcpy(node.constants_.data() + param.offset, &view, sizeof view);
+}
+
+void Binder::mismatch(const ShaderNode& node, const ParamSpec& param, const Value& value) {
+  diagnostics_.warning("OR-RT-011", value.where,
+                       fmt::format("parameter \"{}\" of \"{}\" is a {}{}, not {}; skipped",
+                                   param.name, node.spec().name, scene::type_name(param.type),
+                                   param.type == ParamType::Array
+                                       ? fmt::format(" of {}", scene::type_name(param.element))
+                                       : std::string(),
+                                   describe(value)));
+}
+
+const TextureNode* Binder::texture(const std::string& name, SourceLocation where, Scope* scope) {
+  if (const auto known = textures_.find(name); known != textures_.end()) return known->second;
+  std::unique_ptr<TextureNode> made;
+  if (const auto* element = scene_.get<scene::Texture>(name)) {
+    made =
+        element->procedure.empty()
+            ? TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_)
+            : std::make_unique<TextureNode>(bind_list(element->procedure, scope));
+    if (made && made->missing()) report_.missing_textures.push_back(element->file);
+  } else if (const ShaderNode* node = find_named(name, scope)) {
+    made = std::make_unique<TextureNode>(NodeList{node});
+  } else {
+    diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name));
+    return textures_[name] = nullptr;
+  }
+  world_.textures.push_back(std::move(made));
+  return textures_[name] = world_.textures.back().get();
+}
+
+}  // namespace oriel

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera: raster positions to rays.
+#pragma once
+
+#include "base/vec.h"
+
+namespace oriel {
+
+// Conventions
+//   Raster space: origin at the lower left corner of the image, first pixel centre at (.5, .5).
+//   Camera space: at the origin, looking down -z, +y up, +x right.
+struct Camera {
+  int width = 640, height = 480;  ///< pixels of the full image
+  bool orthographic = false;
+  float focal = 1;     ///< unit of aperture
+  float aperture = 1;  ///< film width; orthographic: width of view in scene units
+  float aspect = 4.0f / 3.0f;
+  Vec2 offset{0};                     ///< pixels the image plane is shifted
+  float clip_near = 0, clip_far = 0;  ///< 0 0 = none
+  int window[4] = {0, 0, 0, 0};       ///< x0 y0 x1 y1, half open, from the lower left
+  Mat4 to_world, to_camera;
+
+  struct Ray {
+    Vec3 origin, direction;  ///< world, direction unit
+    float cos_to_film;       ///< cosine to the optical axis; 1 when orthographic
+    float spread;            ///< radians between neighbouring pixels' rays
+    float width;             ///< footprint at the origin, world units (orthographic)
+  };
+  Ray ray(Vec2 raster) const;
+};
+
+}  // namespace oriel

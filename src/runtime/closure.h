@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a material says it is at a point: weighted lobes with the manual's controls. Transport reads
+// it.
+#pragma once
+
+#include <cstdint>
+
+#include "base/assert.h"
+#include "base/frame.h"
+
+namespace oriel {
+
+enum class LobeKind : std::uint8_t {
+  Diffuse,           ///< Oren-Nayar; `roughness` in radians
+  Mirror,            ///< perfect reflection
+  GlossyReflection,  ///< anisotropic microfacets, white, multiple scattering compensated
+  ClearRefraction,   ///< through the interface, total reflection beyond the critical angle
+  GlossyRefraction,
+  ThinTransmission,  ///< straight through a thin wall
+  GlossyThin,        ///< blurred, through a thin wall
+  Translucency,      ///< diffuse to the other side
+  PhongHighlight     ///< light sources only: cos^exponent of the mirrored view, mental ray's phong
+};
+
+/// The output of the material a lobe belongs to.
+enum class Channel : std::uint8_t { Diffuse, Reflection, Refraction, Translucency };
+
+/// How the manual lets rays of a lobe be limited.
+struct LobeControls {
+  int samples = 8;               ///< most rays at the first hit; 0 = a single mirror ray
+  int depth = 0;                 ///< trace depth of the material, 0 = the scene's
+  float cutoff = 0;              ///< rays contributing less to the pixel are not traced
+  bool highlights_only = false;  ///< no rays: light sources only
+  float falloff_distance = 0;    ///< 0 = none
+  bool falloff_to_color = false;
+  Rgb falloff_color{0};
+};
+
+/// Level times a lobe whose own directional albedo is at most 1.
+struct Lobe {
+  LobeKind kind = LobeKind::Diffuse;
+  Channel channel = Channel::Diffuse;
+  Rgb level{0};         ///< per view direction; includes energy conservation and the angle curve
+  Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
+  float roughness = 0;  ///< Diffuse: sigma; PhongHighlight: exponent
+  float alpha_x = 0, alpha_y = 0;
+  float eta = 1;  ///< index on the far side over index on the viewer's side
+  LobeControls controls;
+};
+
+/// What light meets between a surface of the material and the next, on the inner side.
+struct Medium {
+  Rgb absorption{0};         ///< per scene unit: transmittance exp(-absorption * d)
+  float black_distance = 0;  ///< > 0: fades linearly to black there, rays stop
+  bool clear() const { return is_black(absorption) && black_distance == 0; }
+};
+
+/// A material at a point. Fixed size, lives on the stack.
+struct Closure {
+  static constexpr int kMostLobes = 8;
+  Lobe lobes[kMostLobes];
+  int count = 0;
+
+  Rgb emission{0};                   ///< added, whatever lights are there
+  float opacity = 1;                 ///< cut-out: share of the surface that exists
+  Medium inside;                     ///< of the solid behind the surface
+  bool thin_walled = true;           ///< false: a boundary of a solid, `inside` and eta apply
+  bool refractive_caustics = false;  ///< light reaches what lies behind refracted, shadows opaque
+  bool propagate_alpha = false;
+  bool seen_from_back = true;  ///< false: the camera looks through when it sees the back
+  float highlight_scale = 1;   ///< hl_vs_refl_balance: light sources in reflecting lobes
+  bool highlights_of_visible_lights = false;  ///< no_visible_area_hl off: highlight and reflection
+  Rgb albedo{0};                              ///< for the albedo layer: sum of the levels
+
+  Lobe& add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame) {
+    ORIEL_ASSERT(count < kMostLobes);
+    Lobe& lobe = lobes[count++];
+    lobe = Lobe{};
+    lobe.kind = kind;
+    lobe.channel = channel;
+    lobe.level = level;
+    lobe.frame = frame;
+    return lobe;
+  }
+};
+
+/// Whether light passes straight through this lobe for shadows (not bent by it).
+inline bool transmits(LobeKind kind) {
+  return kind == LobeKind::ClearRefraction || kind == LobeKind::GlossyRefraction ||
+         kind == LobeKind::ThinTransmission || kind == LobeKind::GlossyThin;
+}
+
+}  // namespace oriel

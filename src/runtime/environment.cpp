@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/parallel.h"
+#include "color/luminance.h"
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+/// Resolution of the table: 0.7 degrees in azimuth resolves window frames in a photographed sky.
+constexpr int kTableWidth = 512, kTableHeight = 256;
+/// Share of the density spread evenly, so that what the table smoothed away is still found.
+constexpr float kUniformShare = 0.02f;
+
+Vec3 direction_of(const Vec2& uv) {
+  const float z = 1 - 2 * uv.y;
+  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+  const float phi = kTwoPi * uv.x;
+  return Vec3(r * std::cos(phi), r * std::sin(phi), z);
+}
+
+Vec2 uv_of(const Vec3& d) {
+  float u = std::atan2(d.y, d.x) / kTwoPi;
+  if (u < 0) u += 1;
+  return Vec2(std::min(u, 0x1.fffffep-1f), clamp((1 - d.z) / 2, 0.0f, 0x1.fffffep-1f));
+}
+
+}  // namespace
+
+Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec3& origin,
+                          const Vec3& direction, RayKind kind, bool blurred) {
+  ShadingPoint point;
+  point.environment = true;
+  point.ray_kind = kind;
+  point.blurred = blurred;
+  point.ray_origin = origin;
+  point.ray_direction = direction;
+  point.position = origin + direction;
+  point.normal = point.geometric_normal = -direction;
+  point.world = &world;
+  Rgba c(0);
+  for (const ShaderNode* node : shaders)
+    if (node->spec().value) c = node->color(point);
+  return c;
+}
+
+EnvironmentLight::EnvironmentLight(NodeList shaders, const World& world)
+    : shaders_(std::move(shaders)) {
+  if (shaders_.empty()) return;
+  std::vector<float> values(std::size_t{kTableWidth} * kTableHeight);
+  parallel_for(kTableHeight, [&](std::size_t y) {
+    for (int x = 0; x < kTableWidth; ++x) {
+      // Four points of a texel: a small bright source between two centres must not be missed.
+      float sum = 0;
+      for (int k = 0; k < 4; ++k) {
+        const Vec2 uv((static_cast<float>(x) + (k & 1 ? 0.75f : 0.25f)) / kTableWidth,
+                      (static_cast<float>(y) + (k & 2 ? 0.75f : 0.25f)) / kTableHeight);
+        const Rgba c =
+            environment_radiance(shaders_, world, Vec3(0), direction_of(uv), RayKind::FinalGather);
+        const float l = luminance(rgb(c));
+        if (std::isfinite(l)) sum += std::max(0.0f, l);
+      }
+      values[y * kTableWidth + static_cast<std::size_t>(x)] = sum / 4;
+    }
+  });
+  double total = 0;  // double: 131072 terms of very different size
+  for (const float v : values) total += v;
+  mean_luminance_ = static_cast<float>(total / static_cast<double>(values.size()));
+  if (mean_luminance_ > 0)
+    table_ = std::make_unique<sampling::Distribution2D>(values, kTableWidth, kTableHeight);
+}
+
+EnvironmentLight::Sample EnvironmentLight::sample(Vec2 u) const {
+  Vec2 uv;
+  if (u.x < kUniformShare) {
+    uv = Vec2(u.x / kUniformShare, u.y);
+  } else {
+    u.x = std::min((u.x - kUniformShare) / (1 - kUniformShare), 0x1.fffffep-1f);
+    uv = table_->sample(u).uv;
+  }
+  const float pdf = table_->pdf(uv);
+  return {direction_of(uv), (kUniformShare + (1 - kUniformShare) * pdf) / (4 * kPi)};
+}
+
+float EnvironmentLight::pdf(const Vec3& direction) const {
+  return (kUniformShare + (1 - kUniformShare) * table_->pdf(uv_of(direction))) / (4 * kPi);
+}
+
+}  // namespace oriel

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/light.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "color/luminance.h"
+#include "geom/shapes.h"
+#include "sampling/rectangle.h"
+#include "sampling/sphere.h"
+#include "sampling/warp.h"
+
+namespace oriel {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+LightValue ask_shader(const Light& light, ShadingPoint& point, const Vec3& position,
+                      const Vec3& direction, float distance, float emitter_cos) {
+  if (!light.shader) return {};
+  const LightCall call{light, position, direction, distance, emitter_cos};
+  const ShaderSpec& spec = light.shader->spec();
+  if (spec.light)
+    return light.shader->with_params(point, [&](const Call& c) { return spec.light(c, call); });
+  LightValue value;
+  if (spec.value) value.colour = rgb(light.shader->color(point));
+  return value;
+}
+
+/// Radiance of a shape of that area toward a point at `distance`, from the shader's colour there:
+/// the mean of pi * colour over the shape must be the irradiance.
+Rgb radiance_of(const Light& light, const Rgb& colour, float distance, float emitter_cos) {
+  return colour * (kPi * sqr(distance) / (light.area * std::max(emitter_cos, 1e-6f)));
+}
+
+bool is_flat(LightShape shape) {
+  return shape == LightShape::Rectangle || shape == LightShape::Disc;
+}
+
+/// Sample of an extended shape: where, and density per solid angle.
+struct ShapeSample {
+  Vec3 position, wi;
+  float distance, cosine, pdf;
+};
+
+std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
+  ShapeSample s;
+  if (light.shape == LightShape::Rectangle) {
+    const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
+    const sampling::SphericalRectangle rectangle(from, corner, light.edge_u, light.edge_v);
+    const auto r = rectangle.sample(u);
+    s = {r.point, r.wi, r.distance, -dot(r.wi, light.direction), r.pdf};
+  } else {
+    const Vec2 d = sampling::sample_disc(u) * light.radius;
+    s.position = light.position + light.edge_u * d.x + light.edge_v * d.y;
+    const Vec3 to = s.position - from;
+    s.distance = length(to);
+    s.wi = normalize(to);
+    s.cosine = -dot(s.wi, light.direction);
+    s.pdf = s.cosine > 0 ? sqr(s.distance) / (light.area * s.cosine) : 0;
+  }
+  if (!(s.cosine > 1e-6f) || !(s.pdf > 0) || !std::isfinite(s.pdf)) return std::nullopt;
+  return s;
+}
+
+std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Vec2 u) {
+  ShapeSample s;
+  if (light.shape == LightShape::Sphere) {
+    const sampling::SphereCone cone(from, light.position, light.radius);
+    if (!(cone.pdf() > 0)) return std::nullopt;
+    s.wi = cone.sample(u);
+    s.pdf = cone.pdf();
+    const auto hit = geom::intersect_sphere(from, s.wi, light.position, light.radius);
+    // A ray at the very rim may miss by rounding: take the closest point there.
+    s.distance = hit ? hit->t : std::max(0.0f, dot(light.position - from, s.wi));
+    s.position = from + s.wi * s.distance;
+  } else {
+    const float half = length(light.edge_u);
+    const Frame frame(light.edge_u * (1 / half));
+    const float phi = kTwoPi * u.x;
+    const Vec3 radial = frame.s * std::cos(phi) + frame.t * std::sin(phi);
+    s.position = light.position + frame.n * (half * (2 * u.y - 1)) + radial * light.radius;
+    const Vec3 to = s.position - from;
+    s.distance = length(to);
+    s.wi = normalize(to);
+    const float cosine = -dot(s.wi, radial);
+    if (!(cosine > 1e-6f)) return std::nullopt;
+    s.pdf = sqr(s.distance) / (kTwoPi * light.radius * 2 * half * cosine);
+  }
+  s.cosine = 1;
+  return s;
+}
+
+}  // namespace
+
+std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u) {
+  const Vec3& p = point.position;
+  LightSample sample;
+  if (light.shape == LightShape::Directional || light.shape == LightShape::Point) {
+    if (light.shape == LightShape::Directional) {
+      Vec3 direction = light.direction;
+      if (light.cone_angle > 0)
+        direction = Frame(light.direction)
+                        .to_world(sampling::sample_cone(
+                            u, sampling::one_minus_cos(sqr(std::sin(light.cone_angle)))));
+      sample.wi = -direction;
+      sample.distance = kInfinity;
+    } else {
+      const Vec3 to = light.position - p;
+      sample.distance = length(to);
+      if (!(sample.distance > 0)) return std::nullopt;
+      sample.wi = to * (1 / sample.distance);
+    }
+    const LightValue value =
+        ask_shader(light, point, light.position, -sample.wi, sample.distance, 1);
+    sample.irradiance = value.colour * kPi;
+    sample.shadow = value.shadow;
+    sample.shadow_factor = value.shadow_factor;
+  } else {
+    const auto s = is_flat(light.shape) ? sample_flat(light, p, u) : sample_round(light, p, u);
+    if (!s || !(s->distance > 0)) return std::nullopt;
+    const LightValue value = ask_shader(light, point, s->position, -s->wi, s->distance, s->cosine);
+    sample.wi = s->wi;
+    sample.distance = s->distance;
+    sample.pdf = s->pdf;
+    sample.irradiance = radiance_of(light, value.colour, s->distance, s->cosine) / s->pdf;
+    sample.shadow = value.shadow;
+    sample.shadow_factor = value.shadow_factor;
+  }
+  if (is_black(sample.irradiance)) return std::nullopt;
+  return sample;
+}
+
+std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
+                                        const Vec3& direction, float t_most) {
+  const Vec3& o = from.position;
+  std::optional<geom::ShapeHit> hit;
+  LightHit result;
+  float cosine = 1;
+  switch (light.shape) {
+    case LightShape::Point:
+    case LightShape::Directional:
+      return std::nullopt;
+    case LightShape::Rectangle: {
+      cosine = -dot(direction, light.direction);
+      if (!(cosine > 1e-6f)) return std::nullopt;
+      const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
+      hit = geom::intersect_rectangle(o, direction, corner, light.edge_u, light.edge_v);
+      if (!hit || hit->t >= t_most) return std::nullopt;
+      result.pdf = sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
+                       .pdf(direction, hit->t);
+      break;
+    }
+    case LightShape::Disc:
+      cosine = -dot(direction, light.direction);
+      if (!(cosine > 1e-6f)) return std::nullopt;
+      hit = geom::intersect_disc(o, direction, light.position, light.direction, light.radius);
+      if (!hit || hit->t >= t_most) return std::nullopt;
+      result.pdf = sqr(hit->t) / (light.area * cosine);
+      break;
+    case LightShape::Sphere:
+      hit = geom::intersect_sphere(o, direction, light.position, light.radius);
+      if (!hit || hit->t >= t_most) return std::nullopt;
+      result.pdf = sampling::SphereCone(o, light.position, light.radius).pdf();
+      break;
+    case LightShape::Cylinder: {
+      const float half = length(light.edge_u);
+      hit = geom::intersect_cylinder(o, direction, light.position, light.edge_u, light.radius);
+      if (!hit || hit->t >= t_most) return std::nullopt;
+      const Vec3 at = o + direction * hit->t - light.position;
+      const Vec3 axis = light.edge_u * (1 / half);
+      const Vec3 radial = normalize(at - axis * dot(at, axis));
+      const float facing = -dot(direction, radial);
+      if (!(facing > 1e-6f)) return std::nullopt;
+      result.pdf = sqr(hit->t) / (kTwoPi * light.radius * 2 * half * facing);
+      break;
+    }
+  }
+  result.t = hit->t;
+  const LightValue value =
+      ask_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
+  result.radiance = radiance_of(light, value.colour, hit->t, cosine);
+  return result;
+}
+
+float estimate_irradiance(const Light& light, ShadingPoint& point) {
+  Vec3 direction = light.direction;
+  float distance = kInfinity, cosine = 1;
+  if (light.shape != LightShape::Directional) {
+    const Vec3 to = point.position - light.position;
+    distance = std::max(length(to), 1e-6f);
+    direction = to / distance;
+    // The far side of a flat light still sees part of it near its plane: never quite zero.
+    if (is_flat(light.shape)) cosine = std::max(0.1f, dot(direction, light.direction));
+  }
+  const LightValue value = ask_shader(light, point, light.position, direction, distance, cosine);
+  return kPi * std::max(0.0f, luminance(value.colour));
+}
+
+}  // namespace oriel

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights in world space: shape, sampling and the one place where pi turns a light shader's colour
+// into irradiance.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "runtime/shader_node.h"
+
+namespace oriel {
+
+enum class LightShape : std::uint8_t { Point, Directional, Rectangle, Disc, Sphere, Cylinder };
+
+// Conventions
+//   mental ray: a Lambert surface of albedo rho facing a light of colour c shows rho * c. With
+//   radiance in pixel units L = rho * E / pi, a light of colour c thus brings E = pi * c. The
+//   factor enters in light.cpp and nowhere else; environments return radiance in pixel units
+//   already.
+struct Light {
+  std::string name;  ///< of the instance
+  LightShape shape = LightShape::Point;
+  Vec3 position{0};            ///< centre, world
+  Vec3 direction{0, 0, -1};    ///< unit, away from the light
+  bool has_direction = false;  ///< the element wrote one: spot and directional
+  float spread = -2;           ///< cosine of the outer cone; below -1 = not a spot
+  Vec3 edge_u{0}, edge_v{0};   ///< Rectangle: full edges; Disc: unit axes; Cylinder: edge_u = axis,
+                               ///< half length each way
+  float radius = 0;
+  float area = 0;        ///< emitting area; projected area for Sphere and Cylinder
+  float cone_angle = 0;  ///< Directional: half-angle of the cone, radians
+  float exponent = 2;    ///< distance decay written in the element (physical_light)
+  bool visible = false;  ///< the shape is seen by rays
+  Mat4 to_local;         ///< world to the light's space
+  Mat4 to_world;
+  const ShaderNode* shader = nullptr;
+};
+
+/// Light arriving at a point from one sample.
+struct LightSample {
+  Vec3 wi{0};          ///< unit, from the point to the light
+  float distance = 0;  ///< infinity for directional lights
+  Rgb irradiance{0};   ///< radiance / pdf: irradiance of a surface facing the light
+  float pdf = 0;       ///< per solid angle; 0 = the light has no extent (no MIS)
+  bool shadow = true;
+  float shadow_factor = 0;
+};
+
+/// Samples a light from a point.
+///
+/// Inputs:  point: shading point (its position is lit), u: uniform in [0,1)^2.
+/// Returns: nothing where the light cannot reach the point. With a mental ray light shader an area
+///          light is the mean of its shader over the shape (per area; rectangles with decay are
+///          sampled by solid angle, which has the same mean and less noise).
+/// Checked: Lights.* in runtime/light_test.cpp (sphere, disc, rectangle against closed forms).
+std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u);
+
+/// A ray that met a light's shape.
+struct LightHit {
+  float t = 0;
+  Rgb radiance{0};  ///< toward the ray's origin
+  float pdf = 0;    ///< per solid angle with which sample_light would have chosen this direction
+};
+
+/// Intersects the shape within (0, t_most) and evaluates its radiance; nothing for lights without
+/// extent, for rays that miss, and for the dark side of rectangles and discs.
+std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
+                                        const Vec3& direction, float t_most);
+
+/// Cosine-free estimate of the irradiance the light may bring to a point, shadows ignored; used to
+/// choose among lights.
+float estimate_irradiance(const Light& light, ShadingPoint& point);
+
+}  // namespace oriel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bound material: the shaders of its slots and what is known of it before any ray.
+#pragma once
+
+#include <string>
+
+#include "runtime/closure.h"
+#include "runtime/shader_node.h"
+
+namespace oriel {
+
+struct Material {
+  std::string name;
+  NodeList surface;
+  NodeList environment;
+  bool has_shadow_shader = false;  ///< without one a blocker is opaque
+  bool may_transmit = false;       ///< shadow rays must ask the surface
+  bool opaque = false;
+};
+
+/// Runs the surface shaders; the closure is that of the last material shader in the list, opaque
+/// and black when there is none.
+void shade(const Material& material, ShadingPoint& point, Closure& closure);
+
+}  // namespace oriel

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/shader_node.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/assert.h"
+
+namespace oriel {
+
+const ShaderSpec* Registry::find(std::string_view name) const {
+  const auto found = std::find_if(specs_.begin(), specs_.end(),
+                                  [&](const ShaderSpec* s) { return s->name == name; });
+  return found == specs_.end() ? nullptr : *found;
+}
+
+std::size_t size_of(ParamType type) {
+  switch (type) {
+    case ParamType::Boolean:
+      return sizeof(bool);
+    case ParamType::Integer:
+      return sizeof(int);
+    case ParamType::Scalar:
+      return sizeof(float);
+    case ParamType::Color:
+      return sizeof(Rgba);
+    case ParamType::Vector:
+      return sizeof(Vec3);
+    case ParamType::Transform:
+      return sizeof(Mat4);
+    case ParamType::String:
+      return sizeof(std::string_view);
+    case ParamType::Light:
+      return sizeof(LightRef);
+    case ParamType::Array:
+      return sizeof(ArrayView<int>);
+    default:
+      return sizeof(void*);
+  }
+}
+
+void convert_value(ParamType from, const void* source, ParamType to, void* target) {
+  if (from == to) {
+    std::memcpy(target, source, size_of(to));
+    return;
+  }
+  Rgba c(0);
+  switch (from) {
+    case ParamType::Boolean:
+      c = Rgba(*static_cast<const bool*>(source) ? 1.0f : 0.0f);
+      break;
+    case ParamType::Integer:
+      c = Rgba(static_cast<float>(*static_cast<const int*>(source)));
+      break;
+    case ParamType::Scalar:
+      c = Rgba(*static_cast<const float*>(source));
+      break;
+    case ParamType::Color:
+      c = *static_cast<const Rgba*>(source);
+      break;
+    case ParamType::Vector: {
+      const Vec3& v = *static_cast<const Vec3*>(source);
+      c = Rgba(v.x, v.y, v.z, 1);
+      break;
+    }
+    default:
+      return;
+  }
+  const bool single = from != ParamType::Color && from != ParamType::Vector;
+  const float mean = single ? c.r : (c.r + c.g + c.b) / 3;
+  switch (to) {
+    case ParamType::Boolean:
+      *static_cast<bool*>(target) = mean != 0;
+      break;
+    case ParamType::Integer:
+      *static_cast<int*>(target) = static_cast<int>(mean);
+      break;
+    case ParamType::Scalar:
+      *static_cast<float*>(target) = mean;
+      break;
+    case ParamType::Color:
+      if (single) c.a = 1;
+      *static_cast<Rgba*>(target) = c;
+      break;
+    case ParamType::Vector:
+      *static_cast<Vec3*>(target) = Vec3(c.r, c.g, c.b);
+      break;
+    default:
+      break;
+  }
+}
+
+bool ShaderNode::connected(std::size_t offset) const {
+  return std::any_of(connections_.begin(), connections_.end(),
+                     [&](const Connection& c) { return c.offset == offset; });
+}
+
+void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) const {
+  std::memcpy(scratch, constants_.data(), spec_->params_size);
+  alignas(16) std::byte result[kMostParamBytes];
+  for (std::size_t i = 0; i < connections_.size(); ++i) {
+    const Connection& c = connections_[i];
+    // Neighbouring connections to one source (a struct's members) evaluate it once.
+    if (i == 0 || connections_[i - 1].source != c.source) c.source->value(point, result);
+    convert_value(c.source_type, result + c.source_offset, c.type, scratch + c.offset);
+  }
+}
+
+void ShaderNode::value(ShadingPoint& point, void* result) const {
+  ORIEL_ASSERT(spec_->value != nullptr);
+  with_params(point, [&](const Call& call) { spec_->value(call, result); });
+}
+
+Rgba ShaderNode::color(ShadingPoint& point) const {
+  alignas(16) std::byte result[kMostParamBytes];
+  value(point, result);
+  // A struct's first member is its main result.
+  const ParamType type =
+      spec_->result == ParamType::Struct ? spec_->results[0].type : spec_->result;
+  Rgba c;
+  convert_value(type, result, ParamType::Color, &c);
+  return c;
+}
+
+float ShaderNode::scalar(ShadingPoint& point) const {
+  const Rgba c = color(point);
+  float s;
+  convert_value(ParamType::Color, &c, ParamType::Scalar, &s);
+  return s;
+}
+
+Vec3 ShaderNode::vector(ShadingPoint& point) const {
+  const Rgba c = color(point);
+  return Vec3(c.r, c.g, c.b);
+}
+
+}  // namespace oriel

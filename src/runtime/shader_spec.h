@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a built-in shader is: its table and its functions. One ShaderSpec per shader, listed
+// explicitly in shaders/registry.cpp.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "runtime/param.h"
+#include "runtime/shading_point.h"
+
+namespace oriel {
+
+struct Closure;
+struct Light;
+
+/// Where a shader may stand; bits, in the words of `apply`.
+enum Apply : unsigned {
+  kApplyMaterial = 1u << 0,
+  kApplyTexture = 1u << 1,
+  kApplyLight = 1u << 2,
+  kApplyEnvironment = 1u << 3,
+  kApplyLens = 1u << 4,
+  kApplyOutput = 1u << 5,
+  kApplyShadow = 1u << 6,
+  kApplyPhoton = 1u << 7,
+  kApplyVolume = 1u << 8,
+  kApplyEmitter = 1u << 9
+};
+
+/// What a shader works out once from its constant parameters (a sky's tables, a tone curve).
+struct ShaderState {
+  virtual ~ShaderState() = default;
+};
+
+/// A shader in the act: its evaluated parameters, its state and the point.
+struct Call {
+  const void* params;
+  const ShaderState* state;
+  ShadingPoint& point;
+  template <class P>
+  const P& as() const {
+    return *static_cast<const P*>(params);
+  }
+};
+
+/// One sample of a light as its shader sees it.
+struct LightCall {
+  const Light& light;
+  Vec3 position;      ///< of the sample on the light, world; undefined for directional lights
+  Vec3 direction;     ///< unit, from the light to the point
+  float distance;     ///< infinity for directional lights
+  float emitter_cos;  ///< cosine between direction and the emitter's normal; 1 where it has none
+};
+
+/// Answer of a light shader. `colour` follows mental ray: a Lambert surface of albedo rho facing
+/// the light shows rho * colour (see runtime/light.h, where pi enters).
+struct LightValue {
+  Rgb colour{0};
+  bool shadow = true;       ///< whether blockers matter
+  float shadow_factor = 0;  ///< share that passes an opaque blocker
+};
+
+/// What a lens shader that maps colours knows beside the colour.
+struct LensCall {
+  float cos_to_film = 1;  ///< cosine of the ray to the optical axis
+  bool orthographic = false;
+};
+
+/// A built-in shader. Functions are null where the shader has no such role.
+struct ShaderSpec {
+  const char* name;
+  const char* library;  ///< "architectural", "base", "physics"
+  int version = 1;
+  unsigned apply = 0;
+  const char* doc = "";
+  std::span<const ParamSpec> params{};
+  std::size_t params_size = 0;
+  ParamType result = ParamType::Color;   ///< Struct: see results
+  std::span<const ParamSpec> results{};  ///< members of a struct result
+  std::size_t result_size = sizeof(Rgba);
+
+  /// Writes the result (Rgba, float, Vec3, bool, int or the result struct).
+  void (*value)(const Call&, void* result) = nullptr;
+  /// Fills the closure.
+  void (*material)(const Call&, Closure&) = nullptr;
+  /// Colour of one light sample.
+  LightValue (*light)(const Call&, const LightCall&) = nullptr;
+  /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
+  float (*light_cone)(const void* params) = nullptr;
+  /// Maps a colour on its way to the film.
+  Rgb (*lens)(const Call&, const LensCall&, const Rgb&) = nullptr;
+  /// Built once from the constant parameters.
+  std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
+  /// False when constant parameters rule out that light passes (cut-out, transparency).
+  bool (*may_transmit)(const ShaderNode&) = nullptr;
+};
+
+/// The built-in shaders by name; a plain list, no registration by side effect.
+class Registry {
+ public:
+  explicit Registry(std::vector<const ShaderSpec*> specs) : specs_(std::move(specs)) {}
+  const ShaderSpec* find(std::string_view name) const;
+  const std::vector<const ShaderSpec*>& all() const { return specs_; }
+
+ private:
+  std::vector<const ShaderSpec*> specs_;
+};
+
+}  // namespace oriel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a shader is asked: the point, its bases, the ray that found it.
+#pragma once
+
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace oriel {
+
+struct World;
+struct CameraSpace;
+
+/// Kinds of rays, numbered as mental ray's enumeration (shaders in scenes can tell them apart).
+enum class RayKind : std::uint8_t {
+  Eye = 0,
+  Transparent = 1,
+  Reflect = 2,
+  Refract = 3,
+  Light = 4,
+  Shadow = 5,
+  Environment = 6,
+  None = 7,
+  Displace = 16,
+  Output = 17,
+  FinalGather = 20,
+  Probe = 25
+};
+
+inline constexpr int kMostTextureSpaces = 4;
+
+// Conventions
+//   World space. `ray_direction` points from the ray's origin to the point (mental ray's sense);
+//   `wo` = -ray_direction points to the viewer. `normal` and `geometric_normal` face the viewer:
+//   dot(geometric_normal, wo) >= 0; `back_side` says that they were turned over for it.
+struct ShadingPoint {
+  Vec3 position{0};
+  Vec3 normal{0, 0, 1};            ///< unit shading normal, facing the viewer; bump moves it
+  Vec3 geometric_normal{0, 0, 1};  ///< unit, of the flat triangle, facing the viewer
+  bool back_side = false;          ///< seen from behind (the front is counter-clockwise)
+  RayKind ray_kind = RayKind::Eye;
+  bool environment = false;  ///< no surface: asked for what lies in ray_direction
+  bool blurred = false;      ///< the ray is one of a glossy bundle, not a mirror's
+  std::uint8_t texture_spaces = 0;
+
+  Vec3 ray_origin{0};
+  Vec3 ray_direction{0, 0, -1};
+  float ray_length = 0;
+
+  Vec3 tex[kMostTextureSpaces] = {};     ///< texture coordinates of each space
+  Vec3 bump_u[kMostTextureSpaces] = {};  ///< bump basis, world space; null when absent
+  Vec3 bump_v[kMostTextureSpaces] = {};
+  Vec3 dpdu{0}, dpdv{0};  ///< of texture space 0, world units per texture unit
+  Vec3 tex_vector{0};     ///< a vector a shader list may leave for the material
+
+  /// Half axes of the ray's footprint on the surface, world units; null when unknown.
+  Vec3 dpdx{0}, dpdy{0};
+
+  int instance = -1;                ///< index into World::instances
+  const Mat4* to_object = nullptr;  ///< world to object space, null means identity
+  const Mat4* to_world = nullptr;
+  Vec2 raster{0};  ///< pixels, origin lower left, pixel centres at half steps
+  const World* world = nullptr;
+
+  Vec3 wo() const { return -ray_direction; }
+};
+
+}  // namespace oriel

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/texture_node.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace oriel {
+namespace {
+
+/// What is shown for a texture that cannot be read.
+const Rgba kMissing(1, 0, 1, 1);
+
+std::string resolve_path(const scene::Texture& element) {
+  const std::filesystem::path file(element.file);
+  if (file.is_absolute() || element.directory.empty()) return element.file;
+  return (std::filesystem::path(element.directory) / file).string();
+}
+
+}  // namespace
+
+std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, TextureSystem& system,
+                                               float gamma, Diagnostics& diagnostics) {
+  std::unique_ptr<TextureNode> node(new TextureNode);
+  // Every texture is filtered: mental ray's `filter` chose a pyramid for speed, unfiltered look-ups
+  // only alias. Its number scales the blur.
+  node->filter_ = element.filter.value_or(1.0f);
+  std::string why;
+  if (!element.pixels.empty() && element.size.size() >= 2) {
+    const int components = element.size.size() > 2 ? element.size[2] : 3;
+    node->own_ =
+        make_memory_texture(element.size[0], element.size[1], components, element.pixels, gamma);
+    node->texture_ = node->own_.get();
+    if (!node->texture_) why = "its pixels do not fill the size written";
+  } else {
+    const TextureSystem::Opened opened = system.open(resolve_path(element), gamma);
+    node->texture_ = opened.texture;
+    if (!opened.texture)
+      why = opened.message.empty() ? "it could not be opened before" : opened.message;
+  }
+  if (!why.empty())
+    diagnostics.warning("OR-RT-020", element.where,
+                        fmt::format("texture \"{}\" cannot be read: {}", element.name, why),
+                        "it is shown in magenta");
+  return node;
+}
+
+Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const {
+  if (!procedure_.empty()) {
+    ShadingPoint at = point;
+    at.tex[0] = Vec3(uv.x, uv.y, 0);
+    Rgba c(0);
+    for (const ShaderNode* node : procedure_) c = node->color(at);
+    return c;
+  }
+  if (!texture_) return kMissing;
+  TextureFootprint footprint = texture_footprint(point);
+  footprint.dx *= filter_;
+  footprint.dy *= filter_;
+  return texture_->sample(uv, footprint, how);
+}
+
+TextureFootprint texture_footprint(const ShadingPoint& point) {
+  // Solve dP = dpdu du + dpdv dv in the least squares sense for both axes of the footprint.
+  const float uu = dot(point.dpdu, point.dpdu), uv = dot(point.dpdu, point.dpdv),
+              vv = dot(point.dpdv, point.dpdv);
+  const float det = uu * vv - uv * uv;
+  if (!(det > 1e-20f * uu * vv)) return {};
+  const auto solve = [&](const Vec3& d) {
+    const float du = dot(point.dpdu, d), dv = dot(point.dpdv, d);
+    return Vec2((vv * du - uv * dv) / det, (uu * dv - uv * du) / det);
+  };
+  return {solve(point.dpdx), solve(point.dpdy)};
+}
+
+}  // namespace oriel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A texture element of the scene: a file, pixels, or a shader that stands for one.
+#pragma once
+
+#include <memory>
+
+#include "base/diagnostic.h"
+#include "image/texture.h"
+#include "runtime/shader_node.h"
+#include "scene/elements.h"
+
+namespace oriel {
+
+class TextureNode {
+ public:
+  /// A procedural texture: the shader is evaluated with the look-up coordinate in texture space 0.
+  explicit TextureNode(NodeList procedure) : procedure_(std::move(procedure)) {}
+
+  /// Opens a file or the pixels written in the scene. A file that cannot be read is reported once
+  /// (OR-RT-020) and shows magenta.
+  static std::unique_ptr<TextureNode> open(const scene::Texture& element, TextureSystem& system,
+                                           float gamma, Diagnostics& diagnostics);
+
+  bool missing() const { return procedure_.empty() && !texture_; }
+
+  /// Looks up at `uv`; `point` gives the ray's footprint, measured in texture space 0.
+  Rgba lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const;
+
+ private:
+  TextureNode() = default;
+  NodeList procedure_;
+  const Texture* texture_ = nullptr;
+  std::unique_ptr<Texture> own_;
+  float filter_ = 0;  ///< blur factor; 0 = the element asked for no filtering
+};
+
+/// Change of uv of texture space 0 over the footprint of the ray; zero when unknown.
+TextureFootprint texture_footprint(const ShadingPoint& point);
+
+}  // namespace oriel

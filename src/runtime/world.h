@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene made ready for rendering: geometry, bound shaders, lights, camera. Read-only
+// afterwards.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geom/accel.h"
+#include "runtime/camera.h"
+#include "runtime/environment.h"
+#include "runtime/light.h"
+#include "runtime/material.h"
+#include "runtime/shader_node.h"
+#include "runtime/texture_node.h"
+#include "scene/render_options.h"
+
+namespace oriel {
+
+/// One leaf of the instance graph that holds geometry.
+struct InstanceData {
+  std::string name;
+  Mat4 to_object, to_world;
+  std::vector<int> materials;  ///< per material slot of its mesh, index into World::materials
+  /// Lights linked to the instance: indices into World::lights; used when `linked`.
+  std::vector<int> lights;
+  bool linked = false;
+  bool lights_exclusive = false;
+};
+
+struct World {
+  scene::RenderOptions options;
+  Camera camera;
+  std::unique_ptr<geom::Accel> accel;
+  std::vector<InstanceData> instances;
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  EnvironmentLight environment;
+  NodeList lens;  ///< colour-mapping lens shaders, in order
+  Vec3 bounds_min{0}, bounds_max{0};
+
+  std::deque<std::unique_ptr<ShaderNode>> nodes;
+  TextureSystem texture_system;
+  std::deque<std::unique_ptr<TextureNode>> textures;
+  std::deque<std::vector<std::byte>> arrays;  ///< elements of array parameters
+  std::deque<std::string> strings;
+};
+
+}  // namespace oriel

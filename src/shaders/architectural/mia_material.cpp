@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/architectural/mia_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/fresnel.h"
+#include "bsdf/gloss.h"
+#include "runtime/bump.h"
+#include "runtime/closure.h"
+
+namespace oriel {
+namespace {
+
+using P = MiaMaterialParams;
+
+Rgb saturate(const Rgba& c, bool conserve) {
+  if (!conserve) return rgb(c);
+  return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b));
+}
+
+/// The direction along which highlights stretch before rotation.
+Vec3 stretch_direction(const P& p, const ShadingPoint& point) {
+  const int space = p.anisotropy_channel;
+  if (space >= 0 && space < point.texture_spaces)
+    return space == 0 ? point.dpdu : point.bump_u[space];
+  switch (space) {
+    case -2:
+      return point.bump_u[0];
+    case -3:
+      return point.dpdu;
+    case -4:
+      return point.tex_vector;
+    default: {
+      // Object x, or y where the surface faces along x.
+      const Vec3 x =
+          point.to_world ? transform_vector(Vec3(1, 0, 0), *point.to_world) : Vec3(1, 0, 0);
+      const Vec3 y =
+          point.to_world ? transform_vector(Vec3(0, 1, 0), *point.to_world) : Vec3(0, 1, 0);
+      return std::abs(dot(normalize(x), point.normal)) < 0.95f ? x : y;
+    }
+  }
+}
+
+Frame stretched_frame(const P& p, const ShadingPoint& point, const Vec3& normal) {
+  if (p.anisotropy == 1 || p.anisotropy <= 0) return Frame(normal);
+  const Frame frame = Frame::along(normal, stretch_direction(p, point));
+  const float angle = p.anisotropy_rotation * kTwoPi;
+  if (angle == 0) return frame;
+  const float c = std::cos(angle), s = std::sin(angle);
+  return Frame(frame.s * c + frame.t * s, frame.t * c - frame.s * s, normal);
+}
+
+struct Normals {
+  Vec3 diffuse, specular;
+};
+
+/// The normals after the bump inputs, on the viewer's side.
+Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
+  Normals n{point.normal, point.normal};
+  if (!extended || p.bump_mode == 0) {
+    if (p.bump.node && p.bump.node->spec().value) {
+      ShadingPoint bumped = point;
+      p.bump.node->vector(bumped);
+      n.specular = bumped.normal;
+      if (!p.no_diffuse_bump) n.diffuse = n.specular;
+    }
+  } else {
+    const Vec3 overall = bump_normal(point, point.normal, p.overall_bump, p.bump_mode);
+    const Vec3 standard = bump_normal(point, overall, p.standard_bump, p.bump_mode);
+    n.specular = standard;
+    n.diffuse = p.no_diffuse_bump ? overall : standard;
+  }
+  n.diffuse = facing_viewer(n.diffuse, point);
+  n.specular = facing_viewer(n.specular, point);
+  return n;
+}
+
+void set_roughness(Lobe& lobe, float gloss, float anisotropy) {
+  const auto alpha = bsdf::anisotropic_alpha(bsdf::gloss_to_alpha(gloss), anisotropy);
+  lobe.alpha_x = alpha.x;
+  lobe.alpha_y = alpha.y;
+}
+
+void add_reflection(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
+                    Closure& closure) {
+  if (is_black(level)) return;
+  const bool mirror_rays = p.refl_gloss >= 1 || p.refl_gloss_samples == 0;
+  const Frame frame = stretched_frame(p, point, normal);
+  LobeControls controls;
+  controls.samples = p.refl_gloss_samples;
+  controls.depth = p.refl_depth;
+  controls.cutoff = p.refl_cutoff;
+  if (mirror_rays) {
+    Lobe& lobe = closure.add(LobeKind::Mirror, Channel::Reflection, level, frame);
+    lobe.controls = controls;
+    lobe.controls.highlights_only = p.refl_hl_only;
+  }
+  if (p.refl_gloss < 1) {
+    // With mirror rays the highlight still follows the gloss.
+    Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, level, frame);
+    set_roughness(lobe, p.refl_gloss, p.anisotropy);
+    lobe.controls = controls;
+    lobe.controls.highlights_only = p.refl_hl_only || mirror_rays;
+  }
+}
+
+void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
+                    float eta, Closure& closure) {
+  if (is_black(level)) return;
+  const bool clear = p.refr_gloss >= 1 || p.refr_gloss_samples == 0;
+  const LobeKind kind = p.thin_walled
+                            ? (clear ? LobeKind::ThinTransmission : LobeKind::GlossyThin)
+                            : (clear ? LobeKind::ClearRefraction : LobeKind::GlossyRefraction);
+  Lobe& lobe = closure.add(kind, Channel::Refraction, level, stretched_frame(p, point, normal));
+  lobe.eta = eta;
+  if (!clear) set_roughness(lobe, p.refr_gloss, p.anisotropy);
+  lobe.controls.samples = p.refr_gloss_samples;
+  lobe.controls.depth = p.refr_depth;
+  lobe.controls.cutoff = p.refr_cutoff;
+}
+
+Medium inside_of(const P& p) {
+  Medium medium;
+  if (!p.refr_falloff_on || p.refr_falloff_dist <= 0 || p.thin_walled) return medium;
+  if (!p.refr_falloff_color_on) {
+    medium.black_distance = p.refr_falloff_dist;
+    return medium;
+  }
+  // falloff_color^(d / dist) = exp(-absorption d); a channel of 0 is opaque within the distance.
+  constexpr float kDarkest = 1e-6f;
+  for (int i = 0; i < 3; ++i) {
+    const float c = (&p.refr_falloff_color.r)[i];
+    medium.absorption[i] = -std::log(clamp(c, kDarkest, 1.0f)) / p.refr_falloff_dist;
+  }
+  return medium;
+}
+
+void shade_mia(const Call& call, Closure& closure, bool extended) {
+  const P& p = call.as<P>();
+  ShadingPoint& point = call.point;
+  closure.opacity = clamp01(p.cutout_opacity);
+  closure.seen_from_back = !p.backface_cull;
+  closure.thin_walled = p.thin_walled || p.transparency <= 0;
+  closure.refractive_caustics = p.do_refractive_caustics;
+  closure.propagate_alpha = p.propagate_alpha;
+  closure.highlight_scale = std::max(0.0f, p.hl_vs_refl_balance);
+  closure.highlights_of_visible_lights = !p.no_visible_area_hl;
+  if (closure.opacity == 0) return;
+
+  closure.emission += rgb(p.additional_color);
+  const Normals n = bumped_normals(p, extended, point);
+  const float cos_view = clamp01(dot(n.specular, point.wo()));
+  const bool inside = point.back_side && !p.thin_walled;
+  const MiaLevels levels = mia_levels(p, cos_view, inside);
+
+  if (!is_black(levels.diffuse)) {
+    Lobe& lobe = closure.add(LobeKind::Diffuse, Channel::Diffuse, levels.diffuse, Frame(n.diffuse));
+    lobe.roughness = std::max(0.0f, p.diffuse_roughness);
+  }
+  const bool weak_inner =
+      inside && p.transparency > 0 && p.skip_inside_refl && !levels.total_reflection;
+  if (!weak_inner) add_reflection(p, point, n.specular, levels.reflection, closure);
+  const float eta = inside ? 1 / std::max(p.refr_ior, 0.1f) : std::max(p.refr_ior, 0.1f);
+  add_refraction(p, point, n.specular, levels.refraction, eta, closure);
+  if (!is_black(levels.translucency))
+    closure.add(LobeKind::Translucency, Channel::Translucency, levels.translucency,
+                Frame(n.diffuse));
+  if (p.transparency > 0) closure.inside = inside_of(p);
+  closure.albedo = levels.diffuse + levels.reflection + levels.refraction + levels.translucency;
+}
+
+bool mia_may_transmit(const ShaderNode& node) {
+  const P& p = node.constants<P>();
+  return p.transparency > 0 || p.cutout_opacity < 1 || node.connected(offsetof(P, transparency)) ||
+         node.connected(offsetof(P, cutout_opacity));
+}
+
+constexpr ParamSpec kResults[] = {
+    {.name = "result", .type = ParamType::Color, .element = ParamType::Color, .offset = 0}};
+
+}  // namespace
+
+MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side) {
+  MiaLevels out;
+  const bool conserve = p.brdf_conserve_energy;
+  const auto weight = [&](float w) { return conserve ? clamp01(w) : w; };
+  const Rgb diffuse = saturate(p.diffuse, conserve);
+  const float ior = std::max(p.refr_ior, 0.1f);
+
+  if (p.brdf_fresnel) {
+    out.curve = bsdf::fresnel_dielectric(cos_view, back_side ? 1 / ior : ior);
+    out.total_reflection = out.curve >= 1;
+    if (p.thin_walled) out.curve = bsdf::pane_reflectance(out.curve);
+  } else {
+    out.curve = bsdf::reflectivity_curve(cos_view, p.brdf_0_degree_refl, p.brdf_90_degree_refl,
+                                         p.brdf_curve);
+    const float ratio = back_side ? ior : 1 / ior;
+    out.total_reflection = !p.thin_walled && ratio * ratio * (1 - cos_view * cos_view) >= 1;
+  }
+
+  // Reflection first: what it takes is untinted by a metal's own colour, so that a red metal does
+  // not leave its complement to the diffuse component.
+  const Rgb taken = saturate(p.refl_color, conserve) * (weight(p.reflectivity) * weight(out.curve));
+  out.reflection = p.refl_is_metal ? taken * diffuse : taken;
+  const Rgb left = conserve ? Rgb(1) - taken : Rgb(1);
+
+  const float transparency = weight(p.transparency);
+  const float translucent = p.refr_translucency ? weight(p.refr_trans_weight) : 0;
+  out.refraction = left * saturate(p.refr_color, conserve) * (transparency * (1 - translucent));
+  out.translucency = left * saturate(p.refr_trans_color, conserve) * (transparency * translucent);
+  out.diffuse = left * diffuse * (weight(p.diffuse_weight) * (conserve ? 1 - transparency : 1));
+  return out;
+}
+
+const ShaderSpec kMiaMaterial = {
+    .name = "mia_material",
+    .library = "architectural",
+    .version = 4,
+    .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
+    .doc =
+        "Architectural material: diffuse, glossy reflection, refraction and translucency that "
+        "share the light.",
+    .params = mia_material_rows().first(kMiaMaterialRows),
+    .params_size = sizeof(P),
+    .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, false); },
+    .may_transmit = mia_may_transmit,
+};
+
+const ShaderSpec kMiaMaterialX = {
+    .name = "mia_material_x",
+    .library = "architectural",
+    .version = 15,
+    .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
+    .doc = "The architectural material with vector bump inputs.",
+    .params = mia_material_rows(),
+    .params_size = sizeof(P),
+    .result = ParamType::Struct,
+    .results = kResults,
+    .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
+    .may_transmit = mia_may_transmit,
+};
+
+const ShaderSpec kMiaMaterialXPasses = {
+    .name = "mia_material_x_passes",
+    .library = "architectural",
+    .version = 1,
+    .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
+    .doc = "The extended material under the name hosts with render passes write.",
+    .params = mia_material_rows(),
+    .params_size = sizeof(P),
+    .result = ParamType::Struct,
+    .results = kResults,
+    .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
+    .may_transmit = mia_may_transmit,
+};
+
+}  // namespace oriel
