@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who sees an object: its flags and those of the instances above it, resolved.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "scene/elements.h"
+#include "scene/render_options.h"
+
+namespace oriel::scene {
+
+// Conventions
+//   A chain lists instances outermost first. Flags pass down; a lower instance overrides a higher
+//   one, and any instance overrides what the object itself says. Only `hide` cannot be taken back.
+
+/// One kind of ray: whether it meets the object, and whether it may leave from it.
+struct RayFlags {
+  bool seen = true, sends = true;
+  bool operator==(const RayFlags&) const = default;
+};
+
+/// One kind of photon: whether the object scatters it on and whether it stores it.
+struct PhotonFlags {
+  bool excluded = false;  ///< photons pass as if the object were not there
+  bool casts = true, receives = true;
+  bool operator==(const PhotonFlags&) const = default;
+};
+
+struct ResolvedFlags {
+  bool visible = true;  ///< seen by primary rays
+  bool casts_shadow = true, receives_shadow = true;
+  RayFlags reflection, refraction, transparency, finalgather;
+  PhotonFlags caustic, globillum;
+  std::optional<Face> face;  ///< unset: as the options say
+  bool hidden = false;
+  /// Neither the object nor an instance says visible, shadow or trace; taken as on. Strictly such
+  /// an object is seen by nothing.
+  bool assumed_on = false;
+  bool operator==(const ResolvedFlags&) const = default;
+};
+
+/// Flags read from statements, ready to be laid over each other: `mask` says which bits were
+/// written, `bits` their values.
+struct FlagLayer {
+  std::uint32_t bits = 0, mask = 0;
+  std::optional<Face> face;
+  bool hidden = false;
+  bool operator==(const FlagLayer&) const = default;
+};
+
+/// Flags of an object. Integers: 1 casts or is seen, 2 receives or sends; `off` keeps receiving.
+/// Errors: OR-SC-201 a flag with values that it does not take (skipped).
+FlagLayer object_flags(const Object& object, Diagnostics& diagnostics);
+/// Flags of an instance. Integers: 1, 2 switch the two on; 4, 8 off. Errors: OR-SC-201
+FlagLayer instance_flags(const Instance& instance, Diagnostics& diagnostics);
+/// `lower` laid over `higher`.
+FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower);
+/// `instances` laid over `object`, and what is still open decided.
+ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances);
+
+/// All of it for one leaf.
+/// Source:  reference of the language, sections Object and Instance.
+/// Checked: flags_test.cpp
+ResolvedFlags resolve_flags(const Object& object, std::span<const Instance* const> chain,
+                            Diagnostics& diagnostics);
+
+}  // namespace oriel::scene
