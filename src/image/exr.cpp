@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfChromaticities.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <ImfThreading.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "image/atomic_file.h"
+
+namespace oriel {
+namespace {
+
+// What a small file may claim before its own length bounds it, and how often it may expand: ZIP
+// reaches about 1000 : 1, lossy coders of constant pictures some more.
+constexpr std::size_t kFreeBytes = std::size_t(256) << 20;
+constexpr std::size_t kMostExpansion = 4096;
+constexpr std::size_t kMostChannels = 4096;
+constexpr float kLargestHalf = HALF_MAX;
+
+[[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& why) {
+  throw std::runtime_error("cannot " + what + " '" + path + "': " + why);
+}
+
+std::string full_name(const std::string& layer, const std::string& channel) {
+  if (layer.empty()) return channel;
+  return channel.empty() ? layer : layer + "." + channel;
+}
+
+bool is_depth(const std::string& name) {
+  return name == "Z" || name == "ZBack" ||
+         (name.size() > 2 && name.compare(name.size() - 2, 2, ".Z") == 0);
+}
+
+void check_layers(const std::string& path, const std::vector<Layer>& layers) {
+  if (layers.empty()) fail("write", path, "it has no layer");
+  const Image& first = layers.front().image;
+  std::set<std::string> names;
+  for (const Layer& layer : layers) {
+    const Image& image = layer.image;
+    if (image.width < 1 || image.height < 1 || image.width != first.width ||
+        image.height != first.height)
+      fail("write", path, "layer '" + layer.name + "' has another size, or none");
+    if (layer.channel_names.size() != std::size_t(image.channels) ||
+        image.pixels.size() != image.pixel_count() * image.channels)
+      fail("write", path, "layer '" + layer.name + "' has pixels and names that do not match");
+    for (const std::string& channel : layer.channel_names) {
+      const std::string name = full_name(layer.name, channel);
+      if (name.empty() || !names.insert(name).second)
+        fail("write", path, "channel '" + name + "' is there twice or has no name");
+    }
+  }
+}
+
+void write_file(const std::string& path, const std::vector<Layer>& layers,
+                const ExrOptions& options) {
+  const Image& first = layers.front().image;
+  Imf::Header header(first.width, first.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709, D65
+  for (const auto& [key, value] : options.metadata) header.insert(key, Imf::StringAttribute(value));
+
+  // Convert to half here: the library writes the type a slice has.
+  std::vector<std::vector<half>> halves(layers.size());
+  Imf::FrameBuffer frame;
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const Image& image = layers[l].image;
+    if (options.half) {
+      // Beyond the range of half clamps, since an infinity would spoil every later filter.
+      halves[l].resize(image.pixels.size());
+      std::transform(image.pixels.begin(), image.pixels.end(), halves[l].begin(),
+                     [](float v) { return half(std::clamp(v, -kLargestHalf, kLargestHalf)); });
+    }
+    for (int c = 0; c < image.channels; ++c) {
+      const std::string name = full_name(layers[l].name, layers[l].channel_names[c]);
+      const bool as_half = options.half && !is_depth(name);
+      const Imf::PixelType type = as_half ? Imf::HALF : Imf::FLOAT;
+      const std::size_t size = as_half ? sizeof(half) : sizeof(float);
+      const void* base = as_half ? static_cast<const void*>(halves[l].data() + c)
+                                 : static_cast<const void*>(image.pixels.data() + c);
+      header.channels().insert(name, Imf::Channel(type));
+      // The library reads through this pointer only; its slices know no const.
+      frame.insert(name, Imf::Slice(type, static_cast<char*>(const_cast<void*>(base)),
+                                    size * image.channels, size * image.channels * image.width));
+    }
+  }
+  Imf::OutputFile file(path.c_str(), header, std::max(0, options.threads));
+  file.setFrameBuffer(frame);
+  file.writePixels(first.height);
+}
+
+struct Extent {
+  std::int64_t width, height;
+};
+
+/// The size of a window, or an exception where it is empty, absurd or past the limits.
+Extent checked_extent(const std::string& path, const Imath::Box2i& box, int largest_side) {
+  const Extent e{std::int64_t(box.max.x) - box.min.x + 1, std::int64_t(box.max.y) - box.min.y + 1};
+  if (e.width < 1 || e.height < 1) fail("read", path, "its picture is empty");
+  if (e.width > largest_side || e.height > largest_side)
+    fail("read", path,
+         "it claims " + std::to_string(e.width) + " x " + std::to_string(e.height) + " pixels");
+  return e;
+}
+
+/// Sorts the channels of one part into layers: R, G, B, A first within each, in this order.
+std::vector<Layer> layers_of(const Imf::ChannelList& list) {
+  std::vector<Layer> layers;
+  for (auto i = list.begin(); i != list.end(); ++i) {
+    const std::string name = i.name();
+    const std::size_t dot = name.rfind('.');
+    std::string layer = dot == std::string::npos ? "" : name.substr(0, dot);
+    std::string channel = dot == std::string::npos ? name : name.substr(dot + 1);
+    if (layer.empty() && std::string("RGBAY").find(channel) == std::string::npos)
+      std::swap(layer, channel);
+    auto found =
+        std::find_if(layers.begin(), layers.end(), [&](const Layer& l) { return l.name == layer; });
+    if (found == layers.end()) found = layers.insert(layers.end(), Layer{layer, {}, {}});
+    found->channel_names.push_back(channel);
+  }
+  for (Layer& layer : layers)
+    std::stable_sort(layer.channel_names.begin(), layer.channel_names.end(),
+                     [](const std::string& a, const std::string& b) {
+                       const std::string order = "RGBA";
+                       const auto rank = [&](const std::string& s) {
+                         return s.size() == 1 ? std::min(order.find(s), order.size())
+                                              : order.size();
+                       };
+                       return rank(a) < rank(b);
+                     });
+  std::stable_partition(layers.begin(), layers.end(),
+                        [](const Layer& l) { return l.name.empty(); });
+  return layers;
+}
+
+/// Reads one flat part line by line and keeps what lies in the display window.
+void read_part(const std::string& path, Imf::MultiPartInputFile& file, int index,
+               const std::string& part_name, const ExrLimits& limits, std::size_t& bytes_left,
+               std::vector<Layer>& out) {
+  const Imf::Header& header = file.header(index);
+  const Imath::Box2i data = header.dataWindow();
+  const Imath::Box2i display = header.displayWindow();
+  const Extent d = checked_extent(path, data, limits.largest_side);
+  const Extent shown = checked_extent(path, display, limits.largest_side);
+
+  std::size_t channels = 0;
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i, ++channels)
+    if (i.channel().xSampling != 1 || i.channel().ySampling != 1)
+      fail("read", path, "its channel '" + std::string(i.name()) + "' is subsampled");
+  if (channels > kMostChannels) fail("read", path, "it claims too many channels");
+  const std::size_t area =
+      std::size_t(std::max(d.width, shown.width)) * std::size_t(std::max(d.height, shown.height));
+  const std::size_t bytes = area * channels * sizeof(float);
+  if (bytes > bytes_left) fail("read", path, "it claims more pixels than a file of its length has");
+  bytes_left -= bytes;
+
+  std::vector<Layer> layers = layers_of(header.channels());
+  std::vector<std::vector<float>> rows;
+  for (Layer& layer : layers) {
+    layer.image = Image(int(shown.width), int(shown.height), int(layer.channel_names.size()));
+    rows.emplace_back(std::size_t(d.width) * layer.image.channels);
+  }
+
+  Imf::InputPart part(file, index);
+  const int x0 = std::max(data.min.x, display.min.x), x1 = std::min(data.max.x, display.max.x);
+  const int y0 = std::max(data.min.y, display.min.y), y1 = std::min(data.max.y, display.max.y);
+  Imf::FrameBuffer frame;
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const int n = layers[l].image.channels;
+    for (int c = 0; c < n; ++c) {
+      // The y stride of 0 makes every line land in the same row buffer.
+      char* base = reinterpret_cast<char*>(rows[l].data() + c) -
+                   std::ptrdiff_t(data.min.x) * std::ptrdiff_t(sizeof(float) * n);
+      frame.insert(full_name(layers[l].name, layers[l].channel_names[c]),
+                   Imf::Slice(Imf::FLOAT, base, sizeof(float) * n, 0, 1, 1, 0.0));
+    }
+  }
+  part.setFrameBuffer(frame);
+  for (int y = y0; y <= y1; ++y) {
+    part.readPixels(y);
+    if (x0 > x1) continue;
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+      const int n = layers[l].image.channels;
+      const float* from = rows[l].data() + std::size_t(x0 - data.min.x) * n;
+      std::copy(from, from + std::size_t(x1 - x0 + 1) * n,
+                layers[l].image.at(x0 - display.min.x, y - display.min.y));
+    }
+  }
+  for (Layer& layer : layers) {
+    if (!part_name.empty()) layer.name = full_name(part_name, layer.name);
+    out.push_back(std::move(layer));
+  }
+}
+
+void read_header(const Imf::Header& header, ExrFile& out) {
+  for (auto i = header.begin(); i != header.end(); ++i)
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
+      out.metadata[i.name()] = text->value();
+  if (!Imf::hasChromaticities(header)) return;
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  const float xy[8] = {c.red.x,  c.red.y,  c.green.x, c.green.y,
+                       c.blue.x, c.blue.y, c.white.x, c.white.y};
+  std::copy(std::begin(xy), std::end(xy), out.chromaticities);
+  out.has_chromaticities = true;
+}
+
+}  // namespace
+
+void write_exr(const std::string& path, const std::vector<Layer>& layers,
+               const ExrOptions& options) {
+  check_layers(path, layers);
+  try {
+    if (options.threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(options.threads);
+    write_atomically(path, [&](const std::string& t) { write_file(t, layers, options); });
+  } catch (const std::exception& e) {
+    fail("write", path, e.what());
+  }
+}
+
+ExrFile read_exr(const std::string& path, const ExrLimits& limits) {
+  try {
+    const std::size_t length = std::filesystem::file_size(path);
+    std::size_t bytes_left =
+        std::min(limits.most_bytes, std::max(kFreeBytes, kMostExpansion * length));
+    Imf::MultiPartInputFile file(path.c_str(), 0);
+    ExrFile out;
+    for (int p = 0; p < file.parts(); ++p) {
+      const Imf::Header& header = file.header(p);
+      if (p == 0) read_header(header, out);
+      if (header.hasType() && Imf::isDeepData(header.type())) continue;
+      const std::string part = file.parts() > 1 && header.hasName() ? header.name() : "";
+      read_part(path, file, p, part, limits, bytes_left, out.layers);
+    }
+    if (out.layers.empty()) throw std::runtime_error("it holds no flat picture");
+    return out;
+  } catch (const std::exception& e) {
+    const std::string why = e.what();
+    if (why.rfind("cannot read '", 0) == 0) throw;
+    fail("read", path, why);
+  }
+}
+
+Image read_exr_image(const std::string& path, const ExrLimits& limits) {
+  ExrFile file = read_exr(path, limits);
+  Layer& first = file.layers.front();
+  if (first.image.channels <= 4) return std::move(first.image);
+
+  // Keep the first four channels of a layer that has more.
+  Image out(first.image.width, first.image.height, 4);
+  for (std::size_t p = 0; p < out.pixel_count(); ++p)
+    std::copy_n(first.image.pixels.data() + p * first.image.channels, 4, out.pixels.data() + p * 4);
+  return out;
+}
+
+}  // namespace oriel

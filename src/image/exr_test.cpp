@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+#include <stdexcept>
+
+#include "image/test_files.h"
+
+namespace oriel {
+namespace {
+
+Image noise(int width, int height, int channels, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> value(-2, 50);
+  Image image(width, height, channels);
+  for (float& v : image.pixels) v = value(random);
+  return image;
+}
+
+std::vector<Layer> three_layers() {
+  return {{"", {"R", "G", "B", "A"}, noise(33, 21, 4, 1)},
+          {"diffuse_result", {"R", "G", "B"}, noise(33, 21, 3, 2)},
+          {"Z", {""}, noise(33, 21, 1, 3)}};
+}
+
+TEST(Exr, LayersAndMetadataComeBackExact) {
+  const TestFolder folder;
+  const std::string path = folder.file("a.exr");
+  const std::vector<Layer> layers = three_layers();
+  ExrOptions options;
+  options.metadata = {{"oriel:samples", "64"}, {"oriel:scene", "room.mi"}};
+  write_exr(path, layers, options);
+
+  const ExrFile back = read_exr(path);
+  ASSERT_EQ(back.layers.size(), 3u);
+  EXPECT_EQ(back.layers[0].name, "") << "the beauty comes first";
+  for (const Layer& want : layers) {
+    const Layer* got = find_layer(back.layers, want.name);
+    ASSERT_NE(got, nullptr) << want.name;
+    EXPECT_EQ(got->channel_names, want.channel_names);
+    EXPECT_EQ(got->image.pixels, want.image.pixels);
+  }
+  EXPECT_EQ(back.metadata.at("oriel:samples"), "64");
+  EXPECT_EQ(back.metadata.at("oriel:scene"), "room.mi");
+  EXPECT_EQ(folder.count(), 1) << "no temporary file is left";
+}
+
+// Primaries and white of ITU-R BT.709-6, table 1.
+TEST(Exr, HeaderNamesRec709) {
+  const TestFolder folder;
+  write_exr(folder.file("a.exr"), three_layers());
+  const ExrFile back = read_exr(folder.file("a.exr"));
+  ASSERT_TRUE(back.has_chromaticities);
+  const float rec709[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+  for (int i = 0; i < 8; ++i) EXPECT_FLOAT_EQ(back.chromaticities[i], rec709[i]) << i;
+}
+
+TEST(Exr, HalfRoundsColourAndSparesDepth) {
+  const TestFolder folder;
+  std::vector<Layer> layers = three_layers();
+  layers[0].image.pixels[0] = 1e9f;
+  ExrOptions options;
+  options.half = true;
+  write_exr(folder.file("a.exr"), layers, options);
+  const ExrFile back = read_exr(folder.file("a.exr"));
+  EXPECT_EQ(find_layer(back.layers, "Z")->image.pixels, layers[2].image.pixels);
+  const Image& colour = find_layer(back.layers, "")->image;
+  EXPECT_EQ(colour.pixels[0], 65504.0f) << "too large a value becomes the largest half";
+  for (std::size_t i = 1; i < colour.pixels.size(); ++i)
+    ASSERT_NEAR(colour.pixels[i], layers[0].image.pixels[i], 50 * 0x1p-11f);
+}
+
+TEST(Exr, SameLayersGiveTheSameBytes) {
+  const TestFolder folder;
+  ExrOptions threaded;
+  threaded.threads = 2;
+  write_exr(folder.file("a.exr"), three_layers());
+  write_exr(folder.file("b.exr"), three_layers(), threaded);
+  EXPECT_EQ(bytes_of(folder.file("a.exr")), bytes_of(folder.file("b.exr")));
+}
+
+TEST(Exr, DataWindowLandsAtItsPlaceInTheDisplayWindow) {
+  const TestFolder folder;
+  const std::string path = folder.file("a.exr");
+  // Display 4 x 3; data covers columns -1...1 and rows 1...2.
+  Imf::Header header(Imath::Box2i({0, 0}, {3, 2}), Imath::Box2i({-1, 1}, {1, 2}));
+  header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+  float values[6] = {1, 2, 3, 4, 5, 6};
+  Imf::FrameBuffer frame;
+  frame.insert("Y", Imf::Slice::Make(Imf::FLOAT, values, header.dataWindow()));
+  {
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(2);
+  }
+  const Image image = read_exr_image(path);
+  ASSERT_EQ(image.width, 4);
+  ASSERT_EQ(image.height, 3);
+  const std::vector<float> want = {0, 0, 0, 0, 2, 3, 0, 0, 5, 6, 0, 0};
+  EXPECT_EQ(image.pixels, want);
+}
+
+TEST(Exr, LayersThatDoNotFitAreRefused) {
+  const TestFolder folder;
+  std::vector<Layer> sizes = three_layers();
+  sizes[1].image = noise(3, 3, 3, 1);
+  EXPECT_THROW(write_exr(folder.file("a.exr"), sizes), std::runtime_error);
+  std::vector<Layer> names = three_layers();
+  names[1].name = "";
+  EXPECT_THROW(write_exr(folder.file("a.exr"), names), std::runtime_error);
+  EXPECT_THROW(write_exr(folder.file("no/such/folder/a.exr"), three_layers()), std::runtime_error);
+  EXPECT_EQ(folder.count(), 0);
+}
+
+/// Reads bytes as a file; true when it was refused with an exception that names the file.
+bool is_refused(const TestFolder& folder, const std::vector<char>& bytes) {
+  const std::string path = folder.file("broken.exr");
+  write_bytes(path, bytes);
+  try {
+    read_exr(path);
+    return false;
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("broken.exr"), std::string::npos);
+    return true;
+  }
+}
+
+TEST(Exr, BrokenFilesThrowAndNeverCrash) {
+  const TestFolder folder;
+  EXPECT_THROW(read_exr(folder.file("missing.exr")), std::runtime_error);
+  EXPECT_TRUE(is_refused(folder, {}));
+  write_exr(folder.file("good.exr"), three_layers());
+  const std::vector<char> good = bytes_of(folder.file("good.exr"));
+
+  // Cut anywhere.
+  for (std::size_t n = 1; n < good.size() - 1; n += good.size() / 97)
+    EXPECT_TRUE(is_refused(folder, std::vector<char>(good.begin(), good.begin() + long(n)))) << n;
+
+  // Garbage, and sound files with a few wrong bytes, which may still be readable.
+  std::mt19937 random(7);
+  std::vector<char> garbage(4000);
+  for (char& c : garbage) c = char(random());
+  EXPECT_TRUE(is_refused(folder, garbage));
+  for (int i = 0; i < 400; ++i) {
+    std::vector<char> bytes = good;
+    const std::size_t range = i % 2 ? bytes.size() : 600;
+    for (int k = 0; k < 3; ++k) bytes[random() % range] = char(random());
+    is_refused(folder, bytes);
+  }
+}
+
+TEST(Exr, SmallFileMayNotClaimAHugePicture) {
+  const TestFolder folder;
+  write_exr(folder.file("good.exr"), three_layers());
+  const std::vector<char> good = bytes_of(folder.file("good.exr"));
+  for (const int side : {60000, 2000000000}) {
+    std::vector<char> bytes = good;
+    for (const char* name : {"dataWindow", "displayWindow"}) {
+      const std::string key = std::string(name) + '\0' + "box2i" + '\0';
+      const auto at = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+      ASSERT_NE(at, bytes.end());
+      // After the key: 4 bytes of size, then x0 y0 x1 y1.
+      for (int corner = 2; corner < 4; ++corner)
+        std::memcpy(&*at + key.size() + 4 + 4 * corner, &side, 4);
+    }
+    EXPECT_TRUE(is_refused(folder, bytes)) << side;
+  }
+}
+
+}  // namespace
+}  // namespace oriel

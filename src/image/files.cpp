@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <stdexcept>
+
+#include "image/atomic_file.h"
+#include "image/exr.h"
+#include "image/module.h"
+#include "image/png.h"
+
+namespace oriel {
+namespace {
+
+std::string extension_of(const std::string& path) {
+  std::string e = std::filesystem::path(path).extension().string();
+  std::transform(e.begin(), e.end(), e.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return e;
+}
+
+void write_plain_exr(const std::string& path, const Image& image, const FileOptions& options) {
+  static const std::vector<std::string> names[] = {
+      {"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
+  ExrOptions exr;
+  exr.half = options.format == SampleFormat::Half;
+  write_exr(path, {{"", names[image.channels - 1], image}}, exr);
+}
+
+}  // namespace
+
+Image read_image(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".exr") return read_exr_image(path);
+  if (extension == ".png") return read_png(path);
+  try {
+    return files_module().read(path);
+  } catch (const std::exception& e) {
+    throw std::runtime_error("cannot read '" + path + "': " + e.what());
+  }
+}
+
+void write_image(const std::string& path, const Image& image, const FileOptions& options) {
+  if (image.empty() || image.channels < 1 || image.channels > 4)
+    throw std::runtime_error("cannot write '" + path + "': a picture has 1 to 4 channels");
+  const std::string extension = extension_of(path);
+  if (extension == ".exr") return write_plain_exr(path, image, options);
+  if (extension == ".png") {
+    PngOptions png;
+    png.bits = options.format == SampleFormat::U8 ? 8 : 16;
+    png.dither = options.dither;
+    return write_png(path, image, png);
+  }
+  try {
+    FilesModule& module = files_module();
+    write_atomically(path, [&](const std::string& t) { module.write(t, image, options); });
+  } catch (const std::exception& e) {
+    throw std::runtime_error("cannot write '" + path + "': " + e.what());
+  }
+}
+
+}  // namespace oriel

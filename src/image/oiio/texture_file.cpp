@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/oiio/texture_file.h"
+
+#include <OpenImageIO/imagecache.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/texture.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+
+#include "image/oiio/gamma_input.h"
+#include "image/texture_wrap.h"
+
+namespace oriel::oiio {
+namespace {
+
+using System = OIIO::TextureSystem;
+
+/// The process's one texture system. It is never destroyed: threads keep pointers into it, and
+/// nothing orders their end before ours.
+System& system() {
+  static System* const one = [] {
+    System* s = System::create(false);
+    s->attribute("automip", 1);
+    s->attribute("autotile", 64);
+    s->attribute("accept_untiled", 1);
+    s->attribute("accept_unmipped", 1);
+    s->attribute("unassociatedalpha", 1);  // values as stored
+    s->attribute("deduplicate", 0);        // a decoded file must not be taken for the plain one
+    s->attribute("max_memory_MB", 1024.0f);
+    s->attribute("max_open_files", 256);
+    return s;
+  }();
+  return *one;
+}
+
+System::Perthread* perthread() {
+  // The system hands out one per thread; asking again costs a lookup each time.
+  static thread_local System::Perthread* const mine = system().get_perthread_info();
+  return mine;
+}
+
+OIIO::TextureOpt::Wrap wrap_of(Wrap mode) {
+  switch (mode) {
+    case Wrap::Periodic:
+      return OIIO::TextureOpt::WrapPeriodic;
+    case Wrap::Mirror:
+      return OIIO::TextureOpt::WrapMirror;
+    case Wrap::Black:  // the border is cut before the lookup, so the filter sees no black rim
+    case Wrap::Clamp:
+      break;
+  }
+  return OIIO::TextureOpt::WrapClamp;
+}
+
+OIIO::TextureOpt::InterpMode interpolation_of(Interpolation mode) {
+  switch (mode) {
+    case Interpolation::Nearest:
+      return OIIO::TextureOpt::InterpClosest;
+    case Interpolation::Bicubic:
+      return OIIO::TextureOpt::InterpSmartBicubic;
+    case Interpolation::Bilinear:
+      break;
+  }
+  return OIIO::TextureOpt::InterpBilinear;
+}
+
+class TextureFile final : public Texture {
+ public:
+  TextureFile(System::TextureHandle* handle, const OIIO::ImageSpec& spec) : handle_(handle) {
+    width_ = spec.full_width;
+    height_ = spec.full_height;
+    channels_ = spec.nchannels;
+    read_ = std::min(channels_, 4);
+  }
+
+  Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
+              const TextureSampling& how) const override {
+    const auto u = wrapped(uv.x, how.wrap_u), v = wrapped(uv.y, how.wrap_v);
+    if (!u || !v) return Rgba(0, 0, 0, 0);
+    OIIO::TextureOpt options;
+    options.swrap = wrap_of(how.wrap_u);
+    options.twrap = wrap_of(how.wrap_v);
+    options.interpmode = interpolation_of(how.interpolation);
+    options.anisotropic = int(std::clamp(how.anisotropy, 1.0f, 64.0f));
+    if (how.interpolation == Interpolation::Nearest)
+      options.mipmode = OIIO::TextureOpt::MipModeNoMIP;
+
+    // Its t runs down from the top row.
+    float c[4] = {0, 0, 0, 0};
+    const bool good = system().texture(
+        handle_, perthread(), options, *u, 1 - *v, bounded_derivative(footprint.dx.x),
+        -bounded_derivative(footprint.dx.y), bounded_derivative(footprint.dy.x),
+        -bounded_derivative(footprint.dy.y), read_, c);
+    if (!good) return failed();
+    switch (read_) {
+      case 1:
+        return Rgba(c[0], c[0], c[0], 1);
+      case 2:
+        return Rgba(c[0], c[0], c[0], c[1]);
+      case 3:
+        return Rgba(c[0], c[1], c[2], 1);
+      default:
+        return Rgba(c[0], c[1], c[2], c[3]);
+    }
+  }
+
+  std::string error() const override {
+    const std::lock_guard lock(mutex_);
+    return error_;
+  }
+
+ private:
+  Rgba failed() const {
+    // Taking the message also frees it; otherwise each lookup would add to a growing text.
+    std::string message = system().geterror();
+    if (!failed_.exchange(true, std::memory_order_relaxed)) {
+      const std::lock_guard lock(mutex_);
+      error_ = message.empty() ? "its pixels cannot be read" : std::move(message);
+    }
+    return Rgba(1, 0, 1, 1);
+  }
+
+  System::TextureHandle* handle_;
+  int read_;
+  mutable std::atomic<bool> failed_{false};
+  mutable std::mutex mutex_;
+  mutable std::string error_;
+};
+
+bool is_integer(OIIO::TypeDesc format) {
+  return format.basetype != OIIO::TypeDesc::HALF && format.basetype != OIIO::TypeDesc::FLOAT &&
+         format.basetype != OIIO::TypeDesc::DOUBLE;
+}
+
+}  // namespace
+
+void check_size(long long width, long long height, long long channels) {
+  constexpr long long kLargestSide = 1 << 16, kMostBytes = 1ll << 32;
+  if (width < 1 || height < 1 || channels < 1) throw std::runtime_error("its picture is empty");
+  if (width > kLargestSide || height > kLargestSide ||
+      width * height * std::min(channels, 4ll) * 4 > kMostBytes)
+    throw std::runtime_error("its picture is too large");
+}
+
+std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma) {
+  // Look at the header before the cache does: it says more about what is wrong.
+  const auto input = OIIO::ImageInput::open(path);
+  if (!input) {
+    const std::string why = OIIO::geterror();
+    throw std::runtime_error(why.empty() ? "it is no image file" : why);
+  }
+  const OIIO::ImageSpec spec = input->spec();
+  check_size(spec.width, spec.height, spec.nchannels);
+  check_size(spec.full_width, spec.full_height, 1);
+
+  OIIO::ustring name(path);
+  if (gamma > 0 && gamma != 1 && is_integer(spec.format)) {
+    OIIO::ImageSpec config;
+    config.attribute("oriel:path", path);
+    config.attribute("oriel:gamma", gamma);
+    name = OIIO::ustring::fmtformat("{}?oriel_gamma={}", path, gamma);
+    system().imagecache()->add_file(name, make_gamma_input, &config);
+  }
+  System::TextureHandle* handle = system().get_texture_handle(name, perthread());
+  if (!handle || !system().good(handle)) {
+    const std::string why = system().geterror();
+    throw std::runtime_error(why.empty() ? "it cannot serve as a texture" : why);
+  }
+  return std::make_unique<TextureFile>(handle, spec);
+}
+
+void set_cache_megabytes(float megabytes) {
+  system().attribute("max_memory_MB", std::max(16.0f, megabytes));
+}
+
+void forget_file(const std::string& path) { system().invalidate(OIIO::ustring(path), true); }
+
+}  // namespace oriel::oiio

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture in memory: float pixels, interleaved channels, and the named layers of a render.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace oriel {
+
+// Conventions
+//   Row 0 is the top row of the picture, x runs to the right, channels are interleaved.
+//   Whether the values are linear or display-encoded is the caller's knowledge.
+
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<float> pixels;  ///< height x width x channels
+
+  Image() = default;
+  Image(int w, int h, int c, float value = 0)
+      : width(w), height(h), channels(c), pixels(std::size_t(w) * h * c, value) {}
+
+  std::size_t offset(int x, int y) const { return (std::size_t(y) * width + x) * channels; }
+  float* at(int x, int y) { return pixels.data() + offset(x, y); }
+  const float* at(int x, int y) const { return pixels.data() + offset(x, y); }
+  bool empty() const { return pixels.empty(); }
+  std::size_t pixel_count() const { return std::size_t(width) * height; }
+};
+
+/// One layer of a picture. The beauty has the empty name. A layer whose only channel has the empty
+/// name is one bare channel called as the layer ("Z").
+struct Layer {
+  std::string name;
+  std::vector<std::string> channel_names;  ///< as many as image.channels
+  Image image;
+};
+
+/// The layer of that name, or null.
+inline const Layer* find_layer(const std::vector<Layer>& layers, const std::string& name) {
+  for (const Layer& layer : layers)
+    if (layer.name == name) return &layer;
+  return nullptr;
+}
+
+}  // namespace oriel
