@@ -15,6 +15,7 @@ struct ShaderUse {
   std::string reference;  ///< name of a shader element; empty for a call
   std::string type;       ///< declared name of the shader or phenomenon that is called
   std::vector<Argument> arguments;
+  bool interface = false;  ///< = interface "p": reference names a parameter of the phenomenon
   SourceLocation where;
   bool operator==(const ShaderUse&) const = default;
 };
