@@ -35,6 +35,7 @@ struct Light {
   Mat4 to_local;         ///< world to the light's space
   Mat4 to_world;
   const ShaderNode* shader = nullptr;
+  std::unique_ptr<ShaderState> state;  ///< what the shader worked out for this light
 };
 
 /// Light arriving at a point from one sample.

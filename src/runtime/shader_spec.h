@@ -88,6 +88,8 @@ struct ShaderSpec {
   void (*material)(const Call&, Closure&) = nullptr;
   /// Colour of one light sample.
   LightValue (*light)(const Call&, const LightCall&) = nullptr;
+  /// Built once for each light the shader stands in.
+  std::unique_ptr<ShaderState> (*prepare_light)(const void* params, const Light&) = nullptr;
   /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
   float (*light_cone)(const void* params) = nullptr;
   /// Maps a colour on its way to the film.

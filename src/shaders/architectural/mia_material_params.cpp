@@ -138,7 +138,7 @@ constexpr ParamSpec kRows[] = {
      .doc =
          "Which lights: 0 list or linked or all, 1 the list, 2 all but the list, 4 linked or all.",
      .support = kIgnored},
-    {ORIEL_PARAM(P, lights), .doc = "The list.", .support = kIgnored},
+    {ORIEL_PARAM(P, lights), .doc = "The list."},
     {ORIEL_PARAM(P, bump_mode), .fallback = {5}, .min = 0, .max = 8,
      .doc = "0 compatible; 1-4 add, 5-8 set the normal in internal, world, object, camera space."},
     {ORIEL_PARAM(P, overall_bump), .fallback = {0, 0, 0},

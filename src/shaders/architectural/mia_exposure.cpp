@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/architectural/mia_exposure.h"
+
+#include "lens/exposure.h"
+
+namespace oriel {
+namespace {
+
+struct Photographic {
+  float cm2_factor;
+  Rgba whitepoint;
+  float film_iso, camera_shutter, f_number, vignetting, burn_highlights, crush_blacks, saturation,
+      gamma;
+  int side_channel_mode;
+  std::string_view side_channel;
+  ColorTextureRef preview;
+  bool use_preview;
+};
+struct Simple {
+  float pedestal, gain, knee, compression, gamma;
+  ColorTextureRef preview;
+  bool use_preview;
+};
+
+constexpr Support kIgnored = Support::Ignored;
+constexpr ParamSpec kPhotographicRows[] = {
+    {ORIEL_PARAM(Photographic, cm2_factor), .fallback = {1},
+     .doc = "cd/m2 per unit of the pixels; with film_iso 0 the plain gain."},
+    {ORIEL_PARAM(Photographic, whitepoint), .fallback = {1, 1, 1},
+     .doc = "The colour shown as grey."},
+    {ORIEL_PARAM(Photographic, film_iso), .fallback = {100}, .min = 0, .unit = "ISO",
+     .doc = "Film speed; 0 = arbitrary mode."},
+    {ORIEL_PARAM(Photographic, camera_shutter), .fallback = {100}, .min = 0, .unit = "1/s",
+     .doc = "Shutter: 100 is 1/100 s."},
+    {ORIEL_PARAM(Photographic, f_number), .fallback = {16}, .min = 0, .doc = "Aperture number."},
+    {ORIEL_PARAM(Photographic, vignetting), .fallback = {1}, .min = 0,
+     .doc = "Exponent of the cosine that darkens the edges."},
+    {ORIEL_PARAM(Photographic, burn_highlights), .min = 0, .max = 1,
+     .doc = "1 linear, 0 never over-exposed."},
+    {ORIEL_PARAM(Photographic, crush_blacks), .fallback = {.25f}, .min = 0, .max = 1,
+     .doc = "Pushes dark values toward black."},
+    {ORIEL_PARAM(Photographic, saturation), .fallback = {1}, .min = 0, .doc = "Of the result."},
+    {ORIEL_PARAM(Photographic, gamma), .fallback = {2.2f}, .min = 0, .doc = "Display gamma."},
+    {ORIEL_PARAM(Photographic, side_channel_mode), .min = 0, .max = 2,
+     .doc = "Lens and output copies share a frame buffer.", .support = kIgnored},
+    {ORIEL_PARAM(Photographic, side_channel), .doc = "That frame buffer.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(Photographic, preview), .doc = "Picture to map instead of rendering.",
+     .support = kIgnored, .declared_default = false},
+    {ORIEL_PARAM(Photographic, use_preview), .doc = "Use it.", .support = kIgnored,
+     .declared_default = false},
+};
+constexpr ParamSpec kSimpleRows[] = {
+    {ORIEL_PARAM(Simple, pedestal), .doc = "Added first."},
+    {ORIEL_PARAM(Simple, gain), .fallback = {1}, .doc = "Multiplies then."},
+    {ORIEL_PARAM(Simple, knee), .fallback = {.5f}, .doc = "Above it values are compressed."},
+    {ORIEL_PARAM(Simple, compression), .fallback = {2}, .min = 0,
+     .doc = "Compression ratio, 0 none."},
+    {ORIEL_PARAM(Simple, gamma), .fallback = {2.2f}, .min = 0, .doc = "Display gamma."},
+    {ORIEL_PARAM(Simple, preview), .doc = "Picture to map instead of rendering.",
+     .support = kIgnored, .declared_default = false},
+    {ORIEL_PARAM(Simple, use_preview), .doc = "Use it.", .support = kIgnored,
+     .declared_default = false},
+};
+
+struct PhotographicState final : ShaderState {
+  explicit PhotographicState(const Photographic& p)
+      : exposure({.cm2_factor = p.cm2_factor,
+                  .whitepoint = rgb(p.whitepoint),
+                  .film_iso = p.film_iso,
+                  .camera_shutter = p.camera_shutter,
+                  .f_number = p.f_number,
+                  .vignetting = p.vignetting,
+                  .burn_highlights = p.burn_highlights,
+                  .crush_blacks = p.crush_blacks,
+                  .saturation = p.saturation,
+                  .gamma = p.gamma}) {}
+  lens::PhotographicExposure exposure;
+};
+struct SimpleState final : ShaderState {
+  explicit SimpleState(const Simple& p)
+      : exposure({.pedestal = p.pedestal,
+                  .gain = p.gain,
+                  .knee = p.knee,
+                  .compression = p.compression,
+                  .gamma = p.gamma}) {}
+  lens::SimpleExposure exposure;
+};
+
+template <class State, class P>
+std::unique_ptr<ShaderState> prepare(const void* params, const World&) {
+  return std::make_unique<State>(*static_cast<const P*>(params));
+}
+
+}  // namespace
+
+const ShaderSpec kMiaExposurePhotographic = {
+    .name = "mia_exposure_photographic",
+    .library = "architectural",
+    .version = 4,
+    .apply = kApplyLens | kApplyOutput,
+    .doc = "Exposes as a camera: film speed, shutter and aperture on pixels in cd/m2.",
+    .params = kPhotographicRows,
+    .params_size = sizeof(Photographic),
+    .lens =
+        [](const Call& call, const LensCall& lens, const Rgb& c) {
+          return static_cast<const PhotographicState*>(call.state)
+              ->exposure(c, lens.orthographic ? 1.0f : lens.cos_to_film);
+        },
+    .prepare = prepare<PhotographicState, Photographic>,
+};
+
+const ShaderSpec kMiaExposureSimple = {
+    .name = "mia_exposure_simple",
+    .library = "architectural",
+    .version = 1,
+    .apply = kApplyLens | kApplyOutput,
+    .doc = "Maps colours by gain, knee and gamma.",
+    .params = kSimpleRows,
+    .params_size = sizeof(Simple),
+    .lens = [](const Call& call, const LensCall&,
+               const Rgb& c) { return static_cast<const SimpleState*>(call.state)->exposure(c); },
+    .prepare = prepare<SimpleState, Simple>,
+};
+
+}  // namespace oriel

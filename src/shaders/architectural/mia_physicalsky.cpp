@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_physicalsky: the daylight environment, with the sun's disc and glow and a virtual ground.
+#include "runtime/world.h"
+#include "shaders/architectural/mia_sun_sky.h"
+#include "sky/physical_sky.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  bool on;
+  float multiplier;
+  Rgba rgb_unit_conversion;
+  float haze, redblueshift, saturation, horizon_height, horizon_blur;
+  Rgba ground_color, night_color;
+  Vec3 sun_direction;
+  LightRef sun;
+  float sun_disk_intensity, sun_disk_scale, sun_glow_intensity;
+  bool use_background;
+  ShaderRef background;
+  float visibility_distance;
+  bool y_is_up;
+  int flags;
+  int sky_luminance_mode;
+  float zenith_luminance, diffuse_horizontal_illuminance;
+  float a, b, c, d, e;
+  bool physically_scaled_sun;
+};
+
+constexpr Support kIgnored = Support::Ignored;
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sky on."},
+    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
+    {ORIEL_PARAM(P, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f}, .unit = "1/lux",
+     .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1; 0.318 gives pixels in cd/m2."},
+    {ORIEL_PARAM(P, haze), .min = 0, .max = 15, .doc = "Haze in the air: 0 clear, 15 overcast."},
+    {ORIEL_PARAM(P, redblueshift), .min = -1, .max = 1, .doc = "-1 very blue, 1 very red."},
+    {ORIEL_PARAM(P, saturation), .fallback = {1}, .min = 0, .max = 2, .doc = "0 grey, 1 as is."},
+    {ORIEL_PARAM(P, horizon_height), .min = -10, .max = 10,
+     .doc = "Level of the horizon: -10 straight down, 10 at the zenith."},
+    {ORIEL_PARAM(P, horizon_blur), .fallback = {.1f}, .min = 0, .max = 10,
+     .doc = "Blur of the horizon, 0 sharp."},
+    {ORIEL_PARAM(P, ground_color), .fallback = {.2f, .2f, .2f},
+     .doc = "Albedo of the virtual ground."},
+    {ORIEL_PARAM(P, night_color), .doc = "The sky is never darker than this."},
+    {ORIEL_PARAM(P, sun_direction), .doc = "Toward the sun, when `sun` is not given.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, sun), .doc = "Instance of the sun's light.", .declared_default = false},
+    {ORIEL_PARAM(P, sun_disk_intensity), .fallback = {1}, .min = 0,
+     .doc = "Intensity of the visible disc."},
+    {ORIEL_PARAM(P, sun_disk_scale), .fallback = {4}, .min = 0,
+     .doc = "Size of the visible disc, 1 = the true one."},
+    {ORIEL_PARAM(P, sun_glow_intensity), .fallback = {1}, .min = 0, .doc = "Glow around it."},
+    {ORIEL_PARAM(P, use_background), .doc = "The camera sees `background`, or nothing.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, background), .doc = "Shader the camera sees behind the scene.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, visibility_distance), .unit = "scene units",
+     .doc = "As lens or volume shader: where 10 % haze is visible.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
+    {ORIEL_PARAM(P, flags), .doc = "Reserved, 0.", .support = kIgnored, .declared_default = false},
+    {ORIEL_PARAM(P, sky_luminance_mode), .doc = "Not 0: explicit luminance below.",
+     .support = kIgnored},
+    {ORIEL_PARAM(P, zenith_luminance), .unit = "cd/m2", .doc = "Of the zenith.",
+     .support = kIgnored},
+    {ORIEL_PARAM(P, diffuse_horizontal_illuminance), .unit = "lux", .doc = "Of the sky alone.",
+     .support = kIgnored},
+    {ORIEL_PARAM(P, a), .doc = "Perez coefficient.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, b), .doc = "Perez coefficient.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, c), .doc = "Perez coefficient.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, d), .doc = "Perez coefficient.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, e), .doc = "Perez coefficient.", .support = kIgnored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, physically_scaled_sun), .doc = "Disc and glow carry the sun's true energy.",
+     .declared_default = false},
+};
+
+struct SkyState final : ShaderState {
+  explicit SkyState(const sky::SkyParameters& parameters) : sky(parameters) {}
+  sky::PhysicalSky sky;
+};
+
+Vec3 direction_to_sun(const P& p, const World& world) {
+  if (p.sun.index >= 0) return -world.lights[static_cast<std::size_t>(p.sun.index)].direction;
+  if (p.sun_direction != Vec3(0)) return normalize(p.sun_direction);
+  // Neither is given: the zenith, where a sky without a sun is at its most even.
+  return p.y_is_up ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+}
+
+sky::SkyPart visible_part(const ShadingPoint& point) {
+  switch (point.ray_kind) {
+    case RayKind::FinalGather:
+    case RayKind::Light:
+      return sky::SkyPart::Gradient;
+    // The highlight of the sun's own light already stands where a glossy bundle meets the disc.
+    default:
+      return point.blurred ? sky::SkyPart::GradientAndGlow : sky::SkyPart::Everything;
+  }
+}
+
+void sky_value(const Call& call, void* result) {
+  const P& p = call.as<P>();
+  auto& out = *static_cast<Rgba*>(result);
+  if (p.use_background && call.point.ray_kind == RayKind::Eye) {
+    out = p.background.node && p.background.node->spec().value
+              ? p.background.node->color(call.point)
+              : Rgba(0);
+    return;
+  }
+  const auto& state = *static_cast<const SkyState*>(call.state);
+  const Rgb c = state.sky.radiance(call.point.ray_direction, visible_part(call.point));
+  out = Rgba(c.x, c.y, c.z, 1);
+}
+
+}  // namespace
+
+const ShaderSpec kMiaPhysicalSky = {
+    .name = "mia_physicalsky",
+    .library = "architectural",
+    .version = 5,
+    .apply = kApplyEnvironment | kApplyTexture | kApplyLens | kApplyVolume,
+    .doc = "The daylight sky as environment, with the sun's disc and a virtual ground plane.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .value = sky_value,
+    .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
+      const P& p = *static_cast<const P*>(params);
+      return std::make_unique<SkyState>(
+          sky::SkyParameters{.on = p.on,
+                             .multiplier = p.multiplier,
+                             .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+                             .haze = p.haze,
+                             .redblueshift = p.redblueshift,
+                             .saturation = p.saturation,
+                             .horizon_height = p.horizon_height,
+                             .horizon_blur = p.horizon_blur,
+                             .ground_color = rgb(p.ground_color),
+                             .night_color = rgb(p.night_color),
+                             .sun_direction = direction_to_sun(p, world),
+                             .sun_disk_intensity = p.sun_disk_intensity,
+                             .sun_disk_scale = p.sun_disk_scale,
+                             .sun_glow_intensity = p.sun_glow_intensity,
+                             .physically_scaled_sun = p.physically_scaled_sun,
+                             .y_is_up = p.y_is_up});
+    },
+};
+
+}  // namespace oriel

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_physicalsun: colour, strength and softness of sunlight for a directional light.
+#include "shaders/architectural/mia_sun_sky.h"
+
+#include "runtime/light.h"
+#include "sky/physical_sky.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  bool on;
+  float multiplier;
+  Rgba rgb_unit_conversion;
+  float haze, redblueshift, saturation, horizon_height, shadow_softness;
+  int samples;
+  Vec3 photon_bbox_min, photon_bbox_max;
+  bool automatic_photon_energy, y_is_up;
+  int illuminance_mode;
+  float direct_normal_illuminance;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sun on."},
+    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
+    {ORIEL_PARAM(P, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f}, .unit = "1/lux",
+     .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1."},
+    {ORIEL_PARAM(P, haze), .min = 0, .max = 15, .doc = "Haze in the air: 0 clear, 15 overcast."},
+    {ORIEL_PARAM(P, redblueshift), .min = -1, .max = 1, .doc = "-1 very blue, 1 very red."},
+    {ORIEL_PARAM(P, saturation), .fallback = {1}, .min = 0, .max = 2, .doc = "0 grey, 1 as is."},
+    {ORIEL_PARAM(P, horizon_height), .min = -10, .max = 10, .doc = "Where the sun sets."},
+    {ORIEL_PARAM(P, shadow_softness), .fallback = {1}, .min = 0,
+     .doc = "Size of the sun for shadows, 1 = the true one."},
+    {ORIEL_PARAM(P, samples), .fallback = {8}, .min = 0,
+     .doc = "0: hard shadows. Other counts only split rays."},
+    {ORIEL_PARAM(P, photon_bbox_min), .doc = "Box photons are aimed at.",
+     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(P, photon_bbox_max), .doc = "Its other corner.", .support = Support::Ignored,
+     .declared_default = false},
+    {ORIEL_PARAM(P, automatic_photon_energy), .doc = "Photon energy follows the light.",
+     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
+    {ORIEL_PARAM(P, illuminance_mode), .doc = "1: use direct_normal_illuminance.",
+     .support = Support::Ignored},
+    {ORIEL_PARAM(P, direct_normal_illuminance), .unit = "lux",
+     .doc = "Illuminance of a surface facing the sun.", .support = Support::Ignored},
+};
+
+struct SunState final : ShaderState {
+  Rgb colour{0};
+};
+
+}  // namespace
+
+const ShaderSpec kMiaPhysicalSun = {
+    .name = "mia_physicalsun",
+    .library = "architectural",
+    .version = 6,
+    .apply = kApplyLight | kApplyEmitter,
+    .doc = "Sunlight for a directional light: colour and strength by haze and height.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .light =
+        [](const Call&, const LightCall& call) {
+          LightValue value;
+          if (const auto* state = static_cast<const SunState*>(call.light.state.get()))
+            value.colour = state->colour;
+          return value;
+        },
+    .prepare_light = [](const void* params, const Light& light) -> std::unique_ptr<ShaderState> {
+      const P& p = *static_cast<const P*>(params);
+      auto state = std::make_unique<SunState>();
+      // Directional lights only, as the manual says.
+      if (light.shape == LightShape::Directional)
+        state->colour = sky::sun_colour({.on = p.on,
+                                         .multiplier = p.multiplier,
+                                         .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+                                         .haze = p.haze,
+                                         .redblueshift = p.redblueshift,
+                                         .saturation = p.saturation,
+                                         .horizon_height = p.horizon_height,
+                                         .y_is_up = p.y_is_up},
+                                        -light.direction);
+      return state;
+    },
+    .light_cone =
+        [](const void* params) {
+          const P& p = *static_cast<const P*>(params);
+          return p.samples == 0 ? 0.0f : sky::kSunAngularRadius * std::max(0.0f, p.shadow_softness);
+        },
+};
+
+}  // namespace oriel

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/light.h"
+
+namespace oriel {
+namespace {
+
+struct Infinite {
+  Rgba color;
+  bool shadow;
+  float factor;
+};
+struct Point {
+  Rgba color;
+  bool shadow;
+  float factor;
+  bool atten;
+  float start, stop;
+};
+struct Spot {
+  Rgba color;
+  bool shadow;
+  float factor;
+  bool atten;
+  float start, stop;
+  float cone;
+};
+struct Physical {
+  Rgba color;
+  float cone, threshold, cos_exp;
+};
+
+constexpr const char* kShadowDoc = "Cast shadows.";
+constexpr const char* kFactorDoc = "Share of the light that passes an opaque blocker.";
+constexpr const char* kAttenDoc = "Weaken linearly from start to stop.";
+
+constexpr ParamSpec kInfiniteRows[] = {
+    {ORIEL_PARAM(Infinite, color), .doc = "Colour of the light.", .declared_default = false},
+    {ORIEL_PARAM(Infinite, shadow), .doc = kShadowDoc, .declared_default = false},
+    {ORIEL_PARAM(Infinite, factor), .min = 0, .max = 1, .doc = kFactorDoc,
+     .declared_default = false},
+};
+constexpr ParamSpec kPointRows[] = {
+    {ORIEL_PARAM(Point, color), .doc = "Colour of the light.", .declared_default = false},
+    {ORIEL_PARAM(Point, shadow), .doc = kShadowDoc, .declared_default = false},
+    {ORIEL_PARAM(Point, factor), .min = 0, .max = 1, .doc = kFactorDoc, .declared_default = false},
+    {ORIEL_PARAM(Point, atten), .doc = kAttenDoc, .declared_default = false},
+    {ORIEL_PARAM(Point, start), .unit = "scene units", .doc = "Full strength up to here.",
+     .declared_default = false},
+    {ORIEL_PARAM(Point, stop), .unit = "scene units", .doc = "Nothing from here.",
+     .declared_default = false},
+};
+constexpr ParamSpec kSpotRows[] = {
+    {ORIEL_PARAM(Spot, color), .doc = "Colour of the light.", .declared_default = false},
+    {ORIEL_PARAM(Spot, shadow), .doc = kShadowDoc, .declared_default = false},
+    {ORIEL_PARAM(Spot, factor), .min = 0, .max = 1, .doc = kFactorDoc, .declared_default = false},
+    {ORIEL_PARAM(Spot, atten), .doc = kAttenDoc, .declared_default = false},
+    {ORIEL_PARAM(Spot, start), .unit = "scene units", .doc = "Full strength up to here.",
+     .declared_default = false},
+    {ORIEL_PARAM(Spot, stop), .unit = "scene units", .doc = "Nothing from here.",
+     .declared_default = false},
+    {ORIEL_PARAM(Spot, cone), .min = -1, .max = 1,
+     .doc = "Cosine of the inner cone; the outer one is the light's spread.",
+     .declared_default = false},
+};
+constexpr ParamSpec kPhysicalRows[] = {
+    {ORIEL_PARAM(Physical, color), .doc = "Energy of the light.", .declared_default = false},
+    {ORIEL_PARAM(Physical, cone), .min = -1, .max = 1, .doc = "Cosine of the inner cone of a spot.",
+     .declared_default = false},
+    {ORIEL_PARAM(Physical, threshold), .min = 0, .doc = "Light below this is dropped.",
+     .declared_default = false},
+    {ORIEL_PARAM(Physical, cos_exp), .min = 0,
+     .doc = "Exponent of the cosine of rectangles and discs; 0 = 1.", .declared_default = false},
+};
+
+/// 1 inside the inner cone, 0 outside the outer one, linear in the cosine between.
+float spot_share(const Light& light, const Vec3& direction, float cone) {
+  if (light.spread < -1) return 1;
+  const float cosine = dot(direction, light.direction);
+  if (cosine <= light.spread) return 0;
+  if (cosine >= cone || cone <= light.spread) return 1;
+  return (cosine - light.spread) / (cone - light.spread);
+}
+
+template <class P>
+LightValue ranged_light(const P& p, float distance) {
+  LightValue value{rgb(p.color), p.shadow, clamp01(p.factor)};
+  if (p.atten) {
+    if (distance >= p.stop)
+      value.colour = Rgb(0);
+    else if (distance > p.start)
+      value.colour *= (p.stop - distance) / (p.stop - p.start);
+  }
+  return value;
+}
+
+LightValue physical_value(const Call& call, const LightCall& l) {
+  const Physical& p = call.as<Physical>();
+  LightValue value;
+  Rgb c = rgb(p.color);
+  if (l.light.shape != LightShape::Directional) {
+    // Energy spreads over the sphere: divided by its 4 pi steradians.
+    c *= std::pow(std::max(l.distance, 1e-6f), -l.light.exponent) / (4 * kPi);
+    const float exponent = p.cos_exp > 0 ? p.cos_exp : 1;
+    if (l.emitter_cos < 1)
+      c *= exponent == 1 ? l.emitter_cos : std::pow(std::max(0.0f, l.emitter_cos), exponent);
+    c *= spot_share(l.light, l.direction, p.cone);
+  }
+  if (max_component(c) >= p.threshold) value.colour = c;
+  return value;
+}
+
+}  // namespace
+
+const ShaderSpec kMibLightInfinite = {
+    .name = "mib_light_infinite",
+    .library = "base",
+    .apply = kApplyLight,
+    .doc = "A directional light.",
+    .params = kInfiniteRows,
+    .params_size = sizeof(Infinite),
+    .light =
+        [](const Call& call, const LightCall&) {
+          const auto& p = call.as<Infinite>();
+          return LightValue{rgb(p.color), p.shadow, clamp01(p.factor)};
+        },
+};
+
+const ShaderSpec kMibLightPoint = {
+    .name = "mib_light_point",
+    .library = "base",
+    .apply = kApplyLight,
+    .doc = "A point light whose strength does not change with distance unless told.",
+    .params = kPointRows,
+    .params_size = sizeof(Point),
+    .light = [](const Call& call,
+                const LightCall& l) { return ranged_light(call.as<Point>(), l.distance); },
+};
+
+const ShaderSpec kMibLightSpot = {
+    .name = "mib_light_spot",
+    .library = "base",
+    .apply = kApplyLight,
+    .doc = "A spot light between an inner and an outer cone.",
+    .params = kSpotRows,
+    .params_size = sizeof(Spot),
+    .light =
+        [](const Call& call, const LightCall& l) {
+          const auto& p = call.as<Spot>();
+          LightValue value = ranged_light(p, l.distance);
+          value.colour *= spot_share(l.light, l.direction, p.cone);
+          return value;
+        },
+};
+
+const ShaderSpec kPhysicalLight = {
+    .name = "physical_light",
+    .library = "physics",
+    .version = 3,
+    .apply = kApplyLight,
+    .doc = "A light with physical decay; its colour is an energy.",
+    .params = kPhysicalRows,
+    .params_size = sizeof(Physical),
+    .light = physical_value,
+};
+
+}  // namespace oriel

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_lookup.h"
+
+#include <cmath>
+
+#include "runtime/texture_node.h"
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+struct Spherical {
+  Vec3 dir;
+  float rotate;
+  ColorTextureRef tex;
+};
+struct Background {
+  Vec3 zoom, pan;
+  bool torus_u, torus_v;
+  ColorTextureRef tex;
+};
+
+constexpr ParamSpec kSphericalRows[] = {
+    {ORIEL_PARAM(Spherical, dir), .doc = "World direction; null = the ray's.",
+     .declared_default = false},
+    {ORIEL_PARAM(Spherical, rotate), .unit = "rad", .doc = "Turns the picture about y.",
+     .declared_default = false},
+    {ORIEL_PARAM(Spherical, tex), .doc = "Latitude-longitude picture.", .declared_default = false},
+};
+constexpr ParamSpec kBackgroundRows[] = {
+    {ORIEL_PARAM(Background, zoom), .doc = "Enlarges the picture; 0 = 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Background, pan), .doc = "Shifts it, in pictures.", .declared_default = false},
+    {ORIEL_PARAM(Background, torus_u), .doc = "Repeat sideways.", .declared_default = false},
+    {ORIEL_PARAM(Background, torus_v), .doc = "Repeat upward.", .declared_default = false},
+    {ORIEL_PARAM(Background, tex), .doc = "The picture.", .declared_default = false},
+};
+
+void spherical(const Call& call, void* result) {
+  const auto& p = call.as<Spherical>();
+  auto& out = *static_cast<Rgba*>(result);
+  out = Rgba(0);
+  if (!p.tex.texture) return;
+  const Vec3 d = normalize(p.dir == Vec3(0) ? call.point.ray_direction : p.dir);
+  // The middle of the picture lies along -z, u grows to the right as seen from inside, y is up.
+  const float u = 0.5f + (std::atan2(d.x, -d.z) + p.rotate) / kTwoPi;
+  const float v = 0.5f + std::asin(clamp(d.y, -1, 1)) / kPi;
+  out = p.tex.texture->lookup(Vec2(u - std::floor(u), v), call.point,
+                              {.wrap_u = Wrap::Periodic, .wrap_v = Wrap::Clamp});
+}
+
+void background(const Call& call, void* result) {
+  const auto& p = call.as<Background>();
+  auto& out = *static_cast<Rgba*>(result);
+  out = Rgba(0);
+  if (!p.tex.texture || !call.point.world) return;
+  const Camera& camera = call.point.world->camera;
+  const Vec3 d = transform_vector(call.point.ray_direction, camera.to_camera);
+  if (!(d.z < 0)) return;
+  Vec2 uv(0.5f);
+  if (camera.orthographic) {
+    const Vec3 o = transform_point(call.point.ray_origin, camera.to_camera);
+    uv += Vec2(o.x / camera.aperture, o.y / camera.aperture * camera.aspect);
+  } else {
+    const float scale = camera.focal / (-d.z * camera.aperture);
+    uv += Vec2(d.x * scale, d.y * scale * camera.aspect);
+  }
+  const auto zoomed = [](float x, float zoom, float pan) {
+    return (x - 0.5f) / (zoom != 0 ? zoom : 1) + 0.5f + pan;
+  };
+  uv = Vec2(zoomed(uv.x, p.zoom.x, p.pan.x), zoomed(uv.y, p.zoom.y, p.pan.y));
+  out = p.tex.texture->lookup(uv, call.point,
+                              {.wrap_u = p.torus_u ? Wrap::Periodic : Wrap::Black,
+                               .wrap_v = p.torus_v ? Wrap::Periodic : Wrap::Black});
+}
+
+}  // namespace
+
+const ShaderSpec kMibLookupSpherical = {
+    .name = "mib_lookup_spherical",
+    .library = "base",
+    .apply = kApplyEnvironment | kApplyTexture,
+    .doc = "A latitude-longitude picture around the scene.",
+    .params = kSphericalRows,
+    .params_size = sizeof(Spherical),
+    .value = spherical,
+};
+
+const ShaderSpec kMibLookupBackground = {
+    .name = "mib_lookup_background",
+    .library = "base",
+    .apply = kApplyTexture | kApplyEnvironment | kApplyLens,
+    .doc = "A picture fixed to the camera's frame.",
+    .params = kBackgroundRows,
+    .params_size = sizeof(Background),
+    .value = background,
+};
+
+}  // namespace oriel

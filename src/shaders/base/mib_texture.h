@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// mib_texture_vector, mib_texture_remap, mib_texture_lookup: coordinates and image look-ups.
+#pragma once
+
+#include "runtime/shader_spec.h"
+
+namespace oriel {
+
+extern const ShaderSpec kMibTextureVector;
+extern const ShaderSpec kMibTextureRemap;
+extern const ShaderSpec kMibTextureLookup;
+
+}  // namespace oriel

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/registry.h"
+
+#include <fmt/format.h>
+
+#include "shaders/architectural/mia_exposure.h"
+#include "shaders/architectural/mia_material.h"
+#include "shaders/architectural/mia_sun_sky.h"
+#include "shaders/base/mib_illum.h"
+#include "shaders/base/mib_light.h"
+#include "shaders/base/mib_lookup.h"
+#include "shaders/base/mib_texture.h"
+
+namespace oriel {
+namespace {
+
+std::string declared_type(const ParamSpec& param) {
+  if (param.type == ParamType::Array)
+    return fmt::format("array {}", scene::type_name(param.element));
+  return std::string(scene::type_name(param.type));
+}
+
+std::string declared_default(const ParamSpec& param) {
+  if (!param.declared_default) return {};
+  const auto& v = param.fallback;
+  switch (param.type) {
+    case ParamType::Boolean:
+      return v[0] != 0 ? " default on" : " default off";
+    case ParamType::Integer:
+      return fmt::format(" default {}", static_cast<int>(v[0]));
+    case ParamType::Scalar:
+      return fmt::format(" default {}", v[0]);
+    case ParamType::Color:
+    case ParamType::Vector:
+      return fmt::format(" default {} {} {}", v[0], v[1], v[2]);
+    default:
+      return {};
+  }
+}
+
+std::string apply_words(unsigned apply) {
+  constexpr const char* kWords[] = {"material", "texture", "light",  "environment", "lens",
+                                    "output",   "shadow",  "photon", "volume",      "emitter"};
+  std::string text;
+  for (unsigned i = 0; i < std::size(kWords); ++i)
+    if (apply & (1u << i)) text += (text.empty() ? "" : ", ") + std::string(kWords[i]);
+  return text;
+}
+
+}  // namespace
+
+const Registry& builtin_shaders() {
+  static const Registry registry({
+      &kMiaMaterial,
+      &kMiaMaterialX,
+      &kMiaMaterialXPasses,
+      &kMiaPhysicalSun,
+      &kMiaPhysicalSky,
+      &kMiaExposurePhotographic,
+      &kMiaExposureSimple,  //
+      &kMibIllumLambert,
+      &kMibIllumPhong,
+      &kMibLightInfinite,
+      &kMibLightPoint,
+      &kMibLightSpot,
+      &kMibLookupBackground,
+      &kMibLookupSpherical,
+      &kMibTextureLookup,
+      &kMibTextureRemap,
+      &kMibTextureVector,  //
+      &kPhysicalLight,
+  });
+  return registry;
+}
+
+const std::vector<std::string>& builtin_packages() {
+  static const std::vector<std::string> packages = {"base", "architectural", "physics"};
+  return packages;
+}
+
+std::string mi_declarations(const Registry& registry, std::string_view library) {
+  std::string text = fmt::format(
+      "# Declarations of Oriel's {0} library, generated from the shaders' own tables.\n"
+      "$ifndef \"{0}_mi_included\"\nset \"{0}_mi_included\"\n\n",
+      library);
+  for (const ShaderSpec* spec : registry.all()) {
+    if (library != spec->library) continue;
+    std::string result(scene::type_name(spec->result));
+    if (spec->result == ParamType::Struct) {
+      result = "struct {";
+      for (const ParamSpec& member : spec->results)
+        result += fmt::format("{} {} \"{}\"", &member == spec->results.data() ? "" : ",",
+                              declared_type(member), member.name);
+      result += " }";
+    }
+    text += fmt::format("# {}\ndeclare shader {} \"{}\" (\n", spec->doc, result, spec->name);
+    for (const ParamSpec& param : spec->params)
+      text += fmt::format("    {} \"{}\"{}{}  # {}\n", declared_type(param), param.name,
+                          declared_default(param), &param == &spec->params.back() ? "" : ",",
+                          param.doc);
+    text += fmt::format("    )\n    version {}\n    apply {}\nend declare\n\n", spec->version,
+                        apply_words(spec->apply));
+  }
+  return text + "$endif\n";
+}
+
+}  // namespace oriel

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every built-in shader, by an explicit list.
+#pragma once
+
+#include "runtime/shader_spec.h"
+
+namespace oriel {
+
+const Registry& builtin_shaders();
+
+/// The shader packages Oriel supplies: includes and links of these are satisfied without a file.
+const std::vector<std::string>& builtin_packages();
+
+/// The `.mi` declarations of one library ("architectural", "base", "physics").
+std::string mi_declarations(const Registry& registry, std::string_view library);
+
+}  // namespace oriel
