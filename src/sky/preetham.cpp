@@ -20,7 +20,7 @@ Rgb sky_rgb(const Vec3& xyz) {
 float cubic(const float (&c)[4], float t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
 /// e^x within 2e-7 relative for -80 < x < 80, held there beyond. Branch-free, so that a loop over
-/// lanes becomes vector code; the library's exp made two thirds of the sky's cost.
+/// lanes becomes vector code; with the library's exp a look-up took 1.7 times as long.
 inline float lane_exp(float x) {
   constexpr float kLog2E = 1.44269504089f, kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;
   constexpr float kRounder = 12582912.0f;  // 1.5 * 2^23: adding it rounds to an integer

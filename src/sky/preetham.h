@@ -16,8 +16,8 @@ namespace oriel::sky {
 /// Source: NVIDIA's port of the sky (MDL-SDK base.mdl), which meets the horizon the same way.
 inline constexpr float kLowestSkyZ = 0.001f;
 
-/// Highest turbidity the model answers for. Haze 15, the end of its documented range, is 17; a
-/// little beyond that the chromaticity fits leave the diagram.
+/// Highest turbidity the model answers for. Haze 15, the end of its documented range, is 17, where
+/// the chromaticity fits begin to leave the diagram (under a low sun); at 25 most of the sky has.
 inline constexpr float kMostTurbidity = 20;
 
 /// `direction` lifted to kLowestSkyZ if it lies lower, renormalised.
