@@ -25,19 +25,24 @@ const OptionRow* find_row(const std::string& keyword) {
   return found == rows_by_keyword().end() ? nullptr : found->second;
 }
 
+void add_words(std::vector<OptionItem>& items, std::string_view words, const Value* value) {
+  for (std::size_t at = 0; at < words.size();) {
+    const auto end = std::min(words.find(' ', at), words.size());
+    items.push_back({.value = value, .text = words.substr(at, end - at)});
+    at = end + 1;
+  }
+}
+
 /// Words of the keyword, then the values: where a reader stops calling words a keyword is its own
 /// affair (`shadow segments`, `filter clip gauss`), so both look the same here.
 std::vector<OptionItem> items_of(const Statement& s) {
   std::vector<OptionItem> items;
-  const std::string_view keyword = s.keyword;
-  for (std::size_t at = 0; !s.quoted && at < keyword.size();) {
-    const auto end = std::min(keyword.find(' ', at), keyword.size());
-    items.push_back({.text = keyword.substr(at, end - at)});
-    at = end + 1;
-  }
+  if (!s.quoted) add_words(items, s.keyword, nullptr);
   for (const Value& v : s.values) {
     if (v.kind == Value::Kind::Numbers)
       for (const double n : v.numbers) items.push_back({.value = &v, .number = n});
+    else if (v.bare)
+      add_words(items, v.text, &v);
     else
       items.push_back({.value = &v, .text = v.text});
   }

@@ -136,6 +136,11 @@ TEST(RenderOptions, KeywordWordsAndSymbolValuesAreTheSame) {
   options.statements = {split};
   Diagnostics d;
   EXPECT_EQ(interpret_options(options, d).shadow, ShadowMode::Segments);
+  split.keyword = "filter";
+  split.values[0].text = "clip mitchell";
+  split.values[0].bare = true;
+  options.statements = {split};
+  EXPECT_EQ(interpret_options(options, d).filter.kind, FilterKind::ClipMitchell);
   EXPECT_EQ(read({"shadow segments"}).shadow, ShadowMode::Segments);
   EXPECT_EQ(read({"shadow on"}).shadow, ShadowMode::Simple);
   EXPECT_EQ(read({"shadow off"}).shadow, ShadowMode::Off);
