@@ -8,7 +8,8 @@ import random
 
 from mesh import Mesh, box, cushion, lathe, rounded_box, sheet, tube
 
-BOOKS = ["book_red", "book_blue", "book_cream", "book_green", "book_ochre", "book_grey"]
+BOOKS = ["book_cream", "book_blue", "book_cream", "book_grey", "book_green", "book_white",
+         "book_ochre", "book_grey", "book_white", "book_red", "book_blue"]
 
 
 def legs(half_x, half_y, height, splay=0.03, r0=0.013, r1=0.022):
@@ -23,10 +24,10 @@ def legs(half_x, half_y, height, splay=0.03, r0=0.013, r1=0.022):
 
 def sofa():
     frame = Mesh().merge(
-        rounded_box(2.1, 0.88, 0.2, 0.03).moved(0, 0, 0.14),
-        rounded_box(2.1, 0.2, 0.5, 0.06).moved(0, 0.34, 0.28),
+        rounded_box(1.79, 0.85, 0.19, 0.02).moved(0, 0, 0.15),
+        rounded_box(1.79, 0.2, 0.5, 0.06).moved(0, 0.32, 0.28),
         *[rounded_box(0.17, 0.88, 0.44, 0.05).moved(x, 0, 0.14) for x in (-0.965, 0.965)])
-    seats = Mesh().merge(*[cushion(0.87, 0.7, 0.15, 0.025, 0.045).moved(x, -0.1, 0.34)
+    seats = Mesh().merge(*[cushion(0.875, 0.7, 0.15, 0.025, 0.045).moved(x, -0.1, 0.34)
                            for x in (-0.44, 0.44)])
     backs = Mesh().merge(*[cushion(0.84, 0.44, 0.15, 0.03, 0.055).turned(76, "x")
                            .moved(x, 0.22, 0.5) for x in (-0.44, 0.44)])
@@ -189,10 +190,10 @@ def shelf():
         oak.merge(rounded_box(0.96, 0.3, 0.025, 0.003).moved(0, 0, z))
     oak.merge(box(-0.48, 0.14, 0.06, 0.48, 0.148, 1.94))
     books = Mesh()
-    rows = {0: (-0.46, 0.44), 1: (-0.46, 0.1), 2: (-0.1, 0.45), 3: (-0.46, 0.2), 4: (0.0, 0.46)}
+    rows = {0: (-0.46, 0.3), 1: (-0.46, -0.06), 2: (-0.1, 0.45), 3: (-0.46, 0.12), 4: (0.06, 0.4)}
     for row, (x, end) in rows.items():
         while x < end:
-            thick, tall = dice.uniform(0.018, 0.05), dice.uniform(0.19, 0.3)
+            thick, tall = dice.uniform(0.014, 0.045), dice.triangular(0.17, 0.31, 0.23)
             one = book(dice.uniform(0.15, 0.21), tall, thick, dice.choice(BOOKS))
             # Stand it up: its spine faces the room, its foot is on the board.
             foot = heights[row] + 0.026 + tall / 2
@@ -205,8 +206,8 @@ def shelf():
     ball[0], ball[-1] = (0, 0), (0, 0.15)
     return [("oak", oak, "oak_furniture", 40), ("books", books, None, 0),
             ("urn", urn.moved(-0.3, 0, heights[2] + 0.026), "terracotta", 40),
-            ("chrome_ball", lathe(ball, 48).moved(0.3, -0.02, heights[1] + 0.026), "chrome", 60),
-            ("dish", bowl()[0][1].moved(0.33, 0, heights[3] + 0.026), "porcelain", 40),
+            ("chrome_ball", lathe(ball, 48).moved(0.1, -0.04, heights[1] + 0.026), "chrome", 60),
+            ("dish", bowl()[0][1].moved(0.3, -0.01, heights[3] + 0.026), "porcelain", 40),
             ("bottle", lathe([(0, 0), (0.045, 0), (0.05, 0.01), (0.05, 0.14), (0.016, 0.2),
                               (0.016, 0.26), (0, 0.26)], 40).moved(-0.25, 0, heights[4] + 0.026),
              "glaze_blue", 40)]

@@ -17,18 +17,19 @@ from mesh import Mesh, box, number, tube, write_object
 HERE = pathlib.Path(__file__).resolve().parent
 WIDTH, DEPTH, HEIGHT = 5.6, 4.8, 2.75
 WALL = 0.25
+FOOT = -0.05  # walls go down past the floor, so that no light creeps in under them
 WINDOW = {"y0": 0.4, "y1": 4.45, "z0": 0.1, "z1": 2.5, "columns": 5, "rows": 3}
 
 
 def room():
     w, shell = WINDOW, Mesh()
-    left = [(0, w["y0"], 0, HEIGHT), (w["y1"], DEPTH, 0, HEIGHT), (w["y0"], w["y1"], 0, w["z0"]),
-            (w["y0"], w["y1"], w["z1"], HEIGHT)]
+    left = [(0, w["y0"], FOOT, HEIGHT), (w["y1"], DEPTH, FOOT, HEIGHT),
+            (w["y0"], w["y1"], FOOT, w["z0"]), (w["y0"], w["y1"], w["z1"], HEIGHT)]
     for y0, y1, z0, z1 in left:
         shell.merge(box(-WALL, y0, z0, 0, y1, z1))
-    shell.merge(box(-WALL, DEPTH, 0, WIDTH + WALL, DEPTH + WALL, HEIGHT),
-                box(-WALL, -WALL, 0, WIDTH + WALL, 0, HEIGHT),
-                box(WIDTH, 0, 0, WIDTH + WALL, DEPTH, HEIGHT))
+    shell.merge(box(-WALL, DEPTH, FOOT, WIDTH + WALL, DEPTH + WALL, HEIGHT),
+                box(-WALL, -WALL, FOOT, WIDTH + WALL, 0, HEIGHT),
+                box(WIDTH, 0, FOOT, WIDTH + WALL, DEPTH, HEIGHT))
     ceiling = box(-WALL, -WALL, HEIGHT, WIDTH + WALL, DEPTH + WALL, HEIGHT + WALL)
     beams = Mesh().merge(*[box(0, y, HEIGHT - 0.17, WIDTH, y + 0.13, HEIGHT)
                            for y in (0.55, 1.75, 2.95, 4.15)])
@@ -158,8 +159,13 @@ def hedge_places():
             places.append((x + dice.uniform(-0.2, 0.2), -4.6 + 0.95 * n + 0.5 * row,
                            z + dice.uniform(-0.12, 0.18), dice.uniform(0, 360),
                            scale * dice.uniform(0.9, 1.15)))
-    # Three taller crowns behind the hedge.
-    return places + [(-9.5, 1.2, 2.9, 30, 2.6), (-11.0, 6.2, 3.4, 200, 3.2), (-9.2, 9.5, 2.4, 90, 2.4)]
+    # Three trees behind the hedge, each a cloud of bushes.
+    for cx, cy, cz, size in ((-9.0, 1.0, 2.9, 1.0), (-11.0, 6.4, 3.6, 1.3), (-9.5, 9.4, 2.6, 0.9)):
+        for _ in range(14):
+            places.append((cx + dice.gauss(0, 0.6) * size, cy + dice.gauss(0, 0.75) * size,
+                           cz + dice.gauss(0, 0.6) * size, dice.uniform(0, 360),
+                           dice.uniform(1.0, 1.4)))
+    return places
 
 
 TABLE = (3.05, 2.45)
@@ -175,7 +181,7 @@ PIECES = [
     ("bush", "Hedge and trees", furniture.bush, hedge_places()),
     ("rug", "Rug", furniture.rug, [(2.8, 2.75, 0)]),
     ("sofa", "Sofa", furniture.sofa, [(2.5, 4.2, 0)]),
-    ("armchair", "Armchair", furniture.armchair, [(1.25, 2.35, 0.012, 68)]),
+    ("armchair", "Armchair", furniture.armchair, [(1.25, 2.35, 0, 68)]),
     ("table", "Coffee table with books", furniture.coffee_table, [(*TABLE, 0.012)]),
     ("crockery", "Cups and saucers", furniture.crockery, [(*TABLE, TABLE_TOP + 0.012)]),
     ("teapot", "The Utah teapot", teapot, [(3.04, 2.5, TABLE_TOP + 0.012, 200)]),
