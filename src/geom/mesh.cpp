@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geom/mesh.h"
+
+namespace oriel::geom {
+
+namespace {
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& column) {
+  return column.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+Box3 Mesh::bounds() const {
+  Box3 box;
+  for (const Triangle& t : triangles) {
+    box.extendBy(positions[t.a]);
+    box.extendBy(positions[t.b]);
+    box.extendBy(positions[t.c]);
+  }
+  return box;
+}
+
+std::size_t Mesh::bytes() const {
+  std::size_t sum = sizeof(Mesh) + bytes_of(positions) + bytes_of(triangles) + bytes_of(normals) +
+                    bytes_of(textures) + bytes_of(dpdu) + bytes_of(dpdv) + bytes_of(motion) +
+                    bytes_of(slot) + bytes_of(slots);
+  for (const TextureSpace& space : textures)
+    sum += bytes_of(space.coordinate) + bytes_of(space.basis_u) + bytes_of(space.basis_v);
+  for (const std::vector<Vec3>& step : motion) sum += bytes_of(step);
+  return sum;
+}
+
+}  // namespace oriel::geom

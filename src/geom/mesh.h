@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle meshes as the ray tracer and the shading point read them: columns of shared vertices.
+#pragma once
+
+#include <ImathBox.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "scene/object.h"
+
+namespace oriel::geom {
+
+using Box3 = Imath::Box3f;
+using scene::kNone;
+
+// Conventions
+//   Everything is in object space, or in world space once an Accel has baked the mesh. The front of
+//   a triangle is the side from which a, b, c run counter-clockwise. A column is empty (the mesh
+//   lacks the field) or has one entry per vertex; a null vector says that this vertex lacks it.
+
+struct Triangle {
+  std::uint32_t a = 0, b = 0, c = 0;
+  bool operator==(const Triangle&) const = default;
+};
+
+struct TextureSpace {
+  std::vector<Vec3> coordinate;
+  std::vector<Vec3> basis_u, basis_v;  ///< bump basis vectors, not normalised
+};
+
+/// What a triangle's slot stands for. In a tagged object `label` indexes the instance's material
+/// list; otherwise `name` is the object's own material, and empty means the instance supplies one.
+struct MaterialSlot {
+  std::string name;
+  std::uint32_t label = kNone;
+  bool inherits() const { return name.empty() && label == kNone; }
+  bool operator==(const MaterialSlot&) const = default;
+};
+
+struct Mesh {
+  std::vector<Vec3> positions;  ///< one more than there are vertices: Embree reads 16 bytes at each
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> normals;  ///< unit length; null = the geometric normal at this vertex
+  std::vector<TextureSpace> textures;
+  std::vector<Vec3> dpdu, dpdv;           ///< derivatives, where the scene gives them
+  std::vector<std::vector<Vec3>> motion;  ///< one column per motion step
+  std::vector<std::uint32_t> slot;        ///< per triangle; empty when all are in slot 0
+  std::vector<MaterialSlot> slots;        ///< never empty in a tessellated mesh
+  bool tagged = false;
+
+  std::size_t vertex_count() const { return positions.empty() ? 0 : positions.size() - 1; }
+  bool empty() const { return triangles.empty(); }
+  std::uint32_t slot_of(std::uint32_t triangle) const { return slot.empty() ? 0 : slot[triangle]; }
+  /// Bounds of the vertices that triangles use; empty for an empty mesh.
+  Box3 bounds() const;
+  /// Memory the columns hold.
+  std::size_t bytes() const;
+};
+
+}  // namespace oriel::geom

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scene's polygon groups to one triangle mesh per object.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "geom/mesh.h"
+#include "scene/object.h"
+
+namespace oriel::geom {
+
+/// Texture spaces that a shading point can hold; an object's further ones are left out.
+inline constexpr std::size_t kMaxTextureSpaces = 8;
+
+/// The polygons of all groups of `object` as one mesh; vertices stay as shared as they were
+/// written.
+///
+/// Model:   triangles are kept, quads and general polygons cut without new vertices, so that all
+///          attributes interpolate between the corners as written. Normals become unit vectors;
+///          those that are missing, null or not finite become null, and the geometric normal takes
+///          their place at that vertex; where no vertex has one, the column is empty.
+/// Errors:  OR-GEOM-001 once per object, counting the polygons left out (no area, corners that are
+///          not finite or do not exist); OR-GEOM-002 for texture spaces left out. Total otherwise.
+/// Checked: Tessellate.*
+Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics);
+
+}  // namespace oriel::geom
