@@ -75,27 +75,28 @@ float hyab(const Vec3& a, const Vec3& b) {
 
 // --- separable filters ---
 
-/// Rows with `kx`, then columns with `ky`; both of odd length, the border pixel goes on.
+/// Rows with `kx`, then columns with `ky`; both of odd length, the border pixel goes on. The inner
+/// loops run over whole rows, one tap at a time, so that they vectorise.
 Plane filtered(const Plane& in, int width, int height, const std::vector<float>& kx,
                const std::vector<float>& ky) {
-  Plane between(in.size()), out(in.size());
-  const auto pass = [&](const Plane& from, Plane& to, const std::vector<float>& k, bool rows) {
-    const int r = int(k.size()) / 2;
-    parallel_for(std::size_t(height), [&](std::size_t row) {
-      const int y = int(row);
-      for (int x = 0; x < width; ++x) {
-        float sum = 0;
-        for (int i = -r; i <= r; ++i) {
-          const int xi = rows ? std::clamp(x + i, 0, width - 1) : x;
-          const int yi = rows ? y : std::clamp(y + i, 0, height - 1);
-          sum += k[i + r] * from[std::size_t(yi) * width + xi];
-        }
-        to[row * width + x] = sum;
-      }
-    });
+  Plane between(in.size(), 0.0f), out(in.size(), 0.0f);
+  const auto add_row = [width](float weight, const float* from, float* to) {
+    for (int x = 0; x < width; ++x) to[x] += weight * from[x];
   };
-  pass(in, between, kx, true);
-  pass(between, out, ky, false);
+  parallel_for(std::size_t(height), [&](std::size_t y) {
+    const int r = int(kx.size()) / 2;
+    const float* row = in.data() + y * width;
+    std::vector<float> padded(width + 2 * r);
+    for (int x = -r; x < width + r; ++x) padded[x + r] = row[std::clamp(x, 0, width - 1)];
+    for (int i = 0; i <= 2 * r; ++i) add_row(kx[i], padded.data() + i, between.data() + y * width);
+  });
+  parallel_for(std::size_t(height), [&](std::size_t y) {
+    const int r = int(ky.size()) / 2;
+    for (int i = -r; i <= r; ++i) {
+      const int from = std::clamp(int(y) + i, 0, height - 1);
+      add_row(ky[i + r], between.data() + std::size_t(from) * width, out.data() + y * width);
+    }
+  });
   return out;
 }
 

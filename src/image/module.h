@@ -23,8 +23,6 @@ class FilesModule {
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
 
   virtual void set_cache_megabytes(float megabytes) = 0;
-  /// Forgets what is cached of a file, so that a changed one is read anew.
-  virtual void forget(const std::string& path) = 0;
 };
 
 inline constexpr int kFilesModuleVersion = 1;

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/texture.h"
 
+#include <atomic>
 #include <exception>
 
 #include "image/module.h"
 
 namespace oriel {
+namespace {
+
+constexpr float kDefaultCacheMegabytes = 1024;  // holds some eighty 2048 x 2048 RGB byte pictures
+std::atomic<float> cache_megabytes{kDefaultCacheMegabytes};
+
+}  // namespace
 
 TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) {
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = textures_.try_emplace({path, gamma}, nullptr);
   if (!is_new) return {entry->second.get(), {}};
   try {
-    entry->second = files_module().open_texture(path, gamma);
+    FilesModule& module = files_module();
+    module.set_cache_megabytes(cache_megabytes);
+    entry->second = module.open_texture(path, gamma);
     return {entry->second.get(), {}};
   } catch (const std::exception& e) {
     return {nullptr, "cannot open texture '" + path + "': " + e.what()};
@@ -20,7 +29,8 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) 
 }
 
 void TextureSystem::set_cache_megabytes(float megabytes) {
-  files_module().set_cache_megabytes(megabytes);
+  // Setting a limit must not load the module; open() hands it on.
+  cache_megabytes = megabytes;
 }
 
 }  // namespace oriel

@@ -90,14 +90,16 @@ class TextureSystem {
     std::string message;     ///< why, for the first caller only; empty when it was said before
   };
 
-  /// Opens a file by its resolved path. Safe on any thread, not for the hot path.
+  /// Opens a file by its resolved path; a new system sees a changed file anew. Safe on any thread,
+  /// not for the hot path.
   ///
   /// Inputs:  gamma: integer pictures are decoded as value^gamma before filtering (alpha is not);
   ///          1 = as stored. Float pictures never are. No sRGB curve is ever assumed.
   /// Checked: FileTexture.*
   Opened open(const std::string& path, float gamma = 1);
 
-  /// Memory of the tile cache, shared by all systems of the process.
+  /// Memory of the tile cache, shared by all systems of the process; 1024 unless set, 16 at least.
+  /// Takes effect when the next texture is opened.
   static void set_cache_megabytes(float megabytes);
 
  private:

@@ -85,7 +85,6 @@ class Module final : public FilesModule {
   }
 
   void set_cache_megabytes(float megabytes) override { oiio::set_cache_megabytes(megabytes); }
-  void forget(const std::string& path) override { oiio::forget_file(path); }
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/oiio/texture_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
@@ -161,8 +162,12 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma)
     OIIO::ImageSpec config;
     config.attribute("oriel:path", path);
     config.attribute("oriel:gamma", gamma);
-    name = OIIO::ustring::fmtformat("{}?oriel_gamma={}", path, gamma);
+    // The time stamp in the name makes a changed file another texture.
+    name = OIIO::ustring::fmtformat("{}?oriel_gamma={}&time={}", path, gamma,
+                                    OIIO::Filesystem::last_write_time(path));
     system().imagecache()->add_file(name, make_gamma_input, &config);
+  } else {
+    system().invalidate(name, false);  // only where the file is newer than what is cached
   }
   System::TextureHandle* handle = system().get_texture_handle(name, perthread());
   if (!handle || !system().good(handle)) {
@@ -175,7 +180,5 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma)
 void set_cache_megabytes(float megabytes) {
   system().attribute("max_memory_MB", std::max(16.0f, megabytes));
 }
-
-void forget_file(const std::string& path) { system().invalidate(OIIO::ustring(path), true); }
 
 }  // namespace oriel::oiio

@@ -12,10 +12,10 @@ namespace oriel::oiio {
 /// Refuses what no sound picture has; throws std::runtime_error with the bare reason.
 void check_size(long long width, long long height, long long channels);
 
+/// Opens a file anew when it has changed since it was last opened (by its time stamp).
 /// Throws std::runtime_error with the bare reason.
 std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma);
 
 void set_cache_megabytes(float megabytes);
-void forget_file(const std::string& path);
 
 }  // namespace oriel::oiio
