@@ -97,8 +97,11 @@ struct Texture {
 struct LightProfile {
   std::string name;
   std::vector<Statement> statements;
+  std::string directory;  ///< of the file that defined it, for relative names; not compared
   SourceLocation where;
-  bool operator==(const LightProfile&) const = default;
+  friend bool operator==(const LightProfile& a, const LightProfile& b) {
+    return a.name == b.name && a.statements == b.statements;
+  }
 };
 
 /// Names in an instance's light list.

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// camera "name" ... end camera
+#include <algorithm>
+#include <array>
+
+#include "mi/elements.h"
+#include "mi/statements.h"
+
+namespace oriel::mi {
+namespace {
+
+using scene::Camera;
+using scene::Output;
+
+const FormTable& camera_forms() {
+  static const FormTable table{{"offset"}, {"window"}, {"clip"},   {"dof"},
+                               {"frame"},  {"field"},  {"stereo"}, {"eye separation"},
+                               {"tag"},    {"shift"},  {"motion"}, {"motion off"}};
+  return table;
+}
+
+// Where a camera statement begins; ends the open lists of framebuffer and pass.
+constexpr std::string_view kCameraWords[] = {
+    "output", "framebuffer", "pass",   "lens", "volume", "environment", "focal", "aperture",
+    "aspect", "resolution",  "offset", "clip", "window", "dof",         "frame", "data"};
+
+constexpr std::string_view kFormats[] = {
+    "rla",    "rlb",     "pic", "zpic", "als",  "rgb", "tif",  "tifu", "tga", "bmp",
+    "jpg",    "ppm",     "png", "exr",  "hdr",  "iff", "map",  "dds",  "ps",  "eps",
+    "qntpal", "qntntsc", "ct",  "ct16", "ctfp", "st",  "st16", "vt",   "wt",  "zt",
+    "nt",     "mt",      "tt",  "bit",  "null", "sgi", "jpeg", "tiff"};
+
+bool is_format(std::string_view word) {
+  return std::find(std::begin(kFormats), std::end(kFormats), word) != std::end(kFormats);
+}
+
+bool read_modifier(Parse& parse, Output& output) {
+  const SourceLocation at = parse.in.where();
+  const Token token = parse.in.peek();
+  scene::Statement modifier{std::string(token.text), false, {}, at};
+  if (token.is_word("quality") || token.is_word("dpi")) {
+    parse.in.next();
+    modifier.values.push_back(read_numbers(parse));
+  } else if (token.is_word("compress")) {
+    parse.in.next();
+    modifier.values.push_back(read_value(parse));
+  } else if (token.is_word("even") || token.is_word("odd") || token.is_word("dod")) {
+    parse.in.next();
+  } else {
+    return false;
+  }
+  output.modifiers.push_back(std::move(modifier));
+  return true;
+}
+
+// With two strings the first is a file format by the manual; but many write pixel types there and
+// expect the suffix of the file to decide. "rgb" is both, and so goes by the suffix.
+void assign_first_of_two(Output& output, const std::string& first) {
+  const std::size_t dot = output.file.rfind('.');
+  const std::string suffix = dot == std::string::npos ? "" : output.file.substr(dot + 1);
+  const bool types = !is_format(first) || (first == "rgb" && suffix != "rgb");
+  (types ? output.types : output.format) = first;
+}
+
+// output ["types"] ["format"] modifiers "file" | output ["types"] shaders
+void read_output(Parse& parse, Camera& camera, SourceLocation at) {
+  Output output;
+  output.where = at;
+  std::vector<std::string> strings;
+  for (;;) {
+    if (parse.in.at(Token::Kind::String) && strings.size() < 3) {
+      const SourceLocation here = parse.in.where();
+      strings.push_back(parse.in.next().str());
+      if (!parse.in.at_punct('(')) continue;
+      output.shaders.push_back(read_call(parse, strings.back(), here));
+      strings.pop_back();
+      break;
+    }
+    if (!read_modifier(parse, output)) break;
+  }
+  for (scene::ShaderUse& use : read_shader_list(parse)) output.shaders.push_back(std::move(use));
+  if (!output.shaders.empty()) {
+    if (!strings.empty()) output.types = strings[0];
+  } else if (strings.empty()) {
+    camera.outputs.clear();
+    return;
+  } else {
+    output.file = strings.back();
+    if (strings.size() == 2) assign_first_of_two(output, strings[0]);
+    if (strings.size() == 3) {
+      output.types = strings[0];
+      output.format = strings[1];
+    }
+  }
+  camera.outputs.push_back(std::move(output));
+}
+
+// The items of a frame buffer end where the next statement begins.
+void keep_items(Parse& parse, Camera& camera, std::string keyword, SourceLocation at) {
+  scene::KeptText kept{std::move(keyword), "", at};
+  kept.text = keep_until_word(parse, kCameraWords);
+  if (parse.incremental) {
+    const std::string name = kept.text.substr(0, kept.text.find(' '));
+    std::erase_if(camera.kept, [&](const scene::KeptText& k) {
+      return k.keyword == kept.keyword && k.text.substr(0, k.text.find(' ')) == name;
+    });
+  }
+  camera.kept.push_back(std::move(kept));
+}
+
+// Bare keyword: the list is cleared. Otherwise the shaders come behind those already there.
+void extend_list(Parse& parse, scene::ShaderList& list) {
+  scene::ShaderList more = read_shader_list(parse);
+  if (more.empty()) list.clear();
+  for (scene::ShaderUse& use : more) list.push_back(std::move(use));
+}
+
+void read_camera_statement(Parse& parse, Camera& camera, StatementList& other) {
+  const SourceLocation at = parse.in.where();
+  if (parse.in.accept_word("output")) return read_output(parse, camera, at);
+  if (parse.in.accept_word("framebuffer")) return keep_items(parse, camera, "framebuffer", at);
+  if (parse.in.accept_word("pass")) return keep_items(parse, camera, "pass", at);
+  if (parse.in.accept_word("lens")) return extend_list(parse, camera.lens);
+  if (parse.in.accept_word("volume")) return extend_list(parse, camera.volume);
+  if (parse.in.accept_word("environment")) return extend_list(parse, camera.environment);
+  if (parse.in.accept_word("data")) return other.add(read_data_reference(parse, at));
+  if (parse.in.accept_word("focal")) {
+    camera.orthographic = parse.in.accept_word("infinity");
+    camera.focal.reset();
+    if (!camera.orthographic) camera.focal = parse.real("the focal length or infinity");
+  } else if (parse.in.accept_word("aperture")) {
+    camera.aperture = parse.real("the aperture");
+  } else if (parse.in.accept_word("aspect")) {
+    camera.aspect = parse.real("the aspect ratio");
+  } else if (parse.in.accept_word("resolution")) {
+    const int width = parse.integer("the width in pixels");
+    camera.resolution = std::array<int, 2>{width, parse.integer("the height in pixels")};
+  } else if (auto statement = read_statement(parse, camera_forms(), "a camera")) {
+    other.add(std::move(*statement));
+  }
+}
+
+}  // namespace
+
+void read_camera(Parse& parse, SourceLocation at) {
+  parse.element<Camera>("camera", at, [&](Camera& camera) {
+    StatementList other(camera.other, parse.incremental);
+    while (!parse.in.at_word("end")) read_camera_statement(parse, camera, other);
+    parse.expect_end("camera");
+  });
+}
+
+}  // namespace oriel::mi

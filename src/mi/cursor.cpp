@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mi/cursor.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "mi/codes.h"
+
+namespace oriel::mi {
+namespace {
+
+std::string canonical_path(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto result = std::filesystem::weakly_canonical(path, error);
+  return error ? std::string() : result.string();
+}
+
+std::string canonical_folder(const std::filesystem::path& path) {
+  return canonical_path(path.empty() ? std::filesystem::path(".") : path);
+}
+
+}  // namespace
+
+Cursor::Cursor(const ReadOptions& options, Diagnostics& diagnostics)
+    : options_(&options), diagnostics_(&diagnostics), variables_(options.variables) {
+  for (const std::string& path : options.include_paths) roots_.push_back(canonical_folder(path));
+}
+
+bool Cursor::open(const std::string& path) {
+  std::string reason;
+  auto source = Source::load(path, options_->limits.file_size, reason);
+  if (!source) {
+    const std::uint32_t file = diagnostics_->add_file(path);
+    diagnostics_->error(code::kUnreadable, {file, 0, 0},
+                        fmt::format("cannot read {}: {}", path, reason));
+    open_text("", path);
+    return false;
+  }
+  roots_.push_back(canonical_folder(std::filesystem::path(path).parent_path()));
+  push(std::move(source), canonical_path(path), {});
+  return true;
+}
+
+void Cursor::open_text(std::string_view text, std::string name) {
+  roots_.push_back(canonical_folder(std::filesystem::path(name).parent_path()));
+  push(Source::from_text(text, std::move(name)), "", {});
+}
+
+void Cursor::push(std::unique_ptr<Source> source, std::string canonical, SourceLocation from) {
+  source->file = diagnostics_->add_file(source->path(), from);
+  Source& text = *source;
+  stack_.push_back({Lexer(text), std::move(source), std::move(canonical), 0});
+}
+
+void Cursor::pop() {
+  if (stack_.back().conditionals > 0)
+    diagnostics_->warning(code::kConditional, source().locate(source().end()),
+                          "the file ends inside $ifdef", "close it with $endif");
+  finished_.push_back(std::move(stack_.back().source));
+  stack_.pop_back();
+}
+
+bool Cursor::accept_word(std::string_view word) {
+  const bool found = at_word(word);
+  if (found) next();
+  return found;
+}
+
+bool Cursor::accept_punct(char c) {
+  const bool found = at_punct(c);
+  if (found) next();
+  return found;
+}
+
+void Cursor::fetch() {
+  for (;;) {
+    stack_.back().lexer.next(token_);
+    if (token_.problem != Token::Problem::None) report_problem(token_);
+    switch (token_.kind) {
+      case Token::Kind::End:
+        if (stack_.size() == 1) {
+          if (stack_.back().conditionals > 0) {
+            diagnostics_->warning(code::kConditional, locate(token_), "the file ends inside $ifdef",
+                                  "close it with $endif");
+            stack_.back().conditionals = 0;
+          }
+          ready_ = true;
+          return;
+        }
+        pop();
+        break;
+      case Token::Kind::Directive:
+        directive(token_);
+        break;
+      case Token::Kind::Bad:
+        diagnostics_->error(code::kBadCharacter, locate(token_),
+                            "characters that have no meaning in a scene file were skipped");
+        break;
+      default:
+        ready_ = true;
+        return;
+    }
+  }
+}
+
+void Cursor::report_problem(const Token& token) {
+  if (token.problem == Token::Problem::NumberRange) {
+    diagnostics_->warning(
+        code::kNumberRange, locate(token),
+        fmt::format("number {} is too large and was clamped", token.text.substr(0, 40)));
+  } else {
+    const std::string_view what = token.kind == Token::Kind::String ? "string"
+                                  : token.kind == Token::Kind::Hex  ? "pixel block"
+                                                                    : "binary block";
+    diagnostics_->error(code::kUnterminated, locate(token),
+                        fmt::format("this {} is never closed", what));
+  }
+}
+
+const char* Cursor::raw() {
+  if (ready_) {
+    if (token_.kind == Token::Kind::End) return token_.raw.data();
+    set_raw(token_.raw.data());
+    ready_ = false;
+  }
+  return stack_.back().lexer.position();
+}
+
+std::string Cursor::folder() {
+  return std::filesystem::path(source().path()).parent_path().string();
+}
+
+std::span<const char> Cursor::binary(std::size_t bytes) {
+  const Token& token = peek();
+  if (token.kind != Token::Kind::Binary) return {};
+  const char* const payload = token.raw.data() + 1;
+  const auto available = static_cast<std::size_t>(token.source->end() - payload);
+  if (available > bytes && payload[bytes] == '`') {
+    set_raw(payload + bytes + 1);
+    ready_ = false;
+    return {payload, bytes};
+  }
+  diagnostics_->error(code::kBadBinary, where(),
+                      fmt::format("the binary block here should hold {} bytes", bytes));
+  next();
+  return {};
+}
+
+std::vector<std::string> Cursor::take_packages() { return std::exchange(packages_, {}); }
+std::vector<std::string> Cursor::take_code() { return std::exchange(code_, {}); }
+
+}  // namespace oriel::mi

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stream of tokens through includes and $ifdef, one token of lookahead.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mi/lexer.h"
+#include "mi/reader.h"
+
+namespace oriel::mi {
+
+/// Delivers tokens; acts on $ commands and reports lexical errors on the way.
+///
+/// Token texts stay valid until release_finished_sources().
+class Cursor {
+ public:
+  Cursor(const ReadOptions& options, Diagnostics& diagnostics);
+
+  bool open(const std::string& path);
+  void open_text(std::string_view text, std::string name);
+
+  const Token& peek() {
+    if (!ready_) fetch();
+    return token_;
+  }
+  Token next() {
+    peek();
+    ready_ = token_.kind == Token::Kind::End;
+    return token_;
+  }
+  bool at_end() { return peek().kind == Token::Kind::End; }
+  bool at(Token::Kind kind) { return peek().kind == kind; }
+  bool at_word(std::string_view word) { return peek().is_word(word); }
+  bool at_punct(char c) { return peek().is_punct(c); }
+  bool accept_word(std::string_view word);
+  bool accept_punct(char c);
+
+  SourceLocation where() { return locate(peek()); }  ///< of the next token
+  SourceLocation locate(const Token& token) { return token.source->locate(token.raw.data()); }
+
+  /// For loops over long lists: the place in the text where the next token begins, to scan on from
+  /// there and to set back with set_raw(). The text ends with a zero byte.
+  const char* raw();
+  void set_raw(const char* p) { stack_.back().lexer.set_position(p); }
+  /// The token looked at is not taken: what set_raw() chose is read instead.
+  void drop_lookahead() { ready_ = false; }
+  Source& source() { return stack_.back().lexer.source(); }
+  std::string folder();  ///< of the file being read
+
+  /// The next token is a binary block of a known size: its bytes, else an empty span and, where
+  /// there is such a block of another size, a message.
+  std::span<const char> binary(std::size_t bytes);
+
+  void release_finished_sources() { finished_.clear(); }
+
+  std::map<std::string, std::string, std::less<>>& variables() { return variables_; }
+  /// File names of includes that could not be read, in order.
+  const std::vector<std::string>& missing_includes() const { return missing_; }
+  /// Package includes met since the last call.
+  std::vector<std::string> take_packages();
+  /// $code blocks met since the last call.
+  std::vector<std::string> take_code();
+
+ private:
+  struct Frame {
+    Lexer lexer;
+    std::unique_ptr<Source> source;
+    std::string canonical;  // to detect cycles; empty for text
+    int conditionals = 0;
+  };
+  void push(std::unique_ptr<Source> source, std::string canonical, SourceLocation from);
+  void pop();
+  void fetch();
+  void report_problem(const Token& token);
+  void directive(const Token& command);
+  void include(const Token& command);
+  bool include_allowed(const std::string& canonical) const;
+  std::string find_include(const std::string& name, bool angled, std::string& canonical,
+                           bool& forbidden) const;
+  bool satisfied_by_package(const std::string& name);
+  void conditional(const Token& command);
+  void skip_false_branch(SourceLocation from);
+  void skip_code(const Token& command);
+
+  const ReadOptions* options_;
+  Diagnostics* diagnostics_;
+  std::vector<Frame> stack_;
+  std::vector<std::unique_ptr<Source>> finished_;
+  Token token_;
+  bool ready_ = false;
+  int include_count_ = 0;
+  std::string scene_folder_;  // canonical
+  std::vector<std::string> roots_;
+  std::map<std::string, std::string, std::less<>> variables_;
+  std::set<std::string, std::less<>> reported_missing_;
+  std::vector<std::string> missing_, packages_, code_;
+};
+
+}  // namespace oriel::mi

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// The $ commands: includes, conditions, in-line code.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "mi/codes.h"
+#include "mi/cursor.h"
+
+namespace oriel::mi {
+namespace {
+
+namespace fs = std::filesystem;
+
+// File name of a path written on any system.
+std::string file_name(std::string_view path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
+}
+
+bool lies_below(std::string_view path, std::string_view root) {
+  if (root.empty() || !path.starts_with(root)) return false;
+  return root.back() == '/' || path.size() == root.size() || path[root.size()] == '/';
+}
+
+}  // namespace
+
+void Cursor::directive(const Token& command) {
+  const std::string_view word = command.text;
+  if (word == "include") return include(Token(command));
+  if (word == "code") return skip_code(Token(command));
+  if (word == "ifdef" || word == "ifndef" || word == "else" || word == "endif")
+    return conditional(Token(command));
+  const std::string known[] = {"include", "code", "ifdef", "ifndef", "else", "endif"};
+  const std::string near = nearest_name(word, known);
+  diagnostics_->warning(code::kUnknownDirective, locate(command),
+                        fmt::format("unknown command ${} was skipped", word.substr(0, 40)),
+                        near.empty() ? "" : "did you mean $" + near + "?");
+}
+
+void Cursor::include(const Token& command) {
+  // The name is the rest of the line: "file" or <file>; the brackets are tokens only here.
+  const SourceLocation at = locate(command);
+  Lexer& lexer = stack_.back().lexer;
+  const char* p = lexer.position();
+  while (*p == ' ' || *p == '\t') ++p;
+  const bool angled = *p == '<';
+  const char close = angled ? '>' : '"';
+  const char* const begin = p + 1;
+  const char* q = begin;
+  while (*q != close && *q != '\n' && *q != '\r' && *q != 0) ++q;
+  if ((*p != '"' && !angled) || *q != close || q == begin) {
+    lexer.set_position(*p == 0 ? p : q);
+    diagnostics_->error(code::kSyntax, at, "$include needs a \"file\" or <file>");
+    return;
+  }
+  lexer.set_position(q + 1);
+  const std::string name(begin, q);
+  if (satisfied_by_package(name)) return;
+
+  std::string canonical;
+  bool forbidden = false;
+  const std::string path = find_include(name, angled, canonical, forbidden);
+  const auto missing = [&](std::string_view code, std::string message, std::string hint) {
+    if (!reported_missing_.insert(name).second) return;
+    missing_.push_back(name);
+    diagnostics_->warning(code, at, std::move(message), std::move(hint));
+  };
+  if (forbidden)
+    return missing(
+        code::kForbiddenInclude,
+        fmt::format("include \"{}\" lies outside the scene's folder and was not read", name),
+        "add its folder to the include paths if you trust it");
+  if (path.empty())
+    return missing(code::kMissingInclude, fmt::format("include \"{}\" was not found", name),
+                   "add the folder that holds it to the include paths");
+  const bool cycle = std::any_of(stack_.begin(), stack_.end(),
+                                 [&](const Frame& f) { return f.canonical == canonical; });
+  if (cycle)
+    return diagnostics_->error(code::kIncludeCycle, at,
+                               fmt::format("\"{}\" includes itself; skipped here", name));
+  if (static_cast<int>(stack_.size()) > options_->limits.include_depth ||
+      ++include_count_ > options_->limits.includes)
+    return diagnostics_->error(
+        code::kIncludeLimit, at,
+        fmt::format("include \"{}\" exceeds the limit of {} nested or {} "
+                    "files in all",
+                    name, options_->limits.include_depth, options_->limits.includes));
+  std::string reason;
+  auto source = Source::load(path, options_->limits.file_size, reason);
+  if (!source)
+    return missing(code::kUnreadable, fmt::format("cannot read include {}: {}", path, reason), "");
+  push(std::move(source), std::move(canonical), at);
+}
+
+bool Cursor::satisfied_by_package(const std::string& name) {
+  const std::string file = file_name(name);
+  for (const std::string& stem : options_->packages)
+    if (file == stem + ".mi") {
+      packages_.push_back(file);
+      return true;
+    }
+  return false;
+}
+
+bool Cursor::include_allowed(const std::string& canonical) const {
+  return std::any_of(roots_.begin(), roots_.end(),
+                     [&](const std::string& root) { return lies_below(canonical, root); });
+}
+
+std::string Cursor::find_include(const std::string& name, bool angled, std::string& canonical,
+                                 bool& forbidden) const {
+  std::vector<fs::path> folders;
+  if (!angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
+  folders.insert(folders.end(), options_->include_paths.begin(), options_->include_paths.end());
+  // A scene that travelled alone has its libraries beside it, whatever brackets it was given.
+  if (angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
+  std::string portable = name;
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  for (const std::string& spelling : {name, portable})
+    for (const fs::path& folder : folders) {
+      const fs::path path = folder / spelling;
+      std::error_code error;
+      if (!fs::exists(path, error)) continue;
+      canonical = fs::weakly_canonical(path, error).string();
+      if (!error && include_allowed(canonical)) {
+        forbidden = false;
+        return path.string();
+      }
+      forbidden = true;
+    }
+  return {};
+}
+
+void Cursor::conditional(const Token& command) {
+  const SourceLocation at = locate(command);
+  int& depth = stack_.back().conditionals;
+  if (command.text == "else" || command.text == "endif") {
+    if (depth == 0)
+      return diagnostics_->warning(code::kConditional, at,
+                                   fmt::format("${} without $ifdef", command.text));
+    // An $else met while reading ends the branch that was true.
+    if (command.text == "else") return skip_false_branch(at);
+    --depth;
+    return;
+  }
+  Token variable;
+  stack_.back().lexer.next(variable);
+  if (!variable.is_name()) {
+    set_raw(variable.raw.data());
+    return diagnostics_->error(code::kSyntax, at,
+                               fmt::format("${} needs the name of a variable", command.text));
+  }
+  const bool defined = variables_.contains(variable.str());
+  ++depth;
+  if (defined == (command.text == "ifndef")) skip_false_branch(at);
+}
+
+void Cursor::skip_false_branch(SourceLocation from) {
+  Lexer& lexer = stack_.back().lexer;
+  int nested = 0;
+  for (Token token;;) {
+    lexer.next(token);
+    if (token.kind == Token::Kind::End) {
+      diagnostics_->warning(code::kConditional, from, "this branch is never closed",
+                            "close it with $endif");
+      stack_.back().conditionals = 0;
+      return;
+    }
+    if (token.kind != Token::Kind::Directive) continue;
+    if (token.text == "ifdef" || token.text == "ifndef") ++nested;
+    if (token.text == "else" && nested == 0) return;
+    if (token.text == "endif" && nested-- == 0) {
+      --stack_.back().conditionals;
+      return;
+    }
+  }
+}
+
+void Cursor::skip_code(const Token& command) {
+  const char* const begin = stack_.back().lexer.position();
+  const std::string_view rest(begin, static_cast<std::size_t>(source().end() - begin));
+  std::size_t at = 0;
+  do {
+    at = rest.find("$end", at + 1);
+  } while (at != std::string_view::npos && !source().starts_line(begin + at));
+  const bool closed = at != std::string_view::npos;
+  const std::string_view body = rest.substr(0, at);
+  diagnostics_->warning(code::kRefused, locate(command), "in-line C code is not compiled or run",
+                        "build it as a shader library and load that");
+  code_.emplace_back(body);
+  const char* p = begin + body.size();
+  if (closed)
+    while (*p != '\n' && *p != 0) ++p;
+  set_raw(p);
+}
+
+}  // namespace oriel::mi

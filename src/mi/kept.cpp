@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constructs without meaning to this renderer: kept as their source, token by token.
+#include <algorithm>
+
+#include "mi/elements.h"
+
+namespace oriel::mi {
+namespace {
+
+bool opens(const Token& token) {
+  return token.is_punct('(') || token.is_punct('[') || token.is_punct('{');
+}
+bool closes(const Token& token) {
+  return token.is_punct(')') || token.is_punct(']') || token.is_punct('}');
+}
+
+// data "n" [tag N] N 'hex'... | "file" | "declared" ( parameters )
+std::string keep_data(Parse& parse) {
+  std::string text;
+  if (parse.in.at_word("tag")) {
+    append_source(text, parse.in.next());
+    if (parse.at_number()) append_source(text, parse.in.next());
+  }
+  if (parse.in.at_word("null")) append_source(text, parse.in.next());
+  if (parse.in.at(Token::Kind::String)) {
+    append_source(text, parse.in.next());
+    if (parse.in.at_punct('(')) keep_brackets(parse, text);
+    return text;
+  }
+  if (parse.at_number()) append_source(text, parse.in.next());
+  const bool bracketed = parse.in.at_punct('[');
+  if (bracketed) append_source(text, parse.in.next());
+  while (parse.in.at(Token::Kind::Hex) || parse.in.at(Token::Kind::Binary))
+    append_source(text, parse.in.next());
+  if (bracketed) {
+    parse.expect_punct(']');
+    text += " ]";
+  }
+  return text;
+}
+
+// { value | link | code | ... | symbol symbol }... end registry. A `system` item is never run.
+std::string keep_registry(Parse& parse) {
+  std::string text;
+  while (!parse.in.at_word("end")) {
+    if (parse.in.at_end()) parse.unexpected("'end registry'");
+    if (parse.in.at_word("system") || parse.in.at_word("code"))
+      parse.warn(code::kRefused, parse.in.where(), "a registry command of this kind is never run");
+    append_source(text, parse.in.next());
+  }
+  parse.expect_end("registry");
+  return text;
+}
+
+}  // namespace
+
+void append_source(std::string& text, const Token& token) {
+  if (!text.empty()) text += ' ';
+  text += token.raw;
+}
+
+std::string keep_until_end(Parse& parse, std::string_view kind) {
+  std::string text;
+  for (;;) {
+    if (parse.in.at_end()) parse.unexpected("'end " + std::string(kind) + "'");
+    const Token token = parse.in.next();
+    if (token.is_word("end") && parse.in.accept_word(kind)) return text;
+    append_source(text, token);
+  }
+}
+
+void keep_brackets(Parse& parse, std::string& text) {
+  std::size_t depth = 0;
+  do {
+    if (parse.in.at_end()) parse.unexpected("a closing bracket");
+    const Token token = parse.in.next();
+    depth += opens(token);
+    depth -= closes(token);
+    append_source(text, token);
+  } while (depth > 0);
+}
+
+std::string keep_until_word(Parse& parse, std::span<const std::string_view> words) {
+  std::string text;
+  while (!parse.in.at_end() && !parse.in.at_word("end")) {
+    const Token& token = parse.in.peek();
+    if (token.kind == Token::Kind::Word &&
+        std::find(words.begin(), words.end(), token.text) != words.end())
+      break;
+    if (opens(token))
+      keep_brackets(parse, text);
+    else
+      append_source(text, parse.in.next());
+  }
+  return text;
+}
+
+scene::KeptText read_gui(Parse& parse, SourceLocation at) {
+  scene::KeptText kept{"gui", "", at};
+  if (parse.in.peek().is_name()) append_source(kept.text, parse.in.next());
+  while (parse.in.at_punct('(') || parse.in.at_punct('{')) keep_brackets(parse, kept.text);
+  return kept;
+}
+
+void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at) {
+  parse.element<scene::KeptElement>(kind, at, [&](scene::KeptElement& element) {
+    element.kind = kind;
+    if (kind == "gui") {
+      std::string text;
+      while (parse.in.at_punct('(') || parse.in.at_punct('{')) keep_brackets(parse, text);
+      element.text = std::move(text);
+    } else if (kind == "data") {
+      element.text = keep_data(parse);
+    } else if (kind == "registry") {
+      element.text = keep_registry(parse);
+    } else {
+      element.text = keep_until_end(parse, kind);
+    }
+  });
+}
+
+}  // namespace oriel::mi

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mi/number.h"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace oriel::mi {
+namespace {
+
+// Powers of ten that a double holds exactly: with a mantissa below 2^53 one multiplication or
+// division is then correctly rounded (W. D. Clinger, How to Read Floating Point Numbers
+// Accurately, 1990).
+constexpr double kExactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kMostExactPower = 22;
+constexpr int kMostExactDigits = 15;
+
+bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
+bool continues_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_' || c == '.';
+}
+
+// What the first pass over the characters finds.
+struct Decimal {
+  std::uint64_t mantissa = 0;
+  int digits = 0;  // significant digits; more than kMostExactDigits: mantissa is not used
+  int exponent = 0;
+  bool negative = false, integral = true;
+  const char* digits_begin = nullptr;  // after the sign
+  const char* end = nullptr;
+};
+
+inline bool scan_decimal(const char* p, Decimal& d) {
+  if (*p == '-' || *p == '+') d.negative = *p++ == '-';
+  d.digits_begin = p;
+  const auto take = [&] {
+    const char* const start = p;
+    for (; is_digit(*p); ++p) {
+      d.mantissa = d.mantissa * 10 + static_cast<unsigned char>(*p - '0');
+      d.digits += d.mantissa != 0;
+    }
+    return static_cast<int>(p - start);
+  };
+  int seen = take();
+  if (*p == '.') {
+    ++p;
+    d.integral = false;
+    const int fraction = take();
+    seen += fraction;
+    d.exponent = -fraction;
+  }
+  if (seen == 0) return false;
+  if ((*p | 0x20) == 'e' || (*p | 0x20) == 'd') {
+    const char* q = p + 1;
+    const bool minus = *q == '-';
+    if (*q == '-' || *q == '+') ++q;
+    if (!is_digit(*q)) return false;
+    int e = 0;
+    for (; is_digit(*q); ++q) e = e < 100000 ? e * 10 + (*q - '0') : e;
+    d.exponent += minus ? -e : e;
+    d.integral = false;
+    p = q;
+  }
+  d.end = p;
+  return !continues_word(*p);
+}
+
+inline bool exact_double(const Decimal& d, double& out) {
+  if (d.digits > kMostExactDigits || d.exponent > kMostExactPower || d.exponent < -kMostExactPower)
+    return false;
+  const double m = static_cast<double>(d.mantissa);
+  out = d.exponent < 0 ? m / kExactPowers[-d.exponent] : m * kExactPowers[d.exponent];
+  return true;
+}
+
+// The library's conversion, for what the short way cannot do exactly. It knows no exponent d.
+template <class T>
+T convert(const Decimal& d, bool& overflow) {
+  std::string text(d.digits_begin, d.end);
+  for (char& c : text)
+    if ((c | 0x20) == 'd') c = 'e';
+  T value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec == std::errc::result_out_of_range) {
+    // Out of range either way; which one, the decimal exponent of the leading digit tells.
+    const bool large = static_cast<long>(d.exponent) + d.digits > 0;
+    overflow |= large;
+    return large ? std::numeric_limits<T>::max() : T(0);
+  }
+  return value;
+}
+
+}  // namespace
+
+bool scan_number(const char* p, ScannedNumber& out) {
+  Decimal d;
+  if (!scan_decimal(p, d)) return false;
+  out.overflow = false;
+  if (!exact_double(d, out.value)) out.value = convert<double>(d, out.overflow);
+  if (d.negative) out.value = -out.value;
+  out.end = d.end;
+  out.integral = d.integral;
+  return true;
+}
+
+const char* scan_float(const char* p, float& out, bool& overflow) {
+  Decimal d;
+  if (!scan_decimal(p, d)) return nullptr;
+  double value = 0;
+  // Rounding twice, to double and then to float, goes wrong only where the double lies exactly
+  // between two floats: its lower 29 bits are then 1 followed by zeros. Denormal floats have fewer
+  // bits, so small values take the long way too.
+  constexpr std::uint64_t kBelowFloat = (1ull << 29) - 1, kHalfway = 1ull << 28;
+  const bool direct = exact_double(d, value) && (value == 0 || (value > 1e-37 && value < 3e38)) &&
+                      (std::bit_cast<std::uint64_t>(value) & kBelowFloat) != kHalfway;
+  const float magnitude = direct ? static_cast<float>(value) : convert<float>(d, overflow);
+  out = d.negative ? -magnitude : magnitude;
+  return d.end;
+}
+
+}  // namespace oriel::mi

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// object "name" flags... body end object
+#include <algorithm>
+
+#include "mi/elements.h"
+#include "mi/statements.h"
+
+namespace oriel::mi {
+namespace {
+
+using scene::Object;
+
+const FormTable& object_forms() {
+  static const FormTable table{{"visible"},
+                               {"shadow"},
+                               {"trace"},
+                               {"reflection"},
+                               {"refraction"},
+                               {"transparency"},
+                               {"caustic"},
+                               {"globillum"},
+                               {"finalgather"},
+                               {"face", "front|back|both"},
+                               {"select"},
+                               {"tagged"},
+                               {"shadowmap"},
+                               {"transform"},
+                               {"box"},
+                               {"motion box"},
+                               {"max displace"},
+                               {"ray offset"},
+                               {"samples"},
+                               {"shading samples"},
+                               {"volume group"},
+                               {"tag"},
+                               {"hardware"},
+                               {"file", "", 1},
+                               {"photonmap file", "", 1},
+                               {"finalgather file", "", 1}};
+  return table;
+}
+
+constexpr std::string_view kBodyWords[] = {"group", "trilist", "basis",       "hair",
+                                           "file",  "data",    "approximate", "intersection"};
+
+void keep_geometry(Parse& parse, Object& object, SourceLocation at) {
+  scene::KeptText kept{std::string(parse.in.next().text), "", at};
+  if (kept.keyword == "hair")
+    kept.text = keep_until_end(parse, "hair") + " end hair";
+  else
+    kept.text = keep_until_word(parse, kBodyWords);
+  object.kept.push_back(std::move(kept));
+}
+
+void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
+  const SourceLocation at = parse.in.where();
+  if (parse.in.accept_word("group")) return read_group(parse, object, at);
+  if (parse.in.accept_word("trilist")) return read_trilist(parse, object, at);
+  if (parse.in.at_word("hair") || parse.in.at_word("basis") || parse.in.at_word("intersection"))
+    return keep_geometry(parse, object, at);
+  if (parse.in.accept_word("data")) return flags.add(read_data_reference(parse, at));
+  if (parse.in.accept_word("approximate")) {
+    scene::Statement statement = read_approximate(parse, "approximate", at);
+    // Behind a trilist it belongs to that.
+    if (object.groups.empty()) return flags.add(std::move(statement));
+    object.groups.back().settings.push_back(std::move(statement));
+    return;
+  }
+  auto statement = read_statement(parse, object_forms(), "an object");
+  if (!statement) return;
+  if (statement->keyword == "tagged")
+    parse.tagged = statement->values.empty() || statement->values[0].boolean ||
+                   (!statement->values[0].numbers.empty() && statement->values[0].numbers[0] != 0);
+  if (statement->keyword == "file")
+    parse.diagnostics.note(code::kIgnored, at, "a placeholder object is kept but not loaded");
+  flags.add(std::move(*statement));
+}
+
+}  // namespace
+
+void read_object(Parse& parse, SourceLocation at) {
+  parse.tagged = false;
+  parse.element<Object>("object", at, [&](Object& object) {
+    // An object is replaced as a whole, even incrementally.
+    const std::string name = object.name;
+    object = Object();
+    object.name = name;
+    object.where = at;
+    StatementList flags(object.flags, false);
+    while (!parse.in.at_word("end")) read_object_statement(parse, object, flags);
+    parse.expect_end("object");
+  });
+  parse.tagged = false;
+}
+
+}  // namespace oriel::mi

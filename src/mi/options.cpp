@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// options "name" ... end options
+#include "mi/elements.h"
+#include "mi/statements.h"
+
+namespace oriel::mi {
+namespace {
+
+// Source: published grammar and manual of mental ray 3.x (options), with the statements that later
+// versions added. Words of the values only where a word may stand.
+const FormTable& option_forms() {
+  static const FormTable table{
+      // Sampling
+      {"samples"},
+      {"samples collect"},
+      {"samples motion"},
+      {"contrast"},
+      {"time contrast"},
+      {"filter", "box|triangle|gauss|mitchell|lanczos|clip mitchell|clip lanczos"},
+      {"jitter"},
+      {"samplelock"},
+      {"shading samples"},
+      {"task size"},
+      // Rays
+      {"trace"},
+      {"trace depth"},
+      {"scanline", "rast|rapid|opengl"},
+      {"shadow", "sort|segments"},
+      {"shadowmap", "opengl|detail|only"},
+      {"shadowmap trace"},
+      {"shadowmap window"},
+      {"shadowmap bias"},
+      {"shadowmap motion"},
+      {"shadowmap rebuild", "merge"},
+      {"face", "front|back|both"},
+      {"acceleration", "bsp|bsp2|large bsp|grid|raycl"},
+      {"bsp size"},
+      {"bsp depth"},
+      {"bsp memory"},
+      {"bsp shadow"},
+      {"grid size"},
+      {"grid depth"},
+      {"grid resolution"},
+      {"displace"},
+      {"displace presample"},
+      {"max displace"},
+      {"motion"},
+      {"motion steps"},
+      {"shutter"},
+      {"shutter delay"},
+      {"lens"},
+      {"volume"},
+      {"geometry"},
+      {"output"},
+      {"merge"},
+      {"hair"},
+      {"pass"},
+      {"autovolume"},
+      {"photon autovolume"},
+      {"lightmap", "only"},
+      {"field", "even|odd"},
+      {"object space"},
+      {"camera space"},
+      {"mixed space"},
+      {"world space"},
+      {"inheritance", "", 1},
+      // Indirect light
+      {"caustic"},
+      {"caustic accuracy"},
+      {"caustic filter", "box|cone|gauss"},
+      {"caustic scale"},
+      {"globillum"},
+      {"globillum accuracy"},
+      {"globillum filter", "box|cone|gauss"},
+      {"globillum scale"},
+      {"photonvol accuracy"},
+      {"photonvol scale"},
+      {"photon trace depth"},
+      {"photonmap file", "", 1},
+      {"photonmap rebuild"},
+      {"photonmap only"},
+      {"finalgather", "only|fastlookup"},
+      {"finalgather accuracy", "view"},
+      {"finalgather trace depth"},
+      {"finalgather presample density"},
+      {"finalgather filter"},
+      {"finalgather falloff"},
+      {"finalgather scale"},
+      {"finalgather secondary scale"},
+      {"finalgather file", "", 1},
+      {"finalgather rebuild", "freeze"},
+      {"trace importance"},
+      {"trace falloff"},
+      {"trace accuracy"},
+      {"caustic importance"},
+      {"caustic falloff"},
+      {"globillum importance"},
+      {"globillum falloff"},
+      {"finalgather importance"},
+      {"ambientocclusion"},
+      {"ambientocclusion importance"},
+      {"ambientocclusion falloff"},
+      {"ambientocclusion accuracy"},
+      {"ibl"},
+      {"ibl importance"},
+      {"ibl falloff"},
+      {"ibl accuracy"},
+      // Output
+      {"frame buffer", "", 1},
+      {"gamma"},
+      {"desaturate"},
+      {"dither"},
+      {"premultiply"},
+      {"colorclip", "rgb|alpha|raw"},
+      {"luminance weight", "ntsc"},
+      {"colorprofile", "", 1},
+      {"diagnostic samples"},
+      {"diagnostic photon", "density|irradiance"},
+      {"diagnostic grid", "object|world|camera"},
+      {"diagnostic bsp", "depth|size"},
+      {"diagnostic finalgather"},
+      {"diagnostic hardware", "grid|window|light|solid"},
+      {"hardware", "all|force|cg|native|fast"}};
+  return table;
+}
+
+// The statements with a form of their own, by their first word.
+constexpr std::string_view kOtherWords[] = {"state",   "data",      "traversal",
+                                            "contour", "attribute", "approximate"};
+
+bool starts_option(Parse& parse) {
+  const Token& token = parse.in.peek();
+  if (token.kind == Token::Kind::String) return true;
+  for (const std::string_view word : kOtherWords)
+    if (token.is_word(word)) return true;
+  return token.kind == Token::Kind::Word && option_forms().starts_statement(token.text);
+}
+
+// state "f" ( ) | state [ ... ], contour store "f" ( ), attribute ...
+scene::KeptText keep_option(Parse& parse, std::string keyword, SourceLocation at) {
+  scene::KeptText kept{std::move(keyword), "", at};
+  while (parse.in.at_word("store") || parse.in.at_word("contrast")) {
+    if (kept.keyword != "contour") break;
+    append_source(kept.text, parse.in.next());
+  }
+  if (kept.keyword == "attribute") {
+    while (!parse.in.at_end() && !parse.in.at_word("end")) {
+      if (parse.in.at(Token::Kind::Word) && starts_option(parse)) break;
+      append_source(kept.text, parse.in.next());
+    }
+    return kept;
+  }
+  if (parse.in.at_punct('[')) {
+    keep_brackets(parse, kept.text);
+    return kept;
+  }
+  while (at_shader(parse)) {
+    if (parse.in.at_punct('=')) append_source(kept.text, parse.in.next());
+    if (!parse.in.peek().is_name()) parse.unexpected("a shader");
+    append_source(kept.text, parse.in.next());
+    if (!parse.in.at_punct('(')) break;
+    keep_brackets(parse, kept.text);
+  }
+  return kept;
+}
+
+void read_option(Parse& parse, scene::Options& options, StatementList& statements) {
+  const SourceLocation at = parse.in.where();
+  if (parse.in.at(Token::Kind::String)) return statements.add(read_string_option(parse));
+  if (parse.in.accept_word("data")) return statements.add(read_data_reference(parse, at));
+  if (parse.in.accept_word("approximate"))
+    return statements.add(read_approximate(parse, "approximate", at));
+  if (parse.in.accept_word("traversal")) {
+    // The one option whose value may be any bare word.
+    scene::Statement statement{"traversal", false, {}, at};
+    if (!parse.in.peek().is_name()) parse.unexpected("the name of a function");
+    statement.values.push_back(read_value(parse));
+    return statements.add(std::move(statement));
+  }
+  for (const std::string_view word : {"state", "contour", "attribute"})
+    if (parse.in.accept_word(word)) {
+      options.kept.push_back(keep_option(parse, std::string(word), at));
+      return;
+    }
+  if (auto statement = read_statement(parse, option_forms(), "options"))
+    statements.add(std::move(*statement));
+}
+
+}  // namespace
+
+void read_options(Parse& parse, SourceLocation at) {
+  parse.element<scene::Options>("options", at, [&](scene::Options& options) {
+    StatementList statements(options.statements, parse.incremental);
+    while (!parse.in.at_word("end")) read_option(parse, options, statements);
+    parse.expect_end("options");
+  });
+}
+
+}  // namespace oriel::mi

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mi/source.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace oriel::mi {
+namespace {
+
+constexpr std::size_t kPadding = 16;  // zero bytes after the text; scans look a few bytes ahead
+
+}  // namespace
+
+Source::Source(std::size_t size, std::string path)
+    : text_(std::make_unique_for_overwrite<char[]>(size + kPadding)),
+      size_(size),
+      path_(std::move(path)) {
+  std::memset(text_.get() + size, 0, kPadding);
+  last_ = line_start_ = text_.get();
+}
+
+std::unique_ptr<Source> Source::load(const std::string& path, std::uint64_t max_size,
+                                     std::string& reason) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    reason = error ? error.message() : "not a regular file";
+    return nullptr;
+  }
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  if (error || size > max_size) {
+    reason = error ? error.message() : "larger than " + std::to_string(max_size) + " bytes";
+    return nullptr;
+  }
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (!file) {
+    reason = std::strerror(errno);
+    return nullptr;
+  }
+  auto source = std::unique_ptr<Source>(new Source(size, path));
+  const std::size_t read = std::fread(source->text_.get(), 1, size, file);
+  std::fclose(file);
+  source->size_ = read;  // shorter when it shrank meanwhile
+  std::memset(source->text_.get() + read, 0, kPadding);
+  return source;
+}
+
+std::unique_ptr<Source> Source::from_text(std::string_view text, std::string path) {
+  auto source = std::unique_ptr<Source>(new Source(text.size(), std::move(path)));
+  std::memcpy(source->text_.get(), text.data(), text.size());
+  return source;
+}
+
+SourceLocation Source::locate(const char* at) {
+  if (at < last_) {
+    line_ -= static_cast<std::uint32_t>(std::count(at, last_, '\n'));
+    if (at < line_start_) {
+      line_start_ = at;
+      while (line_start_ > begin() && line_start_[-1] != '\n') --line_start_;
+    }
+  } else {
+    const char* p = last_;
+    while (const void* found = std::memchr(p, '\n', static_cast<std::size_t>(at - p))) {
+      p = static_cast<const char*>(found) + 1;
+      line_start_ = p;
+      ++line_;
+    }
+  }
+  last_ = at;
+  return {file, line_, static_cast<std::uint32_t>(at - line_start_ + 1)};
+}
+
+bool Source::starts_line(const char* at) const {
+  while (at > begin() && (at[-1] == ' ' || at[-1] == '\t')) --at;
+  return at == begin() || at[-1] == '\n' || at[-1] == '\r';
+}
+
+}  // namespace oriel::mi

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mi/statements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mi/elements.h"
+
+namespace oriel::mi {
+namespace {
+
+using scene::Statement;
+using scene::Value;
+
+// The alternative of `words` that begins with `word`; empty when there is none.
+std::string_view alternative(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t bar = words.find('|');
+    const std::string_view one = words.substr(0, bar);
+    if (one.starts_with(word) && (one.size() == word.size() || one[word.size()] == ' ')) return one;
+    words = bar == std::string_view::npos ? std::string_view{} : words.substr(bar + 1);
+  }
+  return {};
+}
+
+Value bare_text(std::string text, SourceLocation at) {
+  Value value;
+  value.kind = Value::Kind::Text;
+  value.text = std::move(text);
+  value.bare = true;
+  value.where = at;
+  return value;
+}
+
+// After an unknown statement: on to the next known one, so that one word costs one statement.
+void skip_statement(Parse& parse, const FormTable& table) {
+  while (!parse.in.at_end()) {
+    const Token& token = parse.in.peek();
+    if (token.kind == Token::Kind::Word &&
+        (token.text == "end" || table.starts_statement(token.text) ||
+         token.source->starts_line(token.raw.data())))
+      return;
+    if (token.kind == Token::Kind::String && token.source->starts_line(token.raw.data())) return;
+    parse.in.next();
+  }
+}
+
+void read_statement_values(Parse& parse, const Form& form, Statement& statement) {
+  int strings = form.strings;
+  bool had_word = false, had_boolean = false;
+  for (;;) {
+    const Token token = parse.in.peek();
+    Value value;
+    value.where = parse.in.where();
+    if (token.kind == Token::Kind::Number) {
+      value = read_numbers(parse);
+    } else if (!had_boolean && Parse::is_boolean(token, value.boolean)) {
+      value.kind = Value::Kind::Boolean;
+      had_boolean = true;
+      parse.in.next();
+    } else if (const auto word = token.kind == Token::Kind::Word && !had_word
+                                     ? alternative(form.words, token.text)
+                                     : std::string_view{};
+               !word.empty()) {
+      parse.in.next();
+      value = bare_text(std::string(word), value.where);
+      if (word.size() > token.text.size()) parse.expect_word(word.substr(token.text.size() + 1));
+      had_word = true;
+    } else if (strings > 0 && (token.kind == Token::Kind::String || token.is_punct('['))) {
+      value = read_value(parse);
+      --strings;
+    } else {
+      return;
+    }
+    statement.values.push_back(std::move(value));
+  }
+}
+
+}  // namespace
+
+FormTable::FormTable(std::initializer_list<Form> forms) : forms_(forms) {
+  std::sort(forms_.begin(), forms_.end(),
+            [](const Form& a, const Form& b) { return a.keyword < b.keyword; });
+  for (const Form& form : forms_) {
+    names_.emplace_back(form.keyword);
+    first_words_.emplace(form.keyword.substr(0, form.keyword.find(' ')));
+    for (auto blank = form.keyword.find(' '); blank != std::string_view::npos;
+         blank = form.keyword.find(' ', blank + 1))
+      prefixes_.emplace(form.keyword.substr(0, blank));
+  }
+}
+
+const Form* FormTable::find(std::string_view keyword) const {
+  const auto found =
+      std::lower_bound(forms_.begin(), forms_.end(), keyword,
+                       [](const Form& form, std::string_view k) { return form.keyword < k; });
+  return found != forms_.end() && found->keyword == keyword ? &*found : nullptr;
+}
+
+bool FormTable::is_prefix(std::string_view words) const { return prefixes_.contains(words); }
+bool FormTable::starts_statement(std::string_view word) const {
+  return first_words_.contains(word);
+}
+
+void StatementList::add(Statement statement) {
+  if (incremental_ && touched_.insert(statement.keyword).second)
+    std::erase_if(list_, [&](const Statement& s) { return s.keyword == statement.keyword; });
+  list_.push_back(std::move(statement));
+}
+
+std::optional<Statement> read_statement(Parse& parse, const FormTable& table,
+                                        std::string_view element) {
+  Statement statement;
+  statement.where = parse.in.where();
+  if (!parse.in.at(Token::Kind::Word)) {
+    parse.unexpected(fmt::format("a statement of {}", element), table.names());
+  }
+  const Token first = parse.in.next();
+  statement.keyword = first.text;
+  // The longest keyword that the words spell.
+  while (parse.in.at(Token::Kind::Word) && table.is_prefix(statement.keyword)) {
+    const std::string longer = statement.keyword + " " + std::string(parse.in.peek().text);
+    if (!table.find(longer) && !table.is_prefix(longer)) break;
+    statement.keyword = longer;
+    parse.in.next();
+  }
+  const Form* form = table.find(statement.keyword);
+  if (!form) {
+    const std::string near = nearest_name(statement.keyword, table.names());
+    parse.warn(code::kUnknownStatement, statement.where,
+               fmt::format("unknown statement {} in {} was skipped", parse.shown(first), element),
+               near.empty() ? "" : "did you mean " + near + "?");
+    skip_statement(parse, table);
+    return std::nullopt;
+  }
+  read_statement_values(parse, *form, statement);
+  return statement;
+}
+
+Statement read_string_option(Parse& parse) {
+  Statement statement;
+  statement.where = parse.in.where();
+  statement.quoted = true;
+  statement.keyword = parse.in.next().str();
+  bool ignored = false;
+  // A word other than these is the next statement: the option has no value then.
+  if (!parse.in.at(Token::Kind::Word) || parse.in.at_word("null") ||
+      Parse::is_boolean(parse.in.peek(), ignored))
+    statement.values.push_back(read_value(parse));
+  return statement;
+}
+
+Statement read_approximate(Parse& parse, std::string keyword, SourceLocation at) {
+  static constexpr std::string_view kWords =
+      "surface|subdivision|ccmesh|displace|curve|space|trim|trilist|view|any|offscreen|tree|grid|"
+      "delaunay|fine|nosmoothing|sharp|length|distance|angle|spatial|curvature|grading|parametric|"
+      "regular|implicit|max|samples|shared|all";
+  Statement statement{std::move(keyword), false, {}, at};
+  for (;;) {
+    const Token token = parse.in.peek();
+    const SourceLocation here = parse.in.where();
+    if (token.kind == Token::Kind::Number) {
+      statement.values.push_back(read_numbers(parse));
+    } else if (token.kind == Token::Kind::String) {
+      statement.values.push_back(read_value(parse));
+    } else if (token.is_punct('%') ||
+               (token.kind == Token::Kind::Word && alternative(kWords, token.text) == token.text)) {
+      parse.in.next();
+      statement.values.push_back(bare_text(std::string(token.text), here));
+    } else {
+      return statement;
+    }
+  }
+}
+
+Statement read_data_reference(Parse& parse, SourceLocation at) {
+  Statement statement{"data", false, {}, at};
+  Value value;
+  value.where = parse.in.where();
+  if (parse.in.accept_word("null")) {
+    value.kind = Value::Kind::Null;
+  } else {
+    value.kind = Value::Kind::Text;
+    value.text = parse.referenced_name(parse.name("the name of a data element"));
+  }
+  statement.values.push_back(std::move(value));
+  return statement;
+}
+
+Value read_numbers(Parse& parse) {
+  Value value;
+  value.kind = Value::Kind::Numbers;
+  value.integral = true;
+  value.where = parse.in.where();
+  while (parse.at_number()) {
+    const Token token = parse.in.next();
+    value.numbers.push_back(token.number);
+    value.integral &= token.integral;
+  }
+  return value;
+}
+
+}  // namespace oriel::mi

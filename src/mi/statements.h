@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Statements that are a keyword and values: one reader for all, driven by tables.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "mi/parse.h"
+
+namespace oriel::mi {
+
+/// One statement of the language. Numbers and one boolean may always follow; `words` are the bare
+/// words that may stand as a value (alternatives by '|'), `strings` how many strings may follow.
+struct Form {
+  std::string_view keyword;  ///< words joined by single blanks
+  std::string_view words = {};
+  int strings = 0;
+};
+
+/// The forms that one element knows. Built once, searched by keyword.
+class FormTable {
+ public:
+  FormTable(std::initializer_list<Form> forms);
+  const Form* find(std::string_view keyword) const;
+  bool is_prefix(std::string_view words) const;        ///< of a keyword with more words
+  bool starts_statement(std::string_view word) const;  ///< first word of any keyword
+  std::span<const std::string> names() const { return names_; }
+
+ private:
+  std::vector<Form> forms_;
+  std::vector<std::string> names_;
+  std::set<std::string, std::less<>> prefixes_, first_words_;
+};
+
+/// Adds statements to an element. In an incremental change the first statement of a keyword
+/// replaces what the element had of it; further ones add up as in any element.
+class StatementList {
+ public:
+  StatementList(std::vector<scene::Statement>& list, bool incremental)
+      : list_(list), incremental_(incremental) {}
+  void add(scene::Statement statement);
+
+ private:
+  std::vector<scene::Statement>& list_;
+  bool incremental_;
+  std::set<std::string, std::less<>> touched_;
+};
+
+/// Reads one statement of the table if one begins here. An unknown word is reported, skipped with
+/// its values, and nullopt returned; so is a statement cut short.
+std::optional<scene::Statement> read_statement(Parse& parse, const FormTable& table,
+                                               std::string_view element);
+/// `"name" value`: a string option.
+scene::Statement read_string_option(Parse& parse);
+/// `[visible trace ...] approximate technique...`; the words before it were read into `flags`.
+scene::Statement read_approximate(Parse& parse, std::string keyword, SourceLocation at);
+/// `data "name"` or `data null` inside an element.
+scene::Statement read_data_reference(Parse& parse, SourceLocation at);
+/// Consecutive numbers as one value.
+scene::Value read_numbers(Parse& parse);
+
+}  // namespace oriel::mi
