@@ -40,6 +40,9 @@ class Binder {
   /// A material; phenomena whose root is a material are expanded.
   Material bind_material(const scene::Material& material);
 
+  /// A point without surface, for parameters that must not depend on one.
+  ShadingPoint& constant_point() { return constant_point_; }
+
   const BindingReport& report() const { return report_; }
 
  private:
@@ -96,6 +99,7 @@ class Binder {
   const ShaderNode* stand_in_ = nullptr;
   std::map<std::string, int> reported_;
   BindingReport report_;
+  ShadingPoint constant_point_;
 };
 
 }  // namespace oriel

@@ -27,7 +27,7 @@ enum class RayKind : std::uint8_t {
   Probe = 25
 };
 
-inline constexpr int kMostTextureSpaces = 4;
+inline constexpr int kMostTextureSpaces = 8;
 
 // Conventions
 //   World space. `ray_direction` points from the ray's origin to the point (mental ray's sense);
@@ -56,6 +56,7 @@ struct ShadingPoint {
   /// Half axes of the ray's footprint on the surface, world units; null when unknown.
   Vec3 dpdx{0}, dpdy{0};
 
+  float ray_offset = 0;             ///< rays may start this far along the geometric normal
   int instance = -1;                ///< index into World::instances
   const Mat4* to_object = nullptr;  ///< world to object space, null means identity
   const Mat4* to_world = nullptr;

@@ -28,6 +28,7 @@ struct InstanceData {
   std::vector<int> lights;
   bool linked = false;
   bool lights_exclusive = false;
+  bool receives_shadow = true;
 };
 
 struct World {
@@ -38,8 +39,8 @@ struct World {
   std::vector<Material> materials;
   std::vector<Light> lights;
   EnvironmentLight environment;
-  NodeList lens;  ///< colour-mapping lens shaders, in order
-  Vec3 bounds_min{0}, bounds_max{0};
+  NodeList lens;                          ///< colour-mapping lens shaders, in order
+  bool has_transparent_blockers = false;  ///< some material may let light pass
 
   std::deque<std::unique_ptr<ShaderNode>> nodes;
   TextureSystem texture_system;

@@ -8,6 +8,7 @@
 #include "bsdf/gloss.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
+#include "runtime/shader_node.h"
 
 namespace oriel {
 namespace {
@@ -77,15 +78,16 @@ Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
 }
 
 void set_roughness(Lobe& lobe, float gloss, float anisotropy) {
-  const auto alpha = bsdf::anisotropic_alpha(bsdf::gloss_to_alpha(gloss), anisotropy);
-  lobe.alpha_x = alpha.x;
-  lobe.alpha_y = alpha.y;
+  const bsdf::Roughness roughness = bsdf::gloss_to_roughness(gloss, anisotropy);
+  lobe.alpha_x = roughness.ax;
+  lobe.alpha_y = roughness.ay;
 }
 
 void add_reflection(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
                     Closure& closure) {
   if (is_black(level)) return;
-  const bool mirror_rays = p.refl_gloss >= 1 || p.refl_gloss_samples == 0;
+  const bool mirror = bsdf::gloss_to_roughness(p.refl_gloss, p.anisotropy).is_mirror();
+  const bool mirror_rays = mirror || p.refl_gloss_samples == 0;
   const Frame frame = stretched_frame(p, point, normal);
   LobeControls controls;
   controls.samples = p.refl_gloss_samples;
@@ -96,7 +98,7 @@ void add_reflection(const P& p, const ShadingPoint& point, const Vec3& normal, c
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only;
   }
-  if (p.refl_gloss < 1) {
+  if (!mirror) {
     // With mirror rays the highlight still follows the gloss.
     Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, level, frame);
     set_roughness(lobe, p.refl_gloss, p.anisotropy);
@@ -108,7 +110,8 @@ void add_reflection(const P& p, const ShadingPoint& point, const Vec3& normal, c
 void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
                     float eta, Closure& closure) {
   if (is_black(level)) return;
-  const bool clear = p.refr_gloss >= 1 || p.refr_gloss_samples == 0;
+  const bool clear =
+      p.refr_gloss_samples == 0 || bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy).is_mirror();
   const LobeKind kind = p.thin_walled
                             ? (clear ? LobeKind::ThinTransmission : LobeKind::GlossyThin)
                             : (clear ? LobeKind::ClearRefraction : LobeKind::GlossyRefraction);
@@ -195,8 +198,8 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
     out.total_reflection = out.curve >= 1;
     if (p.thin_walled) out.curve = bsdf::pane_reflectance(out.curve);
   } else {
-    out.curve = bsdf::reflectivity_curve(cos_view, p.brdf_0_degree_refl, p.brdf_90_degree_refl,
-                                         p.brdf_curve);
+    out.curve = bsdf::ReflectivityCurve{p.brdf_0_degree_refl, p.brdf_90_degree_refl,
+                                        p.brdf_curve}(cos_view);
     const float ratio = back_side ? ior : 1 / ior;
     out.total_reflection = !p.thin_walled && ratio * ratio * (1 - cos_view * cos_view) >= 1;
   }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/prepare.h"
+
+#include <fmt/format.h>
+
+#include "render/prepare_parts.h"
+#include "scene/render_options.h"
+
+namespace oriel {
+namespace {
+
+NodeList bind_lens(const scene::Camera& camera, Binder& binder, Diagnostics& diagnostics) {
+  NodeList mapping;
+  for (const ShaderNode* node : binder.bind(camera.lens)) {
+    if (node->spec().lens)
+      mapping.push_back(node);
+    else
+      diagnostics.warning(
+          "OR-RN-010", camera.where,
+          fmt::format("lens shader \"{}\" does not act as a lens; skipped", node->spec().name));
+  }
+  return mapping;
+}
+
+}  // namespace
+
+std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& command,
+                               const Registry& registry, const PrepareOptions& options,
+                               Diagnostics& diagnostics, PrepareReport& report) {
+  auto world = std::make_unique<World>();
+  if (const auto* block = scene.get<scene::Options>(command.options))
+    world->options = scene::interpret_options(*block, diagnostics);
+  else
+    diagnostics.warning(
+        "OR-RN-002", command.where,
+        fmt::format("there are no options \"{}\"; defaults are used", command.options));
+
+  const std::vector<scene::Leaf> leaves = scene::flatten(scene, command.root, diagnostics);
+  const scene::Camera* camera = nullptr;
+  const std::string& camera_name = options.camera.empty() ? command.camera : options.camera;
+  if (!place_camera(scene, leaves, camera_name, options, *world, camera, diagnostics))
+    return nullptr;
+
+  const LightNames light_names = place_lights(leaves, *world, diagnostics);
+  Binder binder(scene, registry, *world, light_names, diagnostics);
+  bind_lights(leaves, binder, *world, diagnostics);
+  // The environment before materials: nothing in it depends on them.
+  NodeList environment = binder.bind(camera->environment);
+  if (world->options.lens) world->lens = bind_lens(*camera, binder, diagnostics);
+  place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
+  world->environment = EnvironmentLight(std::move(environment), *world);
+
+  report.binding = binder.report();
+  report.lights = world->lights.size();
+  report.instances = world->instances.size();
+  return world;
+}
+
+}  // namespace oriel

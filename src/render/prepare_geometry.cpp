@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects to meshes, leaves to instances, names to materials, flags to ray masks.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "base/parallel.h"
+#include "geom/tessellate.h"
+#include "render/prepare_parts.h"
+
+namespace oriel {
+namespace {
+
+/// Materials by name, bound once each.
+class MaterialTable {
+ public:
+  MaterialTable(const scene::Scene& scene, Binder& binder, World& world, Diagnostics& diagnostics)
+      : scene_(scene), binder_(binder), world_(world), diagnostics_(diagnostics) {}
+
+  int find(const std::string& name, SourceLocation where) {
+    const auto [entry, is_new] =
+        known_.try_emplace(name, static_cast<int>(world_.materials.size()));
+    if (is_new) world_.materials.push_back(bind(name, where));
+    return entry->second;
+  }
+
+ private:
+  Material bind(const std::string& name, SourceLocation where) {
+    if (name.empty()) return standard(name);
+    if (const auto* element = scene_.get<scene::Material>(name))
+      return binder_.bind_material(*element);
+    // An entry of an instance's list may name a shader: it is the surface, and the shadow shader.
+    if (scene_.get<scene::ShaderElement>(name)) {
+      scene::Material made;
+      made.name = name;
+      made.shaders.push_back({.reference = name, .type = {}, .arguments = {}, .where = where});
+      made.slots.push_back({"shadow", made.shaders});
+      return binder_.bind_material(made);
+    }
+    diagnostics_.warning("OR-RN-030", where, fmt::format("there is no material \"{}\"", name),
+                         "a grey one is used");
+    return standard(name);
+  }
+  /// Geometry without a material shows mid grey.
+  Material standard(const std::string& name) {
+    scene::Material grey;
+    grey.name = name;
+    scene::Value colour;
+    colour.kind = scene::Value::Kind::Numbers;
+    colour.numbers = {0.5, 0.5, 0.5};
+    grey.shaders.push_back({.reference = {},
+                            .type = "mib_illum_lambert",
+                            .arguments = {{"diffuse", colour, {}}},
+                            .where = {}});
+    return binder_.bind_material(grey);
+  }
+
+  const scene::Scene& scene_;
+  Binder& binder_;
+  World& world_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, int> known_;
+};
+
+int material_of_slot(const scene::Leaf& leaf, const geom::MaterialSlot& slot,
+                     MaterialTable& materials) {
+  const scene::Instance* source = leaf.material_source;
+  const auto from_instance = [&](std::size_t label) {
+    if (!source || source->materials.empty()) return materials.find({}, leaf.instance().where);
+    return materials.find(source->materials[std::min(label, source->materials.size() - 1)],
+                          source->where);
+  };
+  if (slot.label != scene::kNone) return from_instance(slot.label);
+  if (!slot.name.empty() && !(leaf.material_override && source))
+    return materials.find(slot.name, leaf.object()->where);
+  return from_instance(0);
+}
+
+std::uint32_t ray_mask(const scene::ResolvedFlags& flags, bool lets_light_through) {
+  std::uint32_t mask = 0;
+  if (flags.visible) mask |= geom::RayMask::Camera;
+  if (flags.casts_shadow)
+    mask |= lets_light_through ? geom::RayMask::ShadowTransparent : geom::RayMask::Shadow;
+  if (flags.reflection.seen) mask |= geom::RayMask::Reflection | geom::RayMask::Probe;
+  if (flags.refraction.seen) mask |= geom::RayMask::Refraction;
+  if (flags.transparency.seen) mask |= geom::RayMask::Transparency;
+  if (flags.finalgather.seen) mask |= geom::RayMask::FinalGather;
+  return mask;
+}
+
+}  // namespace
+
+void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
+                    const LightNames& lights, Binder& binder, const PrepareOptions& options,
+                    World& world, Diagnostics& diagnostics, PrepareReport& report) {
+  // Each object that is placed somewhere is tessellated once.
+  std::map<const scene::Object*, std::size_t> index;
+  std::vector<const scene::Object*> objects;
+  for (const scene::Leaf& leaf : leaves)
+    if (const scene::Object* object = leaf.object(); object && !leaf.flags.hidden)
+      if (index.try_emplace(object, objects.size()).second) objects.push_back(object);
+  std::vector<geom::Mesh> meshes(objects.size());
+  parallel_for(objects.size(),
+               [&](std::size_t i) { meshes[i] = geom::tessellate(*objects[i], diagnostics); });
+  report.objects = objects.size();
+
+  MaterialTable materials(scene, binder, world, diagnostics);
+  world.accel = std::make_unique<geom::Accel>();
+  std::vector<std::vector<geom::MaterialSlot>> slots(meshes.size());
+  std::vector<geom::MeshId> ids(meshes.size());
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    slots[i] = meshes[i].slots;
+    report.triangles += meshes[i].triangles.size();
+    ids[i] = world.accel->add_mesh(std::move(meshes[i]));
+  }
+  for (const scene::Leaf& leaf : leaves) {
+    const scene::Object* object = leaf.object();
+    if (!object || leaf.flags.hidden) continue;
+    const std::size_t mesh = index[object];
+    InstanceData data;
+    data.name = leaf.instance().name;
+    data.to_object = leaf.world_to_local;
+    data.to_world = leaf.local_to_world;
+    data.receives_shadow = leaf.flags.receives_shadow;
+    bool transmits_light = false;
+    for (const geom::MaterialSlot& slot : slots[mesh]) {
+      data.materials.push_back(material_of_slot(leaf, slot, materials));
+      if (world.materials[static_cast<std::size_t>(data.materials.back())].may_transmit)
+        transmits_light = true;
+    }
+    // An empty list restricts nothing.
+    if (leaf.light_links && !leaf.light_links->lights.empty()) {
+      data.linked = true;
+      data.lights_exclusive = leaf.light_links->exclusive;
+      for (const std::string& name : leaf.light_links->lights)
+        if (const auto found = lights.find(name); found != lights.end())
+          data.lights.insert(data.lights.end(), found->second.begin(), found->second.end());
+    }
+    const std::uint32_t mask = ray_mask(leaf.flags, transmits_light);
+    world.has_transparent_blockers |= (mask & geom::RayMask::ShadowTransparent) != 0;
+    world.accel->add_instance({.mesh = ids[mesh],
+                               .local_to_world = leaf.local_to_world,
+                               .world_to_local = leaf.world_to_local,
+                               .mask = mask,
+                               .user = static_cast<std::uint32_t>(world.instances.size())});
+    world.instances.push_back(std::move(data));
+  }
+  if (options.release_geometry)
+    for (scene::Element& element : scene.elements())
+      if (auto* object = std::get_if<scene::Object>(&element)) object->groups.clear();
+  world.accel->commit();
+  const geom::AccelMemory memory = world.accel->memory();
+  report.geometry_bytes = memory.meshes + memory.instances + memory.embree;
+}
+
+}  // namespace oriel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many rays were traced, by why.
+#pragma once
+
+#include <cstdint>
+
+namespace oriel {
+
+struct RayCounts {
+  std::uint64_t eye = 0, reflect = 0, refract = 0, gather = 0, shadow = 0, environment = 0;
+
+  std::uint64_t rays() const { return eye + reflect + refract + gather + shadow; }
+  RayCounts& operator+=(const RayCounts& o) {
+    eye += o.eye;
+    reflect += o.reflect;
+    refract += o.refract;
+    gather += o.gather;
+    shadow += o.shadow;
+    environment += o.environment;
+    return *this;
+  }
+};
+
+}  // namespace oriel

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/lobes.h"
+
+#include <algorithm>
+
+#include "bsdf/glossy_reflection.h"
+#include "bsdf/oren_nayar.h"
+#include "bsdf/phong.h"
+#include "bsdf/rough_refraction.h"
+#include "bsdf/specular.h"
+#include "bsdf/translucency.h"
+
+namespace oriel {
+namespace {
+
+/// Calls f with the bsdf of a lobe that rays can follow.
+template <class F>
+auto with_bsdf(const Lobe& lobe, F&& f) {
+  switch (lobe.kind) {
+    case LobeKind::Mirror:
+      return f(bsdf::Mirror{});
+    case LobeKind::GlossyReflection:
+      return f(bsdf::GlossyReflection(lobe.alpha_x, lobe.alpha_y));
+    case LobeKind::ClearRefraction:
+      return f(bsdf::ClearRefraction{lobe.eta});
+    case LobeKind::GlossyRefraction:
+      return f(bsdf::RoughRefraction(lobe.alpha_x, lobe.alpha_y, lobe.eta));
+    case LobeKind::ThinTransmission:
+      return f(bsdf::ClearThinTransmission{});
+    case LobeKind::GlossyThin:
+      return f(bsdf::RoughThinTransmission(lobe.alpha_x, lobe.alpha_y));
+    case LobeKind::Translucency:
+      return f(bsdf::Translucency{});
+    default:
+      return f(bsdf::OrenNayar(lobe.roughness));
+  }
+}
+
+bool reflects(LobeKind kind) {
+  return kind == LobeKind::GlossyReflection || kind == LobeKind::PhongHighlight ||
+         kind == LobeKind::Mirror;
+}
+
+/// Whether the lobe may answer for a direction on that side of the geometric surface.
+bool right_side(LobeKind kind, bool same_side) {
+  switch (kind) {
+    case LobeKind::Diffuse:
+    case LobeKind::GlossyReflection:
+    case LobeKind::PhongHighlight:
+      return same_side;
+    case LobeKind::GlossyThin:
+    case LobeKind::Translucency:
+      return !same_side;
+    default:
+      return true;  // rough refraction reflects totally as well
+  }
+}
+
+}  // namespace
+
+Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
+                          const ShadingPoint& point, const Vec3& wo, const Vec3& wi) {
+  Response out;
+  const bool same_side = dot(wi, point.geometric_normal) > 0;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
+    const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
+    if (lobe.kind == LobeKind::PhongHighlight) {
+      out.highlight += lobe.level * bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
+      continue;
+    }
+    float value = 0, pdf = 0;
+    with_bsdf(lobe, [&](const auto& bsdf) {
+      value = bsdf.eval(o, w);
+      if (choice.probability[i] > 0) pdf = bsdf.pdf(o, w);
+    });
+    out.pdf += choice.probability[i] * pdf;
+    if (!reflects(lobe.kind))
+      out.plain += lobe.level * value;
+    else if (lobe.controls.highlights_only)
+      out.highlight += lobe.level * value;
+    else
+      out.reflective += lobe.level * value;
+  }
+  return out;
+}
+
+std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeChoice& choice,
+                                            const ShadingPoint& point, const Vec3& wo, float u_lobe,
+                                            const Vec2& u) {
+  int chosen = -1;
+  for (int i = 0; i < closure.count; ++i) {
+    if (choice.probability[i] <= 0) continue;
+    chosen = i;
+    if (u_lobe < choice.probability[i]) break;
+    u_lobe -= choice.probability[i];
+  }
+  if (chosen < 0) return std::nullopt;
+  const Lobe& lobe = closure.lobes[chosen];
+  const float probability = choice.probability[chosen];
+  const float u_rest = std::min(u_lobe / probability, 0x1.fffffep-1f);
+  const auto s = with_bsdf(
+      lobe, [&](const auto& bsdf) { return bsdf.sample(lobe.frame.to_local(wo), u, u_rest); });
+  if (!s) return std::nullopt;
+
+  ClosureSample out;
+  out.wi = lobe.frame.to_world(s->wi);
+  out.lobe = chosen;
+  out.delta = s->delta;
+  const float side = dot(out.wi, point.geometric_normal);
+  if (s->delta) {
+    // A mirrored or refracted direction must come out on the side it belongs to.
+    const bool wants_same = s->wi.z > 0;
+    if (wants_same != (side > 0)) return std::nullopt;
+    const Rgb weight = lobe.level * (s->weight / probability);
+    (reflects(lobe.kind) ? out.response.reflective : out.response.plain) = weight;
+    return out;
+  }
+  if (!right_side(lobe.kind, side > 0)) return std::nullopt;
+  out.response = evaluate_closure(closure, choice, point, wo, out.wi);
+  out.pdf = out.response.pdf;
+  if (!(out.pdf > 0)) return std::nullopt;
+  const float inverse = 1 / out.pdf;
+  out.response.plain *= inverse;
+  out.response.reflective *= inverse;
+  out.response.highlight *= inverse;
+  return out;
+}
+
+}  // namespace oriel
