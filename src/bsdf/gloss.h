@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a glossiness parameter means: the one place that turns gloss and anisotropy into roughness.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec.h"
+
+namespace oriel::bsdf {
+
+/// Smaller roughness is a mirror: the lobe would be narrower than 0.06 degrees.
+inline constexpr float kMinAlpha = 5e-4f;
+/// Larger roughness along one axis is drawn back, keeping the ratio; gloss 0 at anisotropy 10 needs
+/// 1.118. The albedo table ends here.
+inline constexpr float kMaxAlpha = 1.2f;
+/// Anisotropy beyond 1/10 and 10 acts like the limit.
+inline constexpr float kMaxAnisotropy = 10;
+
+enum class GlossModel {
+  Nvidia,  ///< the map of NVIDIA's own successor of the material
+  Linear,  ///< roughness 1 - gloss squared, as converters of scenes tuned it
+};
+
+/// GGX roughness of a glossiness in [0, 1]; gloss 1 gives 0, a mirror.
+/// Source:  NVIDIA MDL-SDK, base.mdl, architectural_gloss_to_rough: sqrt(2 * 2^(-4 - 14 g)).
+/// Checked: Gloss.MatchesThePublishedMap.
+inline float gloss_to_alpha(float gloss, GlossModel model = GlossModel::Nvidia) {
+  const float g = clamp01(gloss);
+  if (g >= 1) return 0;
+  return model == GlossModel::Nvidia ? std::exp2(-1.5f - 7 * g) : sqr(1 - g);
+}
+
+/// Roughness along x and y of the local frame.
+struct Roughness {
+  float ax = 0, ay = 0;
+  bool is_mirror() const { return ax == 0; }
+};
+
+/// Spreads a roughness over both axes so that widths have the ratio `anisotropy`, and so that a and
+/// 1/a are the same lobe turned by 90 degrees.
+///
+/// Returns: both zero (a mirror) or both within kMinAlpha ... kMaxAlpha.
+/// Checked: Gloss.AnisotropyIsTheRatioOfWidths.
+inline Roughness anisotropic_roughness(float alpha, float anisotropy) {
+  if (!(alpha >= kMinAlpha)) return {};
+  const float ratio = clamp(anisotropy, 1 / kMaxAnisotropy, kMaxAnisotropy);
+  const float root = std::sqrt(ratio);
+  const float longer = alpha * std::max(root, 1 / root);
+  const float base = longer > kMaxAlpha ? alpha * (kMaxAlpha / longer) : alpha;
+  return {std::max(base * root, kMinAlpha), std::max(base / root, kMinAlpha)};
+}
+
+inline Roughness gloss_to_roughness(float gloss, float anisotropy = 1,
+                                    GlossModel model = GlossModel::Nvidia) {
+  return anisotropic_roughness(gloss_to_alpha(gloss, model), anisotropy);
+}
+
+}  // namespace oriel::bsdf

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Glossy reflection and its mirror image, the blur of a thin sheet.
+#pragma once
+
+#include <optional>
+
+#include "bsdf/ggx.h"
+#include "bsdf/ggx_albedo.h"
+#include "bsdf/lobe_sample.h"
+
+namespace oriel::bsdf {
+
+/// White glossy reflection, without Fresnel: the level is the caller's, by the viewer's angle.
+///
+/// Model:   single scattering off GGX, divided by its directional albedo, so that every roughness
+///          reflects everything. The division makes it depend on the viewer's side: not reciprocal.
+/// Inputs:  ax, ay: from gloss.h, not a mirror.
+/// Source:  Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007;
+///          Turquin, "Practical Multiple Scattering Compensation for Microfacet Models", 2019.
+/// Checked: GlossyReflection.FurnaceIsWhite and the contract suite.
+class GlossyReflection {
+ public:
+  GlossyReflection(float ax, float ay) : ggx_{ax, ay} {}
+
+  float eval(const Vec3& wo, const Vec3& wi) const {
+    if (wo.z <= 0 || wi.z <= 0) return 0;
+    // D G2 / (4 wo.z) with G2 written out.
+    const float shadowed = ggx_.stretched(wo) * wi.z + ggx_.stretched(wi) * wo.z;
+    return 0.5f * ggx_.d(normalize(wo + wi)) * wi.z / (shadowed * ggx_albedo(ggx_.ax, ggx_.ay, wo));
+  }
+
+  float pdf(const Vec3& wo, const Vec3& wi) const {
+    if (wo.z <= 0 || wi.z <= 0) return 0;
+    return 0.5f * ggx_.d(normalize(wo + wi)) / (wo.z + ggx_.stretched(wo));
+  }
+
+  std::optional<LobeSample> sample(const Vec3& wo, const Vec2& u2, float) const {
+    if (wo.z <= 0) return std::nullopt;
+    const Vec3 h = ggx_.sample_visible(wo, u2);
+    const Vec3 wi = reflect(wo, h);
+    if (wi.z <= 0) return std::nullopt;
+    const float so = ggx_.stretched(wo), si = ggx_.stretched(wi);
+    const float passed = wi.z * (wo.z + so) / (so * wi.z + si * wo.z);  // G2 / G1(wo)
+    return LobeSample{wi, passed / ggx_albedo(ggx_.ax, ggx_.ay, wo), 0.5f * ggx_.d(h) / (wo.z + so),
+                      false};
+  }
+
+ private:
+  Ggx ggx_;
+};
+
+/// Blurred transparency of a thin sheet: the reflection lobe turned to the other side, centred on
+/// the straight way through.
+/// Checked: RoughThinTransmission.CentresOnTheStraightWay and the contract suite.
+class RoughThinTransmission {
+ public:
+  RoughThinTransmission(float ax, float ay) : reflection_(ax, ay) {}
+
+  float eval(const Vec3& wo, const Vec3& wi) const { return reflection_.eval(wo, flip(wi)); }
+  float pdf(const Vec3& wo, const Vec3& wi) const { return reflection_.pdf(wo, flip(wi)); }
+  std::optional<LobeSample> sample(const Vec3& wo, const Vec2& u2, float u1) const {
+    auto s = reflection_.sample(wo, u2, u1);
+    if (s) s->wi = flip(s->wi);
+    return s;
+  }
+
+ private:
+  static Vec3 flip(const Vec3& w) { return Vec3(w.x, w.y, -w.z); }
+  GlossyReflection reflection_;
+};
+
+}  // namespace oriel::bsdf

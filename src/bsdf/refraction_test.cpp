@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bsdf/gloss.h"
+#include "bsdf/rough_refraction.h"
+#include "bsdf/specular.h"
+#include "sampling/sampler.h"
+#include "sampling/testing/chi_square.h"
+
+namespace oriel::bsdf {
+namespace {
+
+using sampling::Sampler;
+
+Vec3 direction_deg(double theta, double phi = 25) {
+  const double t = theta * M_PI / 180, p = phi * M_PI / 180;
+  return Vec3(static_cast<float>(std::sin(t) * std::cos(p)),
+              static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t)));
+}
+
+// acceptance: T1
+TEST(Refraction, FollowsSnell) {
+  for (const float eta : {1.5f, 1.33f, 1.33f / 1.5f, 1 / 1.5f})
+    for (double theta = 0; theta < 40; theta += 3) {
+      const Vec3 wo = direction_deg(theta);
+      const auto s = ClearRefraction{eta}.sample(wo, {}, 0);
+      ASSERT_TRUE(s && s->delta);
+      EXPECT_EQ(s->weight, 1);
+      EXPECT_LT(s->wi.z, 0);
+      EXPECT_NEAR(length(s->wi), 1, 1e-6);
+      EXPECT_NEAR(std::hypot(s->wi.x, s->wi.y) * eta, std::sin(theta * M_PI / 180), 1e-6);
+      EXPECT_NEAR(s->wi.x * wo.y, s->wi.y * wo.x, 1e-6);
+      EXPECT_LE(s->wi.x * wo.x, 0);
+    }
+}
+
+// acceptance: T1
+TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
+  const Vec3 n(0, 0, 1);
+  EXPECT_TRUE(refract(direction_deg(41.80), n, 1 / 1.5f));
+  EXPECT_FALSE(refract(direction_deg(41.82), n, 1 / 1.5f));
+  EXPECT_TRUE(refract(direction_deg(89.9), n, 1.5f));
+  const auto s = ClearRefraction{1 / 1.5f}.sample(direction_deg(60), {}, 0);
+  EXPECT_GT(s->wi.z, 0);
+  EXPECT_TRUE(s->delta);
+}
+
+// acceptance: T2
+TEST(Refraction, ThinSheetDoesNotBend) {
+  const Vec3 wo = direction_deg(70);
+  const auto s = ClearThinTransmission{}.sample(wo, {}, 0);
+  EXPECT_EQ(s->wi, -wo);
+  EXPECT_TRUE(s->delta);
+}
+
+TEST(RoughRefraction, TendsToTheClearOne) {
+  for (const float eta : {1.5f, 1 / 1.5f}) {
+    const RoughRefraction lobe(kMinAlpha, kMinAlpha, eta);
+    const Vec3 wo = direction_deg(30);
+    const Vec3 clear = *refract(wo, Vec3(0, 0, 1), eta);
+    double mean = 0;
+    for (std::uint32_t i = 0; i < 1024; ++i)
+      mean += dot(lobe.sample(wo, Sampler(0, 0, i).next_2d(), 0)->wi, clear) / 1024;
+    EXPECT_GT(mean, 1 - 1e-4);
+  }
+}
+
+// The density integrates to 1 by quadrature of its own formula: the lobe neither loses nor gains.
+// acceptance: E1
+TEST(RoughRefraction, FurnaceIsWhite) {
+  for (const float eta : {1.5f, 1.1f, 1 / 1.33f, 1 / 1.5f, 2.4f})
+    for (const auto& r : {Roughness{0.3f, 0.3f}, Roughness{0.6f, 0.15f}, Roughness{1, 1}})
+      for (const double theta : {0.0, 40.0, 75.0, 87.0}) {
+        const RoughRefraction lobe(r.ax, r.ay, eta);
+        const Vec3 wo = direction_deg(theta);
+        double sum = 0;
+        // |cos| = 1 - t^2 opens up the pole, where lobes of a weak index are narrow.
+        for (const double side : {-1.0, 1.0})
+          for (int cell = 0; cell < 64; ++cell) {
+            const double t0 = (cell / 8) / 8.0, p0 = (cell % 8) * M_PI / 4;
+            sum += testing::integrate(
+                [&](double t, double phi) {
+                  const double z = side * (1 - t * t), s = std::sqrt(1 - z * z);
+                  return 2 * t *
+                         lobe.eval(wo, Vec3(static_cast<float>(s * std::cos(phi)),
+                                            static_cast<float>(s * std::sin(phi)),
+                                            static_cast<float>(z)));
+                },
+                t0, t0 + 0.125, p0, p0 + M_PI / 4, 1e-5, 6);
+          }
+        EXPECT_NEAR(sum, 1, 0.005) << "eta " << eta << " ax " << r.ax << " theta " << theta;
+      }
+}
+
+// acceptance: T3
+TEST(RoughRefraction, SpreadFallsWithGloss) {
+  for (const float eta : {1.5f, 1 / 1.5f}) {
+    double last = 2;
+    for (float gloss = 0; gloss < 1; gloss += 0.1f) {
+      const Roughness r = gloss_to_roughness(gloss);
+      const RoughRefraction lobe(r.ax, r.ay, eta);
+      Vec3 mean(0, 0, 0);
+      for (std::uint32_t i = 0; i < 4096; ++i)
+        mean += lobe.sample(direction_deg(20), Sampler(0, 0, i).next_2d(), 0)->wi * (1.0f / 4096);
+      const double spread = 1 - length(mean);  // circular variance
+      EXPECT_LT(spread, last);
+      last = spread;
+    }
+  }
+}
+
+TEST(RoughRefraction, EqualIndicesGoStraight) {
+  const Vec3 wo = direction_deg(50);
+  const auto s = RoughRefraction(0.2f, 0.2f, 1).sample(wo, {0.3f, 0.6f}, 0);
+  EXPECT_EQ(s->wi, -wo);
+  EXPECT_TRUE(s->delta);
+}
+
+}  // namespace
+}  // namespace oriel::bsdf
