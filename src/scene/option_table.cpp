@@ -146,7 +146,7 @@ constexpr std::string_view kDepth = "int [int [int]]", kColor = "float [float fl
                            kDepthMeaning = "reflection, refraction, sum",
                            kMapsUnused = "shadows are traced instead of mapped",
                            kAcceleration = "acceleration structure",
-                           kImportance = "importance of rays";
+                           kImportance = "importance and reach of rays";
 constexpr auto kCaustic = &O::caustic, kGlobillum = &O::globillum, kPhotonvol = &O::photonvol;
 constexpr auto kGather = &O::finalgather;
 constexpr auto kMotion = &O::motion;
@@ -174,6 +174,8 @@ constexpr OptionRow kRows[] = {
     {"trace", "bool", Effective, "secondary rays", to<&O::trace>},
     {"trace depth", kDepth, Effective, kDepthMeaning, to<&O::trace_depth>},
     {"trace importance", "...", Kept, kImportance},
+    {"trace falloff", "...", Kept, kImportance},
+    {"trace accuracy", "...", Kept, kImportance},
     {"scanline", "bool|rast|rapid|opengl", Harmless, "first hit method"},
     {"shadow", "off|on|sort|segments", Effective, "how blockers are met", to<&O::shadow>},
     {"shadow sort", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Sort>},
@@ -238,6 +240,8 @@ constexpr OptionRow kRows[] = {
     {"photonmap only", "[bool]", NotYet, "no picture", to<&O::photonmap_only>},
     {"caustic importance", "...", Kept, kImportance},
     {"globillum importance", "...", Kept, kImportance},
+    {"caustic falloff", "...", Kept, kImportance},
+    {"globillum falloff", "...", Kept, kImportance},
     // Final gathering
     {"finalgather", "bool|only|fastlookup", NotYet, "final gathering", set_gather},
     {"finalgather accuracy", "int [float [float]]", NotYet, "rays, max and min radius",

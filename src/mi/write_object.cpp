@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects and their polygon groups: most of a file's bytes come from here.
+#include "mi/write_parts.h"
+
+namespace oriel::mi {
+namespace {
+
+using scene::kNone;
+using scene::PolygonGroup;
+using Column = std::vector<std::uint32_t>;
+
+std::uint32_t at(const Column& column, std::size_t i) {
+  return i < column.size() ? column[i] : kNone;
+}
+
+void write_field(TextSink& out, std::string_view field, std::uint32_t index) {
+  if (index == kNone) return;
+  out.put(field);
+  out.index(index);
+}
+
+/// ` m 7 m 8`: a column each, to the first one that the vertex lacks.
+void write_fields(TextSink& out, std::string_view field, const std::vector<Column>& columns,
+                  std::size_t vertex) {
+  for (const Column& column : columns) {
+    if (at(column, vertex) == kNone) return;
+    write_field(out, field, column[vertex]);
+  }
+}
+
+void write_derivative(TextSink& out, const std::vector<Column>& columns, std::size_t vertex) {
+  constexpr std::size_t kMostInOneField = 5;
+  for (std::size_t i = 0; i < columns.size() && at(columns[i], vertex) != kNone; ++i)
+    write_field(out, i % kMostInOneField == 0 ? " d " : " ", columns[i][vertex]);
+}
+
+void write_vertices(TextSink& out, const scene::VertexList& list) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    write_field(out, "v ", list.point[i]);
+    write_field(out, " n ", at(list.normal, i));
+    if (!list.derivative.empty()) write_derivative(out, list.derivative, i);
+    for (const scene::TextureColumn& t : list.textures) {
+      if (at(t.coordinate, i) == kNone) break;
+      write_field(out, " t ", t.coordinate[i]);
+      if (at(t.basis_u, i) == kNone || at(t.basis_v, i) == kNone) continue;
+      write_field(out, " ", t.basis_u[i]);
+      write_field(out, " ", t.basis_v[i]);
+    }
+    write_fields(out, " m ", list.motion, i);
+    write_fields(out, " u ", list.user, i);
+    out.put('\n');
+  }
+}
+
+/// A polygon without a name inherits that of the one before, so going back to none takes an empty
+/// one. In a tagged object a label always stands there.
+void write_polygons(TextSink& out, const PolygonGroup& group, bool tagged) {
+  const scene::PolygonList& list = group.polygons;
+  std::uint32_t last = kNone;
+  std::size_t hole = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::uint32_t material = at(list.material, i);
+    out.put('p');
+    if (tagged) {
+      out.put(' ');
+      out.index(material == kNone ? 0 : material);
+      out.put(' ');
+    } else if (material < group.materials.size()) {
+      out.put(' ');
+      out.quoted(group.materials[material]);
+      last = material;
+    } else if (last != kNone) {
+      out.put(" \"\"");
+      last = kNone;
+    }
+    for (std::uint32_t corner = list.first[i]; corner < list.first[i + 1]; ++corner) {
+      if (hole < list.holes.size() && list.holes[hole] == corner) {
+        out.put(" hole");
+        ++hole;
+      }
+      out.put(' ');
+      out.index(list.indices[corner]);
+    }
+    out.put('\n');
+  }
+}
+
+void write_group(TextSink& out, const PolygonGroup& group, bool tagged) {
+  const auto is_merge = [](const scene::Statement& s) { return s.keyword == "merge"; };
+  out.put("    group");
+  if (!group.name.empty()) {
+    out.put(' ');
+    out.quoted(group.name);
+  }
+  out.put('\n');
+  for (const auto& s : group.settings)
+    if (is_merge(s)) write_statement(out, s, 2);
+  for (const Vec3& v : group.vectors) {
+    out.number(v.x);
+    out.put(' ');
+    out.number(v.y);
+    out.put(' ');
+    out.number(v.z);
+    out.put('\n');
+  }
+  write_vertices(out, group.vertices);
+  write_polygons(out, group, tagged);
+  write_kept(out, group.kept, 2);
+  for (const auto& s : group.settings)
+    if (!is_merge(s)) write_statement(out, s, 2);
+  out.put("    end group\n");
+}
+
+/// Whether polygons begin with a label: `tagged`, `tagged on`, `tagged 1`.
+bool has_labels(const scene::Object& object) {
+  const scene::Statement* s = scene::find_last(object.flags, "tagged");
+  if (!s || s->values.empty()) return s != nullptr;
+  const scene::Value& v = s->values[0];
+  return v.boolean || (!v.numbers.empty() && v.numbers[0] != 0);
+}
+
+}  // namespace
+
+void write_element(TextSink& out, const scene::Object& object, int depth) {
+  out.put("object ");
+  out.quoted(object.name);
+  out.put('\n');
+  write_statements(out, object.flags, depth + 1);
+  // Bases come before the groups that use them.
+  write_kept(out, object.kept, depth + 1);
+  for (const PolygonGroup& group : object.groups) write_group(out, group, has_labels(object));
+  out.put("end object\n");
+}
+
+}  // namespace oriel::mi

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the writer: values and shader calls, declarations, geometry. See writer.h.
+#pragma once
+
+#include "mi/text_sink.h"
+#include "scene/scene.h"
+
+namespace oriel::mi {
+
+// Conventions
+//   A part begins where the line stands and ends its last line itself, except for values and shader
+//   lists, which stay in the line. `depth` is the level of indentation.
+
+// write_values.cpp
+void write_indent(TextSink& out, int depth);
+void write_value(TextSink& out, const scene::Value& value, int depth);
+/// Between `(` and `)` or `{` and `}`, one argument in a line.
+void write_arguments(TextSink& out, const std::vector<scene::Argument>& arguments, char open,
+                     char close, int depth);
+/// The list behind its keyword, each shader after a blank.
+void write_shader_list(TextSink& out, const scene::ShaderList& list, int depth);
+/// One line.
+void write_statement(TextSink& out, const scene::Statement& statement, int depth);
+void write_statements(TextSink& out, const std::vector<scene::Statement>& statements, int depth);
+void write_kept(TextSink& out, const std::vector<scene::KeptText>& kept, int depth);
+void write_names(TextSink& out, const std::vector<std::string>& names);  ///< [ "a", "b" ]
+void write_matrix(TextSink& out, const Mat4& matrix, int depth);
+
+// write_declare.cpp
+void write_declaration(TextSink& out, const scene::ShaderDeclaration& declaration);
+void write_declaration(TextSink& out, const scene::DataDeclaration& declaration);
+void write_phenomenon(TextSink& out, const scene::Phenomenon& phenomenon);
+
+// write_object.cpp
+void write_element(TextSink& out, const scene::Object& object, int depth);
+
+// write_elements.cpp
+void write_element(TextSink& out, const scene::Options& options, int depth);
+void write_element(TextSink& out, const scene::Camera& camera, int depth);
+void write_element(TextSink& out, const scene::Light& light, int depth);
+void write_element(TextSink& out, const scene::Material& material, int depth);
+void write_element(TextSink& out, const scene::Texture& texture, int depth);
+void write_element(TextSink& out, const scene::LightProfile& profile, int depth);
+void write_element(TextSink& out, const scene::Instance& instance, int depth);
+void write_element(TextSink& out, const scene::InstanceGroup& group, int depth);
+void write_element(TextSink& out, const scene::ShaderElement& shader, int depth);
+void write_element(TextSink& out, const scene::KeptElement& element, int depth);
+
+}  // namespace oriel::mi
