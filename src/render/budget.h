@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much work a picture is worth: from the scene's sampling options and what the user asks.
+#pragma once
+
+#include <optional>
+
+#include "render/progressive.h"
+#include "scene/render_options.h"
+
+namespace oriel {
+
+/// Paths per pixel that one sample of the scene's options stands for. Options were written for
+/// renderers that spend many gather, shadow and reflection rays in each sample; a path has one of
+/// each. A guess: `samples 0 2` gives at most 256 paths, of which the noise target leaves out what
+/// a pixel does not need.
+inline constexpr std::uint32_t kPathSamplesPerSceneSample = 16;
+
+/// Least number of samples a scene's own options are read as.
+inline constexpr std::uint32_t kFewestSceneSamples = 64;
+
+/// Most samples of a pixel when only a noise target or a time limit was given.
+inline constexpr std::uint32_t kMostSamples = 1u << 20;
+
+/// Noise per unit of `contrast`: two neighbouring pixels whose noise is this share of the contrast
+/// differ by less than the contrast in 95 of 100 cases, 1 / (1.96 sqrt(2)).
+inline constexpr float kNoisePerContrast = 0.3608f;
+
+/// What the user asks for in place of the scene's options.
+struct BudgetRequest {
+  std::optional<std::uint32_t> samples = {};  ///< exactly so many for each pixel
+  std::optional<float> noise = {};            ///< until every pixel is this good
+  std::optional<double> seconds = {};
+};
+
+/// The budget of a render.
+///
+/// Model:   nothing asked: `samples min max` gives at most 4^max x kPathSamplesPerSceneSample and
+///          at least 4^min samples, the lowest channel of `contrast` the noise target. Anything
+///          asked replaces all of it; of several, whichever ends first.
+/// Checked: Budget.* in progressive_test.cpp
+RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequest& request);
+
+}  // namespace oriel

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/progressive.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/parallel.h"
+
+namespace oriel {
+namespace {
+
+/// Pixels a side of the unit of work: small enough that two hundred of them fill a small picture,
+/// large enough that rays of a tile stay near each other.
+constexpr int kTile = 16;
+
+/// Noise is judged as if no pixel were darker than this share of the picture's brightness.
+constexpr float kDarkestJudged = 0.01f;
+
+constexpr double kSecondsBetweenReports = 0.2;
+
+int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
+
+}  // namespace
+
+float relative_noise(const Film::Level& level, float picture) {
+  if (!(level.error > 0)) return 0;
+  return level.error / std::sqrt(std::max({level.mean, kDarkestJudged * picture, 1e-20f}) *
+                                 std::max(picture, 1e-20f));
+}
+
+float picture_level(const Film& film) {
+  double sum = 0;  // double: millions of terms
+  for (std::size_t i = 0; i < film.pixel_count(); ++i)
+    sum += std::sqrt(std::max(film.level(i).mean, 0.0f));
+  const double mean = film.pixel_count() ? sum / static_cast<double>(film.pixel_count()) : 0;
+  return static_cast<float>(mean * mean);
+}
+
+std::uint32_t next_pass_target(std::uint32_t samples) {
+  if (samples == 0) return 1;
+  if (samples < kFewestJudgedSamples) return std::bit_floor(samples) * 2;
+  // Half of the power of two below: at most half as many again, in aligned blocks, which is what
+  // the samplers spread most evenly.
+  const std::uint32_t step = std::max(std::bit_floor(samples) / 2, kFewestJudgedSamples);
+  return (samples / step + 1) * step;
+}
+
+Progressive::Progressive(Film& film, const RenderBudget& budget)
+    : Progressive(film, budget, State{}) {}
+
+Progressive::Progressive(Film& film, const RenderBudget& budget, State state)
+    : film_(film), budget_(budget), state_(std::move(state)) {
+  budget_.max_samples = std::max(budget_.max_samples, 1u);
+  if (state_.active.size() != film.pixel_count()) state_.active.assign(film.pixel_count(), 1);
+  start_ = std::chrono::steady_clock::now();
+}
+
+double Progressive::elapsed() const {
+  const std::chrono::duration<double> run = std::chrono::steady_clock::now() - start_;
+  return state_.elapsed + run.count();
+}
+
+bool Progressive::out_of_time() const {
+  return budget_.seconds > 0 && state_.pass > 0 && elapsed() >= budget_.seconds;
+}
+
+void Progressive::choose_active() {
+  const float picture = picture_level(film_);
+  for (std::size_t i = 0; i < state_.active.size(); ++i)
+    state_.active[i] = film_.samples(i) < budget_.min_samples ||
+                       relative_noise(film_.level(i), picture) > budget_.noise;
+  dilate_active();
+}
+
+void Progressive::dilate_active() {
+  const int w = film_.width(), h = film_.height();
+  const std::vector<std::uint8_t> before = state_.active;
+  const auto at = [&](int x, int y) {
+    return before[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) +
+                  static_cast<std::size_t>(x)];
+  };
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      if (!at(x, y)) continue;
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, h - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, w - 1); ++u)
+          state_.active[static_cast<std::size_t>(v) * static_cast<std::size_t>(w) +
+                        static_cast<std::size_t>(u)] = 1;
+    }
+}
+
+std::optional<StopReason> Progressive::begin_pass() {
+  if (state_.target >= budget_.max_samples) return StopReason::Samples;
+  if (budget_.noise > 0 && state_.target >= budget_.min_samples) {
+    choose_active();
+    if (std::none_of(state_.active.begin(), state_.active.end(), [](auto a) { return a != 0; }))
+      return StopReason::Noise;
+  }
+  if (out_of_time()) return StopReason::Time;
+  state_.target = std::min(next_pass_target(state_.target), budget_.max_samples);
+  return std::nullopt;
+}
+
+void Progressive::estimate(double seconds_of_run, double samples_of_run) {
+  const float picture = picture_level(film_);
+  const auto pixels = static_cast<double>(film_.pixel_count());
+  double noise = 0, missing = 0, active = 0;  // double: sums over all pixels
+  bool known = true;
+  for (std::size_t i = 0; i < film_.pixel_count(); ++i) {
+    const double n = film_.samples(i);
+    const float e = relative_noise(film_.level(i), picture);
+    known = known && std::isfinite(e);
+    noise += e;
+    double needed = budget_.max_samples;
+    if (budget_.noise > 0 && n >= budget_.min_samples)
+      needed = std::min(needed, n * sqr(e / budget_.noise));
+    missing += std::max(needed - n, 0.0);
+    active += needed > n;
+  }
+  last_.pass = state_.pass;
+  last_.mean_samples = film_.mean_samples();
+  last_.active = pixels > 0 ? active / pixels : 0;
+  last_.noise = known ? std::optional(static_cast<float>(noise / pixels)) : std::nullopt;
+  last_.remaining.reset();
+  if (samples_of_run > 0) last_.remaining = missing * seconds_of_run / samples_of_run;
+  if (budget_.seconds > 0) {
+    const double left = std::max(budget_.seconds - elapsed(), 0.0);
+    last_.remaining = std::min(last_.remaining.value_or(left), left);
+  }
+}
+
+Progress Progressive::progress() const {
+  Progress p = last_;
+  const std::uint64_t drawn = drawn_ - pass_start_samples_;
+  if (film_.pixel_count())
+    p.mean_samples += static_cast<double>(drawn) / static_cast<double>(film_.pixel_count());
+  p.elapsed = elapsed();
+  return p;
+}
+
+void Progressive::render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
+                              const Callbacks& callbacks, const std::atomic<bool>* cancel) {
+  const int across = tiles_across(film_.width());
+  const int x0 = tile % across * kTile, y0 = tile / across * kTile;
+  const int x1 = std::min(x0 + kTile, film_.width()), y1 = std::min(y0 + kTile, film_.height());
+  for (int y = y0; y < y1; ++y) {
+    if (cancel && *cancel) cancelled_ = true;
+    if (out_of_time()) timed_out_ = true;
+    if (cancelled_ || timed_out_) return;
+    drawn_ += render_row({x0, x1, y});
+  }
+
+  const std::unique_lock lock(report_mutex_, std::try_to_lock);
+  if (!callbacks.progress || !lock.owns_lock()) return;
+  if (elapsed() - last_report_ < kSecondsBetweenReports) return;
+  last_report_ = elapsed();
+  Progress p = progress();
+  if (p.remaining) p.remaining = std::max(*p.remaining - (p.elapsed - last_.elapsed), 0.0);
+  callbacks.progress(p);
+}
+
+StopReason Progressive::run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
+                                 const Callbacks& callbacks, const std::atomic<bool>* cancel) {
+  start_ = std::chrono::steady_clock::now();
+  const double elapsed_before = state_.elapsed;
+  cancelled_ = timed_out_ = false;
+  drawn_ = pass_start_samples_ = 0;
+  last_report_ = elapsed();
+  estimate(0, 0);
+
+  // A pass that was interrupted is finished first: its pixels and target were chosen already.
+  bool chosen = state_.target > 0 &&
+                std::any_of(state_.active.begin(), state_.active.end(), [&](const auto& a) {
+                  return a && film_.samples(static_cast<std::size_t>(&a - state_.active.data())) <
+                                  state_.target;
+                });
+  std::optional<StopReason> stop;
+  while (!stop) {
+    if (!chosen) stop = begin_pass();
+    chosen = false;
+    if (stop) break;
+    const auto tiles =
+        static_cast<std::size_t>(tiles_across(film_.width()) * tiles_across(film_.height()));
+    parallel_for(tiles, [&](std::size_t tile) {
+      render_tile(static_cast<int>(tile), render_row, callbacks, cancel);
+    });
+    if (cancelled_) stop = StopReason::Cancelled;
+    if (timed_out_) stop = StopReason::Time;
+    if (!stop) ++state_.pass;
+    const double seconds = elapsed() - elapsed_before;
+    estimate(seconds, static_cast<double>(drawn_));
+    last_.elapsed = elapsed();
+    pass_start_samples_ = drawn_;
+    if (!stop && callbacks.pass) callbacks.pass(progress());
+  }
+  state_.elapsed = elapsed();
+  start_ = std::chrono::steady_clock::now();
+  return *stop;
+}
+
+}  // namespace oriel

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Passes over the film: who still needs samples, how many, and when the picture is done.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "render/film.h"
+
+namespace oriel {
+
+/// No pixel is judged by fewer samples than these: below, variances are guesses.
+inline constexpr std::uint32_t kFewestJudgedSamples = 16;
+
+/// When to stop; whichever comes first.
+struct RenderBudget {
+  std::uint32_t max_samples = 64;  ///< per pixel
+  std::uint32_t min_samples = kFewestJudgedSamples;
+  float noise = 0;     ///< target of each pixel's noise, see Progressive; 0 = none
+  double seconds = 0;  ///< after the first pass; 0 = no limit
+  bool operator==(const RenderBudget&) const = default;
+};
+
+enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled };
+
+/// How far a render is.
+struct Progress {
+  int pass = 0;  ///< complete passes
+  double mean_samples = 0;
+  double active = 1;                ///< fraction of pixels that the running pass still samples
+  std::optional<float> noise;       ///< mean over pixels; nothing before the second sample
+  double elapsed = 0;               ///< seconds
+  std::optional<double> remaining;  ///< seconds, estimated
+};
+
+/// Samples pixels pass by pass until the budget says stop.
+///
+/// Model:   pass k takes every active pixel from the samples it has to n_k: 1, 2, 4, 8, 16, 32,
+///          48, 64, 96, 128, 192... From min_samples on, the next pass leaves out pixels whose
+///          noise is below the target, unless a neighbour's is not. The decision falls between
+///          passes from the film alone, so the picture is the same for any number of threads.
+///          Noise of a pixel: standard error of its brightness over sqrt(L M), L its brightness
+///          and M the picture's; so dark regions may be noisier than bright ones as the eye
+///          tolerates it, and the unit of the scene does not matter.
+/// Source:  H. Dammertz et al., "A Hierarchical Automatic Stopping Condition for Monte Carlo Global
+///          Illumination", WSCG 2010 (error over the square root of brightness).
+/// Checked: Progressive.* in progressive_test.cpp
+class Progressive {
+ public:
+  /// Where a render stands; with the film it is all that has to be kept to go on later.
+  struct State {
+    std::int32_t pass = 0;
+    std::uint32_t target = 0;  ///< samples that active pixels reach in the running pass
+    std::vector<std::uint8_t> active;
+    double elapsed = 0;
+  };
+  /// `progress` a few times a second, one call at a time, from any thread; `pass` after each pass,
+  /// when the film is at rest.
+  struct Callbacks {
+    std::function<void(const Progress&)> progress, pass;
+  };
+
+  Progressive(Film& film, const RenderBudget& budget);
+  Progressive(Film& film, const RenderBudget& budget, State state);
+
+  /// Calls sample(x, y, index, FilmSample&) for each sample, from many threads.
+  /// Inputs:  cancel: ends the render soon after it becomes true; may be null.
+  template <class Sample>
+  StopReason run(const Sample& sample, const Callbacks& callbacks = {},
+                 const std::atomic<bool>* cancel = nullptr);
+
+  const State& state() const { return state_; }
+  Progress progress() const;
+
+ private:
+  struct Row {
+    int x0, x1, y;
+  };
+  StopReason run_rows(const std::function<std::uint64_t(const Row&)>& render_row,
+                      const Callbacks& callbacks, const std::atomic<bool>* cancel);
+  std::optional<StopReason> begin_pass();
+  void render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
+                   const Callbacks& callbacks, const std::atomic<bool>* cancel);
+  void choose_active();
+  void dilate_active();
+  void estimate(double seconds_of_run, double samples_of_run);
+  double elapsed() const;
+  bool out_of_time() const;
+
+  Film& film_;
+  RenderBudget budget_;
+  State state_;
+  Progress last_;  ///< as of the last complete pass
+  std::uint64_t pass_start_samples_ = 0;
+  std::atomic<std::uint64_t> drawn_{0};  ///< in this run
+  std::atomic<bool> timed_out_{false}, cancelled_{false};
+  std::chrono::steady_clock::time_point start_;
+  std::mutex report_mutex_;
+  double last_report_ = 0;
+};
+
+/// Noise of a pixel as Progressive defines it.
+float relative_noise(const Film::Level& level, float picture_level);
+
+/// Brightness of the picture as noise is judged by: square of the mean root of the pixels'
+/// brightness, which a few lamps in view hardly move.
+float picture_level(const Film& film);
+
+/// The number of samples that follows `samples` in the order of passes.
+std::uint32_t next_pass_target(std::uint32_t samples);
+
+template <class Sample>
+StopReason Progressive::run(const Sample& sample, const Callbacks& callbacks,
+                            const std::atomic<bool>* cancel) {
+  const auto render_row = [&](const Row& row) {
+    std::uint64_t drawn = 0;
+    for (int x = row.x0; x < row.x1; ++x) {
+      const auto pixel = static_cast<std::size_t>(row.y) * static_cast<std::size_t>(film_.width()) +
+                         static_cast<std::size_t>(x);
+      if (!state_.active[pixel]) continue;
+      for (std::uint32_t i = film_.samples(pixel); i < state_.target; ++i, ++drawn) {
+        FilmSample s;
+        sample(x, row.y, i, s);
+        film_.add(x, row.y, s);
+      }
+    }
+    return drawn;
+  };
+  return run_rows(render_row, callbacks, cancel);
+}
+
+}  // namespace oriel

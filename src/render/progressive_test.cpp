@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/progressive.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <thread>
+
+#include "base/parallel.h"
+#include "render/budget.h"
+#include "sampling/sampler.h"
+
+namespace oriel {
+namespace {
+
+constexpr int kWidth = 50, kHeight = 40;  // no multiple of a tile
+
+FilterSampler box() { return FilterSampler(scene::PixelFilter{}); }
+
+/// Grey 1 with noise on the right half only; what a quiet renderer of a simple scene would give.
+void noisy_half(int x, int y, std::uint32_t index, FilmSample& s) {
+  sampling::Sampler sampler(x, y, index);
+  const float noise = x < kWidth / 2 ? 0 : 2 * sampler.next_1d() - 1;
+  s.beauty = Rgb(1 + noise);
+  s.alpha = 1;
+}
+
+bool same_bytes(const Film& a, const Film& b) {
+  return a.plain().size() == b.plain().size() &&
+         std::memcmp(a.plain().data(), b.plain().data(), a.plain().size() * sizeof(PixelMeans)) ==
+             0;
+}
+
+Film rendered(int threads, const RenderBudget& budget) {
+  const ThreadLimit limit(threads);
+  Film film(kWidth, kHeight, box(), false);
+  Progressive(film, budget).run(noisy_half);
+  return film;
+}
+
+TEST(Progressive, OneAndTwoThreadsGiveTheSameBytes) {
+  const RenderBudget budget{.max_samples = 96, .noise = 0.08f};
+  EXPECT_TRUE(same_bytes(rendered(1, budget), rendered(2, budget)));
+}
+
+TEST(Progressive, QuietPixelsStopAtSixteenSamples) {
+  const Film film = rendered(0, {.max_samples = 256, .noise = 0.03f});
+  EXPECT_EQ(film.samples(3, 3), kFewestJudgedSamples);
+  EXPECT_GT(film.samples(kWidth - 3, 3), 100u);
+}
+
+TEST(Progressive, NeighboursOfNoisyPixelsGoOn) {
+  const Film film = rendered(0, {.max_samples = 64, .noise = 0.001f});
+  EXPECT_EQ(film.samples(kWidth / 2 - 1, 10), 64u);
+  EXPECT_EQ(film.samples(kWidth / 2 - 2, 10), kFewestJudgedSamples);
+}
+
+TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
+  const float target = 0.05f;
+  Film film(kWidth, kHeight, box(), false);
+  Progressive run(film, {.max_samples = 4096, .noise = target});
+  EXPECT_EQ(run.run(noisy_half), StopReason::Noise);
+  const float picture = picture_level(film);
+  for (std::size_t i = 0; i < film.pixel_count(); ++i)
+    EXPECT_LE(relative_noise(film.level(i), picture), target);
+}
+
+TEST(Progressive, WithoutTargetEveryPixelGetsTheSamplesAskedFor) {
+  for (const std::uint32_t samples : {1u, 5u, 16u, 100u}) {
+    const Film film = rendered(0, {.max_samples = samples});
+    for (std::size_t i = 0; i < film.pixel_count(); ++i) EXPECT_EQ(film.samples(i), samples);
+  }
+}
+
+TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
+  const RenderBudget whole{.max_samples = 192, .noise = 0.05f};
+  RenderBudget half = whole;
+  half.max_samples = 48;
+  Film film(kWidth, kHeight, box(), false);
+  Progressive first(film, half);
+  first.run(noisy_half);
+  Progressive second(film, whole, first.state());
+  second.run(noisy_half);
+  EXPECT_TRUE(same_bytes(film, rendered(0, whole)));
+}
+
+TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {
+  const RenderBudget budget{.max_samples = 192, .noise = 0.05f};
+  for (const int stop_after : {1000, 40'000, 60'000}) {
+    Film film(kWidth, kHeight, box(), false);
+    std::atomic<bool> cancel{false};
+    std::atomic<int> left{stop_after};
+    Progressive first(film, budget);
+    const StopReason reason = first.run(
+        [&](int x, int y, std::uint32_t index, FilmSample& s) {
+          if (--left == 0) cancel = true;
+          noisy_half(x, y, index, s);
+        },
+        {}, &cancel);
+    EXPECT_EQ(reason, StopReason::Cancelled);
+    Progressive second(film, budget, first.state());
+    second.run(noisy_half);
+    EXPECT_TRUE(same_bytes(film, rendered(0, budget))) << stop_after;
+  }
+}
+
+TEST(Progressive, TimeLimitEndsTheRenderButNotBeforeTheFirstPass) {
+  Film film(kWidth, kHeight, box(), false);
+  Progressive run(film, {.max_samples = 1u << 20, .seconds = 0.05});
+  const auto slow = [](int x, int y, std::uint32_t index, FilmSample& s) {
+    if (x == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    noisy_half(x, y, index, s);
+  };
+  EXPECT_EQ(run.run(slow), StopReason::Time);
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) EXPECT_GE(film.samples(i), 1u);
+  EXPECT_LT(run.progress().elapsed, 5);
+}
+
+TEST(Progressive, ReportsEveryPassAndTheNoise) {
+  Film film(kWidth, kHeight, box(), false);
+  Progressive run(film, {.max_samples = 64});
+  std::vector<Progress> passes;
+  run.run(noisy_half, {{}, [&](const Progress& p) { passes.push_back(p); }});
+  ASSERT_EQ(passes.size(), 8u);  // 1 2 4 8 16 32 48 64
+  EXPECT_FALSE(passes[0].noise);
+  ASSERT_TRUE(passes[7].noise);
+  EXPECT_DOUBLE_EQ(passes[7].mean_samples, 64);
+  EXPECT_EQ(passes[7].active, 0);
+  // Half of the pixels have none, the others uniform noise: 1 / sqrt(3) / sqrt(64).
+  EXPECT_NEAR(*passes[7].noise, 0.5 / std::sqrt(3.0) / 8, 2e-3);
+}
+
+TEST(Progressive, NoiseDoesNotDependOnTheUnitOfTheScene) {
+  EXPECT_FLOAT_EQ(relative_noise({0.5f, 0.1f}, 0.7f), relative_noise({500, 100}, 700));
+}
+
+TEST(Progressive, PassesGrowByAlignedBlocks) {
+  std::vector<std::uint32_t> targets;
+  for (std::uint32_t n = 0; n < 300;) targets.push_back(n = next_pass_target(n));
+  EXPECT_EQ(targets,
+            (std::vector<std::uint32_t>{1, 2, 4, 8, 16, 32, 48, 64, 96, 128, 192, 256, 384}));
+}
+
+TEST(Budget, ComesFromSamplesAndContrast) {
+  scene::RenderOptions options;  // samples -2 0, contrast .1
+  const RenderBudget plain = render_budget(options, {});
+  EXPECT_EQ(plain.max_samples, kFewestSceneSamples);
+  EXPECT_EQ(plain.min_samples, kFewestJudgedSamples);
+  EXPECT_NEAR(plain.noise, 0.1 / (1.96 * std::sqrt(2.0)), 1e-4);
+  options.samples_min = 3;
+  options.samples_max = 4;
+  options.contrast = Rgba(0.02f, 0.01f, 0.03f, 0.1f);
+  const RenderBudget fine = render_budget(options, {});
+  EXPECT_EQ(fine.max_samples, 256 * kPathSamplesPerSceneSample);
+  EXPECT_EQ(fine.min_samples, 64u);
+  EXPECT_NEAR(fine.noise, 0.01 / (1.96 * std::sqrt(2.0)), 1e-5);
+}
+
+TEST(Budget, WhatIsAskedReplacesTheScene) {
+  const scene::RenderOptions options;
+  EXPECT_EQ(render_budget(options, {.samples = 7}), (RenderBudget{.max_samples = 7}));
+  EXPECT_EQ(render_budget(options, {.noise = 0.01f}),
+            (RenderBudget{.max_samples = kMostSamples, .noise = 0.01f}));
+  EXPECT_EQ(render_budget(options, {.seconds = 3}),
+            (RenderBudget{.max_samples = kMostSamples, .seconds = 3}));
+}
+
+}  // namespace
+}  // namespace oriel
