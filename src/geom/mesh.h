@@ -44,7 +44,7 @@ struct MaterialSlot {
 struct Mesh {
   std::vector<Vec3> positions;  ///< one more than there are vertices: Embree reads 16 bytes at each
   std::vector<Triangle> triangles;
-  std::vector<Vec3> normals;  ///< unit length; null = the geometric normal at this vertex
+  std::vector<Vec3> normals;  ///< unit in object space; null = the geometric normal there
   std::vector<TextureSpace> textures;
   std::vector<Vec3> dpdu, dpdv;           ///< derivatives, where the scene gives them
   std::vector<std::vector<Vec3>> motion;  ///< one column per motion step

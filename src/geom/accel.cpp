@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geom/accel.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "base/assert.h"
+
+namespace oriel::geom {
+
+namespace {
+
+bool is_usable(const InstanceDesc& desc) {
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 3; ++column)
+      if (!std::isfinite(desc.local_to_world[row][column]) ||
+          !std::isfinite(desc.world_to_local[row][column]))
+        return false;
+  return determinant3(desc.local_to_world) != 0 && determinant3(desc.world_to_local) != 0;
+}
+
+bool count_memory(void* total, ssize_t bytes, bool /*after*/) {
+  static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+void set_transform_of(RTCGeometry geometry, const Mat4& m) {
+  // Embree's columns are our rows.
+  const float columns[12] = {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2],
+                             m[2][0], m[2][1], m[2][2], m[3][0], m[3][1], m[3][2]};
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+}
+
+}  // namespace
+
+struct Accel::Impl {
+  struct MeshEntry {
+    Mesh mesh;
+    RTCScene scene = nullptr;     // once it has several instances
+    std::uint32_t uses = 0;       // usable instances
+    std::uint32_t baked = kNone;  // the instance whose world space the mesh is in
+  };
+
+  std::atomic<std::int64_t> embree_bytes{0};
+  Edges edges;
+  RTCDevice device = nullptr;
+  RTCScene top = nullptr;
+  std::vector<MeshEntry> meshes;
+  std::vector<InstanceDesc> instances;
+  std::vector<bool> attached;          // per instance: Embree has it
+  std::vector<std::uint32_t> pending;  // instances to attach at the next commit
+
+  explicit Impl(Edges asked) : edges(asked) {
+    device = rtcNewDevice(nullptr);
+    if (!device) throw std::runtime_error("Embree does not start on this processor");
+    rtcSetDeviceMemoryMonitorFunction(device, count_memory, &embree_bytes);
+    top = new_scene();
+  }
+  ~Impl() {
+    for (const MeshEntry& entry : meshes)
+      if (entry.scene) rtcReleaseScene(entry.scene);
+    rtcReleaseScene(top);
+    rtcReleaseDevice(device);
+  }
+
+  RTCScene new_scene() const {
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    if (edges == Edges::Watertight) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    return scene;
+  }
+
+  void check() const {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw std::runtime_error("Embree reports error " + std::to_string(error));
+  }
+
+  MeshEntry& mesh_of(std::uint32_t instance) {
+    return meshes[static_cast<std::uint32_t>(instances[instance].mesh)];
+  }
+
+  void attach_triangles(RTCScene scene, Mesh& mesh, std::uint32_t id, std::uint32_t mask) const {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               mesh.positions.data(), 0, sizeof(Vec3), mesh.vertex_count());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.triangles.data(), 0, sizeof(Triangle), mesh.triangles.size());
+    rtcSetGeometryMask(geometry, mask);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
+    rtcReleaseGeometry(geometry);
+  }
+
+  void attach_instance(std::uint32_t i) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, mesh_of(i).scene);
+    set_transform_of(geometry, instances[i].local_to_world);
+    rtcSetGeometryMask(geometry, instances[i].mask);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(top, geometry, i);
+    rtcReleaseGeometry(geometry);
+  }
+
+  void bake(std::uint32_t i) {
+    MeshEntry& entry = mesh_of(i);
+    transform_mesh(entry.mesh, instances[i].local_to_world, instances[i].world_to_local);
+    entry.baked = i;
+    attach_triangles(top, entry.mesh, i, instances[i].mask);
+  }
+
+  // A baked mesh got its second instance.
+  void unbake(MeshEntry& entry) {
+    const std::uint32_t i = entry.baked;
+    rtcDetachGeometry(top, i);
+    transform_mesh(entry.mesh, instances[i].world_to_local, instances[i].local_to_world);
+    entry.baked = kNone;
+    build_scene_of(entry);
+    attach_instance(i);
+  }
+
+  void build_scene_of(MeshEntry& entry) {
+    entry.scene = new_scene();
+    attach_triangles(entry.scene, entry.mesh, 0, RayMask::All);
+    rtcCommitScene(entry.scene);
+  }
+
+  void attach_pending() {
+    std::sort(pending.begin(), pending.end());
+    pending.erase(std::unique(pending.begin(), pending.end()), pending.end());
+    std::erase_if(pending, [this](std::uint32_t i) {
+      return attached[i] || mesh_of(i).mesh.empty() || !is_usable(instances[i]);
+    });
+    for (const std::uint32_t i : pending) ++mesh_of(i).uses;
+    for (const std::uint32_t i : pending) {
+      attached[i] = true;
+      MeshEntry& entry = mesh_of(i);
+      if (entry.uses == 1) {
+        bake(i);
+        continue;
+      }
+      if (entry.baked != kNone) unbake(entry);
+      if (!entry.scene) build_scene_of(entry);
+      attach_instance(i);
+    }
+    pending.clear();
+  }
+};
+
+Accel::Accel(Edges edges) : impl_(std::make_unique<Impl>(edges)), scene_(impl_->top) {}
+
+Accel::~Accel() = default;
+
+MeshId Accel::add_mesh(Mesh mesh) {
+  ORIEL_ASSERT(mesh.empty() || mesh.vertex_count() >= 3);
+  impl_->meshes.emplace_back().mesh = std::move(mesh);
+  return static_cast<MeshId>(impl_->meshes.size() - 1);
+}
+
+std::uint32_t Accel::add_instance(const InstanceDesc& desc) {
+  ORIEL_ASSERT(static_cast<std::size_t>(desc.mesh) < impl_->meshes.size());
+  impl_->instances.push_back(desc);
+  impl_->attached.push_back(false);
+  const auto index = static_cast<std::uint32_t>(impl_->instances.size() - 1);
+  impl_->pending.push_back(index);
+  return index;
+}
+
+bool Accel::set_transform(std::uint32_t instance, const Mat4& local_to_world,
+                          const Mat4& world_to_local) {
+  InstanceDesc desc = impl_->instances[instance];
+  const Mat4 from_world = desc.world_to_local, to_world = desc.local_to_world;
+  desc.local_to_world = local_to_world;
+  desc.world_to_local = world_to_local;
+  if (!is_usable(desc)) return false;
+  impl_->instances[instance] = desc;
+  if (!impl_->attached[instance]) {
+    impl_->pending.push_back(instance);  // it may have been singular before
+    return true;
+  }
+  Impl::MeshEntry& entry = impl_->mesh_of(instance);
+  RTCGeometry geometry = rtcGetGeometry(impl_->top, instance);
+  if (entry.baked == instance) {
+    transform_mesh(entry.mesh, from_world * local_to_world, world_to_local * to_world);
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0);
+  } else {
+    set_transform_of(geometry, local_to_world);
+  }
+  rtcCommitGeometry(geometry);
+  return true;
+}
+
+void Accel::set_mask(std::uint32_t instance, std::uint32_t mask) {
+  impl_->instances[instance].mask = mask;
+  if (!impl_->attached[instance]) return;
+  RTCGeometry geometry = rtcGetGeometry(impl_->top, instance);
+  rtcSetGeometryMask(geometry, mask);
+  rtcCommitGeometry(geometry);
+}
+
+void Accel::commit() {
+  impl_->attach_pending();
+  rtcCommitScene(impl_->top);
+  impl_->check();
+  instances_ = impl_->instances.data();
+}
+
+bool Accel::intersect(const Ray& ray, Hit& hit) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query;
+  query.ray.org_x = ray.org.x;
+  query.ray.org_y = ray.org.y;
+  query.ray.org_z = ray.org.z;
+  query.ray.tnear = ray.tnear;
+  query.ray.dir_x = ray.dir.x;
+  query.ray.dir_y = ray.dir.y;
+  query.ray.dir_z = ray.dir.z;
+  query.ray.time = ray.time;
+  query.ray.tfar = ray.tfar;
+  query.ray.mask = ray.mask;
+  query.ray.flags = 0;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit.t = query.ray.tfar;
+  hit.u = query.hit.u;
+  hit.v = query.hit.v;
+  hit.primitive = query.hit.primID;
+  hit.ng = Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  hit.instance = query.hit.geomID;
+  if (query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+    hit.instance = query.hit.instID[0];
+    hit.ng = transform_normal(hit.ng, instances_[hit.instance].world_to_local);
+  }
+  return true;
+}
+
+bool Accel::occluded(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query;
+  query.org_x = ray.org.x;
+  query.org_y = ray.org.y;
+  query.org_z = ray.org.z;
+  query.tnear = ray.tnear;
+  query.dir_x = ray.dir.x;
+  query.dir_y = ray.dir.y;
+  query.dir_z = ray.dir.z;
+  query.time = ray.time;
+  query.tfar = ray.tfar;
+  query.mask = ray.mask;
+  query.flags = 0;
+  rtcOccluded1(scene_, &context, &query);
+  return query.tfar < 0;
+}
+
+void Accel::interpolate(const Hit& hit, SurfacePoint& point) const {
+  const InstanceDesc& desc = instances_[hit.instance];
+  const Impl::MeshEntry& entry = impl_->meshes[static_cast<std::uint32_t>(desc.mesh)];
+  const Placement placement =
+      entry.baked == kNone ? Placement{&desc.local_to_world, &desc.world_to_local} : Placement{};
+  geom::interpolate(entry.mesh, hit, placement, point);
+  point.instance = hit.instance;
+  point.user = desc.user;
+}
+
+const Mesh& Accel::mesh(MeshId id) const {
+  return impl_->meshes[static_cast<std::uint32_t>(id)].mesh;
+}
+
+bool Accel::is_baked(MeshId id) const {
+  return impl_->meshes[static_cast<std::uint32_t>(id)].baked != kNone;
+}
+
+const InstanceDesc& Accel::instance(std::uint32_t index) const { return impl_->instances[index]; }
+
+std::uint32_t Accel::instance_count() const {
+  return static_cast<std::uint32_t>(impl_->instances.size());
+}
+
+Box3 Accel::bounds() const {
+  RTCBounds b;
+  rtcGetSceneBounds(scene_, &b);
+  if (!(b.lower_x <= b.upper_x)) return Box3();
+  return Box3(Vec3(b.lower_x, b.lower_y, b.lower_z), Vec3(b.upper_x, b.upper_y, b.upper_z));
+}
+
+AccelMemory Accel::memory() const {
+  AccelMemory memory;
+  for (const Impl::MeshEntry& entry : impl_->meshes) {
+    memory.meshes += entry.mesh.bytes() + sizeof(Impl::MeshEntry) - sizeof(Mesh);
+    memory.triangles += entry.mesh.triangles.size();
+  }
+  memory.instances = impl_->instances.capacity() * sizeof(InstanceDesc);
+  memory.embree = static_cast<std::size_t>(std::max<std::int64_t>(0, impl_->embree_bytes));
+  return memory;
+}
+
+}  // namespace oriel::geom

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geom/surface.h"
+
+#include <algorithm>
+
+namespace oriel::geom {
+
+namespace {
+
+// Half a unit in the last place, times n, with the margin of (n eps) / (1 - n eps) for small n.
+constexpr float gamma(int n) { return static_cast<float>(n) * 6.0e-8f; }
+
+Vec3 abs(const Vec3& v) { return Vec3(std::abs(v.x), std::abs(v.y), std::abs(v.z)); }
+
+// |v| through |M|: what an error bound becomes.
+Vec3 transform_bound(const Vec3& v, const Mat4& m) {
+  return Vec3(v.x * std::abs(m[0][0]) + v.y * std::abs(m[1][0]) + v.z * std::abs(m[2][0]),
+              v.x * std::abs(m[0][1]) + v.y * std::abs(m[1][1]) + v.z * std::abs(m[2][1]),
+              v.x * std::abs(m[0][2]) + v.y * std::abs(m[1][2]) + v.z * std::abs(m[2][2]));
+}
+
+Vec3 translation(const Mat4& m) { return Vec3(m[3][0], m[3][1], m[3][2]); }
+
+// Unit vector of products so small or large that their squares leave float's range.
+Vec3 normalize_any(const Vec3& v) {
+  const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? normalize(v * (1 / largest)) : v;
+}
+
+// How far the plane that the tracer computes may be from the triangle's: its normal is the rounded
+// cross product of the sides, and the longer and thinner the triangle the more that tilts.
+float tilt_of(const Vec3& e1, const Vec3& e2, const Vec3& cross_product) {
+  const float l1 = length(e1), l2 = length(e2), longest = std::max(l1, l2);
+  const float area = length(cross_product);
+  const float thinness = area > 0 ? l1 * l2 / area : 0;
+  constexpr float kThinnest = 1000;  // beyond, the offset would show
+  return longest * gamma(8) * (1 + std::min(thinness, kThinnest));
+}
+
+struct Weights {
+  float a, b, c;
+  Vec3 operator()(const std::vector<Vec3>& column, const Triangle& t) const {
+    return column[t.a] * a + column[t.b] * b + column[t.c] * c;
+  }
+};
+
+Vec3 shading_normal(const Mesh& mesh, const Triangle& t, const Weights& weights, const Vec3& ng) {
+  const Vec3& a = mesh.normals[t.a];
+  const Vec3& b = mesh.normals[t.b];
+  const Vec3& c = mesh.normals[t.c];
+  const Vec3 front = dot(a + b + c, ng) < 0 ? -ng : ng;
+  const Vec3 n = (a == Vec3(0) ? front : a) * weights.a + (b == Vec3(0) ? front : b) * weights.b +
+                 (c == Vec3(0) ? front : c) * weights.c;
+  return front == ng ? n : -n;
+}
+
+// Derivatives of the position by the first two coordinates of texture space 0, and the ratio of
+// areas; corners' differences e1, e2 as in the mesh.
+void derive(const Mesh& mesh, const Triangle& t, const Weights& weights, const Vec3& e1,
+            const Vec3& e2, SurfacePoint& point) {
+  point.dpdu = point.dpdv = Vec3(0);
+  point.uv_density = 0;
+  if (!mesh.textures.empty() && !mesh.textures[0].coordinate.empty()) {
+    const std::vector<Vec3>& uv = mesh.textures[0].coordinate;
+    const Vec3 d1 = uv[t.b] - uv[t.a], d2 = uv[t.c] - uv[t.a];
+    const float area = d1.x * d2.y - d1.y * d2.x;
+    point.uv_density = std::abs(area);
+    if (area != 0) {
+      point.dpdu = (e1 * d2.y - e2 * d1.y) * (1 / area);
+      point.dpdv = (e2 * d1.x - e1 * d2.x) * (1 / area);
+      if (!is_finite(point.dpdu) || !is_finite(point.dpdv)) point.dpdu = point.dpdv = Vec3(0);
+    }
+  }
+  if (!mesh.dpdu.empty() && !mesh.dpdv.empty()) {
+    point.dpdu = weights(mesh.dpdu, t);
+    point.dpdv = weights(mesh.dpdv, t);
+  }
+}
+
+}  // namespace
+
+void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
+                 SurfacePoint& point) {
+  const Triangle& t = mesh.triangles[hit.primitive];
+  const Weights weights{1 - hit.u - hit.v, hit.u, hit.v};
+  const Vec3& a = mesh.positions[t.a];
+  const Vec3 e1 = mesh.positions[t.b] - a, e2 = mesh.positions[t.c] - a;
+  const Mat4* forward = placement.local_to_world;
+  const Mat4* back = placement.world_to_local;
+
+  // Place and normals in the mesh's space.
+  point.p = weights(mesh.positions, t);
+  Vec3 error = (abs(a) * std::abs(weights.a) + abs(mesh.positions[t.b]) * weights.b +
+                abs(mesh.positions[t.c]) * weights.c) *
+               gamma(7);
+  const Vec3 cross_product = cross(e1, e2);
+  point.ng = normalize_any(cross_product);
+  point.ns = mesh.normals.empty() ? point.ng : shading_normal(mesh, t, weights, point.ng);
+  derive(mesh, t, weights, e1, e2, point);
+
+  float tilt = tilt_of(e1, e2, cross_product);
+
+  // To world space.
+  Vec3 world_cross = cross_product;
+  if (forward) {
+    const Vec3 local = point.p;
+    point.p = transform_point(local, *forward);
+    const Vec3 there = transform_bound(abs(local), *forward) + abs(translation(*forward));
+    const Vec3 and_back = transform_bound(abs(point.p), *back) + abs(translation(*back));
+    error = transform_bound(error + and_back * gamma(8), *forward) + there * gamma(4);
+    world_cross = cross(transform_vector(e1, *forward), transform_vector(e2, *forward));
+    const Vec3 normal = transform_normal(point.ng, *back);
+    tilt /= length(normal);  // planes come apart as their normals get short
+    point.ng = normalize_any(normal);
+    point.ns = transform_normal(point.ns, *back);
+    point.dpdu = transform_vector(point.dpdu, *forward);
+    point.dpdv = transform_vector(point.dpdv, *forward);
+  }
+  point.offset = dot(abs(point.ng), error + abs(point.p) * gamma(2)) + tilt;
+  if (const float area = length(world_cross); area > 0) point.uv_density /= area;
+
+  // A shading normal beyond the horizon would light the surface from behind.
+  constexpr float kHorizon = 1e-3f;
+  point.ns = normalize(point.ns);
+  if (const float cosine = dot(point.ns, point.ng); !(cosine >= kHorizon))
+    point.ns = normalize(point.ns + point.ng * (kHorizon - cosine));
+
+  // What the scene attached to the vertices.
+  point.slot = mesh.slot_of(hit.primitive);
+  point.primitive = hit.primitive;
+  point.texture_count =
+      static_cast<std::uint32_t>(std::min(mesh.textures.size(), kMaxTextureSpaces));
+  for (std::uint32_t s = 0; s < point.texture_count; ++s) {
+    const TextureSpace& space = mesh.textures[s];
+    SurfacePoint::Texture& texture = point.textures[s];
+    const auto read = [&](const std::vector<Vec3>& column, bool is_vector) {
+      if (column.empty()) return Vec3(0);
+      const Vec3 value = weights(column, t);
+      return is_vector && forward ? transform_vector(value, *forward) : value;
+    };
+    texture.coordinate = read(space.coordinate, false);
+    texture.basis_u = read(space.basis_u, true);
+    texture.basis_v = read(space.basis_v, true);
+  }
+}
+
+void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse) {
+  if (!mesh.positions.empty()) {
+    // Double: an instance far from the origin and its way back lose no more than one rounding.
+    const Imath::M44d exact(matrix);
+    for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i)
+      mesh.positions[i] = Vec3(Imath::V3d(mesh.positions[i]) * exact);
+  }
+  // Not made unit again: their lengths are weights, by which they interpolate as in object space.
+  for (Vec3& n : mesh.normals) n = transform_normal(n, inverse);
+  const auto carry = [&matrix](std::vector<Vec3>& column) {
+    for (Vec3& v : column) v = transform_vector(v, matrix);
+  };
+  for (TextureSpace& space : mesh.textures) {
+    carry(space.basis_u);
+    carry(space.basis_v);
+  }
+  carry(mesh.dpdu);
+  carry(mesh.dpdv);
+  for (std::vector<Vec3>& step : mesh.motion) carry(step);
+  if (determinant3(matrix) < 0)
+    for (Triangle& t : mesh.triangles) std::swap(t.b, t.c);
+}
+
+double determinant3(const Mat4& m) {
+  const Imath::V3d x(m[0][0], m[0][1], m[0][2]), y(m[1][0], m[1][1], m[1][2]),
+      z(m[2][0], m[2][1], m[2][2]);
+  return x.cross(y).dot(z);
+}
+
+}  // namespace oriel::geom
