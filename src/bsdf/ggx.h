@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "sampling/warp.h"
 
 namespace oriel::bsdf {
 
@@ -42,10 +43,10 @@ struct Ggx {
   Vec3 sample_visible(const Vec3& wo, const Vec2& u) const {
     const Vec3 v = normalize(Vec3(ax * wo.x, ay * wo.y, wo.z));
     // Reflections of v on a hemisphere fill a spherical cap evenly; halfway back is the normal.
-    const float phi = kTwoPi * u.x;
+    const sampling::SinCos phi = sampling::sincos_turns(u.x);
     const float z = (1 - u.y) * (1 + v.z) - v.z;
     const float r = std::sqrt(clamp01(1 - z * z));
-    const Vec3 h(r * std::cos(phi) + v.x, r * std::sin(phi) + v.y, z + v.z);
+    const Vec3 h(r * phi.cos + v.x, r * phi.sin + v.y, z + v.z);
     return normalize(Vec3(ax * h.x, ay * h.y, std::max(h.z, 1e-7f)));
   }
   /// Its density per solid angle of normals: G1(wo) max(0, wo.h) D(h) / wo.z.

@@ -119,6 +119,20 @@ TEST(GlossyReflection, FurnaceIsWhite) {
           }
 }
 
+TEST(GlossyReflection, MadeForOneViewerIsTheSameLobe) {
+  for (int n = 0; n < 200; ++n) {
+    const RandomCase c = random_case(n);
+    const GlossyReflection lobe(c.ax, c.ay), made(c.ax, c.ay, c.wo);
+    const Vec2 u = Sampler(n, 9, 0).next_2d();
+    const auto a = lobe.sample(c.wo, u, 0), b = made.sample(c.wo, u, 0);
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) continue;
+    EXPECT_EQ(a->wi, b->wi);
+    EXPECT_FLOAT_EQ(a->weight, b->weight);
+    EXPECT_FLOAT_EQ(lobe.eval(c.wo, a->wi), made.eval(c.wo, a->wi));
+  }
+}
+
 // acceptance: E4
 TEST(GlossyReflection, HighlightNarrowsAtConstantEnergy) {
   const Vec3 wo = direction(0.8f), mirrored(-wo.x, -wo.y, wo.z);

@@ -21,12 +21,16 @@ namespace oriel::bsdf {
 class GlossyReflection {
  public:
   GlossyReflection(float ax, float ay) : ggx_{ax, ay} {}
+  /// The same lobe made for one viewer: its albedo is looked up once, and it must only be asked
+  /// about this wo. Half the cost where one point meets several lights.
+  GlossyReflection(float ax, float ay, const Vec3& wo)
+      : ggx_{ax, ay}, inverse_albedo_(wo.z > 0 ? 1 / ggx_albedo(ax, ay, wo) : 1) {}
 
   float eval(const Vec3& wo, const Vec3& wi) const {
     if (wo.z <= 0 || wi.z <= 0) return 0;
     // D G2 / (4 wo.z) with G2 written out.
     const float shadowed = ggx_.stretched(wo) * wi.z + ggx_.stretched(wi) * wo.z;
-    return 0.5f * ggx_.d(normalize(wo + wi)) * wi.z / (shadowed * ggx_albedo(ggx_.ax, ggx_.ay, wo));
+    return 0.5f * ggx_.d(normalize(wo + wi)) * wi.z / shadowed * inverse_albedo(wo);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi) const {
@@ -41,12 +45,16 @@ class GlossyReflection {
     if (wi.z <= 0) return std::nullopt;
     const float so = ggx_.stretched(wo), si = ggx_.stretched(wi);
     const float passed = wi.z * (wo.z + so) / (so * wi.z + si * wo.z);  // G2 / G1(wo)
-    return LobeSample{wi, passed / ggx_albedo(ggx_.ax, ggx_.ay, wo), 0.5f * ggx_.d(h) / (wo.z + so),
-                      false};
+    return LobeSample{wi, passed * inverse_albedo(wo), 0.5f * ggx_.d(h) / (wo.z + so), false};
   }
 
  private:
+  float inverse_albedo(const Vec3& wo) const {
+    return inverse_albedo_ > 0 ? inverse_albedo_ : 1 / ggx_albedo(ggx_.ax, ggx_.ay, wo);
+  }
+
   Ggx ggx_;
+  float inverse_albedo_ = 0;  // 0: not made for one viewer
 };
 
 /// Blurred transparency of a thin sheet: the reflection lobe turned to the other side, centred on
@@ -55,6 +63,8 @@ class GlossyReflection {
 class RoughThinTransmission {
  public:
   RoughThinTransmission(float ax, float ay) : reflection_(ax, ay) {}
+  /// Made for one viewer, as the reflection.
+  RoughThinTransmission(float ax, float ay, const Vec3& wo) : reflection_(ax, ay, wo) {}
 
   float eval(const Vec3& wo, const Vec3& wi) const { return reflection_.eval(wo, flip(wi)); }
   float pdf(const Vec3& wo, const Vec3& wi) const { return reflection_.pdf(wo, flip(wi)); }

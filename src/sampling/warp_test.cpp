@@ -25,6 +25,15 @@ void expect_matches(const Draw& draw, const std::function<double(const Vec3&)>& 
   EXPECT_NEAR(r.pdf_integral, 1, 2e-3);
 }
 
+TEST(Warp, SineAndCosineMatchTheLibrary) {
+  for (int i = 0; i <= 4096; ++i) {
+    const float u = static_cast<float>(i) / 4096;
+    const SinCos t = sincos_turns(u);
+    EXPECT_NEAR(t.sin, std::sin(2 * M_PI * u), 3e-7);
+    EXPECT_NEAR(t.cos, std::cos(2 * M_PI * u), 3e-7);
+  }
+}
+
 TEST(Warp, DirectionsMatchTheirDensity) {
   expect_matches([](const Vec2& u, float) { return sample_cosine_hemisphere(u); },
                  [](const Vec3& w) { return cosine_hemisphere_pdf(w.z); });
