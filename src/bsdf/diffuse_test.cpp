@@ -71,7 +71,6 @@ TEST(OrenNayar, AlbedoMatchesTheClosedForm) {
   EXPECT_NEAR(OrenNayar(0.25f).albedo(direction(85).z) * (a + b / 2), 1.00724, 2e-4);
 }
 
-// acceptance: E1
 TEST(OrenNayar, NeverReflectsMoreThanItReceives) {
   for (float sigma = 0; sigma < 2; sigma += 0.01f)
     for (float c = 0.0005f; c <= 1; c += 0.01f)
@@ -91,7 +90,6 @@ TEST(OrenNayar, FlatLitSphereIsFlatterThanLambert) {
   }
 }
 
-// acceptance: T10
 TEST(Translucency, IsLambertOnTheOtherSide) {
   const Translucency lobe;
   const Vec3 wo = direction(35, 10);

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/assert.h"
 #include "bsdf/ggx.h"
 #include "bsdf/ggx_albedo.h"
 #include "bsdf/lobe_sample.h"
@@ -20,7 +21,7 @@ namespace oriel::bsdf {
 /// Checked: GlossyReflection.FurnaceIsWhite and the contract suite.
 class GlossyReflection {
  public:
-  GlossyReflection(float ax, float ay) : ggx_{ax, ay} {}
+  GlossyReflection(float ax, float ay) : ggx_{ax, ay} { ORIEL_ASSERT(ax > 0 && ay > 0); }
   /// The same lobe made for one viewer: its albedo is looked up once, and it must only be asked
   /// about this wo. Half the cost where one point meets several lights.
   GlossyReflection(float ax, float ay, const Vec3& wo)

@@ -120,7 +120,6 @@ TEST_P(LobeContract, IsNowhereNegative) {
   }
 }
 
-// acceptance: E1
 TEST_P(LobeContract, ReflectsNoMoreThanItReceives) {
   const Case& lobe = GetParam();
   for (const Vec3& wo : kViews) {

@@ -20,7 +20,6 @@ Vec3 direction_deg(double theta, double phi = 25) {
               static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t)));
 }
 
-// acceptance: T1
 TEST(Refraction, FollowsSnell) {
   for (const float eta : {1.5f, 1.33f, 1.33f / 1.5f, 1 / 1.5f})
     for (double theta = 0; theta < 40; theta += 3) {
@@ -36,7 +35,6 @@ TEST(Refraction, FollowsSnell) {
     }
 }
 
-// acceptance: T1
 TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
   const Vec3 n(0, 0, 1);
   EXPECT_TRUE(refract(direction_deg(41.80), n, 1 / 1.5f));
@@ -47,7 +45,6 @@ TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
   EXPECT_TRUE(s->delta);
 }
 
-// acceptance: T2
 TEST(Refraction, ThinSheetDoesNotBend) {
   const Vec3 wo = direction_deg(70);
   const auto s = ClearThinTransmission{}.sample(wo, {}, 0);
@@ -68,7 +65,6 @@ TEST(RoughRefraction, TendsToTheClearOne) {
 }
 
 // The density integrates to 1 by quadrature of its own formula: the lobe neither loses nor gains.
-// acceptance: E1
 TEST(RoughRefraction, FurnaceIsWhite) {
   for (const float eta : {1.5f, 1.1f, 1 / 1.33f, 1 / 1.5f, 2.4f})
     for (const auto& r : {Roughness{0.3f, 0.3f}, Roughness{0.6f, 0.15f}, Roughness{1, 1}})

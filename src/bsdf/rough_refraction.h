@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/assert.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/ggx.h"
 #include "bsdf/lobe_sample.h"
@@ -26,7 +27,9 @@ class RoughRefraction {
  public:
   static constexpr float kNoBending = 1e-3f;
 
-  RoughRefraction(float ax, float ay, float eta) : ggx_{ax, ay}, eta_(eta) {}
+  RoughRefraction(float ax, float ay, float eta) : ggx_{ax, ay}, eta_(eta) {
+    ORIEL_ASSERT(ax > 0 && ay > 0 && eta > 0);
+  }
 
   float eval(const Vec3& wo, const Vec3& wi) const { return pdf(wo, wi); }
 
