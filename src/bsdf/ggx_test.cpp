@@ -113,6 +113,7 @@ TEST(GlossyReflection, FurnaceIsWhite) {
         for (const float mu : {0.02f, 0.1f, 0.3f, 0.6f, 1.0f})
           for (const float phi : {0.0f, 0.7f, 1.5f}) {
             const Roughness r = gloss_to_roughness(gloss, anisotropy, model);
+            if (r.is_mirror()) continue;  // weight 1: DeltaLobes
             ASSERT_NEAR(furnace({r.ax, r.ay}, direction(mu, phi), 2048), 1, 0.005)
                 << "gloss " << gloss << " anisotropy " << anisotropy << " mu " << mu << " phi "
                 << phi;
