@@ -24,6 +24,10 @@ bool contains(const std::string_view (&words)[N], std::string_view word) {
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
+bool in_first_column(const Token& token) {
+  return token.raw.data() == token.source->begin() || token.raw.data()[-1] == '\n';
+}
+
 }  // namespace
 
 Parse::Parse(const ReadOptions& read_options, Diagnostics& messages)
@@ -193,6 +197,11 @@ const scene::ShaderDeclaration* Parse::declaration(const std::string& type) cons
   return nullptr;
 }
 
+bool Parse::starts_element(const Token& token) {
+  return token.kind == Token::Kind::Word && in_first_column(token) &&
+         contains(kUnmistakable, token.text);
+}
+
 void Parse::recover(std::string_view kind) {
   const bool may_hold_others = kind == "instance" || kind == "options" || kind == "camera" ||
                                kind == "material" || kind == "declare" || kind == "light";
@@ -205,10 +214,10 @@ void Parse::recover(std::string_view kind) {
         if (in.accept_word(kind)) return;
         continue;
       }
-      const bool first_column =
-          token.raw.data() == token.source->begin() || token.raw.data()[-1] == '\n';
-      if (first_column && (contains(kUnmistakable, token.text) ||
-                           (!may_hold_others && contains(kAmbiguous, token.text))))
+      // `object space` and `camera space` are options.
+      const bool option = kind == "options" && (token.text == "object" || token.text == "camera");
+      if ((starts_element(token) && !option) ||
+          (!may_hold_others && in_first_column(token) && contains(kAmbiguous, token.text)))
         return;
     }
     in.next();

@@ -80,6 +80,8 @@ class Parse {
   /// Declaration or outside of a phenomenon in this file, or null.
   const scene::ShaderDeclaration* declaration(const std::string& type) const;
 
+  /// Whether this word, in the first column, can only begin an element of the top level.
+  static bool starts_element(const Token& token);
   /// Skips to the end of the broken element: behind its `end kind`, or before the next statement
   /// that stands in the first column and can only be one of the top level.
   void recover(std::string_view kind);

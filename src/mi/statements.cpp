@@ -13,15 +13,15 @@ namespace {
 using scene::Statement;
 using scene::Value;
 
-// The alternative of `words` that begins with `word`; empty when there is none.
-std::string_view alternative(std::string_view words, std::string_view word) {
+// Whether `wanted` is one of the alternatives; with `begins`, whether it is the first word of one.
+bool is_alternative(std::string_view words, std::string_view wanted, bool begins = false) {
   while (!words.empty()) {
     const std::size_t bar = words.find('|');
     const std::string_view one = words.substr(0, bar);
-    if (one.starts_with(word) && (one.size() == word.size() || one[word.size()] == ' ')) return one;
+    if (one == wanted || (begins && one.substr(0, one.find(' ')) == wanted)) return true;
     words = bar == std::string_view::npos ? std::string_view{} : words.substr(bar + 1);
   }
-  return {};
+  return false;
 }
 
 Value bare_text(std::string text, SourceLocation at) {
@@ -31,6 +31,21 @@ Value bare_text(std::string text, SourceLocation at) {
   value.bare = true;
   value.where = at;
   return value;
+}
+
+// One of the alternatives, of one word or two.
+Value read_word(Parse& parse, std::string_view words) {
+  const SourceLocation at = parse.in.where();
+  std::string word(parse.in.next().text);
+  if (parse.in.at(Token::Kind::Word)) {
+    const std::string two = fmt::format("{} {}", word, parse.in.peek().text);
+    if (is_alternative(words, two)) {
+      parse.in.next();
+      word = two;
+    }
+  }
+  if (!is_alternative(words, word)) parse.unexpected(fmt::format("one of {}", words));
+  return bare_text(std::move(word), at);
 }
 
 // After an unknown statement: on to the next known one, so that one word costs one statement.
@@ -59,13 +74,9 @@ void read_statement_values(Parse& parse, const Form& form, Statement& statement)
       value.kind = Value::Kind::Boolean;
       had_boolean = true;
       parse.in.next();
-    } else if (const auto word = token.kind == Token::Kind::Word && !had_word
-                                     ? alternative(form.words, token.text)
-                                     : std::string_view{};
-               !word.empty()) {
-      parse.in.next();
-      value = bare_text(std::string(word), value.where);
-      if (word.size() > token.text.size()) parse.expect_word(word.substr(token.text.size() + 1));
+    } else if (token.kind == Token::Kind::Word && !had_word &&
+               is_alternative(form.words, token.text, true)) {
+      value = read_word(parse, form.words);
       had_word = true;
     } else if (strings > 0 && (token.kind == Token::Kind::String || token.is_punct('['))) {
       value = read_value(parse);
@@ -116,6 +127,8 @@ std::optional<Statement> read_statement(Parse& parse, const FormTable& table,
   if (!parse.in.at(Token::Kind::Word)) {
     parse.unexpected(fmt::format("a statement of {}", element), table.names());
   }
+  if (parse.starts_element(parse.in.peek()) && !table.starts_statement(parse.in.peek().text))
+    parse.unexpected(fmt::format("the end of {}", element));
   const Token first = parse.in.next();
   statement.keyword = first.text;
   // The longest keyword that the words spell.
@@ -165,7 +178,7 @@ Statement read_approximate(Parse& parse, std::string keyword, SourceLocation at)
     } else if (token.kind == Token::Kind::String) {
       statement.values.push_back(read_value(parse));
     } else if (token.is_punct('%') ||
-               (token.kind == Token::Kind::Word && alternative(kWords, token.text) == token.text)) {
+               (token.kind == Token::Kind::Word && is_alternative(kWords, token.text))) {
       parse.in.next();
       statement.values.push_back(bare_text(std::string(token.text), here));
     } else {

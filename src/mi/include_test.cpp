@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that include files: where they are searched, what is refused, how messages name places.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "mi/test_support.h"
+
+namespace oriel::mi {
+namespace {
+
+std::string include_line(int i) { return fmt::format("$include \"f{}.mi\"\n", i); }
+
+class Include : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              fmt::format("oriel_include_{}_{}", ::getpid(),
+                          testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, std::string_view text) {
+    const auto path = folder_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+  scene::Scene read(const std::string& path) { return read_scene(path, options_, diagnostics_); }
+  std::filesystem::path folder_;
+  ReadOptions options_ = Snippet::known_shaders();
+  Diagnostics diagnostics_;
+};
+
+// acceptance: H1
+TEST_F(Include, IsSearchedBesideTheIncludingFileThenInThePaths) {
+  write("scene/parts/a.mi", "$include \"b.mi\"\n$include <c.mi>\n");
+  write("scene/parts/b.mi", "shader \"b\" \"s\" ( )");
+  write("lib/c.mi", "shader \"c\" \"s\" ( )");
+  options_.include_paths = {(folder_ / "lib").string()};
+  const scene::Scene scene = read(write("scene/s.mi", "$include \"parts\\a.mi\""));
+  EXPECT_TRUE(diagnostics_.all().empty());
+  EXPECT_TRUE(scene.find("b") && scene.find("c"));
+}
+
+TEST_F(Include, MessagesNameTheWholeWay) {
+  write("inner.mi", "\n\n  shader \"x\" ,");
+  read(write("outer.mi", "# outer\n$include \"inner.mi\"\n"));
+  ASSERT_EQ(diagnostics_.all().size(), 1u);
+  const std::string text = diagnostics_.format(diagnostics_.all()[0]);
+  EXPECT_NE(text.find("inner.mi:3:14"), std::string::npos) << text;
+  EXPECT_NE(text.find("outer.mi:2:1"), std::string::npos) << text;
+}
+
+TEST_F(Include, OutsideTheScenesFolderIsRefusedUnlessAPathAllowsIt) {
+  const std::string secret = write("other/x.mi", "shader \"x\" \"s\" ( )");
+  const std::string path =
+      write("scene/s.mi", fmt::format("$include \"../other/x.mi\"\n$include \"{}\"\n", secret));
+  EXPECT_EQ(read(path).find("x"), nullptr);
+  EXPECT_TRUE(diagnostics_.has(code::kForbiddenInclude));
+  options_.include_paths = {(folder_ / "other").string()};
+  EXPECT_NE(read(path).find("x"), nullptr);
+}
+
+TEST_F(Include, CyclesEndWithAMessage) {
+  write("b.mi", "$include \"a.mi\"\nshader \"b\" \"s\" ( )");
+  const scene::Scene scene = read(write("a.mi", "$include \"b.mi\"\n"));
+  EXPECT_TRUE(diagnostics_.has(code::kIncludeCycle));
+  EXPECT_NE(scene.find("b"), nullptr);
+}
+
+TEST_F(Include, DepthAndNumberAreBounded) {
+  for (int i = 0; i < 20; ++i)
+    write(fmt::format("f{}.mi", i), include_line(i + 1) + include_line(i + 1));
+  options_.limits.includes = 1000;
+  read(write("s.mi", "$include \"f0.mi\"\n"));
+  EXPECT_TRUE(diagnostics_.has(code::kIncludeLimit));
+}
+
+TEST_F(Include, AMissingFileIsReportedOnceAndPackagesAreSatisfied) {
+  options_.packages = {"base"};
+  const scene::Scene scene =
+      read(write("s.mi",
+                 "$include <base.mi>\n$include \"C:\\mr\\include\\base.mi\"\n$include <paint.mi>\n"
+                 "$include <paint.mi>\nlink \"base.so\"\nshader \"x\" \"s\" ( )"));
+  EXPECT_EQ(diagnostics_.all().size(), 1u);
+  EXPECT_NE(diagnostics_.all()[0].message.find("paint.mi"), std::string::npos);
+  EXPECT_EQ(scene.packages, (std::vector<std::string>{"base.mi"}));
+  EXPECT_NE(scene.find("x"), nullptr);
+}
+
+TEST_F(Include, AnUnreadableSceneIsAnErrorAndEmpty) {
+  Reader reader((folder_ / "none.mi").string(), {}, diagnostics_);
+  EXPECT_FALSE(reader.opened());
+  scene::Scene scene;
+  EXPECT_FALSE(reader.next_frame(scene));
+  EXPECT_EQ(diagnostics_.count(Severity::Error), 1u);
+}
+
+}  // namespace
+}  // namespace oriel::mi

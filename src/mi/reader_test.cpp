@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+// Statements, element by element, and what happens when they are wrong.
+#include "mi/reader.h"
+
+#include "mi/test_support.h"
+
+namespace oriel::mi {
+namespace {
+
+using scene::kNone;
+using scene::Value;
+
+#define EXPECT_SILENT(read) EXPECT_TRUE((read).diagnostics.all().empty()) << (read).messages()
+
+// acceptance: H1
+TEST(Options, EveryStatementOfTheLanguageIsAStatement) {
+  for (const char* statement : {"samples 2",
+                                "samples -1 2 0 1",
+                                "samples collect 4",
+                                "contrast .1 .1 .1 .1",
+                                "time contrast .2 .2 .2",
+                                "filter clip mitchell 4 4",
+                                "filter clip lanczos",
+                                "filter box",
+                                "jitter .5",
+                                "samplelock on",
+                                "shading samples 1.",
+                                "task size 32",
+                                "trace depth 2 2 4",
+                                "scanline rapid",
+                                "shadow segments",
+                                "shadow sort on",
+                                "shadowmap detail",
+                                "shadowmap rebuild merge",
+                                "shadowmap bias .1",
+                                "face both",
+                                "acceleration large bsp",
+                                "bsp size 10",
+                                "grid resolution 1 2 3",
+                                "displace presample on",
+                                "max displace .1",
+                                "motion steps 3",
+                                "shutter 0 .5",
+                                "shutter delay .1",
+                                "photon autovolume off",
+                                "lightmap only",
+                                "field even",
+                                "object space",
+                                "inheritance \"f\"",
+                                "caustic 3",
+                                "caustic accuracy 500 3.0",
+                                "caustic filter cone 1.1",
+                                "globillum scale 1 1 1 1",
+                                "photonvol accuracy 30",
+                                "photon trace depth 5 5 5",
+                                "photonmap file \"f\"",
+                                "photonmap file off",
+                                "photonmap only",
+                                "finalgather fastlookup",
+                                "finalgather accuracy view 100 5 1",
+                                "finalgather trace depth 1 1 0 2",
+                                "finalgather presample density 1.",
+                                "finalgather falloff 0 1",
+                                "finalgather secondary scale 1 1 1",
+                                "finalgather file [ \"a\", \"b\" ]",
+                                "finalgather rebuild freeze",
+                                "frame buffer 1 \"+rgba\"",
+                                "gamma 2.2",
+                                "colorclip raw",
+                                "luminance weight ntsc",
+                                "luminance weight .3 .6 .1",
+                                "diagnostic photon density 1.",
+                                "approximate fine view length .1 all",
+                                "\"finalgather mode\" \"automatic\""}) {
+    const Snippet read(fmt::format("options \"o\" {} trace on end options", statement));
+    EXPECT_SILENT(read) << statement;
+    EXPECT_EQ(read.get<scene::Options>("o").statements.size(), 2u) << statement;
+  }
+}
+
+TEST(Options, AnUnknownStatementCostsOnlyItself) {
+  const Snippet read("options \"o\"\n samples 0 2\n contrats .1 .1 .1\n trace on\nend options");
+  EXPECT_EQ(read.message(code::kUnknownStatement).where.line, 3u);
+  EXPECT_EQ(read.message(code::kUnknownStatement).hint, "did you mean contrast?");
+  EXPECT_EQ(read.get<scene::Options>("o").statements.size(), 2u);
+}
+
+// acceptance: H1
+TEST(Camera, ListsAppendAndBareKeywordsClear) {
+  const Snippet read(
+      "camera \"c\" lens \"s\" ( ) lens \"t\" ( ) environment = \"e\" environment "
+      "framebuffer \"f\" datatype \"rgba\" primary on aspect 1.5 clip .1 100 "
+      "focal 50 aperture 36 end camera shader \"e\" \"s\" ( )\n"
+      "incremental camera \"c\" lens focal 35 end camera");
+  EXPECT_SILENT(read);
+  const auto& c = read.get<scene::Camera>("c");
+  EXPECT_TRUE(c.lens.empty() && c.environment.empty());
+  EXPECT_EQ(*c.focal, 35);
+  EXPECT_EQ(*c.aperture, 36);
+  EXPECT_EQ(c.kept[0].text, "\"f\" datatype \"rgba\" primary on");
+}
+
+// acceptance: H1
+TEST(Light, AreasSamplesAndPhotonsAreRead) {
+  const Snippet read(
+      "light \"l\" \"s\" ( ) emitter = \"e\" energy 1 2 3 exponent 2 caustic photons "
+      "100 0 rectangle 2 0 0 0 2 0 4 4 3 2 2 visible shadowmap detail samples 4 "
+      "spread .5 end light shader \"e\" \"s\" ( )\n"
+      "light \"i\" object \"li\" 16 1 1 1 1 visible on origin 0 0 0 end light\n"
+      "incremental light \"l\" rectangle end light");
+  EXPECT_SILENT(read);
+  const auto& i = read.get<scene::Light>("i");
+  EXPECT_EQ(i.area->values[0].text, "li");
+  EXPECT_EQ(i.area->values[1].numbers.size(), 5u);
+  EXPECT_FALSE(read.get<scene::Light>("l").area);
+  EXPECT_EQ(read.get<scene::Light>("l").other.size(), 5u);
+}
+
+// acceptance: H1
+TEST(Texture, EveryKindOfDataIsRead) {
+  const Snippet read(
+      "color texture \"a\" \"a.tif\"\nlocal filter 2 scalar texture \"b\" \"b.exr\"\n"
+      "writable color texture \"c\" \"c.lm\" [64 32]\n"
+      "color texture \"d\" [2 1] 'ff00' '7f'\nvector texture \"e\" \"s\" ( ) = \"f\"\n"
+      "shader \"f\" \"s\" ( )");
+  EXPECT_SILENT(read);
+  EXPECT_EQ(read.get<scene::Texture>("a").file, "a.tif");
+  EXPECT_EQ(*read.get<scene::Texture>("b").filter, 2);
+  EXPECT_TRUE(read.get<scene::Texture>("b").local);
+  EXPECT_EQ(read.get<scene::Texture>("c").size, (std::vector<int>{64, 32}));
+  EXPECT_EQ(read.get<scene::Texture>("d").pixels, (std::vector<std::uint8_t>{255, 0, 127}));
+  EXPECT_EQ(read.get<scene::Texture>("e").procedure.size(), 2u);
+}
+
+// acceptance: H1
+TEST(Object, HolesStripsAndFansAreRead) {
+  const Snippet read(
+      "object \"o\" group 0 0 0 1 0 0 1 1 0 v 0 v 1 v 2 v 0 v 1 v 2 "
+      "p 0 1 2 hole 3 4 5 strip 0 1 2 3 fan 0 1 2 3 end group end object");
+  EXPECT_SILENT(read);
+  const auto& p = read.get<scene::Object>("o").groups[0].polygons;
+  EXPECT_EQ(p.first, (std::vector<std::uint32_t>{0, 6, 9, 12, 15, 18}));
+  EXPECT_EQ(p.holes, (std::vector<std::uint32_t>{3}));
+  EXPECT_EQ((std::vector<std::uint32_t>(p.indices.begin() + 6, p.indices.end())),
+            (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 0, 1, 2, 0, 2, 3}));
+}
+
+TEST(Object, IndicesOutsideTheListsAreReportedAndLeaveValidGeometry) {
+  const Snippet read(
+      "object \"o\" group 0 0 0 1 0 0\nv 0 n 9\nv 1\nv 7\nv 0\np 0 1 3\n"
+      "p 0 1 2\np 0 1 9\np 0 -1 1\np 0 1\nend group end object");
+  EXPECT_EQ(read.count(code::kBadIndex), 2u);
+  EXPECT_EQ(read.count(code::kBadPolygon), 4u) << read.messages();
+  EXPECT_EQ(read.message(code::kBadPolygon).where.line, 7u);
+  const auto& g = read.get<scene::Object>("o").groups[0];
+  EXPECT_EQ(g.polygons.indices, (std::vector<std::uint32_t>{0, 1, 3}));
+  for (const std::uint32_t i : g.vertices.point) EXPECT_LT(i, g.vectors.size());
+  for (const std::uint32_t i : g.vertices.normal) EXPECT_EQ(i, kNone);
+}
+
+// acceptance: H1
+TEST(Object, FreeFormGeometryAndHairAreKept) {
+  const Snippet read(
+      "object \"o\" visible basis \"b\" bezier 3 group 0 0 0 v 0 "
+      "curve \"c\" \"b\" 0. 1. 0 0 0 0 approximate curve parametric 4 \"c\" "
+      "end group end object\nobject \"h\" hair material \"m\" radius .1 scalar [2] "
+      "0 1 hair [2] 0 1 end hair end object");
+  EXPECT_SILENT(read);
+  EXPECT_EQ(read.get<scene::Object>("o").kept[0].text, "\"b\" bezier 3");
+  EXPECT_EQ(read.get<scene::Object>("o").groups[0].kept[0].keyword, "curve");
+  EXPECT_EQ(read.get<scene::Object>("h").kept[0].keyword, "hair");
+}
+
+TEST(Trilist, BinaryBlocksMayContainTheClosingQuote) {
+  std::string floats, ints;
+  for (const char* word : {"\x3f\x80\0\0", "````", "\0\0\0\0"})
+    for (int i = 0; i < 3; ++i) floats.append(word, 4);
+  for (const char byte : {0, 1, 2}) ints += std::string(3, '\0') + byte;
+  const Snippet read("object \"o\" tagged trilist vertex 3 p triangle 1 scalar `" + floats +
+                     "` integer `" + ints + "` integer `" + std::string("\0\0\0\4", 4) +
+                     "` end trilist end object");
+  EXPECT_SILENT(read);
+  const auto& g = read.get<scene::Object>("o").groups.at(0);
+  EXPECT_EQ(g.vectors[0], Vec3(1, 1, 1));
+  EXPECT_EQ(g.polygons.indices, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(g.polygons.material, (std::vector<std::uint32_t>{4}));
+}
+
+TEST(Trilist, WrongCountsAreReportedAndNotTrusted) {
+  const Snippet read(
+      "object \"o\" trilist vertex 4000000000 p triangle 3000000000 [ 0 0 0 1 0 0 "
+      "0 1 0 ] [ 0 1 2 ] end trilist end object options \"x\" end options");
+  EXPECT_EQ(read.count(code::kBadCount), 2u) << read.messages();
+  EXPECT_EQ(read.get<scene::Object>("o").groups.at(0).polygons.size(), 1u);
+  EXPECT_NE(read.scene.find("x"), nullptr);
+}
+
+// acceptance: H1
+TEST(Instance, TransformsMaterialsAndMotionAreRead) {
+  const Snippet read(
+      "instance \"i\" \"o\" hide off visible on shadow 3\n"
+      "transform 1 0 0 0 0 1 0 0 0 0 1 0 -1 -2 -3 1\n"
+      "motion transform 1 0 0 0 0 1 0 0 0 0 1 0 4 5 6 1 material \"m\" override "
+      "( \"k\" 1 ) end instance\ninstance \"g\" geometry \"s\" ( ) end instance\n"
+      "incremental instance \"i\" transform motion off end instance");
+  EXPECT_SILENT(read);
+  const auto& i = read.get<scene::Instance>("i");
+  EXPECT_EQ(i.element, "o");
+  EXPECT_FALSE(i.transform || i.motion_transform);
+  EXPECT_EQ(i.materials[0], "m");
+  EXPECT_EQ(i.flags.size(), 5u);
+  EXPECT_EQ(read.get<scene::Instance>("g").geometry[0].type, "s");
+}
+
+TEST(Instance, ASingularTransformBecomesTheIdentity) {
+  const Snippet read("instance \"i\" \"o\" transform 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 1 end instance");
+  EXPECT_EQ(read.count(code::kSingular), 1u);
+  EXPECT_EQ(*read.get<scene::Instance>("i").transform, Mat4());
+}
+
+// acceptance: H1
+TEST(Declare, TypesNestAndOldFormsEndAtTheParenthesis) {
+  const Snippet read(
+      "declare color \"old\" ( color \"c\" default 1 1 1, array light \"lights\" )\n"
+      "declare shader color \"new\" ( array struct \"sets\" { string \"n\" default \"x\", scalar "
+      "\"v\" },"
+      " color texture \"t\", shader \"sh\", data \"d\", transform \"m\" ) version 2 apply material "
+      "trace on derivative 1 2 volume level 1 hardware ( cg \"x\" ) end declare\n"
+      "declare \"plain\" ( )\ndeclare data \"dd\" ( integer \"i\" ) version 1 end declare");
+  EXPECT_SILENT(read);
+  const auto* old = read.scene.find_declaration("old");
+  EXPECT_TRUE(old->old_form);
+  EXPECT_EQ(old->parameters[1].name, "lights");
+  EXPECT_EQ(old->parameters[1].members[0].type, scene::ParamType::Light);
+  const auto* d = read.scene.find_declaration("new");
+  EXPECT_EQ(d->parameters[0].members[0].members.size(), 2u);
+  EXPECT_EQ(d->parameters[1].type, scene::ParamType::ColorTexture);
+  EXPECT_EQ(d->requirements.size(), 5u);
+  EXPECT_EQ(read.scene.data_declarations.size(), 1u);
+}
+
+// acceptance: H1
+TEST(Phenomenon, KeepsItsOwnElements) {
+  const Snippet read(
+      "declare phenomenon color \"p\" ( color \"c\" ) shader \"in\" \"s\" ( \"a\" = "
+      "interface \"c\", \"b\" = shader \"deep\" \"t\" ( ) ) material \"m\" = \"in\" end "
+      "material root material \"m\" lens priority 2 volume \"s\" ( ) version 1 "
+      "apply material end declare shader \"use\" \"p\" ( \"c\" 1 1 1 )");
+  EXPECT_SILENT(read);
+  const auto* p = read.scene.find_phenomenon("p");
+  ASSERT_NE(p, nullptr);
+  EXPECT_EQ(p->shaders.size(), 2u);
+  EXPECT_EQ(p->roots[0].name, "m");
+  EXPECT_EQ(p->requirements[0].keyword, "lens priority");
+  EXPECT_EQ(read.scene.find("in"), nullptr);
+}
+
+// acceptance: H1
+TEST(Commands, ConditionsFollowVariables) {
+  const Snippet read(
+      "$ifndef \"x\"\nset \"x\"\n$ifdef \"x\"\nshader \"a\" \"s\" ( )\n$else\n\"junk\n\n$endif\n"
+      "$endif\n$ifdef \"y\"\n$ifdef \"x\"\n$endif\nshader \"b\" \"s\" ( )\n$else\n"
+      "shader \"c\" \"s\" ( )\n$endif");
+  EXPECT_NE(read.scene.find("a"), nullptr);
+  EXPECT_EQ(read.scene.find("b"), nullptr);
+}
+
+// acceptance: H1
+TEST(Commands, NamespacesPrefixNames) {
+  const Snippet read(
+      "shader \"out\" \"s\" ( ) namespace \"n\" shader \"a\" \"s\" ( ) material \"m\" = "
+      "\"a\" = \"::out\" end material end namespace material \"k\" = \"n::a\" end "
+      "material");
+  EXPECT_SILENT(read);
+  const auto& m = read.get<scene::Material>("n::m");
+  EXPECT_EQ(m.shaders[0].reference, "n::a");
+  EXPECT_EQ(m.shaders[1].reference, "out");
+}
+
+// acceptance: H1
+TEST(Commands, ThoseWithoutMeaningAreKept) {
+  const Snippet read(
+      "verbose on min version \"3.4\" link \"base.so\" echo \"x\" touch \"t\" memory 5 "
+      "gui \"g\" { control \"a\" \"b\" ( \"c\" ) } data \"d\" 2 '0001' "
+      "spectrum \"sp\" 400 1 end spectrum registry \"r\" value \"v\" end registry");
+  EXPECT_SILENT(read);
+  EXPECT_EQ(read.scene.commands.size(), 6u);
+  EXPECT_EQ(read.scene.elements().size(), 4u);
+  EXPECT_EQ(read.get<scene::KeptElement>("d").text, "2 '0001'");
+}
+
+TEST(Commands, NothingIsEverRun) {
+  const Snippet read(
+      "system \"touch /tmp/x\"\ncode \"a.c\"\nregistry \"r\" system \"rm\" end registry\n"
+      "$code\nint f(); # not a comment: \"\n$end code\nshader \"a\" \"s\" ( )");
+  EXPECT_EQ(read.count(code::kRefused), 4u) << read.messages();
+  EXPECT_EQ(read.scene.commands.size(), 3u);
+  EXPECT_NE(read.scene.find("a"), nullptr);
+}
+
+TEST(Commands, TheFrameFormIsRejectedByName) {
+  const Snippet read("frame 1 view samples 2 end view end frame\nshader \"a\" \"s\" ( )");
+  EXPECT_EQ(read.count(code::kObsolete), 1u);
+  EXPECT_NE(read.scene.find("a"), nullptr);
+}
+
+// acceptance: H1
+TEST(Frames, EachRenderEndsOne) {
+  Diagnostics d;
+  Reader reader = Reader::from_text(
+      "options \"o\" samples 1 end options camera \"c\" end camera instance \"ci\" \"c\" end "
+      "instance "
+      "instgroup \"r\" \"ci\" end instgroup render \"r\" \"ci\" \"o\" incremental options \"o\" "
+      "samples 2 "
+      "end options delete \"nobody\" render \"r\" \"ci\" \"o\" shader \"late\" \"s\" ( )",
+      Snippet::known_shaders(), d);
+  scene::Scene scene;
+  ASSERT_TRUE(reader.next_frame(scene));
+  EXPECT_EQ(scene.get<scene::Options>("o")->statements[0].values[0].numbers[0], 1);
+  ASSERT_TRUE(reader.next_frame(scene));
+  ASSERT_EQ(scene.get<scene::Options>("o")->statements.size(), 1u);
+  EXPECT_EQ(scene.get<scene::Options>("o")->statements[0].values[0].numbers[0], 2);
+  EXPECT_FALSE(reader.next_frame(scene));
+  EXPECT_NE(scene.find("late"), nullptr);
+  EXPECT_EQ(scene.renders.size(), 2u);
+  EXPECT_TRUE(d.has(code::kNotThere));
+}
+
+TEST(Names, UnknownTypesAndElementsAreReportedOnceWithAHint) {
+  const Snippet read(
+      "shader \"wood\" \"mib_x\" ( ) shader \"a\" \"nobody\" ( \"p\" = \"wod\" )\n"
+      "shader \"b\" \"nobody\" ( \"p\" = \"wod\" ) render \"r\" \"c\" \"o\"");
+  EXPECT_EQ(read.count(code::kUnknownShader), 1u) << read.messages();
+  EXPECT_EQ(read.message(code::kUnresolved).hint, "did you mean \"wood\"?");
+  EXPECT_EQ(read.count(code::kUnresolved), 4u);
+}
+
+TEST(Errors, OneMistakeCostsOneElement) {
+  const Snippet read(
+      "shader \"a\" \"s\" ( \"p\" ,, )\nmaterial \"m\" foo end material\n"
+      "instance \"i\" \"o\" transform 1 2 end instance\nobject \"o\" group 0 0 end group "
+      "end object\nlight \"l\" origin end light\nbogus \"x\"\noptions \"ok\" end options");
+  EXPECT_EQ(read.count(code::kSyntax), 6u) << read.messages();
+  EXPECT_NE(read.get<scene::Options>("ok").name, "");
+  EXPECT_EQ(read.message(code::kSyntax).where.line, 1u);
+  EXPECT_EQ(read.message(code::kSyntax).where.column, 22u);
+}
+
+TEST(Errors, AForgottenEndStopsAtTheNextElement) {
+  const Snippet read("camera \"c\"\n  focal 50\nobject \"o\" group 0 0 0\nend group\nend object\n");
+  EXPECT_NE(read.scene.find("o"), nullptr) << read.messages();
+  EXPECT_EQ(*read.get<scene::Camera>("c").focal, 50);
+}
+
+}  // namespace
+}  // namespace oriel::mi
