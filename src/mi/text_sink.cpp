@@ -58,6 +58,19 @@ void TextSink::integer(double value) {
   end_ = std::to_chars(end_, limit_, made_finite(value), std::chars_format::fixed).ptr;
 }
 
+void TextSink::scalar(double value) {
+  constexpr double kLong = 1e15;  // more digits than an exponent takes
+  value = made_finite(value);
+  reserve(kLongestNumber);
+  if (value != std::floor(value)) return number(value);
+  if (std::abs(value) >= kLong) {
+    end_ = std::to_chars(end_, limit_, value, std::chars_format::scientific).ptr;
+    return;
+  }
+  integer(value);
+  put('.');
+}
+
 void TextSink::quoted(std::string_view text) {
   put('"');
   const bool folder = text.ends_with('\\');

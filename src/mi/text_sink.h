@@ -27,6 +27,8 @@ class TextSink {
   /// not-a-number 0.
   void number(float value);
   void number(double value);
+  /// With a point or an exponent even when it is whole.
+  void scalar(double value);
   /// Whole numbers without point and exponent, whatever their size.
   void integer(double value);
   /// In quotes, quotes within escaped. A backslash at the very end would escape the closing quote

@@ -16,19 +16,18 @@ constexpr std::string_view kIndent = "    ";
 bool is_whole(double n) { return n == std::floor(n) && std::isfinite(n); }
 
 void write_numbers(TextSink& out, const Value& value) {
-  // Integers print without a point anyway; where none of a row's numbers shows that they are
-  // scalars, the last one gets a point.
-  bool shows_point = value.integral;
-  for (const double n : value.numbers) shows_point |= !is_whole(n);
+  // Where none of a row's numbers shows that they are scalars, the last one has to.
+  bool shows = false;
+  for (const double n : value.numbers) shows |= !is_whole(n);
   for (std::size_t i = 0; i < value.numbers.size(); ++i) {
     if (i) out.put(' ');
     const double n = value.numbers[i];
-    if (!is_whole(n)) {
-      out.number(n);
-    } else {
+    if (value.integral && is_whole(n))
       out.integer(n);
-      if (!shows_point && i + 1 == value.numbers.size()) out.put('.');
-    }
+    else if (!shows && i + 1 == value.numbers.size())
+      out.scalar(n);
+    else
+      out.number(n);
   }
 }
 

@@ -90,6 +90,10 @@ TEST(TextSink, NumbersAreTheShortestThatReadBackTheSame) {
   const auto i = [](double x) { return sunk([x](TextSink& s) { s.integer(x); }); };
   EXPECT_EQ(i(4294967295.0), "4294967295");
   EXPECT_EQ(i(1e22), "10000000000000000000000");
+  const auto s = [](double x) { return sunk([x](TextSink& t) { t.scalar(x); }); };
+  EXPECT_EQ(s(-3), "-3.");
+  EXPECT_EQ(s(0.25), "0.25");
+  EXPECT_EQ(s(1234567890123456.0), "1.234567890123456e+15");
 }
 
 TEST(TextSink, QuotesAreEscapedAndOtherBackslashesStay) {
