@@ -126,6 +126,8 @@ LightNames place_lights(const std::vector<scene::Leaf>& leaves, World& world,
     if (leaf.kind != scene::LeafKind::Light || leaf.flags.hidden) continue;
     const int index = static_cast<int>(world.lights.size());
     world.lights.push_back(place_light(leaf, diagnostics));
+    const LightShape shape = world.lights.back().shape;
+    world.has_area_lights |= shape != LightShape::Point && shape != LightShape::Directional;
     for (const scene::Instance* instance : leaf.chain) {
       names[instance->name].push_back(index);
       if (instance != leaf.chain.back()) names[instance->element].push_back(index);

@@ -3,7 +3,9 @@
 // it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <new>
 
 #include "base/assert.h"
 #include "base/frame.h"
@@ -56,10 +58,23 @@ struct Medium {
   bool clear() const { return is_black(absorption) && black_distance == 0; }
 };
 
+/// Room for lobes that costs nothing until they are added.
+template <int N>
+class LobeStorage {
+ public:
+  Lobe& operator[](int i) { return *reinterpret_cast<Lobe*>(bytes_ + i * sizeof(Lobe)); }
+  const Lobe& operator[](int i) const {
+    return *reinterpret_cast<const Lobe*>(bytes_ + i * sizeof(Lobe));
+  }
+
+ private:
+  alignas(Lobe) std::byte bytes_[N * sizeof(Lobe)];
+};
+
 /// A material at a point. Fixed size, lives on the stack.
 struct Closure {
   static constexpr int kMostLobes = 8;
-  Lobe lobes[kMostLobes];
+  LobeStorage<kMostLobes> lobes;  ///< only the first `count` exist
   int count = 0;
 
   Rgb emission{0};                   ///< added, whatever lights are there
@@ -77,8 +92,7 @@ struct Closure {
 
   Lobe& add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame) {
     ORIEL_ASSERT(count < kMostLobes);
-    Lobe& lobe = lobes[count++];
-    lobe = Lobe{};
+    Lobe& lobe = *new (&lobes[count++]) Lobe{};
     lobe.kind = kind;
     lobe.channel = channel;
     lobe.level = level;

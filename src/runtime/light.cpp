@@ -70,7 +70,8 @@ std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Ve
     if (!(cone.pdf() > 0)) return std::nullopt;
     s.wi = cone.sample(u);
     s.pdf = cone.pdf();
-    const auto hit = geom::intersect_sphere(from, s.wi, light.position, light.radius);
+    const auto hit =
+        geom::intersect(geom::Sphere{light.position, light.radius}, from, s.wi, 0.0f, kInfinity);
     // A ray at the very rim may miss by rounding: take the closest point there.
     s.distance = hit ? hit->t : std::max(0.0f, dot(light.position - from, s.wi));
     s.position = from + s.wi * s.distance;
@@ -145,8 +146,10 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
       cosine = -dot(direction, light.direction);
       if (!(cosine > 1e-6f)) return std::nullopt;
       const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
-      hit = geom::intersect_rectangle(o, direction, corner, light.edge_u, light.edge_v);
-      if (!hit || hit->t >= t_most) return std::nullopt;
+      hit =
+          geom::intersect(geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f},
+                          o, direction, 0.0f, t_most);
+      if (!hit) return std::nullopt;
       result.pdf = sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
                        .pdf(direction, hit->t);
       break;
@@ -154,23 +157,23 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
     case LightShape::Disc:
       cosine = -dot(direction, light.direction);
       if (!(cosine > 1e-6f)) return std::nullopt;
-      hit = geom::intersect_disc(o, direction, light.position, light.direction, light.radius);
-      if (!hit || hit->t >= t_most) return std::nullopt;
+      hit = geom::intersect(
+          geom::Disc{light.position, light.edge_u * light.radius, light.edge_v * light.radius}, o,
+          direction, 0.0f, t_most);
+      if (!hit) return std::nullopt;
       result.pdf = sqr(hit->t) / (light.area * cosine);
       break;
     case LightShape::Sphere:
-      hit = geom::intersect_sphere(o, direction, light.position, light.radius);
-      if (!hit || hit->t >= t_most) return std::nullopt;
+      hit = geom::intersect(geom::Sphere{light.position, light.radius}, o, direction, 0.0f, t_most);
+      if (!hit) return std::nullopt;
       result.pdf = sampling::SphereCone(o, light.position, light.radius).pdf();
       break;
     case LightShape::Cylinder: {
       const float half = length(light.edge_u);
-      hit = geom::intersect_cylinder(o, direction, light.position, light.edge_u, light.radius);
-      if (!hit || hit->t >= t_most) return std::nullopt;
-      const Vec3 at = o + direction * hit->t - light.position;
-      const Vec3 axis = light.edge_u * (1 / half);
-      const Vec3 radial = normalize(at - axis * dot(at, axis));
-      const float facing = -dot(direction, radial);
+      hit = geom::intersect(geom::Cylinder{light.position, light.edge_u, light.radius}, o,
+                            direction, 0.0f, t_most);
+      if (!hit) return std::nullopt;
+      const float facing = -dot(direction, hit->n);
       if (!(facing > 1e-6f)) return std::nullopt;
       result.pdf = sqr(hit->t) / (kTwoPi * light.radius * 2 * half * facing);
       break;

@@ -47,9 +47,10 @@ struct ShadingPoint {
   Vec3 ray_direction{0, 0, -1};
   float ray_length = 0;
 
-  Vec3 tex[kMostTextureSpaces] = {};     ///< texture coordinates of each space
-  Vec3 bump_u[kMostTextureSpaces] = {};  ///< bump basis, world space; null when absent
-  Vec3 bump_v[kMostTextureSpaces] = {};
+  // Only the first texture_spaces of these are set.
+  Vec3 tex[kMostTextureSpaces];     ///< texture coordinates of each space
+  Vec3 bump_u[kMostTextureSpaces];  ///< bump basis, world space; null when absent
+  Vec3 bump_v[kMostTextureSpaces];
   Vec3 dpdu{0}, dpdv{0};  ///< of texture space 0, world units per texture unit
   Vec3 tex_vector{0};     ///< a vector a shader list may leave for the material
 

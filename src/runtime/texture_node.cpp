@@ -49,6 +49,10 @@ Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampl
   if (!procedure_.empty()) {
     ShadingPoint at = point;
     at.tex[0] = Vec3(uv.x, uv.y, 0);
+    if (at.texture_spaces == 0) {
+      at.texture_spaces = 1;
+      at.bump_u[0] = at.bump_v[0] = Vec3(0);
+    }
     Rgba c(0);
     for (const ShaderNode* node : procedure_) c = node->color(at);
     return c;

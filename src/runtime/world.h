@@ -38,6 +38,7 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
+  bool has_area_lights = false;  ///< some light has a shape that rays can meet
   EnvironmentLight environment;
   NodeList lens;                          ///< colour-mapping lens shaders, in order
   bool has_transparent_blockers = false;  ///< some material may let light pass

@@ -38,8 +38,13 @@ struct Cell {
   float u;
 };
 Cell find_cell(std::span<const float> cdf, float u) {
-  const auto above = std::upper_bound(cdf.begin() + 1, cdf.end() - 1, u);
-  const auto index = static_cast<std::size_t>(above - cdf.begin()) - 1;
+  // A search without branches: the processor cannot guess where a random number lands.
+  std::size_t index = 0;
+  for (std::size_t left = cdf.size() - 1; left > 1;) {
+    const std::size_t half = left / 2;
+    index += cdf[index + half] <= u ? half : 0;
+    left -= half;
+  }
   const float width = cdf[index + 1] - cdf[index];
   const float inside = width > 0 ? (u - cdf[index]) / width : 0;
   return {index, clamp(inside, 0.0f, kBelowOne)};

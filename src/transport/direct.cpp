@@ -39,6 +39,7 @@ LightChoice::LightChoice(const World& world, ShadingPoint& point, const Closure&
   if (lights > kMostWeighed) return;
   for (int i = 0; i < lights; ++i) {
     const auto index = static_cast<std::size_t>(i);
+    estimate_[i] = 0;
     if (!lit_by(world, point, closure, i)) continue;
     estimate_[i] = all_ ? 1 : estimate_irradiance(world.lights[index], point);
     total_ += estimate_[i];

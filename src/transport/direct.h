@@ -33,7 +33,7 @@ class LightChoice {
   bool all_ = true;
   float total_ = 0;
   static constexpr int kMostWeighed = 64;
-  float estimate_[kMostWeighed] = {};
+  float estimate_[kMostWeighed];  // the first count_ are set
 };
 
 /// Everything direct at a vertex: lights and, when asked, the environment.

@@ -329,7 +329,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     count_ray();
     const bool found = world_.accel->intersect(ray_, hit);
     bool ended = false;
-    meet_lights(found ? hit.t : kInfinity, ended);
+    if (world_.has_area_lights) meet_lights(found ? hit.t : kInfinity, ended);
     if (ended) break;
     if (!found) {
       // Nothing within the reach of a medium that turns black is black.
@@ -391,7 +391,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     const bool diffuse = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Translucency;
     const bool too_deep = !diffuse && depth_reached(lobe.kind);
 
-    from_.point = point;
+    if (world_.has_area_lights) from_.point = point;
     from_.environment_sampled = environment;
     from_.highlight_scale = closure.highlight_scale;
     from_.highlight_scale_visible =
@@ -399,7 +399,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     scatter(closure, material, point, *sample);
     if (too_deep) {
       bool seen = false;
-      meet_lights(kInfinity, seen);
+      if (world_.has_area_lights) meet_lights(kInfinity, seen);
       if (!seen) meet_environment();
       break;
     }

@@ -85,7 +85,7 @@ Vec3 selected(const VectorParams& p, const ShadingPoint& point) {
     default:
       break;
   }
-  if (p.select >= 0) return point.tex[std::min(p.select, kMostTextureSpaces - 1)];
+  if (p.select >= 0) return p.select < point.texture_spaces ? point.tex[p.select] : Vec3(0);
   return point.position;
 }
 
