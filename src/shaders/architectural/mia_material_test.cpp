@@ -218,9 +218,9 @@ TEST(MiaLevels, FresnelModeReflectsByTheIndexAlone) {
   p.brdf_0_degree_refl = 0.9f;
   p.brdf_90_degree_refl = 0.3f;
   p.brdf_curve = 1;
-  constexpr AngleRow kRows[] = {{0, .04},       {30, .041523}, {45, .050240},
-                                {60, .089187},  {70, .171043}, {75, .253061},
-                                {80, .387704},  {85, .612800}, {89, .904185}};
+  constexpr AngleRow kRows[] = {{0, .04},      {30, .041523}, {45, .050240},
+                                {60, .089187}, {70, .171043}, {75, .253061},
+                                {80, .387704}, {85, .612800}, {89, .904185}};
   for (const AngleRow& row : kRows)
     EXPECT_NEAR(mia_levels(p, cos_deg(row.degrees), false).curve, row.value, 2e-5) << row.degrees;
   p.refr_ior = 1.33f;
@@ -332,8 +332,9 @@ TEST(MiaMaterial, HighlightsOnlySendsNoReflectionRays) {
       p.refl_gloss_samples = samples;
       const Closure c = shade(p, seen_from(Vec3(0, 0, 1)));
       for (int i = 0; i < c.count; ++i)
-        if (c.lobes[i].channel == Channel::Reflection)
+        if (c.lobes[i].channel == Channel::Reflection) {
           EXPECT_TRUE(c.lobes[i].controls.highlights_only) << gloss << ' ' << samples;
+        }
     }
   }
 }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bump modes against normals worked out by hand.
+#include "runtime/bump.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+void expect_near(const Vec3& actual, const Vec3& expected, const char* what) {
+  EXPECT_LT(length(actual - expected), 1e-6f)
+      << what << ": " << actual.x << ' ' << actual.y << ' ' << actual.z;
+}
+
+/// Object turned by 90 degrees about z (its x is world y) and stretched twofold along its x; camera
+/// turned by 90 degrees about y (its z is world x).
+struct Spaces : ::testing::Test {
+  Spaces() {
+    to_world = Mat4(0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1);
+    to_object = to_world.inverse();
+    world.camera.to_world = Mat4(0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 2, 3, 1);
+    world.camera.to_camera = world.camera.to_world.inverse();
+    point.to_world = &to_world;
+    point.to_object = &to_object;
+    point.world = &world;
+    point.ray_direction = Vec3(0, 0, -1);
+  }
+  Mat4 to_world, to_object;
+  World world;
+  ShadingPoint point;
+};
+using BumpNormal = Spaces;
+
+const Vec3 kUp(0, 0, 1);
+
+// acceptance: B2
+TEST_F(BumpNormal, AddsInEachSpace) {
+  const Vec3 v(0.6f, 0, 0);
+  expect_near(bump_normal(point, kUp, v, 1), normalize(Vec3(0.6f, 0, 1)), "internal");
+  expect_near(bump_normal(point, kUp, v, 2), normalize(Vec3(0.6f, 0, 1)), "world");
+  // A normal shrinks where the object stretches: .6 along object x is .3 along world y.
+  expect_near(bump_normal(point, kUp, v, 3), normalize(Vec3(0, 0.3f, 1)), "object");
+  expect_near(bump_normal(point, kUp, v, 4), normalize(Vec3(0, 0, 0.4f)), "camera");
+  expect_near(bump_normal(point, kUp, Vec3(0, 0, 0.5f), 4), normalize(Vec3(0.5f, 0, 1)), "camera");
+}
+
+// acceptance: B2
+TEST_F(BumpNormal, SetsInEachSpace) {
+  const Vec3 v(3, 0, 4);
+  expect_near(bump_normal(point, kUp, v, 5), Vec3(0.6f, 0, 0.8f), "internal");
+  expect_near(bump_normal(point, kUp, v, 6), Vec3(0.6f, 0, 0.8f), "world");
+  expect_near(bump_normal(point, kUp, v, 7), normalize(Vec3(0, 1.5f, 4)), "object");
+  expect_near(bump_normal(point, kUp, v, 8), Vec3(0.8f, 0, -0.6f), "camera");
+}
+
+// acceptance: B2
+TEST_F(BumpNormal, NullVectorsAndUnknownModesLeaveTheNormal) {
+  const Vec3 normal = normalize(Vec3(0.1f, 0.2f, 1));
+  for (int mode = 0; mode <= 8; ++mode)
+    expect_near(bump_normal(point, normal, Vec3(0), mode), normal, "null");
+  for (const int mode : {-1, 0, 9, 1000})
+    expect_near(bump_normal(point, normal, Vec3(1, 0, 0), mode), normal, "unknown mode");
+}
+
+TEST_F(BumpNormal, SetNormalsBelongToTheFront) {
+  point.back_side = true;
+  expect_near(bump_normal(point, kUp, Vec3(0, 0, -2), 6), kUp, "seen from behind");
+}
+
+TEST_F(BumpNormal, SumsThatVanishLeaveTheNormal) {
+  expect_near(bump_normal(point, kUp, Vec3(0, 0, -1), 2), kUp, "opposite");
+}
+
+TEST_F(BumpNormal, ResultIsUnitWhateverTheVector) {
+  for (int mode = 1; mode <= 8; ++mode)
+    for (const float scale : {1e-6f, 1.0f, 1e6f})
+      EXPECT_NEAR(length(bump_normal(point, kUp, Vec3(0.3f, -0.4f, 0.5f) * scale, mode)), 1, 1e-5)
+          << mode << ' ' << scale;
+}
+
+TEST(FacingViewer, KeepsNormalsThatFaceAndLiftsOthersJustEnough) {
+  ShadingPoint point;
+  point.ray_direction = Vec3(0, 0, -1);
+  const Vec3 facing = normalize(Vec3(1, 2, 0.1f));
+  EXPECT_EQ(facing_viewer(facing, point), facing);
+  for (const Vec3& away :
+       {Vec3(1, 0, 0), normalize(Vec3(1, 0, -0.5f)), normalize(Vec3(1, 1, -9))}) {
+    const Vec3 n = facing_viewer(away, point);
+    EXPECT_NEAR(length(n), 1, 1e-5);
+    EXPECT_GT(dot(n, point.wo()), 0);
+    EXPECT_LT(dot(n, point.wo()), 0.02f);
+  }
+}
+
+}  // namespace
+}  // namespace oriel
