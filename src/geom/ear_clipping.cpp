@@ -155,6 +155,7 @@ void PolygonTriangulator::unlink(std::uint32_t v) {
   for (;;) {
     const std::uint32_t before = nodes_[v].prev, after = nodes_[v].next;
     nodes_[v].removed = true;
+    --alive_;
     link(before, after);
     update(before);
     update(after);
@@ -191,6 +192,7 @@ void PolygonTriangulator::build_grid(std::uint32_t start) {
     ++count;
     v = node.next;
   } while (v != start);
+  alive_ = in_grid_ = count;
   const double width = high_x - low_x, height = high_y - low_y;
   grid_x_ = low_x;
   grid_y_ = low_y;
@@ -249,7 +251,7 @@ std::uint32_t PolygonTriangulator::find_blocker(const Node& a, const Node& b, co
     }
     if (!(left <= right)) continue;
     const int column0 = column_of(left - margin_x), column1 = column_of(right + margin_x);
-    work_left_ -= column1 - column0;
+    work_left_ -= (column1 - column0) / 8;  // an empty cell costs less than a node
     for (int column = column0; column <= column1; ++column) {
       std::uint32_t* link = &cells_[static_cast<std::size_t>(row) * columns_ + column];
       while (*link != kNone) {
@@ -326,8 +328,8 @@ void PolygonTriangulator::clip_ears(std::uint32_t start, std::vector<Triangle>& 
   queue_.clear();
   waiting_.clear();
   // Outlines that cross themselves can make every search a long one; past this bound the rest is
-  // cut without asking whether ears overlap. Sound outlines of a million corners stay below it.
-  work_left_ = 20'000'000 + 400 * static_cast<std::int64_t>(nodes_.size());
+  // cut without asking whether ears overlap. Stars and spirals of a million corners stay below it.
+  work_left_ = 5'000'000 + 400 * static_cast<std::int64_t>(nodes_.size());
   Rule rule = Rule::Strict;
   const auto enqueue_all = [&] {
     std::uint32_t v = start;
@@ -353,6 +355,8 @@ void PolygonTriangulator::clip_ears(std::uint32_t start, std::vector<Triangle>& 
     if (!try_clip(v, rule, out)) continue;
     start = v;
     while (nodes_[start].removed) start = nodes_[start].next;
+    // As ears grow, so do the cells.
+    if (2 * alive_ < in_grid_) build_grid(start);
     // The neighbours go to the end of the queue: that spreads the ears and makes fewer needles.
     enqueue(nodes_[start].prev);
     enqueue(start);

@@ -79,6 +79,7 @@ class PolygonTriangulator {
   std::vector<std::uint32_t> cells_, rightmost_;
   std::vector<Queued> queue_;
   std::vector<Waiting> waiting_;
+  std::size_t alive_ = 0, in_grid_ = 0;  ///< nodes now, and when the grid was built
   int columns_ = 1, rows_ = 1;
   double grid_x_ = 0, grid_y_ = 0, cell_width_ = 1, cell_height_ = 1;
   std::int64_t work_left_ = 0;
