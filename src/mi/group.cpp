@@ -29,6 +29,13 @@ const char* skip_blanks(const char* p) {
   return p;
 }
 
+// Whether a one-letter keyword before c stands alone, exactly as the lexer would see it.
+bool ends_word(char c) {
+  const auto u = static_cast<unsigned char>(c);
+  return !((u >= '0' && u <= '9') || ((u | 0x20) >= 'a' && (u | 0x20) <= 'z') || u == '_' ||
+           u >= 0x80);
+}
+
 bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
 // Up to `most` indices; returns how many, moves p behind them. -1: something unusual stands here.
@@ -148,7 +155,7 @@ void GroupReader::read_vertices() {
   Room room(parse_.in.source(), p, 'p', group_.vertices.point.empty());
   for (;;) {
     p = skip_blanks(p);
-    if (*p != 'v' || static_cast<unsigned char>(p[1]) > ' ') break;
+    if (*p != 'v' || !ends_word(p[1])) break;
     const Place place{&parse_.in.source(), p};
     const char* const end = scan_vertex(p + 1, vertex);
     if (!end) {
@@ -246,10 +253,9 @@ void GroupReader::read_polygons() {
   Room room(parse_.in.source(), p, 'e', group_.polygons.indices.empty());
   for (;;) {
     p = skip_blanks(p);
-    const bool polygon = (*p == 'p' || *p == 'c') &&
-                         (static_cast<unsigned char>(p[1]) <= ' ' || p[1] == '"' ||
-                          (*p == 'c' && p[1] == 'p' && static_cast<unsigned char>(p[2]) <= ' '));
-    if (!polygon || *p == 0) break;
+    const bool polygon = ((*p == 'p' || *p == 'c') && ends_word(p[1])) ||
+                         (*p == 'c' && p[1] == 'p' && ends_word(p[2]));
+    if (!polygon) break;
     const char* const end = scan_polygon(p, room);
     if (!end) {
       parse_.in.set_raw(p);

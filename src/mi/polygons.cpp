@@ -36,10 +36,7 @@ bool starts_number(char c) {
 }  // namespace
 
 Room::Room(const Source& source, const char* p, char stop, bool list_was_empty)
-    : begin_(p), end_(source.end()), fresh_(list_was_empty) {
-  if (const void* found = std::memchr(p, stop, static_cast<std::size_t>(end_ - p)))
-    end_ = static_cast<const char*>(found);
-}
+    : begin_(p), end_(source.end()), stop_(stop), fresh_(list_was_empty) {}
 
 std::size_t Room::wanted(std::size_t size, const char* p) const {
   constexpr std::size_t kFirst = 64;
@@ -47,11 +44,14 @@ std::size_t Room::wanted(std::size_t size, const char* p) const {
   constexpr std::ptrdiff_t kEnoughText = 1 << 14;
   const std::size_t doubled = std::max(kFirst, size * 2);
   if (!fresh_ || p < begin_ + kEnoughText || p >= end_) return doubled;
-  const double share = static_cast<double>(p - begin_) / static_cast<double>(end_ - begin_);
+  // Searched only here, a few times per list: a text of many short lists stays cheap.
+  const void* const found = std::memchr(p, stop_, static_cast<std::size_t>(end_ - p));
+  const char* const end = found ? static_cast<const char*>(found) : end_;
+  const double share = static_cast<double>(p - begin_) / static_cast<double>(end - begin_);
   // No entry takes less than two characters, whatever the mean says.
-  const std::size_t most = size + static_cast<std::size_t>(end_ - p) / 2 + kFirst;
+  const std::size_t most = size + static_cast<std::size_t>(end - p) / 2 + kFirst;
   const auto expected = static_cast<std::size_t>(static_cast<double>(size) / share * 1.02);
-  return std::min(most, expected + kFirst);
+  return std::max(size + kFirst, std::min(most, expected + kFirst));
 }
 
 void VertexRecord::clear() {

@@ -26,6 +26,7 @@ class Room {
   std::size_t wanted(std::size_t size, const char* p) const;
   const char* begin_;
   const char* end_;
+  char stop_;
   bool fresh_;
 };
 
