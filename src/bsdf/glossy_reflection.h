@@ -24,6 +24,8 @@ class GlossyReflection {
   GlossyReflection(float ax, float ay) : ggx_{ax, ay} { ORIEL_ASSERT(ax > 0 && ay > 0); }
   /// The same lobe made for one viewer: its albedo is looked up once, and it must only be asked
   /// about this wo. Half the cost where one point meets several lights.
+  GlossyReflection(float ax, float ay, float inverse_albedo)
+      : ggx_{ax, ay}, inverse_albedo_(inverse_albedo) {}
   GlossyReflection(float ax, float ay, const Vec3& wo)
       : ggx_{ax, ay}, inverse_albedo_(wo.z > 0 ? 1 / ggx_albedo(ax, ay, wo) : 1) {}
 
@@ -65,6 +67,8 @@ class RoughThinTransmission {
  public:
   RoughThinTransmission(float ax, float ay) : reflection_(ax, ay) {}
   /// Made for one viewer, as the reflection.
+  RoughThinTransmission(float ax, float ay, float inverse_albedo)
+      : reflection_(ax, ay, inverse_albedo) {}
   RoughThinTransmission(float ax, float ay, const Vec3& wo) : reflection_(ax, ay, wo) {}
 
   float eval(const Vec3& wo, const Vec3& wi) const { return reflection_.eval(wo, flip(wi)); }

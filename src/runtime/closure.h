@@ -47,7 +47,8 @@ struct Lobe {
   Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
   float roughness = 0;  ///< Diffuse: sigma; PhongHighlight: exponent
   float alpha_x = 0, alpha_y = 0;
-  float eta = 1;  ///< index on the far side over index on the viewer's side
+  float inverse_albedo = 0;  ///< of glossy lobes for this viewer, filled in by transport
+  float eta = 1;             ///< index on the far side over index on the viewer's side
   LobeControls controls;
 };
 

@@ -12,8 +12,9 @@
 namespace oriel {
 namespace {
 
-/// Resolution of the table: 0.7 degrees in azimuth resolves window frames in a photographed sky.
-constexpr int kTableWidth = 512, kTableHeight = 256;
+/// Width of the table: 0.35 degrees in azimuth resolve lamps in a photographed sky; a sky from
+/// formulas is smooth, and a table that fits the processor's cache is faster.
+constexpr int kPhotographedWidth = 1024, kSmoothWidth = 256;
 /// Share of the density spread evenly, so that what the table smoothed away is still found.
 constexpr float kUniformShare = 0.02f;
 
@@ -52,27 +53,30 @@ Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec
 EnvironmentLight::EnvironmentLight(NodeList shaders, const World& world)
     : shaders_(std::move(shaders)) {
   if (shaders_.empty()) return;
-  std::vector<float> values(std::size_t{kTableWidth} * kTableHeight);
-  parallel_for(kTableHeight, [&](std::size_t y) {
-    for (int x = 0; x < kTableWidth; ++x) {
+  const std::size_t width = world.textures.empty() ? kSmoothWidth : kPhotographedWidth;
+  const std::size_t height = width / 2;
+  std::vector<float> values(width * height);
+  parallel_for(height, [&](std::size_t y) {
+    for (std::size_t x = 0; x < width; ++x) {
       // Four points of a texel: a small bright source between two centres must not be missed.
       float sum = 0;
       for (int k = 0; k < 4; ++k) {
-        const Vec2 uv((static_cast<float>(x) + (k & 1 ? 0.75f : 0.25f)) / kTableWidth,
-                      (static_cast<float>(y) + (k & 2 ? 0.75f : 0.25f)) / kTableHeight);
+        const Vec2 uv(
+            (static_cast<float>(x) + (k & 1 ? 0.75f : 0.25f)) / static_cast<float>(width),
+            (static_cast<float>(y) + (k & 2 ? 0.75f : 0.25f)) / static_cast<float>(height));
         const Rgba c =
             environment_radiance(shaders_, world, Vec3(0), direction_of(uv), RayKind::FinalGather);
         const float l = luminance(rgb(c));
         if (std::isfinite(l)) sum += std::max(0.0f, l);
       }
-      values[y * kTableWidth + static_cast<std::size_t>(x)] = sum / 4;
+      values[y * width + x] = sum / 4;
     }
   });
-  double total = 0;  // double: 131072 terms of very different size
+  double total = 0;  // double: half a million terms of very different size
   for (const float v : values) total += v;
   mean_luminance_ = static_cast<float>(total / static_cast<double>(values.size()));
   if (mean_luminance_ > 0)
-    table_ = std::make_unique<sampling::Distribution2D>(values, kTableWidth, kTableHeight);
+    table_ = std::make_unique<sampling::Distribution2D>(values, width, height);
 }
 
 EnvironmentLight::Sample EnvironmentLight::sample(Vec2 u) const {

@@ -20,7 +20,7 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
     case LobeKind::Mirror:
       return f(bsdf::Mirror{});
     case LobeKind::GlossyReflection:
-      return f(bsdf::GlossyReflection(lobe.alpha_x, lobe.alpha_y));
+      return f(bsdf::GlossyReflection(lobe.alpha_x, lobe.alpha_y, lobe.inverse_albedo));
     case LobeKind::ClearRefraction:
       return f(bsdf::ClearRefraction{lobe.eta});
     case LobeKind::GlossyRefraction:
@@ -28,7 +28,7 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
     case LobeKind::ThinTransmission:
       return f(bsdf::ClearThinTransmission{});
     case LobeKind::GlossyThin:
-      return f(bsdf::RoughThinTransmission(lobe.alpha_x, lobe.alpha_y));
+      return f(bsdf::RoughThinTransmission(lobe.alpha_x, lobe.alpha_y, lobe.inverse_albedo));
     case LobeKind::Translucency:
       return f(bsdf::Translucency{});
     default:
@@ -57,6 +57,15 @@ bool right_side(LobeKind kind, bool same_side) {
 }
 
 }  // namespace
+
+void make_ready(Closure& closure, const Vec3& wo) {
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    if (lobe.kind != LobeKind::GlossyReflection && lobe.kind != LobeKind::GlossyThin) continue;
+    const Vec3 o = lobe.frame.to_local(wo);
+    lobe.inverse_albedo = o.z > 0 ? 1 / bsdf::ggx_albedo(lobe.alpha_x, lobe.alpha_y, o) : 1;
+  }
+}
 
 Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
                           const ShadingPoint& point, const Vec3& wo, const Vec3& wi) {

@@ -40,6 +40,9 @@ struct ClosureSample {
   Response response;  ///< divided by the density: throughput factors
 };
 
+/// Looks up once what the glossy lobes need for their viewer; before evaluating or sampling.
+void make_ready(Closure& closure, const Vec3& wo);
+
 /// All non-delta lobes for wi; the density counts the lobes that `choice` allows.
 Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
                           const ShadingPoint& point, const Vec3& wo, const Vec3& wi);

@@ -368,6 +368,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     if (closure.count == 0) break;
 
     LobeChoice choice;
+    make_ready(closure, point.wo());
     choose_lobes(closure, choice);
     from_.lights = LightChoice(world_, point, closure);
     const bool environment =
