@@ -5,7 +5,10 @@ namespace oriel::scene {
 
 bool Object::tagged() const {
   const Statement* s = find_last(flags, "tagged");
-  return s && (s->values.empty() || s->values[0].boolean);
+  if (!s) return false;
+  if (s->values.empty()) return true;
+  const Value& v = s->values[0];
+  return v.kind == Value::Kind::Numbers ? !v.numbers.empty() && v.numbers[0] != 0 : v.boolean;
 }
 
 }  // namespace oriel::scene
