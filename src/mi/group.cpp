@@ -333,7 +333,8 @@ void GroupReader::read_body() {
       return;
     } else if (token.is_word("merge")) {
       parse_.in.next();
-      group_.settings.push_back({"merge", false, {read_numbers(parse_)}, at});
+      // One number only: vectors may follow at once.
+      group_.settings.push_back({"merge", false, {read_numbers(parse_, 1)}, at});
     } else if (token.is_word("approximate") || token.is_word("visible") || token.is_word("trace") ||
                token.is_word("shadow") || token.is_word("caustic") || token.is_word("globillum")) {
       read_flags_of_approximation(at);

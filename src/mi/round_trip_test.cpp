@@ -96,7 +96,7 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
       "writable color texture \"w\" \"c.tif\" [64 32]\ncolor texture \"x\" [2 1 3] '0011ff223344'\n"
       "vector texture \"y\" \"noise\" ( \"f\" 2 )\n",
       "object \"o\" visible on shadow 3 trace tagged off box 0 0 0 1 1 1\n"
-      "group \"g\" 0 0 0 1 0 0 1 1 0 0 1 0 v 0 n 1 t 2 0 1 t 3 m 1 u 2 v 1 v 2 t 1 v 3\n"
+      "group \"g\" merge .1 0 0 0 1 0 0 1 1 0 0 1 0 v 0 n 1 t 2 0 1 t 3 m 1 u 2 v 1 v 2 t 1 v 3\n"
       "p \"m\" 0 1 2 3 p \"\" 0 1 2 c 2 1 0 p \"n\" 0 1 2 3 hole 0 1 2 strip 0 1 2 3\n"
       "approximate fine view length 2 all end group end object\n",
       "object \"o\" visible tagged group 0 0 0 1 0 0 1 1 0 v 0 v 1 v 2 p 3 0 1 2 p 0 2 1 0 end "

@@ -201,12 +201,12 @@ Statement read_data_reference(Parse& parse, SourceLocation at) {
   return statement;
 }
 
-Value read_numbers(Parse& parse) {
+Value read_numbers(Parse& parse, std::size_t most) {
   Value value;
   value.kind = Value::Kind::Numbers;
   value.integral = true;
   value.where = parse.in.where();
-  while (parse.at_number()) {
+  while (value.numbers.size() < most && parse.at_number()) {
     const Token token = parse.in.next();
     value.numbers.push_back(token.number);
     value.integral &= token.integral;

@@ -2,6 +2,7 @@
 // Statements that are a keyword and values: one reader for all, driven by tables.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -58,7 +59,7 @@ scene::Statement read_string_option(Parse& parse);
 scene::Statement read_approximate(Parse& parse, std::string keyword, SourceLocation at);
 /// `data "name"` or `data null` inside an element.
 scene::Statement read_data_reference(Parse& parse, SourceLocation at);
-/// Consecutive numbers as one value.
-scene::Value read_numbers(Parse& parse);
+/// Consecutive numbers, at most that many, as one value.
+scene::Value read_numbers(Parse& parse, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace oriel::mi
