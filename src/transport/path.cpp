@@ -73,7 +73,8 @@ class Path {
   RayKind kind_ = RayKind::Eye;
   bool blurred_ = false;
   bool after_diffuse_ = false;
-  bool first_ = true;  ///< no surface has been seen yet
+  bool first_ = true;           ///< no surface has been seen yet
+  bool features_seen_ = false;  ///< normal and albedo are those of a surface that scatters
   Rgb throughput_{1};
   Rgb plain_{1}, reflective_{0}, highlight_{0};  ///< of the last scattering, for lights
   Vertex from_;
@@ -376,6 +377,11 @@ PathResult Path::run(const Camera::Ray& eye) {
     bool scatters_light = false;
     for (int i = 0; i < closure.count; ++i)
       if (!is_delta(closure.lobes[i].kind)) scatters_light = true;
+    if (scatters_light && !features_seen_ && !from_.weighed) {
+      features_seen_ = true;
+      result_.normal = point.normal;
+      result_.albedo = closure.albedo;
+    }
     if (scatters_light && (!from_.lights.empty() || environment))
       result_.radiance += throughput_ * direct_light(world_, point, closure, choice, from_.lights,
                                                      environment, sampler_, counts_);

@@ -13,8 +13,10 @@ struct PathResult {
   Rgb radiance{0};  ///< pixel units, linear
   float alpha = 0;
   float depth = 0;  ///< distance to the first surface, scene units; 0 = none
-  Vec3 normal{0};   ///< world, shading normal there
-  Rgb albedo{0};    ///< sum of the material's levels there
+  /// World, shading normal, and sum of the material's levels: of the first surface that is not only
+  /// a mirror or clear glass, seen through those; else of the first surface.
+  Vec3 normal{0};
+  Rgb albedo{0};
 };
 
 /// Traces one path.
