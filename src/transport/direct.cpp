@@ -68,7 +68,7 @@ float highlight_scale(const Closure& closure, const Light& light) {
 
 Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                  const LobeChoice& lobes, const LightChoice& lights, bool with_environment,
-                 sampling::Sampler& sampler, RayCounts& counts) {
+                 sampling::Sampler& sampler, RayCounts& counts, Estimator estimator) {
   const Vec3 wo = point.wo();
   Rgb sum(0);
   const float u_light = sampler.next_1d();
@@ -79,7 +79,7 @@ Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure
     const Response r = evaluate_closure(closure, lobes, point, wo, s->wi);
     Rgb c = r.for_lights(highlight_scale(closure, light)) * s->irradiance / rate;
     if (is_black(c)) return;
-    if (s->pdf > 0) c *= sampling::power_heuristic(s->pdf * rate, r.pdf);
+    if (s->pdf > 0) c *= light_sample_weight(estimator, s->pdf * rate, r.pdf);
     if (s->shadow) {
       const Rgb open = shadow_transmittance(world, point, s->wi, s->distance, counts);
       c *= open + (Rgb(1) - open) * s->shadow_factor;
@@ -97,7 +97,7 @@ Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure
         const Rgb radiance = rgb(environment_radiance(world.environment.shaders(), world,
                                                       point.position, s.wi, RayKind::FinalGather));
         ++counts.environment;
-        sum += f * radiance * open * (sampling::power_heuristic(s.pdf, r.pdf) / s.pdf);
+        sum += f * radiance * open * (light_sample_weight(estimator, s.pdf, r.pdf) / s.pdf);
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 #include "transport/counts.h"
+#include "transport/estimator.h"
 #include "transport/lobes.h"
 
 namespace oriel {
@@ -43,7 +44,7 @@ class LightChoice {
 ///          heuristic); lights without extent stand alone.
 Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                  const LobeChoice& lobes, const LightChoice& lights, bool with_environment,
-                 sampling::Sampler& sampler, RayCounts& counts);
+                 sampling::Sampler& sampler, RayCounts& counts, Estimator estimator);
 
 /// Factor on reflecting lobes when the source is this light (highlight against reflection).
 float highlight_scale(const Closure& closure, const Light& light);

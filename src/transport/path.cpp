@@ -32,8 +32,13 @@ constexpr float kDiffuseSpread = 0.2f;
 class Path {
  public:
   Path(const World& world, Vec2 raster, bool indirect, sampling::Sampler& sampler,
-       RayCounts& counts)
-      : world_(world), raster_(raster), indirect_(indirect), sampler_(sampler), counts_(counts) {}
+       RayCounts& counts, Estimator estimator)
+      : world_(world),
+        raster_(raster),
+        indirect_(indirect),
+        estimator_(estimator),
+        sampler_(sampler),
+        counts_(counts) {}
 
   PathResult run(const Camera::Ray& eye);
 
@@ -64,6 +69,7 @@ class Path {
   const World& world_;
   Vec2 raster_;
   bool indirect_;
+  Estimator estimator_;
   sampling::Sampler& sampler_;
   RayCounts& counts_;
 
@@ -150,7 +156,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const auto hit = intersect_light(light, from_.point, ray_.dir, t_surface);
     if (!hit) continue;
     const float scale = light.visible ? from_.highlight_scale_visible : from_.highlight_scale;
-    const float weight = sampling::power_heuristic(from_.pdf, hit->pdf * rate);
+    const float weight = bsdf_sample_weight(estimator_, from_.pdf, hit->pdf * rate);
     result_.radiance += (plain_ + (reflective_ + highlight_) * scale) * hit->radiance * weight;
   }
   if (ended) {
@@ -170,7 +176,8 @@ void Path::meet_environment() {
   Rgb radiance = rgb(c);
   if (from_.weighed && from_.environment_sampled && !environment_) {
     // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
-    const float weight = sampling::power_heuristic(from_.pdf, world_.environment.pdf(direction));
+    const float weight =
+        bsdf_sample_weight(estimator_, from_.pdf, world_.environment.pdf(direction));
     if (kind == RayKind::FinalGather) {
       radiance *= weight;
     } else {
@@ -384,7 +391,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     }
     if (scatters_light && (!from_.lights.empty() || environment))
       result_.radiance += throughput_ * direct_light(world_, point, closure, choice, from_.lights,
-                                                     environment, sampler_, counts_);
+                                                     environment, sampler_, counts_, estimator_);
     if (choice.total <= 0) break;
 
     const float u_lobe = sampler_.next_1d();
@@ -418,8 +425,8 @@ PathResult Path::run(const Camera::Ray& eye) {
 }  // namespace
 
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster, bool indirect,
-                      sampling::Sampler& sampler, RayCounts& counts) {
-  return Path(world, raster, indirect, sampler, counts).run(eye);
+                      sampling::Sampler& sampler, RayCounts& counts, Estimator estimator) {
+  return Path(world, raster, indirect, sampler, counts, estimator).run(eye);
 }
 
 }  // namespace oriel

@@ -5,6 +5,7 @@
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 #include "transport/counts.h"
+#include "transport/estimator.h"
 
 namespace oriel {
 
@@ -31,6 +32,7 @@ struct PathResult {
 ///          lobes, as a scene without final gathering and photons is rendered.
 /// Checked: tests/transport (furnace, uniform sky, form factors, shapes of lights, glass).
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster, bool indirect,
-                      sampling::Sampler& sampler, RayCounts& counts);
+                      sampling::Sampler& sampler, RayCounts& counts,
+                      Estimator estimator = Estimator::Mis);
 
 }  // namespace oriel
