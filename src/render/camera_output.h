@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a camera's `output` statements ask for: which files, with what in them, where.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/output.h"
+#include "scene/scene.h"
+
+namespace oriel {
+
+/// The camera of a render command, or of the instance (or camera) `name` when that is given; null
+/// when there is none.
+const scene::Camera* find_camera(const scene::Scene& scene, const scene::RenderCommand& command,
+                                 const std::string& name = {});
+
+/// Where scenes may write.
+struct OutputRoots {
+  std::string base;                  ///< relative names start here: the scene's folder
+  std::vector<std::string> allowed;  ///< folders that files must lie in or below
+};
+
+/// The files a camera asks for, each with the output shaders that stand before it.
+///
+/// Model:   `output "types" "format" "file"`: the first type that is a picture decides what a plain
+///          file shows, all of them which layers an EXR file has; a sign (interpolation) is
+///          accepted and has no effect. `output "x" "file"`: x is a type ("rgba") or a format
+///          ("pic"); a known suffix of the file decides its format, else x does.
+/// Errors:  OR-RN-020 a file outside of the allowed folders is left out (a path that leads out
+///          through links counts as outside); OR-RN-021 a type or format nobody can write;
+///          OR-RN-022 an output shader that is none.
+/// Checked: CameraOutput.* in camera_output_test.cpp
+std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const OutputRoots& roots,
+                                        const scene::Scene& scene, const Registry& registry,
+                                        World& world, Diagnostics& diagnostics);
+
+/// All output shaders of a camera, for files that the user names.
+NodeList camera_output_shaders(const scene::Camera& camera, const scene::Scene& scene,
+                               const Registry& registry, World& world, Diagnostics& diagnostics);
+
+/// The path below one of the roots that `file` means, empty when it is outside of all.
+std::string allowed_path(const std::string& file, const OutputRoots& roots);
+
+}  // namespace oriel

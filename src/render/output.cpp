@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/output.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "base/parallel.h"
+#include "image/exr.h"
+
+namespace oriel {
+namespace {
+
+std::string file_type(const PictureFile& file) {
+  std::string type = file.format;
+  if (type.empty()) {
+    type = std::filesystem::path(file.path).extension().string();
+    if (!type.empty()) type.erase(0, 1);
+  }
+  std::transform(type.begin(), type.end(), type.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return type;
+}
+
+/// An image of the whole picture with f(pixel, values) written where the film is.
+template <class F>
+Image collect(const RenderSession& session, int channels, const F& f) {
+  const Window& w = session.window();
+  const Film& film = session.film();
+  const int height = session.world().camera.height;
+  Image image(session.world().camera.width, height, channels);
+  parallel_for(static_cast<std::size_t>(film.height()), [&](std::size_t y) {
+    for (int x = 0; x < film.width(); ++x)
+      f(x, static_cast<int>(y), image.at(w.x0 + x, height - w.y1 + static_cast<int>(y)));
+  });
+  return image;
+}
+
+void put(float* to, const Rgb& c) { to[0] = c.x, to[1] = c.y, to[2] = c.z; }
+
+const std::vector<std::string> kRgbNames = {"R", "G", "B"};
+
+/// Values of a file that shows something else than colour.
+Image data_image(const RenderSession& session, Channels channels) {
+  const Film& film = session.film();
+  switch (channels) {
+    case Channels::Alpha:
+      return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).beauty.a; });
+    case Channels::Depth:
+      return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).depth; });
+    default:
+      return collect(session, 3,
+                     [&](int x, int y, float* to) { put(to, normalize(film.pixel(x, y).normal)); });
+  }
+}
+
+Image without_alpha(const Image& rgba) {
+  Image image(rgba.width, rgba.height, 3);
+  for (std::size_t i = 0; i < rgba.pixel_count(); ++i)
+    std::copy_n(&rgba.pixels[4 * i], 3, &image.pixels[3 * i]);
+  return image;
+}
+
+Image file_image(const PictureFile& file, const RenderSession& session) {
+  if (file.channels != Channels::ColorAlpha && file.channels != Channels::Color)
+    return data_image(session, file.channels);
+  Image image = file.linear ? std::move(film_layers(session, 0).front().image)
+                            : view_image(shown_image(session, file.shaders),
+                                         view_options(session.world().options));
+  return file.channels == Channels::Color ? without_alpha(image) : image;
+}
+
+/// Writers go by the extension, so a file whose type says otherwise is written under another name
+/// and then renamed.
+void write_as(const std::string& type, const PictureFile& file, const Image& image,
+              const FileOptions& options) {
+  if (file_type({.path = file.path}) == type) return write_image(file.path, image, options);
+  const std::string other = file.path + ".oriel-part." + type;
+  write_image(other, image, options);
+  std::error_code error;
+  std::filesystem::rename(other, file.path, error);
+  if (error) {
+    std::filesystem::remove(other, error);
+    throw std::runtime_error("cannot write '" + file.path + "'");
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& layer_names() {
+  static const std::vector<std::string> names = {"depth",    "normal",  "albedo",
+                                                 "variance", "samples", "display"};
+  return names;
+}
+
+unsigned layer_bit(std::string_view name) {
+  const auto& names = layer_names();
+  const auto at = std::find(names.begin(), names.end(), name);
+  return at == names.end() ? 0u : 1u << (at - names.begin());
+}
+
+PictureFile picture_file(const std::string& path) {
+  PictureFile file{.path = path};
+  const std::string type = file_type(file);
+  file.linear = type == "exr" || type == "hdr";
+  file.samples = file.linear                       ? SampleFormat::Float
+                 : type == "tif" || type == "tiff" ? SampleFormat::U16
+                                                   : SampleFormat::U8;
+  return file;
+}
+
+std::vector<Layer> film_layers(const RenderSession& session, unsigned layers) {
+  const Film& film = session.film();
+  std::vector<Layer> out;
+  out.push_back({"", {"R", "G", "B", "A"}, collect(session, 4, [&](int x, int y, float* to) {
+                   const Rgba c = film.pixel(x, y).beauty;
+                   put(to, rgb(c));
+                   to[3] = c.a;
+                 })});
+  if (layers & kLayerDepth) out.push_back({"Z", {""}, data_image(session, Channels::Depth)});
+  if (layers & kLayerNormal)
+    out.push_back({"normal", {"X", "Y", "Z"}, data_image(session, Channels::Normal)});
+  const auto colours = [&](const char* name, auto member) {
+    out.push_back({name, kRgbNames, collect(session, 3, [&](int x, int y, float* to) {
+                     put(to, film.pixel(x, y).*member);
+                   })});
+  };
+  if (layers & kLayerAlbedo) colours("albedo", &Film::Pixel::albedo);
+  if (layers & kLayerVariance) colours("variance", &Film::Pixel::variance);
+  if (layers & kLayerSamples)
+    out.push_back({"samples", {""}, collect(session, 1, [&](int x, int y, float* to) {
+                     *to = static_cast<float>(film.samples(x, y));
+                   })});
+  if ((layers & kLayerDisplay) && film.mapped()) colours("display", &Film::Pixel::display);
+  return out;
+}
+
+Image shown_image(const RenderSession& session, const NodeList& output_shaders) {
+  const Film& film = session.film();
+  const Window& w = session.window();
+  return collect(session, 4, [&](int x, int y, float* to) {
+    const Film::Pixel p = film.pixel(x, y);
+    Rgb c = film.mapped() ? p.display : rgb(p.beauty);
+    if (!output_shaders.empty())
+      c = map_color(output_shaders, session.world(),
+                    Vec2(static_cast<float>(w.x0 + x) + 0.5f, static_cast<float>(w.y1 - y) - 0.5f),
+                    c);
+    put(to, c);
+    to[3] = p.beauty.a;
+  });
+}
+
+ViewOptions view_options(const scene::RenderOptions& options) {
+  ViewOptions view;
+  view.gamma = options.gamma;
+  view.desaturate = options.desaturate;
+  view.premultiply = options.premultiply;
+  view.clip = options.colorclip == scene::ColorClip::Rgb     ? ColorClip::KeepColor
+              : options.colorclip == scene::ColorClip::Alpha ? ColorClip::KeepAlpha
+                                                             : ColorClip::Raw;
+  const auto& weight = options.luminance_weight;
+  view.luminance_weight = Rgb(weight[0], weight[1], weight[2]);
+  return view;
+}
+
+void write_picture(const PictureFile& file, const RenderSession& session,
+                   const std::map<std::string, std::string>& metadata) {
+  const std::string type = file_type(file);
+  if (type.empty())
+    throw std::runtime_error("cannot write '" + file.path +
+                             "': the name has no suffix that tells the file type");
+  if (type == "exr") {
+    ExrOptions exr;
+    exr.half = file.samples == SampleFormat::Half;
+    exr.metadata = metadata;
+    return write_exr(file.path, film_layers(session, file.layers), exr);
+  }
+  FileOptions options;
+  options.format = file.samples;
+  options.dither = session.world().options.dither;
+  options.jpeg_quality = file.quality;
+  write_as(type, file, file_image(file, session), options);
+}
+
+}  // namespace oriel

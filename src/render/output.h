@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the film to files: EXR layers, which are the truth, and the views that people look at.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "image/files.h"
+#include "image/pixel_buffer.h"
+#include "image/view.h"
+#include "render/session.h"
+
+namespace oriel {
+
+// Conventions
+//   Files cover the whole picture; what lies outside the rendered window is 0, so that pictures of
+//   several windows add up to the whole one.
+
+/// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display.
+enum LayerBit : unsigned {
+  kLayerDepth = 1u << 0,
+  kLayerNormal = 1u << 1,
+  kLayerAlbedo = 1u << 2,
+  kLayerVariance = 1u << 3,  ///< of the mean of the beauty
+  kLayerSamples = 1u << 4,   ///< how many samples each pixel got
+  kLayerDisplay = 1u << 5,   ///< after lens shaders; only where there are any
+  kAllLayers = (1u << 6) - 1
+};
+
+/// The bit of a layer's name, 0 when there is no such layer ("beauty" is always there).
+unsigned layer_bit(std::string_view name);
+const std::vector<std::string>& layer_names();
+
+/// What of the picture a file without layers shows.
+enum class Channels { ColorAlpha, Color, Alpha, Depth, Normal };
+
+/// One file to write.
+struct PictureFile {
+  std::string path;
+  std::string format = {};  ///< file type as an extension ("png"); empty: as the path says
+  Channels channels = Channels::ColorAlpha;
+  SampleFormat samples = SampleFormat::Float;  ///< of EXR; of others the nearest they have
+  bool linear = false;                         ///< not a view: film values as they are
+  unsigned layers = kAllLayers;                ///< of EXR
+  NodeList shaders = {};                       ///< output shaders that run over what the file shows
+  int quality = 95;                            ///< of JPEG
+};
+
+/// A file for `path` as `-o` means it: EXR float, HDR linear, TIFF 16 bit, others 8 bit.
+PictureFile picture_file(const std::string& path);
+
+/// Beauty (R, G, B, A) first, then the layers asked for: Z, normal.X ... albedo.R ... variance.R
+/// ... samples, display.R ...
+std::vector<Layer> film_layers(const RenderSession& session, unsigned layers);
+
+/// What is looked at: the display buffer when lens shaders map colours, else the film; then through
+/// output shaders. Premultiplied RGBA, not yet a view.
+Image shown_image(const RenderSession& session, const NodeList& output_shaders);
+
+/// How the options make integers of it.
+ViewOptions view_options(const scene::RenderOptions& options);
+
+/// Writes one file.
+///
+/// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it.
+/// Inputs:  metadata: goes into the header of EXR files.
+/// Errors:  std::runtime_error with path and reason.
+/// Checked: Output.* in output_test.cpp
+void write_picture(const PictureFile& file, const RenderSession& session,
+                   const std::map<std::string, std::string>& metadata);
+
+}  // namespace oriel

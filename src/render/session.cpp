@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/session.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+
+#include "sampling/sampler.h"
+#include "transport/path.h"
+
+namespace oriel {
+namespace {
+
+Window window_of(const World& world, const SessionSettings& settings) {
+  const Camera& camera = world.camera;
+  const Window whole{0, 0, camera.width, camera.height};
+  Window w{camera.window[0], camera.window[1], camera.window[2], camera.window[3]};
+  if (settings.crop) w = *settings.crop;
+  w.x0 = std::clamp(w.x0, 0, whole.x1), w.x1 = std::clamp(w.x1, 0, whole.x1);
+  w.y0 = std::clamp(w.y0, 0, whole.y1), w.y1 = std::clamp(w.y1, 0, whole.y1);
+  return w.width() > 0 && w.height() > 0 ? w : whole;
+}
+
+}  // namespace
+
+bool asks_for_indirect(const scene::RenderOptions& options) {
+  if (options.indirect != scene::IndirectMethod::Scene) return true;
+  return options.finalgather.on || options.globillum.on;
+}
+
+Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& color) {
+  ShadingPoint point;
+  point.raster = raster;
+  point.world = &world;
+  const Camera::Ray ray = world.camera.ray(raster);
+  point.ray_origin = ray.origin;
+  point.ray_direction = ray.direction;
+  const LensCall lens{ray.cos_to_film, world.camera.orthographic};
+  Rgb mapped = color;
+  for (const ShaderNode* node : shaders)
+    mapped = node->with_params(
+        point, [&](const Call& call) { return node->spec().lens(call, lens, mapped); });
+  return mapped;
+}
+
+RenderSession::RenderSession(const World& world, const SessionSettings& settings)
+    : world_(world),
+      seed_(settings.seed),
+      window_(window_of(world, settings)),
+      filter_(world.options.filter),
+      budget_(render_budget(world.options, settings.budget)),
+      film_(window_.width(), window_.height(), filter_, !world.lens.empty()),
+      progressive_(film_, budget_),
+      indirect_(asks_for_indirect(world.options)) {}
+
+FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
+  const int column = window_.x0 + x, row = window_.y1 - 1 - y;
+  sampling::Sampler sampler(column, row, index, seed_);
+  const FilterSampler::Offset offset = filter_.sample(sampler.next_2d());
+  const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
+                    static_cast<float>(row) + 0.5f + offset.pixels.y);
+
+  const PathResult path =
+      trace_path(world_, world_.camera.ray(raster), raster, indirect_, sampler, counts);
+  FilmSample s;
+  s.beauty = path.radiance;
+  s.alpha = path.alpha;
+  s.depth = path.depth;
+  s.normal = path.normal;
+  s.albedo = path.albedo;
+  s.negative = offset.negative;
+  if (film_.mapped()) s.display = map_color(world_.lens, world_, raster, path.radiance);
+  return s;
+}
+
+StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
+                              const std::atomic<bool>* cancel) {
+  tbb::enumerable_thread_specific<RayCounts> counts;
+  const auto draw = [&](int x, int y, std::uint32_t index, FilmSample& s) {
+    s = sample(x, y, index, counts.local());
+  };
+  const StopReason reason = progressive_.run(draw, callbacks, cancel);
+  for (const RayCounts& c : counts) rays_ += c;
+  return reason;
+}
+
+}  // namespace oriel
