@@ -47,6 +47,7 @@ NodeList Binder::bind_list(const scene::ShaderList& list, Scope* scope) {
 }
 
 const ShaderNode* Binder::bind_use(const scene::ShaderUse& use, Scope* scope) {
+  if (use.interface) return interface_shader(use.reference, use.where, scope);
   if (use.reference.empty()) return bind_call(use.type, use.arguments, use.where, scope);
   return resolve(use.reference, use.where, scope).node;
 }
@@ -55,31 +56,47 @@ const ShaderNode* Binder::named(const std::string& name, SourceLocation where) {
   return resolve(name, where, nullptr).node;
 }
 
-const ShaderNode* Binder::find_named(const std::string& name, Scope* scope) {
-  for (Scope* s = scope; s; s = const_cast<Scope*>(s->outer)) {
-    for (const scene::ShaderElement& element : s->phenomenon->shaders) {
-      if (element.name != name) continue;
-      if (const auto known = s->named.find(name); known != s->named.end()) return known->second;
-      if (std::count(binding_.begin(), binding_.end(), name) > 8) return nullptr;
-      binding_.push_back(name);
-      const NodeList nodes = bind_list(element.functions, s);
-      binding_.pop_back();
-      return s->named[name] = nodes.empty() ? nullptr : nodes.back();
-    }
-  }
-  if (const auto known = named_.find(name); known != named_.end()) return known->second;
-  const auto* element = scene_.get<scene::ShaderElement>(name);
-  if (!element) return nullptr;
-  if (std::find(binding_.begin(), binding_.end(), name) != binding_.end()) {
-    diagnostics_.error("OR-RT-004", element->where,
-                       fmt::format("shader \"{}\" is connected to itself", name),
-                       "break the cycle; the stand-in is used here");
+const ShaderNode* Binder::interface_shader(const std::string& name, SourceLocation where,
+                                           Scope* scope) {
+  if (!scope) {
+    diagnostics_.warning("OR-RT-013", where, "an interface value outside of a phenomenon; skipped");
     return nullptr;
   }
-  binding_.push_back(name);
-  const NodeList nodes = bind_list(element->functions, nullptr);
+  const scene::Value* value = interface_value(name, *scope);
+  if (!value || value->text.empty()) return nullptr;
+  Scope* outer = const_cast<Scope*>(scope->outer);
+  if (value->kind == scene::Value::Kind::Interface)
+    return interface_shader(value->text, value->where, outer);
+  return resolve(value->text, value->where, outer).node;
+}
+
+const ShaderNode* Binder::bind_named(const scene::ShaderElement& element, Scope* scope,
+                                     std::map<std::string, const ShaderNode*>& known) {
+  if (const auto found = known.find(element.name); found != known.end()) return found->second;
+  const std::pair<const Scope*, std::string> key(scope, element.name);
+  if (std::find(binding_.begin(), binding_.end(), key) != binding_.end()) {
+    diagnostics_.error("OR-RT-004", element.where,
+                       fmt::format("shader \"{}\" is connected to itself", element.name),
+                       "break the cycle; the declared default is used here");
+    return nullptr;
+  }
+  binding_.push_back(key);
+  const NodeList nodes = bind_list(element.functions, scope);
   binding_.pop_back();
-  return named_[name] = nodes.empty() ? nullptr : nodes.back();
+  return known[element.name] = nodes.empty() ? nullptr : nodes.back();
+}
+
+const ShaderNode* Binder::find_local(const std::string& name, Scope* scope) {
+  for (Scope* s = scope; s; s = const_cast<Scope*>(s->outer))
+    for (const scene::ShaderElement& element : s->phenomenon->shaders)
+      if (element.name == name) return bind_named(element, s, s->named);
+  return nullptr;
+}
+
+const ShaderNode* Binder::find_named(const std::string& name, Scope* scope) {
+  if (const ShaderNode* local = find_local(name, scope)) return local;
+  const auto* element = scene_.get<scene::ShaderElement>(name);
+  return element ? bind_named(*element, nullptr, named_) : nullptr;
 }
 
 Binder::Resolved Binder::resolve(const std::string& dotted, SourceLocation where, Scope* scope) {
@@ -160,6 +177,13 @@ const ShaderNode* Binder::bind_call(const std::string& type,
 const ShaderNode* Binder::bind_phenomenon(const scene::Phenomenon& phenomenon,
                                           const std::vector<scene::Argument>& args,
                                           SourceLocation where, Scope* scope) {
+  for (const Scope* s = scope; s; s = s->outer)
+    if (s->phenomenon == &phenomenon) {
+      diagnostics_.error(
+          "OR-RT-004", where,
+          fmt::format("phenomenon \"{}\" calls itself", phenomenon.declaration.name));
+      return stand_in();
+    }
   scopes_.push_back(std::make_unique<Scope>(Scope{&phenomenon, &args, scope, {}}));
   Scope* inner = scopes_.back().get();
   for (const scene::Phenomenon::Root& root : phenomenon.roots) {

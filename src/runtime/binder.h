@@ -68,6 +68,12 @@ class Binder {
                                     Scope* scope);
   Material bind_material(const scene::Material& material, Scope* scope);
   const ShaderNode* find_named(const std::string& name, Scope* scope);
+  /// Among the shaders of the phenomena around; null when there is none.
+  const ShaderNode* find_local(const std::string& name, Scope* scope);
+  const ShaderNode* bind_named(const scene::ShaderElement& element, Scope* scope,
+                               std::map<std::string, const ShaderNode*>& known);
+  /// The shader that a phenomenon's parameter names.
+  const ShaderNode* interface_shader(const std::string& name, SourceLocation where, Scope* scope);
   Resolved resolve(const std::string& dotted, SourceLocation where, Scope* scope);
   const scene::Value* interface_value(const std::string& name, const Scope& scope) const;
 
@@ -75,6 +81,8 @@ class Binder {
   void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   void bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                   const scene::Value& value, Scope* scope);
+  /// Counts the shaders that run for `node` with one more source; false: too many.
+  bool afford(ShaderNode& node, const ShaderNode& source, SourceLocation where);
   void bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                     const scene::Value& value);
   void bind_text(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
@@ -93,8 +101,9 @@ class Binder {
   Diagnostics& diagnostics_;
   std::map<std::string, const ShaderNode*> named_;
   std::map<std::string, const TextureNode*> textures_;
+  std::map<const ShaderNode*, const TextureNode*> procedures_;
   std::vector<std::unique_ptr<Scope>> scopes_;
-  std::vector<std::string> binding_;  ///< names being bound, to find cycles
+  std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;
   const ShaderNode* stand_in_ = nullptr;
   std::map<std::string, int> reported_;

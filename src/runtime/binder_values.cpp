@@ -176,6 +176,9 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
             "its declared default is used");
         return;
       }
+      const bool again =
+          !node.connections_.empty() && node.connections_.back().source == source.node;
+      if (!again && !afford(node, *source.node, value.where)) return;
       node.connections_.push_back({offset, type, source.node, source.type, source.offset});
       return;
     }
@@ -195,6 +198,20 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
     case Value::Kind::Struct:
       return mismatch(node, param, value);
   }
+}
+
+bool Binder::afford(ShaderNode& node, const ShaderNode& source, SourceLocation where) {
+  // A graph whose layers each ask the next one twice doubles with every layer.
+  constexpr float kMostEvaluations = 1e5f;
+  if (node.cost_ + source.cost_ > kMostEvaluations) {
+    diagnostics_.error("OR-RT-007", where,
+                       fmt::format("connections of \"{}\" would run more than {} shaders",
+                                   node.spec().name, static_cast<int>(kMostEvaluations)),
+                       "the declared default is used here");
+    return false;
+  }
+  node.cost_ += source.cost_;
+  return true;
 }
 
 void Binder::bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset,
@@ -218,7 +235,7 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     case ParamType::Shader: {
       if (value.text.empty()) return;
       const ShaderRef ref{resolve(value.text, value.where, scope).node};
-      std::memcpy(target, &ref, sizeof ref);
+      if (ref.node && afford(node, *ref.node, value.where)) std::memcpy(target, &ref, sizeof ref);
       return;
     }
     case ParamType::Light: {
@@ -309,22 +326,33 @@ void Binder::mismatch(const ShaderNode& node, const ParamSpec& param, const Valu
 }
 
 const TextureNode* Binder::texture(const std::string& name, SourceLocation where, Scope* scope) {
+  const auto keep = [&](std::unique_ptr<TextureNode> made) {
+    world_.textures.push_back(std::move(made));
+    return world_.textures.back().get();
+  };
+  // A shader stands for itself as a texture: one node each, since phenomena share names.
+  const auto procedure = [&](const ShaderNode* node) {
+    const TextureNode*& known = procedures_[node];
+    if (!known) known = keep(std::make_unique<TextureNode>(NodeList{node}));
+    return known;
+  };
+  if (const ShaderNode* local = find_local(name, scope)) return procedure(local);
   if (const auto known = textures_.find(name); known != textures_.end()) return known->second;
-  std::unique_ptr<TextureNode> made;
-  if (const auto* element = scene_.get<scene::Texture>(name)) {
-    made =
-        element->procedure.empty()
-            ? TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_)
-            : std::make_unique<TextureNode>(bind_list(element->procedure, scope));
-    if (made && made->missing()) report_.missing_textures.push_back(element->file);
-  } else if (const ShaderNode* node = find_named(name, scope)) {
-    made = std::make_unique<TextureNode>(NodeList{node});
-  } else {
-    diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name));
+  const auto* element = scene_.get<scene::Texture>(name);
+  if (!element) {
+    if (const ShaderNode* node = find_named(name, nullptr)) return procedure(node);
+    if (!scene_.find(name))
+      diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name));
     return textures_[name] = nullptr;
   }
-  world_.textures.push_back(std::move(made));
-  return textures_[name] = world_.textures.back().get();
+  // Null while its procedure is bound: one that looks itself up finds nothing.
+  textures_[name] = nullptr;
+  std::unique_ptr<TextureNode> made =
+      element->procedure.empty()
+          ? TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_)
+          : std::make_unique<TextureNode>(bind_list(element->procedure, nullptr));
+  if (made->missing()) report_.missing_textures.push_back(element->file);
+  return textures_[name] = keep(std::move(made));
 }
 
 }  // namespace oriel

@@ -73,7 +73,9 @@ void convert_value(ParamType from, const void* source, ParamType to, void* targe
       *static_cast<bool*>(target) = mean != 0;
       break;
     case ParamType::Integer:
-      *static_cast<int*>(target) = static_cast<int>(mean);
+      // The range of int, less a rounding: what is not finite must not overflow.
+      *static_cast<int*>(target) =
+          std::isfinite(mean) ? static_cast<int>(clamp(mean, -2.1e9f, 2.1e9f)) : 0;
       break;
     case ParamType::Scalar:
       *static_cast<float*>(target) = mean;

@@ -65,6 +65,9 @@ class ShaderNode {
   std::span<std::byte> constants_;
   std::vector<Connection> connections_;
   std::unique_ptr<ShaderState> state_;
+  /// Shaders that run for one evaluation, itself included. A shader that several others use runs
+  /// once for each.
+  float cost_ = 1;
 };
 
 /// Shaders of a list run in order, each on what the one before left at the point.

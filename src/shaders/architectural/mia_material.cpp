@@ -27,7 +27,7 @@ Vec3 stretch_direction(const P& p, const ShadingPoint& point) {
     return space == 0 ? point.dpdu : point.bump_u[space];
   switch (space) {
     case -2:
-      return point.bump_u[0];
+      return point.texture_spaces > 0 ? point.bump_u[0] : Vec3(0);
     case -3:
       return point.dpdu;
     case -4:

@@ -114,7 +114,7 @@ float remap_axis(float x, float repeat, bool alternate, bool torus, float lo, fl
     x *= repeat;
     const float copy = std::floor(x);
     x -= copy;
-    if (alternate && (static_cast<long>(copy) & 1)) x = 1 - x;
+    if (alternate && std::fmod(copy, 2.0f) != 0) x = 1 - x;
   }
   if (torus) x -= std::floor(x);
   if (hi != lo) x = (x - lo) / (hi - lo);
