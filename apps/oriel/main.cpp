@@ -1,2 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 0; }
+// The program `oriel`: subcommands, and the one place where errors become exit codes.
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+#include <vector>
+
+#include "command.h"
+
+namespace {
+
+int usage_error(const std::string& message, const std::string& command) {
+  fmt::print(stderr, "oriel: {} (see oriel{}{} --help)\n", message, command.empty() ? "" : " ",
+             command);
+  return oriel::app::kExitUsage;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace oriel::app;
+  CLI::App program("Oriel renders mental ray scenes with the architectural shader library.",
+                   "oriel");
+  program.set_version_flag("--version", "oriel " ORIEL_VERSION);
+  program.require_subcommand(1);
+  const std::vector<Command> commands = {add_render_command(program), add_check_command(program),
+                                         add_shaders_command(program), add_tonemap_command(program),
+                                         add_diff_command(program)};
+
+  std::string chosen;
+  try {
+    program.parse(argc, argv);
+    for (const Command& command : commands) {
+      if (!command.app->parsed()) continue;
+      chosen = command.app->get_name();
+      return command.run();
+    }
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
+    for (const Command& command : commands)
+      if (command.app->parsed()) chosen = command.app->get_name();
+    return usage_error(first_line(e.what()), chosen);
+  } catch (const UsageError& e) {
+    return usage_error(e.what(), chosen);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "oriel: not enough memory\n");
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "oriel: {}\n", first_line(e.what()));
+  }
+  return kExitFailed;
+}

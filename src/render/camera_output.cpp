@@ -49,6 +49,11 @@ std::string lower(std::string text) {
   return text;
 }
 
+std::string suffix_of(const std::string& path) {
+  const std::string suffix = lower(fs::path(path).extension().string());
+  return suffix.empty() ? suffix : suffix.substr(1);
+}
+
 /// What one word of the type list means.
 struct Type {
   Channels channels;
@@ -131,9 +136,7 @@ class OutputReader {
     if (!types.empty() && !written.empty()) return find_format(written);
     const std::string word = written.empty() ? types : written;
     if (read_type(word)) types = word;
-    std::string suffix = lower(fs::path(output.file).extension().string());
-    if (!suffix.empty()) suffix.erase(0, 1);
-    if (const Format* by_suffix = find_format(suffix)) return by_suffix;
+    if (const Format* by_suffix = find_format(suffix_of(output.file))) return by_suffix;
     return find_format(word);
   }
 
@@ -218,6 +221,8 @@ std::string allowed_path(const std::string& file, const OutputRoots& roots) {
   }
   return {};
 }
+
+bool has_writable_suffix(const std::string& path) { return find_format(suffix_of(path)); }
 
 std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const OutputRoots& roots,
                                         const scene::Scene& scene, const Registry& registry,

@@ -35,6 +35,9 @@ std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const Outpu
                                         const scene::Scene& scene, const Registry& registry,
                                         World& world, Diagnostics& diagnostics);
 
+/// Whether the suffix names a file type that can be written.
+bool has_writable_suffix(const std::string& path);
+
 /// All output shaders of a camera, for files that the user names.
 NodeList camera_output_shaders(const scene::Camera& camera, const scene::Scene& scene,
                                const Registry& registry, World& world, Diagnostics& diagnostics);

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel check: what a scene uses, and what of it is unknown, missing, approximated or ignored.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "command.h"
+#include "render/budget.h"
+#include "render/camera_output.h"
+#include "render/prepare.h"
+#include "render/session.h"
+#include "scene_file.h"
+#include "shaders/registry.h"
+
+namespace oriel::app {
+namespace {
+
+using nlohmann::json;
+
+struct CheckArguments {
+  SceneArguments scene;
+  bool as_json = false;
+};
+
+/// Constructs that were read and have no effect, by keyword.
+std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
+  std::map<std::string, int> kept;
+  const auto count = [&](const std::vector<scene::KeptText>& texts, const char* where) {
+    for (const scene::KeptText& t : texts) ++kept[fmt::format("{} {}", where, t.keyword)];
+  };
+  for (const scene::Element& element : scene.elements()) {
+    if (const auto* k = std::get_if<scene::KeptElement>(&element)) ++kept[k->kind];
+    if (const auto* o = std::get_if<scene::Options>(&element)) count(o->kept, "options");
+    if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->kept, "camera");
+    if (const auto* i = std::get_if<scene::Instance>(&element)) count(i->kept, "instance");
+    if (const auto* o = std::get_if<scene::Object>(&element)) {
+      count(o->kept, "object");
+      for (const scene::PolygonGroup& g : o->groups) count(g.kept, "group");
+    }
+  }
+  return kept;
+}
+
+json options_json(const scene::RenderOptions& options, const Diagnostics& diagnostics) {
+  constexpr const char* kReasons[] = {"not_yet", "kept", "harmless"};
+  json without = {{"not_yet", json::array()}, {"kept", json::array()}, {"harmless", json::array()}};
+  for (const scene::WithoutEffect& w : options.without_effect) {
+    json entry = {{"keyword", w.keyword}};
+    if (w.where.line) {
+      entry["file"] = diagnostics.file(w.where.file);
+      entry["line"] = w.where.line;
+    }
+    without[kReasons[static_cast<int>(w.reason)]].push_back(std::move(entry));
+  }
+  return {{"without_effect", without}, {"unknown_strings", options.unknown_strings}};
+}
+
+json picture_json(const World& world) {
+  const RenderBudget budget = render_budget(world.options, {});
+  const bool asks =
+      world.options.finalgather.on || world.options.globillum.on || world.options.caustic.on;
+  return {{"width", world.camera.width},
+          {"height", world.camera.height},
+          {"max_samples", budget.max_samples},
+          {"noise_target", budget.noise},
+          {"maps_colours", !world.lens.empty()},
+          {"indirect_light", !asks_for_indirect(world.options) ? "none" : "path traced"},
+          {"path_traced_instead", asks && world.options.indirect != scene::IndirectMethod::Path}};
+}
+
+/// Everything that is said, once as data; the text is made from it.
+json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
+  const Registry& registry = builtin_shaders();
+  mi::Reader reader(a.scene.path, read_options(a.scene, registry), diagnostics);
+  if (!reader.opened()) return nullptr;
+  scene::Scene scene;
+  json result = {{"scene", a.scene.path}, {"frames", 0}};
+  while (reader.next_frame(scene)) {
+    for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, registry);
+    result["frames"] = result["frames"].get<int>() + 1;
+    PrepareReport report;
+    const auto world = prepare(scene, scene.renders.back(), registry, {}, diagnostics, report);
+    if (!world) {
+      renders = false;
+      break;
+    }
+    json outputs = json::array();
+    if (const scene::Camera* camera = find_camera(scene, scene.renders.back())) {
+      const std::string folder = std::filesystem::path(a.scene.path).parent_path().string();
+      for (const PictureFile& f :
+           camera_outputs(*camera, {folder, {folder}}, scene, registry, *world, diagnostics))
+        outputs.push_back(f.path);
+    }
+    result["picture"] = picture_json(*world);
+    result["outputs"] = outputs;
+    result["shaders"] = report.binding.shaders;
+    result["parameters"] = {{"approximated", report.binding.approximated},
+                            {"ignored", report.binding.ignored}};
+    result["missing"] = {{"shaders", report.binding.missing_shaders},
+                         {"textures", report.binding.missing_textures}};
+    result["options"] = options_json(world->options, diagnostics);
+    result["geometry"] = {{"objects", report.objects},
+                          {"instances", report.instances},
+                          {"triangles", report.triangles},
+                          {"lights", report.lights},
+                          {"bytes", report.geometry_bytes}};
+  }
+  if (result["frames"] == 0) renders = false;
+  result["kept_without_effect"] = kept_constructs(scene);
+  result["packages"] = scene.packages;
+  return result;
+}
+
+void print_counts(const char* title, const json& counts) {
+  if (counts.empty()) return;
+  fmt::print("{}\n", title);
+  for (const auto& [name, count] : counts.items())
+    fmt::print("  {:<48} {}\n", name, count.get<int>());
+}
+
+void print_names(const char* title, const json& names) {
+  if (names.empty()) return;
+  fmt::print("{}\n", title);
+  for (const json& name : names) {
+    if (name.is_string()) {
+      fmt::print("  {}\n", name.get<std::string>());
+    } else {
+      const std::string place =
+          name.contains("line")
+              ? fmt::format("{}:{}", name["file"].get<std::string>(), name["line"].get<int>())
+              : std::string();
+      fmt::print("  {:<48} {}\n", name["keyword"].get<std::string>(), place);
+    }
+  }
+}
+
+void print_text(const json& r) {
+  if (r.contains("picture")) {
+    const json &p = r["picture"], &g = r["geometry"];
+    fmt::print("{}: {} frame{}, {} x {} pixels\n", r["scene"].get<std::string>(),
+               r["frames"].get<int>(), r["frames"] == 1 ? "" : "s", p["width"].get<int>(),
+               p["height"].get<int>());
+    fmt::print("  geometry   {} objects, {} instances, {} triangles, {:.1f} MB; {} lights\n",
+               g["objects"].get<int>(), g["instances"].get<int>(),
+               g["triangles"].get<std::uint64_t>(),
+               static_cast<double>(g["bytes"].get<std::uint64_t>()) / 1e6, g["lights"].get<int>());
+    fmt::print("  indirect   {}{}\n", p["indirect_light"].get<std::string>(),
+               p["path_traced_instead"].get<bool>()
+                   ? " (final gathering and photons are not available)"
+                   : "");
+    fmt::print("  sampling   at most {} samples, noise {:.4f}\n", p["max_samples"].get<int>(),
+               p["noise_target"].get<double>());
+    print_names("outputs", r["outputs"]);
+    print_counts("shaders, calls of each", r["shaders"]);
+    print_names("missing shaders, shown magenta", r["missing"]["shaders"]);
+    print_names("missing textures", r["missing"]["textures"]);
+    print_counts("parameters that are approximated", r["parameters"]["approximated"]);
+    print_counts("parameters that are ignored", r["parameters"]["ignored"]);
+    const json& without = r["options"]["without_effect"];
+    print_names("options that nothing acts on yet", without["not_yet"]);
+    print_names("options that are only kept", without["kept"]);
+    print_names("options that cannot change the picture", without["harmless"]);
+    print_names("options nobody here knows", r["options"]["unknown_strings"]);
+  }
+  print_counts("kept without effect", r["kept_without_effect"]);
+}
+
+int run_check(const CheckArguments& a) {
+  Diagnostics diagnostics;
+  bool renders = true;
+  json result = inspect(a, diagnostics, renders);
+  DiagnosticPrinter printer(diagnostics, false, true);
+  if (!a.as_json) {
+    printer.print_new();
+    if (!result.is_null()) print_text(result);
+  } else {
+    if (result.is_null()) result = {{"scene", a.scene.path}};
+    result["diagnostics"] = json::array();
+    for (const Diagnostic& d : diagnostics.all())
+      result["diagnostics"].push_back(to_json(d, diagnostics));
+    result["renders"] = renders;
+    print_json(result);
+  }
+  if (result.contains("frames") && result["frames"] == 0)
+    throw UserError(fmt::format("{}: the scene has no render statement", a.scene.path));
+  return renders && result.contains("picture") ? kExitDone : kExitFailed;
+}
+
+}  // namespace
+
+Command add_check_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "check", "Says what a scene uses and what of it is missing, approximated or ignored");
+  auto a = std::make_shared<CheckArguments>();
+  add_scene_arguments(*app, a->scene);
+  app->add_flag("--json", a->as_json, "One line of JSON");
+  return {app, [a] { return run_check(*a); }};
+}
+
+}  // namespace oriel::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the subcommands share: their form, exit codes, and how user errors are told.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace oriel::app {
+
+/// Picture complete; could not do it; wrong usage.
+enum ExitCode : int { kExitDone = 0, kExitFailed = 1, kExitUsage = 2 };
+
+/// Something the user can put right: one line on stderr, exit code kExitFailed.
+struct UserError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// The command line itself is wrong: exit code kExitUsage.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A subcommand: its place on the command line and what it does.
+struct Command {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+Command add_render_command(CLI::App& program);
+Command add_check_command(CLI::App& program);
+Command add_shaders_command(CLI::App& program);
+Command add_tonemap_command(CLI::App& program);
+Command add_diff_command(CLI::App& program);
+
+}  // namespace oriel::app

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel diff: how far two pictures are apart, in numbers and as an exit code.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "color/srgb.h"
+#include "command.h"
+#include "image/compare.h"
+#include "image/files.h"
+#include "image/flip.h"
+#include "scene_file.h"
+
+namespace oriel::app {
+namespace {
+
+struct DiffArguments {
+  std::string test, reference;
+  std::vector<std::string> thresholds;
+  bool json = false;
+};
+
+constexpr const char* kMetrics[] = {"rmse", "relmse", "mean", "max", "flip"};
+
+/// Colour channels only: grey stays one channel, alpha goes.
+Image colours_of(const Image& image) {
+  const int colours = image.channels >= 3 ? 3 : 1;
+  Image out(image.width, image.height, colours);
+  for (std::size_t i = 0; i < image.pixel_count(); ++i)
+    std::copy_n(&image.pixels[i * static_cast<std::size_t>(image.channels)], colours,
+                &out.pixels[i * static_cast<std::size_t>(colours)]);
+  return out;
+}
+
+bool is_linear(const std::string& path) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  return suffix == ".exr" || suffix == ".hdr";
+}
+
+/// What a screen would show: linear pictures are encoded, with values past 1 cut.
+Image as_shown(Image image, const std::string& path) {
+  if (is_linear(path))
+    for (float& v : image.pixels) v = std::isfinite(v) ? srgb_encode(clamp01(v)) : 0.0f;
+  return image;
+}
+
+struct Threshold {
+  std::string metric;
+  double value;
+};
+
+Threshold parse_threshold(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string metric = text.substr(0, equals);
+  char* end = nullptr;
+  const double value =
+      equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+  const bool known =
+      std::find(std::begin(kMetrics), std::end(kMetrics), metric) != std::end(kMetrics);
+  if (!known || !end || end == text.c_str() + equals + 1 || *end || !(value >= 0))
+    throw UsageError(fmt::format(
+        "--threshold {}: write metric=value, metric one of rmse, relmse, mean, max, flip", text));
+  return {metric, value};
+}
+
+int run_diff(const DiffArguments& a) {
+  std::vector<Threshold> thresholds;
+  for (const std::string& text : a.thresholds) thresholds.push_back(parse_threshold(text));
+  const Image test = colours_of(read_image(a.test));
+  const Image reference = colours_of(read_image(a.reference));
+  if (test.width != reference.width || test.height != reference.height ||
+      test.channels != reference.channels)
+    throw UserError(fmt::format(
+        "the pictures differ in size: {} x {} with {} channels, {} x {} with {}", test.width,
+        test.height, test.channels, reference.width, reference.height, reference.channels));
+
+  const Difference d = compare(test, reference);
+  const double flip =
+      mean_value(flip_error(as_shown(test, a.test), as_shown(reference, a.reference)));
+  nlohmann::json values = {{"rmse", d.rmse},
+                           {"relmse", d.relative_mse},
+                           {"mean", d.mean_abs},
+                           {"max", d.max_abs},
+                           {"flip", flip}};
+  int exit_code = kExitDone;
+  nlohmann::json exceeded = nlohmann::json::array();
+  for (const Threshold& t : thresholds)
+    // Written so that a difference that is no number exceeds every threshold.
+    if (!(values[t.metric].get<double>() <= t.value)) {
+      exceeded.push_back(t.metric);
+      exit_code = kExitFailed;
+    }
+  if (d.not_finite > 0 && !thresholds.empty()) exit_code = kExitFailed;
+
+  if (a.json) {
+    values["max_x"] = d.max_x, values["max_y"] = d.max_y;
+    values["not_finite"] = d.not_finite;
+    values["exceeded"] = exceeded;
+    print_json(values);
+    return exit_code;
+  }
+  fmt::print(
+      "rmse    {:.6g}\nrelmse  {:.6g}\nmean    {:.6g}\nmax     {:.6g} at {}, {}\nflip    {:.6g}\n",
+      d.rmse, d.relative_mse, d.mean_abs, d.max_abs, d.max_x, d.max_y, flip);
+  if (d.not_finite > 0) fmt::print("{} values are not finite and were left out\n", d.not_finite);
+  for (const auto& metric : exceeded)
+    fmt::print("{} exceeds its threshold\n", metric.get<std::string>());
+  return exit_code;
+}
+
+}  // namespace
+
+Command add_diff_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("diff", "Compares two pictures");
+  auto a = std::make_shared<DiffArguments>();
+  app->add_option("A", a->test, "The picture in question")->required();
+  app->add_option("B", a->reference, "The reference")->required();
+  app->add_option("--threshold", a->thresholds,
+                  "Exit code 1 when the metric (rmse, relmse, mean, max, flip) is larger")
+      ->allow_extra_args(false)
+      ->type_name("METRIC=VALUE");
+  app->add_flag("--json", a->json, "One line of JSON");
+  return {app, [a] { return run_diff(*a); }};
+}
+
+}  // namespace oriel::app

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel render: a scene to pictures, frame by frame.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "interrupt.h"
+#include "progress_line.h"
+#include "render/camera_output.h"
+#include "render/output.h"
+#include "render/prepare.h"
+#include "render/session.h"
+#include "scene_file.h"
+#include "shaders/registry.h"
+
+namespace oriel::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// A picture in progress is written at most so often, and takes at most a twentieth of the time.
+constexpr double kSecondsBetweenWrites = 5;
+constexpr double kWriteShare = 0.05;
+
+struct RenderArguments {
+  SceneArguments scene;
+  std::vector<std::string> outputs;
+  std::optional<std::uint32_t> samples;
+  std::optional<float> noise;
+  std::optional<double> time;
+  std::string gi, size, crop, camera, layers;
+  std::uint32_t seed = 0;
+  int threads = 0;
+  bool json = false, quiet = false;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<int> parse_integers(const std::string& text, char separator) {
+  std::vector<int> numbers;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    const std::string part = text.substr(at, end - at);
+    if (part.empty() || part.size() > 6 || part.find_first_not_of("0123456789") != part.npos)
+      return {};
+    numbers.push_back(std::stoi(part));
+    at = end + 1;
+  }
+  return numbers;
+}
+
+/// What the arguments mean, checked before anything is read.
+struct RenderPlan {
+  PrepareOptions prepare;
+  SessionSettings session;
+  std::optional<unsigned> layers;
+  std::optional<scene::IndirectMethod> gi;
+};
+
+std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
+  using Method = scene::IndirectMethod;
+  if (text.empty()) return std::nullopt;
+  if (text == "scene") return Method::Scene;
+  if (text == "path") return Method::Path;
+  if (text == "fg") return Method::FinalGather;
+  if (text == "photons") return Method::Photons;
+  if (text == "fg+photons") return Method::FinalGatherPhotons;
+  throw UsageError(fmt::format("--gi {}: path, fg, photons, fg+photons or scene", text));
+}
+
+unsigned parse_layers(const std::string& text) {
+  unsigned layers = 0;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string name = text.substr(at, end - at);
+    const unsigned bit = layer_bit(name);
+    if (name == "all")
+      layers = kAllLayers;
+    else if (!bit && name != "beauty" && name != "alpha")
+      throw UsageError(
+          fmt::format("--layers {}: beauty, {} or all", name, fmt::join(layer_names(), ", ")));
+    layers |= bit;
+    at = end + 1;
+  }
+  return layers;
+}
+
+RenderPlan plan_of(const RenderArguments& a) {
+  RenderPlan plan;
+  plan.gi = parse_gi(a.gi);
+  plan.prepare.camera = a.camera;
+  if (!a.size.empty()) {
+    const std::vector<int> size = parse_integers(a.size, 'x');
+    if (size.size() != 2 || size[0] < 1 || size[1] < 1 || size[0] > 65536 || size[1] > 65536)
+      throw UsageError(fmt::format("--size {}: write WIDTHxHEIGHT in pixels", a.size));
+    plan.prepare.width = size[0], plan.prepare.height = size[1];
+  }
+  if (!a.crop.empty()) {
+    const std::vector<int> crop = parse_integers(a.crop, ',');
+    if (crop.size() != 4 || crop[2] < crop[0] || crop[3] < crop[1])
+      throw UsageError(fmt::format(
+          "--crop {}: write XL,YL,XH,YH in pixels from the lower left, ends included", a.crop));
+    plan.session.crop = Window{crop[0], crop[1], crop[2] + 1, crop[3] + 1};
+  }
+  if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
+  if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
+  if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
+  if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
+  plan.session.budget = {a.samples, a.noise, a.time};
+  plan.session.seed = a.seed;
+  for (const std::string& output : a.outputs) {
+    const fs::path folder = fs::path(output).parent_path();
+    if (!has_writable_suffix(output))
+      throw UsageError(fmt::format(
+          "-o {}: the suffix tells the file type: exr, hdr, png, jpg, tif, tga, bmp, ppm, ...",
+          output));
+    if (!folder.empty() && !fs::is_directory(folder))
+      throw UserError(
+          fmt::format("cannot write '{}': there is no folder '{}'", output, folder.string()));
+  }
+  return plan;
+}
+
+/// "out.exr", from the second frame on "out.0002.exr".
+std::string frame_path(const std::string& path, int frame) {
+  if (frame == 1) return path;
+  const fs::path p(path);
+  return (p.parent_path() /
+          fmt::format("{}.{:04}{}", p.stem().string(), frame, p.extension().string()))
+      .string();
+}
+
+class FrameRenderer {
+ public:
+  FrameRenderer(const RenderArguments& arguments, const RenderPlan& plan, scene::Scene& scene,
+                Diagnostics& diagnostics, DiagnosticPrinter& printer)
+      : a_(arguments),
+        plan_(plan),
+        scene_(scene),
+        diagnostics_(diagnostics),
+        printer_(printer),
+        line_(ProgressLine::style_for(a_.json, a_.quiet)) {}
+
+  /// False when there is nothing to render.
+  bool render(const scene::RenderCommand& command, int frame) {
+    session_.reset();  // it refers to the world before
+    PrepareReport report;
+    world_ = prepare(scene_, command, builtin_shaders(), plan_.prepare, diagnostics_, report);
+    if (!world_) return false;
+    if (plan_.gi) world_->options.indirect = *plan_.gi;
+    say_method();
+    choose_files(command, frame);
+    warn_double_gamma();
+    printer_.print_new();
+
+    session_.emplace(*world_, plan_.session);
+    last_write_ = Clock::now();
+    const StopReason reason = session_->run(
+        {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
+        &interrupted());
+    line_.clear();
+    write_files();
+    finish(reason);
+    return true;
+  }
+
+ private:
+  void say_method() {
+    const auto& o = world_->options;
+    const bool wants_more = o.indirect == scene::IndirectMethod::Scene
+                                ? o.finalgather.on || o.globillum.on || o.caustic.on
+                                : o.indirect != scene::IndirectMethod::Path;
+    if (wants_more)
+      diagnostics_.note("OR-RN-030", {},
+                        asks_for_indirect(o)
+                            ? "final gathering and photons are not available; indirect light is "
+                              "path traced"
+                            : "caustic photons are not available; caustics are left out",
+                        "--gi path asks for path tracing");
+  }
+
+  void choose_files(const scene::RenderCommand& command, int frame) {
+    files_.clear();
+    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
+    if (!a_.outputs.empty()) {
+      NodeList shaders;
+      if (camera)
+        shaders = camera_output_shaders(*camera, scene_, builtin_shaders(), *world_, diagnostics_);
+      for (const std::string& output : a_.outputs) {
+        files_.push_back(picture_file(frame_path(output, frame)));
+        files_.back().shaders = shaders;
+      }
+    } else if (camera) {
+      const std::string folder = fs::path(a_.scene.path).parent_path().string();
+      files_ = camera_outputs(*camera, {folder, {folder}}, scene_, builtin_shaders(), *world_,
+                              diagnostics_);
+    }
+    if (files_.empty())
+      files_.push_back(
+          picture_file(frame_path(fs::path(a_.scene.path).stem().string() + ".exr", frame)));
+    if (plan_.layers)
+      for (PictureFile& file : files_) file.layers = *plan_.layers;
+  }
+
+  void warn_double_gamma() {
+    if (world_->options.gamma == 1 || world_->lens.empty()) return;
+    for (const PictureFile& file : files_)
+      if (!file.linear)
+        return diagnostics_.warning(
+            "OR-RN-031", {},
+            fmt::format(
+                "colours are mapped by a lens shader and get gamma {} of the options as well",
+                world_->options.gamma),
+            "gamma belongs in one place: set the options' to 1 or the shader's");
+  }
+
+  void on_pass(const Progress& p) {
+    line_.update(p);
+    const double since = seconds_since(last_write_);
+    if (since < kSecondsBetweenWrites || since * kWriteShare < write_seconds_) return;
+    if (p.remaining && *p.remaining < kSecondsBetweenWrites) return;
+    write_files();
+  }
+
+  void write_files() {
+    const Clock::time_point start = Clock::now();
+    const std::map<std::string, std::string> metadata = describe();
+    for (const PictureFile& file : files_) write_picture(file, *session_, metadata);
+    last_write_ = Clock::now();
+    write_seconds_ = seconds_since(start);
+  }
+
+  /// No times in here: the same command gives the same file.
+  std::map<std::string, std::string> describe() const {
+    const RenderBudget& b = session_->budget();
+    const Progress p = session_->progress();
+    const Window& w = session_->window();
+    std::map<std::string, std::string> m = {
+        {"software", "Oriel " ORIEL_VERSION},
+        {"oriel.scene", fs::path(a_.scene.path).filename().string()},
+        {"oriel.indirect", asks_for_indirect(world_->options) ? "path" : "none"},
+        {"oriel.seed", fmt::format("{}", a_.seed)},
+        {"oriel.samples", fmt::format("{:.6g}", p.mean_samples)},
+        {"oriel.maxSamples", fmt::format("{}", b.max_samples)},
+        {"oriel.noiseTarget", fmt::format("{:.6g}", b.noise)},
+        {"oriel.window", fmt::format("{} {} {} {}", w.x0, w.y0, w.x1 - 1, w.y1 - 1)}};
+    if (p.noise) m["oriel.noise"] = fmt::format("{:.6g}", *p.noise);
+    if (!a_.scene.edits.empty())
+      m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
+    return m;
+  }
+
+  void finish(StopReason reason) {
+    printer_.print_new();
+    const Progress p = session_->progress();
+    constexpr const char* kReasons[] = {"samples", "noise", "time", "interrupted"};
+    if (a_.json) {
+      nlohmann::json line = {{"event", "done"},
+                             {"stopped_by", kReasons[static_cast<int>(reason)]},
+                             {"samples", p.mean_samples},
+                             {"elapsed", p.elapsed},
+                             {"rays", session_->rays().rays()},
+                             {"files", nlohmann::json::array()}};
+      if (p.noise) line["noise"] = *p.noise;
+      for (const PictureFile& file : files_) line["files"].push_back(file.path);
+      return print_json(line);
+    }
+    if (a_.quiet) return;
+    std::vector<std::string> names;
+    for (const PictureFile& file : files_) names.push_back(file.path);
+    fmt::print(stderr, "{}{}: {:.4g} samples{}, {}\n",
+               reason == StopReason::Cancelled ? "interrupted, the picture so far: " : "",
+               fmt::join(names, ", "), p.mean_samples,
+               p.noise ? fmt::format(", noise {:.4f}", *p.noise) : "", duration_text(p.elapsed));
+  }
+
+  const RenderArguments& a_;
+  const RenderPlan& plan_;
+  scene::Scene& scene_;
+  Diagnostics& diagnostics_;
+  DiagnosticPrinter& printer_;
+  ProgressLine line_;
+  std::unique_ptr<World> world_;
+  std::optional<RenderSession> session_;
+  std::vector<PictureFile> files_;
+  Clock::time_point last_write_;
+  double write_seconds_ = 0;
+};
+
+int run_render(const RenderArguments& a) {
+  const RenderPlan plan = plan_of(a);
+  const ThreadLimit limit(a.threads);
+  flush_denormals();
+  Diagnostics diagnostics;
+  DiagnosticPrinter printer(diagnostics, a.json, !a.quiet);
+  mi::Reader reader(a.scene.path, read_options(a.scene, builtin_shaders()), diagnostics);
+  scene::Scene scene;
+  if (!reader.opened()) {
+    printer.print_new();
+    return kExitFailed;
+  }
+  catch_interrupts();
+  FrameRenderer renderer(a, plan, scene, diagnostics, printer);
+  int frames = 0;
+  while (!interrupted() && reader.next_frame(scene)) {
+    printer.print_new();
+    for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, builtin_shaders());
+    const bool rendered = renderer.render(scene.renders.back(), ++frames);
+    printer.print_new();
+    if (!rendered) return kExitFailed;
+  }
+  printer.print_new();
+  if (interrupted()) return kExitFailed;
+  if (frames == 0)
+    throw UserError(fmt::format("{}: the scene has no render statement, so there is nothing to do",
+                                a.scene.path));
+  return kExitDone;
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("render", "Renders a scene");
+  auto a = std::make_shared<RenderArguments>();
+  add_scene_arguments(*app, a->scene);
+  app->add_option("-o,--output", a->outputs,
+                  "File to write in place of the camera's outputs, type by suffix; repeat for more")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  app->add_option("--samples", a->samples, "Samples of every pixel");
+  app->add_option("--noise", a->noise,
+                  "Until the noise of every pixel is below this (0.02 is fine)");
+  app->add_option("--time", a->time, "Seconds to render for");
+  app->add_option("--gi", a->gi, "Indirect light: path, fg, photons, fg+photons or scene");
+  app->add_option("--size", a->size, "Size of the picture")->type_name("WxH");
+  app->add_option("--crop", a->crop, "Only this window: XL,YL,XH,YH from the lower left");
+  app->add_option("--camera", a->camera, "Camera instance to use");
+  app->add_option("--layers", a->layers, "Layers of EXR files, comma between, or all or beauty");
+  app->add_option("--seed", a->seed, "Another pattern of noise");
+  app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  app->add_flag("--json", a->json, "Lines of JSON on stdout");
+  app->add_flag("-q,--quiet", a->quiet, "Only warnings and errors");
+  return {app, [a] { return run_render(*a); }};
+}
+
+}  // namespace oriel::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene a command works on: read from its file, edited by --set, told about on stderr.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "mi/reader.h"
+#include "runtime/shader_spec.h"
+#include "scene/scene.h"
+
+namespace oriel::app {
+
+struct SceneArguments {
+  std::string path;
+  std::vector<std::string> include_paths;
+  std::vector<std::string> edits;  ///< element.parameter=value
+};
+
+/// SCENE, -I and --set.
+void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
+
+/// How .mi files are read by the program.
+mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry);
+
+/// Sets a parameter of a shader, material or light (of its first shader that has it) or a statement
+/// of an options block. `edit` is element.parameter=value, the value as the language writes it.
+///
+/// Errors:  UserError that names what there is no such thing of, with the nearest name.
+void apply_edit(scene::Scene& scene, const std::string& edit, const Registry& registry);
+
+/// Prints what was not printed yet. Notes only when `notes`.
+class DiagnosticPrinter {
+ public:
+  DiagnosticPrinter(const Diagnostics& diagnostics, bool json, bool notes)
+      : diagnostics_(diagnostics), json_(json), notes_(notes) {}
+  void print_new();
+
+ private:
+  const Diagnostics& diagnostics_;
+  bool json_, notes_;
+  std::size_t printed_ = 0;
+};
+
+nlohmann::json to_json(const Diagnostic& diagnostic, const Diagnostics& all);
+
+/// One line of JSON on stdout, at once.
+void print_json(const nlohmann::json& line);
+
+}  // namespace oriel::app
