@@ -183,6 +183,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
   const LightValue value =
       ask_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
   result.radiance = radiance_of(light, value.colour, hit->t, cosine);
+  result.shadow = value.shadow;
   return result;
 }
 

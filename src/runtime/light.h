@@ -62,6 +62,7 @@ struct LightHit {
   float t = 0;
   Rgb radiance{0};  ///< toward the ray's origin
   float pdf = 0;    ///< per solid angle with which sample_light would have chosen this direction
+  bool shadow = true;
 };
 
 /// Intersects the shape within (0, t_most) and evaluates its radiance; nothing for lights without

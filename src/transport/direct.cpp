@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "sampling/warp.h"
 #include "transport/shadow.h"
 
 namespace oriel {
@@ -67,9 +66,10 @@ float highlight_scale(const Closure& closure, const Light& light) {
 }
 
 Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure,
-                 const LobeChoice& lobes, const LightChoice& lights, bool with_environment,
-                 sampling::Sampler& sampler, RayCounts& counts, Estimator estimator) {
+                 const LobeChoice& lobes, const LightChoice& lights, const DirectRequest& request,
+                 sampling::Sampler& sampler, RayCounts& counts) {
   const Vec3 wo = point.wo();
+  const bool shadows = takes_shadows(world, point);
   Rgb sum(0);
   const float u_light = sampler.next_1d();
   lights.sample(u_light, [&](int index, float rate) {
@@ -77,27 +77,46 @@ Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure
     const auto s = sample_light(light, point, sampler.next_2d());
     if (!s) return;
     const Response r = evaluate_closure(closure, lobes, point, wo, s->wi);
-    Rgb c = r.for_lights(highlight_scale(closure, light)) * s->irradiance / rate;
-    if (is_black(c)) return;
-    if (s->pdf > 0) c *= light_sample_weight(estimator, s->pdf * rate, r.pdf);
-    if (s->shadow) {
-      const Rgb open = shadow_transmittance(world, point, s->wi, s->distance, counts);
-      c *= open + (Rgb(1) - open) * s->shadow_factor;
+    const float scale = highlight_scale(closure, light);
+    const Rgb diffuse = r.diffuse.for_lights(scale), glossy = r.glossy.for_lights(scale);
+    const Rgb both = diffuse + glossy;
+    if (is_black(both)) return;
+    const Rgb arriving = s->irradiance / rate;
+    if (!shadows || !s->shadow) {
+      sum += both * arriving;
+      return;
     }
-    sum += c;
+    const Openness open = shadow_transmittance(world, point, s->wi, s->distance, counts);
+    const auto weight = [&](float pdf) {
+      return s->pdf > 0 ? light_sample_weight(request.estimator, s->pdf * rate, pdf) : 1.0f;
+    };
+    Rgb c = diffuse * open.all * weight(r.diffuse.pdf);
+    if (request.rays_bend) {
+      // Behind glass a ray of a glossy lobe meets only lights that are seen.
+      const Rgb found = light.visible && s->pdf > 0 ? r.glossy.highlight * scale : glossy;
+      c += glossy * open.cut_outs * weight(r.glossy.pdf) + found * (open.clear - open.cut_outs);
+    } else {
+      c += glossy * open.all * weight(r.glossy.pdf);
+    }
+    // What the light lets pass opaque blockers, no ray would find.
+    sum += (c + both * (Rgb(1) - open.all) * s->shadow_factor) * arriving;
   });
-  if (with_environment) {
+  if (request.environment) {
     const auto s = world.environment.sample(sampler.next_2d());
     const Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
-    const Rgb f = r.for_rays();
-    if (!is_black(f) && s.pdf > 0) {
-      const Rgb open =
+    const Rgb diffuse = r.diffuse.for_rays(), glossy = r.glossy.for_rays();
+    if (!is_black(diffuse + glossy) && s.pdf > 0) {
+      const Openness open =
           shadow_transmittance(world, point, s.wi, std::numeric_limits<float>::infinity(), counts);
-      if (!is_black(open)) {
+      const Rgb c =
+          diffuse * open.all * light_sample_weight(request.estimator, s.pdf, r.diffuse.pdf) +
+          glossy * (request.rays_bend ? open.cut_outs : open.all) *
+              light_sample_weight(request.estimator, s.pdf, r.glossy.pdf);
+      if (!is_black(c)) {
         const Rgb radiance = rgb(environment_radiance(world.environment.shaders(), world,
                                                       point.position, s.wi, RayKind::FinalGather));
         ++counts.environment;
-        sum += f * radiance * open * (light_sample_weight(estimator, s.pdf, r.pdf) / s.pdf);
+        sum += c * radiance / s.pdf;
       }
     }
   }

@@ -74,9 +74,10 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
+    Response::Part& part = is_diffuse(lobe.kind) ? out.diffuse : out.glossy;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (lobe.kind == LobeKind::PhongHighlight) {
-      out.highlight += lobe.level * bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
+      part.highlight += lobe.level * bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
       continue;
     }
     float value = 0, pdf = 0;
@@ -84,13 +85,13 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
       value = bsdf.eval(o, w);
       if (choice.probability[i] > 0) pdf = bsdf.pdf(o, w);
     });
-    out.pdf += choice.probability[i] * pdf;
+    part.pdf += choice.probability[i] * pdf;
     if (!reflects(lobe.kind))
-      out.plain += lobe.level * value;
+      part.plain += lobe.level * value;
     else if (lobe.controls.highlights_only)
-      out.highlight += lobe.level * value;
+      part.highlight += lobe.level * value;
     else
-      out.reflective += lobe.level * value;
+      part.reflective += lobe.level * value;
   }
   return out;
 }
@@ -127,7 +128,8 @@ std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeCh
     return out;
   }
   if (!right_side(lobe.kind, side > 0)) return std::nullopt;
-  out.response = evaluate_closure(closure, choice, point, wo, out.wi);
+  const Response all = evaluate_closure(closure, choice, point, wo, out.wi);
+  out.response = is_diffuse(lobe.kind) ? all.diffuse : all.glossy;
   out.pdf = out.response.pdf;
   if (!(out.pdf > 0)) return std::nullopt;
   const float inverse = 1 / out.pdf;

@@ -16,14 +16,23 @@ namespace oriel {
 
 /// What a closure returns for one pair of directions, apart by how lights see it.
 struct Response {
-  Rgb plain{0};       ///< diffuse, translucent and transmitting lobes
-  Rgb reflective{0};  ///< reflecting lobes; highlight_scale applies when the source is a light
-  Rgb highlight{0};   ///< lobes of light sources only, rays do not see them
-  float pdf = 0;      ///< density of sample_closure, per solid angle
+  struct Part {
+    Rgb plain{0};       ///< lobes that lights and rays see alike
+    Rgb reflective{0};  ///< reflecting lobes; highlight_scale applies when the source is a light
+    Rgb highlight{0};   ///< lobes of light sources only, rays do not see them
+    float pdf = 0;      ///< density of sample_closure, per solid angle, among this part's lobes
 
-  Rgb for_rays() const { return plain + reflective; }
-  Rgb for_lights(float scale) const { return plain + (reflective + highlight) * scale; }
+    Rgb for_rays() const { return plain + reflective; }
+    Rgb for_lights(float scale) const { return plain + (reflective + highlight) * scale; }
+  };
+  /// Apart as well by how their rays meet glass: those of diffuse and translucent lobes go straight
+  /// on, as shadow rays do, those of the others are bent. Each part is an integral of its own.
+  Part diffuse, glossy;
 };
+
+inline bool is_diffuse(LobeKind kind) {
+  return kind == LobeKind::Diffuse || kind == LobeKind::Translucency;
+}
 
 /// Which lobes rays may follow at this vertex and how likely each is chosen.
 struct LobeChoice {
@@ -36,8 +45,8 @@ struct ClosureSample {
   Vec3 wi;
   int lobe = 0;
   bool delta = false;
-  float pdf = 0;      ///< 0 for delta lobes
-  Response response;  ///< divided by the density: throughput factors
+  float pdf = 0;            ///< 0 for delta lobes
+  Response::Part response;  ///< of the lobe's part, divided by the density: throughput factors
 };
 
 /// Looks up once what the glossy lobes need for their viewer; before evaluating or sampling.

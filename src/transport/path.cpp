@@ -52,6 +52,8 @@ class Path {
     float pdf = 0;
     float highlight_scale = 1;  ///< for invisible lights
     float highlight_scale_visible = 1;
+    bool shadows = true;
+    float passed = 0;  ///< way of the ray since, through what let it pass straight
   };
 
   void meet_lights(float t_surface, bool& ended);
@@ -65,6 +67,8 @@ class Path {
   void count_ray();
   void follow(const ShadingPoint& point, const Vec3& direction);
   bool survive();
+  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
+  bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
 
   const World& world_;
   Vec2 raster_;
@@ -153,14 +157,15 @@ void Path::meet_lights(float t_surface, bool& ended) {
     }
     const float rate = from_.lights.rate(static_cast<int>(i));
     if (rate <= 0) continue;
-    const auto hit = intersect_light(light, from_.point, ray_.dir, t_surface);
-    if (!hit) continue;
+    const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
+    if (!hit || hit->t < from_.passed || !hit->shadow || !from_.shadows) continue;
     const float scale = light.visible ? from_.highlight_scale_visible : from_.highlight_scale;
     const float weight = bsdf_sample_weight(estimator_, from_.pdf, hit->pdf * rate);
-    result_.radiance += (plain_ + (reflective_ + highlight_) * scale) * hit->radiance * weight;
+    result_.radiance += (plain_ + (reflective_ + highlight_) * scale) * hit->radiance *
+                        transmittance(medium_, hit->t - from_.passed) * weight;
   }
   if (ended) {
-    result_.radiance += throughput_ * seen;
+    result_.radiance += throughput_ * seen * transmittance(medium_, nearest);
     if (first_) result_.alpha = 1;
   }
 }
@@ -200,8 +205,7 @@ void Path::choose_lobes(const Closure& closure, LobeChoice& choice) const {
     const Lobe& lobe = closure.lobes[i];
     choice.probability[i] = 0;
     if (lobe.controls.highlights_only || !world_.options.trace) continue;
-    const bool diffuse = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Translucency;
-    if (diffuse && !indirect_) continue;
+    if (is_diffuse(lobe.kind) && !indirect_) continue;
     // Reflections beyond the material's own depth are highlights only.
     if (lobe.channel == Channel::Reflection && lobe.controls.depth > 0 &&
         reflections_ >= lobe.controls.depth)
@@ -250,9 +254,10 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   highlight_ *= factor;
   if (!keeps_weights) from_.weighed = false;
   if (!culled && u < closure.opacity && !closure.thin_walled) {
-    medium_ = point.back_side ? Medium{} : closure.inside;
+    medium_ = point.back_side || !straight_rays_fade() ? Medium{} : closure.inside;
     medium_known_ = true;
   }
+  from_.passed += point.ray_length;
   follow(point, ray_.dir);
   return true;
 }
@@ -277,6 +282,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       after_diffuse_ = true;
       blurred_ = false;
       reflections_ = refractions_ = 0;
+      if (!straight_rays_fade()) medium_ = Medium{}, medium_known_ = true;
       cone_.spread = std::max(cone_.spread, kDiffuseSpread);
       ++bounces_;
       break;
@@ -308,6 +314,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   environment_ = material.environment.empty() ? nullptr : &material.environment;
   from_.weighed = !sample.delta;
   from_.pdf = sample.pdf;
+  from_.passed = 0;
   follow(point, sample.wi);
 }
 
@@ -337,7 +344,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     count_ray();
     const bool found = world_.accel->intersect(ray_, hit);
     bool ended = false;
-    if (world_.has_area_lights) meet_lights(found ? hit.t : kInfinity, ended);
+    if (world_.has_area_lights) meet_lights(found ? hit.t : ray_.tfar, ended);
     if (ended) break;
     if (!found) {
       // Nothing within the reach of a medium that turns black is black.
@@ -391,7 +398,10 @@ PathResult Path::run(const Camera::Ray& eye) {
     }
     if (scatters_light && (!from_.lights.empty() || environment))
       result_.radiance += throughput_ * direct_light(world_, point, closure, choice, from_.lights,
-                                                     environment, sampler_, counts_, estimator_);
+                                                     {.environment = environment,
+                                                      .rays_bend = !after_diffuse_,
+                                                      .estimator = estimator_},
+                                                     sampler_, counts_);
     if (choice.total <= 0) break;
 
     const float u_lobe = sampler_.next_1d();
@@ -402,11 +412,11 @@ PathResult Path::run(const Camera::Ray& eye) {
     // The material's own refraction depth ends in black, the scene's depth in the environment.
     if (transmits(lobe.kind) && lobe.controls.depth > 0 && refractions_ >= lobe.controls.depth)
       break;
-    const bool diffuse = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Translucency;
-    const bool too_deep = !diffuse && depth_reached(lobe.kind);
+    const bool too_deep = !is_diffuse(lobe.kind) && depth_reached(lobe.kind);
 
     if (world_.has_area_lights) from_.point = point;
     from_.environment_sampled = environment;
+    from_.shadows = takes_shadows(world_, point);
     from_.highlight_scale = closure.highlight_scale;
     from_.highlight_scale_visible =
         closure.highlights_of_visible_lights ? 1 + closure.highlight_scale : 1;

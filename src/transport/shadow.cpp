@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "transport/lobes.h"
 #include "transport/surface.h"
 
 namespace oriel {
@@ -24,48 +25,69 @@ Rgb transmittance(const Medium& medium, float distance) {
   return t;
 }
 
-Rgb straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
-  Rgb sum(0);
+Openness straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
+  Rgb all(0), clear(0);
   const bool refracts = closure.refractive_caustics && options.caustic.on;
   if (!refracts)
-    for (int i = 0; i < closure.count; ++i)
-      if (transmits(closure.lobes[i].kind)) sum += closure.lobes[i].level;
-  return Rgb(1 - closure.opacity) + sum * closure.opacity;
+    for (int i = 0; i < closure.count; ++i) {
+      const Lobe& lobe = closure.lobes[i];
+      if (!transmits(lobe.kind)) continue;
+      all += lobe.level;
+      if (is_delta(lobe.kind)) clear += lobe.level;
+    }
+  const Rgb hole(1 - closure.opacity);
+  return {hole + all * closure.opacity, hole + clear * closure.opacity, hole};
 }
 
-Rgb shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
-                         float distance, RayCounts& counts) {
-  if (world.options.shadow == scene::ShadowMode::Off) return Rgb(1);
-  if (point.instance >= 0 &&
-      !world.instances[static_cast<std::size_t>(point.instance)].receives_shadow)
-    return Rgb(1);
+bool takes_shadows(const World& world, const ShadingPoint& point) {
+  if (world.options.shadow == scene::ShadowMode::Off) return false;
+  return point.instance < 0 ||
+         world.instances[static_cast<std::size_t>(point.instance)].receives_shadow;
+}
+
+Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
+                              float distance, RayCounts& counts) {
+  constexpr Openness kClosed{Rgb(0), Rgb(0), Rgb(0)};
   const float tfar =
       std::isinf(distance) ? std::numeric_limits<float>::infinity() : distance * kShortOfLight;
   geom::Ray ray = leave(point, wi, tfar, geom::RayMask::Shadow);
   ++counts.shadow;
-  if (world.accel->occluded(ray)) return Rgb(0);
-  if (!world.has_transparent_blockers) return Rgb(1);
+  if (world.accel->occluded(ray)) return kClosed;
+  if (!world.has_transparent_blockers) return {};
 
   // Walk the transparent ones from the point to the light.
   const bool segments = world.options.shadow == scene::ShadowMode::Segments;
   ray.mask = geom::RayMask::ShadowTransparent;
-  Rgb open(1);
+  Openness open;
+  const auto dim = [&](const Rgb& t) {
+    open.all *= t;
+    open.clear *= t;
+    open.cut_outs *= t;
+  };
   Medium medium;
   bool medium_known = false;
   for (int i = 0; i < kMostBlockers; ++i) {
     geom::Hit hit;
     ++counts.shadow;
-    if (!world.accel->intersect(ray, hit)) return open;
+    if (!world.accel->intersect(ray, hit)) {
+      // A light inside of glass.
+      if (segments && !medium.clear() && !std::isinf(ray.tfar))
+        dim(transmittance(medium, ray.tfar));
+      return open;
+    }
     ShadingPoint blocker;
     fill_point(world, ray, hit, {}, RayKind::Shadow, blocker);
     Closure closure;
     shade(material_of(world, hit), blocker, closure);
     if (segments) {
       if (!medium_known && blocker.back_side && !closure.thin_walled) medium = closure.inside;
-      open *= transmittance(medium, hit.t);
+      dim(transmittance(medium, hit.t));
     }
-    open *= straight_transmission(closure, world.options);
-    if (max_component(open) <= 0) return Rgb(0);
+    const Openness here = straight_transmission(closure, world.options);
+    open.all *= here.all;
+    open.clear *= here.clear;
+    open.cut_outs *= here.cut_outs;
+    if (max_component(open.all) <= 0) return kClosed;
     if (!closure.thin_walled) {
       medium = blocker.back_side ? Medium{} : closure.inside;
       medium_known = true;
@@ -74,7 +96,7 @@ Rgb shadow_transmittance(const World& world, const ShadingPoint& point, const Ve
     if (!(rest > 0)) return open;
     ray = leave(blocker, wi, rest, geom::RayMask::ShadowTransparent);
   }
-  return Rgb(0);
+  return kClosed;
 }
 
 }  // namespace oriel

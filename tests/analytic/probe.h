@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prepares composed scenes and measures radiance in them, with its standard error.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "base/parallel.h"
+#include "mi/reader.h"
+#include "render/prepare.h"
+#include "scene_text.h"
+#include "shaders/registry.h"
+#include "transport/path.h"
+
+namespace oriel::analytic {
+
+/// "test_sky": one colour in the half space of `up`, another in the other.
+struct TestSky {
+  Rgba above, below;
+  Vec3 up;
+};
+inline constexpr ParamSpec kTestSkyRows[] = {{ORIEL_PARAM(TestSky, above)},
+                                             {ORIEL_PARAM(TestSky, below)},
+                                             {ORIEL_PARAM(TestSky, up), .fallback = {0, 0, 1}}};
+inline constexpr ShaderSpec kTestSky = {
+    .name = "test_sky",
+    .library = "test",
+    .apply = kApplyEnvironment,
+    .params = kTestSkyRows,
+    .params_size = sizeof(TestSky),
+    .value =
+        [](const Call& call, void* result) {
+          const auto& p = call.as<TestSky>();
+          *static_cast<Rgba*>(result) =
+              dot(call.point.ray_direction, p.up) >= 0 ? p.above : p.below;
+        },
+};
+
+/// "test_place": the point in world space as a colour, so that a target tells where it was hit.
+struct TestPlace {
+  Vec3 scale;
+};
+inline constexpr ParamSpec kTestPlaceRows[] = {
+    {ORIEL_PARAM(TestPlace, scale), .fallback = {1, 1, 1}}};
+inline constexpr ShaderSpec kTestPlace = {
+    .name = "test_place",
+    .library = "test",
+    .apply = kApplyTexture,
+    .params = kTestPlaceRows,
+    .params_size = sizeof(TestPlace),
+    .value =
+        [](const Call& call, void* result) {
+          const Vec3 p = call.point.position * call.as<TestPlace>().scale;
+          *static_cast<Rgba*>(result) = Rgba(p.x, p.y, p.z, 1);
+        },
+};
+
+inline const Registry& test_registry() {
+  static const Registry registry([] {
+    std::vector<const ShaderSpec*> specs = builtin_shaders().all();
+    specs.push_back(&kTestSky);
+    specs.push_back(&kTestPlace);
+    return specs;
+  }());
+  return registry;
+}
+
+/// Mean radiance in pixel units and the standard error of that mean, by channel.
+struct Measured {
+  Rgb mean{0}, error{0};
+  RayCounts counts;  ///< of all samples together
+  double samples = 0;
+  float alpha = 0;
+};
+
+/// A prepared scene that can be measured.
+class Probe {
+ public:
+  explicit Probe(const SceneText& scene) : Probe(scene.str()) {}
+  explicit Probe(const std::string& text) {
+    Diagnostics diagnostics;
+    mi::ReadOptions options;
+    options.packages = builtin_packages();
+    options.knows_shader = [](std::string_view n) { return test_registry().find(n) != nullptr; };
+    scene_ = mi::read_text(text, options, diagnostics);
+    PrepareReport report;
+    if (!scene_.renders.empty())
+      world_ = prepare(scene_, scene_.renders.back(), test_registry(), {}, diagnostics, report);
+    for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << diagnostics.format(d);
+    if (!world_) throw std::runtime_error("the scene cannot be rendered");
+  }
+
+  const World& world() const { return *world_; }
+  /// Without diffuse bounces, as a scene without indirect light is rendered.
+  Probe& direct_only() {
+    indirect_ = false;
+    return *this;
+  }
+  Probe& estimator(Estimator estimator) {
+    estimator_ = estimator;
+    return *this;
+  }
+
+  /// Along one ray of the camera's kind.
+  Measured ray(const Vec3& origin, const Vec3& direction, int samples = 4096) const {
+    const Camera::Ray eye{origin, normalize(direction), 1, 0, 0};
+    return measure(samples, [&](sampling::Sampler&, int) { return std::pair(eye, Vec2(0)); });
+  }
+  /// From `distance` away onto a point, at `degrees` from its normal (tilted toward `side`).
+  Measured onto(const Vec3& point, const Vec3& normal, float degrees = 0, int samples = 4096,
+                float distance = 0.5f) const {
+    const Frame frame(normal);
+    const float a = degrees * kPi / 180;
+    const Vec3 away = frame.n * std::cos(a) + frame.s * std::sin(a);
+    return ray(point + away * distance, -away, samples);
+  }
+  /// Over one pixel; (0, 0) is the lower left one.
+  Measured pixel(int x, int y, int samples = 4096) const {
+    return pixels(x, y, x + 1, y + 1, samples);
+  }
+  /// Over a block of pixels.
+  Measured pixels(int x0, int y0, int x1, int y1, int samples) const {
+    return measure(samples, [&](sampling::Sampler& sampler, int) {
+      const Vec2 u = sampler.next_2d();
+      const Vec2 raster(lerp(static_cast<float>(x0), static_cast<float>(x1), u.x),
+                        lerp(static_cast<float>(y0), static_cast<float>(y1), u.y));
+      return std::pair(world_->camera.ray(raster), raster);
+    });
+  }
+  Measured picture(int samples) const {
+    return pixels(0, 0, world_->camera.width, world_->camera.height, samples);
+  }
+
+ private:
+  /// Batches with independent random numbers, so that their spread is the error of the mean even
+  /// though samples within one are stratified.
+  static constexpr int kBatches = 64;
+
+  template <class F>
+  Measured measure(int samples, const F& eye) const {
+    const int per_batch = std::max(1, samples / kBatches);
+    std::vector<Rgb> means(kBatches);
+    std::vector<RayCounts> counts(kBatches);
+    std::vector<float> alphas(kBatches);
+    parallel_for(kBatches, [&](std::size_t b) {
+      Imath::Vec3<double> sum(0.0);  // double: up to a million terms
+      for (int s = 0; s < per_batch; ++s) {
+        sampling::Sampler sampler(static_cast<int>(b), 7, static_cast<std::uint32_t>(s));
+        const auto [ray, raster] = eye(sampler, s);
+        const PathResult r =
+            trace_path(*world_, ray, raster, indirect_, sampler, counts[b], estimator_);
+        sum += Imath::Vec3<double>(r.radiance.x, r.radiance.y, r.radiance.z);
+        alphas[b] += r.alpha / static_cast<float>(per_batch);
+      }
+      means[b] = Rgb(Imath::V3f(sum / double(per_batch)));
+    });
+    Measured m;
+    for (int b = 0; b < kBatches; ++b) {
+      m.mean += means[static_cast<std::size_t>(b)] / kBatches;
+      m.alpha += alphas[static_cast<std::size_t>(b)] / kBatches;
+      m.counts += counts[static_cast<std::size_t>(b)];
+    }
+    for (const Rgb& v : means) m.error += (v - m.mean) * (v - m.mean);
+    for (int k = 0; k < 3; ++k) m.error[k] = std::sqrt(m.error[k] / (kBatches - 1.0f) / kBatches);
+    m.samples = double(per_batch) * kBatches;
+    return m;
+  }
+
+  scene::Scene scene_;
+  std::unique_ptr<World> world_;
+  bool indirect_ = true;
+  Estimator estimator_ = Estimator::Mis;
+};
+
+/// Rounding of a path's products and of tessellated, shifted ray origins; relative.
+inline constexpr float kRounding = 2e-5f;
+
+/// Prints a row of the table of figures when ORIEL_FIGURES is set.
+inline void figure(const std::string& name, double exact, double measured, double error) {
+  static const bool wanted = std::getenv("ORIEL_FIGURES") != nullptr;
+  if (wanted)
+    fmt::print("| {} | {:.6g} | {:.6g} | {:.2g} | {:+.1f} |\n", name, exact, measured, error,
+               error > 0 ? (measured - exact) / error : 0.0);
+}
+
+/// |mean - exact| <= 4 standard errors, and the error small enough for that to mean something.
+inline void expect_exact(const std::string& name, const Measured& m, const Rgb& exact,
+                         float largest_error = 0.005f) {
+  for (int k = 0; k < 3; ++k) {
+    const float tolerance = 4 * m.error[k] + kRounding * std::max(std::abs(exact[k]), 1e-4f);
+    EXPECT_NEAR(m.mean[k], exact[k], tolerance)
+        << name << " channel " << k << ", standard error " << m.error[k];
+    EXPECT_LE(m.error[k], largest_error * std::max(std::abs(exact[k]), 1e-6f))
+        << name << ": too noisy to show anything";
+  }
+  figure(name, exact.x, m.mean.x, m.error.x);
+}
+inline void expect_exact(const std::string& name, const Measured& m, float exact,
+                         float largest_error = 0.005f) {
+  expect_exact(name, m, Rgb(exact), largest_error);
+}
+
+/// Two measurements of the same thing.
+inline void expect_same(const std::string& name, const Measured& a, const Measured& b,
+                        float largest_error = 0.005f) {
+  for (int k = 0; k < 3; ++k) {
+    const float error = std::hypot(a.error[k], b.error[k]);
+    EXPECT_NEAR(a.mean[k], b.mean[k], 4 * error + kRounding * std::abs(b.mean[k]))
+        << name << " channel " << k;
+    EXPECT_LE(error, largest_error * std::max(std::abs(b.mean[k]), 1e-6f)) << name << ": too noisy";
+  }
+  figure(name, b.mean.x, a.mean.x, std::hypot(a.error.x, b.error.x));
+}
+
+}  // namespace oriel::analytic
