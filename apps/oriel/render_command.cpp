@@ -178,7 +178,7 @@ class FrameRenderer {
                                 ? o.finalgather.on || o.globillum.on || o.caustic.on
                                 : o.indirect != scene::IndirectMethod::Path;
     if (wants_more)
-      diagnostics_.note("OR-RN-030", {},
+      diagnostics_.note("OR-RN-040", {},
                         asks_for_indirect(o)
                             ? "final gathering and photons are not available; indirect light is "
                               "path traced"

@@ -102,7 +102,7 @@ class OutputReader {
   std::optional<PictureFile> read(const scene::Output& output) {
     PictureFile file{.path = allowed_path(output.file, roots_)};
     if (file.path.empty()) {
-      diagnostics_.warning("OR-RN-020", output.where,
+      diagnostics_.warning("OR-RN-050", output.where,
                            fmt::format("output \"{}\" lies outside of the scene's folder and is "
                                        "not written",
                                        output.file),
@@ -112,7 +112,7 @@ class OutputReader {
     std::string types = output.types;
     const Format* format = choose_format(output, types);
     if (!format) {
-      diagnostics_.warning("OR-RN-021", output.where,
+      diagnostics_.warning("OR-RN-051", output.where,
                            fmt::format("no file of format \"{}\" can be written; output \"{}\" is "
                                        "left out",
                                        output.format, output.file),
@@ -146,7 +146,7 @@ class OutputReader {
     for (const std::string& word : split(types)) {
       const std::optional<Type> type = read_type(word);
       if (!type) {
-        diagnostics_.warning("OR-RN-021", output.where,
+        diagnostics_.warning("OR-RN-051", output.where,
                              fmt::format("no picture of type \"{}\" is made; it is left out of "
                                          "output \"{}\"",
                                          word, output.file),
@@ -184,7 +184,7 @@ class ShaderReader {
       if (node->spec().lens)
         nodes.push_back(node);
       else
-        diagnostics_.warning("OR-RN-022", output.where,
+        diagnostics_.warning("OR-RN-052", output.where,
                              fmt::format("shader \"{}\" does not act as an output shader; skipped",
                                          node->spec().name));
     }

@@ -27,9 +27,9 @@ struct OutputRoots {
 ///          file shows, all of them which layers an EXR file has; a sign (interpolation) is
 ///          accepted and has no effect. `output "x" "file"`: x is a type ("rgba") or a format
 ///          ("pic"); a known suffix of the file decides its format, else x does.
-/// Errors:  OR-RN-020 a file outside of the allowed folders is left out (a path that leads out
-///          through links counts as outside); OR-RN-021 a type or format nobody can write;
-///          OR-RN-022 an output shader that is none.
+/// Errors:  OR-RN-050 a file outside of the allowed folders is left out (a path that leads out
+///          through links counts as outside); OR-RN-051 a type or format nobody can write;
+///          OR-RN-052 an output shader that is none.
 /// Checked: CameraOutput.* in camera_output_test.cpp
 std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const OutputRoots& roots,
                                         const scene::Scene& scene, const Registry& registry,
