@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The heart of the denoiser: patch weights from one picture, regression of another.
+#pragma once
+
+#include <array>
+
+#include "image/denoise_planes.h"
+
+namespace oriel::denoising {
+
+/// A picture and how noisy it is, 3 channels each.
+struct Estimate {
+  Planes mean, variance;
+};
+
+inline constexpr int kBandwidths = 2;
+/// In standard deviations of the difference of two pixels.
+/// Source: Bitterli et al. 2016, section 6.
+inline constexpr std::array<float, kBandwidths> kBandwidth = {0.5f, 1.0f};
+
+/// What to add to `target` for each bandwidth, 3 channels.
+///
+/// Inputs:  guide: its patches make the weights; free of the target's noise, or the target itself.
+std::array<Planes, kBandwidths> regress(const Estimate& target, const Estimate& guide,
+                                        const Planes& features, float strength);
+
+}  // namespace oriel::denoising
