@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "color/srgb.h"
 #include "command.h"
 #include "image/compare.h"
-#include "image/files.h"
 #include "image/flip.h"
+#include "pictures.h"
 #include "scene_file.h"
 
 namespace oriel::app {
@@ -35,14 +34,9 @@ Image colours_of(const Image& image) {
   return out;
 }
 
-bool is_linear(const std::string& path) {
-  const std::string suffix = std::filesystem::path(path).extension().string();
-  return suffix == ".exr" || suffix == ".hdr";
-}
-
 /// What a screen would show: linear pictures are encoded, with values past 1 cut.
 Image as_shown(Image image, const std::string& path) {
-  if (is_linear(path))
+  if (is_linear_file(path))
     for (float& v : image.pixels) v = std::isfinite(v) ? srgb_encode(clamp01(v)) : 0.0f;
   return image;
 }
@@ -69,8 +63,8 @@ Threshold parse_threshold(const std::string& text) {
 int run_diff(const DiffArguments& a) {
   std::vector<Threshold> thresholds;
   for (const std::string& text : a.thresholds) thresholds.push_back(parse_threshold(text));
-  const Image test = colours_of(read_image(a.test));
-  const Image reference = colours_of(read_image(a.reference));
+  const Image test = colours_of(read_named_picture(a.test));
+  const Image reference = colours_of(read_named_picture(a.reference));
   if (test.width != reference.width || test.height != reference.height ||
       test.channels != reference.channels)
     throw UserError(fmt::format(

@@ -214,7 +214,7 @@ class FrameRenderer {
     for (const PictureFile& file : files_)
       if (!file.linear)
         return diagnostics_.warning(
-            "OR-RN-031", {},
+            "OR-RN-041", {},
             fmt::format(
                 "colours are mapped by a lens shader and get gamma {} of the options as well",
                 world_->options.gamma),

@@ -9,6 +9,7 @@
 #include "image/files.h"
 #include "image/view.h"
 #include "lens/exposure.h"
+#include "pictures.h"
 
 namespace oriel::app {
 namespace {
@@ -44,7 +45,7 @@ void map_image(Image& image, const Exposure& exposure) {
 }
 
 int run_tonemap(TonemapArguments& a) {
-  Image image = read_image(a.input);
+  Image image = read_named_picture(a.input);
   if (!a.whitepoint.empty()) a.photographic.whitepoint = parse_color(a.whitepoint);
   a.photographic.gamma = a.plain.gamma = a.gamma;
   if (a.simple) {
@@ -57,7 +58,7 @@ int run_tonemap(TonemapArguments& a) {
   const std::string suffix = std::filesystem::path(a.output).extension().string();
   FileOptions options;
   options.format = SampleFormat::Float;
-  const bool keeps_floats = suffix == ".exr" || suffix == ".hdr";
+  const bool keeps_floats = is_linear_file(a.output);
   if (!keeps_floats) {
     options.format = suffix == ".tif" || suffix == ".tiff" ? SampleFormat::U16 : SampleFormat::U8;
     image = view_image(image, ViewOptions{});

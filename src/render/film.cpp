@@ -8,6 +8,10 @@ namespace {
 
 Rgb finite_or_black(const Rgb& c) { return is_finite(c) ? c : Rgb(0); }
 
+Rgb not_negative(const Rgb& c) {
+  return Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
+}
+
 float brightness(const Rgb& c) { return (c.x + c.y + c.z) / 3; }
 
 float finite_or_zero(float x) { return std::isfinite(x) ? x : 0.0f; }
@@ -18,9 +22,14 @@ T weigh(float a, const T& x, float b, const T* y) {
   return y ? x * a + *y * b : x * a;
 }
 
+Rgb variance_of_mean(const PixelMeans& means, float share) {
+  const auto n = static_cast<float>(means.samples);
+  return n > 1 ? means.beauty_m2 * (share * share / (n * (n - 1))) : Rgb(0);
+}
+
 }  // namespace
 
-void PixelMeans::add(const FilmSample& s, bool mapped) {
+void PixelMeans::add(const FilmSample& s) {
   const Rgb c = finite_or_black(s.beauty);
   const float share = 1 / static_cast<float>(++samples);
 
@@ -31,30 +40,32 @@ void PixelMeans::add(const FilmSample& s, bool mapped) {
   normal += ((is_finite(s.normal) ? s.normal : Vec3(0)) - normal) * share;
   albedo += (finite_or_black(s.albedo) - albedo) * share;
 
-  const Rgb shown = mapped ? finite_or_black(s.display) : c;
-  if (mapped) display += (shown - display) * share;
-  const float value = brightness(shown);
-  const float level_before = value - level;
-  level += level_before * share;
-  level_m2 += level_before * (value - level);
-
   if (s.depth > 0 && std::isfinite(s.depth))
     depth += (s.depth - depth) / static_cast<float>(++hits);
 }
 
-Film::Film(int width, int height, const FilterSampler& filter, bool mapped)
+void SubPixelMeans::add(const FilmSample& s) {
+  const std::size_t i = s.sub_pixel % kSubPixels;
+  beauty[i] += (finite_or_black(s.beauty) - beauty[i]) / static_cast<float>(++samples[i]);
+}
+
+Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map)
     : width_(width),
       height_(height),
-      mapped_(mapped),
       clips_(filter.clips()),
       plain_share_(filter.positive_share()),
       marked_share_(-filter.negative_share()),
       plain_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      marked_(filter.has_negative_lobes() ? plain_.size() : 0) {}
+      marked_(filter.has_negative_lobes() ? plain_.size() : 0),
+      map_(std::move(map)),
+      plain_parts_(map_ ? plain_.size() : 0),
+      marked_parts_(map_ ? marked_.size() : 0) {}
 
 void Film::add(int x, int y, const FilmSample& sample) {
+  const std::size_t i = index(x, y);
   const bool marked = sample.negative && !marked_.empty();
-  (marked ? marked_ : plain_)[index(x, y)].add(sample, mapped_);
+  (marked ? marked_ : plain_)[i].add(sample);
+  if (map_) (marked ? marked_parts_ : plain_parts_)[i].add(sample);
 }
 
 double Film::mean_samples() const {
@@ -70,6 +81,20 @@ Film::Shares Film::shares(std::size_t pixel) const {
   return {plain_share_, marked_share_};
 }
 
+Rgb Film::color(std::size_t i) const {
+  const Shares s = shares(i);
+  const Rgb c =
+      weigh(s.plain, plain_[i].beauty, s.marked, marked_.empty() ? nullptr : &marked_[i].beauty);
+  return clips_ ? not_negative(c) : c;
+}
+
+Rgb Film::color_error(std::size_t i) const {
+  const Shares s = shares(i);
+  Rgb variance = variance_of_mean(plain_[i], s.plain);
+  if (!marked_.empty()) variance += variance_of_mean(marked_[i], s.marked);
+  return Rgb(std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z));
+}
+
 Film::Pixel Film::pixel(int x, int y) const {
   const std::size_t i = index(x, y);
   const PixelMeans& p = plain_[i];
@@ -77,26 +102,15 @@ Film::Pixel Film::pixel(int x, int y) const {
   const Shares s = shares(i);
 
   Pixel out;
-  Rgb colour = weigh(s.plain, p.beauty, s.marked, m ? &m->beauty : nullptr);
+  const Rgb c = color(i);
   float alpha = weigh(s.plain, p.alpha, s.marked, m ? &m->alpha : nullptr);
-  out.display = weigh(s.plain, p.display, s.marked, m ? &m->display : nullptr);
-  out.albedo = weigh(s.plain, p.albedo, s.marked, m ? &m->albedo : nullptr);
-  out.normal = weigh(s.plain, p.normal, s.marked, m ? &m->normal : nullptr);
-  if (clips_) {
-    for (int c = 0; c < 3; ++c) {
-      colour[c] = std::max(colour[c], 0.0f);
-      out.display[c] = std::max(out.display[c], 0.0f);
-    }
-  }
   // Coverage outside 0...1 has no meaning, whatever the filter.
   if (m) alpha = clamp01(alpha);
-  out.beauty = Rgba(colour.x, colour.y, colour.z, alpha);
-
-  const auto variance = [](const PixelMeans& means, float share) {
-    const auto n = static_cast<float>(means.samples);
-    return n > 1 ? means.beauty_m2 * (share * share / (n * (n - 1))) : Rgb(0);
-  };
-  out.variance = variance(p, s.plain) + (m ? variance(*m, s.marked) : Rgb(0));
+  out.beauty = Rgba(c.x, c.y, c.z, alpha);
+  out.albedo = weigh(s.plain, p.albedo, s.marked, m ? &m->albedo : nullptr);
+  out.normal = weigh(s.plain, p.normal, s.marked, m ? &m->normal : nullptr);
+  const Rgb error = color_error(i);
+  out.variance = error * error;
 
   // A mean of distances, not a filtered one: negative weights make no sense of them.
   const std::uint32_t hits = p.hits + (m ? m->hits : 0);
@@ -107,23 +121,42 @@ Film::Pixel Film::pixel(int x, int y) const {
   return out;
 }
 
-Film::Level Film::level(std::size_t pixel) const {
-  if (samples(pixel) < 2) {
-    const float only = plain_[pixel].samples ? plain_[pixel].level
-                       : marked_.empty()     ? 0.0f
-                                             : marked_[pixel].level;
-    return {only, std::numeric_limits<float>::infinity()};
+Rgb Film::shown(int x, int y) const {
+  const std::size_t i = index(x, y);
+  if (!map_) return color(i);
+  const Shares s = shares(i);
+  const SubPixelMeans& parts = plain_parts_[i];
+  const SubPixelMeans* marked = marked_parts_.empty() ? nullptr : &marked_parts_[i];
+  Rgb sum(0);
+  float weight = 0;
+  for (std::size_t q = 0; q < kSubPixels; ++q) {
+    const bool has_plain = parts.samples[q] > 0, has_marked = marked && marked->samples[q] > 0;
+    if (!has_plain && !has_marked) continue;
+    Rgb c = has_plain ? parts.beauty[q] : marked->beauty[q];
+    if (has_plain && has_marked)
+      c = not_negative(parts.beauty[q] * s.plain + marked->beauty[q] * s.marked);
+    // By its samples: quadrants that few samples found say little of the pixel.
+    const auto n = static_cast<float>(parts.samples[q] + (marked ? marked->samples[q] : 0));
+    sum += map_(x, y, c) * n;
+    weight += n;
   }
-  const Shares s = shares(pixel);
-  float mean = 0, variance = 0;
-  const auto gather = [&](const PixelMeans& means, float share) {
-    const auto n = static_cast<float>(means.samples);
-    mean += share * means.level;
-    if (n > 1) variance += share * share * means.level_m2 / (n * (n - 1));
-  };
-  gather(plain_[pixel], s.plain);
-  if (!marked_.empty()) gather(marked_[pixel], s.marked);
-  return {mean, std::sqrt(std::max(variance, 0.0f))};
+  return weight > 0 ? sum * (1 / weight) : Rgb(0);
+}
+
+Film::Level Film::level(std::size_t i) const {
+  const int x = static_cast<int>(i % static_cast<std::size_t>(width_));
+  const int y = static_cast<int>(i / static_cast<std::size_t>(width_));
+  const bool known = samples(i) > 1;
+  const Rgb c = color(i), e = known ? color_error(i) : Rgb(0);
+  Level level{brightness(c), brightness(e)};
+  if (map_) {
+    level.mean = brightness(map_(x, y, c));
+    if (level.error > 0)
+      level.error =
+          std::abs(brightness(map_(x, y, c + e)) - brightness(map_(x, y, not_negative(c - e)))) / 2;
+  }
+  if (!known) level.error = std::numeric_limits<float>::infinity();
+  return level;
 }
 
 }  // namespace oriel

@@ -2,8 +2,10 @@
 // What has been seen so far of every pixel: means, variances and the number of samples.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/vec.h"
@@ -13,7 +15,9 @@ namespace oriel {
 
 // Conventions
 //   Row 0 is the top row. The film covers the window that is rendered; x and y count inside it.
-//   Colours are linear and premultiplied; `display` is what lens shaders made of a sample.
+//   Colours are linear and premultiplied until they are mapped for display.
+
+inline constexpr int kSubPixels = 4;  ///< quadrants of a pixel
 
 /// What one sample brings to its pixel.
 struct FilmSample {
@@ -22,8 +26,8 @@ struct FilmSample {
   float depth = 0;  ///< scene units; 0 = nothing was hit, which does not count
   Vec3 normal{0};
   Rgb albedo{0};
-  Rgb display{0};
-  bool negative = false;  ///< fell where the pixel filter is negative
+  std::uint8_t sub_pixel = 0;  ///< quadrant of the pixel it fell into
+  bool negative = false;       ///< fell where the pixel filter is negative
 };
 
 /// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
@@ -32,31 +36,43 @@ struct PixelMeans {
   std::uint32_t samples = 0, hits = 0;
   Rgb beauty{0};
   Rgb beauty_m2{0};  ///< summed squared distances from the mean
-  Rgb display{0};
   float alpha = 0, depth = 0;
-  float level = 0, level_m2 = 0;  ///< brightness of what is shown, for the noise estimate
   Vec3 normal{0};
   Rgb albedo{0};
 
   /// Adds a sample; not a number and infinite colours count as black.
   /// Source: B. Welford, "Note on a Method for Calculating Corrected Sums of Squares and
   ///         Products", Technometrics 4(3), 1962.
-  void add(const FilmSample& sample, bool mapped);
+  void add(const FilmSample& sample);
 };
+
+/// Mean colours of the quadrants of a pixel, kept where colours are mapped for display.
+struct SubPixelMeans {
+  std::array<std::uint32_t, kSubPixels> samples{};
+  std::array<Rgb, kSubPixels> beauty{Rgb(0), Rgb(0), Rgb(0), Rgb(0)};
+  void add(const FilmSample& sample);
+};
+
+/// Maps a linear colour of pixel (x, y) for display, as lens shaders do.
+using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 
 /// The pixels of a render in progress.
 ///
 /// Model:   pixels are independent; different pixels may be written by different threads at once.
+///          Mapping for display acts on the mean colour of each quadrant of a pixel, and the pixel
+///          is the mean of that. Mapping every sample, as renderers do whose samples are smooth,
+///          would darken a path-traced picture for good: most paths find no light, few find much,
+///          and a curve that compresses takes it from the few. Mapping whole pixels would leave
+///          edges of bright things jagged.
 /// Checked: Film.* in film_test.cpp
 class Film {
  public:
-  /// Inputs:  filter: its shares weigh the samples; mapped: lens shaders fill in `display`, and
-  ///          noise is judged there.
-  Film(int width, int height, const FilterSampler& filter, bool mapped);
+  /// Inputs:  filter: its shares weigh the samples; map: empty = colours are shown as they are.
+  Film(int width, int height, const FilterSampler& filter, DisplayMap map = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
-  bool mapped() const { return mapped_; }
+  bool mapped() const { return static_cast<bool>(map_); }
   std::size_t pixel_count() const { return plain_.size(); }
 
   void add(int x, int y, const FilmSample& sample);
@@ -71,7 +87,6 @@ class Film {
   /// One pixel, filtered. The normal is not normalised (0 where there is none).
   struct Pixel {
     Rgba beauty{0, 0, 0, 0};
-    Rgb display{0};
     Rgb variance{0};  ///< of the beauty's mean; 0 below two samples
     float depth = 0;  ///< mean over samples that hit something; 0 = none did
     Vec3 normal{0};
@@ -79,18 +94,18 @@ class Film {
   };
   Pixel pixel(int x, int y) const;
 
-  /// Brightness of what is shown (mean of three channels) and the standard error of it; the error
-  /// is infinite below two samples.
+  /// The colour that is looked at: mapped, where there is a map; else the beauty.
+  Rgb shown(int x, int y) const;
+
+  /// Brightness of what is shown (mean of three channels) and the standard error of it, which for
+  /// mapped colours is how far the map moves when the colour moves by its error. The error is
+  /// infinite below two samples.
   struct Level {
     float mean, error;
   };
   Level level(std::size_t pixel) const;
 
-  /// The state as bytes go to a checkpoint and come back.
   const std::vector<PixelMeans>& plain() const { return plain_; }
-  const std::vector<PixelMeans>& marked() const { return marked_; }
-  std::vector<PixelMeans>& plain() { return plain_; }
-  std::vector<PixelMeans>& marked() { return marked_; }
 
  private:
   std::size_t index(int x, int y) const {
@@ -102,12 +117,16 @@ class Film {
     float plain, marked;
   };
   Shares shares(std::size_t pixel) const;
+  Rgb color(std::size_t pixel) const;
+  Rgb color_error(std::size_t pixel) const;
 
   int width_, height_;
-  bool mapped_, clips_;
+  bool clips_;
   float plain_share_, marked_share_;
   std::vector<PixelMeans> plain_;
   std::vector<PixelMeans> marked_;  ///< empty unless the filter has negative lobes
+  DisplayMap map_;
+  std::vector<SubPixelMeans> plain_parts_, marked_parts_;  ///< empty without a map
 };
 
 }  // namespace oriel

@@ -23,7 +23,7 @@ FilmSample sample_of(float grey) {
 }
 
 TEST(Film, ConstantStaysExactOverManySamples) {
-  Film film(1, 1, box(), false);
+  Film film(1, 1, box());
   for (int i = 0; i < 65536; ++i) film.add(0, 0, sample_of(0.1f));
   EXPECT_EQ(film.pixel(0, 0).beauty.r, 0.1f);
   EXPECT_EQ(film.pixel(0, 0).variance.x, 0);
@@ -31,7 +31,7 @@ TEST(Film, ConstantStaysExactOverManySamples) {
 
 TEST(Film, VarianceIsThatOfTheMean) {
   // 1, 2, 3, 4: mean 2.5, sample variance 5/3, of the mean 5/12.
-  Film film(1, 1, box(), false);
+  Film film(1, 1, box());
   for (const float v : {1.0f, 2.0f, 3.0f, 4.0f}) film.add(0, 0, sample_of(v));
   EXPECT_FLOAT_EQ(film.pixel(0, 0).beauty.g, 2.5f);
   EXPECT_FLOAT_EQ(film.pixel(0, 0).variance.y, 5.0f / 12);
@@ -40,7 +40,7 @@ TEST(Film, VarianceIsThatOfTheMean) {
 }
 
 TEST(Film, ErrorIsUnknownBelowTwoSamples) {
-  Film film(1, 1, box(), false);
+  Film film(1, 1, box());
   EXPECT_EQ(film.level(0).error, std::numeric_limits<float>::infinity());
   film.add(0, 0, sample_of(3));
   EXPECT_EQ(film.level(0).error, std::numeric_limits<float>::infinity());
@@ -48,7 +48,7 @@ TEST(Film, ErrorIsUnknownBelowTwoSamples) {
 }
 
 TEST(Film, DepthIsTheMeanOverHits) {
-  Film film(1, 1, box(), false);
+  Film film(1, 1, box());
   FilmSample s;
   film.add(0, 0, s);
   s.depth = 2;
@@ -59,7 +59,7 @@ TEST(Film, DepthIsTheMeanOverHits) {
 }
 
 TEST(Film, ValuesThatAreNoNumbersDoNotSpoilThePixel) {
-  Film film(1, 1, box(), false);
+  Film film(1, 1, box());
   film.add(0, 0, sample_of(1));
   film.add(0, 0, sample_of(std::numeric_limits<float>::quiet_NaN()));
   film.add(0, 0, sample_of(std::numeric_limits<float>::infinity()));
@@ -68,20 +68,54 @@ TEST(Film, ValuesThatAreNoNumbersDoNotSpoilThePixel) {
 }
 
 TEST(Film, NoiseIsJudgedOnWhatIsShown) {
-  Film film(1, 1, box(), true);
-  for (const float v : {10.0f, 20.0f}) {
-    FilmSample s = sample_of(v);
-    s.display = Rgb(1);
-    film.add(0, 0, s);
-  }
+  const auto burnt = [](int, int, const Rgb& c) { return Rgb(std::min(c.x, 1.0f)); };
+  Film film(2, 1, box(), burnt);
+  for (const float v : {10.0f, 20.0f}) film.add(0, 0, sample_of(v));
+  for (const float v : {0.1f, 0.3f}) film.add(1, 0, sample_of(v));
   EXPECT_EQ(film.level(0).error, 0);
   EXPECT_EQ(film.level(0).mean, 1);
   EXPECT_GT(film.pixel(0, 0).variance.x, 0);
+  EXPECT_NEAR(film.level(1).error, 0.1, 1e-6);  // 0.2 / sqrt(2) / sqrt(2)
+}
+
+TEST(Film, MappingForDisplayDoesNotDarkenNoise) {
+  // One path in sixteen finds light 16: the mean is 1, the root of the mean is 1, while the mean of
+  // the roots would be .25.
+  Film film(1, 1, box(), [](int, int, const Rgb& c) { return Rgb(std::sqrt(c.x)); });
+  for (int i = 0; i < 4096; ++i) {
+    FilmSample s = sample_of(i / kSubPixels % 16 == 0 ? 16.0f : 0.0f);
+    s.sub_pixel = static_cast<std::uint8_t>(i % kSubPixels);
+    film.add(0, 0, s);
+  }
+  EXPECT_NEAR(film.shown(0, 0).x, 1, 1e-3);
+}
+
+TEST(Film, MappingForDisplayKeepsEdgesOfBrightThingsSmooth) {
+  // Half of the pixel is black, half a hundred times white: mapped as a whole it would be white.
+  const auto burnt = [](int, int, const Rgb& c) { return Rgb(std::min(c.x, 1.0f)); };
+  Film film(1, 1, box(), burnt);
+  for (int i = 0; i < 64; ++i) {
+    FilmSample s = sample_of(i % 2 ? 100.0f : 0.0f);
+    s.sub_pixel = static_cast<std::uint8_t>(i % kSubPixels);
+    film.add(0, 0, s);
+  }
+  EXPECT_NEAR(film.shown(0, 0).x, 0.5f, 1e-6f);
+}
+
+TEST(Film, LinearMapsAreTheSameBeforeAndAfterTheMean) {
+  Film film(1, 1, box(), [](int, int, const Rgb& c) { return c * 3.0f; });
+  for (std::uint32_t i = 0; i < 37; ++i) {
+    sampling::Sampler sampler(0, 0, i);
+    FilmSample s = sample_of(sampler.next_1d());
+    s.sub_pixel = static_cast<std::uint8_t>(4 * sampler.next_1d());
+    film.add(0, 0, s);
+  }
+  EXPECT_NEAR(film.shown(0, 0).x, 3 * film.pixel(0, 0).beauty.r, 1e-5f);
 }
 
 TEST(Film, NegativeLobesSubtract) {
   const FilterSampler filter = mitchell(false);
-  Film film(1, 1, filter, false);
+  Film film(1, 1, filter);
   film.add(0, 0, sample_of(0));
   FilmSample ring = sample_of(1);
   ring.negative = true;
@@ -91,7 +125,7 @@ TEST(Film, NegativeLobesSubtract) {
 }
 
 TEST(Film, ClipVariantsNeverGoBelowBlack) {
-  Film film(1, 1, mitchell(true), false);
+  Film film(1, 1, mitchell(true));
   film.add(0, 0, sample_of(0));
   FilmSample ring = sample_of(1);
   ring.negative = true;
@@ -101,7 +135,7 @@ TEST(Film, ClipVariantsNeverGoBelowBlack) {
 
 TEST(Film, ConstantIsKeptByFiltersWithNegativeLobes) {
   const FilterSampler filter = mitchell(false);
-  Film film(1, 1, filter, false);
+  Film film(1, 1, filter);
   for (std::uint32_t i = 0; i < 256; ++i) {
     sampling::Sampler sampler(0, 0, i);
     FilmSample s = sample_of(0.7f);
@@ -117,7 +151,7 @@ TEST(Film, ConstantIsKeptByFiltersWithNegativeLobes) {
 double coverage(int samples, bool negative_lobes) {
   const FilterSampler filter = negative_lobes ? mitchell(false) : box();
   constexpr int kSide = 100;
-  Film film(kSide, kSide, filter, false);
+  Film film(kSide, kSide, filter);
   int held = 0;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {

@@ -131,7 +131,10 @@ std::vector<Layer> film_layers(const RenderSession& session, unsigned layers) {
     out.push_back({"samples", {""}, collect(session, 1, [&](int x, int y, float* to) {
                      *to = static_cast<float>(film.samples(x, y));
                    })});
-  if ((layers & kLayerDisplay) && film.mapped()) colours("display", &Film::Pixel::display);
+  if ((layers & kLayerDisplay) && film.mapped())
+    out.push_back({"display", kRgbNames, collect(session, 3, [&](int x, int y, float* to) {
+                     put(to, film.shown(x, y));
+                   })});
   return out;
 }
 
@@ -139,14 +142,11 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders) 
   const Film& film = session.film();
   const Window& w = session.window();
   return collect(session, 4, [&](int x, int y, float* to) {
-    const Film::Pixel p = film.pixel(x, y);
-    Rgb c = film.mapped() ? p.display : rgb(p.beauty);
+    Rgb c = film.shown(x, y);
     if (!output_shaders.empty())
-      c = map_color(output_shaders, session.world(),
-                    Vec2(static_cast<float>(w.x0 + x) + 0.5f, static_cast<float>(w.y1 - y) - 0.5f),
-                    c);
+      c = map_color(output_shaders, session.world(), w.pixel_centre(x, y), c);
     put(to, c);
-    to[3] = p.beauty.a;
+    to[3] = film.pixel(x, y).beauty.a;
   });
 }
 

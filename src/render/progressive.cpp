@@ -28,11 +28,19 @@ float relative_noise(const Film::Level& level, float picture) {
                                  std::max(picture, 1e-20f));
 }
 
-float picture_level(const Film& film) {
+std::vector<Film::Level> film_levels(const Film& film) {
+  std::vector<Film::Level> levels(film.pixel_count());
+  const auto width = static_cast<std::size_t>(film.width());
+  parallel_for(static_cast<std::size_t>(film.height()), [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) levels[i] = film.level(i);
+  });
+  return levels;
+}
+
+float picture_level(const std::vector<Film::Level>& levels) {
   double sum = 0;  // double: millions of terms
-  for (std::size_t i = 0; i < film.pixel_count(); ++i)
-    sum += std::sqrt(std::max(film.level(i).mean, 0.0f));
-  const double mean = film.pixel_count() ? sum / static_cast<double>(film.pixel_count()) : 0;
+  for (const Film::Level& level : levels) sum += std::sqrt(std::max(level.mean, 0.0f));
+  const double mean = levels.empty() ? 0 : sum / static_cast<double>(levels.size());
   return static_cast<float>(mean * mean);
 }
 
@@ -65,10 +73,11 @@ bool Progressive::out_of_time() const {
 }
 
 void Progressive::choose_active() {
-  const float picture = picture_level(film_);
+  const std::vector<Film::Level> levels = film_levels(film_);
+  const float picture = picture_level(levels);
   for (std::size_t i = 0; i < state_.active.size(); ++i)
     state_.active[i] = film_.samples(i) < budget_.min_samples ||
-                       relative_noise(film_.level(i), picture) > budget_.noise;
+                       relative_noise(levels[i], picture) > budget_.noise;
   dilate_active();
 }
 
@@ -102,13 +111,14 @@ std::optional<StopReason> Progressive::begin_pass() {
 }
 
 void Progressive::estimate(double seconds_of_run, double samples_of_run) {
-  const float picture = picture_level(film_);
+  const std::vector<Film::Level> levels = film_levels(film_);
+  const float picture = picture_level(levels);
   const auto pixels = static_cast<double>(film_.pixel_count());
   double noise = 0, missing = 0, active = 0;  // double: sums over all pixels
   bool known = true;
   for (std::size_t i = 0; i < film_.pixel_count(); ++i) {
     const double n = film_.samples(i);
-    const float e = relative_noise(film_.level(i), picture);
+    const float e = relative_noise(levels[i], picture);
     known = known && std::isfinite(e);
     noise += e;
     double needed = budget_.max_samples;

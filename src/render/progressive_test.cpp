@@ -33,7 +33,7 @@ bool same_bytes(const Film& a, const Film& b) {
 
 Film rendered(int threads, const RenderBudget& budget) {
   const ThreadLimit limit(threads);
-  Film film(kWidth, kHeight, box(), false);
+  Film film(kWidth, kHeight, box());
   Progressive(film, budget).run(noisy_half);
   return film;
 }
@@ -57,10 +57,10 @@ TEST(Progressive, NeighboursOfNoisyPixelsGoOn) {
 
 TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
   const float target = 0.05f;
-  Film film(kWidth, kHeight, box(), false);
+  Film film(kWidth, kHeight, box());
   Progressive run(film, {.max_samples = 4096, .noise = target});
   EXPECT_EQ(run.run(noisy_half), StopReason::Noise);
-  const float picture = picture_level(film);
+  const float picture = picture_level(film_levels(film));
   for (std::size_t i = 0; i < film.pixel_count(); ++i)
     EXPECT_LE(relative_noise(film.level(i), picture), target);
 }
@@ -76,7 +76,7 @@ TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
   const RenderBudget whole{.max_samples = 192, .noise = 0.05f};
   RenderBudget half = whole;
   half.max_samples = 48;
-  Film film(kWidth, kHeight, box(), false);
+  Film film(kWidth, kHeight, box());
   Progressive first(film, half);
   first.run(noisy_half);
   Progressive second(film, whole, first.state());
@@ -87,7 +87,7 @@ TEST(Progressive, GoingOnFromAStateGivesTheSameBytes) {
 TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {
   const RenderBudget budget{.max_samples = 192, .noise = 0.05f};
   for (const int stop_after : {1000, 40'000, 60'000}) {
-    Film film(kWidth, kHeight, box(), false);
+    Film film(kWidth, kHeight, box());
     std::atomic<bool> cancel{false};
     std::atomic<int> left{stop_after};
     Progressive first(film, budget);
@@ -105,7 +105,7 @@ TEST(Progressive, GoingOnFromAnInterruptedPassGivesTheSameBytes) {
 }
 
 TEST(Progressive, TimeLimitEndsTheRenderButNotBeforeTheFirstPass) {
-  Film film(kWidth, kHeight, box(), false);
+  Film film(kWidth, kHeight, box());
   Progressive run(film, {.max_samples = 1u << 20, .seconds = 0.05});
   const auto slow = [](int x, int y, std::uint32_t index, FilmSample& s) {
     if (x == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -117,7 +117,7 @@ TEST(Progressive, TimeLimitEndsTheRenderButNotBeforeTheFirstPass) {
 }
 
 TEST(Progressive, ReportsEveryPassAndTheNoise) {
-  Film film(kWidth, kHeight, box(), false);
+  Film film(kWidth, kHeight, box());
   Progressive run(film, {.max_samples = 64});
   std::vector<Progress> passes;
   run.run(noisy_half, {{}, [&](const Progress& p) { passes.push_back(p); }});

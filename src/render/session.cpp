@@ -21,6 +21,13 @@ Window window_of(const World& world, const SessionSettings& settings) {
   return w.width() > 0 && w.height() > 0 ? w : whole;
 }
 
+DisplayMap display_map(const World& world, const Window& window) {
+  if (world.lens.empty()) return {};
+  return [&world, window](int x, int y, const Rgb& color) {
+    return map_color(world.lens, world, window.pixel_centre(x, y), color);
+  };
+}
+
 }  // namespace
 
 bool asks_for_indirect(const scene::RenderOptions& options) {
@@ -49,7 +56,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       window_(window_of(world, settings)),
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
-      film_(window_.width(), window_.height(), filter_, !world.lens.empty()),
+      film_(window_.width(), window_.height(), filter_, display_map(world, window_)),
       progressive_(film_, budget_),
       indirect_(asks_for_indirect(world.options)) {}
 
@@ -69,7 +76,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
   s.normal = path.normal;
   s.albedo = path.albedo;
   s.negative = offset.negative;
-  if (film_.mapped()) s.display = map_color(world_.lens, world_, raster, path.radiance);
+  s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));
   return s;
 }
 

@@ -20,6 +20,10 @@ struct Window {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   int width() const { return x1 - x0; }
   int height() const { return y1 - y0; }
+  /// Raster position of a pixel that the film counts from the top left.
+  Vec2 pixel_centre(int x, int y) const {
+    return Vec2(static_cast<float>(x0 + x) + 0.5f, static_cast<float>(y1 - y) - 0.5f);
+  }
   bool operator==(const Window&) const = default;
 };
 
@@ -41,7 +45,7 @@ Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rg
 /// Renders one world.
 ///
 /// Model:   sample i of a pixel is keyed by the pixel's place in the whole picture, the seed and i:
-///          a crop shows the same pixels as the whole picture does. Lens shaders map each sample.
+///          a crop shows the same pixels as the whole picture does.
 /// Checked: tests/cli (threads, crop); the pieces by their own tests.
 class RenderSession {
  public:

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures the user names: read with the plainest message where that fails.
+#pragma once
+
+#include <string>
+
+#include "image/pixel_buffer.h"
+
+namespace oriel::app {
+
+/// Errors: UserError when there is no such file; else as read_image.
+Image read_named_picture(const std::string& path);
+
+/// Files that hold linear values, by their suffix.
+bool is_linear_file(const std::string& path);
+
+}  // namespace oriel::app
