@@ -191,9 +191,10 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
   camera.orthographic = element->orthographic;
   camera.focal = element->focal.value_or(kDefaultFocal);
   camera.aperture = element->aperture.value_or(kDefaultAperture);
-  const auto resolution = element->resolution.value_or(std::array<int, 2>{640, 480});
+  auto resolution = element->resolution.value_or(std::array<int, 2>{640, 480});
+  for (int& side : resolution) side = std::max(1, side);
   camera.aspect = element->aspect.value_or(static_cast<float>(resolution[0]) /
-                                           static_cast<float>(std::max(1, resolution[1])));
+                                           static_cast<float>(resolution[1]));
   constexpr int kMostPixels = 1 << 16;
   camera.width = std::clamp(options.width > 0 ? options.width : resolution[0], 1, kMostPixels);
   camera.height = std::clamp(options.height > 0 ? options.height : resolution[1], 1, kMostPixels);

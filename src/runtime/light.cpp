@@ -37,6 +37,13 @@ bool is_flat(LightShape shape) {
   return shape == LightShape::Rectangle || shape == LightShape::Disc;
 }
 
+/// Whether the edges stand square on each other. The solid angle of other parallelograms has no
+/// such simple sampling; they are sampled by area.
+bool has_square_corners(const Light& light) {
+  const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
+  return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
+}
+
 /// Sample of an extended shape: where, and density per solid angle.
 struct ShapeSample {
   Vec3 position, wi;
@@ -45,13 +52,14 @@ struct ShapeSample {
 
 std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
   ShapeSample s;
-  if (light.shape == LightShape::Rectangle) {
+  if (light.shape == LightShape::Rectangle && has_square_corners(light)) {
     const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
     const sampling::SphericalRectangle rectangle(from, corner, light.edge_u, light.edge_v);
     const auto r = rectangle.sample(u);
     s = {r.point, r.wi, r.distance, -dot(r.wi, light.direction), r.pdf};
   } else {
-    const Vec2 d = sampling::sample_disc(u) * light.radius;
+    const Vec2 d = light.shape == LightShape::Rectangle ? u - Vec2(0.5f)
+                                                        : sampling::sample_disc(u) * light.radius;
     s.position = light.position + light.edge_u * d.x + light.edge_v * d.y;
     const Vec3 to = s.position - from;
     s.distance = length(to);
@@ -150,8 +158,10 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
           geom::intersect(geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f},
                           o, direction, 0.0f, t_most);
       if (!hit) return std::nullopt;
-      result.pdf = sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
-                       .pdf(direction, hit->t);
+      result.pdf = has_square_corners(light)
+                       ? sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
+                             .pdf(direction, hit->t)
+                       : sqr(hit->t) / (light.area * cosine);
       break;
     }
     case LightShape::Disc:

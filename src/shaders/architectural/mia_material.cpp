@@ -161,7 +161,8 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
 
   if (!is_black(levels.diffuse)) {
     Lobe& lobe = closure.add(LobeKind::Diffuse, Channel::Diffuse, levels.diffuse, Frame(n.diffuse));
-    lobe.roughness = std::max(0.0f, p.diffuse_roughness);
+    // Beyond this nothing changes but the square overflows.
+    lobe.roughness = clamp(p.diffuse_roughness, 0, 1e3f);
   }
   const bool weak_inner =
       inside && p.transparency > 0 && p.skip_inside_refl && !levels.total_reflection;
