@@ -81,8 +81,8 @@ class Binder {
   void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   void bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                   const scene::Value& value, Scope* scope);
-  /// Counts the shaders that run for `node` with one more source; false: too many.
-  bool afford(ShaderNode& node, const ShaderNode& source, SourceLocation where);
+  /// Counts the shaders that run for `node` with a source of that cost more; false: too many.
+  bool afford(ShaderNode& node, float cost, SourceLocation where);
   void bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                     const scene::Value& value);
   void bind_text(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
@@ -102,6 +102,7 @@ class Binder {
   std::map<std::string, const ShaderNode*> named_;
   std::map<std::string, const TextureNode*> textures_;
   std::map<const ShaderNode*, const TextureNode*> procedures_;
+  std::map<const TextureNode*, float> texture_cost_;  ///< shaders that one look-up runs
   std::vector<std::unique_ptr<Scope>> scopes_;
   std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;

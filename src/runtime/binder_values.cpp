@@ -178,7 +178,7 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
       }
       const bool again =
           !node.connections_.empty() && node.connections_.back().source == source.node;
-      if (!again && !afford(node, *source.node, value.where)) return;
+      if (!again && !afford(node, source.node->cost_, value.where)) return;
       node.connections_.push_back({offset, type, source.node, source.type, source.offset});
       return;
     }
@@ -200,17 +200,17 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
   }
 }
 
-bool Binder::afford(ShaderNode& node, const ShaderNode& source, SourceLocation where) {
+bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
   // A graph whose layers each ask the next one twice doubles with every layer.
   constexpr float kMostEvaluations = 1e5f;
-  if (node.cost_ + source.cost_ > kMostEvaluations) {
+  if (node.cost_ + cost > kMostEvaluations) {
     diagnostics_.error("OR-RT-007", where,
                        fmt::format("connections of \"{}\" would run more than {} shaders",
                                    node.spec().name, static_cast<int>(kMostEvaluations)),
                        "the declared default is used here");
     return false;
   }
-  node.cost_ += source.cost_;
+  node.cost_ += cost;
   return true;
 }
 
@@ -235,7 +235,8 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     case ParamType::Shader: {
       if (value.text.empty()) return;
       const ShaderRef ref{resolve(value.text, value.where, scope).node};
-      if (ref.node && afford(node, *ref.node, value.where)) std::memcpy(target, &ref, sizeof ref);
+      if (ref.node && afford(node, ref.node->cost_, value.where))
+        std::memcpy(target, &ref, sizeof ref);
       return;
     }
     case ParamType::Light: {
@@ -261,7 +262,9 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     case ParamType::VectorTexture: {
       if (value.text.empty()) return;
       const ColorTextureRef ref{texture(value.text, value.where, scope)};
-      std::memcpy(target, &ref, sizeof ref);
+      const auto cost = texture_cost_.find(ref.texture);
+      if (cost == texture_cost_.end() || afford(node, cost->second, value.where))
+        std::memcpy(target, &ref, sizeof ref);
       return;
     }
     case ParamType::Material:
@@ -334,6 +337,7 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
   const auto procedure = [&](const ShaderNode* node) {
     const TextureNode*& known = procedures_[node];
     if (!known) known = keep(std::make_unique<TextureNode>(NodeList{node}));
+    texture_cost_[known] = node->cost_;
     return known;
   };
   if (const ShaderNode* local = find_local(name, scope)) return procedure(local);
@@ -347,12 +351,18 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
   }
   // Null while its procedure is bound: one that looks itself up finds nothing.
   textures_[name] = nullptr;
-  std::unique_ptr<TextureNode> made =
-      element->procedure.empty()
-          ? TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_)
-          : std::make_unique<TextureNode>(bind_list(element->procedure, nullptr));
-  if (made->missing()) report_.missing_textures.push_back(element->file);
-  return textures_[name] = keep(std::move(made));
+  if (element->procedure.empty()) {
+    auto made =
+        TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_);
+    if (made->missing()) report_.missing_textures.push_back(element->file);
+    return textures_[name] = keep(std::move(made));
+  }
+  NodeList nodes = bind_list(element->procedure, nullptr);
+  float cost = 0;
+  for (const ShaderNode* node : nodes) cost += node->cost_;
+  const TextureNode* made = keep(std::make_unique<TextureNode>(std::move(nodes)));
+  texture_cost_[made] = cost;
+  return textures_[name] = made;
 }
 
 }  // namespace oriel

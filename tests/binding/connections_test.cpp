@@ -118,6 +118,22 @@ TEST(Connections, GraphsThatDoubleWithEachLayerAreCutOff) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
+TEST(Connections, TexturesThatDoubleWithEachLayerAreCutOff) {
+  std::string text = "color texture \"t0\" [1 1 3] 'ffffff'\n";
+  for (int i = 1; i <= 60; ++i)
+    text += fmt::format(
+        "color texture \"t{0}\" \"mib_texture_lookup\" ( \"tex\" \"t{1}\", \"coord\" = shader "
+        "\"c{0}\" \"mib_texture_lookup\" ( \"tex\" \"t{1}\", \"coord\" .5 .5 0 ) )\n",
+        i, i - 1);
+  const auto start = std::chrono::steady_clock::now();
+  const ProbeScene s(probe_call(
+      "\"tint\" = \"all\"",
+      text + "shader \"all\" \"mib_texture_lookup\" ( \"tex\" \"t60\", \"coord\" .5 .5 0 )\n"));
+  EXPECT_TRUE(s.diagnostics.has("OR-RT-007")) << s.messages();
+  s.params();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
 TEST(Connections, ShadersWithoutAValueAreRefused) {
   const ProbeScene s(probe_call("\"tint_warm\" = \"lit\"",
                                 "shader \"lit\" \"mib_light_point\" ( \"color\" 1 1 1 )\n"));
