@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel render as a user meets it: files, exit codes, interruption, threads.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "image/exr.h"
+#include "image/files.h"
+#include "program.h"
+
+namespace oriel {
+namespace {
+
+class RenderProgram : public ProgramTest {
+ protected:
+  RenderProgram() { write("scene.mi", small_scene()); }
+};
+
+TEST_F(RenderProgram, WritesTheFilesItIsAskedFor) {
+  const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "-o", "a.png", "--samples", "2"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const ExrFile exr = read_exr(file("a.exr"));
+  EXPECT_EQ(exr.layers[0].image.width, 48);
+  EXPECT_EQ(exr.metadata.at("oriel.scene"), "scene.mi");
+  EXPECT_EQ(exr.metadata.at("oriel.samples"), "2");
+  EXPECT_EQ(read_image(file("a.png")).height, 32);
+}
+
+TEST_F(RenderProgram, OneAndTwoThreadsGiveTheSameBytes) {
+  // Adaptive, so that the choice of pixels is under test too.
+  const auto render = [&](const char* threads, const char* output) {
+    const RunResult r =
+        run({"render", "scene.mi", "-o", output, "--noise", "0.05", "--threads", threads});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return bytes_of(file(output));
+  };
+  const auto one = render("1", "one.exr"), two = render("2", "two.exr");
+  EXPECT_FALSE(one.empty());
+  EXPECT_TRUE(one == two);
+}
+
+TEST_F(RenderProgram, SeedsGiveOtherNoise) {
+  for (const char* seed : {"0", "1"})
+    EXPECT_EQ(run({"render", "scene.mi", "-o", std::string(seed) + ".exr", "--samples", "2",
+                   "--seed", seed})
+                  .exit_code,
+              0);
+  EXPECT_NE(read_exr_image(file("0.exr")).pixels, read_exr_image(file("1.exr")).pixels);
+}
+
+TEST_F(RenderProgram, CtrlCLeavesTheBestPictureSoFar) {
+  const pid_t child =
+      start({"render", "scene.mi", "-o", "a.exr", "--samples", "1000000", "--json"});
+  // Wait for a sign of life: progress after a pass.
+  for (int i = 0; i < 600 && text_of(file("stdout.txt")).find("progress") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  kill(child, SIGINT);
+  const RunResult r = finish(child);
+  EXPECT_EQ(r.exit_code, 1) << r.err;
+  EXPECT_NE(r.out.find("\"stopped_by\":\"interrupted\""), std::string::npos) << r.out;
+  const ExrFile exr = read_exr(file("a.exr"));
+  EXPECT_EQ(exr.layers[0].image.width, 48);
+  const Layer* samples = find_layer(exr.layers, "samples");
+  ASSERT_NE(samples, nullptr);
+  EXPECT_GE(samples->image.pixels[700], 1);
+}
+
+TEST_F(RenderProgram, TimeLimitEndsWithACompletePicture) {
+  const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--time", "0.3", "--json"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.out.find("\"stopped_by\":\"time\""), std::string::npos) << r.out;
+}
+
+TEST_F(RenderProgram, JsonLinesAreJson) {
+  const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--samples", "4", "--json"});
+  std::istringstream lines(r.out);
+  nlohmann::json last;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) last = nlohmann::json::parse(line);
+  EXPECT_GE(count, 4);  // passes of 1, 2, 4 samples and the end
+  EXPECT_EQ(last["event"], "done");
+  EXPECT_EQ(last["files"][0], "a.exr");
+  EXPECT_EQ(last["samples"], 4);
+}
+
+TEST_F(RenderProgram, CropIsPartOfTheWholePicture) {
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--samples", "2"}).exit_code, 0);
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "b.exr", "--samples", "2", "--crop", "10,8,19,15"})
+                .exit_code,
+            0);
+  const Image a = read_exr_image(file("a.exr")), b = read_exr_image(file("b.exr"));
+  EXPECT_EQ(b.at(10, 31 - 8)[0], a.at(10, 31 - 8)[0]);
+  EXPECT_EQ(b.at(19, 31 - 15)[1], a.at(19, 31 - 15)[1]);
+  EXPECT_EQ(b.at(9, 20)[3], 0);
+  EXPECT_EQ(b.at(20, 20)[3], 0);
+}
+
+TEST_F(RenderProgram, SizeAndLayersAreTheUsers) {
+  const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--samples", "1", "--size", "30x20",
+                           "--layers", "normal,depth"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const ExrFile exr = read_exr(file("a.exr"));
+  EXPECT_EQ(exr.layers[0].image.width, 30);
+  EXPECT_EQ(exr.layers.size(), 3u);
+}
+
+TEST_F(RenderProgram, SetChangesTheScene) {
+  const auto render = [&](const std::string& edit, const char* output) {
+    const RunResult r = run({"render", "scene.mi", "-o", output, "--samples", "4", "--set", edit});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return read_exr_image(file(output));
+  };
+  const Image dark = render("lamp.color=0 0 0", "dark.exr");
+  for (std::size_t i = 0; i < dark.pixel_count(); ++i) EXPECT_EQ(dark.pixels[4 * i], 0);
+  const Image plain = render("grey.reflectivity=0", "plain.exr");
+  const Image mirror = render("grey.reflectivity=1", "mirror.exr");
+  EXPECT_NE(plain.pixels, mirror.pixels);
+}
+
+TEST_F(RenderProgram, SetNamesWhatItDoesNotFind) {
+  const RunResult element = run({"render", "scene.mi", "-o", "a.exr", "--set", "lampe.color=1"});
+  EXPECT_EQ(element.exit_code, 1);
+  EXPECT_NE(element.err.find("did you mean \"lamp\"?"), std::string::npos) << element.err;
+  const RunResult param = run({"render", "scene.mi", "-o", "a.exr", "--set", "grey.reflectivty=1"});
+  EXPECT_EQ(param.exit_code, 1);
+  EXPECT_NE(param.err.find("did you mean \"reflectivity\"?"), std::string::npos) << param.err;
+}
+
+TEST_F(RenderProgram, CameraOutputsAreWrittenBesideTheScene) {
+  std::filesystem::create_directory(file("sub"));
+  write("sub/scene.mi", small_scene("",
+                                    "output \"rgba_fp\" \"exr\" \"out.exr\" "
+                                    "output \"rgb\" \"png\" \"../outside.png\""));
+  const RunResult r = run({"render", "sub/scene.mi", "--samples", "1"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(std::filesystem::exists(file("sub/out.exr")));
+  EXPECT_FALSE(std::filesystem::exists(file("outside.png")));
+  EXPECT_NE(r.err.find("OR-RN-050"), std::string::npos) << r.err;
+}
+
+TEST_F(RenderProgram, UserErrorsAreOneClearLine) {
+  const std::vector<std::vector<std::string>> usage = {{"render"},
+                                                       {"render", "scene.mi", "--bogus"},
+                                                       {"render", "scene.mi", "-o", "a.unknown"},
+                                                       {"render", "scene.mi", "--gi", "magic"},
+                                                       {"render", "scene.mi", "--size", "40"},
+                                                       {"render", "scene.mi", "--crop", "5,5,1,1"},
+                                                       {"render", "scene.mi", "--samples", "0"},
+                                                       {"render", "scene.mi", "--noise", "-1"},
+                                                       {"render", "scene.mi", "--layers", "gloss"},
+                                                       {"render", "scene.mi", "--set", "nonsense"},
+                                                       {},
+                                                       {"paint"}};
+  for (const auto& arguments : usage) {
+    const RunResult r = run(arguments);
+    EXPECT_EQ(r.exit_code, 2) << r.err;
+    EXPECT_EQ(r.error_lines(), 1) << r.err;
+  }
+  const std::vector<std::vector<std::string>> failing = {
+      {"render", "missing.mi", "-o", "a.exr"},
+      {"render", "scene.mi", "-o", "no/such/folder/a.exr"}};
+  for (const auto& arguments : failing) {
+    const RunResult r = run(arguments);
+    EXPECT_EQ(r.exit_code, 1) << r.err;
+    EXPECT_EQ(r.error_lines(), 1) << r.err;
+  }
+}
+
+TEST_F(RenderProgram, SceneWithoutRenderStatementSaysSo) {
+  write("empty.mi", "options \"o\" end options\n");
+  const RunResult r = run({"render", "empty.mi", "-o", "a.exr"});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.err.find("no render statement"), std::string::npos) << r.err;
+}
+
+}  // namespace
+}  // namespace oriel

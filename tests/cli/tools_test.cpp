@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel check, shaders, tonemap and diff as a user meets them.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "image/exr.h"
+#include "image/files.h"
+#include "program.h"
+
+namespace oriel {
+namespace {
+
+class CheckProgram : public ProgramTest {};
+class ShadersProgram : public ProgramTest {};
+
+class TonemapProgram : public ProgramTest {
+ protected:
+  /// Greys of a linear EXR picture after `oriel tonemap` with these arguments, as EXR again.
+  std::vector<float> mapped(const std::vector<float>& greys, std::vector<std::string> arguments) {
+    Image image(static_cast<int>(greys.size()), 1, 3);
+    for (std::size_t i = 0; i < greys.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) image.pixels[3 * i + c] = greys[i];
+    write_image(file("in.exr"), image, {.format = SampleFormat::Float});
+    arguments.insert(arguments.begin(), {"tonemap", "in.exr", "-o", "out.exr"});
+    const RunResult r = run(arguments);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    const Image out = read_image(file("out.exr"));
+    std::vector<float> values;
+    for (std::size_t i = 0; i < out.pixel_count(); ++i)
+      values.push_back(out.pixels[i * static_cast<std::size_t>(out.channels)]);
+    return values;
+  }
+};
+
+class DiffProgram : public ProgramTest {
+ protected:
+  void write_grey(const std::string& name, float value) const {
+    write_image(file(name), Image(16, 16, 3, value), {.format = SampleFormat::Float});
+  }
+};
+
+TEST_F(CheckProgram, TellsWhatTheSceneUsesAndLacks) {
+  write("scene.mi",
+        small_scene("\"no such option\" 1 finalgather on") + "gui \"panel\" { } end gui\n");
+  const RunResult r = run({"check", "scene.mi", "--json"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const auto json = nlohmann::json::parse(r.out);
+  EXPECT_EQ(json["shaders"]["mia_material_x"], 1);
+  EXPECT_EQ(json["geometry"]["triangles"], 4);
+  EXPECT_EQ(json["geometry"]["lights"], 1);
+  EXPECT_EQ(json["options"]["unknown_strings"][0], "no such option");
+  EXPECT_EQ(json["picture"]["width"], 48);
+  EXPECT_TRUE(json["renders"]);
+}
+
+TEST_F(CheckProgram, TextSaysTheSame) {
+  write("scene.mi", small_scene("\"no such option\" 1"));
+  const RunResult r = run({"check", "scene.mi"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.out.find("mia_material_x"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("no such option"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("4 triangles"), std::string::npos) << r.out;
+}
+
+TEST_F(CheckProgram, MissingSceneIsOneLine) {
+  const RunResult r = run({"check", "missing.mi"});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+}
+
+TEST_F(ShadersProgram, ListsPagesAndDeclarations) {
+  const RunResult list = run({"shaders"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_NE(list.out.find("mia_physicalsky"), std::string::npos);
+  const RunResult page = run({"shaders", "mia_exposure_photographic"});
+  EXPECT_EQ(page.exit_code, 0);
+  EXPECT_NE(page.out.find("burn_highlights"), std::string::npos);
+  const RunResult declarations = run({"shaders", "--mi", "architectural"});
+  EXPECT_EQ(declarations.exit_code, 0);
+  EXPECT_NE(declarations.out.find("declare shader"), std::string::npos);
+}
+
+TEST_F(ShadersProgram, NearestNameIsOffered) {
+  const RunResult r = run({"shaders", "mia_materal_x"});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.err.find("did you mean \"mia_material_x\"?"), std::string::npos) << r.err;
+}
+
+// acceptance: X1
+TEST_F(TonemapProgram, SimpleExposureFollowsTheManualsOrder) {
+  // (in + pedestal) gain, above the knee 1 / (1 + compression) of the slope, then gamma.
+  const auto out = mapped({0.1f, 0.65f}, {"--simple", "--pedestal", "0.1", "--gain", "2", "--knee",
+                                          "0.5", "--compression", "2", "--gamma", "1"});
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_NEAR(out[0], 0.4, 1e-6);
+  EXPECT_NEAR(out[1], 0.5 + (1.5 - 0.5) / 3, 1e-6);
+}
+
+// acceptance: X3
+TEST_F(TonemapProgram, FilmShutterAndApertureAreReciprocal) {
+  const std::vector<float> greys = {100, 1000, 10000};
+  const auto a = mapped(greys, {"--iso", "100", "--shutter", "100", "--f-number", "16"});
+  const auto b = mapped(greys, {"--iso", "200", "--shutter", "200", "--f-number", "16"});
+  const auto c = mapped(greys, {"--iso", "100", "--shutter", "400", "--f-number", "8"});
+  for (std::size_t i = 0; i < greys.size(); ++i) {
+    EXPECT_NEAR(b[i], a[i], 1e-5f);
+    EXPECT_NEAR(c[i], a[i], 1e-5f);
+  }
+  // Sunny 16: a white card under 96.5 klx just saturates.
+  const auto sunny = mapped({30720}, {"--burn", "1", "--crush", "0", "--gamma", "1"});
+  EXPECT_NEAR(sunny[0], 1, 1e-5);
+}
+
+// acceptance: X7
+TEST_F(TonemapProgram, Burn1Crush0IsLinearAndBurn0NeverExceedsWhite) {
+  const std::vector<float> greys = {0.1f, 0.5f, 2, 1e6f};
+  const auto linear =
+      mapped(greys, {"--iso", "0", "--cm2", "0.5", "--burn", "1", "--crush", "0", "--gamma", "1"});
+  for (std::size_t i = 0; i < greys.size(); ++i)
+    EXPECT_NEAR(linear[i], greys[i] / 2, 1e-5 * greys[i]);
+  const auto soft =
+      mapped(greys, {"--iso", "0", "--cm2", "1", "--burn", "0", "--crush", "0", "--gamma", "1"});
+  for (const float v : soft) EXPECT_LE(v, 1);
+  EXPECT_GT(soft[3], 0.999f);
+}
+
+TEST_F(TonemapProgram, WrongOptionsAreUsageErrors) {
+  EXPECT_EQ(run({"tonemap", "in.exr"}).exit_code, 2);
+  EXPECT_EQ(run({"tonemap", "in.exr", "-o", "a.png", "--gain", "2"}).exit_code, 2);
+  const RunResult r = run({"tonemap", "in.exr", "-o", "a.png"});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+}
+
+TEST_F(DiffProgram, ThresholdsDecideTheExitCode) {
+  write_grey("a.exr", 0.5f);
+  write_grey("b.exr", 0.6f);
+  EXPECT_EQ(run({"diff", "a.exr", "a.exr", "--threshold", "rmse=0"}).exit_code, 0);
+  EXPECT_EQ(run({"diff", "a.exr", "b.exr"}).exit_code, 0);
+  EXPECT_EQ(run({"diff", "a.exr", "b.exr", "--threshold", "rmse=0.11"}).exit_code, 0);
+  EXPECT_EQ(run({"diff", "a.exr", "b.exr", "--threshold", "rmse=0.09"}).exit_code, 1);
+  EXPECT_EQ(run({"diff", "a.exr", "b.exr", "--threshold", "rmse=0.11", "--threshold", "max=0.01"})
+                .exit_code,
+            1);
+  EXPECT_EQ(run({"diff", "a.exr", "b.exr", "--threshold", "beauty=1"}).exit_code, 2);
+  EXPECT_EQ(run({"diff", "a.exr", "missing.exr"}).exit_code, 1);
+}
+
+TEST_F(DiffProgram, JsonHasEveryMetric) {
+  write_grey("a.exr", 0.5f);
+  write_grey("b.exr", 0.6f);
+  const auto json = nlohmann::json::parse(run({"diff", "a.exr", "b.exr", "--json"}).out);
+  EXPECT_NEAR(json["rmse"].get<double>(), 0.1, 1e-6);
+  EXPECT_NEAR(json["relmse"].get<double>(), 0.01 / (0.36 + 0.01), 1e-5);
+  EXPECT_NEAR(json["max"].get<double>(), 0.1, 1e-6);
+  EXPECT_GT(json["flip"].get<double>(), 0);
+}
+
+TEST_F(DiffProgram, ValuesThatAreNoNumbersAreNeverFine) {
+  write_grey("a.exr", 0.5f);
+  write_grey("b.exr", std::nanf(""));
+  EXPECT_EQ(run({"diff", "b.exr", "a.exr", "--threshold", "rmse=1"}).exit_code, 1);
+}
+
+}  // namespace
+}  // namespace oriel
