@@ -90,6 +90,7 @@ class Path {
   Vertex from_;
   const NodeList* environment_ = nullptr;
   Medium medium_;
+  Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
   bool medium_known_ = false;
   int reflections_ = 0, refractions_ = 0, bounces_ = 0;
 };
@@ -131,6 +132,7 @@ void Path::follow(const ShadingPoint& point, const Vec3& direction) {
   const float reach =
       medium_known_ && medium_.black_distance > 0 ? medium_.black_distance : kInfinity;
   ray_ = leave(point, direction, reach, mask());
+  left_ = point.position;
 }
 
 /// Lights with a shape that the ray meets before the surface. A visible light ends rays that see it
@@ -330,7 +332,7 @@ bool Path::survive() {
 }
 
 PathResult Path::run(const Camera::Ray& eye) {
-  ray_.org = eye.origin;
+  ray_.org = left_ = eye.origin;
   ray_.dir = eye.direction;
   const Camera& camera = world_.camera;
   ray_.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
@@ -364,7 +366,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
     if (!medium_known_ && point.back_side && !closure.thin_walled) medium_ = closure.inside;
     if (!medium_.clear()) {
-      const Rgb t = transmittance(medium_, hit.t);
+      const Rgb t = transmittance(medium_, length(point.position - left_));
       throughput_ *= t;
       plain_ *= t;
       reflective_ *= t;

@@ -30,7 +30,8 @@ struct PathResult {
 ///          light is caustics.
 /// Inputs:  indirect: false = no diffuse bounces and no light from the environment on diffuse
 ///          lobes, as a scene without final gathering and photons is rendered.
-/// Checked: tests/transport (furnace, uniform sky, form factors, shapes of lights, glass).
+/// Checked: tests/analytic (furnace, skies, form factors, shapes of lights, mirrors, glass, three
+///          estimators).
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster, bool indirect,
                       sampling::Sampler& sampler, RayCounts& counts,
                       Estimator estimator = Estimator::Mis);

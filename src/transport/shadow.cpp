@@ -65,6 +65,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     open.cut_outs *= t;
   };
   Medium medium;
+  Vec3 left = point.position;
   bool medium_known = false;
   for (int i = 0; i < kMostBlockers; ++i) {
     geom::Hit hit;
@@ -81,7 +82,8 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     shade(material_of(world, hit), blocker, closure);
     if (segments) {
       if (!medium_known && blocker.back_side && !closure.thin_walled) medium = closure.inside;
-      dim(transmittance(medium, hit.t));
+      // From where the ray left: its origin is a little off the surface, and glass may be thin.
+      dim(transmittance(medium, length(blocker.position - left)));
     }
     const Openness here = straight_transmission(closure, world.options);
     open.all *= here.all;
@@ -95,6 +97,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     const float rest = ray.tfar - hit.t;
     if (!(rest > 0)) return open;
     ray = leave(blocker, wi, rest, geom::RayMask::ShadowTransparent);
+    left = blocker.position;
   }
   return kClosed;
 }

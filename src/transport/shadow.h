@@ -17,12 +17,11 @@ struct Openness {
 /// What is open between a point and a light.
 ///
 /// Model:   opaque blockers first; then, when there are any, transparent ones one after another:
-/// each
-///          passes the levels of its transmitting lobes straight on, with absorption through the
-///          thickness in shadow mode segments. Refraction does not bend shadow rays.
+///          each passes the levels of its transmitting lobes straight on, with absorption through
+///          the thickness in shadow mode segments. Refraction does not bend shadow rays.
 /// Inputs:  point: the lit point; wi: unit, to the light; distance: to it, may be infinite.
 /// Source:  manual 1.6.8.2 and 1.6.8.3 (do_refractive_caustics).
-/// Checked: shadow tests of tests/transport.
+/// Checked: Glass.Shadows*, Glass.SkyThroughASlab*, CutOut.* in tests/analytic.
 Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
                               float distance, RayCounts& counts);
 

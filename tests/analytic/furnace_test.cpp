@@ -33,10 +33,10 @@ TEST(Furnace, NoMaterialIsBrighterThanItsSurround) {
         std::pow(10.0f, 2 * u() - 1), u(), u(), u(), 1 + 5 * u(), u() < 0.7f ? 1 : u());
     m += flag("refl_is_metal", .3f) + flag("thin_walled", .4f) + flag("refr_translucency", .4f) +
          flag("brdf_fresnel", .4f) + flag("skip_inside_refl", .5f);
-    const Measured r = ball_in_furnace(m, 16384);
+    const Measured r = ball_in_furnace(m, 12288);
     for (int k = 0; k < 3; ++k) {
       EXPECT_LE(r.mean[k], 1.001f + 4 * r.error[k]) << m << " channel " << k;
-      EXPECT_LT(r.error[k], 0.005f) << m;
+      EXPECT_LT(r.error[k], 0.006f) << m;
     }
   }
 }
@@ -44,14 +44,14 @@ TEST(Furnace, NoMaterialIsBrighterThanItsSurround) {
 // acceptance: E6
 TEST(Furnace, RoughWhiteMetalLosesNothing) {
   for (const float anisotropy : {0.1f, 1.0f, 10.0f})
-    for (const float gloss : {0.0f, 0.1f, 0.25f, 0.5f, 0.75f, 0.95f, 1.0f}) {
+    for (const float gloss : {0.0f, 0.2f, 0.4f, 0.7f, 0.95f, 1.0f}) {
       const Measured m = ball_in_furnace(
           fmt::format("\"diffuse\" 1 1 1, \"refl_is_metal\" on, \"reflectivity\" 1, "
                       "\"brdf_0_degree_refl\" 1, \"refl_gloss\" {}, \"anisotropy\" {}",
                       gloss, anisotropy),
-          131072);
+          65536);
       EXPECT_NEAR(m.mean.x, 1, 0.005f) << gloss << ' ' << anisotropy;
-      EXPECT_LT(m.error.x, 0.00125f);
+      EXPECT_LT(m.error.x, 0.0017f);
       figure(fmt::format("white metal ball, gloss {}, anisotropy {}", gloss, anisotropy), 1,
              m.mean.x, m.error.x);
     }
@@ -134,8 +134,8 @@ TEST(Furnace, LosslessThingsInAClosedRoomChangeNothing) {
 
 // acceptance: D1
 TEST(Furnace, RoughDiffuseReflectsAsTabulated) {
-  // Directional albedo of the published model by quadrature, albedo 1; that of sigma .25, 1.00724 at
-  // 85 degrees, is divided by the model's excess A + B / 2 = 1.01259.
+  // Directional albedo of the published model by quadrature, albedo 1; that of sigma .25, 1.00724
+  // at 85 degrees, is divided by the model's excess A + B / 2 = 1.01259.
   struct Row {
     float sigma, degrees, albedo;
   };

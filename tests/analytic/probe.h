@@ -144,6 +144,7 @@ class Probe {
     std::vector<Rgb> means(kBatches);
     std::vector<RayCounts> counts(kBatches);
     std::vector<float> alphas(kBatches);
+    std::vector<std::pair<Rgb, Rgb>> ranges(kBatches, {Rgb(1e30f), Rgb(-1e30f)});
     parallel_for(kBatches, [&](std::size_t b) {
       Imath::Vec3<double> sum(0.0);  // double: up to a million terms
       for (int s = 0; s < per_batch; ++s) {
@@ -152,6 +153,10 @@ class Probe {
         const PathResult r =
             trace_path(*world_, ray, raster, indirect_, sampler, counts[b], estimator_);
         sum += Imath::Vec3<double>(r.radiance.x, r.radiance.y, r.radiance.z);
+        for (int k = 0; k < 3; ++k) {
+          ranges[b].first[k] = std::min(ranges[b].first[k], r.radiance[k]);
+          ranges[b].second[k] = std::max(ranges[b].second[k], r.radiance[k]);
+        }
         alphas[b] += r.alpha / static_cast<float>(per_batch);
       }
       means[b] = Rgb(Imath::V3f(sum / double(per_batch)));
@@ -163,7 +168,18 @@ class Probe {
       m.counts += counts[static_cast<std::size_t>(b)];
     }
     for (const Rgb& v : means) m.error += (v - m.mean) * (v - m.mean);
-    for (int k = 0; k < 3; ++k) m.error[k] = std::sqrt(m.error[k] / (kBatches - 1.0f) / kBatches);
+    for (int k = 0; k < 3; ++k) {
+      m.error[k] = std::sqrt(m.error[k] / (kBatches - 1.0f) / kBatches);
+      // Stratified choices may fall the same way in all batches: half a sample's worth in each.
+      float lo = 1e30f, hi = -1e30f;
+      for (const auto& range : ranges) {
+        lo = std::min(lo, range.first[k]);
+        hi = std::max(hi, range.second[k]);
+      }
+      const float step = 0.5f * (hi - lo) / static_cast<float>(per_batch);
+      if (hi - lo > 1e-4f * hi)
+        m.error[k] = std::max(m.error[k], step / std::sqrt(kBatches * 1.0f));
+    }
     m.samples = double(per_batch) * kBatches;
     return m;
   }
@@ -188,11 +204,12 @@ inline void figure(const std::string& name, double exact, double measured, doubl
 /// |mean - exact| <= 4 standard errors, and the error small enough for that to mean something.
 inline void expect_exact(const std::string& name, const Measured& m, const Rgb& exact,
                          float largest_error = 0.005f) {
+  const float scale = std::max(1e-4f, max_component(exact));
   for (int k = 0; k < 3; ++k) {
-    const float tolerance = 4 * m.error[k] + kRounding * std::max(std::abs(exact[k]), 1e-4f);
+    const float tolerance = 4 * m.error[k] + kRounding * scale;
     EXPECT_NEAR(m.mean[k], exact[k], tolerance)
         << name << " channel " << k << ", standard error " << m.error[k];
-    EXPECT_LE(m.error[k], largest_error * std::max(std::abs(exact[k]), 1e-6f))
+    EXPECT_LE(m.error[k], largest_error * (exact[k] > 0 ? exact[k] : scale))
         << name << ": too noisy to show anything";
   }
   figure(name, exact.x, m.mean.x, m.error.x);
