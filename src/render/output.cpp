@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/output.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
@@ -173,6 +175,9 @@ void write_picture(const PictureFile& file, const RenderSession& session,
     ExrOptions exr;
     exr.half = file.samples == SampleFormat::Half;
     exr.metadata = metadata;
+    const std::size_t threads =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    exr.threads = threads > 1 ? static_cast<int>(threads) : 0;
     return write_exr(file.path, film_layers(session, file.layers), exr);
   }
   FileOptions options;
