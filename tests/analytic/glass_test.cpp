@@ -43,7 +43,7 @@ SceneText& add_target(SceneText& scene, float height) {
       .square("target", Vec3(0, 0, height), 100, -kUp);
 }
 
-// acceptance: T1 B4
+// acceptance: T1, B4
 TEST(Glass, SlabShiftsTheViewBySnell) {
   for (const double degrees : {20.0, 45.0, 70.0}) {
     SceneText scene;
@@ -92,7 +92,7 @@ TEST(Glass, LeavingRaysBendAwayAndAreReflectedTotallyBeyondTheCriticalAngle) {
   }
 }
 
-// acceptance: T1 E5
+// acceptance: T1, E5
 TEST(Glass, ReflectsByFresnelInThePicture) {
   const std::pair<double, float> table[] = {{0, .04f},      {30, .041523f}, {45, .050240f},
                                             {60, .089187f}, {75, .253061f}, {85, .612800f}};

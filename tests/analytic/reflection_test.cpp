@@ -59,7 +59,7 @@ TEST(Mirror, ShowsTheFlippedSceneWithOneRayForEachMirrorMet) {
   EXPECT_GT(lit, 5);
 }
 
-// acceptance: R1 R2
+// acceptance: R1, R2
 TEST(Mirror, PerfectGlossOrNoSamplesIsOneMirrorRay) {
   const std::pair<const char*, bool> cases[] = {
       {"\"refl_gloss\" 1, \"refl_gloss_samples\" 64", true},
@@ -143,7 +143,7 @@ Measured plate_under_lamp(const std::string& material, bool visible,
   return falling(probe.estimator(estimator), 40, 65536);
 }
 
-// acceptance: R9 R10
+// acceptance: R9, R10
 TEST(Highlight, VisibleLightsAreReflectedInvisibleOnesHighlightedNeverBoth) {
   for (const float gloss : {.1f, .3f, .6f}) {
     const Measured seen = plate_under_lamp(metal(gloss), true);

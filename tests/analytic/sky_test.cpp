@@ -63,7 +63,7 @@ TEST(Sky, ConversionsScaleAsTheManualSays) {
     }());
 }
 
-// acceptance: S2 S3
+// acceptance: S2, S3
 TEST(Sky, SkyAndSunLightACardAsTabulated) {
   struct Row {
     float haze, elevation, sky_horizontal;
