@@ -18,43 +18,44 @@ bool contains(const ArrayView<LightRef>& list, int light) {
 
 }  // namespace
 
-bool LightChoice::lit_by(const World& world, const ShadingPoint& point, const Closure& closure,
-                         int i) const {
-  if (closure.light_mode == 1) return contains(closure.lights, i);
-  if (closure.light_mode == 2) return !contains(closure.lights, i);
-  if (closure.light_mode == 0 && closure.lights.size > 0) return contains(closure.lights, i);
-  if (point.instance < 0) return true;
-  const InstanceData& instance = world.instances[static_cast<std::size_t>(point.instance)];
-  if (!instance.linked) return true;
-  const bool named = std::count(instance.lights.begin(), instance.lights.end(), i) > 0;
-  return named != instance.lights_exclusive;
+bool LightChoice::lit_by(int light) const {
+  if (mode_ == 1) return contains(listed_, light);
+  if (mode_ == 2) return !contains(listed_, light);
+  if (mode_ == 0 && listed_.size > 0) return contains(listed_, light);
+  if (!instance_ || !instance_->linked) return true;
+  const std::vector<int>& linked = instance_->lights;
+  const bool named = std::find(linked.begin(), linked.end(), light) != linked.end();
+  return named != instance_->lights_exclusive;
 }
 
 LightChoice::LightChoice(const World& world, ShadingPoint& point, const Closure& closure)
-    : world_(&world) {
+    : world_(&world),
+      instance_(point.instance < 0 ? nullptr
+                                   : &world.instances[static_cast<std::size_t>(point.instance)]),
+      mode_(closure.light_mode),
+      listed_(closure.lights) {
   const int lights = static_cast<int>(world.lights.size());
   count_ = lights;
   all_ = lights <= kSampleAll;
   if (lights > kMostWeighed) return;
   for (int i = 0; i < lights; ++i) {
-    const auto index = static_cast<std::size_t>(i);
     estimate_[i] = 0;
-    if (!lit_by(world, point, closure, i)) continue;
-    estimate_[i] = all_ ? 1 : estimate_irradiance(world.lights[index], point);
+    if (!lit_by(i)) continue;
+    estimate_[i] = all_ ? 1 : estimate_irradiance(world.lights[static_cast<std::size_t>(i)], point);
     total_ += estimate_[i];
   }
   if (all_) return;
   const float least = kLeastShare * total_ / static_cast<float>(lights);
   total_ = 0;
   for (int i = 0; i < lights; ++i) {
-    if (!lit_by(world, point, closure, i)) continue;
+    if (!lit_by(i)) continue;
     estimate_[i] = std::max(estimate_[i], std::max(least, 1e-20f));
     total_ += estimate_[i];
   }
 }
 
 float LightChoice::rate(int light) const {
-  if (count_ > kMostWeighed) return 1.0f / static_cast<float>(count_);
+  if (count_ > kMostWeighed) return lit_by(light) ? 1.0f / static_cast<float>(count_) : 0.0f;
   if (all_) return estimate_[light];
   return total_ > 0 ? estimate_[light] / total_ : 0;
 }

@@ -27,9 +27,12 @@ class LightChoice {
 
  private:
   static constexpr int kSampleAll = 4;
-  bool lit_by(const World& world, const ShadingPoint& point, const Closure& closure, int i) const;
+  bool lit_by(int light) const;
 
   const World* world_ = nullptr;
+  const InstanceData* instance_ = nullptr;
+  int mode_ = 4;
+  ArrayView<LightRef> listed_;
   int count_ = 0;
   bool all_ = true;
   float total_ = 0;
@@ -72,7 +75,7 @@ void LightChoice::sample(float u, F&& f) const {
   }
   if (lights > kMostWeighed) {
     const int i = std::min(static_cast<int>(u * static_cast<float>(lights)), lights - 1);
-    f(i, 1.0f / static_cast<float>(lights));
+    if (rate(i) > 0) f(i, rate(i));
     return;
   }
   float target = u * total_;

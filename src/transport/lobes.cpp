@@ -110,19 +110,30 @@ std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeCh
   const Lobe& lobe = closure.lobes[chosen];
   const float probability = choice.probability[chosen];
   const float u_rest = std::min(u_lobe / probability, 0x1.fffffep-1f);
-  const auto s = with_bsdf(
-      lobe, [&](const auto& bsdf) { return bsdf.sample(lobe.frame.to_local(wo), u, u_rest); });
+  const auto sample_in = [&](const Frame& frame) {
+    return with_bsdf(lobe,
+                     [&](const auto& bsdf) { return bsdf.sample(frame.to_local(wo), u, u_rest); });
+  };
+  auto s = sample_in(lobe.frame);
   if (!s) return std::nullopt;
 
   ClosureSample out;
   out.wi = lobe.frame.to_world(s->wi);
   out.lobe = chosen;
   out.delta = s->delta;
-  const float side = dot(out.wi, point.geometric_normal);
+  float side = dot(out.wi, point.geometric_normal);
   if (s->delta) {
-    // A mirrored or refracted direction must come out on the side it belongs to.
-    const bool wants_same = s->wi.z > 0;
-    if (wants_same != (side > 0)) return std::nullopt;
+    const auto on_its_side = [&] { return (s->wi.z > 0) == (side > 0); };
+    if (!on_its_side()) {
+      // Bent by an interpolated normal to the wrong side of the flat triangle: the triangle itself
+      // reflects or refracts, or coarse meshes would have dark rims.
+      const Frame flat(point.geometric_normal);
+      s = sample_in(flat);
+      if (!s) return std::nullopt;
+      out.wi = flat.to_world(s->wi);
+      side = dot(out.wi, point.geometric_normal);
+      if (!on_its_side()) return std::nullopt;
+    }
     const Rgb weight = lobe.level * (s->weight / probability);
     (reflects(lobe.kind) ? out.response.reflective : out.response.plain) = weight;
     return out;
