@@ -32,5 +32,6 @@ Command add_check_command(CLI::App& program);
 Command add_shaders_command(CLI::App& program);
 Command add_tonemap_command(CLI::App& program);
 Command add_diff_command(CLI::App& program);
+Command add_denoise_command(CLI::App& program);
 
 }  // namespace oriel::app

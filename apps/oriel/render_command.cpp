@@ -36,7 +36,7 @@ struct RenderArguments {
   std::string gi, size, crop, camera, layers;
   std::uint32_t seed = 0;
   int threads = 0;
-  bool json = false, quiet = false;
+  bool denoise = false, json = false, quiet = false;
 };
 
 double seconds_since(Clock::time_point start) {
@@ -113,6 +113,8 @@ RenderPlan plan_of(const RenderArguments& a) {
   if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
   if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
   if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
+  if (a.denoise && a.samples && *a.samples < 2)
+    throw UsageError("--denoise: needs at least 2 samples to know the noise");
   plan.session.budget = {a.samples, a.noise, a.time};
   plan.session.seed = a.seed;
   for (const std::string& output : a.outputs) {
@@ -151,6 +153,7 @@ class FrameRenderer {
   /// False when there is nothing to render.
   bool render(const scene::RenderCommand& command, int frame) {
     session_.reset();  // it refers to the world before
+    denoised_ = {};
     PrepareReport report;
     world_ = prepare(scene_, command, builtin_shaders(), plan_.prepare, diagnostics_, report);
     if (!world_) return false;
@@ -166,6 +169,7 @@ class FrameRenderer {
         {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
         &interrupted());
     line_.clear();
+    if (a_.denoise) denoised_ = denoised_beauty(*session_);
     write_files();
     finish(reason);
     return true;
@@ -232,7 +236,8 @@ class FrameRenderer {
   void write_files() {
     const Clock::time_point start = Clock::now();
     const std::map<std::string, std::string> metadata = describe();
-    for (const PictureFile& file : files_) write_picture(file, *session_, metadata);
+    for (const PictureFile& file : files_)
+      write_picture(file, *session_, metadata, denoised_.empty() ? nullptr : &denoised_);
     last_write_ = Clock::now();
     write_seconds_ = seconds_since(start);
   }
@@ -289,6 +294,7 @@ class FrameRenderer {
   ProgressLine line_;
   std::unique_ptr<World> world_;
   std::optional<RenderSession> session_;
+  Image denoised_;  ///< empty until the render is done, or without --denoise
   std::vector<PictureFile> files_;
   Clock::time_point last_write_;
   double write_seconds_ = 0;
@@ -343,6 +349,8 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--crop", a->crop, "Only this window: XL,YL,XH,YH from the lower left");
   app->add_option("--camera", a->camera, "Camera instance to use");
   app->add_option("--layers", a->layers, "Layers of EXR files, comma between, or all or beauty");
+  app->add_flag("--denoise", a->denoise,
+                "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Lines of JSON on stdout");

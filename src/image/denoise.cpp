@@ -90,6 +90,15 @@ Planes self_filtered(const Noisy& noisy, float strength) {
 
 }  // namespace
 
+DenoiseInput denoise_input(const std::vector<Layer>& layers) {
+  const auto image = [&](const char* name) {
+    const Layer* layer = find_layer(layers, name);
+    return layer ? &layer->image : nullptr;
+  };
+  return {image(""),       image("halves"), image("variance"),
+          image("albedo"), image("normal"), image("Z")};
+}
+
 Image denoise(const DenoiseInput& input, const DenoiseOptions& options) {
   const Noisy noisy = denoising::prepare(input, options);
   const Planes correction = noisy.half.count > 0 ? cross_filtered(noisy, options.strength)

@@ -46,4 +46,8 @@ struct DenoiseOptions {
 /// Checked: Denoise.*
 Image denoise(const DenoiseInput& input, const DenoiseOptions& options = {});
 
+/// The input that the layers of a render hold: beauty, halves, variance, albedo, normal, Z. It
+/// refers to them, and is incomplete where they are.
+DenoiseInput denoise_input(const std::vector<Layer>& layers);
+
 }  // namespace oriel

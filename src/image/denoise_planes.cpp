@@ -29,7 +29,7 @@ constexpr int kVarianceRadius = 1, kLevelRadius = 10;
 /// A pixel is an outlier when its error is at least this part of it and it is this many times as
 /// bright as all but kOutlierPeers of its 24 neighbours: what is bright in truth is so in many
 /// samples, and a firefly in one.
-constexpr float kOutlierError = 0.3f, kOutlierFactor = 2.0f;
+constexpr float kOutlierError = 0.3f, kOutlierFactor = 1.5f;
 constexpr int kOutlierPeers = 2;
 
 Planes read(const Image* image, int channels) {

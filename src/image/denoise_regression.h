@@ -16,7 +16,7 @@ struct Estimate {
 inline constexpr int kBandwidths = 2;
 /// In standard deviations of the difference of two pixels.
 /// Source: Bitterli et al. 2016, section 6.
-inline constexpr std::array<float, kBandwidths> kBandwidth = {0.5f, 1.0f};
+inline constexpr std::array<float, kBandwidths> kBandwidth = {0.35f, 1.0f};
 
 /// What to add to `target` for each bandwidth, 3 channels.
 ///

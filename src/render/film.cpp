@@ -27,12 +27,35 @@ Rgb variance_of_mean(const PixelMeans& means, float share) {
   return n > 1 ? means.beauty_m2 * (share * share / (n * (n - 1))) : Rgb(0);
 }
 
+/// Samples of a pixel go to its halves four by four: four that follow each other are spread evenly,
+/// while every second one would be a half with a bias.
+constexpr std::uint32_t kHalfBlock = 4;
+
+std::uint32_t second_half(std::uint32_t samples) {
+  const std::uint32_t rest = samples % (2 * kHalfBlock);
+  return samples / (2 * kHalfBlock) * kHalfBlock + (rest > kHalfBlock ? rest - kHalfBlock : 0);
+}
+
+/// Half the difference of the halves' means: the first half is what the second leaves of the whole.
+Rgb half_difference(const PixelMeans& means) {
+  const std::uint32_t second = second_half(means.samples);
+  if (second == 0) return Rgb(0);
+  const float ratio =
+      static_cast<float>(means.samples) / static_cast<float>(2 * (means.samples - second));
+  return (means.beauty - means.second) * ratio;
+}
+
+/// Quadrants count as different when they differ this many times as much as noise alone makes them:
+/// quadrants that noise has set apart would bring it back.
+constexpr float kQuadrantNoise = 3;
+
 }  // namespace
 
 void PixelMeans::add(const FilmSample& s) {
   const Rgb c = finite_or_black(s.beauty);
   const float share = 1 / static_cast<float>(++samples);
 
+  if ((samples - 1) & kHalfBlock) second += (c - second) / static_cast<float>(second_half(samples));
   const Rgb before = c - beauty;
   beauty += before * share;
   beauty_m2 += before * (c - beauty);
@@ -111,6 +134,8 @@ Film::Pixel Film::pixel(int x, int y) const {
   out.normal = weigh(s.plain, p.normal, s.marked, m ? &m->normal : nullptr);
   const Rgb error = color_error(i);
   out.variance = error * error;
+  out.halves = half_difference(p) * s.plain;
+  if (m) out.halves += half_difference(*m) * s.marked;
 
   // A mean of distances, not a filtered one: negative weights make no sense of them.
   const std::uint32_t hits = p.hits + (m ? m->hits : 0);
@@ -121,26 +146,62 @@ Film::Pixel Film::pixel(int x, int y) const {
   return out;
 }
 
+Film::Part Film::part(std::size_t i, std::size_t q) const {
+  const Shares s = shares(i);
+  const SubPixelMeans& plain = plain_parts_[i];
+  const SubPixelMeans* marked = marked_parts_.empty() ? nullptr : &marked_parts_[i];
+  const bool has_plain = plain.samples[q] > 0, has_marked = marked && marked->samples[q] > 0;
+  if (!has_plain && !has_marked) return {};
+  Rgb c = has_plain ? plain.beauty[q] : marked->beauty[q];
+  if (has_plain && has_marked)
+    c = not_negative(plain.beauty[q] * s.plain + marked->beauty[q] * s.marked);
+  return {c, static_cast<float>(plain.samples[q] + (marked ? marked->samples[q] : 0))};
+}
+
 Rgb Film::shown(int x, int y) const {
   const std::size_t i = index(x, y);
   if (!map_) return color(i);
-  const Shares s = shares(i);
-  const SubPixelMeans& parts = plain_parts_[i];
-  const SubPixelMeans* marked = marked_parts_.empty() ? nullptr : &marked_parts_[i];
   Rgb sum(0);
   float weight = 0;
   for (std::size_t q = 0; q < kSubPixels; ++q) {
-    const bool has_plain = parts.samples[q] > 0, has_marked = marked && marked->samples[q] > 0;
-    if (!has_plain && !has_marked) continue;
-    Rgb c = has_plain ? parts.beauty[q] : marked->beauty[q];
-    if (has_plain && has_marked)
-      c = not_negative(parts.beauty[q] * s.plain + marked->beauty[q] * s.marked);
+    const Part p = part(i, q);
+    if (p.samples == 0) continue;
     // By its samples: quadrants that few samples found say little of the pixel.
-    const auto n = static_cast<float>(parts.samples[q] + (marked ? marked->samples[q] : 0));
-    sum += map_(x, y, c) * n;
-    weight += n;
+    sum += map_(x, y, p.color) * p.samples;
+    weight += p.samples;
   }
   return weight > 0 ? sum * (1 / weight) : Rgb(0);
+}
+
+Rgb Film::shown(int x, int y, const Rgb& denoised) const {
+  if (!map_) return denoised;
+  const std::size_t i = index(x, y);
+  std::array<Part, kSubPixels> parts;
+  Rgb mean(0);
+  float weight = 0, spread = 0;
+  for (std::size_t q = 0; q < kSubPixels; ++q) {
+    parts[q] = part(i, q);
+    mean += parts[q].color * parts[q].samples;
+    weight += parts[q].samples;
+  }
+  if (weight == 0) return map_(x, y, denoised);
+  mean *= 1 / weight;
+  for (const Part& p : parts) spread += sqr(brightness(p.color - mean)) * p.samples / weight;
+
+  // Means of n / 4 samples spread by 3 times the variance of the mean of n.
+  const float noise = sqr(brightness(color_error(i))) * (kSubPixels - 1);
+  const float kept = spread > 0 ? std::max(1 - kQuadrantNoise * noise / spread, 0.0f) : 0.0f;
+  Rgb sum(0);
+  for (const Part& p : parts)
+    if (p.samples > 0)
+      sum += map_(x, y, not_negative(denoised + (p.color - mean) * kept)) * p.samples;
+  return sum * (1 / weight);
+}
+
+bool Film::has_halves() const {
+  for (const PixelMeans& p : plain_)
+    if (p.samples < 2 * kHalfBlock) return false;
+  return !plain_.empty();
 }
 
 Film::Level Film::level(std::size_t i) const {

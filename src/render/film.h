@@ -36,6 +36,7 @@ struct PixelMeans {
   std::uint32_t samples = 0, hits = 0;
   Rgb beauty{0};
   Rgb beauty_m2{0};  ///< summed squared distances from the mean
+  Rgb second{0};     ///< mean of every other four samples: a half that has seen none of the rest
   float alpha = 0, depth = 0;
   Vec3 normal{0};
   Rgb albedo{0};
@@ -88,6 +89,7 @@ class Film {
   struct Pixel {
     Rgba beauty{0, 0, 0, 0};
     Rgb variance{0};  ///< of the beauty's mean; 0 below two samples
+    Rgb halves{0};    ///< half of (mean of one half of the samples - mean of the other)
     float depth = 0;  ///< mean over samples that hit something; 0 = none did
     Vec3 normal{0};
     Rgb albedo{0};
@@ -96,6 +98,13 @@ class Film {
 
   /// The colour that is looked at: mapped, where there is a map; else the beauty.
   Rgb shown(int x, int y) const;
+
+  /// What is shown of a pixel whose noise has been taken out of `color`: where quadrants differ by
+  /// more than noise does, as at edges, they do so around the new colour.
+  Rgb shown(int x, int y, const Rgb& color) const;
+
+  /// Whether every pixel has two halves of samples, of four at least.
+  bool has_halves() const;
 
   /// Brightness of what is shown (mean of three channels) and the standard error of it, which for
   /// mapped colours is how far the map moves when the colour moves by its error. The error is
@@ -119,6 +128,12 @@ class Film {
   Shares shares(std::size_t pixel) const;
   Rgb color(std::size_t pixel) const;
   Rgb color_error(std::size_t pixel) const;
+  /// A quadrant's mean and how many samples it is of; 0 = none.
+  struct Part {
+    Rgb color{0};
+    float samples = 0;
+  };
+  Part part(std::size_t pixel, std::size_t quadrant) const;
 
   int width_, height_;
   bool clips_;

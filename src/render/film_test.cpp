@@ -39,6 +39,42 @@ TEST(Film, VarianceIsThatOfTheMean) {
   EXPECT_FLOAT_EQ(film.level(0).error, std::sqrt(5.0f / 12));
 }
 
+TEST(Film, HalvesAreEveryOtherFourSamples) {
+  Film film(1, 1, box());
+  // Means 2.5 of samples 0-3, 6.5 of 4-7, 10.5 of 8-11, 13.5 of the two after them.
+  for (int i = 1; i <= 8; ++i) film.add(0, 0, sample_of(float(i)));
+  EXPECT_TRUE(film.has_halves());
+  EXPECT_FLOAT_EQ(film.pixel(0, 0).halves.x, (2.5f - 6.5f) / 2);
+  for (int i = 9; i <= 14; ++i) film.add(0, 0, sample_of(float(i)));
+  EXPECT_NEAR(film.pixel(0, 0).halves.x, (6.5f - (4 * 6.5f + 2 * 13.5f) / 6) / 2, 1e-5f);
+}
+
+TEST(Film, HalvesOfFewSamplesAreNotThere) {
+  Film film(2, 1, box());
+  for (int i = 0; i < 8; ++i) film.add(0, 0, sample_of(1));
+  for (int i = 0; i < 7; ++i) film.add(1, 0, sample_of(1));
+  EXPECT_FALSE(film.has_halves());
+  film.add(1, 0, sample_of(1));
+  EXPECT_TRUE(film.has_halves());
+}
+
+TEST(Film, CleanColoursAreShownWithTheEdgesOfTheirPixel) {
+  const auto root = [](int, int, const Rgb& c) {
+    return Rgb(std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z));
+  };
+  Film edge(1, 1, box(), root), noise(1, 1, box(), root);
+  for (int i = 0; i < 256; ++i) {
+    FilmSample s = sample_of(i % 2 ? 16.0f : 4.0f);
+    s.sub_pixel = static_cast<std::uint8_t>(i % 4);
+    edge.add(0, 0, s);
+    s.sub_pixel = static_cast<std::uint8_t>(i / 2 % 4);
+    noise.add(0, 0, s);
+  }
+  // Half the quadrants are 4 and half are 16 around 10, less what noise may have done of it.
+  EXPECT_NEAR(edge.shown(0, 0, Rgb(10)).x, (2 + 4) / 2.0f, 0.02f);
+  EXPECT_FLOAT_EQ(noise.shown(0, 0, Rgb(10)).x, std::sqrt(10.0f));
+}
+
 TEST(Film, ErrorIsUnknownBelowTwoSamples) {
   Film film(1, 1, box());
   EXPECT_EQ(film.level(0).error, std::numeric_limits<float>::infinity());

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "image/denoise.h"
 #include "image/exr.h"
 
 namespace oriel {
@@ -63,11 +64,20 @@ Image without_alpha(const Image& rgba) {
   return image;
 }
 
-Image file_image(const PictureFile& file, const RenderSession& session) {
+/// Beauty as the film has it, with other colours where there are any.
+Image linear_image(const RenderSession& session, const Image* denoised) {
+  Image image = std::move(film_layers(session, 0).front().image);
+  if (denoised)
+    for (std::size_t i = 0; i < image.pixel_count(); ++i)
+      std::copy_n(&denoised->pixels[3 * i], 3, &image.pixels[4 * i]);
+  return image;
+}
+
+Image file_image(const PictureFile& file, const RenderSession& session, const Image* denoised) {
   if (file.channels != Channels::ColorAlpha && file.channels != Channels::Color)
     return data_image(session, file.channels);
-  Image image = file.linear ? std::move(film_layers(session, 0).front().image)
-                            : view_image(shown_image(session, file.shaders),
+  Image image = file.linear ? linear_image(session, denoised)
+                            : view_image(shown_image(session, file.shaders, denoised),
                                          view_options(session.world().options));
   return file.channels == Channels::Color ? without_alpha(image) : image;
 }
@@ -90,8 +100,8 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
 }  // namespace
 
 const std::vector<std::string>& layer_names() {
-  static const std::vector<std::string> names = {"depth",    "normal",  "albedo",
-                                                 "variance", "samples", "display"};
+  static const std::vector<std::string> names = {"depth",   "normal",  "albedo", "variance",
+                                                 "samples", "display", "halves"};
   return names;
 }
 
@@ -137,14 +147,21 @@ std::vector<Layer> film_layers(const RenderSession& session, unsigned layers) {
     out.push_back({"display", kRgbNames, collect(session, 3, [&](int x, int y, float* to) {
                      put(to, film.shown(x, y));
                    })});
+  if ((layers & kLayerHalves) && film.has_halves()) colours("halves", &Film::Pixel::halves);
   return out;
 }
 
-Image shown_image(const RenderSession& session, const NodeList& output_shaders) {
+Image denoised_beauty(const RenderSession& session) {
+  return without_alpha(denoise(denoise_input(film_layers(session, kAllLayers & ~kLayerDisplay))));
+}
+
+Image shown_image(const RenderSession& session, const NodeList& output_shaders,
+                  const Image* denoised) {
   const Film& film = session.film();
   const Window& w = session.window();
   return collect(session, 4, [&](int x, int y, float* to) {
-    Rgb c = film.shown(x, y);
+    const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
+    Rgb c = clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y);
     if (!output_shaders.empty())
       c = map_color(output_shaders, session.world(), w.pixel_centre(x, y), c);
     put(to, c);
@@ -166,7 +183,7 @@ ViewOptions view_options(const scene::RenderOptions& options) {
 }
 
 void write_picture(const PictureFile& file, const RenderSession& session,
-                   const std::map<std::string, std::string>& metadata) {
+                   const std::map<std::string, std::string>& metadata, const Image* denoised) {
   const std::string type = file_type(file);
   if (type.empty())
     throw std::runtime_error("cannot write '" + file.path +
@@ -178,13 +195,15 @@ void write_picture(const PictureFile& file, const RenderSession& session,
     const std::size_t threads =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     exr.threads = threads > 1 ? static_cast<int>(threads) : 0;
-    return write_exr(file.path, film_layers(session, file.layers), exr);
+    std::vector<Layer> layers = film_layers(session, file.layers);
+    if (denoised) layers.push_back({"denoised", kRgbNames, *denoised});
+    return write_exr(file.path, layers, exr);
   }
   FileOptions options;
   options.format = file.samples;
   options.dither = session.world().options.dither;
   options.jpeg_quality = file.quality;
-  write_as(type, file, file_image(file, session), options);
+  write_as(type, file, file_image(file, session, denoised), options);
 }
 
 }  // namespace oriel

@@ -17,7 +17,7 @@ namespace oriel {
 //   Files cover the whole picture; what lies outside the rendered window is 0, so that pictures of
 //   several windows add up to the whole one.
 
-/// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display.
+/// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display, halves.
 enum LayerBit : unsigned {
   kLayerDepth = 1u << 0,
   kLayerNormal = 1u << 1,
@@ -25,7 +25,8 @@ enum LayerBit : unsigned {
   kLayerVariance = 1u << 3,  ///< of the mean of the beauty
   kLayerSamples = 1u << 4,   ///< how many samples each pixel got
   kLayerDisplay = 1u << 5,   ///< after lens shaders; only where there are any
-  kAllLayers = (1u << 6) - 1
+  kLayerHalves = 1u << 6,  ///< half the difference of two halves of the samples, from 8 samples on
+  kAllLayers = (1u << 7) - 1
 };
 
 /// The bit of a layer's name, 0 when there is no such layer ("beauty" is always there).
@@ -51,12 +52,18 @@ struct PictureFile {
 PictureFile picture_file(const std::string& path);
 
 /// Beauty (R, G, B, A) first, then the layers asked for: Z, normal.X ... albedo.R ... variance.R
-/// ... samples, display.R ...
+/// ... samples, display.R ..., halves.R ...
 std::vector<Layer> film_layers(const RenderSession& session, unsigned layers);
+
+/// The beauty without noise, RGB: what the film knows goes through denoise() (image/denoise.h).
+Image denoised_beauty(const RenderSession& session);
 
 /// What is looked at: the display buffer when lens shaders map colours, else the film; then through
 /// output shaders. Premultiplied RGBA, not yet a view.
-Image shown_image(const RenderSession& session, const NodeList& output_shaders);
+///
+/// Inputs:  denoised: of denoised_beauty(), in place of the film's colours; null = the film's.
+Image shown_image(const RenderSession& session, const NodeList& output_shaders,
+                  const Image* denoised = nullptr);
 
 /// How the options make integers of it.
 ViewOptions view_options(const scene::RenderOptions& options);
@@ -64,10 +71,12 @@ ViewOptions view_options(const scene::RenderOptions& options);
 /// Writes one file.
 ///
 /// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it.
-/// Inputs:  metadata: goes into the header of EXR files.
+/// Inputs:  metadata: goes into the header of EXR files. denoised: what other files than EXR show;
+///          EXR has it as the layer `denoised` beside the noisy beauty, which stays the truth.
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: Output.* in output_test.cpp
 void write_picture(const PictureFile& file, const RenderSession& session,
-                   const std::map<std::string, std::string>& metadata);
+                   const std::map<std::string, std::string>& metadata,
+                   const Image* denoised = nullptr);
 
 }  // namespace oriel

@@ -122,6 +122,31 @@ TEST(Output, GammaNeverTouchesFloatFiles) {
   EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, 0)[0].image.pixels);
 }
 
+TEST(Output, DenoisedPicturesStandBesideTheNoisyTruth) {
+  const TestFolder folder;
+  const Rendered r(kExposure);
+  const Image clean(16, 12, 3, 0.125f);
+  PictureFile file = picture_file(folder.file("a.exr"));
+  write_picture(file, *r.session, {}, &clean);
+  const ExrFile read = read_exr(file.path);
+  EXPECT_EQ(read.layers[0].image.pixels, film_layers(*r.session, 0)[0].image.pixels);
+  ASSERT_NE(find_layer(read.layers, "denoised"), nullptr);
+  EXPECT_EQ(find_layer(read.layers, "denoised")->image.pixels, clean.pixels);
+  // Gain 2 and gamma 2: the root of a quarter.
+  write_picture(picture_file(folder.file("a.png")), *r.session, {}, &clean);
+  EXPECT_NEAR(read_image(folder.file("a.png")).at(5, 5)[1], 0.5f, 0.01f);
+  write_picture(picture_file(folder.file("a.hdr")), *r.session, {}, &clean);
+  EXPECT_NEAR(read_image(folder.file("a.hdr")).at(5, 5)[1], 0.125f, 1e-3f);
+}
+
+TEST(Output, DenoisedBeautyIsTheFilmsLessItsNoise) {
+  const Rendered r;
+  const Image film = film_layers(*r.session, 0)[0].image, clean = denoised_beauty(*r.session);
+  ASSERT_EQ(clean.channels, 3);
+  for (std::size_t i = 0; i < clean.pixel_count(); ++i)
+    EXPECT_NEAR(clean.pixels[3 * i], film.pixels[4 * i], 0.02f);
+}
+
 TEST(Output, OutputShadersActOnViewsAndLeaveTheFilmAlone) {
   const TestFolder folder;
   Rendered r("output \"mia_exposure_simple\" ( \"gain\" .5, \"compression\" 0, \"gamma\" 1 )");

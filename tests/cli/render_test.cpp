@@ -103,6 +103,21 @@ TEST_F(RenderProgram, SizeAndLayersAreTheUsers) {
   EXPECT_EQ(exr.layers.size(), 3u);
 }
 
+TEST_F(RenderProgram, DenoiseAddsALayerAndCleansViews) {
+  const RunResult r =
+      run({"render", "scene.mi", "--samples", "8", "--denoise", "-o", "out.exr", "-o", "out.png"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const ExrFile picture = read_exr(file("out.exr"));
+  const Layer* clean = find_layer(picture.layers, "denoised");
+  ASSERT_NE(clean, nullptr);
+  // The file alone holds all there is to know.
+  ASSERT_EQ(run({"denoise", "out.exr", "-o", "clean.exr"}).exit_code, 0);
+  const Image again = read_exr_image(file("clean.exr"));
+  for (std::size_t i = 0; i < again.pixel_count(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(again.pixels[4 * i + c], clean->image.pixels[3 * i + c]);
+}
+
 TEST_F(RenderProgram, SetChangesTheScene) {
   const auto render = [&](const std::string& edit, const char* output) {
     const RunResult r = run({"render", "scene.mi", "-o", output, "--samples", "4", "--set", edit});

@@ -12,6 +12,7 @@ namespace {
 
 class CheckProgram : public ProgramTest {};
 class ShadersProgram : public ProgramTest {};
+class DenoiseProgram : public ProgramTest {};
 
 class TonemapProgram : public ProgramTest {
  protected:
@@ -130,6 +131,16 @@ TEST_F(TonemapProgram, WrongOptionsAreUsageErrors) {
   const RunResult r = run({"tonemap", "in.exr", "-o", "a.png"});
   EXPECT_EQ(r.exit_code, 1);
   EXPECT_EQ(r.error_lines(), 1) << r.err;
+}
+
+TEST_F(DenoiseProgram, PicturesThatDoNotTellTheirNoiseAreAUserError) {
+  write_image(file("in.exr"), Image(8, 8, 3, 1), {.format = SampleFormat::Float});
+  const RunResult r = run({"denoise", "in.exr", "-o", "out.exr"});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+  EXPECT_NE(r.err.find("variance"), std::string::npos) << r.err;
+  EXPECT_EQ(run({"denoise", "missing.exr", "-o", "out.exr"}).exit_code, 1);
+  EXPECT_EQ(run({"denoise", "in.exr", "-o", "out.png"}).exit_code, 2);
 }
 
 TEST_F(DiffProgram, ThresholdsDecideTheExitCode) {

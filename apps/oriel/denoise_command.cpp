@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel denoise: takes the noise out of a finished render, from the layers of its own file.
+#include "image/denoise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "image/exr.h"
+#include "image/files.h"
+#include "pictures.h"
+
+namespace oriel::app {
+namespace {
+
+struct DenoiseArguments {
+  std::string input, output;
+  float strength = 1;
+  int threads = 0;
+};
+
+int run_denoise(const DenoiseArguments& a) {
+  if (!is_linear_file(a.output))
+    throw UsageError(fmt::format(
+        "-o {}: the result is linear, so it goes to .exr or .hdr; then oriel tonemap", a.output));
+  if (!std::filesystem::is_regular_file(a.input))
+    throw UserError(fmt::format("cannot read '{}': there is no such file", a.input));
+  const ThreadLimit limit(a.threads);
+  const ExrFile file = read_exr(a.input);
+  const DenoiseInput input = denoise_input(file.layers);
+  if (!input.color || (!input.variance && !input.half_difference))
+    throw UserError(fmt::format(
+        "{}: has no layer 'variance' or 'halves' that tells the noise; render with all layers",
+        a.input));
+  Image image = denoise(input, {.strength = a.strength});
+  std::vector<std::string> names = find_layer(file.layers, "")->channel_names;
+  if (std::filesystem::path(a.output).extension() != ".exr") {
+    write_image(a.output, image, {.format = SampleFormat::Float});
+    return kExitDone;
+  }
+  ExrOptions options;
+  options.metadata = file.metadata;
+  options.metadata["oriel.denoised"] = fmt::format("{:.6g}", a.strength);
+  write_exr(a.output, {{"", std::move(names), std::move(image)}}, options);
+  return kExitDone;
+}
+
+}  // namespace
+
+Command add_denoise_command(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("denoise", "Takes the noise out of a render, from its EXR layers");
+  auto a = std::make_shared<DenoiseArguments>();
+  app->add_option("IN", a->input, "EXR file of oriel render, with its layers")->required();
+  app->add_option("-o,--output", a->output, "Linear picture to write: .exr or .hdr")->required();
+  app->add_option("--strength", a->strength,
+                  "Less than 1 leaves more noise, more than 1 blurs more")
+      ->check(CLI::Range(0.1f, 10.0f))
+      ->capture_default_str();
+  app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  return {app, [a] { return run_denoise(*a); }};
+}
+
+}  // namespace oriel::app
