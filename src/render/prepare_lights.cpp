@@ -221,10 +221,14 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
   if (const Statement* window = find_last(element->other, "window")) {
     const std::vector<float> w = numbers_of(*window);
     const int most[] = {camera.width, camera.height};
+    // Clipped before it is an integer: files hold any number.
+    const auto pixel = [&](float x, int least, int last) {
+      return static_cast<int>(
+          clamp(x * size_ratio, static_cast<float>(least), static_cast<float>(last)));
+    };
     for (std::size_t i = 0; i < 2 && w.size() == 4; ++i) {
-      camera.window[i] = std::clamp(static_cast<int>(w[i] * size_ratio), 0, most[i] - 1);
-      camera.window[i + 2] =
-          std::clamp(static_cast<int>((w[i + 2] + 1) * size_ratio), camera.window[i] + 1, most[i]);
+      camera.window[i] = pixel(w[i], 0, most[i] - 1);
+      camera.window[i + 2] = pixel(w[i + 2] + 1, camera.window[i] + 1, most[i]);
     }
   }
   return true;
