@@ -29,9 +29,8 @@ Vec3 normalize_any(const Vec3& v) {
 
 // How far the plane that the tracer computes may be from the triangle's: its normal is the rounded
 // cross product of the sides, and the longer and thinner the triangle the more that tilts.
-float tilt_of(const Vec3& e1, const Vec3& e2, const Vec3& cross_product) {
+float tilt_of(const Vec3& e1, const Vec3& e2, float area) {
   const float l1 = length(e1), l2 = length(e2), longest = std::max(l1, l2);
-  const float area = length(cross_product);
   const float thinness = area > 0 ? l1 * l2 / area : 0;
   constexpr float kThinnest = 1000;  // beyond, the offset would show
   return longest * gamma(8) * (1 + std::min(thinness, kThinnest));
@@ -94,21 +93,24 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
                 abs(mesh.positions[t.c]) * weights.c) *
                gamma(7);
   const Vec3 cross_product = cross(e1, e2);
-  point.ng = normalize_any(cross_product);
+  const float area = length(cross_product);
+  // Twice the area, far from where its square leaves float's range.
+  const bool plain = area > 1e-12f && area < 1e12f;
+  point.ng = plain ? cross_product * (1 / area) : normalize_any(cross_product);
   point.ns = mesh.normals.empty() ? point.ng : shading_normal(mesh, t, weights, point.ng);
   derive(mesh, t, weights, e1, e2, point);
 
-  float tilt = tilt_of(e1, e2, cross_product);
+  float tilt = tilt_of(e1, e2, area);
 
   // To world space.
-  Vec3 world_cross = cross_product;
+  float world_area = area;
   if (forward) {
     const Vec3 local = point.p;
     point.p = transform_point(local, *forward);
     const Vec3 there = transform_bound(abs(local), *forward) + abs(translation(*forward));
     const Vec3 and_back = transform_bound(abs(point.p), *back) + abs(translation(*back));
     error = transform_bound(error + and_back * gamma(8), *forward) + there * gamma(4);
-    world_cross = cross(transform_vector(e1, *forward), transform_vector(e2, *forward));
+    world_area = length(cross(transform_vector(e1, *forward), transform_vector(e2, *forward)));
     const Vec3 normal = transform_normal(point.ng, *back);
     tilt /= length(normal);  // planes come apart as their normals get short
     point.ng = normalize_any(normal);
@@ -117,7 +119,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
     point.dpdv = transform_vector(point.dpdv, *forward);
   }
   point.offset = dot(abs(point.ng), error + abs(point.p) * gamma(2)) + tilt;
-  if (const float area = length(world_cross); area > 0) point.uv_density /= area;
+  if (world_area > 0) point.uv_density /= world_area;
 
   // A shading normal beyond the horizon would light the surface from behind.
   constexpr float kHorizon = 1e-3f;

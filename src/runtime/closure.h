@@ -34,6 +34,7 @@ struct LobeControls {
   int depth = 0;                 ///< trace depth of the material, 0 = the scene's
   float cutoff = 0;              ///< rays contributing less to the pixel are not traced
   bool highlights_only = false;  ///< no rays: light sources only
+  bool mirrored = false;         ///< highlights only, but a mirror lobe shows lights that are seen
   float falloff_distance = 0;    ///< 0 = none
   bool falloff_to_color = false;
   Rgb falloff_color{0};

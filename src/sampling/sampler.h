@@ -65,6 +65,9 @@ class Sampler {
                 to_unit(static_cast<std::uint32_t>(both)));
   }
 
+  /// Passes over a draw that nobody needs: later ones keep their dimensions.
+  void skip() { ++dimension_; }
+
   /// The number of draws so far; setting it jumps to that draw.
   std::uint32_t dimension() const { return dimension_; }
   void set_dimension(std::uint32_t dimension) { dimension_ = dimension; }

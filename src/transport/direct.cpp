@@ -72,12 +72,17 @@ Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure
   const Vec3 wo = point.wo();
   const bool shadows = takes_shadows(world, point);
   Rgb sum(0);
-  const float u_light = sampler.next_1d();
+  float u_light = 0;
+  if (lights.draws())
+    u_light = sampler.next_1d();
+  else
+    sampler.skip();
   lights.sample(u_light, [&](int index, float rate) {
     const Light& light = world.lights[static_cast<std::size_t>(index)];
     const auto s = sample_light(light, point, sampler.next_2d());
     if (!s) return;
-    const Response r = evaluate_closure(closure, lobes, point, wo, s->wi);
+    const Response r = evaluate_closure(closure, lobes, point, wo, s->wi,
+                                        light.visible && !closure.highlights_of_visible_lights);
     const float scale = highlight_scale(closure, light);
     const Rgb diffuse = r.diffuse.for_lights(scale), glossy = r.glossy.for_lights(scale);
     const Rgb both = diffuse + glossy;

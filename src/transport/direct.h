@@ -18,6 +18,8 @@ class LightChoice {
   LightChoice(const World& world, ShadingPoint& point, const Closure& closure);
 
   bool empty() const { return count_ == 0; }
+  /// Whether sample() needs a random number: not when all lights are asked.
+  bool draws() const { return !all_; }
   /// Expected number of samples of light i at this vertex, for multiple importance sampling; 0 =
   /// this vertex is not lit by it.
   float rate(int light) const;

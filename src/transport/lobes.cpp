@@ -68,12 +68,14 @@ void make_ready(Closure& closure, const Vec3& wo) {
 }
 
 Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
-                          const ShadingPoint& point, const Vec3& wo, const Vec3& wi) {
+                          const ShadingPoint& point, const Vec3& wo, const Vec3& wi,
+                          bool seen_in_mirrors) {
   Response out;
   const bool same_side = dot(wi, point.geometric_normal) > 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
+    if (seen_in_mirrors && lobe.controls.mirrored) continue;
     Response::Part& part = is_diffuse(lobe.kind) ? out.diffuse : out.glossy;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (lobe.kind == LobeKind::PhongHighlight) {

@@ -53,8 +53,12 @@ struct ClosureSample {
 void make_ready(Closure& closure, const Vec3& wo);
 
 /// All non-delta lobes for wi; the density counts the lobes that `choice` allows.
+///
+/// Inputs:  seen_in_mirrors: wi leads to a light that mirror rays see; highlights that stand beside
+///          a mirror are left out.
 Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
-                          const ShadingPoint& point, const Vec3& wo, const Vec3& wi);
+                          const ShadingPoint& point, const Vec3& wo, const Vec3& wi,
+                          bool seen_in_mirrors = false);
 
 /// Draws a lobe and a direction; nothing where the draw is lost (below the horizon).
 std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeChoice& choice,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "color/luminance.h"
 #include "sampling/warp.h"
@@ -224,7 +225,11 @@ void Path::choose_lobes(const Closure& closure, LobeChoice& choice) const {
 /// transmitting lobes are taken out of the closure.
 bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoint& point) {
   const bool keeps_weights = material.may_transmit;
-  const float u = sampler_.next_1d();
+  float u = 0;
+  if (closure.opacity < 1)
+    u = sampler_.next_1d();
+  else
+    sampler_.skip();
   Rgb factor(0);
   const bool culled = !closure.seen_from_back && kind_ == RayKind::Eye && point.back_side;
   if (culled) {
@@ -387,7 +392,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     LobeChoice choice;
     make_ready(closure, point.wo());
     choose_lobes(closure, choice);
-    from_.lights = LightChoice(world_, point, closure);
+    std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
     const bool environment =
         indirect_ && world_.environment.lights() && material.environment.empty();
     bool scatters_light = false;

@@ -159,6 +159,20 @@ TEST(Highlight, VisibleLightsAreReflectedInvisibleOnesHighlightedNeverBoth) {
   }
 }
 
+// acceptance: R2, R10
+TEST(Highlight, MirrorRaysOfABlurredSurfaceShowAVisibleLightOnce) {
+  const std::string samples_0 = "\"refl_gloss_samples\" 0";
+  const Measured mirror = plate_under_lamp(metal(1), true);
+  expect_same("samples 0 mirrors a visible light", plate_under_lamp(metal(.3f, samples_0), true),
+              mirror, .01f);
+  const Measured both =
+      plate_under_lamp(metal(.3f, samples_0 + ", \"no_visible_area_hl\" off"), true);
+  EXPECT_GT(both.mean.x, mirror.mean.x * 1.01f);
+  expect_same("samples 0 highlights an invisible light as the gloss says",
+              plate_under_lamp(metal(.3f, samples_0), false), plate_under_lamp(metal(.3f), false),
+              .01f);
+}
+
 // acceptance: R9
 TEST(Highlight, BalanceScalesHighlightsAloneAndBothCanBeAskedFor) {
   const Measured plain = plate_under_lamp(metal(.3f), true);

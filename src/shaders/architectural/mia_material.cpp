@@ -104,6 +104,7 @@ void add_reflection(const P& p, const ShadingPoint& point, const Vec3& normal, c
     set_roughness(lobe, p.refl_gloss, p.anisotropy);
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only || mirror_rays;
+    lobe.controls.mirrored = mirror_rays && !p.refl_hl_only;
   }
 }
 
