@@ -104,7 +104,10 @@ LightValue physical_value(const Call& call, const LightCall& l) {
   Rgb c = rgb(p.color);
   if (l.light.shape != LightShape::Directional) {
     // Energy spreads over the sphere: divided by its 4 pi steradians.
-    c *= std::pow(std::max(l.distance, 1e-6f), -l.light.exponent) / (4 * kPi);
+    const float distance = std::max(l.distance, 1e-6f);
+    const float decay =
+        l.light.exponent == 2 ? 1 / sqr(distance) : std::pow(distance, -l.light.exponent);
+    c *= decay / (4 * kPi);
     const float exponent = p.cos_exp > 0 ? p.cos_exp : 1;
     if (l.emitter_cos < 1)
       c *= exponent == 1 ? l.emitter_cos : std::pow(std::max(0.0f, l.emitter_cos), exponent);
