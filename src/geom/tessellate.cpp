@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 
+#include "geom/equal_vertices.h"
 #include "geom/polygon.h"
 
 namespace oriel::geom {
@@ -72,7 +72,8 @@ class Tessellator {
     if (std::none_of(indices.begin(), indices.end(), exists)) return;
     column.resize(base_, Vec3(0));
     column.reserve(vertices_);
-    for (const std::uint32_t i : indices) {
+    for (const std::uint32_t vertex : different_.kept) {
+      const std::uint32_t i = vertex < indices.size() ? indices[vertex] : kNone;
       Vec3 value = i < pool ? group.vectors[i] : Vec3(0);
       if (!is_finite(value)) value = Vec3(0);
       column.push_back(unit ? normalize(value) : value);
@@ -82,10 +83,12 @@ class Tessellator {
 
   void add_vertices(const scene::PolygonGroup& group) {
     const scene::VertexList& list = group.vertices;
-    vertices_ = base_ + list.size();
+    different_ = find_equal_vertices(list, group.vectors.size());
+    vertices_ = base_ + different_.kept.size();
     usable_ = true;
     mesh_.positions.reserve(vertices_ + 1);
-    for (const std::uint32_t i : list.point) {
+    for (const std::uint32_t vertex : different_.kept) {
+      const std::uint32_t i = list.point[vertex];
       const Vec3 p = i < group.vectors.size() ? group.vectors[i] : Vec3(NAN);
       usable_ = usable_ && is_usable(p);
       mesh_.positions.push_back(p);
@@ -136,40 +139,42 @@ class Tessellator {
         continue;
       }
       const std::size_t before = mesh_.triangles.size();
-      add_polygon(std::span(polygons.indices).subspan(begin, end - begin));
+      corners_.assign(polygons.indices.begin() + begin, polygons.indices.begin() + end);
+      add_polygon();
       if (mesh_.triangles.size() == before) continue;
       const std::uint32_t material = i < polygons.material.size() ? polygons.material[i] : kNone;
       mesh_.slot.resize(mesh_.triangles.size(), slot_for(group, material));
     }
   }
 
-  void add_polygon(std::span<const std::uint32_t> corners) {
-    const auto base = static_cast<std::uint32_t>(base_);
+  /// The polygon of corners_, which become vertices of the mesh.
+  void add_polygon() {
     bool finite = true;
-    for (const std::uint32_t c : corners) {
-      if (c >= vertices_ - base_) {
+    for (std::uint32_t& c : corners_) {
+      if (c >= different_.number_of.size()) {
         ++out_of_range;
         return;
       }
-      finite = finite && (usable_ || is_usable(mesh_.positions[base_ + c]));
+      c = static_cast<std::uint32_t>(base_) + different_.number_of[c];
+      finite = finite && (usable_ || is_usable(mesh_.positions[c]));
     }
     if (!finite) {
       ++not_finite;
       return;
     }
-    if (corners.size() == 3 && holes_.empty()) {
-      add_triangle({base + corners[0], base + corners[1], base + corners[2]});
+    if (corners_.size() == 3 && holes_.empty()) {
+      add_triangle({corners_[0], corners_[1], corners_[2]});
       return;
     }
     places_.clear();
-    for (const std::uint32_t c : corners) places_.push_back(mesh_.positions[base_ + c]);
+    for (const std::uint32_t c : corners_) places_.push_back(mesh_.positions[c]);
     cut_.clear();
     if (!triangulator_.triangulate(places_, holes_, cut_)) {
       ++without_area;
       return;
     }
     for (const Triangle& t : cut_)
-      mesh_.triangles.push_back({base + corners[t.a], base + corners[t.b], base + corners[t.c]});
+      mesh_.triangles.push_back({corners_[t.a], corners_[t.b], corners_[t.c]});
   }
 
   void add_triangle(const Triangle& t) {
@@ -184,11 +189,13 @@ class Tessellator {
 
   Mesh& mesh_;
   std::size_t base_ = 0, vertices_ = 0;
-  bool usable_ = true;  // all positions of the group at hand
+  bool usable_ = true;           // all positions of the group at hand
+  DifferentVertices different_;  // of the group at hand
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> slot_index_;
   const scene::PolygonGroup* last_group_ = nullptr;
   std::uint32_t last_material_ = 0, last_slot_ = 0;
   PolygonTriangulator triangulator_;
+  std::vector<std::uint32_t> corners_;
   std::vector<Vec3> places_;
   std::vector<std::uint32_t> holes_;
   std::vector<Triangle> cut_;

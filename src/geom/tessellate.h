@@ -12,7 +12,7 @@ namespace oriel::geom {
 inline constexpr std::size_t kMaxTextureSpaces = 8;
 
 /// The polygons of all groups of `object` as one mesh; vertices stay as shared as they were
-/// written.
+/// written, and those of a group that are written alike become one.
 ///
 /// Model:   triangles are kept, quads and general polygons cut without new vertices, so that all
 ///          attributes interpolate between the corners as written. Normals become unit vectors;

@@ -27,7 +27,7 @@ scene::PolygonGroup group_of(std::vector<Vec3> places,
 
 const std::vector<Vec3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
-TEST(Tessellate, KeepsOneVertexPerVertexOfTheScene) {
+TEST(Tessellate, KeepsOneVertexPerDifferentVertexOfTheScene) {
   scene::Object object;
   object.groups.push_back(group_of(kSquare, {{0, 1, 2, 3}}));
   object.groups.push_back(group_of(kSquare, {{0, 1, 2}}));
@@ -82,6 +82,62 @@ TEST(Tessellate, MixedColumnsHoldNullWhereAVertexLacksTheField) {
   ASSERT_EQ(mesh.textures.size(), 1u);
   EXPECT_EQ(mesh.textures[0].coordinate[6], Vec3(1, 1, 0));
   EXPECT_TRUE(mesh.textures[0].basis_u.empty());
+}
+
+// Two triangles with a vertex per corner, as exporters write them, are a square of four vertices.
+TEST(Tessellate, VerticesWrittenAlikeBecomeOne) {
+  scene::PolygonGroup group = group_of(kSquare, {{0, 1, 2}, {3, 4, 5}});
+  group.vectors.push_back(Vec3(0, 0, 1));
+  group.vectors.push_back(Vec3(0, 1, 0));
+  group.vertices.point = {0, 1, 2, 0, 2, 3};
+  group.vertices.normal = {4, 4, 4, 4, 4, 4};
+  group.vertices.user = {{0, 1, 2, 3, 4, 5}};
+  scene::Object object;
+  object.groups.push_back(group);
+  Diagnostics diagnostics;
+  const Mesh mesh = tessellate(object, diagnostics);
+  EXPECT_EQ(mesh.vertex_count(), 4u);
+  EXPECT_EQ(mesh.normals.size(), 4u);
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
+  EXPECT_EQ(mesh.triangles[1], (Triangle{0, 2, 3}));
+  EXPECT_EQ(mesh.positions[3], kSquare[3]);
+
+  // Another normal at a corner, or another texture coordinate, keeps it apart.
+  object.groups[0].vertices.normal[3] = 5;
+  object.groups[0].vertices.textures.resize(1);
+  object.groups[0].vertices.textures[0].coordinate = {0, 0, 0, 0, kNone, 0};
+  const Mesh apart = tessellate(object, diagnostics);
+  ASSERT_EQ(apart.vertex_count(), 6u);
+  EXPECT_EQ(apart.normals[3], Vec3(0, 1, 0));
+  EXPECT_EQ(apart.triangles[1], (Triangle{3, 4, 5}));
+}
+
+// A point with more normals than are compared still has the right one at every corner.
+TEST(Tessellate, PointsWithManyNormalsKeepThemAll) {
+  scene::PolygonGroup group = group_of(kSquare, {});
+  for (int round = 0; round < 2; ++round)
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      if (round == 0) group.vectors.push_back(Vec3(static_cast<float>(i), 1, 0));
+      const auto first = static_cast<std::uint32_t>(3 * (40 * round + i));
+      group.polygons.indices.insert(group.polygons.indices.end(), {first, first + 1, first + 2});
+      group.polygons.first.push_back(first + 3);
+    }
+  group.vertices.point.clear();
+  for (std::uint32_t corner = 0; corner < 240; ++corner) {
+    group.vertices.point.push_back(corner % 3);
+    group.vertices.normal.push_back(4 + corner / 3 % 40);
+  }
+  scene::Object object;
+  object.groups.push_back(group);
+  Diagnostics diagnostics;
+  const Mesh mesh = tessellate(object, diagnostics);
+  ASSERT_EQ(mesh.triangles.size(), 80u);
+  for (std::uint32_t i = 0; i < 80; ++i) {
+    const Vec3 normal = normalize(Vec3(static_cast<float>(i % 40), 1, 0));
+    EXPECT_EQ(mesh.normals[mesh.triangles[i].c], normal);
+    EXPECT_EQ(mesh.positions[mesh.triangles[i].c], kSquare[2]);
+  }
 }
 
 TEST(Tessellate, MaterialsOfGroupsWithEqualNamesShareASlot) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects to meshes, leaves to instances, names to materials, flags to ray masks.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <map>
 
@@ -145,9 +146,11 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                                .user = static_cast<std::uint32_t>(world.instances.size())});
     world.instances.push_back(std::move(data));
   }
-  if (options.release_geometry)
+  if (options.release_geometry) {
     for (scene::Element& element : scene.elements())
       if (auto* object = std::get_if<scene::Object>(&element)) object->groups.clear();
+    malloc_trim(0);  // the C library would keep most of it while Embree builds
+  }
   world.accel->commit();
   const geom::AccelMemory memory = world.accel->memory();
   report.geometry_bytes = memory.meshes + memory.instances + memory.embree;
