@@ -26,10 +26,10 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry);
 
 /// Sets a parameter of a shader, material or light (of its first shader that has it) or a statement
-/// of an options block. `edit` is element.parameter=value, the value as the language writes it.
+/// of an options block. `text` is element.parameter=value, the value as the language writes it.
 ///
 /// Errors:  UserError that names what there is no such thing of, with the nearest name.
-void apply_edit(scene::Scene& scene, const std::string& edit, const Registry& registry);
+void apply_edit(scene::Scene& scene, const std::string& text, const Registry& registry);
 
 /// Prints what was not printed yet. Notes only when `notes`.
 class DiagnosticPrinter {

@@ -81,7 +81,7 @@ struct SimpleParameters {
 class SimpleExposure {
  public:
   explicit SimpleExposure(const SimpleParameters& parameters);
-  Rgb operator()(const Rgb& scene) const;
+  Rgb operator()(const Rgb& c) const;
 
  private:
   float map(float value) const;

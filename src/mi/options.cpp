@@ -8,6 +8,7 @@ namespace {
 
 // Source: published grammar and manual of mental ray 3.x (options), with the statements that later
 // versions added. Words of the values only where a word may stand.
+// A table. NOLINTNEXTLINE(readability-function-size)
 const FormTable& option_forms() {
   static const FormTable table{
       // Sampling

@@ -26,7 +26,7 @@ struct SyntaxError {};
 /// State while reading one file.
 class Parse {
  public:
-  Parse(const ReadOptions& options, Diagnostics& diagnostics);
+  Parse(const ReadOptions& read_options, Diagnostics& messages);
 
   Cursor in;
   const ReadOptions& options;

@@ -57,6 +57,7 @@ void check_arguments(Parse& parse, const std::vector<ParamDecl>& declared,
     }
     if (!parse.reported.insert("parameter " + shader + " " + argument.name).second) continue;
     std::vector<std::string> names;
+    names.reserve(declared.size());
     for (const ParamDecl& d : declared) names.push_back(d.name);
     const std::string near = nearest_name(argument.name, names);
     parse.warn(

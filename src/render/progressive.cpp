@@ -189,8 +189,8 @@ StopReason Progressive::run_rows(const std::function<std::uint64_t(const Row&)>&
     if (!chosen) stop = begin_pass();
     chosen = false;
     if (stop) break;
-    const auto tiles =
-        static_cast<std::size_t>(tiles_across(film_.width()) * tiles_across(film_.height()));
+    const auto tiles = static_cast<std::size_t>(tiles_across(film_.width())) *
+                       static_cast<std::size_t>(tiles_across(film_.height()));
     parallel_for(tiles, [&](std::size_t tile) {
       render_tile(static_cast<int>(tile), render_row, callbacks, cancel);
     });

@@ -28,6 +28,7 @@ inline SinCos sincos_octant(float x) {
 }
 /// Sine and cosine of u turns, u in [0, 1].
 inline SinCos sincos_turns(float u) {
+  // Never negative, so truncation rounds. NOLINTNEXTLINE(bugprone-incorrect-roundings)
   const int quarter = static_cast<int>(4 * u + 0.5f);
   const SinCos t = sincos_octant((4 * u - static_cast<float>(quarter)) * (kPi / 2));
   const float s = quarter & 1 ? t.cos : t.sin, c = quarter & 1 ? t.sin : t.cos;
