@@ -67,6 +67,7 @@ class Path {
   std::uint32_t mask() const;
   void count_ray();
   void follow(const ShadingPoint& point, const Vec3& direction);
+  bool gather(Closure& closure, const Material& material, ShadingPoint& point);
   bool survive();
   /// Rays that go straight through glass are dimmed by it only where shadow rays are.
   bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
@@ -336,6 +337,55 @@ bool Path::survive() {
   return true;
 }
 
+/// Light at a vertex and the way on from it. False: the path ends here.
+bool Path::gather(Closure& closure, const Material& material, ShadingPoint& point) {
+  LobeChoice choice;
+  make_ready(closure, point.wo());
+  choose_lobes(closure, choice);
+  std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
+  const bool environment = indirect_ && world_.environment.lights() && material.environment.empty();
+  bool scatters_light = false;
+  for (int i = 0; i < closure.count; ++i)
+    if (!is_delta(closure.lobes[i].kind)) scatters_light = true;
+  if (scatters_light && !features_seen_ && !from_.weighed) {
+    features_seen_ = true;
+    result_.normal = point.normal;
+    result_.albedo = closure.albedo;
+  }
+  if (scatters_light && (!from_.lights.empty() || environment))
+    result_.radiance += throughput_ * direct_light(world_, point, closure, choice, from_.lights,
+                                                   {.environment = environment,
+                                                    .rays_bend = !after_diffuse_,
+                                                    .estimator = estimator_},
+                                                   sampler_, counts_);
+  if (choice.total <= 0) return false;
+
+  const float u_lobe = sampler_.next_1d();
+  const auto sample =
+      sample_closure(closure, choice, point, point.wo(), u_lobe, sampler_.next_2d());
+  if (!sample) return false;
+  const Lobe& lobe = closure.lobes[sample->lobe];
+  // The material's own refraction depth ends in black, the scene's depth in the environment.
+  if (transmits(lobe.kind) && lobe.controls.depth > 0 && refractions_ >= lobe.controls.depth)
+    return false;
+  const bool too_deep = !is_diffuse(lobe.kind) && depth_reached(lobe.kind);
+
+  if (world_.has_area_lights) from_.point = point;
+  from_.environment_sampled = environment;
+  from_.shadows = takes_shadows(world_, point);
+  from_.highlight_scale = closure.highlight_scale;
+  from_.highlight_scale_visible =
+      closure.highlights_of_visible_lights ? 1 + closure.highlight_scale : 1;
+  scatter(closure, material, point, *sample);
+  if (too_deep) {
+    bool seen = false;
+    if (world_.has_area_lights) meet_lights(kInfinity, seen);
+    if (!seen) meet_environment();
+    return false;
+  }
+  return survive();
+}
+
 PathResult Path::run(const Camera::Ray& eye) {
   ray_.org = left_ = eye.origin;
   ray_.dir = eye.direction;
@@ -389,52 +439,7 @@ PathResult Path::run(const Camera::Ray& eye) {
     result_.radiance += throughput_ * closure.emission;
     if (closure.count == 0) break;
 
-    LobeChoice choice;
-    make_ready(closure, point.wo());
-    choose_lobes(closure, choice);
-    std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
-    const bool environment =
-        indirect_ && world_.environment.lights() && material.environment.empty();
-    bool scatters_light = false;
-    for (int i = 0; i < closure.count; ++i)
-      if (!is_delta(closure.lobes[i].kind)) scatters_light = true;
-    if (scatters_light && !features_seen_ && !from_.weighed) {
-      features_seen_ = true;
-      result_.normal = point.normal;
-      result_.albedo = closure.albedo;
-    }
-    if (scatters_light && (!from_.lights.empty() || environment))
-      result_.radiance += throughput_ * direct_light(world_, point, closure, choice, from_.lights,
-                                                     {.environment = environment,
-                                                      .rays_bend = !after_diffuse_,
-                                                      .estimator = estimator_},
-                                                     sampler_, counts_);
-    if (choice.total <= 0) break;
-
-    const float u_lobe = sampler_.next_1d();
-    const auto sample =
-        sample_closure(closure, choice, point, point.wo(), u_lobe, sampler_.next_2d());
-    if (!sample) break;
-    const Lobe& lobe = closure.lobes[sample->lobe];
-    // The material's own refraction depth ends in black, the scene's depth in the environment.
-    if (transmits(lobe.kind) && lobe.controls.depth > 0 && refractions_ >= lobe.controls.depth)
-      break;
-    const bool too_deep = !is_diffuse(lobe.kind) && depth_reached(lobe.kind);
-
-    if (world_.has_area_lights) from_.point = point;
-    from_.environment_sampled = environment;
-    from_.shadows = takes_shadows(world_, point);
-    from_.highlight_scale = closure.highlight_scale;
-    from_.highlight_scale_visible =
-        closure.highlights_of_visible_lights ? 1 + closure.highlight_scale : 1;
-    scatter(closure, material, point, *sample);
-    if (too_deep) {
-      bool seen = false;
-      if (world_.has_area_lights) meet_lights(kInfinity, seen);
-      if (!seen) meet_environment();
-      break;
-    }
-    if (!survive()) break;
+    if (!gather(closure, material, point)) break;
   }
   return result_;
 }
