@@ -17,6 +17,7 @@ constexpr int kMostDepth = 200;
 template <class Range, class Name>
 std::vector<std::string> names_of(const Range& range, Name name) {
   std::vector<std::string> names;
+  names.reserve(std::size(range));
   for (const auto& item : range) names.emplace_back(name(item));
   return names;
 }

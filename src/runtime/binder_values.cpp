@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "base/assert.h"
 #include "runtime/binder.h"
@@ -12,6 +13,12 @@ namespace oriel {
 namespace {
 
 using scene::Value;
+
+/// Puts a value into a parameter struct.
+template <class T>
+void store(std::byte* target, const T& value) {
+  new (target) T(value);
+}
 
 std::string describe(const Value& value) {
   switch (value.kind) {
@@ -41,29 +48,29 @@ void store_numbers(std::byte* target, ParamType type, const float* v, std::size_
   switch (type) {
     case ParamType::Boolean: {
       const bool b = at(0, 0) != 0;
-      std::memcpy(target, &b, sizeof b);
+      store(target, b);
       break;
     }
     case ParamType::Integer: {
       const int i = static_cast<int>(clamp(at(0, 0), -2.1e9f, 2.1e9f));
-      std::memcpy(target, &i, sizeof i);
+      store(target, i);
       break;
     }
     case ParamType::Scalar: {
       const float f = at(0, 0);
-      std::memcpy(target, &f, sizeof f);
+      store(target, f);
       break;
     }
     case ParamType::Color: {
       // One number is a grey; with three, alpha is 1.
       const Rgba c =
           count == 1 ? Rgba(v[0], v[0], v[0], 1) : Rgba(at(0, 0), at(1, 0), at(2, 0), at(3, 1));
-      std::memcpy(target, &c, sizeof c);
+      store(target, c);
       break;
     }
     case ParamType::Vector: {
       const Vec3 p = count == 1 ? Vec3(v[0]) : Vec3(at(0, 0), at(1, 0), at(2, 0));
-      std::memcpy(target, &p, sizeof p);
+      store(target, p);
       break;
     }
     case ParamType::Transform:
@@ -104,13 +111,13 @@ void Binder::set_defaults(ShaderNode& node) {
   for (const ParamSpec& param : spec.params) {
     if (param.type == ParamType::Light) {
       const LightRef none;
-      std::memcpy(bytes + param.offset, &none, sizeof none);
+      store(bytes + param.offset, none);
     } else if (param.type == ParamType::String) {
       const std::string_view empty;
-      std::memcpy(bytes + param.offset, &empty, sizeof empty);
+      store(bytes + param.offset, empty);
     } else if (param.type == ParamType::Transform) {
       const Mat4 identity;
-      std::memcpy(bytes + param.offset, &identity, sizeof identity);
+      store(bytes + param.offset, identity);
     } else {
       const std::size_t count = param.type == ParamType::Color && param.fallback[3] == 0 ? 3 : 4;
       store_numbers(bytes + param.offset, param.type, param.fallback.data(), count);
@@ -229,14 +236,13 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     case ParamType::String: {
       world_.strings.push_back(value.text);
       const std::string_view text = world_.strings.back();
-      std::memcpy(target, &text, sizeof text);
+      store(target, text);
       return;
     }
     case ParamType::Shader: {
       if (value.text.empty()) return;
       const ShaderRef ref{resolve(value.text, value.where, scope).node};
-      if (ref.node && afford(node, ref.node->cost_, value.where))
-        std::memcpy(target, &ref, sizeof ref);
+      if (ref.node && afford(node, ref.node->cost_, value.where)) store(target, ref);
       return;
     }
     case ParamType::Light: {
@@ -254,7 +260,7 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
         return;
       }
       const LightRef ref{found->second[0]};
-      std::memcpy(target, &ref, sizeof ref);
+      store(target, ref);
       return;
     }
     case ParamType::ColorTexture:
@@ -264,7 +270,7 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
       const ColorTextureRef ref{texture(value.text, value.where, scope)};
       const auto cost = texture_cost_.find(ref.texture);
       if (cost == texture_cost_.end() || afford(node, cost->second, value.where))
-        std::memcpy(target, &ref, sizeof ref);
+        store(target, ref);
       return;
     }
     case ParamType::Material:
@@ -315,7 +321,7 @@ void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& v
   world_.arrays.push_back(std::move(elements));
   const ArrayView<std::byte> view{world_.arrays.back().data(),
                                   static_cast<int>(world_.arrays.back().size() / stride)};
-  std::memcpy(node.constants_.data() + param.offset, &view, sizeof view);
+  store(node.constants_.data() + param.offset, view);
 }
 
 void Binder::mismatch(const ShaderNode& node, const ParamSpec& param, const Value& value) {
