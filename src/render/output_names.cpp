@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/output_names.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace oriel {
+
+const std::vector<std::string>& material_output_names() {
+  static const std::vector<std::string> names = {
+      "result",      "diffuse_result",  "diffuse_raw",  "diffuse_level",    "spec_result",
+      "spec_raw",    "spec_level",      "refl_result",  "refl_raw",         "refl_level",
+      "refr_result", "refr_raw",        "refr_level",   "tran_result",      "tran_raw",
+      "tran_level",  "indirect_result", "indirect_raw", "indirect_post_ao", "ao_raw",
+      "add_result",  "opacity_result",  "opacity_raw",  "opacity",          "other"};
+  return names;
+}
+
+int material_output_index(std::string_view name) {
+  const auto& names = material_output_names();
+  const auto at = std::find(names.begin(), names.end(), name);
+  return at == names.end() ? -1 : static_cast<int>(at - names.begin());
+}
+
+int output_of_frame_buffer(std::string_view buffer) {
+  // Cutting from the left finds the longest name first.
+  for (std::size_t cut = 0; cut < buffer.size(); ++cut) {
+    if (cut > 0 && std::isalpha(static_cast<unsigned char>(buffer[cut - 1]))) continue;
+    const int index = material_output_index(buffer.substr(cut));
+    if (index >= 0) return index;
+  }
+  return -1;
+}
+
+}  // namespace oriel
