@@ -19,11 +19,6 @@ const FormTable& camera_forms() {
   return table;
 }
 
-// Where a camera statement begins; ends the open lists of framebuffer and pass.
-constexpr std::string_view kCameraWords[] = {
-    "output", "framebuffer", "pass",   "lens", "volume", "environment", "focal", "aperture",
-    "aspect", "resolution",  "offset", "clip", "window", "dof",         "frame", "data"};
-
 constexpr std::string_view kFormats[] = {
     "rla",    "rlb",     "pic", "zpic", "als",  "rgb", "tif",  "tifu", "tga", "bmp",
     "jpg",    "ppm",     "png", "exr",  "hdr",  "iff", "map",  "dds",  "ps",  "eps",
@@ -95,10 +90,9 @@ void read_output(Parse& parse, Camera& camera, SourceLocation at) {
   camera.outputs.push_back(std::move(output));
 }
 
-// The items of a frame buffer end where the next statement begins.
-void keep_items(Parse& parse, Camera& camera, std::string keyword, SourceLocation at) {
-  scene::KeptText kept{std::move(keyword), "", at};
-  kept.text = keep_until_word(parse, kCameraWords);
+// The items of a pass end where the next statement begins.
+void keep_pass(Parse& parse, Camera& camera, SourceLocation at) {
+  scene::KeptText kept{"pass", keep_until_word(parse, kCameraWords), at};
   if (parse.incremental) {
     const std::string name = kept.text.substr(0, kept.text.find(' '));
     std::erase_if(camera.kept, [&](const scene::KeptText& k) {
@@ -118,8 +112,8 @@ void extend_list(Parse& parse, scene::ShaderList& list) {
 void read_camera_statement(Parse& parse, Camera& camera, StatementList& other) {
   const SourceLocation at = parse.in.where();
   if (parse.in.accept_word("output")) return read_output(parse, camera, at);
-  if (parse.in.accept_word("framebuffer")) return keep_items(parse, camera, "framebuffer", at);
-  if (parse.in.accept_word("pass")) return keep_items(parse, camera, "pass", at);
+  if (parse.in.accept_word("framebuffer")) return read_frame_buffer(parse, camera, at);
+  if (parse.in.accept_word("pass")) return keep_pass(parse, camera, at);
   if (parse.in.accept_word("lens")) return extend_list(parse, camera.lens);
   if (parse.in.accept_word("volume")) return extend_list(parse, camera.volume);
   if (parse.in.accept_word("environment")) return extend_list(parse, camera.environment);

@@ -19,9 +19,15 @@ scene::ShaderList read_shader_list(Parse& parse);
 scene::ShaderUse read_call(Parse& parse, std::string type, SourceLocation at);
 void read_shader_element(Parse& parse, SourceLocation at);
 
+/// Where a camera statement begins; ends the open lists of framebuffer and pass.
+inline constexpr std::string_view kCameraWords[] = {
+    "output", "framebuffer", "pass",   "lens", "volume", "environment", "focal", "aperture",
+    "aspect", "resolution",  "offset", "clip", "window", "dof",         "frame", "data"};
+
 // one file each, named after the element
 void read_options(Parse& parse, SourceLocation at);
 void read_camera(Parse& parse, SourceLocation at);
+void read_frame_buffer(Parse& parse, scene::Camera& camera, SourceLocation at);
 void read_light(Parse& parse, SourceLocation at);
 void read_light_profile(Parse& parse, SourceLocation at);
 void read_material(Parse& parse, SourceLocation at);

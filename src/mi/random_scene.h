@@ -215,8 +215,23 @@ class RandomScene {
     c.lens = shaders(0);
     c.environment = shaders(0);
     if (chance()) c.other = {statement("clip", {numbers(2)}), statement("frame", {numbers(1)})};
-    if (chance()) c.kept = {{"framebuffer", "\"main\" datatype \"rgba\"", {}}};
+    for (int i = pick(3); i > 0; --i) c.frame_buffers.push_back(frame_buffer());
+    if (chance()) c.kept = {{"pass", "\"p\" read", {}}};
     return c;
+  }
+
+  scene::FrameBuffer frame_buffer() {
+    scene::FrameBuffer b;
+    b.name = name();
+    if (chance()) b.datatype = "rgba_fp";
+    if (chance()) b.filename = name() + ".exr";
+    if (chance()) b.filetype = "exr";
+    if (chance()) b.filtering = chance();
+    if (chance()) b.primary = chance();
+    if (chance()) b.user = chance();
+    if (chance()) b.modifiers = {statement("dpi", {numbers(2)}), statement("tiled", {})};
+    if (chance()) b.kept = {{"deep", "[ 1 ( 2 ) ]", {}}};
+    return b;
   }
 
   scene::Light light() {

@@ -97,7 +97,62 @@ TEST(Camera, ListsAppendAndBareKeywordsClear) {
   EXPECT_TRUE(c.lens.empty() && c.environment.empty());
   EXPECT_EQ(*c.focal, 35);
   EXPECT_EQ(*c.aperture, 36);
-  EXPECT_EQ(c.kept[0].text, "\"f\" datatype \"rgba\" primary on");
+  ASSERT_EQ(c.frame_buffers.size(), 1u);
+  EXPECT_EQ(c.frame_buffers[0].name, "f");
+}
+
+// acceptance: H1
+TEST(FrameBuffer, ItemsHaveTheirPlacesAndEndWithTheNextStatement) {
+  const Snippet read(
+      "camera \"c\" framebuffer \"diffuse_raw\" datatype \"rgba_fp\" filename \"d.exr\" "
+      "filetype \"exr\" filtering off primary user on quality 90 compression \"zip\" tiled "
+      "premultiplied off framebuffer \"z\" datatype \"z\" dpi 72 72 focal 50 "
+      "pass \"p\" read \"a\" aperture 36 end camera");
+  EXPECT_SILENT(read);
+  const auto& c = read.get<scene::Camera>("c");
+  ASSERT_EQ(c.frame_buffers.size(), 2u);
+  const scene::FrameBuffer& b = c.frame_buffers[0];
+  EXPECT_EQ(b.datatype, "rgba_fp");
+  EXPECT_EQ(b.filename, "d.exr");
+  EXPECT_EQ(b.filetype, "exr");
+  EXPECT_EQ(b.filtering, false);
+  EXPECT_EQ(b.primary, true);
+  EXPECT_EQ(b.user, true);
+  ASSERT_EQ(b.modifiers.size(), 4u);
+  EXPECT_EQ(b.modifiers[0].values[0].numbers, std::vector<double>{90});
+  EXPECT_EQ(b.modifiers[1].values[0].text, "zip");
+  EXPECT_TRUE(b.modifiers[2].values.empty());
+  EXPECT_FALSE(c.frame_buffers[1].filtering.has_value());
+  EXPECT_EQ(*c.focal, 50);
+  EXPECT_EQ(*c.aperture, 36);
+  EXPECT_EQ(c.kept.size(), 1u);
+}
+
+TEST(FrameBuffer, UnknownItemsAreKeptWithANoteAndStrayValuesSkipped) {
+  const Snippet read(
+      "camera \"c\" framebuffer \"f\" filterin on deep [ 1 ( 2 ) ] primary on \"stray\" 3 "
+      "user 0 focal 50 end camera");
+  EXPECT_EQ(read.count(code::kIgnored), 2u) << read.messages();
+  EXPECT_EQ(read.diagnostics.all().size(), 2u) << read.messages();
+  EXPECT_EQ(read.diagnostics.all()[0].hint, "did you mean filtering?");
+  const auto& c = read.get<scene::Camera>("c");
+  ASSERT_EQ(c.frame_buffers.size(), 1u);
+  ASSERT_EQ(c.frame_buffers[0].kept.size(), 1u);
+  EXPECT_EQ(c.frame_buffers[0].kept[0].text, "on deep [ 1 ( 2 ) ]");
+  EXPECT_EQ(c.frame_buffers[0].primary, true);
+  EXPECT_EQ(c.frame_buffers[0].user, false);
+  EXPECT_EQ(*c.focal, 50);
+}
+
+TEST(FrameBuffer, AnIncrementalCameraReplacesTheOneOfThatName) {
+  const Snippet read(
+      "camera \"c\" framebuffer \"a\" datatype \"rgba\" framebuffer \"b\" end camera\n"
+      "incremental camera \"c\" framebuffer \"a\" filename \"x.exr\" end camera");
+  EXPECT_SILENT(read);
+  const auto& c = read.get<scene::Camera>("c");
+  ASSERT_EQ(c.frame_buffers.size(), 2u);
+  EXPECT_EQ(c.frame_buffers[0].filename, "x.exr");
+  EXPECT_EQ(c.frame_buffers[0].datatype, "");
 }
 
 // acceptance: H1

@@ -85,7 +85,9 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
       "output \"rgb\" \"c.sgi\" output \"rgb\" \"d.rgb\" output \"rgba\" \"e.tif\" output = \"sh\" "
       "focal infinity aperture 36 aspect 1.5 resolution 640 480 window 0 0 10 10 clip .1 1000 "
       "frame 7 7. lens \"l\" ( \"a\" 1 ) = \"m\" environment = \"e\" "
-      "framebuffer \"main\" datatype \"rgba\" filtering on end camera\n",
+      "framebuffer \"main\" datatype \"rgba\" filtering on primary off user on deep [ 1 ] "
+      "framebuffer \"d\" filename \"d.exr\" filetype \"exr\" compression piz tiled on dpi 72 "
+      "pass \"p\" read \"a\" end camera\n",
       "light \"l\" \"sh\" ( \"c\" 1 1 1 ) emitter = \"ph\" origin 0 0 0 direction 0 0 -1 spread .5 "
       "rectangle 1 0 0 0 1 0 4 4 2 1 1 energy 100 100 100 exponent 2 visible shadowmap file \"f\" "
       "end light\n"

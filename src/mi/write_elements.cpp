@@ -95,6 +95,37 @@ void write_output(TextSink& out, const scene::Output& output) {
   out.put('\n');
 }
 
+// One item in a line: they end where another camera statement begins.
+void write_frame_buffer(TextSink& out, const scene::FrameBuffer& buffer, int depth) {
+  write_indent(out, depth);
+  begin(out, "framebuffer", buffer.name);
+  out.put('\n');
+  const auto item = [&](std::string_view keyword) {
+    write_indent(out, depth + 1);
+    out.put(keyword);
+    out.put(' ');
+  };
+  const auto text = [&](std::string_view keyword, const std::string& value) {
+    if (value.empty()) return;
+    item(keyword);
+    out.quoted(value);
+    out.put('\n');
+  };
+  const auto flag = [&](std::string_view keyword, const std::optional<bool>& value) {
+    if (!value) return;
+    item(keyword);
+    out.put(*value ? "on\n" : "off\n");
+  };
+  text("datatype", buffer.datatype);
+  text("filename", buffer.filename);
+  text("filetype", buffer.filetype);
+  flag("filtering", buffer.filtering);
+  flag("primary", buffer.primary);
+  flag("user", buffer.user);
+  write_statements(out, buffer.modifiers, depth + 1);
+  write_kept(out, buffer.kept, depth + 1);
+}
+
 void write_links(TextSink& out, std::string_view keyword,
                  const std::optional<scene::LightLinks>& links, int depth) {
   if (!links) return;
@@ -185,7 +216,8 @@ void write_element(TextSink& out, const scene::Camera& camera, int depth) {
   write_list(out, "lens", camera.lens, depth + 1);
   write_list(out, "volume", camera.volume, depth + 1);
   write_list(out, "environment", camera.environment, depth + 1);
-  // Blocks of frame buffers end where another camera statement begins, so they come last.
+  // These blocks end where another camera statement begins, so they come last.
+  for (const scene::FrameBuffer& b : camera.frame_buffers) write_frame_buffer(out, b, depth + 1);
   write_kept(out, camera.kept, depth + 1);
   end(out, "camera", depth);
 }

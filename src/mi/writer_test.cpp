@@ -152,7 +152,13 @@ TEST(Writer, CamerasPutOutputsFirstAndKeptBlocksLast) {
   c.outputs[2].modifiers = {statement("quality", {numbers({90}, true)})};
   c.outputs[3].types = "fb0";
   c.outputs[3].shaders = {reference("glare")};
-  c.kept = {{"framebuffer", "\"main\" datatype \"rgba\"", {}}};
+  c.frame_buffers.resize(1);
+  c.frame_buffers[0].name = "main";
+  c.frame_buffers[0].datatype = "rgba";
+  c.frame_buffers[0].filtering = false;
+  c.frame_buffers[0].modifiers = {statement("quality", {numbers({90}, true)})};
+  c.frame_buffers[0].kept = {{"deep", "[ 1 2 ]", {}}};
+  c.kept = {{"pass", "\"p\" read", {}}};
   EXPECT_EQ(written(c),
             "camera \"cam\"\n"
             "    output \"rgba\" \"a.tif\"\n"
@@ -162,7 +168,12 @@ TEST(Writer, CamerasPutOutputsFirstAndKeptBlocksLast) {
             "    focal infinity\n"
             "    aperture 36.5\n"
             "    resolution 640 480\n"
-            "    framebuffer \"main\" datatype \"rgba\"\n"
+            "    framebuffer \"main\"\n"
+            "        datatype \"rgba\"\n"
+            "        filtering off\n"
+            "        quality 90\n"
+            "        deep [ 1 2 ]\n"
+            "    pass \"p\" read\n"
             "end camera\n");
 }
 

@@ -32,6 +32,20 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
+/// A `framebuffer` block of a camera: a picture that is collected under a name, in a file or not.
+struct FrameBuffer {
+  std::string name;
+  std::string datatype;              ///< "rgba_fp"; empty when not written, as the next two
+  std::string filename, filetype;    ///< as written; a type as in `output`
+  std::optional<bool> filtering;     ///< samples are filtered to pixels, not the nearest taken
+  std::optional<bool> primary;       ///< it is the picture itself
+  std::optional<bool> user;          ///< only shaders write into it
+  std::vector<Statement> modifiers;  ///< compression, quality, dpi, premultiplied, ...
+  std::vector<KeptText> kept;        ///< items nobody knows
+  SourceLocation where;
+  bool operator==(const FrameBuffer&) const = default;
+};
+
 /// camera "name" ... end camera
 struct Camera {
   std::string name;
@@ -43,7 +57,8 @@ struct Camera {
   std::vector<Output> outputs;
   ShaderList lens, volume, environment;
   std::vector<Statement> other;  ///< offset, window, clip, frame, dof, ... as written
-  std::vector<KeptText> kept;    ///< framebuffer and pass blocks, data
+  std::vector<FrameBuffer> frame_buffers;
+  std::vector<KeptText> kept;  ///< pass blocks
   SourceLocation where;
   bool operator==(const Camera&) const = default;
 };
