@@ -212,8 +212,10 @@ def number(x, digits=4):
     return "0" if text in ("-0", "") else text
 
 
-def write_object(out, name, mesh, crease_deg=40):
-    """One .mi object of one group. A crease angle of 0 leaves every polygon flat."""
+def write_object(out, name, mesh, crease_deg=40, uv=None):
+    """One .mi object of one group. A crease angle of 0 leaves every polygon flat. `uv` gives the
+    texture coordinates of a point, told the middle of its polygon as well (to know on which side
+    of a seam it is)."""
     normals = corner_normals(mesh, crease_deg) if crease_deg else None
     pool, vertices, polygons = {}, {}, []
 
@@ -223,8 +225,11 @@ def write_object(out, name, mesh, crease_deg=40):
 
     for f, (points, material) in enumerate(mesh.faces):
         indices = []
+        middle = tuple(sum(p[i] for p in points) / len(points) for i in range(3))
         for c, p in enumerate(points):
             vertex = f"v {pooled(p)}" + (f" n {pooled(normals[f][c])}" if normals else "")
+            if uv:
+                vertex += f" t {pooled((*uv(p, middle), 0))}"
             index = vertices.setdefault(vertex, len(vertices))
             if index not in indices:
                 indices.append(index)
