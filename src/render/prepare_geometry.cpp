@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "geom/tessellate.h"
+#include "render/prepare_displacement.h"
 #include "render/prepare_parts.h"
 
 namespace oriel {
@@ -89,6 +90,52 @@ std::uint32_t ray_mask(const scene::ResolvedFlags& flags, bool lets_light_throug
   return mask;
 }
 
+/// One mesh of the world: an object as a set of displacement shaders leaves it.
+struct MeshVariant {
+  std::size_t object = 0;
+  Displacement displacement;
+  const scene::Leaf* first = nullptr;  ///< the leaf its shaders see
+  geom::MeshId id{};
+};
+
+/// The variants in the order the leaves need them.
+class VariantTable {
+ public:
+  std::size_t find(std::size_t object, Displacement displacement, const scene::Leaf& leaf) {
+    const auto [entry, is_new] =
+        known_.try_emplace({object, std::move(displacement)}, variants.size());
+    if (is_new) variants.push_back({object, entry->first.second, &leaf, {}});
+    return entry->second;
+  }
+  std::vector<MeshVariant> variants;
+
+ private:
+  std::map<std::pair<std::size_t, Displacement>, std::size_t> known_;
+};
+
+/// Displaces the meshes and hands them to the tracer; each is copied only while it is needed again.
+void add_meshes(std::vector<geom::Mesh>& meshes, std::vector<MeshVariant>& variants, World& world,
+                Diagnostics& diagnostics, PrepareReport& report) {
+  std::vector<std::size_t> uses(meshes.size());
+  for (const MeshVariant& v : variants) ++uses[v.object];
+  for (MeshVariant& v : variants) {
+    geom::Mesh mesh = --uses[v.object] > 0 ? meshes[v.object] : std::move(meshes[v.object]);
+    displace(mesh, v.displacement, *v.first, world, diagnostics);
+    report.triangles += mesh.triangles.size();
+    v.id = world.accel->add_mesh(std::move(mesh));
+  }
+}
+
+/// The lights an instance is linked to; an empty list restricts nothing.
+void link_lights(const scene::Leaf& leaf, const LightNames& lights, InstanceData& data) {
+  if (!leaf.light_links || leaf.light_links->lights.empty()) return;
+  data.linked = true;
+  data.lights_exclusive = leaf.light_links->exclusive;
+  for (const std::string& name : leaf.light_links->lights)
+    if (const auto found = lights.find(name); found != lights.end())
+      data.lights.insert(data.lights.end(), found->second.begin(), found->second.end());
+}
+
 }  // namespace
 
 void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
@@ -105,15 +152,15 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                [&](std::size_t i) { meshes[i] = geom::tessellate(*objects[i], diagnostics); });
   report.objects = objects.size();
 
+  // Instances, and which form of its object's mesh each one uses.
   MaterialTable materials(scene, binder, world, diagnostics);
-  world.accel = std::make_unique<geom::Accel>();
-  std::vector<std::vector<geom::MaterialSlot>> slots(meshes.size());
-  std::vector<geom::MeshId> ids(meshes.size());
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    slots[i] = meshes[i].slots;
-    report.triangles += meshes[i].triangles.size();
-    ids[i] = world.accel->add_mesh(std::move(meshes[i]));
-  }
+  VariantTable table;
+  struct Placed {
+    const scene::Leaf* leaf;
+    std::size_t variant;
+    std::uint32_t mask;
+  };
+  std::vector<Placed> placed;
   for (const scene::Leaf& leaf : leaves) {
     const scene::Object* object = leaf.object();
     if (!object || leaf.flags.hidden) continue;
@@ -124,28 +171,26 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     data.to_world = leaf.local_to_world;
     data.receives_shadow = leaf.flags.receives_shadow;
     bool transmits_light = false;
-    for (const geom::MaterialSlot& slot : slots[mesh]) {
+    for (const geom::MaterialSlot& slot : meshes[mesh].slots) {
       data.materials.push_back(material_of_slot(leaf, slot, materials));
       if (world.materials[static_cast<std::size_t>(data.materials.back())].may_transmit)
         transmits_light = true;
     }
-    // An empty list restricts nothing.
-    if (leaf.light_links && !leaf.light_links->lights.empty()) {
-      data.linked = true;
-      data.lights_exclusive = leaf.light_links->exclusive;
-      for (const std::string& name : leaf.light_links->lights)
-        if (const auto found = lights.find(name); found != lights.end())
-          data.lights.insert(data.lights.end(), found->second.begin(), found->second.end());
-    }
+    link_lights(leaf, lights, data);
     const std::uint32_t mask = ray_mask(leaf.flags, transmits_light);
     world.has_transparent_blockers |= (mask & geom::RayMask::ShadowTransparent) != 0;
-    world.accel->add_instance({.mesh = ids[mesh],
-                               .local_to_world = leaf.local_to_world,
-                               .world_to_local = leaf.world_to_local,
-                               .mask = mask,
-                               .user = static_cast<std::uint32_t>(world.instances.size())});
+    placed.push_back({&leaf, table.find(mesh, displacement_of(data.materials, world), leaf), mask});
     world.instances.push_back(std::move(data));
   }
+
+  world.accel = std::make_unique<geom::Accel>();
+  add_meshes(meshes, table.variants, world, diagnostics, report);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    world.accel->add_instance({.mesh = table.variants[placed[i].variant].id,
+                               .local_to_world = placed[i].leaf->local_to_world,
+                               .world_to_local = placed[i].leaf->world_to_local,
+                               .mask = placed[i].mask,
+                               .user = static_cast<std::uint32_t>(i)});
   if (options.release_geometry) {
     for (scene::Element& element : scene.elements())
       if (auto* object = std::get_if<scene::Object>(&element)) object->groups.clear();

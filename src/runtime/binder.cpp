@@ -207,6 +207,19 @@ const ShaderNode* Binder::bind_phenomenon(const scene::Phenomenon& phenomenon,
   return stand_in();
 }
 
+NodeList Binder::bind_displacement(const scene::ShaderList& list, Scope* scope) {
+  NodeList nodes;
+  for (const ShaderNode* node : bind_list(list, scope)) {
+    if (node->spec().value && node != stand_in_)
+      nodes.push_back(node);
+    else if (node != stand_in_)
+      diagnostics_.warning(
+          "OR-RT-030", list.front().where,
+          fmt::format("shader \"{}\" gives no value to displace by; skipped", node->spec().name));
+  }
+  return nodes;
+}
+
 Material Binder::bind_material(const scene::Material& material) {
   return bind_material(material, nullptr);
 }
@@ -237,6 +250,8 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   bound.opaque = material.opaque;
   bound.surface = bind_list(material.shaders, scope);
   if (const auto* list = material.slot("environment")) bound.environment = bind_list(*list, scope);
+  if (const auto* list = material.slot("displace"))
+    bound.displace = bind_displacement(*list, scope);
   if (const auto* list = material.slot("shadow")) bound.has_shadow_shader = !list->empty();
   for (const ShaderNode* node : bound.surface)
     if (node->spec().may_transmit && node->spec().may_transmit(*node)) bound.may_transmit = true;

@@ -13,6 +13,7 @@ struct Material {
   std::string name;
   NodeList surface;
   NodeList environment;
+  NodeList displace;  ///< added up, they move the vertices of the surface along their normals
   bool has_shadow_shader = false;  ///< without one a blocker is opaque
   bool may_transmit = false;       ///< shadow rays must ask the surface
   bool opaque = false;

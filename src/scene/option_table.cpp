@@ -195,9 +195,9 @@ constexpr OptionRow kRows[] = {
     {"mixed space", "", NotYet, "geometry local, instances camera", is<&O::space, Space::Mixed>},
     {"world space", "", NotYet, "geometry is in world space", is<&O::space, Space::World>},
     // Geometry and motion
-    {"displace", "bool", NotYet, "displacement shaders", to<&O::displace>},
+    {"displace", "bool", Effective, "displacement shaders", to<&O::displace>},
     {"displace presample", "bool", Harmless, "looks for bounds first", to<&O::displace_presample>},
-    {"max displace", "float", NotYet, "greatest displacement", to<&O::max_displace>},
+    {"max displace", "float", Effective, "greatest displacement", to<&O::max_displace>},
     {"approximate", "...", Kept, "tessellation of every object"},
     {"motion", "bool", NotYet, "motion blur", to<kMotion, &M::on>},
     {"motion steps", "int", NotYet, "points of a path", to<kMotion, &M::steps>},
