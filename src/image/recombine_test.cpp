@@ -24,7 +24,7 @@ void expect_all(const Image& image, float value) {
 }
 
 TEST(Recombine, BothFormsFollowTheirEquations) {
-  auto layers = testing::output_layers(3, 2);
+  auto layers = output_layers(3, 2);
   // Each term a power of two of its own, so that the sum says which ones are in it.
   float result = 1;
   for (const char* name : {"diffuse_result", "indirect_result", "spec_result", "refl_result",
@@ -49,7 +49,7 @@ TEST(Recombine, BothFormsFollowTheirEquations) {
 }
 
 TEST(Recombine, LayersOfOnePictureGiveItBackBothWays) {
-  const auto layers = testing::output_layers(16, 9);
+  const auto layers = output_layers(16, 9);
   const Recombination r = recombine(layers);
   const Image& beauty = find_layer(layers, "")->image;
   for (const Image* image : {&r.simple, &r.complex}) {
@@ -110,7 +110,7 @@ TEST(Recombine, BlackPicturesAgreeWithBlackAlone) {
 }
 
 TEST(Recombine, WhatCannotBeUsedIsNamed) {
-  auto layers = testing::output_layers(4, 4);
+  auto layers = output_layers(4, 4);
   EXPECT_TRUE(unusable_outputs(layers).empty());
   std::erase_if(layers, [](const Layer& l) { return l.name == "diffuse_raw"; });
   image_of(layers, "spec_level") = Image(4, 4, 1);

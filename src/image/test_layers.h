@@ -8,7 +8,7 @@
 
 #include "image/pixel_buffer.h"
 
-namespace oriel::testing {
+namespace oriel {
 
 /// A beauty (R, G, B, A) and its outputs: levels and raw light vary from pixel to pixel, results
 /// are their products, and the beauty is what both sums give, in double and then rounded.
@@ -56,4 +56,4 @@ inline std::vector<Layer> output_layers(int width, int height) {
   return layers;
 }
 
-}  // namespace oriel::testing
+}  // namespace oriel

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel recombine as a user meets it.
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "image/exr.h"
+#include "image/test_layers.h"
+#include "program.h"
+
+namespace oriel {
+namespace {
+
+class RecombineProgram : public ProgramTest {
+ protected:
+  std::vector<Layer> layers = output_layers(24, 10);
+
+  Layer& layer(const std::string& name) {
+    for (Layer& l : layers)
+      if (l.name == name) return l;
+    throw std::runtime_error("no layer " + name);
+  }
+  RunResult recombined(std::vector<std::string> more = {}, const ExrOptions& options = {}) {
+    write_exr(file("in.exr"), layers, options);
+    more.insert(more.begin(), {"recombine", "in.exr"});
+    return run(more);
+  }
+};
+
+TEST_F(RecombineProgram, OutputsOfThePictureGiveItBack) {
+  const RunResult r = recombined();
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.out.find("simple   largest relative difference"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("complex  largest relative difference"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("0 of 240 pixels above 0.0001"), std::string::npos) << r.out;
+}
+
+TEST_F(RecombineProgram, OneWrongPixelIsFoundWithBothValues) {
+  const float before = layer("").image.at(17, 3)[1];
+  layer("spec_result").image.at(17, 3)[1] += before;
+  const RunResult r = recombined({"--json"});
+  EXPECT_EQ(r.exit_code, 1);
+  const auto json = nlohmann::json::parse(r.out);
+  EXPECT_FALSE(json["agrees"]);
+  EXPECT_NEAR(json["simple"]["largest"], 1, 1e-5);
+  EXPECT_EQ(json["simple"]["x"], 17);
+  EXPECT_EQ(json["simple"]["y"], 3);
+  EXPECT_EQ(json["simple"]["channel"], "G");
+  EXPECT_FLOAT_EQ(json["simple"]["beauty"], before);
+  EXPECT_FLOAT_EQ(json["simple"]["rebuilt"], 2 * before);
+  EXPECT_EQ(json["simple"]["pixels_above"], 1);
+  EXPECT_EQ(json["complex"]["pixels_above"], 0);
+
+  const RunResult text = recombined();
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_NE(text.out.find("at 17, 3 G"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("1 of 240 pixels above"), std::string::npos) << text.out;
+  EXPECT_EQ(recombined({"--threshold", "2"}).exit_code, 0);
+}
+
+TEST_F(RecombineProgram, MissingLayersAreNamedWithTheWayToGetThem) {
+  std::erase_if(layers,
+                [](const Layer& l) { return l.name == "diffuse_raw" || l.name == "other"; });
+  const RunResult r = recombined();
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+  EXPECT_NE(r.err.find("diffuse_raw is missing, other is missing"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("--layers outputs"), std::string::npos) << r.err;
+}
+
+TEST_F(RecombineProgram, LayersOfAnotherShapeAreRefused) {
+  layer("refl_level") = {"refl_level", {""}, Image(24, 10, 1)};
+  const RunResult r = recombined();
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_EQ(r.error_lines(), 1) << r.err;
+  EXPECT_NE(r.err.find("refl_level has 1 channel instead of 3"), std::string::npos) << r.err;
+}
+
+TEST_F(RecombineProgram, AValueThatIsNoNumberFails) {
+  layer("refr_raw").image.at(2, 9)[0] = std::numeric_limits<float>::quiet_NaN();
+  const RunResult r = recombined({"--threshold", "1e30"});
+  EXPECT_EQ(r.exit_code, 1) << r.err;
+  EXPECT_NE(r.out.find("difference inf at 2, 9 R"), std::string::npos) << r.out;
+  const RunResult json = recombined({"--json"});
+  EXPECT_TRUE(nlohmann::json::parse(json.out)["complex"]["largest"].is_null()) << json.out;
+}
+
+TEST_F(RecombineProgram, HalfFloatsAreRecognised) {
+  const RunResult r = recombined({}, {.half = true});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.out.find("16-bit floats"), std::string::npos) << r.out;
+}
+
+TEST_F(RecombineProgram, ThreePicturesAreWritten) {
+  layer("add_result").image.at(5, 5)[2] += 1;
+  const RunResult r = recombined({"-o", "out.exr"});
+  EXPECT_EQ(r.exit_code, 1) << r.err;
+  const ExrFile out = read_exr(file("out.exr"));
+  for (const char* name : {"simple", "complex", "difference"}) {
+    const Layer* found = find_layer(out.layers, name);
+    ASSERT_NE(found, nullptr) << name;
+    EXPECT_EQ(found->channel_names, (std::vector<std::string>{"R", "G", "B"}));
+  }
+  const Image& difference = find_layer(out.layers, "difference")->image;
+  EXPECT_NEAR(difference.at(5, 5)[2], 1 / layer("").image.at(5, 5)[2], 1e-5);
+  EXPECT_LT(difference.at(5, 6)[2], 1e-5f);
+}
+
+TEST_F(RecombineProgram, WrongUseIsOneLine) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"recombine"},
+                                                    {"recombine", "in.exr", "-o", "out.png"},
+                                                    {"recombine", "in.exr", "--threshold", "-1"}}) {
+    const RunResult r = run(arguments);
+    EXPECT_EQ(r.exit_code, 2);
+    EXPECT_EQ(r.error_lines(), 1) << r.err;
+  }
+  const RunResult missing = run({"recombine", "in.exr"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("there is no such file"), std::string::npos) << missing.err;
+}
+
+}  // namespace
+}  // namespace oriel
