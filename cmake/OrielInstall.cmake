@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `cmake --install` puts where: the program, the module of image files where the program looks
-# for it (src/image/module.h), and the declarations of the built-in shaders as .mi files.
+# for it (src/image/module.h), the declarations of the built-in shaders as .mi files, and the ready
+# materials with their textures (apps/oriel/templates.h says where they are looked for).
 include(GNUInstallDirs)
 
 install(TARGETS oriel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -24,3 +25,8 @@ foreach(library base architectural physics)
 endforeach()
 add_custom_target(oriel_declarations ALL DEPENDS ${declarations})
 install(FILES ${declarations} DESTINATION ${CMAKE_INSTALL_DATADIR}/oriel/mi)
+
+# "share" by name, as the program looks there.
+install(FILES ${CMAKE_SOURCE_DIR}/data/templates.mi DESTINATION share/oriel)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/data/textures DESTINATION share/oriel
+        FILES_MATCHING PATTERN "*.exr" PATTERN "__pycache__" EXCLUDE)

@@ -9,6 +9,7 @@
 
 #include "scene/option_table.h"
 #include "shaders/registry.h"
+#include "templates.h"
 
 namespace oriel::app {
 namespace {
@@ -138,6 +139,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry) {
   mi::ReadOptions options;
   options.include_paths = arguments.include_paths;
+  options.include_paths.push_back(data_folder());
   options.packages = builtin_packages();
   options.knows_shader = [&registry](std::string_view name) { return registry.find(name); };
   return options;

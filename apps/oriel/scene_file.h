@@ -22,7 +22,8 @@ struct SceneArguments {
 /// SCENE, -I and --set.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
-/// How .mi files are read by the program.
+/// How .mi files are read by the program. Includes are looked for in the program's own data folder
+/// last.
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry);
 
 /// Sets a parameter of a shader, material or light (of its first shader that has it) or a statement

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
+#include "templates.h"
 
 namespace oriel::app {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 using nlohmann::json;
 
 struct ShadersArguments {
-  std::string name, library;
+  std::string name, library, template_name;
+  bool templates = false;  ///< template_name empty: all
   bool as_json = false;
 };
 
@@ -111,7 +113,9 @@ void print_list(const Registry& registry) {
 
 int run_shaders(const ShadersArguments& a) {
   const Registry& registry = builtin_shaders();
-  if (!a.library.empty()) {
+  if (a.templates) {
+    print_templates(a.template_name, a.as_json);
+  } else if (!a.library.empty()) {
     const auto& libraries = builtin_packages();
     if (std::find(libraries.begin(), libraries.end(), a.library) == libraries.end())
       throw UserError(fmt::format("there is no library \"{}\"; there are {}", a.library,
@@ -137,11 +141,21 @@ Command add_shaders_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("shaders", "Manual pages of the built-in shaders");
   auto a = std::make_shared<ShadersArguments>();
   CLI::Option* name = app->add_option("NAME", a->name, "The shader; none: a list of all");
-  app->add_option("--mi", a->library, "Print the .mi declarations of a library")
-      ->type_name("LIBRARY")
-      ->excludes(name);
-  app->add_flag("--json", a->as_json, "JSON, one line for each shader");
-  return {app, [a] { return run_shaders(*a); }};
+  CLI::Option* mi = app->add_option("--mi", a->library, "Print the .mi declarations of a library")
+                        ->type_name("LIBRARY")
+                        ->excludes(name);
+  CLI::Option* templates =
+      app->add_option("--templates", a->template_name,
+                      "List the ready materials of templates.mi, or print one to paste")
+          ->type_name("TEMPLATE")
+          ->expected(0, 1)
+          ->excludes(name)
+          ->excludes(mi);
+  app->add_flag("--json", a->as_json, "JSON, one line for each shader or template");
+  return {app, [a, templates] {
+            a->templates = templates->count() > 0;
+            return run_shaders(*a);
+          }};
 }
 
 }  // namespace oriel::app
