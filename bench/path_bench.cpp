@@ -108,7 +108,7 @@ void render(const World& world, int samples, Lines* lines) {
         sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(s));
         const Vec2 raster = Vec2(static_cast<float>(x), static_cast<float>(y)) + sampler.next_2d();
         const Camera::Ray eye = world.camera.ray(raster);
-        sink = sink + trace_path(world, eye, raster, true, sampler, counts).radiance.x;
+        sink = sink + trace_path(world, eye, raster, {}, sampler, counts).radiance.x;
       }
   });
 }

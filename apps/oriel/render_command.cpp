@@ -60,7 +60,7 @@ std::vector<int> parse_integers(const std::string& text, char separator) {
 struct RenderPlan {
   PrepareOptions prepare;
   SessionSettings session;
-  std::optional<unsigned> layers;
+  std::optional<LayerSet> layers;
   std::optional<scene::IndirectMethod> gi;
 };
 
@@ -75,17 +75,19 @@ std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
   throw UsageError(fmt::format("--gi {}: path, fg, photons, fg+photons or scene", text));
 }
 
-unsigned parse_layers(const std::string& text) {
-  unsigned layers = 0;
+LayerSet parse_layers(const std::string& text) {
+  LayerSet layers = 0;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     const std::string name = text.substr(at, end - at);
-    const unsigned bit = layer_bit(name);
+    const LayerSet bit = layer_bit(name);
     if (name == "all")
-      layers = kAllLayers;
+      layers = kFilmLayers | kOutputLayers;
+    else if (name == "outputs")
+      layers |= kOutputLayers;
     else if (!bit && name != "beauty" && name != "alpha")
-      throw UsageError(
-          fmt::format("--layers {}: beauty, {} or all", name, fmt::join(layer_names(), ", ")));
+      throw UsageError(fmt::format("--layers {}: beauty, {}, outputs or all", name,
+                                   fmt::join(layer_names(), ", ")));
     layers |= bit;
     at = end + 1;
   }
@@ -163,7 +165,9 @@ class FrameRenderer {
     warn_double_gamma();
     printer_.print_new();
 
-    session_.emplace(*world_, plan_.session);
+    SessionSettings settings = plan_.session;
+    settings.outputs = keeps_outputs();
+    session_.emplace(*world_, settings);
     last_write_ = Clock::now();
     const StopReason reason = session_->run(
         {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
@@ -211,6 +215,19 @@ class FrameRenderer {
           picture_file(frame_path(fs::path(a_.scene.path).stem().string() + ".exr", frame)));
     if (plan_.layers)
       for (PictureFile& file : files_) file.layers = *plan_.layers;
+  }
+
+  /// Whether a file asks for outputs of materials and a material has them.
+  bool keeps_outputs() {
+    if (std::none_of(files_.begin(), files_.end(), needs_outputs)) return false;
+    const auto& materials = world_->materials;
+    if (std::any_of(materials.begin(), materials.end(),
+                    [](const Material& m) { return m.outputs; }))
+      return true;
+    diagnostics_.warning("OR-RN-055", {},
+                         "no material has outputs beside its result, so there are no such layers",
+                         "switch on multiple_outputs of the materials");
+    return false;
   }
 
   void warn_double_gamma() {
@@ -348,7 +365,10 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--size", a->size, "Size of the picture")->type_name("WxH");
   app->add_option("--crop", a->crop, "Only this window: XL,YL,XH,YH from the lower left");
   app->add_option("--camera", a->camera, "Camera instance to use");
-  app->add_option("--layers", a->layers, "Layers of EXR files, comma between, or all or beauty");
+  app->add_option(
+      "--layers", a->layers,
+      "Layers of EXR files, comma between: beauty, depth, ..., outputs (of materials) or "
+      "all");
   app->add_flag("--denoise", a->denoise,
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");

@@ -72,7 +72,18 @@ void SubPixelMeans::add(const FilmSample& s) {
   beauty[i] += (finite_or_black(s.beauty) - beauty[i]) / static_cast<float>(++samples[i]);
 }
 
-Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map)
+void OutputMeans::add(const Outputs* outputs) {
+  static const Outputs kNothing;
+  const Outputs& o = outputs ? *outputs : kNothing;
+  const float share = 1 / static_cast<float>(++samples);
+  const auto mix = [&](Rgb& m, const Rgb& v) { m += (finite_or_black(v) - m) * share; };
+  for (std::size_t i = 0; i < kComponents; ++i) mix(mean.result[i], o.result[i]);
+  for (std::size_t i = 0; i < kLevels; ++i) mix(mean.level[i], o.level[i]);
+  mix(mean.occlusion, o.occlusion);
+  mean.opacity += (finite_or_zero(o.opacity) - mean.opacity) * share;
+}
+
+Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, bool keeps_outputs)
     : width_(width),
       height_(height),
       clips_(filter.clips()),
@@ -81,6 +92,8 @@ Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map)
       plain_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       marked_(filter.has_negative_lobes() ? plain_.size() : 0),
       map_(std::move(map)),
+      outputs_(keeps_outputs ? plain_.size() : 0),
+      marked_outputs_(keeps_outputs ? marked_.size() : 0),
       plain_parts_(map_ ? plain_.size() : 0),
       marked_parts_(map_ ? marked_.size() : 0) {}
 
@@ -88,6 +101,9 @@ void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   const bool marked = sample.negative && !marked_.empty();
   (marked ? marked_ : plain_)[i].add(sample);
+  if (keeps_outputs())
+    (marked ? marked_outputs_ : outputs_)[i].add(is_finite(sample.beauty) ? sample.outputs
+                                                                          : nullptr);
   if (map_) (marked ? marked_parts_ : plain_parts_)[i].add(sample);
 }
 
@@ -143,6 +159,29 @@ Film::Pixel Film::pixel(int x, int y) const {
     out.depth = (p.depth * static_cast<float>(p.hits) +
                  (m ? m->depth * static_cast<float>(m->hits) : 0.0f)) /
                 static_cast<float>(hits);
+  return out;
+}
+
+Outputs Film::outputs(int x, int y) const {
+  const std::size_t i = index(x, y);
+  if (!keeps_outputs()) return {};
+  const Shares s = shares(i);
+  const Outputs& p = outputs_[i].mean;
+  if (marked_outputs_.empty()) return p;
+  const Outputs& m = marked_outputs_[i].mean;
+  Outputs out;
+  for (std::size_t c = 0; c < kComponents; ++c)
+    out.result[c] = p.result[c] * s.plain + m.result[c] * s.marked;
+  for (std::size_t c = 0; c < kLevels; ++c)
+    out.level[c] = p.level[c] * s.plain + m.level[c] * s.marked;
+  out.occlusion = p.occlusion * s.plain + m.occlusion * s.marked;
+  out.opacity = p.opacity * s.plain + m.opacity * s.marked;
+  if (clips_) {
+    // What the filter clips is taken from no part in particular.
+    Rgb sum(0);
+    for (const Rgb& c : out.result) sum += c;
+    out[Component::Other] += color(i) - sum;
+  }
   return out;
 }
 

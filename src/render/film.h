@@ -10,6 +10,7 @@
 
 #include "base/vec.h"
 #include "render/filter.h"
+#include "transport/outputs.h"
 
 namespace oriel {
 
@@ -26,8 +27,9 @@ struct FilmSample {
   float depth = 0;  ///< scene units; 0 = nothing was hit, which does not count
   Vec3 normal{0};
   Rgb albedo{0};
-  std::uint8_t sub_pixel = 0;  ///< quadrant of the pixel it fell into
-  bool negative = false;       ///< fell where the pixel filter is negative
+  std::uint8_t sub_pixel = 0;        ///< quadrant of the pixel it fell into
+  bool negative = false;             ///< fell where the pixel filter is negative
+  const Outputs* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
 };
 
 /// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
@@ -54,6 +56,13 @@ struct SubPixelMeans {
   void add(const FilmSample& sample);
 };
 
+/// Means of the parts of the beauty.
+struct OutputMeans {
+  std::uint32_t samples = 0;
+  Outputs mean;
+  void add(const Outputs* outputs);
+};
+
 /// Maps a linear colour of pixel (x, y) for display, as lens shaders do.
 using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 
@@ -69,10 +78,13 @@ using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 class Film {
  public:
   /// Inputs:  filter: its shares weigh the samples; map: empty = colours are shown as they are.
-  Film(int width, int height, const FilterSampler& filter, DisplayMap map = {});
+  /// keeps_outputs: the parts of the beauty are kept as well.
+  Film(int width, int height, const FilterSampler& filter, DisplayMap map = {},
+       bool keeps_outputs = false);
 
   int width() const { return width_; }
   int height() const { return height_; }
+  bool keeps_outputs() const { return !outputs_.empty(); }
   bool mapped() const { return static_cast<bool>(map_); }
   std::size_t pixel_count() const { return plain_.size(); }
 
@@ -95,6 +107,8 @@ class Film {
     Rgb albedo{0};
   };
   Pixel pixel(int x, int y) const;
+  /// Its parts, filtered as the beauty is; their results sum to it.
+  Outputs outputs(int x, int y) const;
 
   /// The colour that is looked at: mapped, where there is a map; else the beauty.
   Rgb shown(int x, int y) const;
@@ -141,6 +155,7 @@ class Film {
   std::vector<PixelMeans> plain_;
   std::vector<PixelMeans> marked_;  ///< empty unless the filter has negative lobes
   DisplayMap map_;
+  std::vector<OutputMeans> outputs_, marked_outputs_;      ///< empty unless kept
   std::vector<SubPixelMeans> plain_parts_, marked_parts_;  ///< empty without a map
 };
 

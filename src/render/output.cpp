@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "image/denoise.h"
 #include "image/exr.h"
+#include "render/output_names.h"
 
 namespace oriel {
 namespace {
@@ -73,7 +74,24 @@ Image linear_image(const RenderSession& session, const Image* denoised) {
   return image;
 }
 
+/// An output, as it is.
+Image output_image(const RenderSession& session, std::size_t index) {
+  const bool scalar = material_output_names()[index] == "opacity";
+  return collect(session, scalar ? 1 : 3, [&](int x, int y, float* to) {
+    const Film& film = session.film();
+    const Rgb c = resolve_outputs(film.outputs(x, y), rgb(film.pixel(x, y).beauty))[index];
+    if (scalar)
+      *to = c.x;
+    else
+      put(to, c);
+  });
+}
+
 Image file_image(const PictureFile& file, const RenderSession& session, const Image* denoised) {
+  if (const int output = material_output_index(file.shown_layer); output >= 0) {
+    const Image image = output_image(session, static_cast<std::size_t>(output));
+    return file.linear ? image : view_image(image, view_options(session.world().options));
+  }
   if (file.channels != Channels::ColorAlpha && file.channels != Channels::Color)
     return data_image(session, file.channels);
   Image image = file.linear ? linear_image(session, denoised)
@@ -100,15 +118,26 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
 }  // namespace
 
 const std::vector<std::string>& layer_names() {
-  static const std::vector<std::string> names = {"depth",   "normal",  "albedo", "variance",
-                                                 "samples", "display", "halves"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"depth",   "normal",  "albedo", "variance",
+                                    "samples", "display", "halves"};
+    const auto& outputs = material_output_names();
+    all.insert(all.end(), outputs.begin(), outputs.end());
+    return all;
+  }();
   return names;
 }
 
-unsigned layer_bit(std::string_view name) {
+LayerSet layer_bit(std::string_view name) {
+  if (const int output = material_output_index(name); output >= 0)
+    return LayerSet{1} << (kFirstOutputBit + output);
   const auto& names = layer_names();
   const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? 0u : 1u << (at - names.begin());
+  return at == names.end() ? 0 : LayerSet{1} << (at - names.begin());
+}
+
+bool needs_outputs(const PictureFile& file) {
+  return (file.layers & kOutputLayers) != 0 || !file.shown_layer.empty();
 }
 
 PictureFile picture_file(const std::string& path) {
@@ -121,7 +150,7 @@ PictureFile picture_file(const std::string& path) {
   return file;
 }
 
-std::vector<Layer> film_layers(const RenderSession& session, unsigned layers) {
+std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
   const Film& film = session.film();
   std::vector<Layer> out;
   out.push_back({"", {"R", "G", "B", "A"}, collect(session, 4, [&](int x, int y, float* to) {
@@ -148,11 +177,19 @@ std::vector<Layer> film_layers(const RenderSession& session, unsigned layers) {
                      put(to, film.shown(x, y));
                    })});
   if ((layers & kLayerHalves) && film.has_halves()) colours("halves", &Film::Pixel::halves);
+  if (film.keeps_outputs())
+    for (std::size_t i = 0; i < kOutputs; ++i)
+      if (layers & (LayerSet{1} << (kFirstOutputBit + static_cast<int>(i)))) {
+        Image image = output_image(session, i);
+        std::vector<std::string> channels =
+            image.channels == 1 ? std::vector<std::string>{""} : kRgbNames;
+        out.push_back({material_output_names()[i], std::move(channels), std::move(image)});
+      }
   return out;
 }
 
 Image denoised_beauty(const RenderSession& session) {
-  return without_alpha(denoise(denoise_input(film_layers(session, kAllLayers & ~kLayerDisplay))));
+  return without_alpha(denoise(denoise_input(film_layers(session, kFilmLayers & ~kLayerDisplay))));
 }
 
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,

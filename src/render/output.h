@@ -2,6 +2,7 @@
 // From the film to files: EXR layers, which are the truth, and the views that people look at.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "image/files.h"
 #include "image/pixel_buffer.h"
 #include "image/view.h"
+#include "render/resolve_outputs.h"
 #include "render/session.h"
 
 namespace oriel {
@@ -18,7 +20,8 @@ namespace oriel {
 //   several windows add up to the whole one.
 
 /// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display, halves.
-enum LayerBit : unsigned {
+using LayerSet = std::uint64_t;
+enum LayerBit : LayerSet {
   kLayerDepth = 1u << 0,
   kLayerNormal = 1u << 1,
   kLayerAlbedo = 1u << 2,
@@ -26,11 +29,15 @@ enum LayerBit : unsigned {
   kLayerSamples = 1u << 4,   ///< how many samples each pixel got
   kLayerDisplay = 1u << 5,   ///< after lens shaders; only where there are any
   kLayerHalves = 1u << 6,  ///< half the difference of two halves of the samples, from 8 samples on
-  kAllLayers = (1u << 7) - 1
+  kFilmLayers = (1u << 7) - 1
 };
+/// The outputs of materials follow, one bit each in the order of material_output_names().
+inline constexpr int kFirstOutputBit = 8;
+inline constexpr LayerSet kOutputLayers = ((LayerSet{1} << kOutputs) - 1) << kFirstOutputBit;
 
 /// The bit of a layer's name, 0 when there is no such layer ("beauty" is always there).
-unsigned layer_bit(std::string_view name);
+LayerSet layer_bit(std::string_view name);
+/// All names, the film's layers first.
 const std::vector<std::string>& layer_names();
 
 /// What of the picture a file without layers shows.
@@ -43,7 +50,8 @@ struct PictureFile {
   Channels channels = Channels::ColorAlpha;
   SampleFormat samples = SampleFormat::Float;  ///< of EXR; of others the nearest they have
   bool linear = false;                         ///< not a view: film values as they are
-  unsigned layers = kAllLayers;                ///< of EXR
+  LayerSet layers = kFilmLayers;               ///< of EXR
+  std::string shown_layer = {};                ///< an output in place of the beauty; empty = none
   NodeList shaders = {};                       ///< output shaders that run over what the file shows
   int quality = 95;                            ///< of JPEG
 };
@@ -53,7 +61,8 @@ PictureFile picture_file(const std::string& path);
 
 /// Beauty (R, G, B, A) first, then the layers asked for: Z, normal.X ... albedo.R ... variance.R
 /// ... samples, display.R ..., halves.R ...
-std::vector<Layer> film_layers(const RenderSession& session, unsigned layers);
+/// ... then the outputs by their names, which are left out when the film does not keep them.
+std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers);
 
 /// The beauty without noise, RGB: what the film knows goes through denoise() (image/denoise.h).
 Image denoised_beauty(const RenderSession& session);
@@ -64,6 +73,9 @@ Image denoised_beauty(const RenderSession& session);
 /// Inputs:  denoised: of denoised_beauty(), in place of the film's colours; null = the film's.
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised = nullptr);
+
+/// Whether the file shows anything that the film must keep outputs for.
+bool needs_outputs(const PictureFile& file);
 
 /// How the options make integers of it.
 ViewOptions view_options(const scene::RenderOptions& options);

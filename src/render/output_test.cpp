@@ -41,16 +41,16 @@ constexpr const char* kExposure =
 TEST(Output, LayersHaveTheirDocumentedNames) {
   const Rendered plain;
   std::vector<std::string> names;
-  for (const Layer& layer : film_layers(*plain.session, kAllLayers)) names.push_back(layer.name);
+  for (const Layer& layer : film_layers(*plain.session, kFilmLayers)) names.push_back(layer.name);
   EXPECT_EQ(names, (std::vector<std::string>{"", "Z", "normal", "albedo", "variance", "samples"}));
   const Rendered mapped(kExposure);
-  EXPECT_EQ(film_layers(*mapped.session, kAllLayers).back().name, "display");
+  EXPECT_EQ(film_layers(*mapped.session, kFilmLayers).back().name, "display");
   EXPECT_EQ(film_layers(*plain.session, 0).size(), 1u);
 }
 
 TEST(Output, LayersHoldWhatTheCameraSees) {
   const Rendered r;
-  const auto layers = film_layers(*r.session, kAllLayers);
+  const auto layers = film_layers(*r.session, kFilmLayers);
   const auto at = [&](const char* name) { return find_layer(layers, name)->image.at(8, 6); };
   EXPECT_NEAR(*at("Z"), 5, 0.05);  // near the axis, the square is at distance 5
   EXPECT_NEAR(at("normal")[2], 1, 1e-5);

@@ -56,25 +56,31 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       window_(window_of(world, settings)),
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
-      film_(window_.width(), window_.height(), filter_, display_map(world, window_)),
+      film_(window_.width(), window_.height(), filter_, display_map(world, window_),
+            settings.outputs),
       progressive_(film_, budget_),
       indirect_(asks_for_indirect(world.options)) {}
 
-FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
+FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& counts,
+                                 Outputs* outputs) const {
   const int column = window_.x0 + x, row = window_.y1 - 1 - y;
   sampling::Sampler sampler(column, row, index, seed_);
   const FilterSampler::Offset offset = filter_.sample(sampler.next_2d());
   const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
                     static_cast<float>(row) + 0.5f + offset.pixels.y);
 
+  const PathSettings settings{.indirect = indirect_,
+                              .paths_of_pixel = static_cast<float>(budget_.max_samples),
+                              .outputs = outputs};
   const PathResult path =
-      trace_path(world_, world_.camera.ray(raster), raster, indirect_, sampler, counts);
+      trace_path(world_, world_.camera.ray(raster), raster, settings, sampler, counts);
   FilmSample s;
   s.beauty = path.radiance;
   s.alpha = path.alpha;
   s.depth = path.depth;
   s.normal = path.normal;
   s.albedo = path.albedo;
+  s.outputs = outputs;
   s.negative = offset.negative;
   s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));
   return s;
@@ -82,12 +88,18 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
 
 StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
                               const std::atomic<bool>* cancel) {
-  tbb::enumerable_thread_specific<RayCounts> counts;
+  struct PerThread {
+    RayCounts counts;
+    Outputs outputs;  // of the sample under way, until the film has it
+  };
+  tbb::enumerable_thread_specific<PerThread> threads;
   const auto draw = [&](int x, int y, std::uint32_t index, FilmSample& s) {
-    s = sample(x, y, index, counts.local());
+    PerThread& mine = threads.local();
+    if (film_.keeps_outputs()) mine.outputs = {};
+    s = sample(x, y, index, mine.counts, film_.keeps_outputs() ? &mine.outputs : nullptr);
   };
   const StopReason reason = progressive_.run(draw, callbacks, cancel);
-  for (const RayCounts& c : counts) rays_ += c;
+  for (const PerThread& thread : threads) rays_ += thread.counts;
   return reason;
 }
 

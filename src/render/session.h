@@ -30,6 +30,7 @@ struct Window {
 struct SessionSettings {
   BudgetRequest budget;
   std::uint32_t seed = 0;
+  bool outputs = false;             ///< keep the outputs of materials
   std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
 };
 
@@ -64,7 +65,7 @@ class RenderSession {
   const RayCounts& rays() const { return rays_; }
 
  private:
-  FilmSample sample(int x, int y, std::uint32_t index, RayCounts& counts) const;
+  FilmSample sample(int x, int y, std::uint32_t index, RayCounts& counts, Outputs* outputs) const;
 
   const World& world_;
   std::uint32_t seed_;

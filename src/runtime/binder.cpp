@@ -27,6 +27,14 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return near.empty() ? std::string() : fmt::format("did you mean \"{}\"?", near);
 }
 
+/// Whether a shader's `multiple_outputs` is written as off.
+bool outputs_switched_off(const ShaderNode& node) {
+  for (const ParamSpec& row : node.spec().params)
+    if (row.name == std::string_view("multiple_outputs") && row.type == ParamType::Boolean)
+      return !*(&node.constants<bool>() + row.offset) && !node.connected(row.offset);
+  return false;
+}
+
 }  // namespace
 
 Binder::Binder(const scene::Scene& scene, const Registry& registry, World& world,
@@ -256,6 +264,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   for (const ShaderNode* node : bound.surface)
     if (node->spec().may_transmit && node->spec().may_transmit(*node)) bound.may_transmit = true;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
+  bound.outputs = bound.surface.empty() || !outputs_switched_off(*bound.surface.back());
   return bound;
 }
 

@@ -22,6 +22,7 @@ enum class LobeKind : std::uint8_t {
   ThinTransmission,  ///< straight through a thin wall
   GlossyThin,        ///< blurred, through a thin wall
   Translucency,      ///< diffuse to the other side
+  NearDiffuse,       ///< light from surfaces near by alone: occlusion that keeps their colours
   PhongHighlight     ///< light sources only: cos^exponent of the mirrored view, mental ray's phong
 };
 
@@ -30,14 +31,26 @@ enum class Channel : std::uint8_t { Diffuse, Reflection, Refraction, Translucenc
 
 /// How the manual lets rays of a lobe be limited.
 struct LobeControls {
-  int samples = 8;               ///< most rays at the first hit; 0 = a single mirror ray
-  int depth = 0;                 ///< trace depth of the material, 0 = the scene's
-  float cutoff = 0;              ///< rays contributing less to the pixel are not traced
-  bool highlights_only = false;  ///< no rays: light sources only
-  bool mirrored = false;         ///< highlights only, but a mirror lobe shows lights that are seen
-  float falloff_distance = 0;    ///< 0 = none
-  bool falloff_to_color = false;
+  float samples = 1;              ///< most rays at the first hit, whole numbers above 1
+  int depth = 0;                  ///< trace depth of the material, 0 = the scene's
+  float cutoff = 0;               ///< rays contributing less to the pixel are not traced
+  bool highlights_only = false;   ///< no rays: light sources only
+  bool mirrored = false;          ///< highlights only, but a mirror lobe shows lights that are seen
+  bool falloff_to_color = false;  ///< else to the environment
+  bool single_environment = false;  ///< rays that find nothing look up one direction, the mirror's
+  float falloff_distance = 0;       ///< rays end there, what they find fades linearly; 0 = none
   Rgb falloff_color{0};
+};
+
+/// Occlusion by what lies near: on light from diffuse surfaces and the environment, and on an
+/// ambient light of its own.
+/// Source: manual 1.4.6.1, 1.6.7.1.
+struct Occlusion {
+  int samples = 0;     ///< most rays at the first hit; 0 = no occlusion
+  float distance = 0;  ///< scene units, 0 = any
+  Rgb dark{0};         ///< factor where all is occluded
+  Rgb ambient{0};      ///< light that is there without a source, attenuated by occlusion
+  int details = 1;     ///< 0 ambient only, 1 dims indirect light, 2 replaces it by the neighbours'
 };
 
 /// Level times a lobe whose own directional albedo is at most 1.
@@ -91,6 +104,9 @@ struct Closure {
   int light_mode = 4;  ///< 0 list or linked or all, 1 the list, 2 all but it, 4 linked or all
   ArrayView<LightRef> lights;
   Rgb albedo{0};  ///< for the albedo layer: sum of the levels
+  Occlusion occlusion;
+  float indirect_scale = 1;  ///< on light from diffuse surfaces and the environment
+  bool outputs = true;       ///< false: the material has no outputs but its result
 
   Lobe& add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame) {
     ORIEL_ASSERT(count < kMostLobes);

@@ -17,6 +17,7 @@ struct Material {
   bool has_shadow_shader = false;  ///< without one a blocker is opaque
   bool may_transmit = false;       ///< shadow rays must ask the surface
   bool opaque = false;
+  bool outputs = true;  ///< false: the material may only have its result (multiple_outputs off)
 };
 
 /// Runs the surface shaders; the closure is that of the last material shader in the list, opaque

@@ -65,6 +65,16 @@ class Sampler {
                 to_unit(static_cast<std::uint32_t>(both)));
   }
 
+  /// The i-th of n streams that this sample splits into, `branch` telling groups of them apart.
+  /// When all samples of a pixel split into n, their streams together are as even as n times as
+  /// many samples.
+  Sampler split(std::uint32_t i, std::uint32_t n, std::uint32_t branch) const {
+    Sampler s = *this;
+    s.key_ = mix_bits(key_ + 0xd1b54a32d192ed03ull * (branch + 1));
+    s.reversed_index_ = reverse_bits(reverse_bits(reversed_index_) * n + i);
+    return s;
+  }
+
   /// Passes over a draw that nobody needs: later ones keep their dimensions.
   void skip() { ++dimension_; }
 

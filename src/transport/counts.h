@@ -7,15 +7,17 @@
 namespace oriel {
 
 struct RayCounts {
-  std::uint64_t eye = 0, reflect = 0, refract = 0, gather = 0, shadow = 0, environment = 0;
+  std::uint64_t eye = 0, reflect = 0, refract = 0, gather = 0, shadow = 0, probe = 0;
+  std::uint64_t environment = 0;  ///< look-ups
 
-  std::uint64_t rays() const { return eye + reflect + refract + gather + shadow; }
+  std::uint64_t rays() const { return eye + reflect + refract + gather + shadow + probe; }
   RayCounts& operator+=(const RayCounts& o) {
     eye += o.eye;
     reflect += o.reflect;
     refract += o.refract;
     gather += o.gather;
     shadow += o.shadow;
+    probe += o.probe;
     environment += o.environment;
     return *this;
   }

@@ -60,18 +60,19 @@ float LightChoice::rate(int light) const {
   return total_ > 0 ? estimate_[light] / total_ : 0;
 }
 
-float highlight_scale(const Closure& closure, const Light& light) {
-  if (!light.visible) return closure.highlight_scale;
+LightInReflection light_in_reflection(const Closure& closure, bool visible) {
+  if (!visible) return {0, closure.highlight_scale};
   // A visible light is reflected; its highlight comes on top only when the material asks.
-  return closure.highlights_of_visible_lights ? 1 + closure.highlight_scale : 1;
+  return {1, closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
 }
 
-Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure,
-                 const LobeChoice& lobes, const LightChoice& lights, const DirectRequest& request,
-                 sampling::Sampler& sampler, RayCounts& counts) {
+DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
+                         const LobeChoice& lobes, const LightChoice& lights,
+                         const DirectRequest& request, sampling::Sampler& sampler,
+                         RayCounts& counts) {
   const Vec3 wo = point.wo();
   const bool shadows = takes_shadows(world, point);
-  Rgb sum(0);
+  DirectLight sum;
   float u_light = 0;
   if (lights.draws())
     u_light = sampler.next_1d();
@@ -83,46 +84,61 @@ Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure
     if (!s) return;
     const Response r = evaluate_closure(closure, lobes, point, wo, s->wi,
                                         light.visible && !closure.highlights_of_visible_lights);
-    const float scale = highlight_scale(closure, light);
-    const Rgb diffuse = r.diffuse.for_lights(scale), glossy = r.glossy.for_lights(scale);
-    const Rgb both = diffuse + glossy;
-    if (is_black(both)) return;
-    const Rgb arriving = s->irradiance / rate;
-    if (!shadows || !s->shadow) {
-      sum += both * arriving;
+    const LightInReflection in = light_in_reflection(closure, light.visible);
+    const Rgb highlight = r.highlight * closure.highlight_scale;
+    if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
       return;
-    }
-    const Openness open = shadow_transmittance(world, point, s->wi, s->distance, counts);
-    const auto weight = [&](float pdf) {
-      return s->pdf > 0 ? light_sample_weight(request.estimator, s->pdf * rate, pdf) : 1.0f;
+    const float kept = request.falloff_distance > 0
+                           ? std::max(0.0f, 1 - s->distance / request.falloff_distance)
+                           : 1.0f;
+    const Rgb arriving = s->irradiance / rate;
+    // Factors of what rays could have found and of what they could not, after shadows.
+    const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
+                         const Rgb& highlights) {
+      const bool behind = dot(s->wi, point.geometric_normal) < 0;
+      (behind ? sum.translucency : sum.diffuse) += r.diffuse.value * diffuse * arriving;
+      sum.reflection += r.reflection.value * reflection * arriving * (in.as_reflection * kept);
+      sum.specular +=
+          (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
+      sum.refraction += r.refraction.value * refraction * arriving;
     };
-    Rgb c = diffuse * open.all * weight(r.diffuse.pdf);
-    if (request.rays_bend) {
-      // Behind glass a ray of a glossy lobe meets only lights that are seen.
-      const Rgb found = light.visible && s->pdf > 0 ? r.glossy.highlight * scale : glossy;
-      c += glossy * open.cut_outs * weight(r.glossy.pdf) + found * (open.clear - open.cut_outs);
-    } else {
-      c += glossy * open.all * weight(r.glossy.pdf);
-    }
+    if (!shadows || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
+
+    const Openness open = shadow_transmittance(world, point, s->wi, s->distance, counts);
+    const auto weight = [&](const Response::Part& part) {
+      return s->pdf > 0 ? light_sample_weight(request.estimator, s->pdf * rate, part.pdf) : 1.0f;
+    };
     // What the light lets pass opaque blockers, no ray would find.
-    sum += (c + both * (Rgb(1) - open.all) * s->shadow_factor) * arriving;
+    const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
+    const Rgb straight = request.rays_bend ? open.cut_outs : open.all;
+    // Behind glass a ray of a glossy lobe meets only lights that are seen.
+    const bool bent_rays_find = light.visible && s->pdf > 0;
+    const Rgb glass = request.rays_bend ? open.clear - open.cut_outs : Rgb(0);
+    const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
+    add(open.all * weight(r.diffuse) + leak, straight * weight(r.reflection) + missed,
+        straight * weight(r.refraction) + missed, straight + glass + leak);
   });
   if (request.environment) {
     const auto s = world.environment.sample(sampler.next_2d());
     const Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
-    const Rgb diffuse = r.diffuse.for_rays(), glossy = r.glossy.for_rays();
-    if (!is_black(diffuse + glossy) && s.pdf > 0) {
+    const Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);
+    if (!is_black(r.diffuse.value + reflection + r.refraction.value) && s.pdf > 0) {
       const Openness open =
           shadow_transmittance(world, point, s.wi, std::numeric_limits<float>::infinity(), counts);
-      const Rgb c =
-          diffuse * open.all * light_sample_weight(request.estimator, s.pdf, r.diffuse.pdf) +
-          glossy * (request.rays_bend ? open.cut_outs : open.all) *
-              light_sample_weight(request.estimator, s.pdf, r.glossy.pdf);
-      if (!is_black(c)) {
+      const Rgb straight = request.rays_bend ? open.cut_outs : open.all;
+      if (!is_black(open.all)) {
         const Rgb radiance = rgb(environment_radiance(world.environment.shaders(), world,
                                                       point.position, s.wi, RayKind::FinalGather));
         ++counts.environment;
-        sum += c * radiance / s.pdf;
+        const auto found = [&](const Rgb& value, float pdf, const Rgb& passes) {
+          return value * passes * radiance *
+                 (light_sample_weight(request.estimator, s.pdf, pdf) / s.pdf);
+        };
+        const bool behind = dot(s.wi, point.geometric_normal) < 0;
+        (behind ? sum.environment_translucency : sum.environment) +=
+            found(r.diffuse.value, r.diffuse.pdf, open.all);
+        sum.reflection += found(reflection, r.reflection.pdf, straight);
+        sum.refraction += found(r.refraction.value, r.refraction.pdf, straight);
       }
     }
   }

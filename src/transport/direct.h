@@ -45,26 +45,42 @@ class LightChoice {
 /// What direct light is asked for.
 struct DirectRequest {
   bool environment = false;
+  /// False where reflection rays end early or look up the environment their own way: they find it
+  /// alone.
+  bool environment_in_reflections = true;
   /// Rays of glossy lobes are bent by glass on their way: behind it they find the environment and
   /// visible lights, samples of these count only through holes. False after a diffuse bounce, where
   /// all rays go straight.
   bool rays_bend = false;
+  float falloff_distance = 0;  ///< visible lights fade out in reflections; 0 = they do not
   Estimator estimator = Estimator::Mis;
+};
+
+/// Radiance toward wo, per unit throughput, by what it came through.
+struct DirectLight {
+  Rgb diffuse{0}, translucency{0}, specular{0}, reflection{0}, refraction{0};
+  /// Of the environment: on the lit side, and through the surface.
+  Rgb environment{0}, environment_translucency{0};
 };
 
 /// Everything direct at a vertex: lights and, when asked, the environment.
 ///
-/// Returns: radiance toward wo, per unit throughput.
-/// Model:   each light sample weighs against the directions sample_closure would have chosen (power
-///          heuristic), apart for the parts of the response; lights without extent stand alone, and
-///          so do lights without shadows, since rays would be blocked.
+/// Model:   each light sample weighs against the directions sample_lobe would have chosen (power
+///          heuristic), apart for the groups of lobes; lights without extent stand alone, and so do
+///          lights without shadows, since rays would be blocked, and highlights, which no ray
+///          finds.
 /// Checked: tests/analytic (one scene by three estimators, furnaces of rough glass).
-Rgb direct_light(const World& world, ShadingPoint& point, const Closure& closure,
-                 const LobeChoice& lobes, const LightChoice& lights, const DirectRequest& request,
-                 sampling::Sampler& sampler, RayCounts& counts);
+DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
+                         const LobeChoice& lobes, const LightChoice& lights,
+                         const DirectRequest& request, sampling::Sampler& sampler,
+                         RayCounts& counts);
 
-/// Factor on reflecting lobes when the source is this light (highlight against reflection).
-float highlight_scale(const Closure& closure, const Light& light);
+/// How a light shows in reflecting lobes, of which rays and highlights can both show it.
+struct LightInReflection {
+  float as_reflection = 0, as_highlight = 1;
+  float sum() const { return as_reflection + as_highlight; }
+};
+LightInReflection light_in_reflection(const Closure& closure, bool visible);
 
 template <class F>
 void LightChoice::sample(float u, F&& f) const {

@@ -8,6 +8,7 @@
 #include "bsdf/phong.h"
 #include "bsdf/rough_refraction.h"
 #include "bsdf/specular.h"
+#include "bsdf/terminator.h"
 #include "bsdf/translucency.h"
 
 namespace oriel {
@@ -36,15 +37,11 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
   }
 }
 
-bool reflects(LobeKind kind) {
-  return kind == LobeKind::GlossyReflection || kind == LobeKind::PhongHighlight ||
-         kind == LobeKind::Mirror;
-}
-
 /// Whether the lobe may answer for a direction on that side of the geometric surface.
 bool right_side(LobeKind kind, bool same_side) {
   switch (kind) {
     case LobeKind::Diffuse:
+    case LobeKind::NearDiffuse:
     case LobeKind::GlossyReflection:
     case LobeKind::PhongHighlight:
       return same_side;
@@ -67,6 +64,22 @@ void make_ready(Closure& closure, const Vec3& wo) {
   }
 }
 
+LobeGroup group_of(LobeKind kind) {
+  switch (kind) {
+    case LobeKind::Diffuse:
+    case LobeKind::Translucency:
+      return LobeGroup::Diffuse;
+    case LobeKind::NearDiffuse:
+      return LobeGroup::Near;
+    case LobeKind::Mirror:
+    case LobeKind::GlossyReflection:
+    case LobeKind::PhongHighlight:
+      return LobeGroup::Reflection;
+    default:
+      return LobeGroup::Refraction;
+  }
+}
+
 Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
                           const ShadingPoint& point, const Vec3& wo, const Vec3& wi,
                           bool seen_in_mirrors) {
@@ -74,44 +87,50 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
   const bool same_side = dot(wi, point.geometric_normal) > 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
+    if (is_delta(lobe.kind) || lobe.kind == LobeKind::NearDiffuse ||
+        !right_side(lobe.kind, same_side))
+      continue;
     if (seen_in_mirrors && lobe.controls.mirrored) continue;
-    Response::Part& part = is_diffuse(lobe.kind) ? out.diffuse : out.glossy;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (lobe.kind == LobeKind::PhongHighlight) {
-      part.highlight += lobe.level * bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
+      out.highlight += lobe.level * bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
       continue;
     }
     float value = 0, pdf = 0;
     with_bsdf(lobe, [&](const auto& bsdf) {
       value = bsdf.eval(o, w);
-      if (choice.probability[i] > 0) pdf = bsdf.pdf(o, w);
+      if (choice.rays[i] > 0) pdf = choice.rays[i] * bsdf.pdf(o, w);
     });
-    part.pdf += choice.probability[i] * pdf;
-    if (!reflects(lobe.kind))
-      part.plain += lobe.level * value;
-    else if (lobe.controls.highlights_only)
-      part.highlight += lobe.level * value;
-    else
-      part.reflective += lobe.level * value;
+    if (lobe.kind == LobeKind::Diffuse)
+      value *= bsdf::soft_terminator(point.geometric_normal, lobe.frame.n, wi);
+    if (lobe.controls.highlights_only) {
+      out.highlight += lobe.level * value;
+      continue;
+    }
+    Response::Part& part = out.of(lobe.kind);
+    part.value += lobe.level * value;
+    part.pdf += pdf;
   }
   return out;
 }
 
-std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeChoice& choice,
-                                            const ShadingPoint& point, const Vec3& wo, float u_lobe,
-                                            const Vec2& u) {
+int choose_lobe(const Closure& closure, const LobeChoice& choice, float& u) {
   int chosen = -1;
   for (int i = 0; i < closure.count; ++i) {
-    if (choice.probability[i] <= 0) continue;
+    if (choice.rays[i] <= 0) continue;
     chosen = i;
-    if (u_lobe < choice.probability[i]) break;
-    u_lobe -= choice.probability[i];
+    if (u < choice.rays[i]) break;
+    u -= choice.rays[i];
   }
-  if (chosen < 0) return std::nullopt;
-  const Lobe& lobe = closure.lobes[chosen];
-  const float probability = choice.probability[chosen];
-  const float u_rest = std::min(u_lobe / probability, 0x1.fffffep-1f);
+  if (chosen >= 0) u = std::min(u / choice.rays[chosen], 0x1.fffffep-1f);
+  return chosen;
+}
+
+std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoice& choice,
+                                         int index, const ShadingPoint& point, const Vec3& wo,
+                                         float u_rest, const Vec2& u) {
+  const Lobe& lobe = closure.lobes[index];
+  const float rays = choice.rays[index];
   const auto sample_in = [&](const Frame& frame) {
     return with_bsdf(lobe,
                      [&](const auto& bsdf) { return bsdf.sample(frame.to_local(wo), u, u_rest); });
@@ -121,7 +140,7 @@ std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeCh
 
   ClosureSample out;
   out.wi = lobe.frame.to_world(s->wi);
-  out.lobe = chosen;
+  out.lobe = index;
   out.delta = s->delta;
   float side = dot(out.wi, point.geometric_normal);
   if (s->delta) {
@@ -136,19 +155,20 @@ std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeCh
       side = dot(out.wi, point.geometric_normal);
       if (!on_its_side()) return std::nullopt;
     }
-    const Rgb weight = lobe.level * (s->weight / probability);
-    (reflects(lobe.kind) ? out.response.reflective : out.response.plain) = weight;
+    out.weight = lobe.level * (s->weight / rays);
     return out;
   }
   if (!right_side(lobe.kind, side > 0)) return std::nullopt;
+  if (lobe.kind == LobeKind::NearDiffuse) {
+    out.pdf = s->pdf;
+    out.weight = lobe.level * (s->weight / rays);
+    return out;
+  }
   const Response all = evaluate_closure(closure, choice, point, wo, out.wi);
-  out.response = is_diffuse(lobe.kind) ? all.diffuse : all.glossy;
-  out.pdf = out.response.pdf;
+  const Response::Part& part = all.of(lobe.kind);
+  out.pdf = part.pdf;
   if (!(out.pdf > 0)) return std::nullopt;
-  const float inverse = 1 / out.pdf;
-  out.response.plain *= inverse;
-  out.response.reflective *= inverse;
-  out.response.highlight *= inverse;
+  out.weight = part.value / out.pdf;
   return out;
 }
 

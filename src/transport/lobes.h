@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "runtime/closure.h"
 #include "runtime/shading_point.h"
@@ -14,30 +15,42 @@ namespace oriel {
 //   reflects answers only on the viewer's side of the geometric surface, one that transmits only on
 //   the other side, so that no shading normal leaks light.
 
-/// What a closure returns for one pair of directions, apart by how lights see it.
+/// Lobes whose rays meet the same things; each group is an integral of its own.
+enum class LobeGroup : std::uint8_t {
+  Diffuse,     ///< and translucency: rays go straight on, as shadow rays do
+  Reflection,  ///< lights may be seen as highlights instead
+  Refraction,
+  Near  ///< neighbours only, no lights
+};
+
+LobeGroup group_of(LobeKind kind);
+
+/// What a closure returns for one pair of directions, by group.
 struct Response {
   struct Part {
-    Rgb plain{0};       ///< lobes that lights and rays see alike
-    Rgb reflective{0};  ///< reflecting lobes; highlight_scale applies when the source is a light
-    Rgb highlight{0};   ///< lobes of light sources only, rays do not see them
-    float pdf = 0;      ///< density of sample_closure, per solid angle, among this part's lobes
-
-    Rgb for_rays() const { return plain + reflective; }
-    Rgb for_lights(float scale) const { return plain + (reflective + highlight) * scale; }
+    Rgb value{0};
+    float pdf = 0;  ///< density of sample_closure, per solid angle, among the group's lobes
   };
-  /// Apart as well by how their rays meet glass: those of diffuse and translucent lobes go straight
-  /// on, as shadow rays do, those of the others are bent. Each part is an integral of its own.
-  Part diffuse, glossy;
+  Part diffuse, reflection, refraction;
+  Rgb highlight{0};  ///< reflecting lobes of light sources only, rays do not see them
+  const Part& of(LobeKind kind) const {
+    const LobeGroup group = group_of(kind);
+    return group == LobeGroup::Diffuse      ? diffuse
+           : group == LobeGroup::Reflection ? reflection
+                                            : refraction;
+  }
+  Part& of(LobeKind kind) { return const_cast<Part&>(std::as_const(*this).of(kind)); }
 };
 
 inline bool is_diffuse(LobeKind kind) {
-  return kind == LobeKind::Diffuse || kind == LobeKind::Translucency;
+  return kind == LobeKind::Diffuse || kind == LobeKind::Translucency ||
+         kind == LobeKind::NearDiffuse;
 }
 
-/// Which lobes rays may follow at this vertex and how likely each is chosen.
+/// Which lobes rays may follow at this vertex: how likely each is, or how many rays it gets.
 struct LobeChoice {
-  float probability[Closure::kMostLobes] = {};
-  float total = 0;  ///< 0: none
+  float rays[Closure::kMostLobes] = {};  ///< expected number
+  bool any = false;
 };
 
 /// A direction to go on in.
@@ -45,14 +58,15 @@ struct ClosureSample {
   Vec3 wi;
   int lobe = 0;
   bool delta = false;
-  float pdf = 0;            ///< 0 for delta lobes
-  Response::Part response;  ///< of the lobe's part, divided by the density: throughput factors
+  float pdf = 0;  ///< 0 for delta lobes
+  Rgb weight{0};  ///< response of the lobe's group over the density: throughput factor
 };
 
 /// Looks up once what the glossy lobes need for their viewer; before evaluating or sampling.
 void make_ready(Closure& closure, const Vec3& wo);
 
 /// All non-delta lobes for wi; the density counts the lobes that `choice` allows.
+/// Diffuse lobes darken softly where a shading normal faces light that the surface hardly does.
 ///
 /// Inputs:  seen_in_mirrors: wi leads to a light that mirror rays see; highlights that stand beside
 ///          a mirror are left out.
@@ -60,10 +74,13 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
                           const ShadingPoint& point, const Vec3& wo, const Vec3& wi,
                           bool seen_in_mirrors = false);
 
-/// Draws a lobe and a direction; nothing where the draw is lost (below the horizon).
-std::optional<ClosureSample> sample_closure(const Closure& closure, const LobeChoice& choice,
-                                            const ShadingPoint& point, const Vec3& wo, float u_lobe,
-                                            const Vec2& u);
+/// Chooses a lobe by its share of the rays; -1 when there is none. Leaves in u what is left of it.
+int choose_lobe(const Closure& closure, const LobeChoice& choice, float& u);
+
+/// Draws a direction of a lobe; nothing where the draw is lost (below the horizon).
+std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoice& choice, int lobe,
+                                         const ShadingPoint& point, const Vec3& wo, float u_rest,
+                                         const Vec2& u);
 
 inline bool is_delta(LobeKind kind) {
   return kind == LobeKind::Mirror || kind == LobeKind::ClearRefraction ||

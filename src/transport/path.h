@@ -6,6 +6,7 @@
 #include "sampling/sampler.h"
 #include "transport/counts.h"
 #include "transport/estimator.h"
+#include "transport/outputs.h"
 
 namespace oriel {
 
@@ -20,20 +21,30 @@ struct PathResult {
   Rgb albedo{0};
 };
 
-/// Traces one path.
+/// How paths are traced.
+struct PathSettings {
+  /// False: no diffuse bounces and no light from the environment on diffuse lobes, as a scene
+  /// without final gathering and photons is rendered.
+  bool indirect = true;
+  Estimator estimator = Estimator::Mis;
+  /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
+  /// surface: a material's sample counts are for the pixel.
+  float paths_of_pixel = 1e6f;
+  Outputs* outputs = nullptr;  ///< where to leave the parts of the radiance; null = nowhere
+};
+
+/// Traces one path, a tree where the first surface asks for more rays.
 ///
 /// Model:   unidirectional, multiple importance sampling of lights and environment against the
 ///          lobes, Russian roulette after kRouletteDepth diffuse or glossy vertices. Trace depths
 ///          as the options say, counted anew after each diffuse bounce. Through transparent
 ///          materials whose shadows are transparent, rays that follow a diffuse bounce go on
 ///          straight, as the shadow rays they are weighed against do (photons do the same): bent
-///          light is caustics.
-/// Inputs:  indirect: false = no diffuse bounces and no light from the environment on diffuse
-///          lobes, as a scene without final gathering and photons is rendered.
+///          light is caustics. Cut-offs, occlusion and its neighbours act before the first diffuse
+///          bounce.
 /// Checked: tests/analytic (furnace, skies, form factors, shapes of lights, mirrors, glass, three
-///          estimators).
-PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster, bool indirect,
-                      sampling::Sampler& sampler, RayCounts& counts,
-                      Estimator estimator = Estimator::Mis);
+///          estimators, outputs).
+PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
+                      const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts);
 
 }  // namespace oriel

@@ -68,7 +68,7 @@ TEST(Furnace, LosslessMaterialsVanish) {
        "\"refl_depth\" 0"},
       {"thin pane",
        "\"reflectivity\" 1, \"transparency\" 1, \"refr_ior\" 1.5, "
-       "\"brdf_fresnel\" on, \"thin_walled\" on"},
+       "\"brdf_fresnel\" on, \"thin_walled\" on, \"refl_cutoff\" 0, \"refr_cutoff\" 0"},
       {"thin white sheet",
        "\"reflectivity\" 0, \"diffuse\" 1 1 1, \"transparency\" .5, "
        "\"refr_translucency\" on, \"refr_trans_weight\" 1, "

@@ -28,7 +28,7 @@ Measured rising(const SceneText& scene, double degrees, int samples, float from 
 
 const char* const kGlass =
     "\"diffuse_weight\" 0, \"reflectivity\" 1, \"transparency\" 1, \"refr_ior\" 1.5, "
-    "\"brdf_fresnel\" on, \"refl_depth\" 0, \"refr_depth\" 0";
+    "\"brdf_fresnel\" on, \"refl_depth\" 0, \"refr_depth\" 0, \"refl_cutoff\" 0, \"refr_cutoff\" 0";
 /// No interface at all, only what is in it.
 const char* const kGel =
     "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, "

@@ -79,15 +79,15 @@ struct Measured {
 class Probe {
  public:
   explicit Probe(const SceneText& scene) : Probe(scene.str()) {}
-  explicit Probe(const std::string& text) {
+  explicit Probe(const std::string& text, const Registry& registry = test_registry()) {
     Diagnostics diagnostics;
     mi::ReadOptions options;
     options.packages = builtin_packages();
-    options.knows_shader = [](std::string_view n) { return test_registry().find(n) != nullptr; };
+    options.knows_shader = [&](std::string_view n) { return registry.find(n) != nullptr; };
     scene_ = mi::read_text(text, options, diagnostics);
     PrepareReport report;
     if (!scene_.renders.empty())
-      world_ = prepare(scene_, scene_.renders.back(), test_registry(), {}, diagnostics, report);
+      world_ = prepare(scene_, scene_.renders.back(), registry, {}, diagnostics, report);
     for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << diagnostics.format(d);
     if (!world_) throw std::runtime_error("the scene cannot be rendered");
   }
@@ -95,11 +95,11 @@ class Probe {
   const World& world() const { return *world_; }
   /// Without diffuse bounces, as a scene without indirect light is rendered.
   Probe& direct_only() {
-    indirect_ = false;
+    settings_.indirect = false;
     return *this;
   }
   Probe& estimator(Estimator estimator) {
-    estimator_ = estimator;
+    settings_.estimator = estimator;
     return *this;
   }
 
@@ -150,8 +150,7 @@ class Probe {
       for (int s = 0; s < per_batch; ++s) {
         sampling::Sampler sampler(static_cast<int>(b), 7, static_cast<std::uint32_t>(s));
         const auto [ray, raster] = eye(sampler, s);
-        const PathResult r =
-            trace_path(*world_, ray, raster, indirect_, sampler, counts[b], estimator_);
+        const PathResult r = trace_path(*world_, ray, raster, settings_, sampler, counts[b]);
         sum += Imath::Vec3<double>(r.radiance.x, r.radiance.y, r.radiance.z);
         for (int k = 0; k < 3; ++k) {
           ranges[b].first[k] = std::min(ranges[b].first[k], r.radiance[k]);
@@ -186,8 +185,7 @@ class Probe {
 
   scene::Scene scene_;
   std::unique_ptr<World> world_;
-  bool indirect_ = true;
-  Estimator estimator_ = Estimator::Mis;
+  PathSettings settings_;
 };
 
 /// Rounding of a path's products and of tessellated, shifted ray origins; relative.

@@ -57,17 +57,22 @@ struct Case {
   }
 
   void choose() {
+    float total = 0;
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
       if (lobe.controls.highlights_only || lobe.kind == LobeKind::PhongHighlight) continue;
-      choice.probability[i] = std::max(0.05f, max_component(lobe.level));
-      choice.total += choice.probability[i];
+      if (lobe.kind == LobeKind::NearDiffuse) continue;  // in place of what occlusion takes
+      choice.rays[i] = std::max(0.05f, max_component(lobe.level));
+      total += choice.rays[i];
     }
-    if (choice.total > 0)
-      for (float& p : choice.probability) p /= choice.total;
+    choice.any = total > 0;
+    if (choice.any)
+      for (float& p : choice.rays) p /= total;
   }
   std::optional<ClosureSample> sample(float u, const Vec2& u2) const {
-    return sample_closure(closure, choice, point, point.wo(), u, u2);
+    const int lobe = choose_lobe(closure, choice, u);
+    if (lobe < 0) return std::nullopt;
+    return sample_lobe(closure, choice, lobe, point, point.wo(), u, u2);
   }
   Response evaluate(const Vec3& wi) const {
     return evaluate_closure(closure, choice, point, point.wo(), wi);
@@ -121,13 +126,12 @@ TEST_P(MaterialContract, SamplesWeighWhatEvaluationOverDensitySays) {
       const auto drawn = c.sample(s.next_1d(), u2);
       if (!drawn) continue;
       ASSERT_NEAR(length(drawn->wi), 1, 1e-4);
-      ASSERT_TRUE(is_sound(drawn->response.for_rays()));
+      ASSERT_TRUE(is_sound(drawn->weight));
       if (drawn->delta) continue;
       const Response all = c.evaluate(drawn->wi);
-      const Response::Part& part =
-          is_diffuse(c.closure.lobes[drawn->lobe].kind) ? all.diffuse : all.glossy;
+      const Response::Part& part = all.of(c.closure.lobes[drawn->lobe].kind);
       ASSERT_NEAR(part.pdf / drawn->pdf, 1, 1e-3);
-      const Rgb expected = part.for_rays() * (1 / part.pdf), got = drawn->response.for_rays();
+      const Rgb expected = part.value * (1 / part.pdf), got = drawn->weight;
       for (int i = 0; i < 3; ++i)
         ASSERT_NEAR(got[i], expected[i], 1e-3f * std::max(1e-3f, expected[i])) << n;
     }
@@ -140,7 +144,7 @@ TEST_P(MaterialContract, DirectionsAreDrawnAsTheDensitySays) {
   const double least = testing::sidak(0.01, kCases * 16);
   for (int n = 0; n < kCases; ++n) {
     const Case c(spec(), engine, n == 0, true);
-    if (c.choice.total <= 0) continue;
+    if (!c.choice.any) continue;
     const auto result = testing::test_directions(
         [&](const Vec2& u2, float u1) -> std::optional<Vec3> {
           const auto s = c.sample(u1, u2);
@@ -149,7 +153,7 @@ TEST_P(MaterialContract, DirectionsAreDrawnAsTheDensitySays) {
         },
         [&](const Vec3& wi) {
           const Response r = c.evaluate(wi);
-          return r.diffuse.pdf + r.glossy.pdf;
+          return r.diffuse.pdf + r.reflection.pdf + r.refraction.pdf;
         },
         40000, 17, 16, 24);
     EXPECT_GT(result.chi.p_value, least) << spec().name << ' ' << n;
@@ -171,7 +175,7 @@ Albedo albedo(const Case& c, int count, int stream) {
     const Vec2 u2 = s.next_2d();
     const auto drawn = c.sample(s.next_1d(), u2);
     if (!drawn) continue;
-    const Rgb w = drawn->response.for_rays();
+    const Rgb w = drawn->weight;
     sum += w;
     squares += w * w;
   }

@@ -46,7 +46,7 @@ Outcome render(std::string_view text, int grid = 6) {
                               static_cast<float>(camera.height));
         const Camera::Ray eye = camera.ray(raster);
         sampling::Sampler sampler(x, y, sample);
-        Rgb c = trace_path(*s.world, eye, raster, true, sampler, counts).radiance;
+        Rgb c = trace_path(*s.world, eye, raster, {}, sampler, counts).radiance;
         for (const ShaderNode* node : s.world->lens) {
           ShadingPoint point;
           node->with_params(point, [&](const Call& call) {

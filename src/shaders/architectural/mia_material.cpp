@@ -53,12 +53,12 @@ Frame stretched_frame(const P& p, const ShadingPoint& point, const Vec3& normal)
 }
 
 struct Normals {
-  Vec3 diffuse, specular;
+  Vec3 diffuse, specular, base;
 };
 
 /// The normals after the bump inputs, on the viewer's side.
 Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
-  Normals n{point.normal, point.normal};
+  Normals n{point.normal, point.normal, point.normal};
   if (!extended || p.bump_mode == 0) {
     if (p.bump.node && p.bump.node->spec().value) {
       ShadingPoint bumped = point;
@@ -71,6 +71,8 @@ Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
     const Vec3 standard = bump_normal(point, overall, p.standard_bump, p.bump_mode);
     n.specular = standard;
     n.diffuse = p.no_diffuse_bump ? overall : standard;
+    n.base = bump_normal(point, overall, p.refl_base_bump, p.bump_mode);
+    n.base = facing_viewer(n.base, point);
   }
   n.diffuse = facing_viewer(n.diffuse, point);
   n.specular = facing_viewer(n.specular, point);
@@ -83,28 +85,45 @@ void set_roughness(Lobe& lobe, float gloss, float anisotropy) {
   lobe.alpha_y = roughness.ay;
 }
 
-void add_reflection(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
-                    Closure& closure) {
-  if (is_black(level)) return;
-  const bool mirror = bsdf::gloss_to_roughness(p.refl_gloss, p.anisotropy).is_mirror();
-  const bool mirror_rays = mirror || p.refl_gloss_samples == 0;
-  const Frame frame = stretched_frame(p, point, normal);
+/// One of the two reflecting layers.
+struct ReflectingLayer {
+  Rgb level;
+  float gloss;
+  int samples;
+};
+
+LobeControls reflection_controls(const P& p, int samples) {
   LobeControls controls;
-  controls.samples = p.refl_gloss_samples;
+  controls.samples = static_cast<float>(std::max(samples, 1));
   controls.depth = p.refl_depth;
   controls.cutoff = p.refl_cutoff;
+  controls.single_environment = p.single_env_sample;
+  if (p.refl_falloff_on && p.refl_falloff_dist > 0) {
+    controls.falloff_distance = p.refl_falloff_dist;
+    controls.falloff_to_color = p.refl_falloff_color_on;
+    controls.falloff_color = rgb(p.refl_falloff_color);
+  }
+  return controls;
+}
+
+void add_reflection(const P& p, const ReflectingLayer& layer, const Frame& frame,
+                    Closure& closure) {
+  if (is_black(layer.level)) return;
+  const bool mirror = bsdf::gloss_to_roughness(layer.gloss, p.anisotropy).is_mirror();
+  const bool mirror_rays = mirror || layer.samples == 0;
+  const LobeControls controls = reflection_controls(p, layer.samples);
   if (mirror_rays) {
-    Lobe& lobe = closure.add(LobeKind::Mirror, Channel::Reflection, level, frame);
+    Lobe& lobe = closure.add(LobeKind::Mirror, Channel::Reflection, layer.level, frame);
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only;
   }
   if (!mirror) {
     // With mirror rays the highlight still follows the gloss.
-    Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, level, frame);
-    set_roughness(lobe, p.refl_gloss, p.anisotropy);
+    Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, layer.level, frame);
+    set_roughness(lobe, layer.gloss, p.anisotropy);
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only || mirror_rays;
-    lobe.controls.mirrored = mirror_rays && !p.refl_hl_only;
+    lobe.controls.mirrored = mirror_rays;
   }
 }
 
@@ -119,7 +138,7 @@ void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, c
   Lobe& lobe = closure.add(kind, Channel::Refraction, level, stretched_frame(p, point, normal));
   lobe.eta = eta;
   if (!clear) set_roughness(lobe, p.refr_gloss, p.anisotropy);
-  lobe.controls.samples = p.refr_gloss_samples;
+  lobe.controls.samples = static_cast<float>(std::max(p.refr_gloss_samples, 1));
   lobe.controls.depth = p.refr_depth;
   lobe.controls.cutoff = p.refr_cutoff;
 }
@@ -140,6 +159,32 @@ Medium inside_of(const P& p) {
   return medium;
 }
 
+/// Diffuse rays for one of the scene's (manual 1.6.8.3).
+float gather_quality(const P& p) {
+  return p.fg_quality_w == 0 ? std::max(0.0f, p.fg_quality)
+                             : std::max(1.0f, p.fg_quality * p.fg_quality_w);
+}
+
+void add_diffuse(const P& p, const Rgb& level, const Vec3& normal, Closure& closure) {
+  if (is_black(level)) return;
+  Lobe& lobe = closure.add(LobeKind::Diffuse, Channel::Diffuse, level, Frame(normal));
+  // Beyond this nothing changes but the square overflows.
+  lobe.roughness = clamp(p.diffuse_roughness, 0, 1e3f);
+  lobe.controls.samples = gather_quality(p);
+  if (!p.ao_on || p.ao_samples <= 0) return;
+  closure.occlusion = {p.ao_samples, std::max(0.0f, p.ao_distance), rgb(p.ao_dark),
+                       rgb(p.ao_ambient), p.ao_do_details};
+  if (p.ao_do_details < 2) return;
+  /// How far neighbours are looked for where the occlusion has no distance, scene units.
+  constexpr float kAnyDistance = 1e30f;
+  Lobe& near = closure.add(LobeKind::NearDiffuse, Channel::Diffuse,
+                           level * (Rgb(1) - rgb(p.ao_dark)), Frame(normal));
+  near.roughness = lobe.roughness;
+  near.controls.samples = static_cast<float>(p.ao_samples);
+  near.controls.falloff_distance = p.ao_distance > 0 ? p.ao_distance : kAnyDistance;
+  near.controls.falloff_to_color = true;
+}
+
 void shade_mia(const Call& call, Closure& closure, bool extended) {
   const P& p = call.as<P>();
   ShadingPoint& point = call.point;
@@ -152,29 +197,32 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   closure.highlights_of_visible_lights = !p.no_visible_area_hl;
   closure.light_mode = p.mode;
   closure.lights = p.lights;
+  closure.outputs = !extended || p.multiple_outputs;
   if (closure.opacity == 0) return;
 
   closure.emission += rgb(p.additional_color);
+  closure.indirect_scale = std::max(0.0f, p.indirect_multiplier);
   const Normals n = bumped_normals(p, extended, point);
   const float cos_view = clamp01(dot(n.specular, point.wo()));
   const bool inside = point.back_side && !p.thin_walled;
   const MiaLevels levels = mia_levels(p, cos_view, inside);
 
-  if (!is_black(levels.diffuse)) {
-    Lobe& lobe = closure.add(LobeKind::Diffuse, Channel::Diffuse, levels.diffuse, Frame(n.diffuse));
-    // Beyond this nothing changes but the square overflows.
-    lobe.roughness = clamp(p.diffuse_roughness, 0, 1e3f);
-  }
+  add_diffuse(p, levels.diffuse, n.diffuse, closure);
   const bool weak_inner =
       inside && p.transparency > 0 && p.skip_inside_refl && !levels.total_reflection;
-  if (!weak_inner) add_reflection(p, point, n.specular, levels.reflection, closure);
+  if (!weak_inner)
+    add_reflection(p, {levels.reflection, p.refl_gloss, p.refl_gloss_samples},
+                   stretched_frame(p, point, n.specular), closure);
+  if (!is_black(levels.base_reflection))
+    add_reflection(p, {levels.base_reflection, p.refl_base_gloss, p.refl_base_gloss_samples},
+                   stretched_frame(p, point, n.base), closure);
   const float eta = inside ? 1 / std::max(p.refr_ior, 0.1f) : std::max(p.refr_ior, 0.1f);
   add_refraction(p, point, n.specular, levels.refraction, eta, closure);
   if (!is_black(levels.translucency))
     closure.add(LobeKind::Translucency, Channel::Translucency, levels.translucency,
                 Frame(n.diffuse));
   if (p.transparency > 0) closure.inside = inside_of(p);
-  closure.albedo = levels.diffuse + levels.reflection + levels.refraction + levels.translucency;
+  closure.albedo = levels.sum();
 }
 
 bool mia_may_transmit(const ShaderNode& node) {
@@ -210,7 +258,12 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
   // not leave its complement to the diffuse component.
   const Rgb taken = saturate(p.refl_color, conserve) * (weight(p.reflectivity) * weight(out.curve));
   out.reflection = p.refl_is_metal ? taken * diffuse : taken;
-  const Rgb left = conserve ? Rgb(1) - taken : Rgb(1);
+  Rgb left = conserve ? Rgb(1) - taken : Rgb(1);
+  if (p.refl_base > 0) {
+    const Rgb base = saturate(p.refl_base_color, conserve) * weight(p.refl_base);
+    out.base_reflection = left * base;
+    if (conserve) left *= Rgb(1) - base;
+  }
 
   const float transparency = weight(p.transparency);
   const float translucent = p.refr_translucency ? weight(p.refr_trans_weight) : 0;

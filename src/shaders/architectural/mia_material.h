@@ -97,18 +97,20 @@ inline constexpr std::size_t kMiaMaterialRows = 67;
 
 /// How the material divides light at one angle, per colour channel.
 struct MiaLevels {
-  Rgb reflection{0}, refraction{0}, translucency{0}, diffuse{0};
+  Rgb reflection{0}, base_reflection{0}, refraction{0}, translucency{0}, diffuse{0};
   float curve = 0;  ///< reflectivity of the angle curve alone
   bool total_reflection = false;
+  Rgb sum() const { return reflection + base_reflection + refraction + translucency + diffuse; }
 };
 
 /// The energy rules of the manual's sections 1.4.2 and 1.4.3.
 ///
 /// Inputs:  cos_view: cosine between shading normal and view, 0..1; back_side: seen from inside.
 /// Returns: the levels of all components; their sum never exceeds 1 when brdf_conserve_energy is
-/// on. Source:  manual 1.4.2 as equations; thin walls in Fresnel mode reflect as the pane of two
-/// faces,
-///          R = 2r/(1+r), since one sheet stands for both.
+///          on. The base layer reflects what the first lets through, before transparency.
+/// Source:  manual 1.4.2 as equations; thin walls in Fresnel mode reflect as the pane of two faces,
+///          R = 2r/(1+r), since one sheet stands for both. The base layer's place is a guess: its
+///          parameters came without a description.
 /// Checked: MiaLevels.*, MiaMaterial.DirectionalAlbedoNeverExceedsOne.
 MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side);
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ray of a path meets beside surfaces: shapes of lights, the environment, the end of a
+// reflection that is limited.
+#include "transport/path_walk.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+
+/// Lights with a shape that the ray meets before the surface. A visible light ends rays that see it
+/// as an object (camera and mirrors); bundles only collect its weighed light and go on, since
+/// lights do not shadow each other.
+void Path::meet_lights(float t_surface, bool& ended) {
+  const bool sees = !from_.weighed;
+  float nearest = t_surface;
+  ShadingPoint origin;
+  origin.position = ray_.org;
+  origin.world = &world_;
+  Rgb seen(0);
+  for (std::size_t i = 0; i < world_.lights.size(); ++i) {
+    const Light& light = world_.lights[i];
+    if (light.shape == LightShape::Point || light.shape == LightShape::Directional) continue;
+    if (sees && !light.visible) continue;
+    if (sees) {
+      const auto hit = intersect_light(light, origin, ray_.dir, nearest);
+      if (!hit) continue;
+      nearest = hit->t;
+      seen = hit->radiance;
+      ended = true;
+      continue;
+    }
+    const float rate = from_.lights.rate(static_cast<int>(i));
+    if (rate <= 0 || from_.group == LobeGroup::Near) continue;
+    const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
+    if (!hit || hit->t < from_.passed || !hit->shadow || !from_.shadows) continue;
+    const Rgb arriving = lights_ * hit->radiance * transmittance(medium_, hit->t - from_.passed) *
+                         bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
+    if (from_.group == LobeGroup::Reflection) {
+      const LightInReflection& in = light.visible ? from_.visible : from_.invisible;
+      add(after_vertex(Component::Reflection),
+          arriving * (in.as_reflection * fading_.kept(hit->t)));
+      add(after_vertex(Component::Specular), arriving * in.as_highlight);
+    } else {
+      // Light sources on diffuse lobes are direct light, however they are found.
+      add(after_vertex(component_ == Component::Indirect ? Component::Diffuse : component_),
+          arriving);
+    }
+  }
+  if (ended) {
+    const float kept = fading_.kept(nearest);
+    Rgb radiance = seen * transmittance(medium_, nearest) * kept;
+    if (kept < 1) radiance += faded_to() * (1 - kept);
+    add(component_, throughput_ * radiance);
+    if (first_) result_.alpha = 1;
+  }
+}
+
+Rgb Path::reflected_environment(const Vec3& direction) {
+  const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
+  if (shaders.empty()) return Rgb(0);
+  ++counts_.environment;
+  return rgb(
+      environment_radiance(shaders, world_, ray_.org, direction, environment_kind(), blurred_));
+}
+
+/// What a limited reflection fades to.
+Rgb Path::faded_to() {
+  if (fading_.to_color) return fading_.color;
+  if (!fading_.single_environment) return reflected_environment(ray_.dir);
+  if (fading_.looked_up && *fading_.looked_up) return **fading_.looked_up;
+  const Rgb found = reflected_environment(fading_.mirrored);
+  if (fading_.looked_up) *fading_.looked_up = found;
+  return found;
+}
+
+/// At a surface, t from where the ray began.
+void Path::fade(float t) {
+  if (fading_.distance > 0) {
+    const float kept = fading_.kept(t);
+    add(component_, throughput_ * (1 - kept) * faded_to());
+    dim(Rgb(kept));
+  }
+  fading_ = {};
+}
+
+void Path::meet_environment() {
+  if (fading_.distance > 0 || fading_.single_environment)
+    return add(component_, throughput_ * faded_to());
+  const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
+  if (!shaders.empty()) ++counts_.environment;
+  const Vec3 origin = ray_.org, direction = ray_.dir;
+  const RayKind kind = environment_kind();
+  const Rgba c = shaders.empty()
+                     ? Rgba(0, 0, 0, 0)
+                     : environment_radiance(shaders, world_, origin, direction, kind, blurred_);
+  if (first_)
+    result_.alpha = clamp01(c.a);
+  else if (alpha_open_)
+    result_.alpha -= (1 - clamp01(c.a)) * (throughput_.x + throughput_.y + throughput_.z) / 3;
+  if (shaders.empty()) return;
+  Rgb radiance = rgb(c);
+  if (from_.weighed && from_.environment_sampled && !environment_) {
+    // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
+    const float weight =
+        bsdf_sample_weight(settings_.estimator, from_.pdf, world_.environment.pdf(direction));
+    if (kind == RayKind::FinalGather) {
+      radiance *= weight;
+    } else {
+      const Rgb even =
+          rgb(environment_radiance(shaders, world_, origin, direction, RayKind::FinalGather));
+      radiance = radiance - even * (1 - weight);
+    }
+  }
+  add(component_, throughput_ * radiance);
+}
+
+}  // namespace oriel

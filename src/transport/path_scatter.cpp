@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+// At a surface: which lobes get rays, what lights bring, how the path goes on or splits.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "bsdf/ggx.h"
+#include "transport/occlusion.h"
+#include "transport/path_walk.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+namespace {
+
+/// Vertices before a path may be ended by chance.
+constexpr int kRouletteDepth = 3;
+/// Spread a glossy bounce adds to the ray's cone, per unit of roughness (radians); a guess that
+/// keeps textures sharper than the lobe is wide.
+constexpr float kSpreadPerRoughness = 0.5f;
+/// Spread after a diffuse bounce (radians): textures seen by final gather rays need no detail.
+constexpr float kDiffuseSpread = 0.2f;
+
+bool has_diffuse(const Closure& closure) {
+  for (int i = 0; i < closure.count; ++i)
+    if (closure.lobes[i].kind == LobeKind::Diffuse) return true;
+  return false;
+}
+
+/// Reflection rays that end early or look up the environment their own way are not weighed against
+/// samples of the environment.
+bool limits_reflections(const Closure& closure) {
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.channel == Channel::Reflection &&
+        (lobe.controls.falloff_distance > 0 || lobe.controls.single_environment))
+      return true;
+  }
+  return false;
+}
+
+float falloff_distance(const Closure& closure) {
+  for (int i = 0; i < closure.count; ++i)
+    if (closure.lobes[i].channel == Channel::Reflection)
+      return closure.lobes[i].controls.falloff_distance;
+  return 0;
+}
+
+}  // namespace
+
+bool Path::depth_reached(LobeKind kind) const {
+  const scene::TraceDepth& depth = world_.options.trace_depth;
+  if (reflections_ + refractions_ >= depth.sum) return true;
+  return transmits(kind) ? refractions_ >= depth.refraction : reflections_ >= depth.reflection;
+}
+
+/// Shares of the lobes that rays may follow. Reflections that may not become highlights,
+/// refractions black.
+void Path::choose_lobes(Closure& closure, LobeChoice& choice) const {
+  float total = 0;
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    if (lobe.controls.highlights_only) continue;
+    if (!world_.options.trace || (is_diffuse(lobe.kind) && !indirect())) continue;
+    if (lobe.kind == LobeKind::NearDiffuse && after_diffuse_) continue;
+    if (!is_diffuse(lobe.kind)) {
+      const bool reflection = lobe.channel == Channel::Reflection;
+      const bool cut =
+          !after_diffuse_ && importance_ * max_component(lobe.level) < lobe.controls.cutoff;
+      // The material's own refraction depth ends in black, the scene's depth in the environment.
+      const bool deep = lobe.controls.depth > 0 &&
+                        (reflection ? reflections_ : refractions_) >= lobe.controls.depth;
+      if (cut || deep) {
+        if (reflection)
+          lobe.controls.highlights_only = true;
+        else
+          lobe.level = Rgb(0);
+        continue;
+      }
+    }
+    // By all channels alike: luminance would starve what is seen through blue.
+    choice.rays[i] = std::max(0.0f, lobe.level.x + lobe.level.y + lobe.level.z);
+    // Less than one ray for diffuse lobes is a smaller share, more is a split.
+    if (lobe.kind == LobeKind::Diffuse) choice.rays[i] *= clamp(lobe.controls.samples, 0.05f, 1);
+    total += choice.rays[i];
+  }
+  choice.any = total > 0;
+  if (choice.any)
+    for (int i = 0; i < closure.count; ++i) choice.rays[i] /= total;
+}
+
+/// Rays of one path at the first surface, of the `samples` that the pixel may get.
+int Path::rays_at_first(float samples, float importance) const {
+  const float wanted = samples * std::min(importance, 1.0f) / settings_.paths_of_pixel;
+  return std::max(1, static_cast<int>(std::ceil(wanted - 1e-3f)));
+}
+
+/// At the first surface each lobe gets rays of its own when one of them is worth more than one.
+bool Path::split(const Closure& closure, LobeChoice& choice) const {
+  if (reflections_ + refractions_ > 0 || after_diffuse_ || !choice.any) return false;
+  float rays[Closure::kMostLobes] = {};
+  bool splits = false;
+  for (int i = 0; i < closure.count; ++i) {
+    if (choice.rays[i] <= 0) continue;
+    const Lobe& lobe = closure.lobes[i];
+    int n = 1;
+    if (lobe.kind == LobeKind::Diffuse)
+      n = std::max(1, static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
+    else if (lobe.kind == LobeKind::NearDiffuse || !is_delta(lobe.kind))
+      n = rays_at_first(lobe.controls.samples, max_component(lobe.level));
+    rays[i] = static_cast<float>(n);
+    splits |= n > 1;
+  }
+  if (splits) std::copy(std::begin(rays), std::end(rays), std::begin(choice.rays));
+  return splits;
+}
+
+/// Occlusion at this vertex: factor of indirect light, ambient light.
+void Path::occlude(const Closure& closure, const ShadingPoint& point) {
+  occlusion_ = Rgb(1);
+  const Occlusion& o = closure.occlusion;
+  const bool dims = o.details > 0 && indirect() && !after_diffuse_;
+  if (o.samples <= 0 || (!dims && is_black(o.ambient)) || !has_diffuse(closure)) return;
+  Rgb level(0);
+  Vec3 normal = point.normal;
+  for (int i = 0; i < closure.count; ++i)
+    if (closure.lobes[i].kind == LobeKind::Diffuse) {
+      level += closure.lobes[i].level;
+      normal = closure.lobes[i].frame.n;
+    }
+  const int rays = at_first_ ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
+  const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
+  const Rgb open = Rgb(free) + o.dark * (1 - free);
+  add(at_vertex(Component::Indirect), throughput_ * level * o.ambient * open);
+  // With colours, what is occluded shows the neighbours, less the darkness: their lobe adds them.
+  if (dims) occlusion_ = o.details > 1 ? Rgb(free) : open;
+  if (settings_.outputs && at_first_)
+    settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - (Rgb(1) - Rgb(free)) * o.dark : open;
+}
+
+/// What lights and environment bring to this vertex.
+void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
+                       bool environment) {
+  const DirectLight light =
+      direct_light(world_, point, closure, choice, from_.lights,
+                   {.environment = environment,
+                    .environment_in_reflections = !limits_reflections(closure),
+                    .rays_bend = !after_diffuse_,
+                    .falloff_distance = falloff_distance(closure),
+                    .estimator = settings_.estimator},
+                   sampler_, counts_);
+  const auto bring = [&](Component c, const Rgb& radiance) {
+    if (!is_black(radiance)) add(at_vertex(c), throughput_ * radiance);
+  };
+  bring(Component::Diffuse, light.diffuse);
+  bring(Component::Specular, light.specular);
+  bring(Component::Reflection, light.reflection);
+  bring(Component::Refraction, light.refraction);
+  bring(Component::Translucency,
+        light.translucency + light.environment_translucency * closure.indirect_scale);
+  bring(Component::Indirect, light.environment * occlusion_ * closure.indirect_scale);
+}
+
+void Path::scatter(const Closure& closure, const Material& material, ShadingPoint& point,
+                   const ClosureSample& sample) {
+  const Lobe& lobe = closure.lobes[sample.lobe];
+  const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
+  if (!closure.thin_walled) {
+    if (crosses) {
+      medium_ = point.back_side ? Medium{} : closure.inside;
+      medium_known_ = true;
+    } else if (point.back_side && !medium_known_) {
+      medium_ = closure.inside;
+      medium_known_ = true;
+    }
+  }
+  lights_ = throughput_ = throughput_ * sample.weight;
+  importance_ *= max_component(lobe.level);
+  Component part = Component::Indirect;
+  switch (lobe.kind) {
+    case LobeKind::Diffuse:
+    case LobeKind::NearDiffuse:
+    case LobeKind::Translucency:
+      kind_ = RayKind::FinalGather;
+      after_diffuse_ = true;
+      blurred_ = false;
+      reflections_ = refractions_ = 0;
+      if (!straight_rays_fade()) medium_ = Medium{}, medium_known_ = true;
+      cone_.spread = std::max(cone_.spread, kDiffuseSpread);
+      ++bounces_;
+      throughput_ *= closure.indirect_scale;
+      if (lobe.kind == LobeKind::Diffuse) throughput_ *= occlusion_;
+      if (lobe.kind == LobeKind::Translucency) part = Component::Translucency;
+      break;
+    case LobeKind::Mirror:
+    case LobeKind::GlossyReflection:
+      kind_ = RayKind::Reflect;
+      ++reflections_;
+      part = Component::Reflection;
+      break;
+    case LobeKind::ThinTransmission:
+    case LobeKind::GlossyThin:
+      kind_ = RayKind::Transparent;
+      ++refractions_;
+      part = Component::Refraction;
+      break;
+    default:
+      // Total reflection on the inside stays a refraction of the material, as its level is.
+      kind_ = crosses ? RayKind::Refract : RayKind::Reflect;
+      ++refractions_;
+      part = Component::Refraction;
+      break;
+  }
+  if (!sample.delta && kind_ != RayKind::FinalGather) {
+    blurred_ = true;
+    cone_.spread += kSpreadPerRoughness * std::max(lobe.alpha_x, lobe.alpha_y);
+    ++bounces_;
+  }
+  alpha_open_ &= closure.propagate_alpha && transmits(lobe.kind);
+  if (at_first_) component_ = part;
+  from_first_ = at_first_;
+  at_first_ = false;
+
+  environment_ = material.environment.empty() ? nullptr : &material.environment;
+  from_.weighed = !sample.delta;
+  from_.pdf = sample.pdf;
+  from_.group = group_of(lobe.kind);
+  from_.passed = 0;
+  const LobeControls& controls = lobe.controls;
+  fading_ = {controls.falloff_distance,
+             controls.falloff_to_color,
+             controls.single_environment,
+             controls.falloff_color,
+             Vec3(0),
+             nullptr};
+  if (controls.single_environment) fading_.mirrored = bsdf::reflect(point.wo(), lobe.frame.n);
+  follow(point, sample.wi);
+}
+
+bool Path::survive() {
+  if (bounces_ < kRouletteDepth) return max_component(throughput_) > 0;
+  const float p = clamp(max_component(throughput_), 0.05f, 0.95f);
+  if (sampler_.next_1d() >= p) return false;
+  dim(Rgb(1 / p));
+  return true;
+}
+
+/// Follows a lobe. False: the path ends here.
+bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Material& material,
+                 ShadingPoint& point, int index, float u_rest) {
+  const auto sample =
+      sample_lobe(closure, choice, index, point, point.wo(), u_rest, sampler_.next_2d());
+  if (!sample) return false;
+  const LobeKind kind = closure.lobes[sample->lobe].kind;
+  const bool too_deep = !is_diffuse(kind) && depth_reached(kind);
+  if (group_of(kind) == LobeGroup::Reflection && limits_reflections(closure))
+    from_.environment_sampled = false;
+  scatter(closure, material, point, *sample);
+  if (too_deep) {
+    bool seen = false;
+    if (world_.has_area_lights) meet_lights(kInfinity, seen);
+    if (!seen) meet_environment();
+    return false;
+  }
+  return survive();
+}
+
+/// Light at a vertex and the ways on from it. False: the path ends here.
+bool Path::gather(Closure& closure, const Material& material, ShadingPoint& point) {
+  LobeChoice choice;
+  make_ready(closure, point.wo());
+  choose_lobes(closure, choice);
+  const bool splits = split(closure, choice);
+  std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
+  const bool environment =
+      indirect() && world_.environment.lights() && material.environment.empty();
+  bool scatters_light = false;
+  for (int i = 0; i < closure.count; ++i)
+    if (!is_delta(closure.lobes[i].kind)) scatters_light = true;
+  if (scatters_light && !features_seen_ && !from_.weighed) {
+    features_seen_ = true;
+    result_.normal = point.normal;
+    result_.albedo = closure.albedo;
+  }
+  if (scatters_light) {
+    occlude(closure, point);
+    if (!from_.lights.empty() || environment) take_direct(closure, choice, point, environment);
+  }
+  if (!choice.any) return false;
+
+  if (world_.has_area_lights) from_.point = point;
+  from_.environment_sampled = environment;
+  from_.shadows = takes_shadows(world_, point);
+  from_.invisible = light_in_reflection(closure, false);
+  from_.visible = light_in_reflection(closure, true);
+  if (!splits) {
+    float u = sampler_.next_1d();
+    const int lobe = choose_lobe(closure, choice, u);
+    return go_on(closure, choice, material, point, lobe, u);
+  }
+  for (int i = 0; i < closure.count; ++i) {
+    const auto rays = static_cast<std::uint32_t>(choice.rays[i]);
+    std::optional<Rgb> looked_up;  // the one look-up of all rays that find nothing
+    for (std::uint32_t j = 0; j < rays; ++j) {
+      Path branch = *this;
+      branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
+      if (!branch.go_on(closure, choice, material, point, i, branch.sampler_.next_1d())) continue;
+      ++branch.vertex_;
+      branch.fading_.looked_up = &looked_up;
+      branch.walk();
+    }
+  }
+  return false;
+}
+
+}  // namespace oriel

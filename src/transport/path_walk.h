@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of a path under way. Private to path*.cpp: run and media in path.cpp, what lights and
+// environment bring in path_light.cpp, vertices and the ways on in path_scatter.cpp.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "transport/direct.h"
+#include "transport/lobes.h"
+#include "transport/path.h"
+#include "transport/surface.h"
+
+namespace oriel {
+
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// One path, or one branch of it; copied where it splits.
+class Path {
+ public:
+  Path(const World& world, Vec2 raster, const PathSettings& settings, sampling::Sampler& sampler,
+       RayCounts& counts, PathResult& result)
+      : world_(world),
+        raster_(raster),
+        settings_(settings),
+        sampler_(sampler),
+        counts_(counts),
+        result_(result) {}
+
+  void run(const Camera::Ray& eye);
+
+ private:
+  /// Where the ray came from, to weigh lights and environment it meets.
+  struct Vertex {
+    bool weighed = false;  ///< a non-delta vertex that sampled lights
+    ShadingPoint point;
+    LightChoice lights;
+    bool environment_sampled = false;
+    float pdf = 0;
+    LobeGroup group = LobeGroup::Diffuse;
+    LightInReflection invisible, visible;  ///< lights, in reflecting lobes
+    bool shadows = true;
+    float passed = 0;  ///< way of the ray since, through what let it pass straight
+  };
+  /// How the ray's way ends where its lobe limits it.
+  struct Fading {
+    float distance = 0;  ///< 0 = not limited
+    bool to_color = false;
+    bool single_environment = false;
+    Rgb color{0};
+    Vec3 mirrored{0};                         ///< the direction looked up for all rays of the lobe
+    std::optional<Rgb>* looked_up = nullptr;  ///< found there once for all rays of the lobe
+    float kept(float t) const { return distance > 0 ? std::max(0.0f, 1 - t / distance) : 1.0f; }
+  };
+
+  // path.cpp
+  void walk();
+  bool arrive(const geom::Hit& hit);
+  bool pass_straight(Closure& closure, const Material& material, ShadingPoint& point);
+  void dim(const Rgb& factor);
+  std::uint32_t mask() const;
+  void count_ray();
+  void follow(const ShadingPoint& point, const Vec3& direction);
+  void meet_first(const Closure& closure);
+  void add(Component component, const Rgb& radiance) {
+    result_.radiance += radiance;
+    if (settings_.outputs) (*settings_.outputs)[component] += radiance;
+  }
+  /// The part that light of this kind belongs to: behind the first surface everything belongs to
+  /// the part that it is seen through.
+  Component at_vertex(Component c) const { return at_first_ ? c : component_; }
+  Component after_vertex(Component c) const { return from_first_ ? c : component_; }
+
+  // path_light.cpp
+  void meet_lights(float t_surface, bool& ended);
+  void meet_environment();
+  void fade(float t);
+  Rgb faded_to();
+  Rgb reflected_environment(const Vec3& direction);
+
+  // path_scatter.cpp
+  void choose_lobes(Closure& closure, LobeChoice& choice) const;
+  bool split(const Closure& closure, LobeChoice& choice) const;
+  void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
+                   bool environment);
+  void occlude(const Closure& closure, const ShadingPoint& point);
+  int rays_at_first(float samples, float importance) const;
+  bool go_on(const Closure& closure, const LobeChoice& choice, const Material& material,
+             ShadingPoint& point, int lobe, float u_rest);
+  void scatter(const Closure& closure, const Material& material, ShadingPoint& point,
+               const ClosureSample& sample);
+  bool gather(Closure& closure, const Material& material, ShadingPoint& point);
+  bool depth_reached(LobeKind kind) const;
+  bool survive();
+
+  bool indirect() const { return settings_.indirect; }
+  RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
+  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
+  bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
+
+  const World& world_;
+  Vec2 raster_;
+  const PathSettings& settings_;
+  sampling::Sampler sampler_;
+  RayCounts& counts_;
+  PathResult& result_;
+
+  Vec3 eye_{0};
+  int vertex_ = 0;
+  geom::Ray ray_;
+  RayCone cone_;
+  RayKind kind_ = RayKind::Eye;
+  bool blurred_ = false;
+  bool after_diffuse_ = false;
+  bool first_ = true;           ///< no surface has been seen yet
+  bool parted_ = false;         ///< the surface that radiance is told apart by has been met
+  bool at_first_ = false;       ///< at that surface
+  bool from_first_ = false;     ///< on the way from it to the next
+  bool features_seen_ = false;  ///< normal and albedo are those of a surface that scatters
+  bool alpha_open_ = false;     ///< what lies behind shows in alpha
+  Component component_ = Component::Other;
+  Rgb throughput_{1};
+  Rgb lights_{1};         ///< the same for lights that the last vertex sampled as well
+  Rgb occlusion_{1};      ///< of indirect light at this vertex
+  float importance_ = 1;  ///< product of levels on the way, not divided by chances
+  Vertex from_;
+  Fading fading_;
+  const NodeList* environment_ = nullptr;
+  Medium medium_;
+  Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
+  bool medium_known_ = false;
+  int reflections_ = 0, refractions_ = 0, bounces_ = 0;
+};
+
+}  // namespace oriel
