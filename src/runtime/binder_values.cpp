@@ -183,10 +183,12 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
             "its declared default is used");
         return;
       }
-      const bool again =
-          !node.connections_.empty() && node.connections_.back().source == source.node;
+      const bool again = !node.connections_.empty() &&
+                         node.connections_.back().source == source.node &&
+                         node.connections_.back().unfiltered == param.unfiltered;
       if (!again && !afford(node, source.node->cost_, value.where)) return;
-      node.connections_.push_back({offset, type, source.node, source.type, source.offset});
+      node.connections_.push_back(
+          {offset, type, source.node, source.type, source.offset, param.unfiltered});
       return;
     }
     case Value::Kind::Interface: {

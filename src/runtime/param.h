@@ -140,6 +140,9 @@ struct ParamSpec {
   Support support = Support::Exact;
   const char* alias = nullptr;   ///< another spelling that scenes use
   bool declared_default = true;  ///< false: the declaration has none, 0 is the unwritten value
+  /// Textures connected here give the nearest texel as it stands: values that wrap around, such as
+  /// angles, have no mean.
+  bool unfiltered = false;
 };
 
 /// Starts a row: name, types and offset from the struct's member.

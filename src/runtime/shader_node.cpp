@@ -103,7 +103,16 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     const Connection& c = connections_[i];
     // Neighbouring connections to one source (a struct's members) evaluate it once.
-    if (i == 0 || connections_[i - 1].source != c.source) c.source->value(point, result);
+    if (i == 0 || connections_[i - 1].source != c.source ||
+        connections_[i - 1].unfiltered != c.unfiltered) {
+      if (c.unfiltered && !point.nearest_texels) {
+        point.nearest_texels = true;
+        c.source->value(point, result);
+        point.nearest_texels = false;
+      } else {
+        c.source->value(point, result);
+      }
+    }
     convert_value(c.source_type, result + c.source_offset, c.type, scratch + c.offset);
   }
 }

@@ -21,6 +21,7 @@ struct Connection {
   const ShaderNode* source;
   ParamType source_type;      ///< of the result or its member
   std::size_t source_offset;  ///< of the member in the source's result
+  bool unfiltered = false;    ///< the source, and all it asks, look up single texels
 };
 
 /// One bound shader. Immutable while rendering.

@@ -39,8 +39,9 @@ struct ShadingPoint {
   Vec3 geometric_normal{0, 0, 1};  ///< unit, of the flat triangle, facing the viewer
   bool back_side = false;          ///< seen from behind (the front is counter-clockwise)
   RayKind ray_kind = RayKind::Eye;
-  bool environment = false;  ///< no surface: asked for what lies in ray_direction
-  bool blurred = false;      ///< the ray is one of a glossy bundle, not a mirror's
+  bool environment = false;     ///< no surface: asked for what lies in ray_direction
+  bool blurred = false;         ///< the ray is one of a glossy bundle, not a mirror's
+  bool nearest_texels = false;  ///< textures give single texels, neither filtered nor interpolated
   std::uint8_t texture_spaces = 0;
 
   Vec3 ray_origin{0};

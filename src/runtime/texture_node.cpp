@@ -58,6 +58,11 @@ Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampl
     return c;
   }
   if (!texture_) return kMissing;
+  if (point.nearest_texels) {
+    TextureSampling single = how;
+    single.interpolation = Interpolation::Nearest;
+    return texture_->sample(uv, {}, single);
+  }
   TextureFootprint footprint = texture_footprint(point);
   footprint.dx *= filter_;
   footprint.dy *= filter_;

@@ -23,7 +23,8 @@ class TextureNode {
 
   bool missing() const { return procedure_.empty() && !texture_; }
 
-  /// Looks up at `uv`; `point` gives the ray's footprint, measured in texture space 0.
+  /// Looks up at `uv`; `point` gives the ray's footprint, measured in texture space 0, or asks for
+  /// the nearest texel.
   Rgba lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const;
 
  private:
