@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "image/test_files.h"
+#include "render/output_names.h"
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
@@ -114,6 +115,125 @@ TEST(CameraOutput, OutputShadersActOnTheFilesAfterThem) {
   EXPECT_TRUE(o.files[0].shaders.empty());
   EXPECT_EQ(o.files[1].shaders.size(), 1u);
   EXPECT_TRUE(o.prepared.diagnostics.has("OR-RN-052"));
+}
+
+TEST(CameraOutput, FrameBuffersNamedAsAnOutputShowIt) {
+  const TestFolder folder;
+  const Outputs o(
+      "framebuffer \"fb_diffuse_raw\" datatype \"rgba_h\" filename \"d.exr\" filetype \"exr\" "
+      "framebuffer \"opacity\" datatype \"rgb_16\" filename \"o.tif\" "
+      "framebuffer \"main:spec_level\" filename \"s.bin\" filetype \"png\" user on filtering off "
+      "framebuffer \"refl_raw\" datatype \"rgba\"",
+      folder.file(""));
+  EXPECT_TRUE(o.prepared.diagnostics.all().empty()) << o.prepared.messages();
+  ASSERT_EQ(o.files.size(), 3u);
+  EXPECT_EQ(name_of(o.files[0]), "d.exr");
+  EXPECT_EQ(o.files[0].shown_layer, "diffuse_raw");
+  EXPECT_EQ(o.files[0].samples, SampleFormat::Half);
+  EXPECT_EQ(o.files[0].layers, 0u);
+  EXPECT_TRUE(o.files[0].linear);
+  EXPECT_EQ(o.files[1].shown_layer, "opacity");
+  EXPECT_EQ(o.files[1].samples, SampleFormat::U16);
+  EXPECT_EQ(o.files[1].format, "tif");
+  EXPECT_EQ(o.files[2].shown_layer, "spec_level");
+  EXPECT_EQ(o.files[2].format, "png");
+}
+
+TEST(CameraOutput, EveryOutputCanBeAFrameBuffer) {
+  const TestFolder folder;
+  std::string statements;
+  for (const std::string& name : material_output_names())
+    statements += "framebuffer \"" + name + "\" filename \"" + name + ".exr\" ";
+  const Outputs o(statements, folder.file(""));
+  ASSERT_EQ(o.files.size(), material_output_names().size()) << o.prepared.messages();
+  for (std::size_t i = 0; i < o.files.size(); ++i)
+    EXPECT_EQ(o.files[i].shown_layer, material_output_names()[i]);
+}
+
+TEST(CameraOutput, ThePrimaryFrameBufferIsThePicture) {
+  const TestFolder folder;
+  const Outputs o(
+      "output \"mia_exposure_simple\" ( \"gain\" 2 ) "
+      "framebuffer \"main\" datatype \"rgba\" filename \"a.jpg\" quality 70 primary on "
+      "framebuffer \"Beauty\" datatype \"rgb\" filename \"b.png\" "
+      "framebuffer \"depth\" datatype \"z\" filename \"z.exr\" "
+      "framebuffer \"diffuse_result\" filename \"d.png\"",
+      folder.file(""));
+  ASSERT_EQ(o.files.size(), 4u) << o.prepared.messages();
+  EXPECT_EQ(o.files[0].shown_layer, "");
+  EXPECT_EQ(o.files[0].channels, Channels::ColorAlpha);
+  EXPECT_EQ(o.files[0].quality, 70);
+  EXPECT_EQ(o.files[0].shaders.size(), 1u);
+  EXPECT_EQ(o.files[1].shown_layer, "");
+  EXPECT_EQ(o.files[1].channels, Channels::Color);
+  EXPECT_EQ(o.files[2].channels, Channels::Depth);
+  EXPECT_EQ(o.files[2].shown_layer, "");
+  EXPECT_EQ(o.files[3].shown_layer, "diffuse_result");
+  EXPECT_TRUE(o.files[3].shaders.empty());
+}
+
+TEST(CameraOutput, FrameBuffersOfOneExrFileAreItsLayers) {
+  const TestFolder folder;
+  const Outputs o(
+      "output \"rgba_h,z\" \"exr\" \"all.exr\" "
+      "framebuffer \"diffuse_raw\" datatype \"rgb_fp\" filename \"all.exr\" "
+      "framebuffer \"spec_raw\" filename \"./all.exr\" "
+      "framebuffer \"ao_raw\" filename \"two.exr\" framebuffer \"add_result\" filename "
+      "\"two.exr\"",
+      folder.file(""));
+  ASSERT_EQ(o.files.size(), 2u);
+  EXPECT_EQ(o.files[0].layers, kLayerDepth | layer_bit("diffuse_raw") | layer_bit("spec_raw"));
+  EXPECT_EQ(o.files[0].samples, SampleFormat::Float);
+  EXPECT_EQ(o.files[1].layers, layer_bit("ao_raw") | layer_bit("add_result"));
+  for (const PictureFile& file : o.files) EXPECT_EQ(file.shown_layer, "");
+}
+
+TEST(CameraOutput, FrameBuffersOfUnknownNameAreToldInOneMessage) {
+  const TestFolder folder;
+  const Outputs o(
+      "framebuffer \"mystery\" datatype \"rgba\" filename \"a.exr\" "
+      "framebuffer \"another\" datatype \"rgba\" filename \"b.exr\" "
+      "framebuffer \"unwritten\" datatype \"rgba\"",
+      folder.file(""));
+  EXPECT_TRUE(o.files.empty());
+  const Diagnostic* message = o.prepared.only("OR-RN-053");
+  ASSERT_NE(message, nullptr) << o.prepared.messages();
+  EXPECT_NE(message->message.find("\"mystery\", \"another\""), std::string::npos);
+  EXPECT_EQ(message->message.find("unwritten"), std::string::npos);
+  for (const std::string& name : material_output_names())
+    EXPECT_NE(message->hint.find(name), std::string::npos) << name;
+}
+
+TEST(CameraOutput, FrameBuffersStayInTheSceneFolderAndInKnownFormats) {
+  const TestFolder folder;
+  fs::create_directory(folder.file("scene"));
+  const Outputs o(
+      "framebuffer \"diffuse_raw\" filename \"../a.exr\" "
+      "framebuffer \"spec_raw\" filename \"b.ps\" "
+      "framebuffer \"refl_raw\" datatype \"coverage\" filename \"c.exr\"",
+      folder.file("scene"));
+  EXPECT_TRUE(o.files.empty());
+  const Diagnostic* outside = o.prepared.only("OR-RN-050");
+  ASSERT_NE(outside, nullptr) << o.prepared.messages();
+  EXPECT_NE(outside->message.find("framebuffer \"../a.exr\""), std::string::npos);
+  EXPECT_NE(o.prepared.messages().find("no file of format \"ps\""), std::string::npos);
+  EXPECT_NE(o.prepared.messages().find("no picture of type \"coverage\""), std::string::npos);
+}
+
+TEST(CameraOutput, NumberedBuffersAreLeftOutWithOneMessage) {
+  const TestFolder folder;
+  const Outputs alone("output \"fb0\" \"exr\" \"a.exr\"", folder.file(""));
+  EXPECT_TRUE(alone.files.empty());
+  EXPECT_NE(alone.prepared.only("OR-RN-054"), nullptr) << alone.prepared.messages();
+  EXPECT_EQ(alone.prepared.diagnostics.all().size(), 1u) << alone.prepared.messages();
+
+  const Outputs two("output \"+fb1\" \"a.exr\"", folder.file(""));
+  EXPECT_TRUE(two.files.empty());
+  EXPECT_NE(two.prepared.only("OR-RN-054"), nullptr) << two.prepared.messages();
+
+  const Outputs among("output \"rgba,fb0,fb12\" \"exr\" \"a.exr\"", folder.file(""));
+  EXPECT_EQ(among.files.size(), 1u);
+  EXPECT_NE(among.prepared.only("OR-RN-054"), nullptr) << among.prepared.messages();
 }
 
 }  // namespace

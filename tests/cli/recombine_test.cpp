@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"
+#include "image/files.h"
 #include "image/test_layers.h"
 #include "program.h"
 
@@ -116,6 +117,37 @@ TEST_F(RecombineProgram, WrongUseIsOneLine) {
   const RunResult missing = run({"recombine", "in.exr"});
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_NE(missing.err.find("there is no such file"), std::string::npos) << missing.err;
+}
+
+TEST_F(RecombineProgram, ARenderGivesItsPictureBack) {
+  write("scene.mi", small_scene());
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "in.exr", "--layers", "outputs", "--samples", "8"})
+                .exit_code,
+            0);
+  const RunResult r = run({"recombine", "in.exr"});
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+}
+
+TEST_F(RecombineProgram, FrameBuffersHoldTheLayersOfTheirNames) {
+  write("scene.mi", small_scene("",
+                                "framebuffer \"fb_diffuse_result\" datatype \"rgb_fp\" filename "
+                                "\"diffuse.tif\" filetype \"tif\" "
+                                "framebuffer \"spec_raw\" filename \"two.exr\" "
+                                "framebuffer \"opacity\" filename \"two.exr\" "));
+  ASSERT_EQ(run({"render", "scene.mi", "--samples", "8"}).exit_code, 0);
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "in.exr", "--layers", "outputs", "--samples", "8"})
+                .exit_code,
+            0);
+  const ExrFile all = read_exr(file("in.exr"));
+  const ExrFile two = read_exr(file("two.exr"));
+  EXPECT_EQ(read_image(file("diffuse.tif")).pixels,
+            find_layer(all.layers, "diffuse_result")->image.pixels);
+  for (const char* name : {"spec_raw", "opacity", ""}) {
+    ASSERT_NE(find_layer(two.layers, name), nullptr) << name;
+    EXPECT_EQ(find_layer(two.layers, name)->image.pixels,
+              find_layer(all.layers, name)->image.pixels)
+        << name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/output_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "render/camera_output.h"
+
+namespace oriel {
+namespace {
+
+struct Format {
+  std::string_view name;       ///< as the language or a suffix spells it
+  std::string_view extension;  ///< as the writers know it
+  bool linear = false;
+};
+
+// Formats of the language that files can be written in today, and suffixes that mean the same.
+constexpr std::array<Format, 15> kFormats = {{{"exr", "exr", true},
+                                              {"hdr", "hdr", true},
+                                              {"png", "png"},
+                                              {"jpg", "jpg"},
+                                              {"jpeg", "jpg"},
+                                              {"tif", "tif"},
+                                              {"tiff", "tif"},
+                                              {"tifu", "tif"},
+                                              {"tga", "tga"},
+                                              {"bmp", "bmp"},
+                                              {"ppm", "ppm"},
+                                              {"iff", "iff"},
+                                              {"sgi", "sgi"},
+                                              {"rgb", "sgi"},
+                                              {"rla", "rla"}}};
+
+const Format* find_format(std::string_view name) {
+  const auto at = std::find_if(kFormats.begin(), kFormats.end(),
+                               [&](const Format& f) { return f.name == name; });
+  return at == kFormats.end() ? nullptr : &*at;
+}
+
+std::string suffix_of(const std::string& path) {
+  const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
+  return suffix.empty() ? suffix : suffix.substr(1);
+}
+
+/// What one word of the type list means.
+struct Type {
+  Channels channels;
+  unsigned layer = 0;
+  SampleFormat samples = SampleFormat::U8;
+};
+
+std::optional<Type> read_type(std::string word) {
+  if (!word.empty() && (word[0] == '+' || word[0] == '-')) word.erase(0, 1);
+  Type type{Channels::ColorAlpha};
+  const auto take = [&](std::string_view suffix, SampleFormat samples) {
+    if (!word.ends_with(suffix)) return;
+    word.resize(word.size() - suffix.size());
+    type.samples = samples;
+  };
+  take("_16", SampleFormat::U16);
+  take("_fp", SampleFormat::Float);
+  take("_h", SampleFormat::Half);
+  if (word == "rgba") return type;
+  if (word == "rgb") return type.channels = Channels::Color, type;
+  if (word == "rgbe")
+    return type.channels = Channels::Color, type.samples = SampleFormat::Float, type;
+  if (word == "a") return type.channels = Channels::Alpha, type;
+  if (word == "z") return type.channels = Channels::Depth, type.layer = kLayerDepth, type;
+  if (word == "n") return type.channels = Channels::Normal, type.layer = kLayerNormal, type;
+  return std::nullopt;
+}
+
+/// "fb0", "+fb12": a numbered buffer of the options block.
+bool is_user_buffer(std::string_view word) {
+  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  if (!word.starts_with("fb") || word.size() == 2) return false;
+  return std::all_of(word.begin() + 2, word.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    std::string word = text.substr(at, end - at);
+    std::erase(word, ' ');
+    if (!word.empty()) words.push_back(lower_case(word));
+    at = end + 1;
+  }
+  return words;
+}
+
+class RequestReader {
+ public:
+  RequestReader(const scene::Output& output, std::string_view statement, Diagnostics& diagnostics)
+      : output_(output), statement_(statement), diagnostics_(diagnostics) {}
+
+  std::optional<PictureFile> read(const OutputRoots& roots) {
+    std::string types = output_.types;
+    const Format* format = choose_format(types);
+    std::vector<std::string> words = split(types);
+    if (!leave_out_user_buffers(words)) return std::nullopt;
+    PictureFile file{.path = allowed_path(output_.file, roots)};
+    if (file.path.empty()) {
+      warn("OR-RN-050",
+           fmt::format("{} \"{}\" lies outside of the scene's folder and is not written",
+                       statement_, output_.file),
+           "name the file with -o");
+      return std::nullopt;
+    }
+    if (!format) {
+      warn("OR-RN-051",
+           fmt::format("no file of format \"{}\" can be written; {} \"{}\" is left out",
+                       output_.format.empty() ? suffix_of(output_.file) : output_.format,
+                       statement_, output_.file),
+           "exr, hdr, png, jpg, tif, tga, bmp, ppm, iff, sgi and rla can");
+      return std::nullopt;
+    }
+    file.format = format->extension;
+    file.linear = format->linear;
+    if (!read_types(words, file)) return std::nullopt;
+    for (const scene::Statement& m : output_.modifiers)
+      if (m.keyword == "quality" && !m.values.empty() && !m.values[0].numbers.empty())
+        file.quality = static_cast<int>(std::clamp(m.values[0].numbers[0], 1.0, 100.0));
+    return file;
+  }
+
+ private:
+  void warn(std::string_view code, std::string message, std::string hint) {
+    diagnostics_.warning(code, output_.where, std::move(message), std::move(hint));
+  }
+
+  /// Three strings: the format as written. Two: the suffix, else the one word there is; which is
+  /// moved to the types when it is one.
+  const Format* choose_format(std::string& types) const {
+    const std::string written = lower_case(output_.format);
+    if (!types.empty() && !written.empty()) return find_format(written);
+    const std::string word = written.empty() ? types : written;
+    if (read_type(word)) types = word;
+    if (const Format* by_suffix = find_format(suffix_of(output_.file))) return by_suffix;
+    return find_format(word);
+  }
+
+  /// Nobody fills the numbered buffers of the options. False when nothing else is asked for.
+  bool leave_out_user_buffers(std::vector<std::string>& words) {
+    const auto user = std::find_if(words.begin(), words.end(), is_user_buffer);
+    if (user == words.end()) return true;
+    warn("OR-RN-054",
+         fmt::format("\"{}\" is a buffer that only shaders of users write into; {} \"{}\" {}",
+                     *user, statement_, output_.file,
+                     words.size() > 1 ? "is written without it" : "is left out"),
+         "a framebuffer of the camera that is named as an output of the material, such as "
+         "\"diffuse_result\", or --layers outputs writes parts of the picture");
+    std::erase_if(words, is_user_buffer);
+    return !words.empty();
+  }
+
+  bool read_types(const std::vector<std::string>& words, PictureFile& file) {
+    std::optional<Type> first;
+    file.layers = 0;
+    for (const std::string& word : words) {
+      const std::optional<Type> type = read_type(word);
+      if (!type) {
+        warn("OR-RN-051",
+             fmt::format("no picture of type \"{}\" is made; it is left out of {} \"{}\"", word,
+                         statement_, output_.file),
+             "rgb, rgba, a, z and n are");
+        continue;
+      }
+      file.layers |= type->layer;
+      if (!first) first = type;
+    }
+    if (!first && !words.empty()) return false;
+    const Type type = first.value_or(Type{Channels::ColorAlpha});
+    file.channels = type.channels;
+    file.samples = type.samples;
+    // An integer type in a float file is a promise that the file does not need.
+    const bool is_integer = type.samples == SampleFormat::U8 || type.samples == SampleFormat::U16;
+    if (file.linear && is_integer) file.samples = SampleFormat::Float;
+    // Float pixels in any other file are film values too.
+    if (!is_integer) file.linear = true;
+    return true;
+  }
+
+  const scene::Output& output_;
+  std::string_view statement_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::string_view writable_format(std::string_view name) {
+  const Format* format = find_format(name);
+  return format ? format->extension : std::string_view{};
+}
+
+std::optional<PictureFile> requested_file(const scene::Output& output, std::string_view statement,
+                                          const OutputRoots& roots, Diagnostics& diagnostics) {
+  return RequestReader(output, statement, diagnostics).read(roots);
+}
+
+}  // namespace oriel
