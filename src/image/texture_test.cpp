@@ -91,6 +91,18 @@ TEST_P(TextureTest, OriginIsLowerLeftAndTexelCentresAreExact) {
   }
 }
 
+TEST_P(TextureTest, NearestIsOneTexelEverywhere) {
+  const Texture* t = columns({252, 3, 252, 3}, 4);
+  for (const Wrap mode : {Wrap::Black, Wrap::Periodic, Wrap::Clamp, Wrap::Mirror}) {
+    TextureSampling how = wrap(mode);
+    how.interpolation = Interpolation::Nearest;
+    for (int i = 0; i < 1000; ++i) {
+      const float u = (i + 0.5f) / 1000;
+      EXPECT_NEAR(t->sample({u, 0.3f}, {}, how).r, (int(u * 4) % 2 ? 3 : 252) / 255.0f, 2e-6f) << u;
+    }
+  }
+}
+
 TEST_P(TextureTest, BetweenTwoCentresIsTheLinearMix) {
   const Texture* t = columns({0, 255, 51, 102}, 4);
   const TextureSampling how = wrap(Wrap::Clamp);

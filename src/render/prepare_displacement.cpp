@@ -20,6 +20,8 @@ using geom::Triangle;
 /// Normals at one place nearer than this (0.8 degrees) are one, written by an exporter for each
 /// side of a seam of texture coordinates.
 constexpr float kSameNormal = 0.9999f;
+/// No vertex moves further; beyond ten times this the tracer leaves triangles out.
+constexpr float kFarthest = 1e17f;
 /// Normals at one place that a vertex is compared with.
 constexpr std::size_t kMostCompared = 16;
 
@@ -179,7 +181,7 @@ class Displacer {
     point.world = &world_;
     float sum = 0;
     for (const ShaderNode* node : shaders_of(sample.triangle)) sum += node->scalar(point);
-    return std::isfinite(sum) ? sum : 0;
+    return std::isfinite(sum) ? clamp(sum, -kFarthest, kFarthest) : 0;
   }
 
   void move() {
