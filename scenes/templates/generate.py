@@ -39,8 +39,8 @@ def ball():
 
 
 def hollow_ball():
-    """A ball of 12 mm wall: the inner face looks into the hollow."""
-    inner = BALL - 0.012
+    """A ball of 30 mm wall: the inner face looks into the hollow."""
+    inner = BALL - 0.03
     angles = [math.pi * k / 36 for k in range(37)]
     hollow = [(inner * math.sin(a), CENTRE + inner * math.cos(a)) for a in angles]
     hollow[0], hollow[-1] = (0, CENTRE + inner), (0, CENTRE - inner)
