@@ -257,6 +257,20 @@ TEST(Displacement, SplitEdgesMoveTogetherAndStaySplit) {
 }
 
 // acceptance: B5
+TEST(Displacement, ASeamOfCoordinatesAloneStaysSmooth) {
+  // Amounts differ on both sides of x = 1: sin 20 and sin 0; normals are written alike.
+  Sheets sheets;
+  sheets.add(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  sheets.add(Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  const Displaced s(displaced_material("lifted", height("\"wave\" .05")) + sheets.object());
+  const geom::SurfacePoint left = s.below(1 - 1e-4f, .55f), right = s.below(1 + 1e-4f, .55f);
+  EXPECT_NEAR(left.p.z, .05f * std::sin(20.0f) / 2, 1e-4f);
+  EXPECT_NEAR(right.p.z, left.p.z, 1e-4f);
+  EXPECT_GT(dot(left.ns, right.ns), .99999f);
+  EXPECT_LT(dot(left.ng, right.ng), .99f);
+}
+
+// acceptance: B5
 TEST(Displacement, OnlySlotsWhoseMaterialDisplacesMove) {
   Sheets sheets;
   sheets.add(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0), [](int i, int) { return i < 4 ? 0 : 1; });
@@ -328,6 +342,17 @@ TEST(Displacement, MaxDisplaceClampsAndSaysSo) {
   const Displaced wide(material + plane().object("max displace .3"), "max displace .2");
   EXPECT_NEAR(wide.below(.4f, .4f).p.z, .25f, kRoundingOfPlaces);
   EXPECT_EQ(wide.messages(), "");
+}
+
+TEST(Displacement, ShadersWithoutAValueAreReportedAndMoveNothing) {
+  const Displaced material(displaced_material("lifted", "\"mia_material_x\" ( )") +
+                           plane().object());
+  EXPECT_NE(material.only("OR-RT-030"), nullptr) << material.messages();
+  EXPECT_EQ(material.below(.4f, .4f).p.z, 0);
+  const Displaced unknown(displaced_material("lifted", "\"no_such_shader\" ( )") +
+                          plane().object());
+  EXPECT_NE(unknown.only("OR-RT-001"), nullptr) << unknown.messages();
+  EXPECT_EQ(unknown.below(.4f, .4f).p.z, 0);
 }
 
 // acceptance: B5
