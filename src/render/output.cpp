@@ -232,7 +232,14 @@ void write_picture(const PictureFile& file, const RenderSession& session,
     const std::size_t threads =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     exr.threads = threads > 1 ? static_cast<int>(threads) : 0;
-    std::vector<Layer> layers = film_layers(session, file.layers);
+    std::vector<Layer> layers;
+    if (const int shown = material_output_index(file.shown_layer); shown >= 0) {
+      Image image = output_image(session, static_cast<std::size_t>(shown));
+      layers.push_back({"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames,
+                        std::move(image)});
+      return write_exr(file.path, layers, exr);
+    }
+    layers = film_layers(session, file.layers);
     if (denoised) layers.push_back({"denoised", kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);
   }

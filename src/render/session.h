@@ -11,6 +11,7 @@
 #include "render/progressive.h"
 #include "runtime/world.h"
 #include "transport/counts.h"
+#include "transport/glossy_grid.h"
 
 namespace oriel {
 
@@ -74,6 +75,7 @@ class RenderSession {
   RenderBudget budget_;
   Film film_;
   Progressive progressive_;
+  std::optional<GlossyGrid> grid_;  ///< filled when rendering begins
   RayCounts rays_;
   bool indirect_;
 };

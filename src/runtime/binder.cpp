@@ -27,14 +27,6 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return near.empty() ? std::string() : fmt::format("did you mean \"{}\"?", near);
 }
 
-/// Whether a shader's `multiple_outputs` is written as off.
-bool outputs_switched_off(const ShaderNode& node) {
-  for (const ParamSpec& row : node.spec().params)
-    if (row.name == std::string_view("multiple_outputs") && row.type == ParamType::Boolean)
-      return !*(&node.constants<bool>() + row.offset) && !node.connected(row.offset);
-  return false;
-}
-
 }  // namespace
 
 Binder::Binder(const scene::Scene& scene, const Registry& registry, World& world,
@@ -264,7 +256,10 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   for (const ShaderNode* node : bound.surface)
     if (node->spec().may_transmit && node->spec().may_transmit(*node)) bound.may_transmit = true;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
-  bound.outputs = bound.surface.empty() || !outputs_switched_off(*bound.surface.back());
+  for (const ShaderNode* node : bound.surface) {
+    if (node->spec().has_outputs) bound.outputs = node->spec().has_outputs(*node);
+    if (node->spec().grids) bound.grids |= node->spec().grids(*node);
+  }
   return bound;
 }
 

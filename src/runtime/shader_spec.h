@@ -98,6 +98,10 @@ struct ShaderSpec {
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
   /// False when constant parameters rule out that light passes (cut-out, transparency).
   bool (*may_transmit)(const ShaderNode&) = nullptr;
+  /// False when constant parameters leave the result as the only output. Null: it has all.
+  bool (*has_outputs)(const ShaderNode&) = nullptr;
+  /// Densities of the grids it interpolates over, a bit each. Null: none.
+  unsigned (*grids)(const ShaderNode&) = nullptr;
 };
 
 /// The built-in shaders by name; a plain list, no registration by side effect.

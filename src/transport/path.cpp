@@ -157,16 +157,20 @@ bool Path::arrive(const geom::Hit& hit) {
   if (!medium_known_ && point.back_side && !closure.thin_walled) medium_ = closure.inside;
   if (!medium_.clear()) dim(transmittance(medium_, length(point.position - left_)));
   if (pass_straight(closure, material, point)) return true;
+  if (grid_point_) {
+    fill_grid_point(closure, material, point);
+    return false;
+  }
 
   fade(from_.passed + hit.t);
   from_first_ = false;
   if (!parted_) meet_first(closure);
   if (first_) {
     first_ = false;
-    result_.alpha = 1;
-    result_.depth = length(point.position - eye_);
-    result_.normal = point.normal;
-    result_.albedo = closure.albedo;
+    result_->alpha = 1;
+    result_->depth = length(point.position - eye_);
+    result_->normal = point.normal;
+    result_->albedo = closure.albedo;
     alpha_open_ = true;
   }
   add(at_vertex(Component::Added), throughput_ * closure.emission);

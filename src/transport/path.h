@@ -21,6 +21,8 @@ struct PathResult {
   Rgb albedo{0};
 };
 
+class GlossyGrid;
+
 /// How paths are traced.
 struct PathSettings {
   /// False: no diffuse bounces and no light from the environment on diffuse lobes, as a scene
@@ -30,7 +32,8 @@ struct PathSettings {
   /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
   /// surface: a material's sample counts are for the pixel.
   float paths_of_pixel = 1e6f;
-  Outputs* outputs = nullptr;  ///< where to leave the parts of the radiance; null = nowhere
+  const GlossyGrid* grid = nullptr;  ///< for materials that interpolate; null = they do not
+  Outputs* outputs = nullptr;        ///< where to leave the parts of the radiance; null = nowhere
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.

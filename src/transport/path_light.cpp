@@ -50,7 +50,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     Rgb radiance = seen * transmittance(medium_, nearest) * kept;
     if (kept < 1) radiance += faded_to() * (1 - kept);
     add(component_, throughput_ * radiance);
-    if (first_) result_.alpha = 1;
+    if (first_) result_->alpha = 1;
   }
 }
 
@@ -93,9 +93,9 @@ void Path::meet_environment() {
                      ? Rgba(0, 0, 0, 0)
                      : environment_radiance(shaders, world_, origin, direction, kind, blurred_);
   if (first_)
-    result_.alpha = clamp01(c.a);
+    result_->alpha = clamp01(c.a);
   else if (alpha_open_)
-    result_.alpha -= (1 - clamp01(c.a)) * (throughput_.x + throughput_.y + throughput_.z) / 3;
+    result_->alpha -= (1 - clamp01(c.a)) * (throughput_.x + throughput_.y + throughput_.z) / 3;
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
   if (from_.weighed && from_.environment_sampled && !environment_) {

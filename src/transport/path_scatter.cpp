@@ -244,9 +244,10 @@ bool Path::survive() {
   return true;
 }
 
-/// Follows a lobe. False: the path ends here.
+/// Follows a lobe; without weights the ray sees lights and environment as a mirror's would. False:
+/// the path ends here.
 bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Material& material,
-                 ShadingPoint& point, int index, float u_rest) {
+                 ShadingPoint& point, int index, float u_rest, bool weighed) {
   const auto sample =
       sample_lobe(closure, choice, index, point, point.wo(), u_rest, sampler_.next_2d());
   if (!sample) return false;
@@ -255,6 +256,7 @@ bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Materia
   if (group_of(kind) == LobeGroup::Reflection && limits_reflections(closure))
     from_.environment_sampled = false;
   scatter(closure, material, point, *sample);
+  from_.weighed &= weighed;
   if (too_deep) {
     bool seen = false;
     if (world_.has_area_lights) meet_lights(kInfinity, seen);
@@ -269,6 +271,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   LobeChoice choice;
   make_ready(closure, point.wo());
   choose_lobes(closure, choice);
+  interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
   std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
   const bool environment =
@@ -278,8 +281,8 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
     if (!is_delta(closure.lobes[i].kind)) scatters_light = true;
   if (scatters_light && !features_seen_ && !from_.weighed) {
     features_seen_ = true;
-    result_.normal = point.normal;
-    result_.albedo = closure.albedo;
+    result_->normal = point.normal;
+    result_->albedo = closure.albedo;
   }
   if (scatters_light) {
     occlude(closure, point);

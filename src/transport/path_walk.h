@@ -15,6 +15,8 @@ namespace oriel {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+struct GridPoint;
+
 /// One path, or one branch of it; copied where it splits.
 class Path {
  public:
@@ -25,9 +27,11 @@ class Path {
         settings_(settings),
         sampler_(sampler),
         counts_(counts),
-        result_(result) {}
+        result_(&result) {}
 
   void run(const Camera::Ray& eye);
+  /// Follows the eye ray to the first surface and fills a point of the grid of that density.
+  void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
 
  private:
   /// Where the ray came from, to weigh lights and environment it meets.
@@ -63,7 +67,7 @@ class Path {
   void follow(const ShadingPoint& point, const Vec3& direction);
   void meet_first(const Closure& closure);
   void add(Component component, const Rgb& radiance) {
-    result_.radiance += radiance;
+    result_->radiance += radiance;
     if (settings_.outputs) (*settings_.outputs)[component] += radiance;
   }
   /// The part that light of this kind belongs to: behind the first surface everything belongs to
@@ -86,7 +90,7 @@ class Path {
   void occlude(const Closure& closure, const ShadingPoint& point);
   int rays_at_first(float samples, float importance) const;
   bool go_on(const Closure& closure, const LobeChoice& choice, const Material& material,
-             ShadingPoint& point, int lobe, float u_rest);
+             ShadingPoint& point, int lobe, float u_rest, bool weighed = true);
   void scatter(const Closure& closure, const Material& material, ShadingPoint& point,
                const ClosureSample& sample);
   bool gather(Closure& closure, const Material& material, ShadingPoint& point);
@@ -95,6 +99,11 @@ class Path {
 
   bool indirect() const { return settings_.indirect; }
   RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
+  // path_grid.cpp
+  void fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point);
+  void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
+                   LobeChoice& choice);
+
   /// Rays that go straight through glass are dimmed by it only where shadow rays are.
   bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
 
@@ -103,10 +112,12 @@ class Path {
   const PathSettings& settings_;
   sampling::Sampler sampler_;
   RayCounts& counts_;
-  PathResult& result_;
+  PathResult* result_;
 
   Vec3 eye_{0};
   int vertex_ = 0;
+  GridPoint* grid_point_ = nullptr;  ///< set: the path is only here to fill it
+  int grid_density_ = 0;
   geom::Ray ray_;
   RayCone cone_;
   RayKind kind_ = RayKind::Eye;

@@ -131,7 +131,7 @@ TEST_F(RecombineProgram, ARenderGivesItsPictureBack) {
 TEST_F(RecombineProgram, FrameBuffersHoldTheLayersOfTheirNames) {
   write("scene.mi", small_scene("",
                                 "framebuffer \"fb_diffuse_result\" datatype \"rgb_fp\" filename "
-                                "\"diffuse.tif\" filetype \"tif\" "
+                                "\"diffuse.exr\" filetype \"exr\" "
                                 "framebuffer \"spec_raw\" filename \"two.exr\" "
                                 "framebuffer \"opacity\" filename \"two.exr\" "));
   ASSERT_EQ(run({"render", "scene.mi", "--samples", "8"}).exit_code, 0);
@@ -140,7 +140,7 @@ TEST_F(RecombineProgram, FrameBuffersHoldTheLayersOfTheirNames) {
             0);
   const ExrFile all = read_exr(file("in.exr"));
   const ExrFile two = read_exr(file("two.exr"));
-  EXPECT_EQ(read_image(file("diffuse.tif")).pixels,
+  EXPECT_EQ(read_image(file("diffuse.exr")).pixels,
             find_layer(all.layers, "diffuse_result")->image.pixels);
   for (const char* name : {"spec_raw", "opacity", ""}) {
     ASSERT_NE(find_layer(two.layers, name), nullptr) << name;

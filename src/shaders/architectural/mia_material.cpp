@@ -85,6 +85,8 @@ void set_roughness(Lobe& lobe, float gloss, float anisotropy) {
   lobe.alpha_y = roughness.ay;
 }
 
+int grid_density(const P& p) { return std::clamp(p.intr_grid_density, 0, 5); }
+
 /// One of the two reflecting layers.
 struct ReflectingLayer {
   Rgb level;
@@ -98,6 +100,10 @@ LobeControls reflection_controls(const P& p, int samples) {
   controls.depth = p.refl_depth;
   controls.cutoff = p.refl_cutoff;
   controls.single_environment = p.single_env_sample;
+  controls.interpolate = p.refl_interpolate;
+  controls.grid_density = grid_density(p);
+  controls.neighbours = p.intr_refl_samples;
+  controls.detail_distance = p.intr_refl_ddist_on ? std::max(0.0f, p.intr_refl_ddist) : 0.0f;
   if (p.refl_falloff_on && p.refl_falloff_dist > 0) {
     controls.falloff_distance = p.refl_falloff_dist;
     controls.falloff_to_color = p.refl_falloff_color_on;
@@ -139,6 +145,9 @@ void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, c
   lobe.eta = eta;
   if (!clear) set_roughness(lobe, p.refr_gloss, p.anisotropy);
   lobe.controls.samples = static_cast<float>(std::max(p.refr_gloss_samples, 1));
+  lobe.controls.interpolate = p.refr_interpolate;
+  lobe.controls.grid_density = grid_density(p);
+  lobe.controls.neighbours = p.intr_refr_samples;
   lobe.controls.depth = p.refr_depth;
   lobe.controls.cutoff = p.refr_cutoff;
 }
@@ -231,6 +240,18 @@ bool mia_may_transmit(const ShaderNode& node) {
          node.connected(offsetof(P, cutout_opacity));
 }
 
+bool mia_has_outputs(const ShaderNode& node) {
+  return node.constants<P>().multiple_outputs || node.connected(offsetof(P, multiple_outputs));
+}
+
+unsigned mia_grids(const ShaderNode& node) {
+  const P& p = node.constants<P>();
+  const bool interpolates = p.refl_interpolate || p.refr_interpolate ||
+                            node.connected(offsetof(P, refl_interpolate)) ||
+                            node.connected(offsetof(P, refr_interpolate));
+  return interpolates ? 1u << grid_density(p) : 0u;
+}
+
 constexpr ParamSpec kResults[] = {
     {.name = "result", .type = ParamType::Color, .element = ParamType::Color, .offset = 0}};
 
@@ -285,6 +306,7 @@ const ShaderSpec kMiaMaterial = {
     .params_size = sizeof(P),
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, false); },
     .may_transmit = mia_may_transmit,
+    .grids = mia_grids,
 };
 
 const ShaderSpec kMiaMaterialX = {
@@ -299,6 +321,8 @@ const ShaderSpec kMiaMaterialX = {
     .results = kResults,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
+    .has_outputs = mia_has_outputs,
+    .grids = mia_grids,
 };
 
 const ShaderSpec kMiaMaterialXPasses = {
@@ -313,6 +337,8 @@ const ShaderSpec kMiaMaterialXPasses = {
     .results = kResults,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
+    .has_outputs = mia_has_outputs,
+    .grids = mia_grids,
 };
 
 }  // namespace oriel

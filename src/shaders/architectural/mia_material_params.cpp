@@ -6,7 +6,6 @@ namespace oriel {
 namespace {
 
 using P = MiaMaterialParams;
-constexpr Support kIgnored = Support::Ignored;
 constexpr Support kApproximated = Support::Approximated;
 
 constexpr ParamSpec kRows[] = {
@@ -24,8 +23,7 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, refl_gloss_samples), .fallback = {8}, .min = 0, .max = 128,
      .doc = "Most reflection rays at the first hit; 0 reflects as a mirror whatever the gloss.",
      .alias = "refl_samples"},
-    {ORIEL_PARAM(P, refl_interpolate), .doc = "Smooth glossy reflections over a grid.",
-     .support = kIgnored},
+    {ORIEL_PARAM(P, refl_interpolate), .doc = "Smooth glossy reflections over a grid."},
     {ORIEL_PARAM(P, refl_hl_only), .doc = "Highlights of light sources only, no reflection rays.",
      .support = kApproximated},
     {ORIEL_PARAM(P, refl_is_metal), .doc = "The diffuse colour tints reflections."},
@@ -39,8 +37,7 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, refr_gloss_samples), .fallback = {8}, .min = 0, .max = 128,
      .doc = "Most refraction rays at the first hit; 0 is clear whatever the gloss.",
      .alias = "refr_samples"},
-    {ORIEL_PARAM(P, refr_interpolate), .doc = "Smooth glossy refractions over a grid.",
-     .support = kIgnored},
+    {ORIEL_PARAM(P, refr_interpolate), .doc = "Smooth glossy refractions over a grid."},
     {ORIEL_PARAM(P, refr_translucency), .doc = "Use part of the transparency as translucency."},
     {ORIEL_PARAM(P, refr_trans_color), .fallback = {.7f, .6f, .5f},
      .doc = "Colour of translucency."},
@@ -62,16 +59,14 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, brdf_conserve_energy), .fallback = {1},
      .doc = "Components share the light; off adds them as they are."},
     {ORIEL_PARAM(P, intr_grid_density), .fallback = {2}, .min = 0, .max = 5,
-     .doc = "Interpolation grid: 0..5 = 2, 1, 1/2, 1/3, 1/4, 1/5 of the picture.",
-     .support = kIgnored},
+     .doc = "Interpolation grid: 0..5 = 2, 1, 1/2, 1/3, 1/4, 1/5 of the picture."},
     {ORIEL_PARAM(P, intr_refl_samples), .fallback = {2}, .min = 1,
-     .doc = "Grid points looked up for reflections.", .support = kIgnored},
-    {ORIEL_PARAM(P, intr_refl_ddist_on), .doc = "Trace clear rays within the detail distance.",
-     .support = kIgnored},
+     .doc = "Grid points looked up for reflections."},
+    {ORIEL_PARAM(P, intr_refl_ddist_on), .doc = "Trace clear rays within the detail distance."},
     {ORIEL_PARAM(P, intr_refl_ddist), .min = 0, .unit = "scene units",
-     .doc = "The detail distance.", .support = kIgnored},
+     .doc = "The detail distance."},
     {ORIEL_PARAM(P, intr_refr_samples), .fallback = {2}, .min = 1,
-     .doc = "Grid points looked up for refractions.", .support = kIgnored},
+     .doc = "Grid points looked up for refractions."},
     {ORIEL_PARAM(P, single_env_sample), .doc = "One environment look-up for all reflection rays."},
     {ORIEL_PARAM(P, refl_falloff_on), .doc = "Reflections fade out with distance."},
     {ORIEL_PARAM(P, refl_falloff_dist), .min = 0, .unit = "scene units",
