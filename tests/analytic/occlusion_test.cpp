@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ambient occlusion: shares of free sky in closed form, and on which light it acts how.
+#include <chrono>
+#include <limits>
+
+#include "probe.h"
+#include "transport/occlusion.h"
+
+namespace oriel::analytic {
+namespace {
+
+const Vec3 kUp(0, 0, 1);
+/// Half the side of what stands for an infinite plane. Floors are small: rays leave a surface as
+/// far as its corners' rounding asks.
+constexpr float kFar = 200, kFloor = .01f;
+
+/// A white Lambert floor with those occlusion parameters.
+SceneText floor_with(const std::string& occlusion) {
+  SceneText scene;
+  scene.lambert("floor", 1, "\"ao_on\" on, " + occlusion).square("floor", Vec3(0), kFloor, kUp);
+  return scene;
+}
+
+/// Ambient light 1 alone, black where occluded: the picture is the share of free sky.
+std::string ambient_alone(float distance) {
+  return fmt::format(
+      "\"ao_do_details\" 0, \"ao_ambient\" 1 1 1, \"ao_dark\" 0 0 0, \"ao_distance\" {}", distance);
+}
+
+Measured directly_below(const SceneText& scene, float height, int samples = 65536) {
+  return Probe(scene).direct_only().onto(Vec3(0), kUp, 30, samples, .5f * height);
+}
+
+/// Occluded share under an infinite slab at height h, k = h / D: a direction of cosine c meets it
+/// at h / c, so it is the integral of (1 - k / c) 2 c dc over c from k to 1.
+float slab_occlusion(float k) { return k < 1 ? (1 - k) * (1 - k) : 0; }
+
+/// Occluded share beside an infinite wall at x, k = x / D. Cosine-distributed directions have their
+/// component toward the wall distributed as (2 / pi) sqrt(1 - s^2): the integral of
+/// (1 - k / s) times that over s from k to 1.
+float corner_occlusion(float k) {
+  if (k >= 1) return 0;
+  const float q = std::sqrt(1 - k * k);
+  return 2 / kPi * (.5f * (std::acos(k) + k * q) - k * std::log((1 + q) / k));
+}
+
+// acceptance: O1
+TEST(Occlusion, SlabTakesItsClosedFormShare) {
+  constexpr float kHeight = .4f;
+  for (const float k : {.05f, .25f, .5f, .8f, .95f}) {
+    SceneText scene = floor_with(ambient_alone(kHeight / k));
+    scene.lambert("slab", 0).square("slab", Vec3(0, 0, kHeight), kFar, -kUp);
+    expect_exact(fmt::format("free sky under a slab at {} of the distance", k),
+                 directly_below(scene, kHeight), 1 - slab_occlusion(k));
+  }
+}
+
+// acceptance: O1
+TEST(Occlusion, CornerTakesItsClosedFormShare) {
+  constexpr float kAside = .4f;
+  for (const float k : {.02f, .1f, .3f, .6f, .9f}) {
+    SceneText scene = floor_with(ambient_alone(kAside / k));
+    scene.lambert("wall", 0).polygon(
+        "wall", {Vec3(-kAside, -kFar, -1), Vec3(-kAside, kFar, -1), Vec3(-kAside, kFar, kFar),
+                 Vec3(-kAside, -kFar, kFar)});
+    expect_exact(fmt::format("free sky beside a wall at {} of the distance", k),
+                 directly_below(scene, kAside), 1 - corner_occlusion(k));
+  }
+}
+
+// acceptance: O1
+TEST(Occlusion, EndsAtItsDistance) {
+  // All of the slab is farther than the distance: nothing is occluded, without any noise.
+  for (const float k : {1.001f, 2.0f, 100.0f}) {
+    SceneText scene = floor_with(ambient_alone(.4f / k));
+    scene.lambert("slab", 0).square("slab", Vec3(0, 0, .4f), kFar, -kUp);
+    EXPECT_EQ(directly_below(scene, .4f, 4096).mean, Rgb(1)) << k;
+  }
+}
+
+// acceptance: O1
+TEST(Occlusion, DistanceZeroIsAnyDistance) {
+  // Without a distance each surface counts fully, however far it is.
+  SceneText slab = floor_with(ambient_alone(0));
+  slab.lambert("slab", 0).square("slab", Vec3(0, 0, 5), 1e6f, -kUp);
+  EXPECT_NEAR(directly_below(slab, 5, 4096).mean.x, 0, 1e-6f);
+  SceneText wall = floor_with(ambient_alone(0));
+  constexpr float kEnd = 1e5f;
+  wall.lambert("wall", 0).polygon("wall", {Vec3(-5, -kEnd, -1), Vec3(-5, kEnd, -1),
+                                           Vec3(-5, kEnd, kEnd), Vec3(-5, -kEnd, kEnd)});
+  expect_exact("free sky beside a wall, any distance", directly_below(wall, 1), .5f);
+}
+
+// acceptance: O1
+TEST(Occlusion, ShorterDistancesAreFaster) {
+  // Little balls all around, none near: short rays need not look at them.
+  SceneText scene;
+  scene.lambert("grey", .5f).square("grey", Vec3(0), kFar, kUp);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      scene.sphere("grey", Vec3(float(i) * 2 - 5, float(j) * 2 - 5, 2 + .1f * float(i)), .95f, 12);
+  const Probe probe(scene);
+  const auto seconds = [&](float distance) {
+    double best = 1e9;
+    for (int run = 0; run < 5; ++run) {
+      const auto start = std::chrono::steady_clock::now();
+      RayCounts counts;
+      for (int i = 0; i < 400; ++i) {
+        ShadingPoint point;
+        point.position = Vec3(float(i % 20) * .4f - 4, float(i / 20) * .4f - 4, 0);
+        point.normal = point.geometric_normal = kUp;
+        point.world = &probe.world();
+        sampling::Sampler sampler(i, run, 0);
+        free_share(probe.world(), point, kUp, distance, 64, sampler, counts);
+      }
+      EXPECT_EQ(counts.probe, 400u * 64);
+      best = std::min(
+          best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return best;
+  };
+  const double near = seconds(.2f), any = seconds(0);
+  figure("time of short over any distance", 0, near / any, 0);
+  EXPECT_LT(near, .9 * any);
+}
+
+// acceptance: O1
+TEST(Occlusion, SamplesAreTheMostRaysOfAPixel) {
+  for (const int samples : {1, 16, 64}) {
+    SceneText scene = floor_with(fmt::format("\"ao_samples\" {}, {}", samples, ambient_alone(10)));
+    const Probe probe(scene);
+    for (const float paths : {1.0f, 4.0f, 256.0f}) {
+      RayCounts counts;
+      const int traced = static_cast<int>(paths);
+      for (int i = 0; i < traced; ++i) {
+        sampling::Sampler sampler(3, 4, static_cast<std::uint32_t>(i));
+        const PathSettings settings{.indirect = false, .paths_of_pixel = paths};
+        trace_path(probe.world(), {Vec3(0, 0, 1), -kUp, 1, 0, 0}, Vec2(0), settings, sampler,
+                   counts);
+      }
+      // One ray of each path at least.
+      EXPECT_EQ(counts.probe, static_cast<std::uint64_t>(std::max(samples, traced)))
+          << samples << " samples, " << paths << " paths";
+    }
+  }
+}
+
+/// A floor of albedo .6 under a slab that glows with radiance 1, a lamp between the two.
+struct UnderSlab {
+  static constexpr float kHeight = .4f, kAlbedo = .6f;
+  /// The slab is .4 of the distance away: share of free sky.
+  static constexpr float kDistance = 1;
+  static constexpr float kFree = 1 - (1 - kHeight) * (1 - kHeight);
+
+  Measured total;
+  Outputs parts;
+
+  explicit UnderSlab(const std::string& occlusion, const std::string& glow = "1 1 1",
+                     bool lamp = true) {
+    SceneText scene;
+    scene.lambert("floor", kAlbedo, fmt::format("\"ao_distance\" {}, {}", kDistance, occlusion))
+        .square("floor", Vec3(0), kFloor, kUp)
+        .material("slab", "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" " + glow)
+        .square("slab", Vec3(0, 0, kHeight), kFar, -kUp);
+    if (lamp)
+      scene.light("lamp", fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} ) origin 0 0 .3",
+                                      4 * kPi * .09f));
+    const Probe probe(scene);
+    total = probe.onto(Vec3(0), kUp, 30, 65536, .25f);
+    constexpr int kPaths = 4096;
+    for (int i = 0; i < kPaths; ++i) {
+      sampling::Sampler sampler(1, 2, static_cast<std::uint32_t>(i));
+      Outputs one;
+      const PathSettings settings{.outputs = &one};
+      RayCounts counts;
+      trace_path(probe.world(), {Vec3(.1f, 0, .25f), normalize(Vec3(-.1f, 0, -.25f)), 1, 0, 0},
+                 Vec2(0), settings, sampler, counts);
+      for (std::size_t c = 0; c < kComponents; ++c)
+        parts.result[c] += one.result[c] / static_cast<float>(kPaths);
+    }
+  }
+};
+
+// acceptance: O2
+TEST(Occlusion, DetailsMultiplyIndirectLightAlone) {
+  using S = UnderSlab;
+  UnderSlab off("\"ao_on\" off");
+  expect_exact("floor under a glowing slab and a lamp", off.total, 2 * S::kAlbedo);
+  for (const float dark : {0.0f, .2f, .7f}) {
+    UnderSlab on(fmt::format("\"ao_on\" on, \"ao_do_details\" 1, \"ao_dark\" {0} {0} {0}", dark));
+    const float open = S::kFree + dark * (1 - S::kFree);
+    expect_exact(fmt::format("indirect light occluded, dark {}", dark), on.total,
+                 S::kAlbedo * (1 + open));
+    EXPECT_EQ(on.parts[Component::Diffuse], off.parts[Component::Diffuse])
+        << "direct light is untouched, to the last bit";
+    EXPECT_GT(on.parts[Component::Diffuse].x, .5f * S::kAlbedo);
+    EXPECT_NEAR(on.parts[Component::Indirect].x / off.parts[Component::Indirect].x, open,
+                .02f * open);
+  }
+}
+
+// acceptance: O3
+TEST(Occlusion, ColouredDetailsShowNeighboursLessTheDarkness) {
+  using S = UnderSlab;
+  const Vec3 glow(1, .5f, .25f);
+  for (const float dark : {0.0f, .2f, 1.0f}) {
+    const UnderSlab on(
+        fmt::format("\"ao_on\" on, \"ao_do_details\" 2, \"ao_dark\" {0} {0} {0}", dark),
+        text_of(glow), false);
+    const float share = S::kFree + (1 - dark) * (1 - S::kFree);
+    expect_exact(fmt::format("neighbours' colours, dark {}", dark), on.total,
+                 glow * (S::kAlbedo * share));
+  }
+}
+
+// acceptance: O3
+TEST(Occlusion, DarknessOfColoursIsByChannel) {
+  using S = UnderSlab;
+  const UnderSlab on("\"ao_on\" on, \"ao_do_details\" 2, \"ao_dark\" 0 .5 1", "1 1 1", false);
+  Rgb expected;
+  for (int k = 0; k < 3; ++k)
+    expected[k] = S::kAlbedo * (S::kFree + (1 - .5f * static_cast<float>(k)) * (1 - S::kFree));
+  expect_exact("darkness by channel", on.total, expected);
+}
+
+// acceptance: O3
+TEST(Occlusion, GlowingBallBrightensTheFloorBelowIt) {
+  const auto floor_below = [](int details) {
+    SceneText scene = floor_with(
+        fmt::format("\"ao_do_details\" {}, \"ao_distance\" 2, \"ao_dark\" .1 .1 .1", details));
+    scene.uniform_sky(.2f).emitter("glow", 3).sphere("glow", Vec3(-.1f, 0, .6f), .5f, 32);
+    return Probe(scene).onto(Vec3(0), kUp, 80, 65536, .4f);
+  };
+  const Measured none = floor_below(0), dark = floor_below(1), colours = floor_below(2);
+  // Details 1 has a dark spot under what glows, details 2 has none.
+  EXPECT_LT(dark.mean.x, .75f * none.mean.x);
+  EXPECT_GT(colours.mean.x, 1.25f * dark.mean.x);
+  EXPECT_GT(colours.mean.x, .9f * none.mean.x);
+  figure("glowing ball: details 1 over none", .4, dark.mean.x / none.mean.x, 0);
+  figure("glowing ball: details 2 over none", 1, colours.mean.x / none.mean.x, 0);
+}
+
+// acceptance: O3
+TEST(Occlusion, RedWallTintsTheFloorBesideIt) {
+  // A lit red wall in a grey sky.
+  const auto beside = [](int details) {
+    SceneText scene = floor_with(
+        fmt::format("\"ao_do_details\" {}, \"ao_distance\" 1, \"ao_dark\" 0 0 0", details));
+    scene.uniform_sky(.3f)
+        .material("red", "\"reflectivity\" 0, \"diffuse\" .9 0 0")
+        .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1 ) direction -1 0 0")
+        .polygon("red", {Vec3(-.2f, -9, 0), Vec3(-.2f, 9, 0), Vec3(-.2f, 9, 9), Vec3(-.2f, -9, 9)});
+    return Probe(scene).onto(Vec3(0), kUp, 30, 65536, .3f);
+  };
+  const Measured dark = beside(1), colours = beside(2);
+  EXPECT_GT(colours.mean.x / colours.mean.z, 1.15f * dark.mean.x / dark.mean.z);
+  // The wall sends nothing but red: what neighbours add leaves blue alone.
+  expect_same("blue beside a red wall",
+              {.mean = Rgb(colours.mean.z), .error = Rgb(colours.error.z)},
+              {.mean = Rgb(dark.mean.z), .error = Rgb(dark.error.z)}, .01f);
+}
+
+// acceptance: O4
+TEST(Occlusion, AmbientLightIsAttenuatedByIt) {
+  for (const int details : {0, 1, 2}) {
+    SceneText scene;
+    scene
+        .lambert(
+            "floor", .5f,
+            fmt::format("\"ao_on\" on, \"ao_do_details\" {}, \"ao_distance\" 1, \"ao_dark\" .2 "
+                        ".5 1, \"ao_ambient\" .8 .4 .2",
+                        details))
+        .square("floor", Vec3(0), kFloor, kUp)
+        .lambert("slab", 0)
+        .square("slab", Vec3(0, 0, .4f), kFar, -kUp);
+    const float occluded = slab_occlusion(.4f);
+    const Rgb open = Rgb(1 - occluded) + Rgb(.2f, .5f, 1) * occluded;
+    expect_exact(fmt::format("ambient light, details {}", details), directly_below(scene, .4f),
+                 open * Rgb(.8f, .4f, .2f) * .5f);
+  }
+}
+
+// acceptance: O4
+TEST(Occlusion, NeedsIndirectOrAmbientLight) {
+  const auto picture = [](const std::string& occlusion) {
+    SceneText scene;
+    scene.uniform_sky(1)
+        .material("m", "\"reflectivity\" .3, \"refl_gloss\" .4, " + occlusion)
+        .square("m", Vec3(0, 0, -2), 1, kUp)
+        .box("m", Vec3(-.4f, -.4f, -2), Vec3(.2f, .3f, -1.6f))
+        .light("lamp", "\"physical_light\" ( \"color\" 20 20 20 ) origin 1 1 0");
+    return Probe(scene).direct_only().picture(8192);
+  };
+  const Measured off = picture("\"ao_on\" off");
+  for (const int details : {0, 1, 2}) {
+    const Measured on = picture(fmt::format("\"ao_on\" on, \"ao_do_details\" {}", details));
+    EXPECT_EQ(on.mean, off.mean) << details;
+    EXPECT_EQ(on.counts.probe, 0u) << details;
+    EXPECT_EQ(on.counts.rays(), off.counts.rays()) << details;
+  }
+  const Measured ambient = picture("\"ao_on\" on, \"ao_ambient\" .1 .1 .1");
+  EXPECT_GT(ambient.mean.x, off.mean.x);
+  EXPECT_GT(ambient.counts.probe, 0u);
+}
+
+// acceptance: O4
+TEST(Occlusion, WithoutSamplesOrSwitchedOffThereIsNone) {
+  const auto picture = [](const std::string& occlusion) {
+    SceneText scene;
+    scene.uniform_sky(1).lambert("m", .7f, occlusion).box("m", Vec3(-1, -1, -3), Vec3(1, 1, -2));
+    return Probe(scene).picture(4096);
+  };
+  const Measured plain = picture("\"ao_on\" off, \"ao_ambient\" 1 1 1, \"ao_do_details\" 2");
+  const Measured none = picture("\"ao_on\" on, \"ao_ambient\" 1 1 1, \"ao_samples\" 0");
+  EXPECT_EQ(plain.counts.probe + none.counts.probe, 0u);
+  EXPECT_EQ(plain.mean, none.mean);
+}
+
+// acceptance: O5
+TEST(Occlusion, DarkIsTheMultiplierInAClosedBox) {
+  const Rgb dark(.2f, .6f, 1);
+  const auto in_box = [](const std::string& occlusion) {
+    SceneText scene;
+    scene.emitter("wall", 1)
+        .box("wall", Vec3(-1), Vec3(1), true)
+        .lambert("card", .5f, occlusion)
+        .square("card", Vec3(0, 0, -.9f), .3f, kUp);
+    return Probe(scene).onto(Vec3(0, 0, -.9f), kUp, 20, 4096);
+  };
+  expect_exact("card in a glowing box", in_box("\"ao_on\" off"), .5f, 1e-4f);
+  expect_exact("card in a glowing box, occluded",
+               in_box("\"ao_on\" on, \"ao_distance\" 0, \"ao_dark\" .2 .6 1"), dark * .5f, 1e-4f);
+  // A reach far beyond the box: all is occluded but the 1e-6 that walls are away of it.
+  expect_exact("card in a glowing box, far reach",
+               in_box("\"ao_on\" on, \"ao_distance\" 1e6, \"ao_dark\" .2 .6 1"), dark * .5f, 1e-4f);
+}
+
+// Second bounces are not dimmed again: occlusion is a detail of what the camera sees.
+TEST(Occlusion, ActsBeforeTheFirstDiffuseBounceAlone) {
+  const auto seen = [](const std::string& floor, const std::string& wall) {
+    SceneText scene;
+    scene.lambert("wall", .5f, "\"additional_color\" 1 1 1, \"ao_distance\" 0, " + wall)
+        .box("wall", Vec3(-1), Vec3(1), true)
+        .lambert("card", .5f, floor)
+        .square("card", Vec3(0, 0, -.9f), .3f, kUp);
+    return Probe(scene).onto(Vec3(0, 0, -.9f), kUp, 20, 16384);
+  };
+  const Measured plain = seen("\"ao_on\" off", "\"ao_on\" off");
+  const Measured walls = seen("\"ao_on\" off", "\"ao_on\" on");
+  EXPECT_EQ(walls.mean, plain.mean);
+  EXPECT_EQ(walls.counts.probe, 0u);
+}
+
+}  // namespace
+}  // namespace oriel::analytic
