@@ -10,9 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -21,6 +19,7 @@
 #include "mi/reader.h"
 #include "render/prepare.h"
 #include "shaders/registry.h"
+#include "timing.h"
 #include "transport/path.h"
 
 namespace {
@@ -47,6 +46,9 @@ extern "C" void rtcOccluded1(RTCScene scene, RTCIntersectContext* context, RTCRa
 namespace {
 
 using namespace oriel;
+using bench::median;
+using bench::Seconds;
+using bench::timed;
 
 /// A ray as Embree was asked.
 struct RecordedRay {
@@ -73,25 +75,6 @@ void record_intersect(RTCScene scene, RTCIntersectContext* context, RTCRayHit* r
 void record_occluded(RTCScene scene, RTCIntersectContext* context, RTCRay* ray) {
   record(*ray, false);
   embree_occluded(scene, context, ray);
-}
-
-struct Seconds {
-  double wall = 0, cpu = 0;
-};
-
-/// Time on the clock, and of all threads of the program: what other programs take is not in it.
-template <class F>
-Seconds timed(F&& f) {
-  const auto cpu = [] {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  const double cpu_before = cpu();
-  const auto before = std::chrono::steady_clock::now();
-  f();
-  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count(),
-          cpu() - cpu_before};
 }
 
 using Lines = std::vector<std::vector<RecordedRay>>;
@@ -130,12 +113,6 @@ void replay(RTCScene scene, const Lines& lines) {
       }
     }
   });
-}
-
-template <class T>
-T median(std::vector<T> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 void compare(const World& world, int threads, int samples, int rounds) {

@@ -8,10 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -21,10 +19,13 @@
 #include "mi/reader.h"
 #include "render/prepare.h"
 #include "shaders/registry.h"
+#include "timing.h"
 
 namespace {
 
 using namespace oriel;
+using bench::Seconds;
+using bench::timed;
 namespace fs = std::filesystem;
 
 constexpr int kSide = 708;  // 2 * 708^2 = 1,002,528 triangles
@@ -42,25 +43,6 @@ double status_bytes(const std::string& name) {
 void forget_peak() {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";
-}
-
-struct Seconds {
-  double wall = 0, cpu = 0;
-};
-
-/// Time on the clock, and of all threads of the process: other programs' work is not in it.
-template <class F>
-Seconds timed(F&& f) {
-  const auto cpu = [] {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  const double cpu_before = cpu();
-  const auto before = std::chrono::steady_clock::now();
-  f();
-  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count(),
-          cpu() - cpu_before};
 }
 
 int measure(const std::string& form, const std::string& path, int threads) {

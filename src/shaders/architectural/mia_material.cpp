@@ -59,6 +59,12 @@ struct Normals {
 /// The normals after the bump inputs, on the viewer's side.
 Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
   Normals n{point.normal, point.normal, point.normal};
+  const Vec3 none(0);
+  if (extended && p.bump_mode != 0 && p.overall_bump == none && p.standard_bump == none &&
+      p.refl_base_bump == none) {
+    n.diffuse = n.specular = n.base = facing_viewer(point.normal, point);
+    return n;
+  }
   if (!extended || p.bump_mode == 0) {
     if (p.bump.node && p.bump.node->spec().value) {
       ShadingPoint bumped = point;
@@ -79,8 +85,7 @@ Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
   return n;
 }
 
-void set_roughness(Lobe& lobe, float gloss, float anisotropy) {
-  const bsdf::Roughness roughness = bsdf::gloss_to_roughness(gloss, anisotropy);
+void set_roughness(Lobe& lobe, const bsdf::Roughness& roughness) {
   lobe.alpha_x = roughness.ax;
   lobe.alpha_y = roughness.ay;
 }
@@ -114,8 +119,8 @@ LobeControls reflection_controls(const P& p, int samples) {
 
 void add_reflection(const P& p, const ReflectingLayer& layer, const Frame& frame,
                     Closure& closure) {
-  if (is_black(layer.level)) return;
-  const bool mirror = bsdf::gloss_to_roughness(layer.gloss, p.anisotropy).is_mirror();
+  const bsdf::Roughness roughness = bsdf::gloss_to_roughness(layer.gloss, p.anisotropy);
+  const bool mirror = roughness.is_mirror();
   const bool mirror_rays = mirror || layer.samples == 0;
   const LobeControls controls = reflection_controls(p, layer.samples);
   if (mirror_rays) {
@@ -126,7 +131,7 @@ void add_reflection(const P& p, const ReflectingLayer& layer, const Frame& frame
   if (!mirror) {
     // With mirror rays the highlight still follows the gloss.
     Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, layer.level, frame);
-    set_roughness(lobe, layer.gloss, p.anisotropy);
+    set_roughness(lobe, roughness);
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only || mirror_rays;
     lobe.controls.mirrored = mirror_rays;
@@ -136,14 +141,14 @@ void add_reflection(const P& p, const ReflectingLayer& layer, const Frame& frame
 void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
                     float eta, Closure& closure) {
   if (is_black(level)) return;
-  const bool clear =
-      p.refr_gloss_samples == 0 || bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy).is_mirror();
+  const bsdf::Roughness roughness = bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy);
+  const bool clear = p.refr_gloss_samples == 0 || roughness.is_mirror();
   const LobeKind kind = p.thin_walled
                             ? (clear ? LobeKind::ThinTransmission : LobeKind::GlossyThin)
                             : (clear ? LobeKind::ClearRefraction : LobeKind::GlossyRefraction);
   Lobe& lobe = closure.add(kind, Channel::Refraction, level, stretched_frame(p, point, normal));
   lobe.eta = eta;
-  if (!clear) set_roughness(lobe, p.refr_gloss, p.anisotropy);
+  if (!clear) set_roughness(lobe, roughness);
   lobe.controls.samples = static_cast<float>(std::max(p.refr_gloss_samples, 1));
   lobe.controls.interpolate = p.refr_interpolate;
   lobe.controls.grid_density = grid_density(p);
@@ -219,18 +224,20 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   add_diffuse(p, levels.diffuse, n.diffuse, closure);
   const bool weak_inner =
       inside && p.transparency > 0 && p.skip_inside_refl && !levels.total_reflection;
-  if (!weak_inner)
+  if (!weak_inner && !is_black(levels.reflection))
     add_reflection(p, {levels.reflection, p.refl_gloss, p.refl_gloss_samples},
                    stretched_frame(p, point, n.specular), closure);
   if (!is_black(levels.base_reflection))
     add_reflection(p, {levels.base_reflection, p.refl_base_gloss, p.refl_base_gloss_samples},
                    stretched_frame(p, point, n.base), closure);
-  const float eta = inside ? 1 / std::max(p.refr_ior, 0.1f) : std::max(p.refr_ior, 0.1f);
-  add_refraction(p, point, n.specular, levels.refraction, eta, closure);
-  if (!is_black(levels.translucency))
-    closure.add(LobeKind::Translucency, Channel::Translucency, levels.translucency,
-                Frame(n.diffuse));
-  if (p.transparency > 0) closure.inside = inside_of(p);
+  if (p.transparency > 0) {
+    const float eta = inside ? 1 / std::max(p.refr_ior, 0.1f) : std::max(p.refr_ior, 0.1f);
+    add_refraction(p, point, n.specular, levels.refraction, eta, closure);
+    if (!is_black(levels.translucency))
+      closure.add(LobeKind::Translucency, Channel::Translucency, levels.translucency,
+                  Frame(n.diffuse));
+    closure.inside = inside_of(p);
+  }
   closure.albedo = levels.sum();
 }
 
@@ -264,7 +271,9 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
   const Rgb diffuse = saturate(p.diffuse, conserve);
   const float ior = std::max(p.refr_ior, 0.1f);
 
-  if (p.brdf_fresnel) {
+  if (p.reflectivity <= 0 && p.transparency <= 0) {
+    // Nothing asks for the curve.
+  } else if (p.brdf_fresnel) {
     out.curve = bsdf::fresnel_dielectric(cos_view, back_side ? 1 / ior : ior);
     out.total_reflection = out.curve >= 1;
     if (p.thin_walled) out.curve = bsdf::pane_reflectance(out.curve);
@@ -277,9 +286,13 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
 
   // Reflection first: what it takes is untinted by a metal's own colour, so that a red metal does
   // not leave its complement to the diffuse component.
-  const Rgb taken = saturate(p.refl_color, conserve) * (weight(p.reflectivity) * weight(out.curve));
-  out.reflection = p.refl_is_metal ? taken * diffuse : taken;
-  Rgb left = conserve ? Rgb(1) - taken : Rgb(1);
+  Rgb left(1);
+  if (p.reflectivity > 0) {
+    const Rgb taken =
+        saturate(p.refl_color, conserve) * (weight(p.reflectivity) * weight(out.curve));
+    out.reflection = p.refl_is_metal ? taken * diffuse : taken;
+    if (conserve) left -= taken;
+  }
   if (p.refl_base > 0) {
     const Rgb base = saturate(p.refl_base_color, conserve) * weight(p.refl_base);
     out.base_reflection = left * base;
@@ -287,9 +300,11 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
   }
 
   const float transparency = weight(p.transparency);
-  const float translucent = p.refr_translucency ? weight(p.refr_trans_weight) : 0;
-  out.refraction = left * saturate(p.refr_color, conserve) * (transparency * (1 - translucent));
-  out.translucency = left * saturate(p.refr_trans_color, conserve) * (transparency * translucent);
+  if (transparency > 0) {
+    const float translucent = p.refr_translucency ? weight(p.refr_trans_weight) : 0;
+    out.refraction = left * saturate(p.refr_color, conserve) * (transparency * (1 - translucent));
+    out.translucency = left * saturate(p.refr_trans_color, conserve) * (transparency * translucent);
+  }
   out.diffuse = left * diffuse * (weight(p.diffuse_weight) * (conserve ? 1 - transparency : 1));
   return out;
 }
