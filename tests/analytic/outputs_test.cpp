@@ -64,7 +64,7 @@ TEST(Outputs, EnvironmentAndBouncesAreIndirect) {
   expect_near(sky.mean("indirect_raw"), Rgb(2), 1e-3f, "sky");
   expect_near(sky.mean("ao_raw"), Rgb(1), 0, "nothing occludes");
 
-  // A lit wall beside a plate that no light reaches: the lamp shines away from it.
+  // A wall that a sun lights from behind the plate, which casts no shadow of it.
   SceneText bounce = plate(kLambert);
   bounce.lambert("wall", .8f).square("wall", Vec3(0, 0, 2), 3, -kUp).light("sun", kSunBehind);
   const Picture p(bounce);
