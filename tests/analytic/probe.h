@@ -73,6 +73,10 @@ struct Measured {
   RayCounts counts;  ///< of all samples together
   double samples = 0;
   float alpha = 0;
+  Outputs outputs;  ///< mean results and levels, where Probe::outputs() asked for them
+
+  /// Mean number of rays of one kind for each path, as in `m.each(m.counts.reflect)`.
+  double each(std::uint64_t count) const { return double(count) / samples; }
 };
 
 /// A prepared scene that can be measured.
@@ -100,6 +104,17 @@ class Probe {
   }
   Probe& estimator(Estimator estimator) {
     settings_.estimator = estimator;
+    return *this;
+  }
+
+  /// Paths that share the sample counts of the materials; unless told, each lobe gets one ray.
+  Probe& paths_of_pixel(float paths) {
+    settings_.paths_of_pixel = paths;
+    return *this;
+  }
+  /// Tells the radiance apart by the components of the first material.
+  Probe& outputs() {
+    outputs_ = true;
     return *this;
   }
 
@@ -144,13 +159,16 @@ class Probe {
     std::vector<Rgb> means(kBatches);
     std::vector<RayCounts> counts(kBatches);
     std::vector<float> alphas(kBatches);
+    std::vector<Outputs> outputs(kBatches);
     std::vector<std::pair<Rgb, Rgb>> ranges(kBatches, {Rgb(1e30f), Rgb(-1e30f)});
     parallel_for(kBatches, [&](std::size_t b) {
       Imath::Vec3<double> sum(0.0);  // double: up to a million terms
+      PathSettings settings = settings_;
+      if (outputs_) settings.outputs = &outputs[b];
       for (int s = 0; s < per_batch; ++s) {
         sampling::Sampler sampler(static_cast<int>(b), 7, static_cast<std::uint32_t>(s));
         const auto [ray, raster] = eye(sampler, s);
-        const PathResult r = trace_path(*world_, ray, raster, settings_, sampler, counts[b]);
+        const PathResult r = trace_path(*world_, ray, raster, settings, sampler, counts[b]);
         sum += Imath::Vec3<double>(r.radiance.x, r.radiance.y, r.radiance.z);
         for (int k = 0; k < 3; ++k) {
           ranges[b].first[k] = std::min(ranges[b].first[k], r.radiance[k]);
@@ -165,6 +183,11 @@ class Probe {
       m.mean += means[static_cast<std::size_t>(b)] / kBatches;
       m.alpha += alphas[static_cast<std::size_t>(b)] / kBatches;
       m.counts += counts[static_cast<std::size_t>(b)];
+      const Outputs& part = outputs[static_cast<std::size_t>(b)];
+      const float share = 1 / (kBatches * static_cast<float>(per_batch));
+      for (std::size_t i = 0; i < kComponents; ++i) m.outputs.result[i] += part.result[i] * share;
+      for (std::size_t i = 0; i < kLevels; ++i) m.outputs.level[i] += part.level[i] * share;
+      m.outputs.opacity = part.opacity;
     }
     for (const Rgb& v : means) m.error += (v - m.mean) * (v - m.mean);
     for (int k = 0; k < 3; ++k) {
@@ -186,6 +209,7 @@ class Probe {
   scene::Scene scene_;
   std::unique_ptr<World> world_;
   PathSettings settings_;
+  bool outputs_ = false;
 };
 
 /// Rounding of a path's products and of tessellated, shifted ray origins; relative.
