@@ -183,6 +183,124 @@ TEST(Film, ConstantIsKeptByFiltersWithNegativeLobes) {
   }
 }
 
+/// A sample whose light came through those parts.
+struct PartedSample {
+  Outputs parts;
+  FilmSample sample;
+
+  PartedSample(float diffuse, float reflection, bool negative) {
+    parts[Component::Diffuse] = Rgb(diffuse, diffuse / 2, 0);
+    parts[Component::Reflection] = Rgb(reflection);
+    parts.level_of(Component::Diffuse) = Rgb(.5f);
+    parts.level_of(Component::Reflection) = Rgb(.25f);
+    parts.occlusion = Rgb(.75f);
+    parts.opacity = .5f;
+    sample.beauty = parts[Component::Diffuse] + parts[Component::Reflection];
+    sample.negative = negative;
+    sample.outputs = &parts;
+  }
+};
+
+Rgb sum_of_results(const Outputs& o) {
+  Rgb sum(0);
+  for (const Rgb& c : o.result) sum += c;
+  return sum;
+}
+
+TEST(OutputMeans, AreMeansOfAllSamples) {
+  OutputMeans means;
+  PartedSample a(1, 4, false), b(3, 0, false);
+  b.parts.level_of(Component::Diffuse) = Rgb(.1f);
+  means.add(&a.parts);
+  means.add(&b.parts);
+  means.add(nullptr);
+  means.add(nullptr);
+  EXPECT_EQ(means.samples, 4u);
+  EXPECT_FLOAT_EQ(means.mean[Component::Diffuse].x, 1);
+  EXPECT_FLOAT_EQ(means.mean[Component::Diffuse].y, .5f);
+  EXPECT_FLOAT_EQ(means.mean[Component::Reflection].x, 1);
+  EXPECT_FLOAT_EQ(means.mean.level_of(Component::Diffuse).x, .15f);
+  // Samples without parts: nothing is occluded or cut out there.
+  EXPECT_FLOAT_EQ(means.mean.occlusion.x, .875f);
+  EXPECT_FLOAT_EQ(means.mean.opacity, .75f);
+}
+
+TEST(OutputMeans, WhatIsNoNumberIsBlack) {
+  OutputMeans means;
+  Outputs bad;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  bad[Component::Specular] = Rgb(1, nan, 1);
+  bad.level_of(Component::Specular) = Rgb(std::numeric_limits<float>::infinity());
+  bad.opacity = nan;
+  means.add(&bad);
+  EXPECT_EQ(means.mean[Component::Specular], Rgb(0));
+  EXPECT_EQ(means.mean.level_of(Component::Specular), Rgb(0));
+  EXPECT_EQ(means.mean.opacity, 0);
+}
+
+TEST(Film, KeepsOutputsOnlyWhereAsked) {
+  EXPECT_FALSE(Film(1, 1, box()).keeps_outputs());
+  Film film(2, 1, box(), {}, true);
+  EXPECT_TRUE(film.keeps_outputs());
+  PartedSample s(1, 2, false);
+  film.add(1, 0, s.sample);
+  EXPECT_EQ(sum_of_results(film.outputs(0, 0)), Rgb(0));
+  EXPECT_EQ(film.outputs(1, 0)[Component::Reflection], Rgb(2));
+  EXPECT_EQ(film.outputs(1, 0).opacity, .5f);
+}
+
+TEST(Film, SamplesThatAreNoNumbersBringNoOutputs) {
+  Film film(1, 1, box(), {}, true);
+  PartedSample s(1, 2, false);
+  s.sample.beauty.x = std::numeric_limits<float>::quiet_NaN();
+  film.add(0, 0, s.sample);
+  EXPECT_EQ(sum_of_results(film.outputs(0, 0)), Rgb(0));
+  EXPECT_EQ(film.pixel(0, 0).beauty.g, 0);
+}
+
+// acceptance: U3
+TEST(Film, OutputsAreFilteredAsThePictureIs) {
+  const FilterSampler filter = mitchell(false);
+  Film film(1, 1, filter, {}, true);
+  PartedSample plain(1, 4, false), marked(3, 2, true);
+  film.add(0, 0, plain.sample);
+  film.add(0, 0, marked.sample);
+  Outputs o = film.outputs(0, 0);
+  const float p = filter.positive_share(), m = filter.negative_share();
+  EXPECT_FLOAT_EQ(o[Component::Diffuse].x, p * 1 - m * 3);
+  EXPECT_FLOAT_EQ(o[Component::Reflection].x, p * 4 - m * 2);
+  EXPECT_FLOAT_EQ(o.level_of(Component::Diffuse).x, .5f) << "what is alike everywhere stays";
+  EXPECT_FLOAT_EQ(o.opacity, .5f);
+  EXPECT_FLOAT_EQ(o.occlusion.x, .75f);
+  const Rgba beauty = film.pixel(0, 0).beauty;
+  EXPECT_FLOAT_EQ(sum_of_results(o).x, beauty.r);
+  EXPECT_FLOAT_EQ(sum_of_results(o).y, beauty.g);
+}
+
+// acceptance: U3
+TEST(Film, ClippedPicturesAreTheSumOfTheirOutputsToo) {
+  Film film(1, 1, mitchell(true), {}, true);
+  PartedSample plain(0, 1, false), marked(100, 1, true);
+  film.add(0, 0, plain.sample);
+  film.add(0, 0, marked.sample);
+  const Rgba beauty = film.pixel(0, 0).beauty;
+  EXPECT_EQ(beauty.r, 0);
+  EXPECT_GT(beauty.b, 0) << "blue is not clipped";
+  const Rgb sum = sum_of_results(film.outputs(0, 0));
+  EXPECT_NEAR(sum.x, 0, 1e-5f);
+  EXPECT_NEAR(sum.z, beauty.b, 1e-6f);
+}
+
+TEST(Film, OneKindOfSamplesStandsForBoth) {
+  for (const bool negative : {false, true}) {
+    Film film(1, 1, mitchell(false), {}, true);
+    PartedSample s(1, 2, negative);
+    film.add(0, 0, s.sample);
+    EXPECT_FLOAT_EQ(film.outputs(0, 0)[Component::Reflection].x, 2) << negative;
+    EXPECT_FLOAT_EQ(film.outputs(0, 0).opacity, .5f) << negative;
+  }
+}
+
 /// Share of 95 % intervals of the mean that hold the truth.
 double coverage(int samples, bool negative_lobes) {
   const FilterSampler filter = negative_lobes ? mitchell(false) : box();

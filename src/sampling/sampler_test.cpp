@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "sampling/testing/chi_square.h"
@@ -121,6 +122,103 @@ TEST(Sampler, DimensionsAreIndependent) {
                                [](int n) { return Sampler(8, 9, static_cast<std::uint32_t>(n)); }),
                   level)
             << a << '.' << ca << " with " << b << '.' << cb << " in one pixel";
+      }
+}
+
+/// Number of points in each cell of every division of the square into 2^k cells of equal area.
+void expect_net(const std::vector<Vec2>& points, int k, const std::string& what) {
+  const std::size_t n = points.size();
+  ASSERT_EQ(n % (std::size_t{1} << k), 0u);
+  const int wanted = static_cast<int>(n >> k);
+  for (int a = 0; a <= k; ++a) {
+    std::vector<int> cells(std::size_t{1} << k);
+    for (const Vec2& p : points) {
+      const auto x = static_cast<std::uint32_t>(p.x * static_cast<float>(1u << a));
+      const auto y = static_cast<std::uint32_t>(p.y * static_cast<float>(1u << (k - a)));
+      ++cells[(x << (k - a)) + y];
+    }
+    for (const int count : cells) ASSERT_EQ(count, wanted) << what << " k " << k << " a " << a;
+  }
+}
+
+TEST(Sampler, SplitStreamsOfAllSamplesAreANetTogether) {
+  // 2^s samples that split into n = 2^m streams each: 2^(s + m) points as even as a net is.
+  for (const int m : {1, 3, 4})
+    for (const int s : {0, 2, 4}) {
+      const std::uint32_t n = 1u << m, samples = 1u << s;
+      for (std::uint32_t draw = 0; draw < 3; ++draw) {
+        std::vector<Vec2> points;
+        for (std::uint32_t i = 0; i < samples; ++i)
+          for (std::uint32_t j = 0; j < n; ++j) {
+            Sampler stream = Sampler(5, 9, i, 2).split(j, n, 3);
+            stream.set_dimension(12 + draw);
+            points.push_back(stream.next_2d());
+          }
+        expect_net(points, s + m, "streams " + std::to_string(n));
+      }
+    }
+}
+
+TEST(Sampler, SplitsOfOtherNumbersCountOnWithoutGaps) {
+  // Streams of samples 0, 1, 2 ... that split into n are the points 0, n, 2 n ... and those
+  // between: any 2^k first ones are a net.
+  constexpr std::uint32_t kStreams = 5;
+  std::vector<Vec2> points;
+  for (std::uint32_t i = 0; points.size() < 64; ++i)
+    for (std::uint32_t j = 0; j < kStreams && points.size() < 64; ++j) {
+      Sampler stream = Sampler(1, 2, i).split(j, kStreams, 0);
+      points.push_back(stream.next_2d());
+    }
+  expect_net(points, 6, "fives");
+}
+
+TEST(Sampler, SplitIntoOneIsAsEvenAsTheSampleWas) {
+  std::vector<Vec2> points;
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    Sampler stream = Sampler(3, 3, i).split(0, 1, 7);
+    points.push_back(stream.next_2d());
+  }
+  expect_net(points, 6, "one");
+}
+
+TEST(Sampler, SplittingLeavesTheSampleAsItWas) {
+  Sampler a(4, 4, 1), b(4, 4, 1);
+  a.next_2d();
+  b.next_2d();
+  const Sampler stream = a.split(2, 4, 1);
+  EXPECT_EQ(stream.dimension(), a.dimension());
+  EXPECT_EQ(a.next_2d(), b.next_2d());
+}
+
+TEST(Sampler, BranchesAreIndependent) {
+  // Of each other, of the sample they came from, and of the draws that follow: in one pixel and
+  // across pixels.
+  constexpr int kCells = 12, kCount = 16384;
+  const auto first = [](Sampler s) { return s.next_2d(); };
+  struct Pair {
+    std::uint32_t a, b;
+    bool a_splits;
+  };
+  const Pair pairs[] = {{0, 1, true},  {0, 2, true},  {1, 7, true},    {0, 1000, true},
+                        {0, 0, false}, {0, 1, false}, {0, 1000, false}};
+  const double least = testing::sidak(0.01, 2 * 4 * static_cast<int>(std::size(pairs)));
+  const std::vector<double> expected(kCells * kCells, double(kCount) / (kCells * kCells));
+  for (const bool one_pixel : {false, true})
+    for (const Pair& pair : pairs)
+      for (int c = 0; c < 4; ++c) {
+        std::vector<double> observed(kCells * kCells);
+        for (int n = 0; n < kCount; ++n) {
+          const Sampler s = one_pixel ? Sampler(8, 9, static_cast<std::uint32_t>(n))
+                                      : Sampler(n % 141, n / 141, 5, 1);
+          const auto j = static_cast<std::uint32_t>(n % 4);
+          const Vec2 u = first(pair.a_splits ? s.split(j, 4, pair.a) : s);
+          const Vec2 v = first(s.split(j, 4, pair.b));
+          const auto x = static_cast<int>(u[c & 1] * kCells);
+          const auto y = static_cast<int>(v[c >> 1] * kCells);
+          observed[static_cast<std::size_t>(x * kCells + y)] += 1;
+        }
+        EXPECT_GT(testing::chi_square(observed, expected).p_value, least)
+            << pair.a << " with " << pair.b << " coordinates " << c << " one pixel " << one_pixel;
       }
 }
 
