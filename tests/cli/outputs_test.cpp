@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outputs of materials as a user asks for them: layers of EXR files, and what is said without any.
+#include "image/exr.h"
+#include "program.h"
+#include "render/output_names.h"
+
+namespace oriel {
+namespace {
+
+class OutputsProgram : public ProgramTest {
+ protected:
+  /// The small scene; `material` is a further parameter of its only material.
+  void write_scene(const std::string& parameter = {}, const std::string& options = {}) {
+    std::string text = small_scene(options);
+    const std::string last = "\"refl_gloss\" .6";
+    text.insert(text.find(last) + last.size(), parameter.empty() ? "" : ", " + parameter);
+    write("scene.mi", text);
+  }
+  RunResult render(const std::string& layers) {
+    return run({"render", "scene.mi", "-o", "a.exr", "--layers", layers, "--samples", "4"});
+  }
+};
+
+// acceptance: U1
+TEST_F(OutputsProgram, AllOfThemAreLayersOfTheFile) {
+  write_scene();
+  const RunResult r = render("outputs");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const ExrFile exr = read_exr(file("a.exr"));
+  const char* manual[] = {"result",          "diffuse_result", "diffuse_raw",      "diffuse_level",
+                          "spec_result",     "spec_raw",       "spec_level",       "refl_result",
+                          "refl_raw",        "refl_level",     "refr_result",      "refr_raw",
+                          "refr_level",      "tran_result",    "tran_raw",         "tran_level",
+                          "indirect_result", "indirect_raw",   "indirect_post_ao", "ao_raw",
+                          "add_result",      "opacity_result", "opacity_raw",      "opacity"};
+  EXPECT_EQ(std::size(manual), 24u);
+  for (const char* name : manual) {
+    const Layer* layer = find_layer(exr.layers, name);
+    ASSERT_NE(layer, nullptr) << name;
+    EXPECT_EQ(layer->image.width, 48) << name;
+    EXPECT_EQ(layer->image.channels, std::string(name) == "opacity" ? 1 : 3) << name;
+  }
+  EXPECT_NE(find_layer(exr.layers, "other"), nullptr);
+}
+
+TEST_F(OutputsProgram, SingleOnesCanBeAskedFor) {
+  write_scene();
+  ASSERT_EQ(render("refl_raw,opacity").exit_code, 0);
+  const ExrFile exr = read_exr(file("a.exr"));
+  EXPECT_EQ(exr.layers.size(), 3u);
+  EXPECT_NE(find_layer(exr.layers, "refl_raw"), nullptr);
+  EXPECT_NE(find_layer(exr.layers, "opacity"), nullptr);
+}
+
+// acceptance: U4
+TEST_F(OutputsProgram, MaterialsWithoutThemLeaveTheResultAndAMessage) {
+  write_scene("\"multiple_outputs\" off");
+  const RunResult r = render("outputs");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("OR-RN-055"), std::string::npos) << r.err;
+  const ExrFile exr = read_exr(file("a.exr"));
+  EXPECT_EQ(exr.layers.size(), 1u) << "the picture alone";
+
+  write_scene();
+  const RunResult with = render("outputs");
+  EXPECT_EQ(with.err.find("OR-RN-055"), std::string::npos) << with.err;
+  EXPECT_EQ(find_layer(exr.layers, "")->image.pixels,
+            find_layer(read_exr(file("a.exr")).layers, "")->image.pixels)
+      << "the picture is the same";
+}
+
+// acceptance: U3
+TEST_F(OutputsProgram, AFileGivesItsPictureBackWhateverTheFilter) {
+  write_scene("\"ao_on\" on, \"cutout_opacity\" .7", "filter mitchell 4 4");
+  ASSERT_EQ(render("outputs").exit_code, 0);
+  const RunResult r = run({"recombine", "a.exr"});
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+}
+
+}  // namespace
+}  // namespace oriel
