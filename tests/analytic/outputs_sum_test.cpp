@@ -31,7 +31,11 @@ class RandomScene {
         .square("card", Vec3(.5f, .1f, -2), .4f, Vec3(unit() - .5f, unit() - .5f, 1));
     if (coin()) scene.square("box", Vec3(-.6f, 0, -2), .3f, Vec3(.2f, .3f, 1));
     lights(scene);
-    return scene.str();
+    std::string text = scene.str();
+    // A third without light that diffuse surfaces send to each other.
+    const std::string method = "\"indirect\" \"path\"";
+    if (coin(.3f)) text.replace(text.find(method), method.size(), "\"indirect\" \"scene\"");
+    return text;
   }
 
  private:
@@ -83,6 +87,8 @@ class RandomScene {
     maybe(.3f, "\"skip_inside_refl\" off");
     maybe(.2f, "\"single_env_sample\" on");
     maybe(.15f, "\"backface_cull\" on");
+    maybe(.25f, fmt::format("\"refl_interpolate\" on, \"intr_grid_density\" {}", engine_() % 6));
+    maybe(.15f, "\"refr_interpolate\" on");
     maybe(.1f, "\"brdf_conserve_energy\" off");
     maybe(.2f, fmt::format("\"indirect_multiplier\" {}", 2 * unit()));
     maybe(.2f, fmt::format("\"fg_quality\" {}, \"fg_quality_w\" 0", 3 * unit()));
