@@ -235,8 +235,8 @@ void write_picture(const PictureFile& file, const RenderSession& session,
     std::vector<Layer> layers;
     if (const int shown = material_output_index(file.shown_layer); shown >= 0) {
       Image image = output_image(session, static_cast<std::size_t>(shown));
-      layers.push_back({"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames,
-                        std::move(image)});
+      layers.push_back(
+          {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
       return write_exr(file.path, layers, exr);
     }
     layers = film_layers(session, file.layers);

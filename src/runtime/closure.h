@@ -40,9 +40,9 @@ struct LobeControls {
   bool single_environment = false;  ///< rays that find nothing look up one direction, the mirror's
   float falloff_distance = 0;       ///< rays end there, what they find fades linearly; 0 = none
   Rgb falloff_color{0};
-  bool interpolate = false;  ///< rays are traced on a grid over the picture and smoothed
-  int grid_density = 2;      ///< 0..5: 2, 1, 1/2, 1/3, 1/4, 1/5 points for a pixel
-  int neighbours = 2;        ///< points looked up along each side
+  bool interpolate = false;   ///< rays are traced on a grid over the picture and smoothed
+  int grid_density = 2;       ///< 0..5: 2, 1, 1/2, 1/3, 1/4, 1/5 points for a pixel
+  int neighbours = 2;         ///< points looked up along each side
   float detail_distance = 0;  ///< nearer things are traced all the same; 0 = none
 };
 

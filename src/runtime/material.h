@@ -17,7 +17,7 @@ struct Material {
   bool has_shadow_shader = false;  ///< without one a blocker is opaque
   bool may_transmit = false;       ///< shadow rays must ask the surface
   bool opaque = false;
-  unsigned grids = 0;  ///< bit d: glossy rays are interpolated over the grid of density d
+  unsigned grids = 0;   ///< bit d: glossy rays are interpolated over the grid of density d
   bool outputs = true;  ///< false: the material may only have its result (multiple_outputs off)
 };
 

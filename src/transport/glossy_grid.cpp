@@ -20,8 +20,8 @@ constexpr int kMostNeighbours = 64;
 }  // namespace
 
 float GlossyGrid::resolution(int density) {
-  constexpr std::array<float, kDensities> kResolution = {2, 1, 1 / 2.0f, 1 / 3.0f, 1 / 4.0f,
-                                                         1 / 5.0f};
+  constexpr std::array<float, kDensities> kResolution = {2,        1,        1 / 2.0f,
+                                                         1 / 3.0f, 1 / 4.0f, 1 / 5.0f};
   return kResolution[static_cast<std::size_t>(std::clamp(density, 0, kDensities - 1))];
 }
 
@@ -68,7 +68,7 @@ GlossyGrid::GlossyGrid(const World& world, bool indirect, std::uint32_t seed, Ra
   }
 }
 
-std::optional<Rgb> GlossyGrid::look_up(std::optional<Rgb> GridPoint::* value, Vec2 raster,
+std::optional<Rgb> GlossyGrid::look_up(std::optional<Rgb> GridPoint::*value, Vec2 raster,
                                        int density, int n, int instance, const Material& material,
                                        const Vec3& normal) const {
   if (grids_.empty()) return std::nullopt;
@@ -88,9 +88,9 @@ std::optional<Rgb> GlossyGrid::look_up(std::optional<Rgb> GridPoint::* value, Ve
   for (int j = first(at.y); j < first(at.y) + n; ++j)
     for (int i = first(at.x); i < first(at.x) + n; ++i) {
       if (i < 0 || j < 0 || i >= grid.width || j >= grid.height) continue;
-      const GridPoint& p = grid.points[static_cast<std::size_t>(j) *
-                                           static_cast<std::size_t>(grid.width) +
-                                       static_cast<std::size_t>(i)];
+      const GridPoint& p =
+          grid.points[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width) +
+                      static_cast<std::size_t>(i)];
       if (p.instance != instance || p.material != &material || !(p.*value) ||
           dot(p.normal, normal) < kSameWay)
         continue;

@@ -58,7 +58,7 @@ class GlossyGrid {
     int width = 0, height = 0;
     std::vector<GridPoint> points;
   };
-  std::optional<Rgb> look_up(std::optional<Rgb> GridPoint::* value, Vec2 raster, int density, int n,
+  std::optional<Rgb> look_up(std::optional<Rgb> GridPoint::*value, Vec2 raster, int density, int n,
                              int instance, const Material& material, const Vec3& normal) const;
 
   std::vector<Grid> grids_;  ///< by density; empty when no material interpolates
