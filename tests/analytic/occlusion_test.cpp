@@ -199,6 +199,23 @@ TEST(Occlusion, DetailsMultiplyIndirectLightAlone) {
   }
 }
 
+// acceptance: O2
+TEST(Occlusion, DetailsDimTheSkyHoweverItIsFound) {
+  // A black wall hides half of an even sky; what is left is dimmed by how near the wall is.
+  constexpr float kAside = .4f, kDark = .3f, kEnd = 1e5f;
+  const float free = 1 - corner_occlusion(kAside);
+  for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
+    SceneText scene = floor_with(
+        fmt::format("\"ao_do_details\" 1, \"ao_distance\" 1, \"ao_dark\" {0} {0} {0}", kDark));
+    scene.uniform_sky(1).lambert("wall", 0).polygon(
+        "wall", {Vec3(-kAside, -kEnd, -1), Vec3(-kAside, kEnd, -1), Vec3(-kAside, kEnd, kEnd),
+                 Vec3(-kAside, -kEnd, kEnd)});
+    expect_exact(fmt::format("sky beside a wall, dimmed, estimator {}", static_cast<int>(e)),
+                 Probe(scene).estimator(e).onto(Vec3(0), kUp, 30, 65536, .2f),
+                 .5f * (free + kDark * (1 - free)));
+  }
+}
+
 // acceptance: O3
 TEST(Occlusion, ColouredDetailsShowNeighboursLessTheDarkness) {
   using S = UnderSlab;
