@@ -207,6 +207,30 @@ void Path::run(const Camera::Ray& eye) {
   walk();
 }
 
+void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float reach) {
+  kind_ = RayKind::FinalGather;
+  after_diffuse_ = true;
+  bounces_ = 1;
+  parted_ = true;
+  eye_ = point.position;
+  cone_.spread = kDiffuseSpread;
+  // Weighed against lights that nobody samples: it passes through them unseen.
+  from_.weighed = true;
+  from_.group = LobeGroup::Near;
+  vertex_ = 1;
+  follow(point, direction);
+  ray_.tfar = std::min(ray_.tfar, reach);
+  walk();
+}
+
+PathResult trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
+                            float reach, const PathSettings& settings, sampling::Sampler& sampler,
+                            RayCounts& counts) {
+  PathResult result;
+  Path(world, point.raster, settings, sampler, counts, result).gather_ray(point, direction, reach);
+  return result;
+}
+
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts) {
   PathResult result;

@@ -28,6 +28,7 @@ struct PathSettings {
   /// False: no diffuse bounces and no light from the environment on diffuse lobes, as a scene
   /// without final gathering and photons is rendered.
   bool indirect = true;
+  int diffuse_bounces = 1 << 20;  ///< most of them; light from the environment is the last one
   Estimator estimator = Estimator::Mis;
   /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
   /// surface: a material's sample counts are for the pixel.
@@ -49,5 +50,15 @@ struct PathSettings {
 ///          estimators, outputs).
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts);
+
+/// What a final gather ray from a surface sees: surfaces and environment, no light sources.
+///
+/// Inputs:  direction: unit, on the viewer's side; settings.diffuse_bounces: those behind the first
+///          surface met, 0 = its direct light alone; reach: scene units, beyond it there is
+///          nothing but the environment.
+/// Returns: radiance; depth = distance to the surface, 0 = none.
+PathResult trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
+                            float reach, const PathSettings& settings, sampling::Sampler& sampler,
+                            RayCounts& counts);
 
 }  // namespace oriel

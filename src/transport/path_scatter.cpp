@@ -17,9 +17,6 @@ constexpr int kRouletteDepth = 3;
 /// Spread a glossy bounce adds to the ray's cone, per unit of roughness (radians); a guess that
 /// keeps textures sharper than the lobe is wide.
 constexpr float kSpreadPerRoughness = 0.5f;
-/// Spread after a diffuse bounce (radians): textures seen by final gather rays need no detail.
-constexpr float kDiffuseSpread = 0.2f;
-
 bool has_diffuse(const Closure& closure) {
   for (int i = 0; i < closure.count; ++i)
     if (closure.lobes[i].kind == LobeKind::Diffuse) return true;
@@ -187,6 +184,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       if (!straight_rays_fade()) medium_ = Medium{}, medium_known_ = true;
       cone_.spread = std::max(cone_.spread, kDiffuseSpread);
       ++bounces_;
+      ++diffuse_bounces_;
       throughput_ *= closure.indirect_scale;
       if (lobe.kind == LobeKind::Diffuse) throughput_ *= occlusion_;
       if (lobe.kind == LobeKind::Translucency) part = Component::Translucency;

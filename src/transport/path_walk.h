@@ -13,6 +13,8 @@
 
 namespace oriel {
 
+/// Spread after a diffuse bounce (radians): textures seen by final gather rays need no detail.
+inline constexpr float kDiffuseSpread = 0.2f;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct GridPoint;
@@ -30,6 +32,7 @@ class Path {
         result_(&result) {}
 
   void run(const Camera::Ray& eye);
+  void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
   /// Follows the eye ray to the first surface and fills a point of the grid of that density.
   void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
 
@@ -97,7 +100,10 @@ class Path {
   bool depth_reached(LobeKind kind) const;
   bool survive();
 
-  bool indirect() const { return settings_.indirect; }
+  /// Whether this vertex may be lit by surfaces and environment.
+  bool indirect() const {
+    return settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
+  }
   RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
   // path_grid.cpp
   void fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point);
@@ -140,7 +146,9 @@ class Path {
   Medium medium_;
   Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
   bool medium_known_ = false;
-  int reflections_ = 0, refractions_ = 0, bounces_ = 0;
+  int reflections_ = 0, refractions_ = 0;  ///< since the last diffuse bounce
+  int bounces_ = 0;                        ///< diffuse and glossy
+  int diffuse_bounces_ = 0;
 };
 
 }  // namespace oriel
