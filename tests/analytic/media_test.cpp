@@ -113,6 +113,41 @@ TEST(NestedMedia, WaterReflectsTotallyWhatGlassWouldLetOut) {
   }
 }
 
+// acceptance: T7
+TEST(Prism, TurnsTheViewByTotalReflectionWhetherWeakOnesAreSkippedOrNot) {
+  // Upward into a leg, totally off the hypotenuse at 45 degrees, out of the other leg along x.
+  for (const bool skip : {true, false}) {
+    SceneText scene("trace depth 40 40 80 shadow on");
+    const auto face = [&](const Vec3& a, const Vec3& b) {  // outside is right of a -> b, from +y
+      scene.polygon("glass",
+                    {a + Vec3(0, 5, 0), b + Vec3(0, 5, 0), b - Vec3(0, 5, 0), a - Vec3(0, 5, 0)});
+    };
+    scene
+        .material("glass",
+                  interface(1.5, skip ? ", \"skip_inside_refl\" on" : ", \"skip_inside_refl\" off"))
+        .statement("shader \"place\" \"test_place\" ()")
+        .material("target",
+                  "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" = \"place\"")
+        .square("target", Vec3(4, 0, 0), 50, Vec3(-1, 0, 0));
+    const Vec3 corners[] = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 0, 2)};
+    for (int i = 0; i < 3; ++i) face(corners[i], corners[(i + 1) % 3]);
+    for (const float x : {.5f, 1.0f, 1.5f}) {
+      const Measured m = Probe(scene).ray(Vec3(x, 0, -.5f), kUp, 1 << 15);
+      const std::string name = fmt::format("prism at {}, skip {}", x, skip);
+      EXPECT_NEAR(4 * m.mean.z / m.mean.x, x, 1e-4f) << name;
+      // Both legs reflect .04; there and back again between them is what skipping leaves out.
+      const float exact = 4 * .96f * .96f / (skip ? 1 : 1 - .04f * .04f);
+      EXPECT_NEAR(m.mean.x, exact, 4 * m.error.x + 1e-4f) << name;
+      EXPECT_LT(m.error.x, .01f * exact) << name;
+      if (skip)
+        EXPECT_NEAR(m.each(m.counts.reflect), 1, .01) << name;
+      else
+        EXPECT_GT(m.each(m.counts.reflect), 1.03) << name;
+      figure(name, exact, m.mean.x, m.error.x);
+    }
+  }
+}
+
 // acceptance: T10
 TEST(Translucency, SolidBringsTheLightOfItsBackToItsFront) {
   // A wide slab, lit by a sun behind it. Of the transparency 1, `a` passes straight, b is
