@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/light_emission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "color/luminance.h"
+#include "sampling/sampler.h"
+#include "sampling/warp.h"
+
+namespace oriel {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// Photons by which a shader's flux is known when `energy` replaces it.
+constexpr int kFluxSamples = 4096;
+/// Photons from afar begin this much outside of the scene, so that what lies on its rim is met.
+constexpr float kOutside = 1.001f;
+
+bool is_flat(LightShape shape) {
+  return shape == LightShape::Rectangle || shape == LightShape::Disc;
+}
+
+/// Cosine of the widest angle at which a light sends.
+float least_cosine(const Light& light) { return light.spread < -1 ? -1.0f : light.spread; }
+
+ShadingPoint lit_point(const World& world, const Vec3& position, const Vec3& direction) {
+  ShadingPoint point;
+  point.position = position;
+  point.ray_direction = direction;
+  point.normal = point.geometric_normal = -direction;
+  point.world = &world;
+  return point;
+}
+
+/// Radiance of a flat light at its centre, at that cosine.
+float flat_radiance(const World& world, const Light& light, float cosine, float distance) {
+  const Frame frame(light.direction);
+  const Vec3 direction = frame.to_world(Vec3(std::sqrt(1 - sqr(cosine)), 0, cosine));
+  ShadingPoint point = lit_point(world, light.position + direction * distance, direction);
+  const auto hit = intersect_light(light, point, -direction, kInfinity);
+  return hit ? luminance(hit->radiance) : 0;
+}
+
+/// Whether a flat light's radiance grows toward grazing angles as it does when its shader has no
+/// cosine; photons by the cosine would then carry very different powers.
+bool lacks_cosine(const World& world, const Light& light) {
+  constexpr float kSlant = 0.5f;  // radiance doubles there without a cosine
+  const float distance = std::sqrt(light.area);
+  const float cosine = std::max(kSlant, 0.5f + 0.5f * least_cosine(light));
+  return flat_radiance(world, light, cosine, distance) * cosine >
+         0.9f * flat_radiance(world, light, 1, distance);
+}
+
+}  // namespace
+
+PhotonSource::PhotonSource(const World& world, const EmissionRequest& request) : world_(&world) {
+  aim_at(request.aim.value_or(geom::Box3()));
+}
+
+PhotonSource::PhotonSource(const World& world, const Light& light, const EmissionRequest& request)
+    : world_(&world), light_(&light) {
+  aim_at(request.aim.value_or(geom::Box3()));
+  if (is_flat(light.shape)) by_cosine_ = !lacks_cosine(world, light);
+  if (!request.energy) return;
+  mean_luminance_ = luminance(estimate_flux(kFluxSamples));
+  // By the same convention as a colour (runtime/light.h): physical_light sends pi times its colour.
+  power_of_all_ = *request.energy * kPi;
+}
+
+void PhotonSource::aim_at(const geom::Box3& box) {
+  const geom::Box3 scene = world_->accel->bounds();
+  if (scene.isEmpty()) return;
+  scene_centre_ = scene.center();
+  scene_radius_ = length(scene.size()) / 2;
+  const bool given = box.hasVolume();
+  aim_centre_ = given ? box.center() : scene_centre_;
+  aim_radius_ = given ? length(box.size()) / 2 : scene_radius_;
+}
+
+EmittedPhoton PhotonSource::emit_through_disc(const Vec3& direction, Vec2 u) const {
+  const Frame frame(direction);
+  const Vec2 d = sampling::sample_disc(u) * aim_radius_;
+  const Vec3 place = aim_centre_ + frame.s * d.x + frame.t * d.y;
+  const float back = dot(scene_centre_ - place, direction) - scene_radius_ * kOutside;
+  return {place + direction * std::min(0.0f, back), direction, kPi * sqr(aim_radius_), Vec2(0)};
+}
+
+EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
+  if (!light_) {
+    const EnvironmentLight::Sample s = world_->environment.sample(u_direction);
+    EmittedPhoton photon = emit_through_disc(-s.wi, u_place);
+    photon.weight /= s.pdf;
+    return photon;
+  }
+  const Light& light = *light_;
+  if (light.shape == LightShape::Directional) {
+    ShadingPoint point = lit_point(*world_, aim_centre_, light.direction);
+    const auto s = sample_light(light, point, u_direction);
+    EmittedPhoton photon = emit_through_disc(s ? -s->wi : light.direction, u_place);
+    photon.u = u_direction;
+    return photon;
+  }
+
+  EmittedPhoton photon;
+  float cone = 1 - std::min(least_cosine(light), 1.0f);  // 1 - its cosine
+  if (light.shape == LightShape::Point) {
+    photon.origin = light.position;
+    photon.direction = Frame(light.direction).to_world(sampling::sample_cone(u_direction, cone));
+    photon.weight = kTwoPi * cone;
+    return photon;
+  }
+  // A place on the shape and its normal there.
+  Vec3 normal = light.direction;
+  float area = light.area;
+  if (light.shape == LightShape::Rectangle) {
+    photon.origin =
+        light.position + light.edge_u * (u_place.x - 0.5f) + light.edge_v * (u_place.y - 0.5f);
+  } else if (light.shape == LightShape::Disc) {
+    const Vec2 d = sampling::sample_disc(u_place) * light.radius;
+    photon.origin = light.position + light.edge_u * d.x + light.edge_v * d.y;
+  } else if (light.shape == LightShape::Sphere) {
+    normal = sampling::sample_uniform_sphere(u_place);
+    photon.origin = light.position + normal * light.radius;
+    area = 4 * kPi * sqr(light.radius);
+  } else {
+    const float half = length(light.edge_u);
+    const Frame axis(light.edge_u * (1 / half));
+    const float phi = kTwoPi * u_place.x;
+    normal = axis.s * std::cos(phi) + axis.t * std::sin(phi);
+    photon.origin = light.position + light.edge_u * (2 * u_place.y - 1) + normal * light.radius;
+    area = kTwoPi * light.radius * 2 * half;
+  }
+  // A spread limits flat lights around their normal, round ones not around every normal.
+  cone = is_flat(light.shape) ? std::min(cone, 1.0f) : 1.0f;
+  Vec3 local;
+  if (by_cosine_) {
+    const float sin2 = cone * (2 - cone);
+    const Vec2 d = sampling::sample_disc(u_direction) * std::sqrt(sin2);
+    local = Vec3(d.x, d.y, std::sqrt(std::max(1e-12f, 1 - d.x * d.x - d.y * d.y)));
+    photon.weight = area * kPi * sin2;
+  } else {
+    local = sampling::sample_cone(u_direction, cone);
+    photon.weight = area * kTwoPi * cone * local.z;
+  }
+  photon.direction = Frame(normal).to_world(local);
+  return photon;
+}
+
+Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) const {
+  if (!(scene_radius_ > 0) || !(distance > 0)) return Rgb(0);
+  if (!light_) {
+    if (!world_->environment.lights()) return Rgb(0);
+    return rgb(environment_radiance(world_->environment.shaders(), *world_, aim_centre_,
+                                    -photon.direction, RayKind::FinalGather)) *
+           photon.weight;
+  }
+  const Light& light = *light_;
+  ShadingPoint point =
+      lit_point(*world_, photon.origin + photon.direction * distance, photon.direction);
+  if (light.shape == LightShape::Point || light.shape == LightShape::Directional) {
+    const auto s = sample_light(light, point, photon.u);
+    if (!s) return Rgb(0);
+    const float spreads = light.shape == LightShape::Point ? sqr(s->distance) : 1.0f;
+    return s->irradiance * (spreads * photon.weight);
+  }
+  auto hit = intersect_light(light, point, -photon.direction, kInfinity);
+  if (!hit) {
+    // Rounding may pass the rim of the shape: look a little farther in.
+    constexpr float kInward = 1e-3f;
+    Vec3 centre = light.position;
+    if (light.shape == LightShape::Cylinder)
+      centre += light.edge_u * (dot(photon.origin - light.position, light.edge_u) /
+                                dot(light.edge_u, light.edge_u));
+    const Vec3 inner = photon.origin + (centre - photon.origin) * kInward;
+    hit = intersect_light(light, point, normalize(inner - point.position), kInfinity);
+  }
+  return hit ? hit->radiance * photon.weight : Rgb(0);
+}
+
+Rgb PhotonSource::power(const EmittedPhoton& photon, float distance) const {
+  if (!power_of_all_) return power_by_shader(photon, distance);
+  if (!(mean_luminance_ > 0)) return *power_of_all_;
+  return *power_of_all_ * (luminance(power_by_shader(photon, scene_radius_)) / mean_luminance_);
+}
+
+Rgb PhotonSource::estimate_flux(int samples) const {
+  Rgb sum(0);
+  for (int i = 0; i < samples; ++i) {
+    sampling::Sampler sampler(0, 0, static_cast<std::uint32_t>(i));
+    const Vec2 u_place = sampler.next_2d();
+    sum += power_by_shader(emit(u_place, sampler.next_2d()), scene_radius_) /
+           static_cast<float>(samples);
+  }
+  return sum;
+}
+
+}  // namespace oriel

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// What leaves a light or the environment: photons whose power agrees with direct light.
+#pragma once
+
+#include <optional>
+
+#include "runtime/world.h"
+
+namespace oriel {
+
+// Conventions
+//   World space. The mean of the power of photons is the flux of the source in the unit whose
+//   density on a surface is the irradiance of sample_light. Power is asked from sample_light and
+//   intersect_light, so that there is one place that knows how a light shader's colour becomes
+//   light. Sources infinitely far away send photons through a disc that covers what they aim at.
+
+/// A photon on its way; what it carries is known where it lands.
+struct EmittedPhoton {
+  Vec3 origin{0};
+  Vec3 direction{0, 0, -1};  ///< unit
+  float weight = 0;          ///< power for each unit of intensity, irradiance or radiance
+  Vec2 u{0};                 ///< that chose the direction
+};
+
+/// What a scene may say about the photons of a light.
+struct EmissionRequest {
+  /// Total flux as `energy` writes it: the unit is that of physical_light's colour, so that a
+  /// physical light whose energy is its colour agrees with its direct light. The shader then only
+  /// tells how it spreads. Unset: the shader tells all, photons agree with direct light.
+  std::optional<Rgb> energy;
+  /// World box at which infinitely far sources aim; unset or empty: the whole scene.
+  std::optional<geom::Box3> aim;
+};
+
+/// Emits the photons of one light, or of the environment as diffuse surfaces see it.
+///
+/// Model:   point and spot lights uniform in solid angle, shapes uniform in area and by the cosine
+///          (uniform in solid angle where the shader of a flat light leaves the cosine out),
+///          directional lights uniform over a disc, the environment by its table. A light whose
+///          decay is not that of physics has no flux: its photons carry what direct light is where
+///          they land, so that both agree at every first hit. Whether a light casts shadows does
+///          not matter: photons are always stopped.
+/// Checked: PhotonEmission.* in tests/analytic/photon_test.cpp.
+class PhotonSource {
+ public:
+  PhotonSource(const World& world, const Light& light, const EmissionRequest& request = {});
+  /// The environment.
+  explicit PhotonSource(const World& world, const EmissionRequest& request = {});
+
+  /// Inputs: two independent draws, each uniform in [0,1)^2.
+  EmittedPhoton emit(Vec2 u_place, Vec2 u_direction) const;
+  /// Power with which a photon lands after a straight way of that length; black where the light
+  /// does not reach or send.
+  Rgb power(const EmittedPhoton& photon, float distance) const;
+  /// Power where nothing was met: at the radius of the scene.
+  Rgb power_unmet(const EmittedPhoton& photon) const { return power(photon, scene_radius_); }
+  float scene_radius() const { return scene_radius_; }
+  /// Mean of power_unmet over `samples` photons.
+  Rgb estimate_flux(int samples) const;
+
+ private:
+  void aim_at(const geom::Box3& box);
+  EmittedPhoton emit_through_disc(const Vec3& direction, Vec2 u) const;
+  Rgb power_by_shader(const EmittedPhoton& photon, float distance) const;
+
+  const World* world_;
+  const Light* light_ = nullptr;  // null: the environment
+  Vec3 scene_centre_{0}, aim_centre_{0};
+  float scene_radius_ = 0, aim_radius_ = 0;
+  bool by_cosine_ = true;
+  std::optional<Rgb> power_of_all_;  // that energy asks for
+  float mean_luminance_ = 0;         // of the shader's power, where energy asks
+};
+
+}  // namespace oriel

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/photon_trace.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "transport/photon_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Photons one thread takes at a time, and all together before counts are looked at.
+constexpr std::uint64_t kBatch = 1024, kRound = 64 * kBatch;
+/// Photons of one light, whatever is asked; they are numbered by 32 bits.
+constexpr std::uint64_t kMostEmitted = std::uint64_t{1} << 31;
+/// Most photons sent for each that is to be stored.
+constexpr std::uint64_t kMostForEach = 1000;
+
+/// The photons of one light for one map, in the order they were sent.
+struct Harvest {
+  PhotonCount count;
+  bool wanted = false;
+  std::vector<StoredPhoton> photons;
+
+  /// After how many photons this map asks for no more, as far as can be told.
+  std::uint64_t most() const {
+    if (!wanted) return 0;
+    std::uint64_t n = kMostEmitted;
+    if (count.emit > 0) n = std::min(n, count.emit);
+    if (count.store > 0) n = std::min(n, std::max(kRound, kMostForEach * count.store));
+    return n;
+  }
+  bool is_done(std::uint64_t sent) const {
+    if (sent >= most() || (count.store > 0 && photons.size() >= count.store)) return true;
+    return count.store > 0 && photons.empty() && sent >= kHopelessPhotons;
+  }
+
+  /// Drops what came past the limits and appends the rest, each its share of the power.
+  void take_to(std::vector<Photon>& map, std::uint64_t sent) const {
+    std::uint64_t emitted = std::min(sent, most());
+    if (count.store > 0 && photons.size() >= count.store)
+      emitted = std::min(emitted, std::uint64_t{photons[count.store - 1].index} + 1);
+    const float share = 1 / static_cast<float>(emitted);
+    for (const StoredPhoton& s : photons) {
+      if (s.index >= emitted) break;
+      map.push_back(s.photon);
+      map.back().power *= share;
+    }
+  }
+};
+
+class Tracer {
+ public:
+  Tracer(const World& world, const PhotonSettings& settings) : world_(world), settings_(settings) {}
+
+  void trace(const PhotonSource& source, const LightPhotons& asked, int stream) {
+    Harvest global{asked.global, settings_.globillum && asked.global.any(), {}};
+    Harvest caustic{asked.caustic, settings_.caustics && asked.caustic.any(), {}};
+    // Photons that no map asks for any more are not followed.
+    PhotonSettings settings = settings_;
+    settings.lights.clear();
+    PhotonBalance balance;
+    std::uint64_t sent = 0;
+    while (true) {
+      settings.globillum = global.wanted && !global.is_done(sent);
+      settings.caustics = caustic.wanted && !caustic.is_done(sent);
+      if (!settings.globillum && !settings.caustics) break;
+      std::uint64_t end = sent + kRound;
+      for (const Harvest* h : {&global, &caustic})
+        if (h->most() > sent) end = std::min(end, h->most());
+      std::vector<PhotonLog> logs((end - sent + kBatch - 1) / kBatch);
+      parallel_for(logs.size(), [&](std::size_t b) {
+        const std::uint64_t first = sent + b * kBatch, last = std::min(first + kBatch, end);
+        for (std::uint64_t i = first; i < last; ++i)
+          walk_photon(world_, settings, source, stream, static_cast<std::uint32_t>(i), logs[b]);
+      });
+      for (const PhotonLog& log : logs) {
+        global.photons.insert(global.photons.end(), log.global.begin(), log.global.end());
+        caustic.photons.insert(caustic.photons.end(), log.caustic.begin(), log.caustic.end());
+        balance += log.balance;
+        counts_ += log.counts;
+      }
+      sent = end;
+    }
+    if (sent == 0) return;
+    global.take_to(global_, sent);
+    caustic.take_to(caustic_, sent);
+    const double each = 1 / static_cast<double>(sent);
+    for (auto* sum : {&balance.emitted, &balance.absorbed, &balance.escaped, &balance.stopped})
+      *sum *= each;
+    balance_ += balance;
+  }
+
+  const PhotonBalance& balance() const { return balance_; }
+  const RayCounts& counts() const { return counts_; }
+  PhotonMaps maps() {
+    return {PhotonMap(std::move(global_), settings_.merge_global),
+            PhotonMap(std::move(caustic_), settings_.merge_caustic)};
+  }
+
+ private:
+  const World& world_;
+  const PhotonSettings& settings_;
+  std::vector<Photon> global_, caustic_;
+  PhotonBalance balance_;
+  RayCounts counts_;
+};
+
+}  // namespace
+
+PhotonBalance& PhotonBalance::operator+=(const PhotonBalance& o) {
+  emitted += o.emitted;
+  absorbed += o.absorbed;
+  escaped += o.escaped;
+  stopped += o.stopped;
+  photons += o.photons;
+  return *this;
+}
+
+PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
+                         PhotonBalance* balance) {
+  Tracer tracer(world, settings);
+  for (std::size_t i = 0; i < world.lights.size(); ++i) {
+    const LightPhotons& asked = i < settings.lights.size() ? settings.lights[i] : settings.each;
+    if (!asked.global.any() && !asked.caustic.any()) continue;
+    tracer.trace(PhotonSource(world, world.lights[i], asked.emission), asked,
+                 static_cast<int>(i) + 1);
+  }
+  if (world.environment.lights())
+    tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0);
+  counts += tracer.counts();
+  if (balance) *balance += tracer.balance();
+  return tracer.maps();
+}
+
+}  // namespace oriel

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Photons from lights to surfaces: what fills the photon maps.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/light_emission.h"
+#include "transport/counts.h"
+#include "transport/photon_file.h"
+
+namespace oriel {
+
+/// How many photons of a light; what is reached first ends them, 0 = no limit. Neither: none.
+struct PhotonCount {
+  std::uint64_t store = 0;  ///< that are stored in the map
+  std::uint64_t emit = 0;   ///< that are sent
+  bool any() const { return store > 0 || emit > 0; }
+};
+
+struct LightPhotons {
+  PhotonCount global, caustic;
+  EmissionRequest emission;
+};
+
+struct PhotonSettings {
+  bool globillum = true, caustics = true;
+  LightPhotons each;                 ///< of lights past the end of `lights`
+  std::vector<LightPhotons> lights;  ///< as World::lights
+  LightPhotons environment;          ///< none unless asked: hosts leave the sky to final gathering
+  scene::TraceDepth depth{5, 5, 5};  ///< bounces of all kinds, diffuse reflection included
+  float merge_global = 0, merge_caustic = 0;  ///< see PhotonMap
+  std::uint32_t seed = 0;
+};
+
+/// Where the power went, mean over the photons of each light, summed over lights.
+struct PhotonBalance {
+  using Sum = Imath::Vec3<double>;  ///< double: millions of terms
+  Sum emitted{0.0}, absorbed{0.0}, escaped{0.0};
+  Sum stopped{0.0};  ///< by trace depth, or since no map asks for more
+  std::uint64_t photons = 0;
+
+  PhotonBalance& operator+=(const PhotonBalance& o);
+};
+
+/// Sends the photons of all lights.
+///
+/// Model:   photons scatter by the same closures and lobes as paths, as if what they come from
+///          looked at the surface. One of the lobes is followed with the chance of the power it
+///          keeps, so that powers stay about equal. Straight through cut-outs, and through
+///          materials that shadow rays pass, unless they make refractive caustics; through glass
+///          that blocks shadow rays refracted. Absorbed by media as paths are. Each surface with a
+///          diffuse or translucent component stores those that came by mirrors, glass and glossy
+///          surfaces alone in the caustic map, those with a diffuse bounce behind them in the
+///          global map, direct light in neither. Caustic and global photons of a light are the
+///          same photons as far as both are asked for. Lists of lights of instances and materials
+///          do not apply, nor do limits of reflection rays (cut-off, falloff, own depth).
+///          A light of which the first kHopeless photons leave none to store is given up.
+/// Returns: maps that depend on the world and the settings alone, not on threads. Segments are
+///          counted as gather rays.
+/// Checked: PhotonTrace.* in tests/analytic/photon_test.cpp.
+PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
+                         PhotonBalance* balance = nullptr);
+
+/// See trace_photons; a light that a mirror or glass covers only a hundred-thousandth of is dark.
+inline constexpr std::uint64_t kHopelessPhotons = 100000;
+
+}  // namespace oriel

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/photon_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "transport/lobes.h"
+#include "transport/shadow.h"
+#include "transport/surface.h"
+
+namespace oriel {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+/// Surfaces of any kind, cut-outs included, before a photon is given up.
+constexpr int kMostVertices = 256;
+/// Draws reserved for each vertex, so that a vertex uses the same dimensions in every photon.
+constexpr std::uint32_t kDrawsPerVertex = 8;
+/// Photons are asked for by other numbers than pixels are.
+constexpr int kStreamRow = 0x70686f74;
+/// Near end of the first segment, as share of the scene's radius: what lies in the plane of an
+/// area light does not stop its photons.
+constexpr float kOffTheLight = 1e-5f;
+
+PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
+
+class PhotonWalk {
+ public:
+  PhotonWalk(const World& world, const PhotonSettings& settings, const PhotonSource& source,
+             int stream, std::uint32_t index, PhotonLog& log)
+      : world_(world),
+        settings_(settings),
+        source_(source),
+        index_(index),
+        log_(log),
+        sampler_(stream, kStreamRow, index, settings.seed) {}
+
+  void run();
+
+ private:
+  bool arrive(const geom::Hit& hit);
+  void pass_medium(const Medium& medium, float distance);
+  void store(const ShadingPoint& point);
+  float choose_lobes(const Closure& closure, LobeChoice& choice) const;
+  bool go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
+             bool seen);
+  void enter(const Closure& closure, const ShadingPoint& point, const Vec3& direction);
+  bool count_bounce(LobeKind kind);
+  void follow(const ShadingPoint& point, const Vec3& direction);
+  void absorb() { lose(Rgb(0)); }
+  /// What is left of the factor; the rest is absorbed.
+  void lose(const Rgb& left) {
+    log_.balance.absorbed += precise(emitted_) * precise(factor_ - left);
+    factor_ = left;
+  }
+  Rgb power() const { return emitted_ * factor_; }
+  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
+  bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
+
+  const World& world_;
+  const PhotonSettings& settings_;
+  const PhotonSource& source_;
+  std::uint32_t index_;
+  PhotonLog& log_;
+  sampling::Sampler sampler_;
+
+  EmittedPhoton photon_;
+  geom::Ray ray_;
+  Rgb emitted_{0};  // as of the last surface, until the photon has scattered
+  Rgb factor_{1};
+  Medium medium_;
+  Vec3 left_{0};
+  bool medium_known_ = false;
+  bool scattered_ = false, specular_ = false, diffuse_ = false;
+  int reflections_ = 0, refractions_ = 0;
+};
+
+/// Dims, and ends the photon by chance instead where it would become weak.
+void PhotonWalk::pass_medium(const Medium& medium, float distance) {
+  const Rgb before = power(), t = transmittance(medium, distance);
+  const float most = max_component(before);
+  const float kept = most > 0 ? max_component(before * t) / most : max_component(t);
+  if (sampler_.next_1d() >= kept)
+    absorb();
+  else
+    lose(factor_ * t / kept);
+}
+
+void PhotonWalk::store(const ShadingPoint& point) {
+  const bool global = diffuse_ && settings_.globillum;
+  const bool caustic = !diffuse_ && specular_ && settings_.caustics;
+  if (!global && !caustic) return;
+  (global ? log_.global : log_.caustic)
+      .push_back({{point.position, ray_.dir, power(), point.geometric_normal}, index_});
+}
+
+/// Chances of the lobes: the share of the power each would keep. Returns their sum, at most 1.
+float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const {
+  const Rgb now = power();
+  const float most = max_component(now);
+  float total = 0;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.controls.highlights_only || lobe.kind == LobeKind::PhongHighlight) continue;
+    choice.rays[i] = std::max(0.0f, max_component(lobe.level * now)) / most;
+    total += choice.rays[i];
+  }
+  if (total > 1) {
+    // Materials may be told not to conserve energy.
+    for (float& chance : choice.rays) chance /= total;
+    total = 1;
+  }
+  choice.any = total > 0;
+  return total;
+}
+
+/// False when the trace depth allows no more.
+bool PhotonWalk::count_bounce(LobeKind kind) {
+  const bool refracts = transmits(kind) || kind == LobeKind::Translucency;
+  const scene::TraceDepth& depth = settings_.depth;
+  if (reflections_ + refractions_ >= depth.sum) return false;
+  return refracts ? refractions_++ < depth.refraction : reflections_++ < depth.reflection;
+}
+
+/// The medium on the other side of a boundary, or the one a wall stands in.
+void PhotonWalk::enter(const Closure& closure, const ShadingPoint& point, const Vec3& direction) {
+  if (closure.thin_walled) return;
+  if (dot(direction, point.geometric_normal) < 0) {
+    medium_ = point.back_side ? Medium{} : closure.inside;
+    medium_known_ = true;
+  } else if (point.back_side && !medium_known_) {
+    medium_ = closure.inside;
+    medium_known_ = true;
+  }
+}
+
+void PhotonWalk::follow(const ShadingPoint& point, const Vec3& direction) {
+  const float reach =
+      medium_known_ && medium_.black_distance > 0 ? medium_.black_distance : kInfinity;
+  std::uint32_t mask = geom::RayMask::FinalGather;
+  if (!scattered_) mask |= geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
+  ray_ = leave(point, direction, reach, mask);
+  left_ = point.position;
+}
+
+/// Scatters, passes straight, or ends. False: it ends.
+bool PhotonWalk::go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
+                       bool seen) {
+  LobeChoice choice;
+  const float survives = choose_lobes(closure, choice);
+  float u = sampler_.next_1d();
+  const Vec2 u2 = sampler_.next_2d();
+  if (!choice.any || u >= survives) return absorb(), false;
+  const int index = choose_lobe(closure, choice, u);
+  const LobeKind kind = closure.lobes[index].kind;
+
+  const bool refracts = closure.refractive_caustics && world_.options.caustic.on;
+  if (transmits(kind) && material.may_transmit && !refracts) {
+    Rgb through(0);
+    float chance = 0;
+    for (int i = 0; i < closure.count; ++i) {
+      if (!transmits(closure.lobes[i].kind) || choice.rays[i] <= 0) continue;
+      through += closure.lobes[i].level;
+      chance += choice.rays[i];
+    }
+    lose(factor_ * through / chance);
+    enter(closure, point, ray_.dir);
+    if (!straight_rays_fade() && !closure.thin_walled) medium_ = Medium{};
+    follow(point, ray_.dir);
+    return true;
+  }
+
+  if (!seen) return absorb(), false;
+  const bool wanted = settings_.globillum || !is_diffuse(kind);
+  if (!count_bounce(kind) || !wanted) {
+    log_.balance.stopped += precise(power());
+    factor_ = Rgb(0);
+    return false;
+  }
+  const auto sample = sample_lobe(closure, choice, index, point, point.wo(), u, u2);
+  if (!sample || !is_finite(Vec3(sample->weight))) return absorb(), false;
+  lose(factor_ * sample->weight);
+  enter(closure, point, sample->wi);
+  scattered_ = true;
+  if (is_diffuse(kind)) {
+    diffuse_ = true;
+    if (!straight_rays_fade()) medium_ = Medium{}, medium_known_ = true;
+  } else {
+    specular_ = true;
+  }
+  follow(point, sample->wi);
+  return max_component(factor_) > 0;
+}
+
+/// At a surface. False: the photon ends here.
+bool PhotonWalk::arrive(const geom::Hit& hit) {
+  ShadingPoint point;
+  fill_point(world_, ray_, hit, {}, RayKind::FinalGather, point);
+  const Material& material = material_of(world_, hit);
+  Closure closure;
+  shade(material, point, closure);
+  if (!scattered_) emitted_ = source_.power(photon_, length(point.position - photon_.origin));
+  if (max_component(power()) <= 0) return absorb(), false;
+
+  if (!medium_known_ && point.back_side && !closure.thin_walled) medium_ = closure.inside;
+  if (medium_.clear())
+    sampler_.skip();
+  else
+    pass_medium(medium_, length(point.position - left_));
+  if (max_component(factor_) <= 0) return false;
+  if (sampler_.next_1d() >= closure.opacity) {
+    follow(point, ray_.dir);
+    return true;
+  }
+
+  // What only casts shadows neither keeps nor scatters light.
+  const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
+  make_ready(closure, point.wo());
+  for (int i = 0; seen && i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.kind != LobeKind::Diffuse && lobe.kind != LobeKind::Translucency) continue;
+    if (max_component(lobe.level) <= 0) continue;
+    store(point);
+    break;
+  }
+  return go_on(closure, material, point, seen);
+}
+
+void PhotonWalk::run() {
+  const Vec2 u_place = sampler_.next_2d();
+  photon_ = source_.emit(u_place, sampler_.next_2d());
+  ray_.org = left_ = photon_.origin;
+  ray_.dir = photon_.direction;
+  ray_.tnear = kOffTheLight * source_.scene_radius();
+  ray_.mask = geom::RayMask::FinalGather | geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
+  for (int vertex = 0; vertex < kMostVertices; ++vertex) {
+    sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(vertex + 1));
+    geom::Hit hit;
+    ++log_.counts.gather;
+    if (!world_.accel->intersect(ray_, hit)) {
+      if (!scattered_) emitted_ = source_.power_unmet(photon_);
+      // Nothing within the reach of a medium that turns black is black.
+      if (std::isinf(ray_.tfar))
+        log_.balance.escaped += precise(power());
+      else
+        absorb();
+      break;
+    }
+    if (!arrive(hit)) break;
+    if (vertex == kMostVertices - 1) log_.balance.stopped += precise(power());
+  }
+  log_.balance.emitted += precise(emitted_);
+  ++log_.balance.photons;
+}
+
+}  // namespace
+
+void walk_photon(const World& world, const PhotonSettings& settings, const PhotonSource& source,
+                 int stream, std::uint32_t index, PhotonLog& log) {
+  PhotonWalk(world, settings, source, stream, index, log).run();
+}
+
+}  // namespace oriel

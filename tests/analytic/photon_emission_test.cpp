@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// First hits of photons against direct light, for every kind of light.
+#include "runtime/light_emission.h"
+
+#include "probe.h"
+
+namespace oriel::analytic {
+namespace {
+
+const Vec3 kUp(0, 0, 1);
+
+std::string physical(float energy) {
+  return fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} )", energy);
+}
+
+/// A rectangle on which photons and direct light are compared, without any blockers.
+struct Card {
+  Vec3 centre, edge_u, edge_v;
+  Vec3 normal() const { return normalize(cross(edge_u, edge_v)); }
+  float area() const { return length(cross(edge_u, edge_v)); }
+};
+
+/// Mean over groups, with the spread of the groups as error.
+struct Estimate {
+  double mean = 0, error = 0;
+};
+template <class F>
+Estimate estimate(int samples, const F& f) {
+  constexpr int kGroups = 16;
+  std::vector<double> means(kGroups);
+  parallel_for(kGroups, [&](std::size_t g) {
+    for (int i = 0; i < samples / kGroups; ++i) {
+      sampling::Sampler s(static_cast<int>(g), 3, static_cast<std::uint32_t>(i));
+      means[g] += double(f(s)) / (samples / kGroups);
+    }
+  });
+  Estimate e;
+  for (const double m : means) e.mean += m / kGroups;
+  for (const double m : means) e.error += (m - e.mean) * (m - e.mean);
+  e.error = std::sqrt(e.error / (kGroups - 1) / kGroups);
+  return e;
+}
+
+/// Irradiance of the card's front from first hits.
+Estimate by_photons(const PhotonSource& source, const Card& card, int samples = 1 << 20) {
+  const Vec3 n = card.normal();
+  return estimate(samples, [&](sampling::Sampler& s) {
+    const Vec2 u_place = s.next_2d();
+    const EmittedPhoton photon = source.emit(u_place, s.next_2d());
+    const float cosine = -dot(photon.direction, n);
+    if (!(cosine > 0)) return 0.0f;
+    const float t = dot(photon.origin - card.centre, n) / cosine;
+    if (!(t > 0)) return 0.0f;
+    const Vec3 p = photon.origin + photon.direction * t - card.centre;
+    if (std::abs(dot(p, card.edge_u)) > .5f * dot(card.edge_u, card.edge_u) ||
+        std::abs(dot(p, card.edge_v)) > .5f * dot(card.edge_v, card.edge_v))
+      return 0.0f;
+    return source.power(photon, t).y / card.area();
+  });
+}
+
+Estimate by_direct_light(const World& world, const Light* light, const Card& card) {
+  return estimate(1 << 16, [&](sampling::Sampler& s) {
+    ShadingPoint point;
+    const Vec2 where = s.next_2d(), u = s.next_2d();
+    point.position = card.centre + card.edge_u * (where.x - .5f) + card.edge_v * (where.y - .5f);
+    point.normal = point.geometric_normal = card.normal();
+    point.world = &world;
+    if (light) {
+      const auto sample = sample_light(*light, point, u);
+      return sample ? sample->irradiance.y * std::max(0.0f, dot(sample->wi, point.normal)) : 0.0f;
+    }
+    const auto sample = world.environment.sample(u);
+    const Rgba radiance = environment_radiance(world.environment.shaders(), world, point.position,
+                                               sample.wi, RayKind::FinalGather);
+    return radiance.g * std::max(0.0f, dot(sample.wi, point.normal)) / sample.pdf;
+  });
+}
+
+/// The card lies flat at z = 0 but for a slant.
+const Card kCard{Vec3(.2f, .1f, 0), Vec3(1, 0, .2f), Vec3(0, 1, 0)};
+/// A box around it.
+const geom::Box3 kAim(Vec3(-.5f, -.5f, -.2f), Vec3(.8f, .7f, .2f));
+
+void expect_agreement(const std::string& name, const Light* light_or_sky, const World& world,
+                      const EmissionRequest& request = {}) {
+  const PhotonSource source =
+      light_or_sky ? PhotonSource(world, *light_or_sky, request) : PhotonSource(world, request);
+  const Estimate direct = by_direct_light(world, light_or_sky, kCard);
+  const Estimate photons = by_photons(source, kCard);
+  ASSERT_GT(direct.mean, 0) << name;
+  EXPECT_LT(std::hypot(photons.error, direct.error), .008 * direct.mean) << name << ": too noisy";
+  EXPECT_NEAR(photons.mean, direct.mean, 4 * std::hypot(photons.error, direct.error)) << name;
+  EXPECT_NEAR(photons.mean, direct.mean, .02 * direct.mean) << name;
+  figure(name, direct.mean, photons.mean, photons.error);
+}
+
+/// Something to aim at, 6 units wide.
+SceneText stage() {
+  SceneText scene;
+  scene.lambert("grey", .5f).box("grey", Vec3(-3), Vec3(3), true);
+  return scene;
+}
+
+// acceptance: H4
+// acceptance: S14
+TEST(PhotonEmission, FirstHitsBringWhatDirectLightBrings) {
+  const struct {
+    const char* name;
+    std::string element;
+  } kCases[] = {
+      {"point", physical(100) + " origin 0 0 2"},
+      {"point, decay 1", physical(100) + " origin 0 0 2 exponent 1"},
+      {"point without decay", "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 1.5"},
+      {"point with a range",
+       "\"mib_light_point\" ( \"color\" 1 1 1, \"atten\" on, \"start\" 1, \"stop\" 3 ) "
+       "origin 0 .5 1.5"},
+      {"spot",
+       "\"physical_light\" ( \"color\" 9 9 9, \"cone\" .95 ) origin 0 0 2 direction .1 0 -1 "
+       "spread .85"},
+      {"spot without decay",
+       "\"mib_light_spot\" ( \"color\" 1 1 1, \"cone\" .9 ) origin 1 0 2 direction -.3 0 -1 "
+       "spread .7"},
+      {"wide spot",
+       "\"physical_light\" ( \"color\" 9 9 9, \"cone\" .2 ) origin 0 0 2 "
+       "direction 1 0 -1 spread -.5"},
+      {"directional", "\"mib_light_infinite\" ( \"color\" 2 2 2 ) direction .3 .2 -1"},
+      {"sun",
+       "\"mia_physicalsun\" ( \"rgb_unit_conversion\" 1 1 1, \"shadow_softness\" 20 ) "
+       "direction .3 .2 -1"},
+      {"rectangle", physical(9) + " origin 0 0 1 direction 0 0 -1 rectangle 1 0 0 0 2 0 3 3"},
+      {"slanted rectangle",
+       physical(9) + " origin 0 0 1 direction 0 0 -1 rectangle 1 0 .3 .5 1 0 3 3"},
+      {"rectangle without cosine or decay",
+       "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 1 direction 0 0 -1 "
+       "rectangle 1 0 0 0 1 0 3 3"},
+      {"rectangle with a spread",
+       "\"physical_light\" ( \"color\" 9 9 9, \"cone\" .9 ) origin 0 0 1 direction 0 0 -1 "
+       "spread .6 rectangle 1 0 0 0 1 0 3 3"},
+      {"disc", physical(9) + " origin 0 0 1 disc 0 0 -1 .5 3 3"},
+      {"sphere", physical(9) + " origin 0 0 1 sphere .5 3 3"},
+      {"sphere without decay",
+       "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 1 sphere .3 3 3"},
+      {"cylinder", physical(9) + " origin 0 0 1 cylinder 1 0 .2 .25 3 3"},
+  };
+  for (const auto& c : kCases) {
+    SceneText scene = stage();
+    scene.light("lamp", c.element);
+    const Probe probe(scene);
+    expect_agreement(c.name, &probe.world().lights[0], probe.world());
+  }
+}
+
+// acceptance: H4
+TEST(PhotonEmission, EnvironmentBringsWhatItBringsDirectly) {
+  for (const bool half : {false, true}) {
+    SceneText scene = stage();
+    if (half)
+      scene.half_sky(2, Vec3(1, .5f, 1));
+    else
+      scene.uniform_sky(1);
+    const Probe probe(scene);
+    expect_agreement(half ? "half sky" : "uniform sky", nullptr, probe.world(), {.aim = kAim});
+    if (half) continue;
+    const Card level{Vec3(0), Vec3(2, 0, 0), Vec3(0, 2, 0)};
+    const Estimate e = by_photons(PhotonSource(probe.world()), level);
+    EXPECT_NEAR(e.mean, kPi, 4 * e.error);
+    EXPECT_LT(e.error, .02 * kPi);
+  }
+}
+
+// acceptance: S14
+TEST(PhotonEmission, ABoxToAimAtChangesOnlyWherePhotonsGo) {
+  SceneText scene = stage();
+  scene.light("sun", "\"mib_light_infinite\" ( \"color\" 2 2 2 ) direction .3 .2 -1");
+  const Probe probe(scene);
+  const Light& sun = probe.world().lights[0];
+  const EmissionRequest request{.aim = kAim};
+  expect_agreement("aimed directional", &sun, probe.world(), request);
+  // Far from the box nothing arrives, and photons start outside of the scene.
+  const PhotonSource source(probe.world(), sun, request);
+  EXPECT_EQ(by_photons(source, {Vec3(2.8f, -2.8f, 2), Vec3(.1f, 0, 0), Vec3(0, .1f, 0)}, 4096).mean,
+            0);
+  for (int i = 0; i < 100; ++i) {
+    sampling::Sampler s(0, 0, static_cast<std::uint32_t>(i));
+    const Vec2 u = s.next_2d();
+    const EmittedPhoton photon = source.emit(u, s.next_2d());
+    EXPECT_GT(length(photon.origin), 3 * std::sqrt(3.0f));
+  }
+}
+
+// acceptance: L7
+TEST(PhotonEmission, EnergyReplacesTheFlux) {
+  SceneText scene = stage();
+  scene
+      .light("spot",
+             "\"physical_light\" ( \"color\" 9 5 5, \"cone\" .95 ) origin 0 0 2 "
+             "direction .1 0 -1 spread .85")
+      .light("lamp", "\"physical_light\" ( \"color\" 3 2 1 ) origin 0 0 2");
+  const Probe probe(scene);
+  // Only the shape of the shader's light stays.
+  const PhotonSource spot(probe.world(), probe.world().lights[0], {.energy = Rgb(7, 8, 9)});
+  Rgb sum(0);
+  constexpr int kCount = 4096;
+  for (int i = 0; i < kCount; ++i) {
+    sampling::Sampler s(0, 0, static_cast<std::uint32_t>(i));
+    const Vec2 u = s.next_2d();
+    sum += spot.power(spot.emit(u, s.next_2d()), 1.7f) / kCount;
+  }
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum[k], kPi * Rgb(7, 8, 9)[k], 1e-3f * sum[k]);
+  // A physical light whose energy is its colour is as without.
+  const Light& lamp = probe.world().lights[1];
+  const PhotonSource same(probe.world(), lamp, {.energy = Rgb(3, 2, 1)}),
+      plain(probe.world(), lamp);
+  const EmittedPhoton photon = same.emit(Vec2(.3f, .4f), Vec2(.7f, .2f));
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(same.power(photon, 2)[k], plain.power(photon, 2)[k], 1e-4f);
+}
+
+}  // namespace
+}  // namespace oriel::analytic
