@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where reflections end: at a distance, at a depth, and beside the highlights of light sources.
+#include <atomic>
+
 #include "probe.h"
 
 namespace oriel::analytic {
@@ -199,6 +201,43 @@ TEST(ReflectionDepth, AtTheLimitHighlightsStay) {
     expect_same(fmt::format("depth against highlights only, {} light", lamp.name), deep, only,
                 .02f);
   }
+}
+
+/// "test_asked": white, and counts how often it is asked.
+std::atomic<int> times_asked{0};
+constexpr ShaderSpec kTestAsked = {
+    .name = "test_asked",
+    .library = "test",
+    .apply = kApplyTexture,
+    .value =
+        [](const Call&, void* result) {
+          ++times_asked;
+          *static_cast<Rgba*>(result) = Rgba(1, 1, 1, 1);
+        },
+};
+
+// acceptance: R6
+TEST(ReflectionFalloff, SurfacesBeyondAreNotReached) {
+  std::vector<const ShaderSpec*> specs = test_registry().all();
+  specs.push_back(&kTestAsked);
+  const Registry registry(specs);
+  const auto asked = [&](float height, const std::string& falloff) {
+    SceneText scene;
+    scene.material("m", metal(1, falloff))
+        .statement("shader \"asked\" \"test_asked\" ()")
+        .material("far",
+                  "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" = \"asked\"")
+        .square("m", Vec3(0), 5, kUp)
+        .square("far", Vec3(0, 0, height), 5, -kUp);
+    Probe probe(scene.str(), registry);
+    times_asked = 0;
+    down_onto(probe);
+    return times_asked.load();
+  };
+  EXPECT_EQ(asked(1.9f, kFades), 64);
+  EXPECT_EQ(asked(2.1f, kFades), 0);
+  EXPECT_EQ(asked(2.1f, kToColour), 0);
+  EXPECT_EQ(asked(2.1f, {}), 64);
 }
 
 /// A plate under a square lamp, told apart into reflection and highlight.
