@@ -177,10 +177,11 @@ Outputs Film::outputs(int x, int y) const {
   out.occlusion = p.occlusion * s.plain + m.occlusion * s.marked;
   out.opacity = p.opacity * s.plain + m.opacity * s.marked;
   if (clips_) {
-    // What the filter clips is taken from no part in particular.
-    Rgb sum(0);
-    for (const Rgb& c : out.result) sum += c;
-    out[Component::Other] += color(i) - sum;
+    // Parts of what the filter clips to nothing are nothing.
+    const Rgb whole = color(i);
+    for (Rgb& part : out.result)
+      for (int k = 0; k < 3; ++k)
+        if (whole[k] <= 0) part[k] = 0;
   }
   return out;
 }

@@ -255,6 +255,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("shadow")) bound.has_shadow_shader = !list->empty();
   for (const ShaderNode* node : bound.surface)
     if (node->spec().may_transmit && node->spec().may_transmit(*node)) bound.may_transmit = true;
+  bound.may_have_holes = bound.may_transmit;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
   for (const ShaderNode* node : bound.surface) {
     if (node->spec().has_outputs) bound.outputs = node->spec().has_outputs(*node);

@@ -19,4 +19,8 @@ Vec3 bump_normal(const ShadingPoint& point, const Vec3& normal, const Vec3& v, i
 /// normal that looks away would shade black.
 Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point);
 
+/// Turns the normal just enough that the mirrored view does not point into the flat triangle: what
+/// glossy lobes lose below it would be a dark rim.
+Vec3 reflecting_outward(const Vec3& normal, const ShadingPoint& point);
+
 }  // namespace oriel

@@ -22,7 +22,6 @@ enum class LobeKind : std::uint8_t {
   ThinTransmission,  ///< straight through a thin wall
   GlossyThin,        ///< blurred, through a thin wall
   Translucency,      ///< diffuse to the other side
-  NearDiffuse,       ///< light from surfaces near by alone: occlusion that keeps their colours
   PhongHighlight     ///< light sources only: cos^exponent of the mirrored view, mental ray's phong
 };
 

@@ -16,6 +16,7 @@ struct Material {
   NodeList displace;  ///< added up, they move the vertices of the surface along their normals
   bool has_shadow_shader = false;  ///< without one a blocker is opaque
   bool may_transmit = false;       ///< shadow rays must ask the surface
+  bool may_have_holes = false;     ///< cut-outs, for rays that pass nothing else
   bool opaque = false;
   unsigned grids = 0;   ///< bit d: glossy rays are interpolated over the grid of density d
   bool outputs = true;  ///< false: the material may only have its result (multiple_outputs off)

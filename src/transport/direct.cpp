@@ -55,6 +55,7 @@ LightChoice::LightChoice(const World& world, ShadingPoint& point, const Closure&
 }
 
 float LightChoice::rate(int light) const {
+  if (count_ == 0) return 0;
   if (count_ > kMostWeighed) return lit_by(light) ? 1.0f / static_cast<float>(count_) : 0.0f;
   if (all_) return estimate_[light];
   return total_ > 0 ? estimate_[light] / total_ : 0;

@@ -41,7 +41,6 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
 bool right_side(LobeKind kind, bool same_side) {
   switch (kind) {
     case LobeKind::Diffuse:
-    case LobeKind::NearDiffuse:
     case LobeKind::GlossyReflection:
     case LobeKind::PhongHighlight:
       return same_side;
@@ -69,8 +68,6 @@ LobeGroup group_of(LobeKind kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:
       return LobeGroup::Diffuse;
-    case LobeKind::NearDiffuse:
-      return LobeGroup::Near;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
     case LobeKind::PhongHighlight:
@@ -87,9 +84,7 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
   const bool same_side = dot(wi, point.geometric_normal) > 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    if (is_delta(lobe.kind) || lobe.kind == LobeKind::NearDiffuse ||
-        !right_side(lobe.kind, same_side))
-      continue;
+    if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
     if (seen_in_mirrors && lobe.controls.mirrored) continue;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (lobe.kind == LobeKind::PhongHighlight) {
@@ -159,11 +154,6 @@ std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoic
     return out;
   }
   if (!right_side(lobe.kind, side > 0)) return std::nullopt;
-  if (lobe.kind == LobeKind::NearDiffuse) {
-    out.pdf = s->pdf;
-    out.weight = lobe.level * (s->weight / rays);
-    return out;
-  }
   const Response all = evaluate_closure(closure, choice, point, wo, out.wi);
   const Response::Part& part = all.of(lobe.kind);
   out.pdf = part.pdf;

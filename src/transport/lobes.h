@@ -19,8 +19,7 @@ namespace oriel {
 enum class LobeGroup : std::uint8_t {
   Diffuse,     ///< and translucency: rays go straight on, as shadow rays do
   Reflection,  ///< lights may be seen as highlights instead
-  Refraction,
-  Near  ///< neighbours only, no lights
+  Refraction
 };
 
 LobeGroup group_of(LobeKind kind);
@@ -43,8 +42,7 @@ struct Response {
 };
 
 inline bool is_diffuse(LobeKind kind) {
-  return kind == LobeKind::Diffuse || kind == LobeKind::Translucency ||
-         kind == LobeKind::NearDiffuse;
+  return kind == LobeKind::Diffuse || kind == LobeKind::Translucency;
 }
 
 /// Which lobes rays may follow at this vertex: how likely each is, or how many rays it gets.

@@ -73,7 +73,7 @@ void Path::meet_first(const Closure& closure) {
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     // The highlight beside a mirror has the mirror's level.
-    if (lobe.kind == LobeKind::NearDiffuse || lobe.controls.mirrored) continue;
+    if (lobe.controls.mirrored) continue;
     switch (lobe.channel) {
       case Channel::Diffuse:
         out.level_of(Component::Diffuse) += lobe.level;
@@ -162,6 +162,7 @@ bool Path::arrive(const geom::Hit& hit) {
     return false;
   }
 
+  darken_near(from_.passed + hit.t);
   fade(from_.passed + hit.t);
   from_first_ = false;
   if (!parted_) meet_first(closure);
@@ -214,9 +215,7 @@ void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float re
   parted_ = true;
   eye_ = point.position;
   cone_.spread = kDiffuseSpread;
-  // Weighed against lights that nobody samples: it passes through them unseen.
-  from_.weighed = true;
-  from_.group = LobeGroup::Near;
+  from_.weighed = true;  // against no lights: it passes through them unseen
   vertex_ = 1;
   follow(point, direction);
   ray_.tfar = std::min(ray_.tfar, reach);

@@ -68,7 +68,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
 /// within the detail distance.
 void Path::interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                        LobeChoice& choice) {
-  if (!settings_.grid || reflections_ + refractions_ > 0 || after_diffuse_) return;
+  if (!settings_.grid || !at_eye_surface()) return;
   float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];

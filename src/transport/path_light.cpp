@@ -29,7 +29,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
       continue;
     }
     const float rate = from_.lights.rate(static_cast<int>(i));
-    if (rate <= 0 || from_.group == LobeGroup::Near) continue;
+    if (rate <= 0) continue;
     const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed || !hit->shadow || !from_.shadows) continue;
     const Rgb arriving = lights_ * hit->radiance * transmittance(medium_, hit->t - from_.passed) *
@@ -70,6 +70,13 @@ Rgb Path::faded_to() {
   const Rgb found = reflected_environment(fading_.mirrored);
   if (fading_.looked_up) *fading_.looked_up = found;
   return found;
+}
+
+/// Diffuse rays of occlusion with colours: what is near loses a share, its light goes with it.
+void Path::darken_near(float t) {
+  if (near_distance_ > 0 && t < near_distance_)
+    throughput_ *= Rgb(1) - near_dark_ * (1 - t / near_distance_);
+  near_distance_ = 0;
 }
 
 /// At a surface, t from where the ray began.

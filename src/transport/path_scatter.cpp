@@ -17,6 +17,9 @@ constexpr int kRouletteDepth = 3;
 /// Spread a glossy bounce adds to the ray's cone, per unit of roughness (radians); a guess that
 /// keeps textures sharper than the lobe is wide.
 constexpr float kSpreadPerRoughness = 0.5f;
+/// Stands for any distance, scene units.
+constexpr float kFarAway = 1e30f;
+
 bool has_diffuse(const Closure& closure) {
   for (int i = 0; i < closure.count; ++i)
     if (closure.lobes[i].kind == LobeKind::Diffuse) return true;
@@ -58,7 +61,6 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice) const {
     Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only) continue;
     if (!world_.options.trace || (is_diffuse(lobe.kind) && !indirect())) continue;
-    if (lobe.kind == LobeKind::NearDiffuse && after_diffuse_) continue;
     if (!is_diffuse(lobe.kind)) {
       const bool reflection = lobe.channel == Channel::Reflection;
       const bool cut =
@@ -93,7 +95,7 @@ int Path::rays_at_first(float samples, float importance) const {
 
 /// At the first surface each lobe gets rays of its own when one of them is worth more than one.
 bool Path::split(const Closure& closure, LobeChoice& choice) const {
-  if (reflections_ + refractions_ > 0 || after_diffuse_ || !choice.any) return false;
+  if (!at_eye_surface() || !choice.any) return false;
   float rays[Closure::kMostLobes] = {};
   bool splits = false;
   for (int i = 0; i < closure.count; ++i) {
@@ -102,7 +104,7 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
     int n = 1;
     if (lobe.kind == LobeKind::Diffuse)
       n = std::max(1, static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
-    else if (lobe.kind == LobeKind::NearDiffuse || !is_delta(lobe.kind))
+    else if (!is_delta(lobe.kind))
       n = rays_at_first(lobe.controls.samples, max_component(lobe.level));
     rays[i] = static_cast<float>(n);
     splits |= n > 1;
@@ -114,9 +116,17 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
 /// Occlusion at this vertex: factor of indirect light, ambient light.
 void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   occlusion_ = Rgb(1);
+  near_distance_ = 0;
   const Occlusion& o = closure.occlusion;
+  if (o.samples <= 0 || !has_diffuse(closure)) return;
   const bool dims = o.details > 0 && indirect() && !after_diffuse_;
-  if (o.samples <= 0 || (!dims && is_black(o.ambient)) || !has_diffuse(closure)) return;
+  if (dims && o.details > 1) {
+    near_dark_ = o.dark;
+    near_distance_ = o.distance > 0 ? o.distance : kFarAway;
+  }
+  const bool tells = settings_.outputs && at_first_;
+  const bool asks = !is_black(o.ambient) || (dims && (o.details == 1 || tells));
+  if (!asks) return;
   Rgb level(0);
   Vec3 normal = point.normal;
   for (int i = 0; i < closure.count; ++i)
@@ -124,14 +134,14 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
       level += closure.lobes[i].level;
       normal = closure.lobes[i].frame.n;
     }
-  const int rays = at_first_ ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
+  const int rays = at_eye_surface() ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
   const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
   const Rgb open = Rgb(free) + o.dark * (1 - free);
   add(at_vertex(Component::Indirect), throughput_ * level * o.ambient * open);
-  // With colours, what is occluded shows the neighbours, less the darkness: their lobe adds them.
-  if (dims) occlusion_ = o.details > 1 ? Rgb(free) : open;
-  if (settings_.outputs && at_first_)
-    settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - (Rgb(1) - Rgb(free)) * o.dark : open;
+  if (dims && o.details == 1) occlusion_ = open;
+  // Where indirect light is not dimmed, its factor is 1, whatever the ambient light does.
+  if (tells && (dims || !indirect()))
+    settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
 }
 
 /// What lights and environment bring to this vertex.
@@ -175,7 +185,6 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   Component part = Component::Indirect;
   switch (lobe.kind) {
     case LobeKind::Diffuse:
-    case LobeKind::NearDiffuse:
     case LobeKind::Translucency:
       kind_ = RayKind::FinalGather;
       after_diffuse_ = true;
@@ -186,7 +195,10 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       ++bounces_;
       ++diffuse_bounces_;
       throughput_ *= closure.indirect_scale;
-      if (lobe.kind == LobeKind::Diffuse) throughput_ *= occlusion_;
+      if (lobe.kind == LobeKind::Diffuse)
+        throughput_ *= occlusion_;
+      else
+        near_distance_ = 0;
       if (lobe.kind == LobeKind::Translucency) part = Component::Translucency;
       break;
     case LobeKind::Mirror:
@@ -213,6 +225,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
     cone_.spread += kSpreadPerRoughness * std::max(lobe.alpha_x, lobe.alpha_y);
     ++bounces_;
   }
+  if (kind_ != RayKind::FinalGather) near_distance_ = 0;
   alpha_open_ &= closure.propagate_alpha && transmits(lobe.kind);
   if (at_first_) component_ = part;
   from_first_ = at_first_;

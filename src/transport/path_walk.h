@@ -81,6 +81,7 @@ class Path {
   // path_light.cpp
   void meet_lights(float t_surface, bool& ended);
   void meet_environment();
+  void darken_near(float t);
   void fade(float t);
   Rgb faded_to();
   Rgb reflected_environment(const Vec3& direction);
@@ -97,6 +98,7 @@ class Path {
   void scatter(const Closure& closure, const Material& material, ShadingPoint& point,
                const ClosureSample& sample);
   bool gather(Closure& closure, const Material& material, ShadingPoint& point);
+  bool at_eye_surface() const { return reflections_ + refractions_ == 0 && !after_diffuse_; }
   bool depth_reached(LobeKind kind) const;
   bool survive();
 
@@ -137,9 +139,11 @@ class Path {
   bool alpha_open_ = false;     ///< what lies behind shows in alpha
   Component component_ = Component::Other;
   Rgb throughput_{1};
-  Rgb lights_{1};         ///< the same for lights that the last vertex sampled as well
-  Rgb occlusion_{1};      ///< of indirect light at this vertex
-  float importance_ = 1;  ///< product of levels on the way, not divided by chances
+  Rgb lights_{1};            ///< the same for lights that the last vertex sampled as well
+  Rgb occlusion_{1};         ///< of indirect light at this vertex
+  Rgb near_dark_{0};         ///< what a surface loses that a diffuse ray meets at once
+  float near_distance_ = 0;  ///< from where on it loses nothing; 0 = nowhere
+  float importance_ = 1;     ///< product of levels on the way, not divided by chances
   Vertex from_;
   Fading fading_;
   const NodeList* environment_ = nullptr;

@@ -369,5 +369,66 @@ TEST(Occlusion, ActsBeforeTheFirstDiffuseBounceAlone) {
   EXPECT_EQ(walls.counts.probe, 0u);
 }
 
+// acceptance: B3, O1
+TEST(Occlusion, CutOutSurfacesOccludeByTheirShareAlone) {
+  for (const float opacity : {0.0f, .5f, 1.0f}) {
+    SceneText scene;
+    scene
+        .lambert("floor", 1,
+                 "\"ao_on\" on, \"ao_do_details\" 0, \"ao_distance\" 1, \"ao_dark\" 0 0 0, "
+                 "\"ao_ambient\" 1 1 1")
+        .square("floor", Vec3(0), .01f, kUp)
+        .lambert("slab", 0, fmt::format("\"cutout_opacity\" {}", opacity))
+        .square("slab", Vec3(0, 0, .4f), 200, -kUp);
+    // Of the hemisphere (1 - .4)^2 counts as near, where the slab exists.
+    expect_exact(fmt::format("free sky under a slab of opacity {}", opacity),
+                 Probe(scene).direct_only().onto(Vec3(0), kUp, 30, 65536, .2f), 1 - opacity * .36f);
+  }
+  // Nothing is there: details change nothing.
+  for (const int details : {1, 2}) {
+    SceneText scene;
+    scene.uniform_sky(1)
+        .lambert("floor", 1,
+                 fmt::format("\"ao_on\" on, \"ao_do_details\" {}, \"ao_distance\" 1, "
+                             "\"ao_dark\" 0 0 0",
+                             details))
+        .square("floor", Vec3(0), .01f, kUp)
+        .lambert("slab", 0, "\"cutout_opacity\" 0")
+        .square("slab", Vec3(0, 0, .4f), 200, -kUp);
+    expect_exact(fmt::format("sky through a slab that is cut out, details {}", details),
+                 Probe(scene).onto(Vec3(0), kUp, 30, 65536, .2f), 1);
+  }
+}
+
+// acceptance: O3, E1
+TEST(Occlusion, ColouredDetailsWithoutDarknessAreTheLightThatIsThere) {
+  // With ao_dark 0 nothing is taken away and nothing may be added.
+  const auto beside_lamp = [](const char* on) {
+    SceneText scene;
+    scene
+        .lambert("floor", 1,
+                 fmt::format("\"ao_on\" {}, \"ao_do_details\" 2, \"ao_distance\" 10, \"ao_dark\" 0 "
+                             "0 0",
+                             on))
+        .square("floor", Vec3(0), .01f, kUp)
+        .emitter("lamp", 1)
+        .square("lamp", Vec3(0, 0, .5f), .15f, -kUp);
+    return Probe(scene).onto(Vec3(0), kUp, 60, 262144, .2f);
+  };
+  expect_same("small glowing square, details 2", beside_lamp("on"), beside_lamp("off"), .01f);
+}
+
+// acceptance: O5
+TEST(Occlusion, DarknessAboveOneTakesNoMoreThanAll) {
+  SceneText scene;
+  scene
+      .lambert("floor", .6f,
+               "\"ao_on\" on, \"ao_do_details\" 2, \"ao_distance\" 1, \"ao_dark\" 0 1.5 0")
+      .square("floor", Vec3(0), .01f, kUp)
+      .emitter("slab", 1)
+      .square("slab", Vec3(0, 0, .1f), 200, -kUp);
+  EXPECT_GE(Probe(scene).onto(Vec3(0), kUp, 30, 4096, .05f).mean.y, 0);
+}
+
 }  // namespace
 }  // namespace oriel::analytic

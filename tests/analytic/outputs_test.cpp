@@ -152,7 +152,7 @@ TEST(Outputs, WhatReflectionsShowIsReflectionWhateverLitIt) {
   expect_only(Picture(scene), {"refl_result"}, "mirror before a wall");
 }
 
-// acceptance: U2 R9
+// acceptance: U2, R9
 TEST(Outputs, SpecularLevelIsThatOfReflectionTimesTheBalance) {
   for (const float balance : {1.0f, .25f, 3.0f, 0.0f})
     for (const char* more : {"", ", \"refl_base\" .6, \"refl_base_gloss\" .2",
@@ -254,7 +254,7 @@ TEST(Outputs, OpacityIsBlackWhereAllIsOpaque) {
   EXPECT_EQ(p.mean("opacity"), Rgb(1));
 }
 
-// acceptance: U2 O2
+// acceptance: U2, O2
 TEST(Outputs, OcclusionStandsBetweenRawAndResultOfIndirectLight) {
   // A slab at .4 of the distance occludes .36; it is seen through by nothing, the sky is aside.
   for (const int details : {0, 1}) {
@@ -285,6 +285,24 @@ TEST(Outputs, BumpsMayTurnTheReflectionAlone) {
                     8);
     expect_near(p.mean("diffuse_raw"), Rgb(spared ? 1 : .8f), 1e-3f, "light on the diffuse part");
   }
+}
+
+// acceptance: U4
+TEST(Outputs, SwitchingThemOffLeavesFewPathsTheSameRays) {
+  const auto picture = [](const char* outputs) {
+    SceneText scene;
+    scene
+        .lambert("m", .5f,
+                 fmt::format("\"ao_on\" on, \"ao_samples\" 16, \"ao_distance\" 2, "
+                             "\"multiple_outputs\" {}",
+                             outputs))
+        .square("m", Vec3(0, 0, -2), 3, kUp)
+        .box("m", Vec3(-.3f, -.3f, -2), Vec3(.3f, .3f, -1.5f))
+        .uniform_sky(1)
+        .camera("focal 1 aperture 1 aspect 1 resolution 8 8");
+    return Picture(scene, 4);
+  };
+  EXPECT_EQ(picture("on").layer("").pixels, picture("off").layer("").pixels);
 }
 
 }  // namespace

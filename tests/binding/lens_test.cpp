@@ -56,7 +56,7 @@ TEST(LensShaders, SimpleExposureWorksInTheOrderOfItsParameters) {
   EXPECT_NEAR(shader(Rgb(.1f)).x, std::sqrt(.6), 1e-6);
 }
 
-// acceptance: X3 X4 X5 X7
+// acceptance: X3, X4, X5, X7
 TEST(LensShaders, PhotographicExposureIsTheFunctionWithItsDefaults) {
   expect_same(Exposed("\"mia_exposure_photographic\" ( )"), lens::PhotographicExposure({}));
   expect_same(

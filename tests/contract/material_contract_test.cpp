@@ -61,7 +61,6 @@ struct Case {
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
       if (lobe.controls.highlights_only || lobe.kind == LobeKind::PhongHighlight) continue;
-      if (lobe.kind == LobeKind::NearDiffuse) continue;  // in place of what occlusion takes
       choice.rays[i] = std::max(0.05f, max_component(lobe.level));
       total += choice.rays[i];
     }

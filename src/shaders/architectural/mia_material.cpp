@@ -15,10 +15,9 @@ namespace {
 
 using P = MiaMaterialParams;
 
-Rgb saturate(const Rgba& c, bool conserve) {
-  if (!conserve) return rgb(c);
-  return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b));
-}
+Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)); }
+
+Rgb saturate(const Rgba& c, bool conserve) { return conserve ? clamped(c) : rgb(c); }
 
 /// The direction along which highlights stretch before rotation.
 Vec3 stretch_direction(const P& p, const ShadingPoint& point) {
@@ -186,17 +185,8 @@ void add_diffuse(const P& p, const Rgb& level, const Vec3& normal, Closure& clos
   lobe.roughness = clamp(p.diffuse_roughness, 0, 1e3f);
   lobe.controls.samples = gather_quality(p);
   if (!p.ao_on || p.ao_samples <= 0) return;
-  closure.occlusion = {p.ao_samples, std::max(0.0f, p.ao_distance), rgb(p.ao_dark),
+  closure.occlusion = {p.ao_samples, std::max(0.0f, p.ao_distance), clamped(p.ao_dark),
                        rgb(p.ao_ambient), p.ao_do_details};
-  if (p.ao_do_details < 2) return;
-  /// How far neighbours are looked for where the occlusion has no distance, scene units.
-  constexpr float kAnyDistance = 1e30f;
-  Lobe& near = closure.add(LobeKind::NearDiffuse, Channel::Diffuse,
-                           level * (Rgb(1) - rgb(p.ao_dark)), Frame(normal));
-  near.roughness = lobe.roughness;
-  near.controls.samples = static_cast<float>(p.ao_samples);
-  near.controls.falloff_distance = p.ao_distance > 0 ? p.ao_distance : kAnyDistance;
-  near.controls.falloff_to_color = true;
 }
 
 void shade_mia(const Call& call, Closure& closure, bool extended) {
@@ -226,10 +216,10 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
       inside && p.transparency > 0 && p.skip_inside_refl && !levels.total_reflection;
   if (!weak_inner && !is_black(levels.reflection))
     add_reflection(p, {levels.reflection, p.refl_gloss, p.refl_gloss_samples},
-                   stretched_frame(p, point, n.specular), closure);
+                   stretched_frame(p, point, reflecting_outward(n.specular, point)), closure);
   if (!is_black(levels.base_reflection))
     add_reflection(p, {levels.base_reflection, p.refl_base_gloss, p.refl_base_gloss_samples},
-                   stretched_frame(p, point, n.base), closure);
+                   stretched_frame(p, point, reflecting_outward(n.base, point)), closure);
   if (p.transparency > 0) {
     const float eta = inside ? 1 / std::max(p.refr_ior, 0.1f) : std::max(p.refr_ior, 0.1f);
     add_refraction(p, point, n.specular, levels.refraction, eta, closure);
