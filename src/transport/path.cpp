@@ -135,7 +135,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   if (!keeps_weights) from_.weighed = false;
   if (!culled && u < closure.opacity && !closure.thin_walled) {
     medium_ = point.back_side || !straight_rays_fade() ? Medium{} : closure.inside;
-    medium_known_ = true;
+    medium_known_ = !point.back_side || !straight_rays_fade();
   }
   from_.passed += point.ray_length;
   follow(point, ray_.dir);

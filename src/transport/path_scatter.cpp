@@ -173,8 +173,9 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
   if (!closure.thin_walled) {
     if (crosses) {
+      // What lies outside of a solid may be another: the next wall met from its inside tells.
       medium_ = point.back_side ? Medium{} : closure.inside;
-      medium_known_ = true;
+      medium_known_ = !point.back_side;
     } else if (point.back_side && !medium_known_) {
       medium_ = closure.inside;
       medium_known_ = true;

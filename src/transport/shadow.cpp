@@ -92,7 +92,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     if (max_component(open.all) <= 0) return kClosed;
     if (!closure.thin_walled) {
       medium = blocker.back_side ? Medium{} : closure.inside;
-      medium_known = true;
+      medium_known = !blocker.back_side;
     }
     const float rest = ray.tfar - hit.t;
     if (!(rest > 0)) return open;

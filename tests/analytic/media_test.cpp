@@ -275,5 +275,45 @@ TEST(PropagateAlpha, CutOutsShowTheBackgroundsWhateverItSays) {
   }
 }
 
+// acceptance: T4, T11
+TEST(NestedMedia, EachAbsorbsOverItsOwnThickness) {
+  const auto gel = [](float per_unit) {
+    const float c = std::exp(-per_unit);
+    return fmt::format(
+        "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, "
+        "\"refr_falloff_on\" on, \"refr_falloff_dist\" 1, \"refr_falloff_color_on\" on, "
+        "\"refr_falloff_color\" {0} {0} {0}",
+        c);
+  };
+  // A layer of 1 below one of 1.5; the surface between them belongs to the upper one.
+  SceneText scene;
+  scene.uniform_sky(1)
+      .material("lower", gel(.5f))
+      .material("upper", gel(.8f))
+      .square("lower", Vec3(0), 50, Vec3(0, 0, -1))
+      .square("upper", Vec3(0, 0, 1), 50, Vec3(0, 0, -1))
+      .square("upper", Vec3(0, 0, 2.5f), 50, Vec3(0, 0, 1));
+  const Probe probe(scene);
+  const float both = std::exp(-.5f - .8f * 1.5f);
+  expect_exact("two layers from above", probe.ray(Vec3(0, 0, 5), Vec3(0, 0, -1), 64), both);
+  expect_exact("two layers from below", probe.ray(Vec3(0, 0, -5), Vec3(0, 0, 1), 64), both);
+
+  // As shadow rays pass them: a lamp above, the floor below.
+  const auto floor_under = [&](bool layers) {
+    SceneText lit;
+    lit.lambert("floor", 1)
+        .square("floor", Vec3(0, 0, -1), .5f, Vec3(0, 0, 1))
+        .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
+    if (layers)
+      lit.material("lower", gel(.5f))
+          .material("upper", gel(.8f))
+          .square("lower", Vec3(0), 50, Vec3(0, 0, -1))
+          .square("upper", Vec3(0, 0, 1), 50, Vec3(0, 0, -1))
+          .square("upper", Vec3(0, 0, 2.5f), 50, Vec3(0, 0, 1));
+    return std::move(Probe(lit).direct_only()).ray(Vec3(0, 0, -.5f), Vec3(0, 0, -1), 16).mean.x;
+  };
+  EXPECT_NEAR(floor_under(true) / floor_under(false), both, 1e-4f);
+}
+
 }  // namespace
 }  // namespace oriel::analytic

@@ -128,6 +128,7 @@ TEST_F(RecombineProgram, ARenderGivesItsPictureBack) {
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
 }
 
+// acceptance: U6
 TEST_F(RecombineProgram, FrameBuffersHoldTheLayersOfTheirNames) {
   write("scene.mi", small_scene("",
                                 "framebuffer \"fb_diffuse_result\" datatype \"rgb_fp\" filename "
