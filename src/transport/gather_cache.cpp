@@ -120,8 +120,9 @@ void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& fo
   const Node& node = nodes_[index];
   if (node.child == 0) {
     for (const Entry& e : node.entries) {
-      const float distance = std::sqrt((q.position - e.position).length2());
-      if (distance > found.bound) continue;
+      const float distance2 = (q.position - e.position).length2();
+      if (distance2 > sqr(found.bound) || !(dot(e.normal, q.normal) > q.min_cosine)) continue;
+      const float distance = std::sqrt(distance2);
       const float fit = compatibility(e, q);
       if (fit > 0 && distance <= found.bound * fit) found.offer({distance / fit, e.record});
     }
@@ -142,7 +143,7 @@ void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& fo
     order[at] = c;
   }
   for (std::size_t i = 0; i < count; ++i)
-    if (std::sqrt(order[i].distance2) <= found.bound) nearest(order[i].index, q, found);
+    if (order[i].distance2 <= sqr(found.bound)) nearest(order[i].index, q, found);
 }
 
 std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
