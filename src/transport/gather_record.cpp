@@ -34,7 +34,8 @@ std::array<Vec3, 3> translational_gradient(const GatherHemisphere& hemisphere,
                                            std::span<const GatherSample> samples) {
   const int rings = hemisphere.rings, sectors = hemisphere.sectors;
   const auto at = [&](int j, int k) -> const GatherSample& {
-    return samples[static_cast<std::size_t>(j * sectors + k)];
+    const int index = j * sectors + k;
+    return samples[static_cast<std::size_t>(index)];
   };
   std::array<Vec3, 3> gradient{Vec3(0), Vec3(0), Vec3(0)};
   const auto add = [&](const Vec3& direction, const Rgb& amount) {
@@ -111,7 +112,8 @@ GatherHemisphere GatherHemisphere::for_rays(const Vec3& normal, int rays, float 
 }
 
 Vec3 GatherHemisphere::direction(int i, const Vec2& u) const {
-  const float sin2 = (static_cast<float>(i / sectors) + u.x) / static_cast<float>(rings);
+  const int ring = i / sectors;
+  const float sin2 = (static_cast<float>(ring) + u.x) / static_cast<float>(rings);
   const float phi = kTwoPi * (static_cast<float>(i % sectors) + u.y) / static_cast<float>(sectors);
   const float sine = std::sqrt(sin2);
   // A tiny positive cosine keeps a rim ray above the surface.
@@ -153,7 +155,8 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
         }
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>((count - 1) / 2);
       std::nth_element(near.begin(), middle, near.begin() + static_cast<std::ptrdiff_t>(count));
-      samples[static_cast<std::size_t>(j * sectors + k)].radiance =
+      const int own = j * sectors + k;
+      samples[static_cast<std::size_t>(own)].radiance =
           before[static_cast<std::size_t>(middle->index)];
     }
 }
