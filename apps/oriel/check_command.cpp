@@ -64,8 +64,10 @@ json picture_json(const World& world) {
           {"max_samples", budget.max_samples},
           {"noise_target", budget.noise},
           {"maps_colours", !world.lens.empty()},
-          {"indirect_light", !asks_for_indirect(world.options) ? "none" : "path traced"},
-          {"path_traced_instead", asks && world.options.indirect != scene::IndirectMethod::Path}};
+          {"indirect_light", !asks_for_indirect(world.options)    ? "none"
+                             : plan_indirect(world.options).any() ? "gathered"
+                                                                  : "path traced"},
+          {"path_traced_instead", asks && world.options.indirect == scene::IndirectMethod::Scene}};
 }
 
 /// Everything that is said, once as data; the text is made from it.
@@ -146,7 +148,7 @@ void print_text(const json& r) {
                static_cast<double>(g["bytes"].get<std::uint64_t>()) / 1e6, g["lights"].get<int>());
     fmt::print("  indirect   {}{}\n", p["indirect_light"].get<std::string>(),
                p["path_traced_instead"].get<bool>()
-                   ? " (final gathering and photons are not available)"
+                   ? " (--gi fg, photons or fg+photons follow the scene's options)"
                    : "");
     fmt::print("  sampling   at most {} samples, noise {:.4f}\n", p["max_samples"].get<int>(),
                p["noise_target"].get<double>());

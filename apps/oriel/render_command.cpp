@@ -182,16 +182,13 @@ class FrameRenderer {
  private:
   void say_method() {
     const auto& o = world_->options;
-    const bool wants_more = o.indirect == scene::IndirectMethod::Scene
-                                ? o.finalgather.on || o.globillum.on || o.caustic.on
-                                : o.indirect != scene::IndirectMethod::Path;
-    if (wants_more)
-      diagnostics_.note("OR-RN-040", {},
-                        asks_for_indirect(o)
-                            ? "final gathering and photons are not available; indirect light is "
-                              "path traced"
-                            : "caustic photons are not available; caustics are left out",
-                        "--gi path asks for path tracing");
+    if (o.indirect != scene::IndirectMethod::Scene) return;
+    if (!o.finalgather.on && !o.globillum.on && !o.caustic.on) return;
+    diagnostics_.note("OR-RN-040", {},
+                      asks_for_indirect(o) ? "indirect light is path traced, bounces without limit"
+                                           : "caustic photons are left out",
+                      "--gi fg gathers it by the scene's options, photons or fg+photons with "
+                      "photons");
   }
 
   void choose_files(const scene::RenderCommand& command, int frame) {

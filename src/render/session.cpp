@@ -71,6 +71,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
 
   const PathSettings settings{.indirect = indirect_,
                               .paths_of_pixel = static_cast<float>(budget_.max_samples),
+                              .maps = passes_->maps(),
                               .grid = grid_->empty() ? nullptr : &*grid_,
                               .outputs = outputs};
   const PathResult path =
@@ -99,6 +100,7 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     if (film_.keeps_outputs()) mine.outputs = {};
     s = sample(x, y, index, mine.counts, film_.keeps_outputs() ? &mine.outputs : nullptr);
   };
+  if (!passes_) passes_.emplace(world_, window_, seed_, rays_, nullptr, cancel);
   if (!grid_) grid_.emplace(world_, indirect_, seed_, rays_);
   const StopReason reason = progressive_.run(draw, callbacks, cancel);
   for (const PerThread& thread : threads) rays_ += thread.counts;

@@ -8,25 +8,14 @@
 
 #include "render/budget.h"
 #include "render/film.h"
+#include "render/indirect_passes.h"
 #include "render/progressive.h"
+#include "render/window.h"
 #include "runtime/world.h"
 #include "transport/counts.h"
 #include "transport/glossy_grid.h"
 
 namespace oriel {
-
-/// The part of the picture that is rendered. Pixels from the lower left corner, as the language
-/// counts them; half open.
-struct Window {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  int width() const { return x1 - x0; }
-  int height() const { return y1 - y0; }
-  /// Raster position of a pixel that the film counts from the top left.
-  Vec2 pixel_centre(int x, int y) const {
-    return Vec2(static_cast<float>(x0 + x) + 0.5f, static_cast<float>(y1 - y) - 0.5f);
-  }
-  bool operator==(const Window&) const = default;
-};
 
 struct SessionSettings {
   BudgetRequest budget;
@@ -75,7 +64,8 @@ class RenderSession {
   RenderBudget budget_;
   Film film_;
   Progressive progressive_;
-  std::optional<GlossyGrid> grid_;  ///< filled when rendering begins
+  std::optional<IndirectPasses> passes_;  ///< done when rendering begins, as the grid
+  std::optional<GlossyGrid> grid_;
   RayCounts rays_;
   bool indirect_;
 };

@@ -121,7 +121,8 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
   });
   if (request.environment) {
     const auto s = world.environment.sample(sampler.next_2d());
-    const Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
+    Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
+    if (!request.environment_on_diffuse) r.diffuse.value = Rgb(0);
     const Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);
     if (!is_black(r.diffuse.value + reflection + r.refraction.value) && s.pdf > 0) {
       const Openness open =

@@ -45,6 +45,7 @@ class LightChoice {
 /// What direct light is asked for.
 struct DirectRequest {
   bool environment = false;
+  bool environment_on_diffuse = true;  ///< false: what is gathered for them has it
   /// False where reflection rays end early or look up the environment their own way: they find it
   /// alone.
   bool environment_in_reflections = true;

@@ -157,6 +157,7 @@ bool Path::arrive(const geom::Hit& hit) {
   if (!medium_known_ && point.back_side && !closure.thin_walled) medium_ = closure.inside;
   if (!medium_.clear()) dim(transmittance(medium_, length(point.position - left_)));
   if (pass_straight(closure, material, point)) return true;
+  if (visited_) return note_gather_point(closure, material, point);
   if (grid_point_) {
     fill_grid_point(closure, material, point);
     return false;

@@ -22,6 +22,7 @@ struct PathResult {
 };
 
 class GlossyGrid;
+struct IndirectMaps;
 
 /// How paths are traced.
 struct PathSettings {
@@ -33,8 +34,9 @@ struct PathSettings {
   /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
   /// surface: a material's sample counts are for the pixel.
   float paths_of_pixel = 1e6f;
-  const GlossyGrid* grid = nullptr;  ///< for materials that interpolate; null = they do not
-  Outputs* outputs = nullptr;        ///< where to leave the parts of the radiance; null = nowhere
+  const IndirectMaps* maps = nullptr;  ///< indirect light made before; null = rays find it all
+  const GlossyGrid* grid = nullptr;    ///< for materials that interpolate; null = they do not
+  Outputs* outputs = nullptr;          ///< where to leave the parts of the radiance; null = nowhere
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.

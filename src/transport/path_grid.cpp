@@ -45,7 +45,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
       if (refracts) {
         std::construct_at(&branch.from_.lights, world_, point, alone);
         branch.throughput_ = Rgb(1 / static_cast<float>(rays));
-        branch.take_direct(alone, only, point, environment);
+        branch.take_direct(alone, only, point, environment, true);
         branch.throughput_ = Rgb(1);
       }
       if (world_.has_area_lights) branch.from_.point = point;

@@ -55,12 +55,12 @@ bool Path::depth_reached(LobeKind kind) const {
 
 /// Shares of the lobes that rays may follow. Reflections that may not become highlights,
 /// refractions black.
-void Path::choose_lobes(Closure& closure, LobeChoice& choice) const {
+void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const {
   float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only) continue;
-    if (!world_.options.trace || (is_diffuse(lobe.kind) && !indirect())) continue;
+    if (!world_.options.trace || (is_diffuse(lobe.kind) && !(diffuse && indirect()))) continue;
     if (!is_diffuse(lobe.kind)) {
       const bool reflection = lobe.channel == Channel::Reflection;
       const bool cut =
@@ -146,10 +146,11 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
 
 /// What lights and environment bring to this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
-                       bool environment) {
+                       bool environment, bool diffuse) {
   const DirectLight light =
       direct_light(world_, point, closure, choice, from_.lights,
                    {.environment = environment,
+                    .environment_on_diffuse = diffuse,
                     .environment_in_reflections = !limits_reflections(closure),
                     .rays_bend = !after_diffuse_,
                     .falloff_distance = falloff_distance(closure),
@@ -282,7 +283,12 @@ bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Materia
 bool Path::gather(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
   make_ready(closure, point.wo());
-  choose_lobes(closure, choice);
+  bool diffuse = indirect();
+  if (settings_.maps && settings_.indirect) {
+    occlude(closure, point);
+    diffuse = !take_mapped(closure, point) && diffuse;
+  }
+  choose_lobes(closure, choice, diffuse);
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
   std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
@@ -297,8 +303,9 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
     result_->albedo = closure.albedo;
   }
   if (scatters_light) {
-    occlude(closure, point);
-    if (!from_.lights.empty() || environment) take_direct(closure, choice, point, environment);
+    if (!settings_.maps) occlude(closure, point);
+    if (!from_.lights.empty() || environment)
+      take_direct(closure, choice, point, environment, diffuse);
   }
   if (!choice.any) return false;
 

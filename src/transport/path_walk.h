@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "transport/direct.h"
 #include "transport/lobes.h"
@@ -18,6 +19,7 @@ inline constexpr float kDiffuseSpread = 0.2f;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct GridPoint;
+struct GatherPoint;
 
 /// One path, or one branch of it; copied where it splits.
 class Path {
@@ -33,6 +35,8 @@ class Path {
 
   void run(const Camera::Ray& eye);
   void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
+  /// Follows the eye ray as far as nothing diffuse comes before, and notes what it meets.
+  void visit(const Camera::Ray& eye, std::vector<GatherPoint>& points);
   /// Follows the eye ray to the first surface and fills a point of the grid of that density.
   void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
 
@@ -87,10 +91,10 @@ class Path {
   Rgb reflected_environment(const Vec3& direction);
 
   // path_scatter.cpp
-  void choose_lobes(Closure& closure, LobeChoice& choice) const;
+  void choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse = true) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
-                   bool environment);
+                   bool environment, bool diffuse);
   void occlude(const Closure& closure, const ShadingPoint& point);
   int rays_at_first(float samples, float importance) const;
   bool go_on(const Closure& closure, const LobeChoice& choice, const Material& material,
@@ -107,6 +111,13 @@ class Path {
     return settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
   }
   RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
+  // path_indirect.cpp
+  std::optional<Rgb> mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const;
+  bool take_mapped(const Closure& closure, ShadingPoint& point);
+  Rgb with_neighbours(const Closure& closure, const ShadingPoint& point, const Rgb& smooth);
+  bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);
+  static Vec3 facing(const Vec3& n, const Vec3& side) { return dot(n, side) < 0 ? -n : n; }
+
   // path_grid.cpp
   void fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point);
   void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
@@ -126,6 +137,7 @@ class Path {
   int vertex_ = 0;
   GridPoint* grid_point_ = nullptr;  ///< set: the path is only here to fill it
   int grid_density_ = 0;
+  std::vector<GatherPoint>* visited_ = nullptr;  ///< set: the path is only here to note points
   geom::Ray ray_;
   RayCone cone_;
   RayKind kind_ = RayKind::Eye;

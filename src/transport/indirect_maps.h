@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Indirect light worked out before the picture: what paths read in place of following diffuse rays.
+#pragma once
+
+#include "transport/gather_cache.h"
+#include "transport/photon_map.h"
+
+namespace oriel {
+
+/// Null maps are not there. Borrowed: whoever made them outlives the paths.
+struct IndirectMaps {
+  const GatherCache* gather = nullptr;  ///< read where the eye sees, mirrors and glass between
+  GatherQuery query;                    ///< how; place and normal are the asker's
+  Rgb gather_scale{1};
+  const PhotonMap* global = nullptr;  ///< read behind gather rays, or by the eye without `gather`
+  PhotonLookup global_lookup;
+  const PhotonMap* caustic = nullptr;  ///< read everywhere
+  PhotonLookup caustic_lookup;
+};
+
+}  // namespace oriel

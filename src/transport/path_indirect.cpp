@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths and indirect light that is there before them: gather points, photons.
+#include "bsdf/oren_nayar.h"
+#include "sampling/warp.h"
+#include "transport/gather_points.h"
+#include "transport/path_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Where a lobe looks for its light: its own side of the surface, or the other.
+Vec3 lit_side(const Lobe& lobe) {
+  return lobe.kind == LobeKind::Translucency ? -lobe.frame.n : lobe.frame.n;
+}
+
+/// Share of even light that the lobe returns to the viewer.
+Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
+  if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0) return lobe.level;
+  return lobe.level * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
+}
+
+}  // namespace
+
+/// Irradiance of one side as the maps know it; nothing where they do not.
+std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const {
+  const IndirectMaps& maps = *settings_.maps;
+  if (!after_diffuse_ && maps.gather) {
+    GatherQuery query = maps.query;
+    query.position = point.position;
+    query.normal = normal;
+    query.radii = maps.query.radii.in_scene(2 * length(point.dpdy));
+    const auto found = maps.gather->interpolate(query);
+    if (!found) return std::nullopt;
+    return found->irradiance * maps.gather_scale * found->fade;
+  }
+  if (maps.global)
+    return maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
+                                   maps.global_lookup);
+  return std::nullopt;
+}
+
+/// Light of the maps on diffuse lobes. True: no diffuse rays are needed.
+bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
+  const IndirectMaps& maps = *settings_.maps;
+  Rgb on_side(0), through(0), caustic(0), caustic_through(0);
+  bool complete = true;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (!is_diffuse(lobe.kind)) continue;
+    const bool passes = lobe.kind == LobeKind::Translucency;
+    const Vec3 normal = lit_side(lobe);
+    const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
+    if (maps.caustic)
+      (passes ? caustic_through : caustic) +=
+          albedo * maps.caustic->irradiance(point.position, facing(point.geometric_normal, normal),
+                                            maps.caustic_lookup);
+    const auto irradiance = mapped_irradiance(point, normal);
+    if (irradiance)
+      (passes ? through : on_side) += albedo * *irradiance;
+    else
+      complete = false;
+  }
+  const Rgb scale = throughput_ * closure.indirect_scale;
+  add(at_vertex(Component::Indirect), scale * occlusion_ * caustic);
+  add(at_vertex(Component::Translucency), scale * caustic_through);
+  if (!complete) return false;
+  if (near_distance_ > 0) on_side = with_neighbours(closure, point, on_side);
+  add(at_vertex(Component::Indirect), scale * occlusion_ * on_side);
+  add(at_vertex(Component::Translucency), scale * through);
+  return true;
+}
+
+/// Occlusion with colours on smoothed light: what is near hides its share of it and shows itself.
+Rgb Path::with_neighbours(const Closure& closure, const ShadingPoint& point, const Rgb& smooth) {
+  /// Tells this stream from those of lobes, which number from 0.
+  constexpr std::uint32_t kBranch = 2000;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.kind != LobeKind::Diffuse) continue;
+    auto stream = sampler_.split(0, 1, kBranch);
+    const Vec3 w = lobe.frame.to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
+    if (dot(w, point.geometric_normal) <= 0) return smooth;
+    PathSettings settings = settings_;
+    settings.outputs = nullptr;
+    const PathResult near =
+        trace_gather_ray(world_, point, w, near_distance_, settings, stream, counts_);
+    if (near.depth <= 0) return smooth;
+    const float share = std::max(0.0f, 1 - near.depth / near_distance_);
+    return smooth * (1 - share) +
+           albedo_of(lobe, point.wo()) * near.radiance * (Rgb(1) - near_dark_) * share;
+  }
+  return smooth;
+}
+
+void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {
+  visited_ = &points;
+  run(eye);
+}
+
+/// Notes a surface that gathered light falls on, and goes on through what mirrors or transmits.
+bool Path::note_gather_point(Closure& closure, const Material& material, ShadingPoint& point) {
+  LobeChoice choice;
+  make_ready(closure, point.wo());
+  choose_lobes(closure, choice);
+  float total = 0;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (is_diffuse(lobe.kind)) {
+      visited_->push_back(
+          {point, lit_side(lobe),
+           lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f});
+      choice.rays[i] = 0;
+    }
+    total += choice.rays[i];
+  }
+  if (!(total > 0)) return false;
+  for (int i = 0; i < closure.count; ++i) choice.rays[i] /= total;
+  choice.any = true;
+  float u = sampler_.next_1d();
+  const int lobe = choose_lobe(closure, choice, u);
+  return go_on(closure, choice, material, point, lobe, u);
+}
+
+}  // namespace oriel
