@@ -11,6 +11,9 @@
 
 namespace oriel {
 
+/// A light of which this many photons left none to store is given up.
+inline constexpr std::uint64_t kHopelessPhotons = 100000;
+
 /// How many photons of a light; what is reached first ends them, 0 = no limit. Neither: none.
 struct PhotonCount {
   std::uint64_t store = 0;  ///< that are stored in the map
@@ -45,9 +48,11 @@ struct PhotonBalance {
 
 /// Sends the photons of all lights.
 ///
-/// Model:   photons scatter by the same closures and lobes as paths, as if what they come from
-///          looked at the surface. One of the lobes is followed with the chance of the power it
-///          keeps, so that powers stay about equal. Straight through cut-outs, and through
+/// Model:   photons scatter by the same closures and lobes as paths. What levels and shading
+///          normals do goes by the direction a photon leaves in, as if paths were walked back, so
+///          that both find the same light; clear lobes and refraction are taken as they are for
+///          the direction it comes from. One of the lobes is followed with the chance of the power
+///          it keeps, so that powers stay about equal. Straight through cut-outs, and through
 ///          materials that shadow rays pass, unless they make refractive caustics; through glass
 ///          that blocks shadow rays refracted. Absorbed by media as paths are. Each surface with a
 ///          diffuse or translucent component stores those that came by mirrors, glass and glossy
@@ -55,14 +60,10 @@ struct PhotonBalance {
 ///          global map, direct light in neither. Caustic and global photons of a light are the
 ///          same photons as far as both are asked for. Lists of lights of instances and materials
 ///          do not apply, nor do limits of reflection rays (cut-off, falloff, own depth).
-///          A light of which the first kHopeless photons leave none to store is given up.
 /// Returns: maps that depend on the world and the settings alone, not on threads. Segments are
 ///          counted as gather rays.
 /// Checked: PhotonTrace.* in tests/analytic/photon_test.cpp.
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
                          PhotonBalance* balance = nullptr);
-
-/// See trace_photons; a light that a mirror or glass covers only a hundred-thousandth of is dark.
-inline constexpr std::uint64_t kHopelessPhotons = 100000;
 
 }  // namespace oriel

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/bump.h"
 #include "transport/lobes.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
@@ -22,6 +23,9 @@ constexpr int kStreamRow = 0x70686f74;
 /// Near end of the first segment, as share of the scene's radius: what lies in the plane of an
 /// area light does not stop its photons.
 constexpr float kOffTheLight = 1e-5f;
+
+/// Photons that graze a surface whose shading normal faces them would gain without bound.
+constexpr float kLeastCosine = 1e-3f;
 
 PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
 
@@ -48,6 +52,8 @@ class PhotonWalk {
   void enter(const Closure& closure, const ShadingPoint& point, const Vec3& direction);
   bool count_bounce(LobeKind kind);
   void follow(const ShadingPoint& point, const Vec3& direction);
+  Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
+                   LobeKind kind) const;
   void absorb() { lose(Rgb(0)); }
   /// What is left of the factor; the rest is absorbed.
   void lose(const Rgb& left) {
@@ -144,6 +150,29 @@ void PhotonWalk::follow(const ShadingPoint& point, const Vec3& direction) {
   left_ = point.position;
 }
 
+/// Weight of a sample as a path that comes the other way has it: levels and shading normals go by
+/// what looks at the surface, and a photon is seen from where it goes to.
+/// Source: Veach, "Non-symmetric Scattering in Light Transport Algorithms", 1997, eq. 7 and 18.
+Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point,
+                             const ClosureSample& sample, LobeKind kind) const {
+  ShadingPoint seen = point;
+  seen.ray_origin = point.position + sample.wi;
+  seen.ray_direction = -sample.wi;
+  if (dot(sample.wi, point.geometric_normal) < 0) {
+    seen.geometric_normal = -point.geometric_normal;
+    seen.normal = -point.normal;
+    seen.back_side = !point.back_side;
+  }
+  seen.normal = facing_viewer(seen.normal, seen);
+  Closure closure;
+  shade(material, seen, closure);
+  make_ready(closure, sample.wi);
+  const Rgb value = evaluate_closure(closure, {}, seen, sample.wi, point.wo()).of(kind).value;
+  const float in = std::abs(dot(point.wo(), point.geometric_normal));
+  const float out = std::abs(dot(sample.wi, point.geometric_normal));
+  return value * (out / (std::max(in, kLeastCosine) * sample.pdf));
+}
+
 /// Scatters, passes straight, or ends. False: it ends.
 bool PhotonWalk::go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
                        bool seen) {
@@ -179,8 +208,12 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
     return false;
   }
   const auto sample = sample_lobe(closure, choice, index, point, point.wo(), u, u2);
-  if (!sample || !is_finite(Vec3(sample->weight))) return absorb(), false;
-  lose(factor_ * sample->weight);
+  if (!sample) return absorb(), false;
+  // Refraction keeps the power: the factor of radiance between media is left out, as paths do.
+  const bool turns = !sample->delta && group_of(kind) != LobeGroup::Refraction;
+  const Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
+  if (!is_finite(weight)) return absorb(), false;
+  lose(factor_ * weight);
   enter(closure, point, sample->wi);
   scattered_ = true;
   if (is_diffuse(kind)) {

@@ -16,6 +16,12 @@ std::string physical(float energy) {
   return fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} )", energy);
 }
 
+std::string glass(const std::string& more) {
+  return "\"reflectivity\" 1, \"transparency\" 1, \"diffuse_weight\" 0, \"refr_ior\" 1.5, "
+         "\"brdf_fresnel\" on" +
+         (more.empty() ? "" : ", " + more);
+}
+
 double power_of(const PhotonMap& map) {
   double sum = 0;
   for (const Photon& p : map.photons()) sum += p.power.y;
@@ -93,33 +99,105 @@ TEST(PhotonTrace, IntegratingCubeHasItsMeanIndirectIlluminance) {
   }
 }
 
+/// Mean irradiance of a square on a horizontal floor by all light but the direct.
+struct Indirect {
+  Rgb paths{0}, error{0}, photons{0};
+};
+Indirect indirect_on(const SceneText& scene, const Vec3& centre, float half, float albedo,
+                     std::uint64_t emitted) {
+  Indirect sum;
+  const Probe probe(scene);
+  // Places all over the square, in groups whose spread is the error.
+  constexpr int kGroups = 32, kSamples = 4096;
+  std::vector<Rgb> means(kGroups, Rgb(0));
+  parallel_for(kGroups, [&](std::size_t g) {
+    RayCounts counts;
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+      sampling::Sampler sampler(static_cast<int>(g), 11, i);
+      const Vec2 at = sampler.next_2d() * 2 - Vec2(1);
+      const Camera::Ray eye{centre + Vec3(at.x * half, at.y * half, .05f), -kUp, 1, 0, 0};
+      sampling::Sampler other = sampler;
+      const Rgb all = trace_path(probe.world(), eye, Vec2(0), {}, sampler, counts).radiance;
+      const Rgb direct =
+          trace_path(probe.world(), eye, Vec2(0), {.indirect = false}, other, counts).radiance;
+      means[g] += (all - direct) * (kPi / albedo / kSamples);
+    }
+  });
+  for (const Rgb& m : means) sum.paths += m / kGroups;
+  for (const Rgb& m : means) sum.error += (m - sum.paths) * (m - sum.paths);
+  for (int k = 0; k < 3; ++k) sum.error[k] = std::sqrt(sum.error[k] / (kGroups - 1) / kGroups);
+  const Traced t = trace(probe, {.each = emitting(emitted, emitted), .depth = kDeep});
+  for (const PhotonMap* map : {&t.maps.global, &t.maps.caustic})
+    for (const Photon& p : map->photons()) {
+      const Vec3 d = p.position - centre;
+      if (p.normal.z > .9f && std::abs(d.z) < 1e-3f && std::abs(d.x) < half && std::abs(d.y) < half)
+        sum.photons += p.power / sqr(2 * half);
+    }
+  return sum;
+}
+
+void expect_same_indirect(const std::string& name, const Indirect& i, float tolerance) {
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_LT(2.5f * i.error[k], tolerance * i.paths[k]) << name << ": too noisy";
+    EXPECT_NEAR(i.photons[k], i.paths[k], tolerance * i.paths[k]) << name << " channel " << k;
+  }
+  figure("indirect by paths and photons, " + name, i.paths.y, i.photons.y, i.error.y);
+}
+
 // acceptance: H3
 TEST(PhotonTrace, PhotonsAndPathsTellTheSameIndirectLight) {
   const std::pair<const char*, std::string> kLights[] = {
       {"rectangle", physical(100) + " origin 0 0 1.9 direction 0 0 -1 rectangle 1 0 0 0 1 0 3 3"},
-      {"point without decay", "\"mib_light_point\" ( \"color\" 1 1 1 ) origin .5 -1 1.5"}};
+      {"point without decay",
+       "\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin .5 -1 1.5"}};
   for (const auto& [name, light] : kLights) {
     SceneText scene;
     scene.lambert("white", .7f)
         .material("green", "\"reflectivity\" 0, \"diffuse\" .2 .7 .3")
         .box("white", Vec3(-2), Vec3(2), true)
         .box("green", Vec3(-1, .2f, -1.999f), Vec3(0, 1.2f, -.5f))
+        // Coarse and smooth: shading normals far from the triangles'.
+        .sphere("green", Vec3(1, .8f, -1.2f), .7f, 6)
         .light("lamp", light);
-    Probe all(scene), direct(scene);
-    direct.direct_only();
-    const Traced t = trace(all, {.each = emitting(1 << 18), .depth = kDeep});
-    for (const auto& [p, n] :
-         {std::pair(Vec3(1, -.5f, -2), kUp), {Vec3(2, 0, 0), Vec3(-1, 0, 0)}}) {
-      const Rgb paths = all.onto(p, n, 10, 32768, .1f).mean - direct.onto(p, n, 10, 8192, .1f).mean;
-      const Rgb photons = t.maps.global.irradiance(p, n, {.count = 2000, .radius = .6f});
-      for (int k = 0; k < 3; ++k) {
-        const float indirect = paths[k] * kPi / .7f;
-        // Fewer than 2000 of about equal power, and not quite even within the radius.
-        EXPECT_NEAR(photons[k], indirect, .07f * indirect) << name << " channel " << k;
-      }
-      figure(fmt::format("indirect by paths and photons, {}", name), paths.y * kPi / .7, photons.y,
-             0);
-    }
+    expect_same_indirect(name, indirect_on(scene, Vec3(1, -.5f, -2), .6f, .7f, 1 << 19), .03f);
+  }
+}
+
+// acceptance: H3
+TEST(PhotonTrace, PhotonsAndPathsTellTheSameCaustics) {
+  const struct {
+    const char* name;
+    std::string material;
+    Vec3 lo, hi;  // of the box that makes the caustic
+  } kCases[] = {
+      {"glossy",
+       "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
+       "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off, \"refl_gloss\" .5",
+       Vec3(-.8f, -1, .05f), Vec3(-.5f, 1, 2)},
+      {"glossy by Fresnel over diffuse",
+       "\"reflectivity\" 1, \"diffuse\" .5 .4 .3, "
+       "\"refr_ior\" 1.8, \"brdf_fresnel\" on, "
+       "\"refl_gloss\" .6",
+       Vec3(-.8f, -1, .05f), Vec3(-.5f, 1, 2)},
+      {"mirror",
+       "\"reflectivity\" .8, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
+       "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off",
+       Vec3(-.8f, -1, .05f), Vec3(-.5f, 1, 2)},
+      {"glass", glass("\"do_refractive_caustics\" on"), Vec3(-1.5f, -1.5f, .3f),
+       Vec3(1.5f, 1.5f, .7f)},
+  };
+  for (const auto& c : kCases) {
+    SceneText scene("trace depth 8 8 12 shadow segments caustic on");
+    scene.lambert("floor", .5f)
+        .material("thing", c.material)
+        .square("floor", Vec3(0), 2, kUp)
+        .box("thing", c.lo, c.hi)
+        .light("lamp",
+               physical(100) +
+                   " origin 1 0 2 direction -1 0 -1 rectangle "
+                   "1.2 0 -1.2 0 1.6 0 3 3",
+               "visible on");
+    expect_same_indirect(c.name, indirect_on(scene, Vec3(0), .4f, .5f, 1 << 19), .05f);
   }
 }
 
@@ -188,12 +266,6 @@ SceneText lit_floor(const std::string& light) {
   return scene;
 }
 const std::string kSun = "\"mib_light_infinite\" ( \"color\" 1 1 1 ) direction 0 0 -1";
-
-std::string glass(const std::string& more) {
-  return "\"reflectivity\" 1, \"transparency\" 1, \"diffuse_weight\" 0, \"refr_ior\" 1.5, "
-         "\"brdf_fresnel\" on" +
-         (more.empty() ? "" : ", " + more);
-}
 
 /// Radius of a disc in the paraxial focus of a glass ball of radius 1, 1.5 below its centre.
 constexpr double kFocus = .25;
