@@ -34,6 +34,7 @@ struct LobeControls {
   int depth = 0;                  ///< trace depth of the material, 0 = the scene's
   float cutoff = 0;               ///< rays contributing less to the pixel are not traced
   bool highlights_only = false;   ///< no rays: light sources only
+  bool emulated = false;          ///< highlights only, and soft reflections of what was gathered
   bool mirrored = false;          ///< highlights only, but a mirror lobe shows lights that are seen
   bool falloff_to_color = false;  ///< else to the environment
   bool single_environment = false;  ///< rays that find nothing look up one direction, the mirror's

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paths and indirect light that is there before them: gather points, photons.
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/ggx.h"
 #include "bsdf/oren_nayar.h"
 #include "sampling/warp.h"
 #include "transport/gather_points.h"
@@ -21,15 +25,24 @@ Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
 
 }  // namespace
 
+/// What was gathered about a point, where the eye sees it.
+std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
+                                       bool directional) const {
+  const IndirectMaps& maps = *settings_.maps;
+  if (after_diffuse_ || !maps.gather) return std::nullopt;
+  GatherQuery query = maps.query;
+  query.position = point.position;
+  query.normal = normal;
+  query.radii = maps.query.radii.in_scene(2 * length(point.dpdy));
+  query.directional = directional;
+  return maps.gather->interpolate(query);
+}
+
 /// Irradiance of one side as the maps know it; nothing where they do not.
 std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const {
   const IndirectMaps& maps = *settings_.maps;
   if (!after_diffuse_ && maps.gather) {
-    GatherQuery query = maps.query;
-    query.position = point.position;
-    query.normal = normal;
-    query.radii = maps.query.radii.in_scene(2 * length(point.dpdy));
-    const auto found = maps.gather->interpolate(query);
+    const auto found = gathered(point, normal, false);
     if (!found) return std::nullopt;
     return found->irradiance * maps.gather_scale * found->fade;
   }
@@ -37,6 +50,22 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
     return maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
                                    maps.global_lookup);
   return std::nullopt;
+}
+
+/// Soft reflections without rays: gathered light blurred about the mirrored view.
+void Path::emulate(const Closure& closure, const ShadingPoint& point) {
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (!lobe.controls.emulated || !lobe.controls.highlights_only || lobe.controls.mirrored)
+      continue;
+    const auto found = gathered(point, lobe.frame.n, true);
+    if (!found) continue;
+    const Vec3 mirrored = bsdf::reflect(point.wo(), lobe.frame.n);
+    const float roughness = std::sqrt(lobe.alpha_x * lobe.alpha_y);
+    add(at_vertex(Component::Reflection),
+        throughput_ * lobe.level * settings_.maps->gather_scale *
+            blurred_radiance(found->incoming, mirrored, roughness));
+  }
 }
 
 /// Light of the maps on diffuse lobes. True: no diffuse rays are needed.
@@ -105,7 +134,8 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
   float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    if (is_diffuse(lobe.kind)) {
+    const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
+    if (is_diffuse(lobe.kind) || emulates) {
       visited_->push_back(
           {point, lit_side(lobe),
            lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f});

@@ -69,8 +69,9 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) cons
       const bool deep = lobe.controls.depth > 0 &&
                         (reflection ? reflections_ : refractions_) >= lobe.controls.depth;
       if (cut || deep) {
+        // At its depth a reflection is as with highlights only, gathered light included.
         if (reflection)
-          lobe.controls.highlights_only = true;
+          lobe.controls.highlights_only = true, lobe.controls.emulated = deep;
         else
           lobe.level = Rgb(0);
         continue;
@@ -289,6 +290,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
     diffuse = !take_mapped(closure, point) && diffuse;
   }
   choose_lobes(closure, choice, diffuse);
+  if (settings_.maps && settings_.indirect) emulate(closure, point);
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
   std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large

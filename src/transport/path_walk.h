@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "transport/direct.h"
+#include "transport/gather_cache.h"
 #include "transport/lobes.h"
 #include "transport/path.h"
 #include "transport/surface.h"
@@ -113,6 +114,9 @@ class Path {
   RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
   // path_indirect.cpp
   std::optional<Rgb> mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const;
+  std::optional<Gathered> gathered(const ShadingPoint& point, const Vec3& normal,
+                                   bool directional) const;
+  void emulate(const Closure& closure, const ShadingPoint& point);
   bool take_mapped(const Closure& closure, ShadingPoint& point);
   Rgb with_neighbours(const Closure& closure, const ShadingPoint& point, const Rgb& smooth);
   bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);

@@ -103,6 +103,7 @@ LobeControls reflection_controls(const P& p, int samples) {
   controls.samples = static_cast<float>(std::max(samples, 1));
   controls.depth = p.refl_depth;
   controls.cutoff = p.refl_cutoff;
+  controls.emulated = p.refl_hl_only;
   controls.single_environment = p.single_env_sample;
   controls.interpolate = p.refl_interpolate;
   controls.grid_density = grid_density(p);

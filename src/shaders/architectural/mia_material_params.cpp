@@ -6,7 +6,6 @@ namespace oriel {
 namespace {
 
 using P = MiaMaterialParams;
-constexpr Support kApproximated = Support::Approximated;
 
 constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, diffuse_weight), .fallback = {1}, .min = 0, .max = 1,
@@ -24,8 +23,8 @@ constexpr ParamSpec kRows[] = {
      .doc = "Most reflection rays at the first hit; 0 reflects as a mirror whatever the gloss.",
      .alias = "refl_samples"},
     {ORIEL_PARAM(P, refl_interpolate), .doc = "Smooth glossy reflections over a grid."},
-    {ORIEL_PARAM(P, refl_hl_only), .doc = "Highlights of light sources only, no reflection rays.",
-     .support = kApproximated},
+    {ORIEL_PARAM(P, refl_hl_only),
+     .doc = "Highlights only, no reflection rays; with final gathering soft reflections of that."},
     {ORIEL_PARAM(P, refl_is_metal), .doc = "The diffuse colour tints reflections."},
     {ORIEL_PARAM(P, transparency), .min = 0, .max = 1, .doc = "Level of transparency."},
     {ORIEL_PARAM(P, refr_color), .fallback = {1, 1, 1},
