@@ -51,6 +51,7 @@ constexpr ParamSpec kPlainRows[] = {{ORIEL_PARAM(Plain, diffuse), .fallback = {.
 void shade_plain(const Call& call, Closure& closure) {
   const auto& p = call.as<Plain>();
   const Frame frame(facing_viewer(call.point.normal, call.point));
+  const Frame reflecting(reflecting_outward(frame.n, call.point));
   const float cosine = clamp01(dot(frame.n, call.point.wo()));
   const float level =
       p.reflectivity > 0 ? p.reflectivity * bsdf::fresnel_dielectric(cosine, p.refr_ior) : 0;
@@ -60,7 +61,7 @@ void shade_plain(const Call& call, Closure& closure) {
   if (level <= 0) return;
   const bsdf::Roughness roughness = bsdf::gloss_to_roughness(p.refl_gloss, 1);
   Lobe& lobe = closure.add(roughness.is_mirror() ? LobeKind::Mirror : LobeKind::GlossyReflection,
-                           Channel::Reflection, Rgb(level), frame);
+                           Channel::Reflection, Rgb(level), reflecting);
   lobe.alpha_x = roughness.ax;
   lobe.alpha_y = roughness.ay;
   lobe.controls.cutoff = 0.01f;

@@ -8,7 +8,12 @@
 
 namespace oriel::sensitivity {
 
-using namespace analytic;
+using analytic::kRounding;
+using analytic::Measured;
+using analytic::Probe;
+using analytic::SceneText;
+using analytic::test_registry;
+using analytic::text_of;
 
 /// One parameter and a check that changing it changes the picture as the manual says.
 struct Case {
