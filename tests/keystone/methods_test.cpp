@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths, final gathering and photons tell the same light.
+#include "scenes.h"
+
+namespace oriel::keystone {
+namespace {
+
+/// Largest difference of the means of pictures.
+constexpr double kTolerance = .02;
+/// Largest standard error of the reference.
+constexpr double kReferenceError = .003;
+
+struct Case {
+  const char* name;
+  SceneText (*scene)();
+  std::uint32_t samples;  ///< of the reference, for a pixel of each of its pictures
+  bool photons;           ///< whether photons are compared as well
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class Methods : public ::testing::TestWithParam<Case> {};
+
+/// | scene | method | mean | its error | indirect | relative MSE | of it noise | seconds |
+void print_row(const Case& c, const Method& method, const Measured& m, const Measured& paths) {
+  if (!figures_wanted()) return;
+  fmt::print("| {} | {} | {:.4f} | {:.4f} | {:.3f} | {:.2g} | {:.2g} | {:.2f} |\n", c.name,
+             method.name, m.picture.mean / paths.picture.mean, m.picture.error / paths.picture.mean,
+             m.indirect.mean / paths.indirect.mean, relative_mse(m.pixels, paths.pixels),
+             m.noise_mse + (method.id == IndirectMethod::Path ? 0 : paths.noise_mse), m.seconds);
+}
+
+// acceptance: H2, H3, H8
+TEST_P(Methods, BringTheSameLightToThePicture) {
+  const Case& c = GetParam();
+  Comparison comparison(c.scene());
+  const Measured paths = comparison.render(kPath, c.samples, 4);
+  EXPECT_LE(paths.picture.error, kReferenceError * paths.picture.mean) << "the reference is noisy";
+  print_row(c, kPath, paths, paths);
+  for (const Method& method : {kFinalGather, kBoth}) {
+    if (method.id == kBoth.id && !c.photons) continue;
+    const Measured m = comparison.render(method, 16, 2);
+    EXPECT_NEAR(m.picture.mean / paths.picture.mean, 1, kTolerance)
+        << method.name << ", standard error " << m.picture.error / paths.picture.mean;
+    print_row(c, method, m, paths);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Keystone, Methods,
+                         ::testing::Values(Case{"closed_box", closed_box, 32, true},
+                                           Case{"sky_window", sky_window, 64, false},
+                                           Case{"sun_window", sun_window, 32, true},
+                                           Case{"glossy_corner", glossy_corner, 64, true},
+                                           Case{"glass_on_table", glass_on_table, 32, true},
+                                           Case{"curtain", curtain, 192, false},
+                                           // Shapes that glow send no photons.
+                                           Case{"glowing_sphere", glowing_sphere, 64, false},
+                                           Case{"two_rooms", two_rooms, 48, true}),
+                         [](const auto& i) { return std::string(i.param.name); });
+
+}  // namespace
+}  // namespace oriel::keystone
