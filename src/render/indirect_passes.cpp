@@ -14,6 +14,9 @@ namespace {
 constexpr float kFinestStep = 4;
 /// Passes, each twice as fine as the one before.
 constexpr int kPasses = 4;
+/// Largest error of a record that may speak for a point (GatherQuery::accuracy). At 1, a room lit
+/// through a window is some percent too bright beside it; a guess.
+constexpr float kGatherError = 0.5f;
 /// Photons kept of each light, and most that are sent for them.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMostSent = 2000000;
 
@@ -69,6 +72,7 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   settings.path.maps = photons.global || photons.caustic ? &photons : nullptr;
 
   GatherQuery covered;  // whether a record speaks for a point well enough
+  covered.accuracy = kGatherError;
   covered.radii = settings.radii;
   const float density = std::max(options.presample_density, 0.01f);
   const int finest =

@@ -10,6 +10,7 @@ namespace oriel {
 /// as an object (camera and mirrors); bundles only collect its weighed light and go on, since
 /// lights do not shadow each other.
 void Path::meet_lights(float t_surface, bool& ended) {
+  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   const bool sees = !from_.weighed;
   float nearest = t_surface;
   ShadingPoint origin;
@@ -90,6 +91,7 @@ void Path::fade(float t) {
 }
 
 void Path::meet_environment() {
+  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   if (fading_.distance > 0 || fading_.single_environment)
     return add(component_, throughput_ * faded_to());
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();

@@ -161,9 +161,11 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
     if (!is_black(radiance)) add(at_vertex(c), throughput_ * radiance);
   };
   bring(Component::Diffuse, light.diffuse);
-  bring(Component::Specular, light.specular);
-  bring(Component::Reflection, light.reflection);
-  bring(Component::Refraction, light.refraction);
+  if (!caustics_are_mapped()) {
+    bring(Component::Specular, light.specular);
+    bring(Component::Reflection, light.reflection);
+    bring(Component::Refraction, light.refraction);
+  }
   bring(Component::Translucency,
         light.translucency + light.environment_translucency * closure.indirect_scale);
   bring(Component::Indirect, light.environment * occlusion_ * closure.indirect_scale);
@@ -307,7 +309,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   if (scatters_light) {
     if (!settings_.maps) occlude(closure, point);
     if (!from_.lights.empty() || environment)
-      take_direct(closure, choice, point, environment, diffuse);
+      take_direct(closure, choice, point, environment, diffuse || reads_photons());
   }
   if (!choice.any) return false;
 

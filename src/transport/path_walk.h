@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "transport/direct.h"
-#include "transport/gather_cache.h"
+#include "transport/indirect_maps.h"
 #include "transport/lobes.h"
 #include "transport/path.h"
 #include "transport/surface.h"
@@ -110,6 +110,16 @@ class Path {
   /// Whether this vertex may be lit by surfaces and environment.
   bool indirect() const {
     return settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
+  }
+  /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
+  bool reads_photons() const {
+    return settings_.maps && settings_.maps->global && indirect() &&
+           (after_diffuse_ || !settings_.maps->gather);
+  }
+  /// Whether light that comes to a diffuse surface by mirrors and glass is in the caustic map, so
+  /// that rays behind that surface must not find it again.
+  bool caustics_are_mapped() const {
+    return settings_.maps && settings_.maps->caustic && after_diffuse_;
   }
   RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
   // path_indirect.cpp
