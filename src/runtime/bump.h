@@ -2,6 +2,8 @@
 // Bump: normals from vectors in the spaces of the manual's bump modes.
 #pragma once
 
+#include <algorithm>
+
 #include "runtime/shading_point.h"
 
 namespace oriel {
@@ -17,10 +19,29 @@ Vec3 bump_normal(const ShadingPoint& point, const Vec3& normal, const Vec3& v, i
 
 /// Turns the normal just enough that the viewer is on its front side: a bumped or interpolated
 /// normal that looks away would shade black.
-Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point);
+inline Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point) {
+  /// Cosine below which a normal is lifted: a grazing view, not yet a division by zero.
+  constexpr float kLeastCosine = 1e-3f;
+  const Vec3 wo = point.wo();
+  const float cosine = dot(normal, wo);
+  if (cosine >= kLeastCosine) return normal;
+  return normalize(normal + wo * (kLeastCosine - cosine));
+}
 
 /// Turns the normal just enough that the mirrored view does not point into the flat triangle: what
 /// glossy lobes lose below it would be a dark rim.
-Vec3 reflecting_outward(const Vec3& normal, const ShadingPoint& point);
+inline Vec3 reflecting_outward(const Vec3& normal, const ShadingPoint& point) {
+  if (normal == point.geometric_normal) return normal;
+  /// Least height of the mirrored view over the triangle, of that of the view itself: a guess that
+  /// keeps about half of a lobe.
+  constexpr float kHeight = 0.2f;
+  const Vec3 wo = point.wo();
+  const Vec3 mirrored = normal * (2 * dot(normal, wo)) - wo;
+  const float least = kHeight * std::max(0.0f, dot(wo, point.geometric_normal));
+  const float height = dot(mirrored, point.geometric_normal);
+  if (height >= least) return normal;
+  const Vec3 lifted = normalize(mirrored + point.geometric_normal * (least - height));
+  return normalize(lifted + wo);
+}
 
 }  // namespace oriel
