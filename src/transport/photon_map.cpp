@@ -2,8 +2,10 @@
 #include "transport/photon_map.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "transport/photon_merge.h"
 
@@ -15,8 +17,17 @@ using Filter = scene::PhotonOptions::Filter;
 /// Ranges shorter than this are searched one by one, without an axis.
 constexpr std::size_t kLeaf = 4;
 
-/// Any order that depends on nothing but the photons; by their bits, since floats have two zeros.
-bool precedes(const Photon& a, const Photon& b) { return std::memcmp(&a, &b, sizeof(Photon)) < 0; }
+/// The numbers of a photon as bits, since floats have two zeros.
+std::array<std::uint32_t, 12> bits(const Photon& p) {
+  std::array<std::uint32_t, 12> out;
+  auto* next = out.data();
+  for (const Vec3* v : {&p.position, &p.direction, &p.power, &p.normal})
+    for (int i = 0; i < 3; ++i) *next++ = std::bit_cast<std::uint32_t>((*v)[i]);
+  return out;
+}
+
+/// Any order that depends on nothing but the photons.
+bool precedes(const Photon& a, const Photon& b) { return bits(a) < bits(b); }
 
 bool is_sound(const Photon& p) {
   return is_finite(p.position) && is_finite(p.direction) && is_finite(p.power) &&
