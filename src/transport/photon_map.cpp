@@ -19,10 +19,14 @@ constexpr std::size_t kLeaf = 4;
 
 /// The numbers of a photon as bits, since floats have two zeros.
 std::array<std::uint32_t, 12> bits(const Photon& p) {
-  std::array<std::uint32_t, 12> out;
-  auto* next = out.data();
-  for (const Vec3* v : {&p.position, &p.direction, &p.power, &p.normal})
-    for (int i = 0; i < 3; ++i) *next++ = std::bit_cast<std::uint32_t>((*v)[i]);
+  std::array<std::uint32_t, 12> out{};
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    out[at] = std::bit_cast<std::uint32_t>(p.position[i]);
+    out[3 + at] = std::bit_cast<std::uint32_t>(p.direction[i]);
+    out[6 + at] = std::bit_cast<std::uint32_t>(p.power[i]);
+    out[9 + at] = std::bit_cast<std::uint32_t>(p.normal[i]);
+  }
   return out;
 }
 
