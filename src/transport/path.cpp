@@ -53,7 +53,7 @@ void Path::count_ray() {
 }
 
 void Path::follow(const ShadingPoint& point, const Vec3& direction) {
-  float reach = medium_known_ && medium_.black_distance > 0 ? medium_.black_distance : kInfinity;
+  float reach = medium_.reach();
   if (fading_.distance > 0) reach = std::min(reach, fading_.distance - from_.passed);
   ray_ = leave(point, direction, reach, mask());
   left_ = point.position;
@@ -134,8 +134,10 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   dim(factor);
   if (!keeps_weights) from_.weighed = false;
   if (!culled && u < closure.opacity && !closure.thin_walled) {
-    medium_ = point.back_side || !straight_rays_fade() ? Medium{} : closure.inside;
-    medium_known_ = !point.back_side || !straight_rays_fade();
+    if (straight_rays_fade())
+      medium_.leave(closure, point, ray_.dir);
+    else
+      medium_.ignore();
   }
   from_.passed += point.ray_length;
   follow(point, ray_.dir);
@@ -154,8 +156,8 @@ bool Path::arrive(const geom::Hit& hit) {
   shade(material, point, closure);
 
   // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
-  if (!medium_known_ && point.back_side && !closure.thin_walled) medium_ = closure.inside;
-  if (!medium_.clear()) dim(transmittance(medium_, length(point.position - left_)));
+  medium_.arrive(closure, point);
+  if (!medium_.medium.clear()) dim(transmittance(medium_.medium, length(point.position - left_)));
   if (pass_straight(closure, material, point)) return true;
   if (visited_) return note_gather_point(closure, material, point);
   if (grid_point_) {

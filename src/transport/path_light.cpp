@@ -33,7 +33,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (rate <= 0) continue;
     const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed || !hit->shadow || !from_.shadows) continue;
-    const Rgb arriving = lights_ * hit->radiance * transmittance(medium_, hit->t - from_.passed) *
+    const Rgb arriving = lights_ * hit->radiance *
+                         transmittance(medium_.medium, hit->t - from_.passed) *
                          bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
     if (from_.group == LobeGroup::Reflection) {
       const LightInReflection& in = light.visible ? from_.visible : from_.invisible;
@@ -48,7 +49,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   }
   if (ended) {
     const float kept = fading_.kept(nearest);
-    Rgb radiance = seen * transmittance(medium_, nearest) * kept;
+    Rgb radiance = seen * transmittance(medium_.medium, nearest) * kept;
     if (kept < 1) radiance += faded_to() * (1 - kept);
     add(component_, throughput_ * radiance);
     if (first_) result_->alpha = 1;

@@ -175,16 +175,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
                    const ClosureSample& sample) {
   const Lobe& lobe = closure.lobes[sample.lobe];
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
-  if (!closure.thin_walled) {
-    if (crosses) {
-      // What lies outside of a solid may be another: the next wall met from its inside tells.
-      medium_ = point.back_side ? Medium{} : closure.inside;
-      medium_known_ = !point.back_side;
-    } else if (point.back_side && !medium_known_) {
-      medium_ = closure.inside;
-      medium_known_ = true;
-    }
-  }
+  medium_.leave(closure, point, sample.wi);
   lights_ = throughput_ = throughput_ * sample.weight;
   importance_ *= max_component(lobe.level);
   Component part = Component::Indirect;
@@ -195,7 +186,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       after_diffuse_ = true;
       blurred_ = false;
       reflections_ = refractions_ = 0;
-      if (!straight_rays_fade()) medium_ = Medium{}, medium_known_ = true;
+      if (!straight_rays_fade()) medium_.ignore();
       cone_.spread = std::max(cone_.spread, kDiffuseSpread);
       ++bounces_;
       ++diffuse_bounces_;

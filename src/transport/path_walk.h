@@ -10,6 +10,7 @@
 #include "transport/direct.h"
 #include "transport/indirect_maps.h"
 #include "transport/lobes.h"
+#include "transport/medium.h"
 #include "transport/path.h"
 #include "transport/surface.h"
 
@@ -173,9 +174,8 @@ class Path {
   Vertex from_;
   Fading fading_;
   const NodeList* environment_ = nullptr;
-  Medium medium_;
+  MediumOnWay medium_;
   Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
-  bool medium_known_ = false;
   int reflections_ = 0, refractions_ = 0;  ///< since the last diffuse bounce
   int bounces_ = 0;                        ///< diffuse and glossy
   int diffuse_bounces_ = 0;

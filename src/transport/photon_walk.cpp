@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "runtime/bump.h"
 #include "transport/lobes.h"
+#include "transport/medium.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
 
 namespace oriel {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// Surfaces of any kind, cut-outs included, before a photon is given up.
 constexpr int kMostVertices = 256;
 /// Draws reserved for each vertex, so that a vertex uses the same dimensions in every photon.
@@ -49,7 +48,6 @@ class PhotonWalk {
   float choose_lobes(const Closure& closure, LobeChoice& choice) const;
   bool go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
              bool seen);
-  void enter(const Closure& closure, const ShadingPoint& point, const Vec3& direction);
   bool count_bounce(LobeKind kind);
   void follow(const ShadingPoint& point, const Vec3& direction);
   Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
@@ -75,9 +73,8 @@ class PhotonWalk {
   geom::Ray ray_;
   Rgb emitted_{0};  // as of the last surface, until the photon has scattered
   Rgb factor_{1};
-  Medium medium_;
+  MediumOnWay medium_;
   Vec3 left_{0};
-  bool medium_known_ = false;
   bool scattered_ = false, specular_ = false, diffuse_ = false;
   int reflections_ = 0, refractions_ = 0;
 };
@@ -129,24 +126,10 @@ bool PhotonWalk::count_bounce(LobeKind kind) {
   return refracts ? refractions_++ < depth.refraction : reflections_++ < depth.reflection;
 }
 
-/// The medium on the other side of a boundary, or the one a wall stands in.
-void PhotonWalk::enter(const Closure& closure, const ShadingPoint& point, const Vec3& direction) {
-  if (closure.thin_walled) return;
-  if (dot(direction, point.geometric_normal) < 0) {
-    medium_ = point.back_side ? Medium{} : closure.inside;
-    medium_known_ = true;
-  } else if (point.back_side && !medium_known_) {
-    medium_ = closure.inside;
-    medium_known_ = true;
-  }
-}
-
 void PhotonWalk::follow(const ShadingPoint& point, const Vec3& direction) {
-  const float reach =
-      medium_known_ && medium_.black_distance > 0 ? medium_.black_distance : kInfinity;
   std::uint32_t mask = geom::RayMask::FinalGather;
   if (!scattered_) mask |= geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
-  ray_ = leave(point, direction, reach, mask);
+  ray_ = leave(point, direction, medium_.reach(), mask);
   left_ = point.position;
 }
 
@@ -194,8 +177,10 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
       chance += choice.rays[i];
     }
     lose(factor_ * through / chance);
-    enter(closure, point, ray_.dir);
-    if (!straight_rays_fade() && !closure.thin_walled) medium_ = Medium{};
+    if (straight_rays_fade())
+      medium_.leave(closure, point, ray_.dir);
+    else if (!closure.thin_walled)
+      medium_.ignore();
     follow(point, ray_.dir);
     return true;
   }
@@ -214,11 +199,11 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
   const Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
   if (!is_finite(weight)) return absorb(), false;
   lose(factor_ * weight);
-  enter(closure, point, sample->wi);
+  medium_.leave(closure, point, sample->wi);
   scattered_ = true;
   if (is_diffuse(kind)) {
     diffuse_ = true;
-    if (!straight_rays_fade()) medium_ = Medium{}, medium_known_ = true;
+    if (!straight_rays_fade()) medium_.ignore();
   } else {
     specular_ = true;
   }
@@ -236,11 +221,11 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   if (!scattered_) emitted_ = source_.power(photon_, length(point.position - photon_.origin));
   if (max_component(power()) <= 0) return absorb(), false;
 
-  if (!medium_known_ && point.back_side && !closure.thin_walled) medium_ = closure.inside;
-  if (medium_.clear())
+  medium_.arrive(closure, point);
+  if (medium_.medium.clear())
     sampler_.skip();
   else
-    pass_medium(medium_, length(point.position - left_));
+    pass_medium(medium_.medium, length(point.position - left_));
   if (max_component(factor_) <= 0) return false;
   if (sampler_.next_1d() >= closure.opacity) {
     follow(point, ray_.dir);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "transport/lobes.h"
+#include "transport/medium.h"
 #include "transport/surface.h"
 
 namespace oriel {
@@ -64,16 +65,15 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     open.clear *= t;
     open.cut_outs *= t;
   };
-  Medium medium;
+  MediumOnWay way;
   Vec3 left = point.position;
-  bool medium_known = false;
   for (int i = 0; i < kMostBlockers; ++i) {
     geom::Hit hit;
     ++counts.shadow;
     if (!world.accel->intersect(ray, hit)) {
       // A light inside of glass.
-      if (segments && !medium.clear() && !std::isinf(ray.tfar))
-        dim(transmittance(medium, ray.tfar));
+      if (segments && !way.medium.clear() && !std::isinf(ray.tfar))
+        dim(transmittance(way.medium, ray.tfar));
       return open;
     }
     ShadingPoint blocker;
@@ -81,19 +81,16 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     Closure closure;
     shade(material_of(world, hit), blocker, closure);
     if (segments) {
-      if (!medium_known && blocker.back_side && !closure.thin_walled) medium = closure.inside;
+      way.arrive(closure, blocker);
       // From where the ray left: its origin is a little off the surface, and glass may be thin.
-      dim(transmittance(medium, length(blocker.position - left)));
+      dim(transmittance(way.medium, length(blocker.position - left)));
     }
     const Openness here = straight_transmission(closure, world.options);
     open.all *= here.all;
     open.clear *= here.clear;
     open.cut_outs *= here.cut_outs;
     if (max_component(open.all) <= 0) return kClosed;
-    if (!closure.thin_walled) {
-      medium = blocker.back_side ? Medium{} : closure.inside;
-      medium_known = !blocker.back_side;
-    }
+    way.leave(closure, blocker, wi);
     const float rest = ray.tfar - hit.t;
     if (!(rest > 0)) return open;
     ray = leave(blocker, wi, rest, geom::RayMask::ShadowTransparent);

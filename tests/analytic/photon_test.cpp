@@ -333,6 +333,29 @@ TEST(PhotonTrace, APaneOfGlassPassesItsTransmittanceRefracted) {
   EXPECT_NEAR(e.x, through * kPi, .08 * through * kPi);
 }
 
+// acceptance: T4, T11
+TEST(PhotonTrace, NestedMediaAbsorbOverTheirOwnThickness) {
+  const auto gel = [](float per_unit) {
+    return fmt::format(
+        "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, "
+        "\"do_refractive_caustics\" on, \"refr_falloff_on\" on, \"refr_falloff_dist\" 1, "
+        "\"refr_falloff_color_on\" on, \"refr_falloff_color\" {0} {0} {0}",
+        std::exp(-per_unit));
+  };
+  // A layer of .5 below one of .75; the surface between them belongs to the upper one.
+  SceneText scene = lit_floor(kSun);
+  scene.material("lower", gel(.5f))
+      .material("upper", gel(.8f))
+      .square("lower", Vec3(0, 0, .5f), 1, -kUp)
+      .square("upper", Vec3(0, 0, 1), 1, -kUp)
+      .square("upper", Vec3(0, 0, 1.75f), 1, kUp);
+  const Traced t =
+      trace(Probe(scene), {.globillum = false, .each = emitting(0, 1 << 18), .depth = kDeep});
+  expect_balanced(t.balance);
+  const double exact = std::exp(-.5 * .5 - .8 * .75) * 4 * kPi;
+  EXPECT_NEAR(power_of(t.maps.caustic), exact, .02 * exact);
+}
+
 TEST(PhotonTrace, MirrorsMakeCausticsAndDiffuseBouncesDoNot) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
   // The lamp shines on a mirror that turns its light to the wall.

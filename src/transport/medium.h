@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which medium a ray is in, as far as the surfaces on its way have told.
+#pragma once
+
+#include <limits>
+
+#include "runtime/closure.h"
+#include "runtime/shading_point.h"
+
+namespace oriel {
+
+/// Paths, shadow rays and photons keep one each. Interfaces as the manual has them: a solid begins
+/// where its front is passed and ends where its back is; what then follows may be another solid.
+/// Source:  manual 1.7.2.6.
+/// Checked: NestedMedia.*, Glass.Absorbs* in tests/analytic, PhotonTrace.NestedMedia*.
+struct MediumOnWay {
+  Medium medium;
+  bool known = false;  ///< false: the next wall met from its inside tells
+
+  /// At a surface, before it is passed: the medium of the way to it.
+  void arrive(const Closure& closure, const ShadingPoint& point) {
+    if (!known && point.back_side && !closure.thin_walled) medium = closure.inside;
+  }
+  /// From a surface on in a direction, through it or back.
+  void leave(const Closure& closure, const ShadingPoint& point, const Vec3& direction) {
+    if (closure.thin_walled) return;
+    if (dot(direction, point.geometric_normal) < 0) {
+      medium = point.back_side ? Medium{} : closure.inside;
+      known = !point.back_side;
+    } else if (point.back_side && !known) {
+      medium = closure.inside;
+      known = true;
+    }
+  }
+  /// The ray goes on as if there were none.
+  void ignore() {
+    medium = {};
+    known = true;
+  }
+  /// How far the ray may go until all is black.
+  float reach() const {
+    return known && medium.black_distance > 0 ? medium.black_distance
+                                              : std::numeric_limits<float>::infinity();
+  }
+};
+
+}  // namespace oriel
