@@ -20,7 +20,8 @@ constexpr float kGatherError = 0.5f;
 /// Photons kept of each light, and most that are sent for them.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMostSent = 2000000;
 
-Rgb scale_of(const Rgba& c) { return rgb(c); }
+/// Streams of the points of one path, and what tells them from those of its lobes.
+constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
 
 }  // namespace
 
@@ -35,14 +36,11 @@ IndirectPlan plan_indirect(const scene::RenderOptions& options) {
 }
 
 IndirectPasses::IndirectPasses(const World& world, const Window& window, std::uint32_t seed,
-                               RayCounts& counts,
-                               const std::function<void(const char* pass)>& progress,
-                               const std::atomic<bool>* cancel)
+                               RayCounts& counts, const std::atomic<bool>* cancel)
     : plan_(plan_indirect(world.options)) {
   const scene::RenderOptions& options = world.options;
   const geom::Box3 box = world.accel->bounds();
   if (plan_.global || plan_.caustic) {
-    if (progress) progress("photons");
     PhotonSettings settings;
     settings.globillum = plan_.global;
     settings.caustics = plan_.caustic;
@@ -58,13 +56,11 @@ IndirectPasses::IndirectPasses(const World& world, const Window& window, std::ui
     maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
     maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
   }
-  if (plan_.gather) gather(world, window, seed, counts, progress, cancel);
+  if (plan_.gather) gather(world, window, seed, counts, cancel);
 }
 
 void IndirectPasses::gather(const World& world, const Window& window, std::uint32_t seed,
-                            RayCounts& counts,
-                            const std::function<void(const char* pass)>& progress,
-                            const std::atomic<bool>* cancel) {
+                            RayCounts& counts, const std::atomic<bool>* cancel) {
   const scene::FinalGatherOptions& options = world.options.finalgather;
   const geom::Box3 box = world.accel->bounds();
   GatherSettings settings = gather_settings(options, length(box.max - box.min));
@@ -80,7 +76,6 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   const PathSettings visiting{.indirect = true};
   for (int pass = 0; pass < kPasses; ++pass) {
     const int step = finest << (kPasses - 1 - pass);
-    if (progress) progress("final gathering");
     std::vector<int> rows;
     for (int y = window.y0 + step / 2; y < window.y1; y += step) rows.push_back(y);
     std::vector<std::vector<GatherRecord>> made(rows.size());
@@ -96,12 +91,9 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
                             Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(rows[r]) + 0.5f),
                             visiting, sampler, mine, points);
         for (std::size_t i = 0; i < points.size(); ++i) {
-          GatherQuery query = covered;
-          query.position = points[i].point.position;
-          query.normal = points[i].normal;
-          query.radii = settings.radii.in_scene(2 * length(points[i].point.dpdy));
-          if (cache_.interpolate(query)) continue;
-          const auto stream = sampler.split(static_cast<std::uint32_t>(i), 16, 77);
+          if (cache_.interpolate(query_at(covered, points[i].point, points[i].normal))) continue;
+          const auto stream =
+              sampler.split(static_cast<std::uint32_t>(i), kMostPointsOfPath, kGatherBranch);
           made[r].push_back(gather_at(world, points[i], settings, stream, mine));
         }
       }
@@ -113,7 +105,7 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   }
   maps_.gather = &cache_;
   maps_.query = covered;
-  maps_.gather_scale = scale_of(options.scale);
+  maps_.gather_scale = rgb(options.scale);
 }
 
 }  // namespace oriel

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 
 #include "render/window.h"
 #include "transport/gather_points.h"
@@ -26,24 +25,21 @@ IndirectPlan plan_indirect(const scene::RenderOptions& options);
 /// Model:   photons first. Gather points in passes over ever finer grids of the picture: a pass
 ///          asks the cache as it stands, gathers where it knows nothing within its error, and adds
 ///          all new records in the order of pixels; so the result does not depend on threads.
-/// Checked: IndirectPasses.* in tests/analytic/gather_test.cpp
+/// Checked: tests/keystone (three methods on the same scenes), EmulatedReflection.* in
+///          tests/analytic
 class IndirectPasses {
  public:
-  /// `progress` gets the name of the pass; `cancel` ends soon, with what is there.
+  /// `cancel` ends gathering soon, with what is there; may be null.
   IndirectPasses(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-                 const std::function<void(const char* pass)>& progress = {},
-                 const std::atomic<bool>* cancel = nullptr);
+                 const std::atomic<bool>* cancel);
   IndirectPasses(const IndirectPasses&) = delete;
   IndirectPasses& operator=(const IndirectPasses&) = delete;
 
   /// Null when there is nothing to read.
   const IndirectMaps* maps() const { return plan_.any() ? &maps_ : nullptr; }
-  const GatherCache& cache() const { return cache_; }
-  const PhotonMaps& photons() const { return photons_; }
 
  private:
   void gather(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-              const std::function<void(const char* pass)>& progress,
               const std::atomic<bool>* cancel);
 
   IndirectPlan plan_;

@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "geom/surface.h"
+#include "transport/surface.h"
 
 namespace oriel {
 namespace {
@@ -168,14 +169,7 @@ class Displacer {
       point.normal = normalize(transform_normal(mesh_.normals[vertex], leaf_.world_to_local));
     point.ray_direction = -point.normal;
     point.ray_origin = point.position;
-    point.texture_spaces = static_cast<std::uint8_t>(surface.texture_count);
-    for (std::uint32_t i = 0; i < surface.texture_count; ++i) {
-      point.tex[i] = surface.textures[i].coordinate;
-      point.bump_u[i] = surface.textures[i].basis_u;
-      point.bump_v[i] = surface.textures[i].basis_v;
-    }
-    point.dpdu = surface.dpdu;
-    point.dpdv = surface.dpdv;
+    take_texture_spaces(surface, point);
     point.to_object = &leaf_.world_to_local;
     point.to_world = &leaf_.local_to_world;
     point.world = &world_;

@@ -100,7 +100,7 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
     if (film_.keeps_outputs()) mine.outputs = {};
     s = sample(x, y, index, mine.counts, film_.keeps_outputs() ? &mine.outputs : nullptr);
   };
-  if (!passes_) passes_.emplace(world_, window_, seed_, rays_, nullptr, cancel);
+  if (!passes_) passes_.emplace(world_, window_, seed_, rays_, cancel);
   if (!grid_) grid_.emplace(world_, indirect_, seed_, rays_);
   const StopReason reason = progressive_.run(draw, callbacks, cancel);
   for (const PerThread& thread : threads) rays_ += thread.counts;

@@ -3,6 +3,7 @@
 // it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -45,6 +46,11 @@ struct LobeControls {
   int neighbours = 2;         ///< points looked up along each side
   float detail_distance = 0;  ///< nearer things are traced all the same; 0 = none
 };
+
+/// Share that is left at t of what fades linearly over a distance; a distance of 0 fades nothing.
+inline float linear_fade(float t, float distance) {
+  return distance > 0 ? std::max(0.0f, 1 - t / distance) : 1.0f;
+}
 
 /// Occlusion by what lies near: on light from diffuse surfaces and the environment, and on an
 /// ambient light of its own.

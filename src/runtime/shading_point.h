@@ -68,4 +68,7 @@ struct ShadingPoint {
   Vec3 wo() const { return -ray_direction; }
 };
 
+/// Length on the surface, across the view, that one pixel covers; world units.
+inline float pixel_width(const ShadingPoint& point) { return 2 * length(point.dpdy); }
+
 }  // namespace oriel

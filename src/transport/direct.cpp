@@ -89,9 +89,7 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     const Rgb highlight = r.highlight * closure.highlight_scale;
     if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
       return;
-    const float kept = request.falloff_distance > 0
-                           ? std::max(0.0f, 1 - s->distance / request.falloff_distance)
-                           : 1.0f;
+    const float kept = linear_fade(s->distance, request.falloff_distance);
     const Rgb arriving = s->irradiance / rate;
     // Factors of what rays could have found and of what they could not, after shadows.
     const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,

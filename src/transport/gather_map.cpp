@@ -7,8 +7,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
+#include "image/atomic_file.h"
 #include "transport/gather_cache.h"
 
 namespace oriel {
@@ -152,21 +154,18 @@ bool save_gather_map(std::span<const GatherRecord> records, const std::string& p
   };
   if (records.size() > kMostGatherRecords)
     return failed(fmt::format("it has more than {} points", kMostGatherRecords));
-  // Written beside the target and renamed over it.
-  const std::string part = path + ".part";
-  std::error_code error;
-  {
-    errno = 0;
-    std::ofstream out(part, std::ios::binary);
-    if (out) write_records(records, out);
-    out.close();
-    if (!out) error = std::error_code(errno ? errno : EIO, std::generic_category());
+  try {
+    write_atomically(path, [&](const std::string& part) {
+      errno = 0;
+      std::ofstream out(part, std::ios::binary);
+      if (out) write_records(records, out);
+      out.close();
+      if (!out) throw std::runtime_error(std::generic_category().message(errno ? errno : EIO));
+    });
+  } catch (const std::runtime_error& e) {
+    return failed(e.what());
   }
-  if (!error) std::filesystem::rename(part, path, error);
-  if (!error) return true;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  return failed(error.message());
+  return true;
 }
 
 std::optional<std::vector<GatherRecord>> load_gather_map(const std::string& path,

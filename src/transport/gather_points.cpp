@@ -58,7 +58,7 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
     }
   }
   return make_gather_record(at.point.position, hemisphere, samples,
-                            settings.radii.in_scene(2 * length(at.point.dpdy)), settings.filter);
+                            settings.radii.in_scene(pixel_width(at.point)), settings.filter);
 }
 
 }  // namespace oriel

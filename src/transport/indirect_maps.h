@@ -2,10 +2,19 @@
 // Indirect light worked out before the picture: what paths read in place of following diffuse rays.
 #pragma once
 
+#include "runtime/shading_point.h"
 #include "transport/gather_cache.h"
 #include "transport/photon_map.h"
 
 namespace oriel {
+
+/// The query `how` made at a point of the picture: place, side, radii by the width of its pixel.
+inline GatherQuery query_at(GatherQuery how, const ShadingPoint& point, const Vec3& normal) {
+  how.position = point.position;
+  how.normal = normal;
+  how.radii = how.radii.in_scene(pixel_width(point));
+  return how;
+}
 
 /// Null maps are not there. Borrowed: whoever made them outlives the paths.
 struct IndirectMaps {

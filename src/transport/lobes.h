@@ -49,6 +49,15 @@ inline bool is_diffuse(LobeKind kind) {
 struct LobeChoice {
   float rays[Closure::kMostLobes] = {};  ///< expected number
   bool any = false;
+
+  /// Makes shares of the numbers, so that one ray in all is expected.
+  void share_one_ray() {
+    float total = 0;
+    for (const float r : rays) total += r;
+    any = total > 0;
+    if (any)
+      for (float& r : rays) r /= total;
+  }
 };
 
 /// A direction to go on in.

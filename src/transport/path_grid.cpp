@@ -17,7 +17,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
   GridPoint& out = *grid_point_;
   LobeChoice choice;
   make_ready(closure, point.wo());
-  choose_lobes(closure, choice);
+  choose_lobes(closure, choice, indirect());
   for (int i = 0; i < closure.count; ++i) {
     if (choice.rays[i] <= 0 || !closure.lobes[i].controls.interpolate ||
         closure.lobes[i].controls.grid_density != grid_density_)
@@ -69,7 +69,6 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
 void Path::interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                        LobeChoice& choice) {
   if (!settings_.grid || !at_eye_surface()) return;
-  float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     LobeControls& controls = lobe.controls;
@@ -93,11 +92,8 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
         if (refracts) lobe.level = Rgb(0);
       }
     }
-    total += choice.rays[i];
   }
-  choice.any = total > 0;
-  if (choice.any)
-    for (int i = 0; i < closure.count; ++i) choice.rays[i] /= total;
+  choice.share_one_ray();
 }
 
 }  // namespace oriel

@@ -30,10 +30,7 @@ std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& no
                                        bool directional) const {
   const IndirectMaps& maps = *settings_.maps;
   if (after_diffuse_ || !maps.gather) return std::nullopt;
-  GatherQuery query = maps.query;
-  query.position = point.position;
-  query.normal = normal;
-  query.radii = maps.query.radii.in_scene(2 * length(point.dpdy));
+  GatherQuery query = query_at(maps.query, point, normal);
   query.directional = directional;
   return maps.gather->interpolate(query);
 }
@@ -114,7 +111,7 @@ Rgb Path::with_neighbours(const Closure& closure, const ShadingPoint& point, con
     const PathResult near =
         trace_gather_ray(world_, point, w, near_distance_, settings, stream, counts_);
     if (near.depth <= 0) return smooth;
-    const float share = std::max(0.0f, 1 - near.depth / near_distance_);
+    const float share = linear_fade(near.depth, near_distance_);
     return smooth * (1 - share) +
            albedo_of(lobe, point.wo()) * near.radiance * (Rgb(1) - near_dark_) * share;
   }
@@ -130,8 +127,7 @@ void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {
 bool Path::note_gather_point(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
   make_ready(closure, point.wo());
-  choose_lobes(closure, choice);
-  float total = 0;
+  choose_lobes(closure, choice, indirect());
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
@@ -141,11 +137,9 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
            lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f});
       choice.rays[i] = 0;
     }
-    total += choice.rays[i];
   }
-  if (!(total > 0)) return false;
-  for (int i = 0; i < closure.count; ++i) choice.rays[i] /= total;
-  choice.any = true;
+  choice.share_one_ray();
+  if (!choice.any) return false;
   float u = sampler_.next_1d();
   const int lobe = choose_lobe(closure, choice, u);
   return go_on(closure, choice, material, point, lobe, u);

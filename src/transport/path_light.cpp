@@ -76,8 +76,7 @@ Rgb Path::faded_to() {
 
 /// Diffuse rays of occlusion with colours: what is near loses a share, its light goes with it.
 void Path::darken_near(float t) {
-  if (near_distance_ > 0 && t < near_distance_)
-    throughput_ *= Rgb(1) - near_dark_ * (1 - t / near_distance_);
+  if (near_distance_ > 0) throughput_ *= Rgb(1) - near_dark_ * linear_fade(t, near_distance_);
   near_distance_ = 0;
 }
 

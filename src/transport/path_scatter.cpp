@@ -56,11 +56,10 @@ bool Path::depth_reached(LobeKind kind) const {
 /// Shares of the lobes that rays may follow. Reflections that may not become highlights,
 /// refractions black.
 void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const {
-  float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only) continue;
-    if (!world_.options.trace || (is_diffuse(lobe.kind) && !(diffuse && indirect()))) continue;
+    if (!world_.options.trace || (is_diffuse(lobe.kind) && !diffuse)) continue;
     if (!is_diffuse(lobe.kind)) {
       const bool reflection = lobe.channel == Channel::Reflection;
       const bool cut =
@@ -81,11 +80,8 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) cons
     choice.rays[i] = std::max(0.0f, lobe.level.x + lobe.level.y + lobe.level.z);
     // Less than one ray for diffuse lobes is a smaller share, more is a split.
     if (lobe.kind == LobeKind::Diffuse) choice.rays[i] *= clamp(lobe.controls.samples, 0.05f, 1);
-    total += choice.rays[i];
   }
-  choice.any = total > 0;
-  if (choice.any)
-    for (int i = 0; i < closure.count; ++i) choice.rays[i] /= total;
+  choice.share_one_ray();
 }
 
 /// Rays of one path at the first surface, of the `samples` that the pixel may get.
@@ -277,13 +273,11 @@ bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Materia
 bool Path::gather(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
   make_ready(closure, point.wo());
-  bool diffuse = indirect();
-  if (settings_.maps && settings_.indirect) {
-    occlude(closure, point);
-    diffuse = !take_mapped(closure, point) && diffuse;
-  }
+  occlude(closure, point);
+  const bool mapped = settings_.maps && settings_.indirect;
+  const bool diffuse = !(mapped && take_mapped(closure, point)) && indirect();
   choose_lobes(closure, choice, diffuse);
-  if (settings_.maps && settings_.indirect) emulate(closure, point);
+  if (mapped) emulate(closure, point);
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
   std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
@@ -297,11 +291,8 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
     result_->normal = point.normal;
     result_->albedo = closure.albedo;
   }
-  if (scatters_light) {
-    if (!settings_.maps) occlude(closure, point);
-    if (!from_.lights.empty() || environment)
-      take_direct(closure, choice, point, environment, diffuse || reads_photons());
-  }
+  if (scatters_light && (!from_.lights.empty() || environment))
+    take_direct(closure, choice, point, environment, diffuse || reads_photons());
   if (!choice.any) return false;
 
   if (world_.has_area_lights) from_.point = point;

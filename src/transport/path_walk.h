@@ -63,7 +63,7 @@ class Path {
     Rgb color{0};
     Vec3 mirrored{0};                         ///< the direction looked up for all rays of the lobe
     std::optional<Rgb>* looked_up = nullptr;  ///< found there once for all rays of the lobe
-    float kept(float t) const { return distance > 0 ? std::max(0.0f, 1 - t / distance) : 1.0f; }
+    float kept(float t) const { return linear_fade(t, distance); }
   };
 
   // path.cpp
@@ -93,7 +93,7 @@ class Path {
   Rgb reflected_environment(const Vec3& direction);
 
   // path_scatter.cpp
-  void choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse = true) const;
+  void choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                    bool environment, bool diffuse);

@@ -26,6 +26,17 @@ void set_footprint(float width, ShadingPoint& point) {
 
 }  // namespace
 
+void take_texture_spaces(const geom::SurfacePoint& surface, ShadingPoint& point) {
+  point.texture_spaces = static_cast<std::uint8_t>(surface.texture_count);
+  for (std::uint32_t i = 0; i < surface.texture_count; ++i) {
+    point.tex[i] = surface.textures[i].coordinate;
+    point.bump_u[i] = surface.textures[i].basis_u;
+    point.bump_v[i] = surface.textures[i].basis_v;
+  }
+  point.dpdu = surface.dpdu;
+  point.dpdv = surface.dpdv;
+}
+
 void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, const RayCone& cone,
                 RayKind kind, ShadingPoint& point) {
   geom::SurfacePoint surface;
@@ -46,14 +57,7 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
   point.to_object = &instance.to_object;
   point.to_world = &instance.to_world;
   point.world = &world;
-  point.texture_spaces = static_cast<std::uint8_t>(surface.texture_count);
-  for (std::uint32_t i = 0; i < surface.texture_count; ++i) {
-    point.tex[i] = surface.textures[i].coordinate;
-    point.bump_u[i] = surface.textures[i].basis_u;
-    point.bump_v[i] = surface.textures[i].basis_v;
-  }
-  point.dpdu = surface.dpdu;
-  point.dpdv = surface.dpdv;
+  take_texture_spaces(surface, point);
   set_footprint(cone.width_at(hit.t) * 0.5f, point);
 }
 

@@ -14,6 +14,9 @@ struct RayCone {
   float width_at(float t) const { return width + spread * t; }
 };
 
+/// Texture coordinates, bump bases and derivatives of a surface.
+void take_texture_spaces(const geom::SurfacePoint& surface, ShadingPoint& point);
+
 /// Fills the point of a hit. `point.ray_*` and `ray_kind` are set from the ray.
 void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, const RayCone& cone,
                 RayKind kind, ShadingPoint& point);

@@ -148,6 +148,13 @@ TEST(Prism, TurnsTheViewByTotalReflectionWhetherWeakOnesAreSkippedOrNot) {
   }
 }
 
+std::string wax(float translucent) {
+  return fmt::format(
+      "\"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, \"refr_translucency\" on, "
+      "\"refr_trans_weight\" {}, \"refr_trans_color\" 1 .8 .6, {}",
+      translucent, kFree);
+}
+
 // acceptance: T10
 TEST(Translucency, SolidBringsTheLightOfItsBackToItsFront) {
   // A wide slab, lit by a sun behind it. Of the transparency 1, `a` passes straight, b is
@@ -155,11 +162,7 @@ TEST(Translucency, SolidBringsTheLightOfItsBackToItsFront) {
   for (const float b : {.25f, .6f, 1.0f}) {
     const float a = 1 - b;
     SceneText scene("trace depth 8 8 12 shadow segments");
-    scene
-        .material("wax", fmt::format("\"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, "
-                                     "\"refr_translucency\" on, \"refr_trans_weight\" {}, "
-                                     "\"refr_trans_color\" 1 .8 .6, {}",
-                                     b, kFree))
+    scene.material("wax", wax(b))
         .box("wax", Vec3(-200, -200, 0), Vec3(200, 200, .1f))
         .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
     const Measured m = Probe(scene).ray(Vec3(0, 0, -.5f), Vec3(.3f, 0, 1), 1 << 15);
@@ -174,11 +177,7 @@ TEST(Translucency, SolidUnderASkyBehindIt) {
   for (const float b : {.25f, .6f, 1.0f}) {
     const float a = 1 - b;
     SceneText scene("trace depth 8 8 12 shadow segments");
-    scene
-        .material("wax", fmt::format("\"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, "
-                                     "\"refr_translucency\" on, \"refr_trans_weight\" {}, "
-                                     "\"refr_trans_color\" 1 .8 .6, {}",
-                                     b, kFree))
+    scene.material("wax", wax(b))
         .half_sky(1, kUp)
         .box("wax", Vec3(-200, -200, 0), Vec3(200, 200, .1f));
     const Measured m = Probe(scene).ray(Vec3(0, 0, -.5f), Vec3(.3f, 0, 1), 1 << 15);
@@ -286,13 +285,15 @@ TEST(NestedMedia, EachAbsorbsOverItsOwnThickness) {
         c);
   };
   // A layer of 1 below one of 1.5; the surface between them belongs to the upper one.
+  const auto add_layers = [&](SceneText& scene) {
+    scene.material("lower", gel(.5f))
+        .material("upper", gel(.8f))
+        .square("lower", Vec3(0), 50, Vec3(0, 0, -1))
+        .square("upper", Vec3(0, 0, 1), 50, Vec3(0, 0, -1))
+        .square("upper", Vec3(0, 0, 2.5f), 50, Vec3(0, 0, 1));
+  };
   SceneText scene;
-  scene.uniform_sky(1)
-      .material("lower", gel(.5f))
-      .material("upper", gel(.8f))
-      .square("lower", Vec3(0), 50, Vec3(0, 0, -1))
-      .square("upper", Vec3(0, 0, 1), 50, Vec3(0, 0, -1))
-      .square("upper", Vec3(0, 0, 2.5f), 50, Vec3(0, 0, 1));
+  add_layers(scene.uniform_sky(1));
   const Probe probe(scene);
   const float both = std::exp(-.5f - .8f * 1.5f);
   expect_exact("two layers from above", probe.ray(Vec3(0, 0, 5), Vec3(0, 0, -1), 64), both);
@@ -304,12 +305,7 @@ TEST(NestedMedia, EachAbsorbsOverItsOwnThickness) {
     lit.lambert("floor", 1)
         .square("floor", Vec3(0, 0, -1), .5f, Vec3(0, 0, 1))
         .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
-    if (layers)
-      lit.material("lower", gel(.5f))
-          .material("upper", gel(.8f))
-          .square("lower", Vec3(0), 50, Vec3(0, 0, -1))
-          .square("upper", Vec3(0, 0, 1), 50, Vec3(0, 0, -1))
-          .square("upper", Vec3(0, 0, 2.5f), 50, Vec3(0, 0, 1));
+    if (layers) add_layers(lit);
     return std::move(Probe(lit).direct_only()).ray(Vec3(0, 0, -.5f), Vec3(0, 0, -1), 16).mean.x;
   };
   EXPECT_NEAR(floor_under(true) / floor_under(false), both, 1e-4f);
