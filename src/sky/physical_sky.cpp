@@ -14,14 +14,10 @@ constexpr float kClearTurbidity = 2;  // haze 0
 
 float turbidity_of(float haze) { return clamp(2 + haze, kClearTurbidity, kMostTurbidity); }
 
-Rgb unit_conversion(const Rgb& given, float multiplier) {
-  return (is_black(given) ? Rgb(1 / kSunnyDayLux) : given) * multiplier;
-}
-
 /// Direction in the model's space: z up, the horizon moved to z = 0. `horizon` is a tenth of
 /// horizon_height. A direction the shift cancels out lies on the horizon, whatever its azimuth.
 Vec3 seen_direction(const Vec3& direction, bool y_is_up, float horizon) {
-  Vec3 d = y_is_up ? Vec3(direction.x, direction.z, direction.y) : direction;
+  Vec3 d = z_up(direction, y_is_up);
   if (horizon == 0) return d;
   d.z -= horizon;
   return normalize(d);
@@ -57,7 +53,9 @@ float night_factor(float sun_z) {
 Rgb sun_colour(const SunParameters& p, const Vec3& sun_direction) {
   if (!p.on || !(p.multiplier > 0)) return Rgb(0.0f);
   const Vec3 to_sun = seen_direction(normalize(sun_direction), p.y_is_up, p.horizon_height / 10);
-  const Rgb lux = sun_illuminance(to_sun.z, turbidity_of(p.haze));
+  Rgb lux = sun_illuminance(to_sun.z, turbidity_of(p.haze));
+  if (const float own = luminance(lux); p.normal_illuminance && own > 0)
+    lux *= std::max(0.0f, *p.normal_illuminance) / own;
   return tinted(lux * unit_conversion(p.rgb_unit_conversion, p.multiplier),
                 effective_saturation(p.saturation, p.haze), 1 + p.redblueshift, 1 - p.redblueshift);
 }
@@ -77,17 +75,33 @@ PhysicalSky::PhysicalSky(const SkyParameters& p)
   const Rgb units = unit_conversion(p.rgb_unit_conversion, p.multiplier);
   const float daylight = night_factor(to_sun_.z);
   const float sun_z = model_.to_sun().z;
-  sky_scale_ = units * (kPi * daylight);
+  sky_scale_ = units * (p.luminance ? kPi : kPi * daylight);
+  if (p.luminance) give_luminance(*p.luminance);
   sun_above_ = sun_illuminance(sun_z, turbidity_of(p.haze)) * units * daylight;
   sun_below_ = sun_illuminance(sun_z, kClearTurbidity) * units * daylight;
   set_up_disc(p);
 
   // The ground is lit through clear air whatever the haze, as in NVIDIA's port.
   const PreethamSky clear(to_sun_, kClearTurbidity, p.model);
-  const Rgb sky =
-      p.exact_ground_illuminance ? horizontal_illuminance(clear) : horizontal_illuminance_25(clear);
-  ground_raw_ = p.ground_color * (sky * units * daylight + sun_below_ * sun_z);
+  const auto clear_illuminance = [&] {
+    return p.exact_ground_illuminance ? horizontal_illuminance(clear)
+                                      : horizontal_illuminance_25(clear);
+  };
+  // Where the sky's luminance is given, the ground is lit by that sky.
+  const Rgb sky = p.luminance ? horizontal_illuminance(model_) : clear_illuminance() * daylight;
+  ground_raw_ = p.ground_color * (sky * units + sun_below_ * sun_z);
   ground_ = tinted(ground_raw_, saturation_, red_, blue_);
+}
+
+void PhysicalSky::give_luminance(const GivenLuminance& given) {
+  if (given.distribution != PerezCoefficients{}) model_.distribute(given.distribution);
+  const auto scale_to = [&](float wanted, float present) {
+    if (present > 1e-6f * wanted) model_.scale_luminance(wanted / present);
+  };
+  if (given.zenith > 0)
+    scale_to(given.zenith, model_.xyy(Vec3(0, 0, 1)).luminance);
+  else if (given.horizontal_illuminance > 0)
+    scale_to(given.horizontal_illuminance, luminance(horizontal_illuminance(model_)));
 }
 
 void PhysicalSky::set_up_disc(const SkyParameters& p) {

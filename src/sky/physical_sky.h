@@ -3,8 +3,11 @@
 // ground, night, disc and glow around the Preetham model.
 #pragma once
 
+#include <optional>
+
 #include "base/vec.h"
 #include "sky/preetham.h"
+#include "sky/units.h"
 
 namespace oriel::sky {
 
@@ -19,8 +22,12 @@ namespace oriel::sky {
 /// Source: NVIDIA, MDL-SDK base.mdl; 695500 km at 149.6 million km is 0.004649.
 inline constexpr float kSunAngularRadius = 0.00465f;
 
-/// Illuminance a unit conversion of 0 0 0 maps to 1 ("the amount of light on a sunny day").
-inline constexpr float kSunnyDayLux = 80000;
+/// Luminance of the sky as later editions let a scene give it (`sky_luminance_mode` not 0).
+struct GivenLuminance {
+  float zenith = 0;                  ///< cd/m2; where above 0 it decides
+  float horizontal_illuminance = 0;  ///< lux, of the sky alone; where above 0 it is next
+  PerezCoefficients distribution{};  ///< all 0: as the haze has it
+};
 
 /// mia_physicalsky's parameters, named and defaulted as its declaration; the sun is a direction.
 struct SkyParameters {
@@ -43,6 +50,8 @@ struct SkyParameters {
   bool exact_ground_illuminance =
       false;  ///< ground lit by the true sky integral, not the 25 points
   PreethamOptions model;
+  /// Set: luminance is given, and does not fade after sunset; its colours stay those of the haze.
+  std::optional<GivenLuminance> luminance;
 };
 
 /// mia_physicalsun's parameters that decide its colour.
@@ -55,6 +64,8 @@ struct SunParameters {
   float saturation = 1;
   float horizon_height = 0;
   bool y_is_up = false;
+  /// Set: its illuminance on a facing surface, lux, as long as it is up; colour stays by the haze.
+  std::optional<float> normal_illuminance;
 };
 
 /// Which of the sun's images a look-up sees. Final gathering and portals see the gradient only:
@@ -103,8 +114,8 @@ class PhysicalSky {
   Vec3 seen(const Vec3& direction) const;
   float disc_and_glow(const Vec3& seen_direction, SkyPart part) const;
   Rgb finish(const Rgb& color, float night_share) const;
+  void give_luminance(const GivenLuminance& given);
   void set_up_disc(const SkyParameters& p);
-  void set_up_ground(const SkyParameters& p, float daylight, const Rgb& sun_below);
 
   PreethamSky model_;
   bool black_;  ///< switched off

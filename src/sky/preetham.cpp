@@ -118,6 +118,18 @@ PreethamSky::PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOpti
   for (int i = 0; i < kLanes; ++i) perez_.scale[i] = zenith[i] / at_zenith[i];
 }
 
+void PreethamSky::distribute(const PerezCoefficients& k) {
+  float before[kLanes], after[kLanes];
+  evaluate(1, std::min(to_sun_.z, 1.0f), before);
+  // Far beyond any sky; here only so that products stay finite.
+  constexpr float kMost = 1000, kMostGrowth = 5, kLeastZenith = 1e-4f;
+  perez_.a[0] = clamp(k.a, -kMost, kMost), perez_.b[0] = clamp(k.b, -kMost, 0);
+  perez_.c[0] = clamp(k.c, -kMost, kMost), perez_.d[0] = clamp(k.d, -kMost, kMostGrowth);
+  perez_.e[0] = clamp(k.e, -kMost, kMost), perez_.scale[0] = 1;
+  evaluate(1, std::min(to_sun_.z, 1.0f), after);
+  if (after[0] > kLeastZenith) perez_.scale[0] = before[0] / after[0];
+}
+
 void PreethamSky::evaluate(float cos_theta, float cos_gamma, float (&value)[kLanes]) const {
   const float inverse_cos = 1 / cos_theta;
   const float gamma = std::acos(cos_gamma);

@@ -51,6 +51,15 @@ struct PreethamOptions {
   bool clamp_antisolar = false;
 };
 
+/// Luminance over the sky in Perez' form, up to a factor:
+/// (1 + a exp(b / cos theta)) (1 + c exp(d gamma) + e cos^2 gamma). All 0: the same everywhere.
+/// Source:  Perez, Seals, Michalsky, "All-Weather Model for Sky Luminance Distribution", Solar
+///          Energy 50 (1993).
+struct PerezCoefficients {
+  float a = 0, b = 0, c = 0, d = 0, e = 0;
+  bool operator==(const PerezCoefficients&) const = default;
+};
+
 /// The sky for one sun and one turbidity; built once, then asked from any number of threads.
 class PreethamSky {
  public:
@@ -60,6 +69,14 @@ class PreethamSky {
 
   /// Turbidity is held to 2..kMostTurbidity; a sun below the horizon stands on it.
   PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOptions& options = {});
+
+  /// Another distribution of luminance, its value at the zenith and all chromaticities kept. A
+  /// form that is not positive at the zenith gets the factor 1. b counts as 0 where it is above:
+  /// the horizon would be infinitely bright.
+  /// Checked: Preetham.GivenCoefficientsDistributeLuminance
+  void distribute(const PerezCoefficients& coefficients);
+  /// All luminances times a factor.
+  void scale_luminance(float factor) { perez_.scale[0] *= factor; }
 
   /// Chromaticity and luminance (cd/m2) toward `direction`.
   /// Checked: Preetham.PointSamplesMatchTable

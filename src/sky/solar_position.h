@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the sun stands for a place, a date and a time.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "base/vec.h"
+
+namespace oriel::sky {
+
+// Conventions
+//   Angles in degrees. Latitude north, longitude east, azimuth clockwise from north (90 = east).
+//   double: Julian days need 13 digits, and the sun's mean longitude is a difference of large
+//   angles.
+
+struct Place {
+  double latitude = 0, longitude = 0;
+  double pressure = 1010;   ///< hPa; 0: no refraction
+  double temperature = 10;  ///< degrees Celsius
+};
+
+struct SolarPosition {
+  double azimuth = 0;
+  double elevation = 0;                         ///< as seen, raised by refraction
+  double geometric_elevation = 0;               ///< without it
+  double declination = 0, right_ascension = 0;  ///< apparent, from the centre of the Earth
+};
+
+/// Julian day, in universal time, of "2026-06-21T12:00+02:00": date, T or a blank, hours and
+/// minutes, perhaps seconds, and Z or the offset from universal time. Nothing where the text is not
+/// of that form, such a day does not exist, or the zone is missing.
+/// Checked: SolarPosition.TimesAreReadWithTheirZone
+std::optional<double> julian_day(std::string_view time);
+
+/// The sun's position.
+///
+/// Model:   longitude of the Sun by the equation of its centre, aberration, the four largest terms
+///          of nutation, parallax, refraction. Planets are left out: within 0.01 degrees for some
+///          centuries around 2000.
+/// Source:  Meeus, Astronomical Algorithms, 2nd ed., chapters 12, 22, 25; refraction and its use
+///          near the horizon: Reda and Andreas, Solar Position Algorithm, NREL/TP-560-34302 (2008);
+///          length of the day: Espenak and Meeus, Five Millennium Canon of Solar Eclipses (2006).
+/// Checked: SolarPosition.MatchesTheExampleOfNrelsReport, SolarPosition.MatchesMeeusExample
+SolarPosition solar_position(double julian_day, const Place& place);
+
+/// Unit vector toward an azimuth and elevation.
+///
+/// Inputs:  north: angle of north, clockwise seen from above, from +Y (from -Z with y up).
+/// Returns: z up: x east, y north; y up: x east, z south; where north is 0.
+Vec3 direction_to_sun(double azimuth, double elevation, double north, bool y_is_up);
+
+}  // namespace oriel::sky
