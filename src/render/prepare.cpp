@@ -9,17 +9,31 @@
 namespace oriel {
 namespace {
 
-NodeList bind_lens(const scene::Camera& camera, Binder& binder, Diagnostics& diagnostics) {
-  NodeList mapping;
+/// A volume shader as a lens acts on eye rays alone.
+void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
+               Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.lens)) {
     if (node->spec().lens)
-      mapping.push_back(node);
+      world.lens.push_back(node);
+    else if (node->spec().volume)
+      world.air_of_eye.push_back(node);
     else
       diagnostics.warning(
           "OR-RN-010", camera.where,
           fmt::format("lens shader \"{}\" does not act as a lens; skipped", node->spec().name));
   }
-  return mapping;
+}
+
+void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
+                 Diagnostics& diagnostics) {
+  for (const ShaderNode* node : binder.bind(camera.volume)) {
+    if (node->spec().volume)
+      world.air.push_back(node);
+    else
+      diagnostics.warning("OR-RN-011", camera.where,
+                          fmt::format("volume shader \"{}\" does not act as a volume; skipped",
+                                      node->spec().name));
+  }
 }
 
 }  // namespace
@@ -46,7 +60,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment before materials: nothing in it depends on them.
   NodeList environment = binder.bind(camera->environment);
-  if (world->options.lens) world->lens = bind_lens(*camera, binder, diagnostics);
+  if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
+  if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
   place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
   world->environment = EnvironmentLight(std::move(environment), *world);
 

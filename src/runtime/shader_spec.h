@@ -71,6 +71,12 @@ struct LensCall {
 
 /// A built-in shader. Functions are null where the shader has no such role.
 struct ShaderSpec {
+/// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
+/// arrives, and `added` comes on top.
+struct AirValue {
+  Rgb kept{1}, added{0};
+};
+
   const char* name;
   const char* library;  ///< "architectural", "base", "physics"
   int version = 1;
@@ -100,6 +106,8 @@ struct ShaderSpec {
   bool (*may_transmit)(const ShaderNode&) = nullptr;
   /// False when constant parameters leave the result as the only output. Null: it has all.
   bool (*has_outputs)(const ShaderNode&) = nullptr;
+  /// Acts as a volume: between call.point's ray origin and the surface at its ray_length.
+  AirValue (*volume)(const Call&) = nullptr;
   /// Densities of the grids it interpolates over, a bit each. Null: none.
   unsigned (*grids)(const ShaderNode&) = nullptr;
 };

@@ -43,6 +43,8 @@ struct World {
   NodeList lens;                          ///< colour-mapping lens shaders, in order
   bool has_transparent_blockers = false;  ///< some material may let light pass
 
+  NodeList air;                           ///< volume shaders of the camera: around all rays
+  NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
   std::deque<std::unique_ptr<ShaderNode>> nodes;
   TextureSystem texture_system;
   std::deque<std::unique_ptr<TextureNode>> textures;

@@ -212,7 +212,7 @@ constexpr OptionRow kRows[] = {
     {"attribute", "...", Kept, "overrides of attributes"},
     // Switches
     {"lens", "bool", Effective, "lens shaders", to<&O::lens>},
-    {"volume", "bool", NotYet, "volume shaders", to<&O::volume>},
+    {"volume", "bool", Effective, "volume shaders of the camera", to<&O::volume>},
     {"geometry", "bool", NotYet, "geometry shaders", to<&O::geometry>},
     {"output", "bool", Effective, "output shaders and files", to<&O::output>},
     {"merge", "bool", Harmless, "joins surfaces", to<&O::merge>},

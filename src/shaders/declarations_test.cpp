@@ -143,6 +143,18 @@ d | scalar | -
 e | scalar | -
 physically_scaled_sun | boolean | -
 )";
+
+constexpr std::string_view kCieSkyTable = R"(
+on | boolean | on
+rgb_unit_conversion | color | 0.0001 0.0001 0.0001
+auto_luminance | boolean | on
+zenith_luminance | scalar | 0
+diffuse_horizontal_illuminance | scalar | 0
+overcast | scalar | 0
+sun_direction | vector | -
+sun | light | -
+y_is_up | boolean | -
+)";
 constexpr std::string_view kPhotographicTable = R"(
 cm2_factor | scalar | 1
 whitepoint | color | 1 1 1
@@ -242,6 +254,7 @@ TEST(Declarations, MaterialIsTheFirstSixtySevenRows) {
 TEST(Declarations, SunSkyAndExposuresAreTheDeclaredTables) {
   EXPECT_EQ(table_of("mia_physicalsun"), kPhysicalSunTable);
   EXPECT_EQ(table_of("mia_physicalsky"), kPhysicalSkyTable);
+  EXPECT_EQ(table_of("mia_ciesky"), kCieSkyTable);
   EXPECT_EQ(table_of("mia_exposure_photographic"), kPhotographicTable);
   EXPECT_EQ(table_of("mia_exposure_simple"), kSimpleTable);
 }

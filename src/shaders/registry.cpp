@@ -56,6 +56,7 @@ const Registry& builtin_shaders() {
       &kMiaMaterialXPasses,
       &kMiaPhysicalSun,
       &kMiaPhysicalSky,
+      &kMiaCieSky,
       &kMiaExposurePhotographic,
       &kMiaExposureSimple,  //
       &kMibIllumLambert,

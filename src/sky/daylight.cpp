@@ -75,6 +75,12 @@ DiscScale physical_disc_scale(float disc_scale, float disc_intensity, float glow
   return scale;
 }
 
+float sun_cone_angle(float shadow_softness, float haze) {
+  constexpr float kSpreadPerHaze = 0.1f;
+  return kSunAngularRadius * std::max(0.0f, shadow_softness) *
+         (1 + kSpreadPerHaze * std::max(0.0f, haze));
+}
+
 float aerial_haze(float distance, float visibility_distance, float haze) {
   if (!(visibility_distance > 0) || !(distance > 0)) return 0;
   constexpr float kTenPercent = 0.1053605f;  // -ln 0.9

@@ -44,6 +44,12 @@ struct DiscScale {
 /// Checked: PhysicalSky.PhysicallyScaledSunCarriesTheSunsEnergy
 DiscScale physical_disc_scale(float disc_scale, float disc_intensity, float glow_intensity);
 
+/// Half-angle of the cone that sunlight comes from, radians: that of the true sun at softness 1 and
+/// haze 0, half as wide again at haze 5 and two and a half times at 15, as thick air spreads it.
+/// Source:  that haze softens shadows is the manual's; how much is Oriel's.
+/// Checked: Sun.HazeSoftensItsShadows
+float sun_cone_angle(float shadow_softness, float haze);
+
 /// Share of haze in front of something at `distance`: 0.1 at `visibility_distance` for haze 0,
 /// stronger in proportion to 1 + haze; 0 where visibility_distance is not positive (switched off).
 /// Source:  the 10 % distance is the manual's; the growth with haze is Oriel's.

@@ -216,6 +216,15 @@ TEST(PhysicalSky, PhysicallyScaledSunOfTrueSizeIsNearItsLuminance) {
   EXPECT_NEAR(physical_disc_scale(1, 1, 0).disc * 100, 46248, 5);
 }
 
+// acceptance: S4
+TEST(Sun, HazeSoftensItsShadows) {
+  EXPECT_EQ(sun_cone_angle(1, 0), kSunAngularRadius);
+  EXPECT_FLOAT_EQ(sun_cone_angle(3, 0), 3 * kSunAngularRadius);
+  EXPECT_EQ(sun_cone_angle(0, 8), 0);
+  for (float haze = 0; haze < 15; ++haze)
+    EXPECT_LT(sun_cone_angle(1, haze), sun_cone_angle(1, haze + 1));
+}
+
 // acceptance: S12
 TEST(AerialPerspective, IsTenPercentAtTheVisibilityDistance) {
   EXPECT_NEAR(aerial_haze(300, 300, 0), 0.1f, 1e-6f);

@@ -165,6 +165,7 @@ bool Path::arrive(const geom::Hit& hit) {
     return false;
   }
 
+  pass_air(point, from_.passed + hit.t);
   darken_near(from_.passed + hit.t);
   fade(from_.passed + hit.t);
   from_first_ = false;

@@ -84,6 +84,9 @@ class Path {
   Component at_vertex(Component c) const { return at_first_ ? c : component_; }
   Component after_vertex(Component c) const { return from_first_ ? c : component_; }
 
+  // path_air.cpp
+  void pass_air(const ShadingPoint& end, float t);
+
   // path_light.cpp
   void meet_lights(float t_surface, bool& ended);
   void meet_environment();

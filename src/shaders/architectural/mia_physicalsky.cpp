@@ -2,6 +2,7 @@
 // mia_physicalsky: the daylight environment, with the sun's disc and glow and a virtual ground.
 #include "runtime/world.h"
 #include "shaders/architectural/mia_sun_sky.h"
+#include "sky/daylight.h"
 #include "sky/physical_sky.h"
 
 namespace oriel {
@@ -27,7 +28,11 @@ struct P {
   bool physically_scaled_sun;
 };
 
-constexpr Support kIgnored = Support::Ignored;
+// Bits of `flags`. 0 is the sky as it always was; the manual gives bits no meaning.
+constexpr int kExactGround = 1;        ///< ground lit by the whole sky, not by 25 directions
+constexpr int kPaperChromaticity = 2;  ///< the paper's constant in the chromaticity x
+constexpr int kClampAntisolar = 4;     ///< PreethamOptions::clamp_antisolar
+
 constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sky on."},
     {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
@@ -56,41 +61,33 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, background), .doc = "Shader the camera sees behind the scene.",
      .declared_default = false},
     {ORIEL_PARAM(P, visibility_distance), .unit = "scene units",
-     .doc = "As lens or volume shader: where 10 % haze is visible.", .support = kIgnored,
+     .doc = "As lens or volume shader: where 10 % haze is visible; 0 = none.",
      .declared_default = false},
     {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
-    {ORIEL_PARAM(P, flags), .doc = "Reserved, 0.", .support = kIgnored, .declared_default = false},
-    {ORIEL_PARAM(P, sky_luminance_mode), .doc = "Not 0: explicit luminance below.",
-     .support = kIgnored},
-    {ORIEL_PARAM(P, zenith_luminance), .unit = "cd/m2", .doc = "Of the zenith.",
-     .support = kIgnored},
-    {ORIEL_PARAM(P, diffuse_horizontal_illuminance), .unit = "lux", .doc = "Of the sky alone.",
-     .support = kIgnored},
-    {ORIEL_PARAM(P, a), .doc = "Perez coefficient.", .support = kIgnored,
+    {ORIEL_PARAM(P, flags),
+     .doc = "0. Bits: 1 ground lit by the whole sky, 2 the paper's colours, 4 even antisolar half.",
      .declared_default = false},
-    {ORIEL_PARAM(P, b), .doc = "Perez coefficient.", .support = kIgnored,
+    {ORIEL_PARAM(P, sky_luminance_mode), .doc = "Not 0: luminance by the seven below."},
+    {ORIEL_PARAM(P, zenith_luminance), .unit = "cd/m2", .doc = "Of the zenith, where above 0."},
+    {ORIEL_PARAM(P, diffuse_horizontal_illuminance), .unit = "lux",
+     .doc = "Of the sky alone, where above 0 and the zenith's luminance is not."},
+    {ORIEL_PARAM(P, a), .doc = "Perez: brightness of the horizon; all five 0: as the haze has it.",
      .declared_default = false},
-    {ORIEL_PARAM(P, c), .doc = "Perez coefficient.", .support = kIgnored,
+    {ORIEL_PARAM(P, b), .doc = "Perez: how steeply it rises there, below 0.",
      .declared_default = false},
-    {ORIEL_PARAM(P, d), .doc = "Perez coefficient.", .support = kIgnored,
-     .declared_default = false},
-    {ORIEL_PARAM(P, e), .doc = "Perez coefficient.", .support = kIgnored,
-     .declared_default = false},
+    {ORIEL_PARAM(P, c), .doc = "Perez: brightness around the sun.", .declared_default = false},
+    {ORIEL_PARAM(P, d), .doc = "Perez: width of that, below 0.", .declared_default = false},
+    {ORIEL_PARAM(P, e), .doc = "Perez: light scattered back.", .declared_default = false},
     {ORIEL_PARAM(P, physically_scaled_sun), .doc = "Disc and glow carry the sun's true energy.",
      .declared_default = false},
 };
 
 struct SkyState final : ShaderState {
-  explicit SkyState(const sky::SkyParameters& parameters) : sky(parameters) {}
+  explicit SkyState(const sky::SkyParameters& parameters)
+      : sky(parameters), on(parameters.on && parameters.multiplier > 0) {}
   sky::PhysicalSky sky;
+  bool on;
 };
-
-Vec3 direction_to_sun(const P& p, const World& world) {
-  if (p.sun.index >= 0) return -world.lights[static_cast<std::size_t>(p.sun.index)].direction;
-  if (p.sun_direction != Vec3(0)) return normalize(p.sun_direction);
-  // Neither is given: the zenith, where a sky without a sun is at its most even.
-  return p.y_is_up ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-}
 
 sky::SkyPart visible_part(const ShadingPoint& point) {
   switch (point.ray_kind) {
@@ -106,7 +103,7 @@ sky::SkyPart visible_part(const ShadingPoint& point) {
 void sky_value(const Call& call, void* result) {
   const P& p = call.as<P>();
   auto& out = *static_cast<Rgba*>(result);
-  if (p.use_background && call.point.ray_kind == RayKind::Eye) {
+  if (p.use_background && call.point.environment && call.point.ray_kind == RayKind::Eye) {
     out = p.background.node && p.background.node->spec().value
               ? p.background.node->color(call.point)
               : Rgba(0);
@@ -117,7 +114,51 @@ void sky_value(const Call& call, void* result) {
   out = Rgba(c.x, c.y, c.z, 1);
 }
 
+/// Aerial perspective: what is far fades to the horizon behind it.
+AirValue air(const Call& call) {
+  const P& p = call.as<P>();
+  const auto& state = *static_cast<const SkyState*>(call.state);
+  if (!state.on) return {};
+  const float haze = sky::aerial_haze(call.point.ray_length, p.visibility_distance, p.haze);
+  if (haze == 0) return {};
+  return {Rgb(1 - haze), state.sky.horizon_radiance(call.point.ray_direction) * haze};
+}
+
+sky::SkyParameters parameters_of(const P& p, const World& world) {
+  sky::SkyParameters s{.on = p.on,
+                       .multiplier = p.multiplier,
+                       .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+                       .haze = p.haze,
+                       .redblueshift = p.redblueshift,
+                       .saturation = p.saturation,
+                       .horizon_height = p.horizon_height,
+                       .horizon_blur = p.horizon_blur,
+                       .ground_color = rgb(p.ground_color),
+                       .night_color = rgb(p.night_color),
+                       .sun_direction = direction_to_sun(p.sun, p.sun_direction, p.y_is_up, world),
+                       .sun_disk_intensity = p.sun_disk_intensity,
+                       .sun_disk_scale = p.sun_disk_scale,
+                       .sun_glow_intensity = p.sun_glow_intensity,
+                       .physically_scaled_sun = p.physically_scaled_sun,
+                       .y_is_up = p.y_is_up,
+                       .exact_ground_illuminance = (p.flags & kExactGround) != 0,
+                       .model = {.paper_chromaticity = (p.flags & kPaperChromaticity) != 0,
+                                 .clamp_antisolar = (p.flags & kClampAntisolar) != 0}};
+  if (p.sky_luminance_mode != 0)
+    s.luminance = {.zenith = p.zenith_luminance,
+                   .horizontal_illuminance = p.diffuse_horizontal_illuminance,
+                   .distribution = {p.a, p.b, p.c, p.d, p.e}};
+  return s;
+}
+
 }  // namespace
+
+Vec3 direction_to_sun(LightRef sun, const Vec3& direction, bool y_is_up, const World& world) {
+  if (sun.index >= 0) return -world.lights[static_cast<std::size_t>(sun.index)].direction;
+  if (direction != Vec3(0)) return normalize(direction);
+  // Neither is given: the zenith, where a sky without a sun is at its most even.
+  return y_is_up ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+}
 
 const ShaderSpec kMiaPhysicalSky = {
     .name = "mia_physicalsky",
@@ -128,25 +169,9 @@ const ShaderSpec kMiaPhysicalSky = {
     .params = kRows,
     .params_size = sizeof(P),
     .value = sky_value,
+    .volume = air,
     .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
-      const P& p = *static_cast<const P*>(params);
-      return std::make_unique<SkyState>(
-          sky::SkyParameters{.on = p.on,
-                             .multiplier = p.multiplier,
-                             .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
-                             .haze = p.haze,
-                             .redblueshift = p.redblueshift,
-                             .saturation = p.saturation,
-                             .horizon_height = p.horizon_height,
-                             .horizon_blur = p.horizon_blur,
-                             .ground_color = rgb(p.ground_color),
-                             .night_color = rgb(p.night_color),
-                             .sun_direction = direction_to_sun(p, world),
-                             .sun_disk_intensity = p.sun_disk_intensity,
-                             .sun_disk_scale = p.sun_disk_scale,
-                             .sun_glow_intensity = p.sun_glow_intensity,
-                             .physically_scaled_sun = p.physically_scaled_sun,
-                             .y_is_up = p.y_is_up});
+      return std::make_unique<SkyState>(parameters_of(*static_cast<const P*>(params), world));
     },
 };
 

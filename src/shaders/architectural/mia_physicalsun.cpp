@@ -5,6 +5,7 @@
 #include "runtime/light.h"
 #include "sky/physical_sky.h"
 
+#include "sky/daylight.h"
 namespace oriel {
 namespace {
 
@@ -32,16 +33,19 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, shadow_softness), .fallback = {1}, .min = 0,
      .doc = "Size of the sun for shadows, 1 = the true one."},
     {ORIEL_PARAM(P, samples), .fallback = {8}, .min = 0,
-     .doc = "0: hard shadows. Other counts only split rays."},
-    {ORIEL_PARAM(P, photon_bbox_min), .doc = "Box photons are aimed at.",
-     .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(P, photon_bbox_max), .doc = "Its other corner.", .support = Support::Ignored,
+     .doc = "0: hard shadows. Any other count: soft, as many samples as the picture takes."},
+    {ORIEL_PARAM(P, photon_bbox_min), .doc = "Box photons are aimed at, in the light's space.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, photon_bbox_max), .doc = "Its other corner; both 0 0 0: the whole scene.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, automatic_photon_energy),
+     .doc = "Photons as strong as the light, whatever its energy says.",
      .declared_default = false},
     {ORIEL_PARAM(P, automatic_photon_energy), .doc = "Photon energy follows the light.",
      .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
-    {ORIEL_PARAM(P, illuminance_mode), .doc = "1: use direct_normal_illuminance.",
-     .support = Support::Ignored},
+    {ORIEL_PARAM(P, illuminance_mode),
+     .doc = "Not 0: as strong as direct_normal_illuminance, in the haze's colour."},
     {ORIEL_PARAM(P, direct_normal_illuminance), .unit = "lux",
      .doc = "Illuminance of a surface facing the sun.", .support = Support::Ignored},
 };
@@ -79,14 +83,18 @@ const ShaderSpec kMiaPhysicalSun = {
                                          .redblueshift = p.redblueshift,
                                          .saturation = p.saturation,
                                          .horizon_height = p.horizon_height,
-                                         .y_is_up = p.y_is_up},
+                                         .y_is_up = p.y_is_up,
+                                         .normal_illuminance =
+                                             p.illuminance_mode != 0
+                                                 ? std::optional(p.direct_normal_illuminance)
+                                                 : std::nullopt},
                                         -light.direction);
       return state;
     },
     .light_cone =
         [](const void* params) {
           const P& p = *static_cast<const P*>(params);
-          return p.samples == 0 ? 0.0f : sky::kSunAngularRadius * std::max(0.0f, p.shadow_softness);
+          return p.samples == 0 ? 0.0f : sky::sun_cone_angle(p.shadow_softness, p.haze);
         },
 };
 

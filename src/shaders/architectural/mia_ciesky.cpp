@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_ciesky: the CIE clear and overcast skies as environment.
+#include "runtime/world.h"
+#include "shaders/architectural/mia_sun_sky.h"
+#include "sky/cie_sky.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  bool on;
+  Rgba rgb_unit_conversion;
+  bool auto_luminance;
+  float zenith_luminance, diffuse_horizontal_illuminance, overcast;
+  Vec3 sun_direction;
+  LightRef sun;
+  bool y_is_up;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sky on."},
+    {ORIEL_PARAM(P, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f}, .unit = "1/lux",
+     .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1; 0.318 gives pixels in cd/m2."},
+    {ORIEL_PARAM(P, auto_luminance), .fallback = {1},
+     .doc = "Luminance by the sun's height where neither of the next two is given."},
+    {ORIEL_PARAM(P, zenith_luminance), .unit = "cd/m2", .doc = "Of the zenith, where above 0."},
+    {ORIEL_PARAM(P, diffuse_horizontal_illuminance), .unit = "lux",
+     .doc = "Of the sky alone, where above 0 and the zenith's luminance is not."},
+    {ORIEL_PARAM(P, overcast), .min = 0, .max = 1, .doc = "0 CIE clear, 1 CIE overcast sky."},
+    {ORIEL_PARAM(P, sun_direction), .doc = "Toward the sun, when `sun` is not given.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, sun), .doc = "Instance of the sun's light.", .declared_default = false},
+    {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
+};
+
+struct SkyState final : ShaderState {
+  explicit SkyState(const sky::CieParameters& parameters) : sky(parameters) {}
+  sky::CieSky sky;
+};
+
+}  // namespace
+
+const ShaderSpec kMiaCieSky = {
+    .name = "mia_ciesky",
+    .library = "architectural",
+    .version = 1,
+    .apply = kApplyEnvironment | kApplyTexture,
+    .doc = "The CIE standard clear and overcast skies, grey, for the analysis of daylight.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .value =
+        [](const Call& call, void* result) {
+          const auto& state = *static_cast<const SkyState*>(call.state);
+          const Rgb c = state.sky.radiance(call.point.ray_direction);
+          *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
+        },
+    .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
+      const P& p = *static_cast<const P*>(params);
+      return std::make_unique<SkyState>(sky::CieParameters{
+          .on = p.on,
+          .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+          .auto_luminance = p.auto_luminance,
+          .zenith_luminance = p.zenith_luminance,
+          .diffuse_horizontal_illuminance = p.diffuse_horizontal_illuminance,
+          .overcast = p.overcast,
+          .sun_direction = direction_to_sun(p.sun, p.sun_direction, p.y_is_up, world),
+          .y_is_up = p.y_is_up});
+    },
+};
+
+}  // namespace oriel
