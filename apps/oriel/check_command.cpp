@@ -57,17 +57,14 @@ json options_json(const scene::RenderOptions& options, const Diagnostics& diagno
 
 json picture_json(const World& world) {
   const RenderBudget budget = render_budget(world.options, {});
-  const bool asks =
-      world.options.finalgather.on || world.options.globillum.on || world.options.caustic.on;
+  const IndirectPlan plan = plan_indirect(world.options);
   return {{"width", world.camera.width},
           {"height", world.camera.height},
           {"max_samples", budget.max_samples},
           {"noise_target", budget.noise},
           {"maps_colours", !world.lens.empty()},
-          {"indirect_light", !asks_for_indirect(world.options)    ? "none"
-                             : plan_indirect(world.options).any() ? "gathered"
-                                                                  : "path traced"},
-          {"path_traced_instead", asks && world.options.indirect == scene::IndirectMethod::Scene}};
+          {"indirect_light", plan.name()},
+          {"caustics", plan.caustic}};
 }
 
 /// Everything that is said, once as data; the text is made from it.
@@ -147,9 +144,7 @@ void print_text(const json& r) {
                g["triangles"].get<std::uint64_t>(),
                static_cast<double>(g["bytes"].get<std::uint64_t>()) / 1e6, g["lights"].get<int>());
     fmt::print("  indirect   {}{}\n", p["indirect_light"].get<std::string>(),
-               p["path_traced_instead"].get<bool>()
-                   ? " (--gi fg, photons or fg+photons follow the scene's options)"
-                   : "");
+               p["caustics"].get<bool>() ? ", caustic photons" : "");
     fmt::print("  sampling   at most {} samples, noise {:.4f}\n", p["max_samples"].get<int>(),
                p["noise_target"].get<double>());
     print_names("outputs", r["outputs"]);

@@ -25,6 +25,7 @@ double done_share(const Progress& p) {
 
 nlohmann::json to_json(const Progress& p) {
   nlohmann::json json = {{"event", "progress"},
+                         {"stage", p.stage ? p.stage : "picture"},
                          {"pass", p.pass},
                          {"samples", p.mean_samples},
                          {"active", p.active},
@@ -44,7 +45,8 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_text(const Progress& p) {
-  std::string text = fmt::format("{:3.0f} %  {:.4g} samples", 100 * done_share(p), p.mean_samples);
+  std::string text = fmt::format("{:3.0f} %  ", 100 * done_share(p));
+  text += p.stage ? p.stage : fmt::format("{:.4g} samples", p.mean_samples);
   if (p.noise) text += fmt::format("  noise {:.4f}", *p.noise);
   text += "  " + duration_text(p.elapsed);
   if (p.remaining) text += fmt::format(", about {} left", duration_text(*p.remaining));
@@ -61,6 +63,7 @@ void ProgressLine::update(const Progress& p) {
   if (style_ == Style::Quiet) return;
   if (style_ == Style::Json) return print_json(to_json(p));
   if (style_ == Style::Lines) {
+    if (p.elapsed < last_line_) last_line_ = 0;  // the picture began
     if (p.elapsed - last_line_ < kSecondsBetweenLines) return;
     last_line_ = p.elapsed;
     fmt::print(stderr, "{}\n", progress_text(p));

@@ -160,19 +160,21 @@ class FrameRenderer {
     world_ = prepare(scene_, command, builtin_shaders(), plan_.prepare, diagnostics_, report);
     if (!world_) return false;
     if (plan_.gi) world_->options.indirect = *plan_.gi;
-    say_method();
     choose_files(command, frame);
     warn_double_gamma();
     printer_.print_new();
 
     SessionSettings settings = plan_.session;
     settings.outputs = keeps_outputs();
+    settings.map_files = map_files();
+    settings.diagnostics = &diagnostics_;
     session_.emplace(*world_, settings);
     last_write_ = Clock::now();
     const StopReason reason = session_->run(
         {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
         &interrupted());
     line_.clear();
+    if (reason == StopReason::MapsOnly) return finish(reason), true;
     if (a_.denoise) denoised_ = denoised_beauty(*session_);
     write_files();
     finish(reason);
@@ -180,17 +182,6 @@ class FrameRenderer {
   }
 
  private:
-  void say_method() {
-    const auto& o = world_->options;
-    if (o.indirect != scene::IndirectMethod::Scene) return;
-    if (!o.finalgather.on && !o.globillum.on && !o.caustic.on) return;
-    diagnostics_.note("OR-RN-040", {},
-                      asks_for_indirect(o) ? "indirect light is path traced, bounces without limit"
-                                           : "caustic photons are left out",
-                      "--gi fg gathers it by the scene's options, photons or fg+photons with "
-                      "photons");
-  }
-
   void choose_files(const scene::RenderCommand& command, int frame) {
     files_.clear();
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
@@ -212,6 +203,27 @@ class FrameRenderer {
           picture_file(frame_path(fs::path(a_.scene.path).stem().string() + ".exr", frame)));
     if (plan_.layers)
       for (PictureFile& file : files_) file.layers = *plan_.layers;
+  }
+
+  /// Maps that the options name, below the scene's folder alone.
+  MapFiles map_files() {
+    const std::string folder = fs::path(a_.scene.path).parent_path().string();
+    const auto allowed = [&](const std::string& file) {
+      const std::string path = allowed_path(file, {folder, {folder}});
+      if (path.empty())
+        diagnostics_.warning("OR-RN-043", {},
+                             fmt::format("the map \"{}\" is left out: it lies outside of the "
+                                         "scene's folder",
+                                         file),
+                             "move the scene or name a file below its folder");
+      return path;
+    };
+    const scene::RenderOptions& o = world_->options;
+    MapFiles files;
+    if (!o.photonmap_file.empty()) files.photons = allowed(o.photonmap_file);
+    for (const std::string& file : o.finalgather.files)
+      if (std::string path = allowed(file); !path.empty()) files.gather.push_back(std::move(path));
+    return files;
   }
 
   /// Whether a file asks for outputs of materials and a material has them.
@@ -264,7 +276,7 @@ class FrameRenderer {
     std::map<std::string, std::string> m = {
         {"software", "Oriel " ORIEL_VERSION},
         {"oriel.scene", fs::path(a_.scene.path).filename().string()},
-        {"oriel.indirect", asks_for_indirect(world_->options) ? "path" : "none"},
+        {"oriel.indirect", session_->indirect().plan().name()},
         {"oriel.seed", fmt::format("{}", a_.seed)},
         {"oriel.samples", fmt::format("{:.6g}", p.mean_samples)},
         {"oriel.maxSamples", fmt::format("{}", b.max_samples)},
@@ -279,7 +291,7 @@ class FrameRenderer {
   void finish(StopReason reason) {
     printer_.print_new();
     const Progress p = session_->progress();
-    constexpr const char* kReasons[] = {"samples", "noise", "time", "interrupted"};
+    constexpr const char* kReasons[] = {"samples", "noise", "time", "interrupted", "maps only"};
     if (a_.json) {
       nlohmann::json line = {{"event", "done"},
                              {"stopped_by", kReasons[static_cast<int>(reason)]},
@@ -288,10 +300,15 @@ class FrameRenderer {
                              {"rays", session_->rays().rays()},
                              {"files", nlohmann::json::array()}};
       if (p.noise) line["noise"] = *p.noise;
-      for (const PictureFile& file : files_) line["files"].push_back(file.path);
+      if (reason != StopReason::MapsOnly)
+        for (const PictureFile& file : files_) line["files"].push_back(file.path);
       return print_json(line);
     }
     if (a_.quiet) return;
+    if (reason == StopReason::MapsOnly) {
+      fmt::print(stderr, "maps of indirect light alone, as the options ask: no picture\n");
+      return;
+    }
     std::vector<std::string> names;
     for (const PictureFile& file : files_) names.push_back(file.path);
     fmt::print(stderr, "{}{}: {:.4g} samples{}, {}\n",

@@ -107,6 +107,14 @@ void Film::add(int x, int y, const FilmSample& sample) {
   if (map_) (marked ? marked_parts_ : plain_parts_)[i].add(sample);
 }
 
+void Film::clear() {
+  const auto reset = [](auto& means) {
+    std::fill(means.begin(), means.end(), typename std::decay_t<decltype(means)>::value_type{});
+  };
+  reset(plain_), reset(marked_), reset(outputs_), reset(marked_outputs_);
+  reset(plain_parts_), reset(marked_parts_);
+}
+
 double Film::mean_samples() const {
   double sum = 0;  // double: counts of millions of pixels
   for (std::size_t i = 0; i < plain_.size(); ++i) sum += samples(i);

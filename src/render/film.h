@@ -89,6 +89,8 @@ class Film {
   std::size_t pixel_count() const { return plain_.size(); }
 
   void add(int x, int y, const FilmSample& sample);
+  /// As if nothing had been added.
+  void clear();
 
   std::uint32_t samples(int x, int y) const { return samples(index(x, y)); }
   std::uint32_t samples(std::size_t pixel) const {

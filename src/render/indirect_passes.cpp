@@ -2,110 +2,149 @@
 #include "render/indirect_passes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <mutex>
+#include <filesystem>
 
-#include "base/parallel.h"
+#include "render/gather_passes.h"
+#include "transport/gather_map.h"
+#include "transport/photon_trace.h"
 
 namespace oriel {
 namespace {
 
-/// Pixels between gather points of the last pass at presample density 1; a guess.
-constexpr float kFinestStep = 4;
-/// Passes, each twice as fine as the one before.
-constexpr int kPasses = 4;
-/// Largest error of a record that may speak for a point (GatherQuery::accuracy). At 1, a room lit
-/// through a window is some percent too bright beside it; a guess.
+/// Largest error of a record that may speak for a point (GatherQuery::accuracy) when points are
+/// placed. At 1, a room lit through a window is some percent too bright beside it; a guess.
 constexpr float kGatherError = 0.5f;
 /// Photons kept of each light, and most that are sent for them.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMostSent = 2000000;
 
-/// Streams of the points of one path, and what tells them from those of its lobes.
-constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
+PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std::uint32_t seed) {
+  const scene::RenderOptions& options = world.options;
+  PhotonSettings settings;
+  settings.globillum = plan.global;
+  settings.caustics = plan.caustic;
+  const PhotonCount usual{kPhotonsPerLight, kMostSent};
+  const bool none_says = std::none_of(world.lights.begin(), world.lights.end(),
+                                      [](const Light& l) { return l.photons.any(); });
+  if (plan.by_name || none_says) settings.each.global = settings.each.caustic = usual;
+  if (plan.by_name) settings.environment.global = settings.environment.caustic = usual;
+  settings.depth = options.photon_depth;
+  settings.merge_global = options.globillum.merge;
+  settings.merge_caustic = options.caustic.merge;
+  settings.seed = seed;
+  return settings;
+}
+
+void warn(Diagnostics* diagnostics, const std::string& why) {
+  if (diagnostics) diagnostics->warning("OR-RN-042", {}, why);
+}
 
 }  // namespace
+
+const char* IndirectPlan::name() const {
+  if (gather) return global ? "fg+photons" : "fg";
+  if (global) return "photons";
+  return indirect ? "path" : "none";
+}
 
 IndirectPlan plan_indirect(const scene::RenderOptions& options) {
   using Method = scene::IndirectMethod;
   const Method m = options.indirect;
   IndirectPlan plan;
-  plan.gather = m == Method::FinalGather || m == Method::FinalGatherPhotons;
-  plan.global = m == Method::Photons || m == Method::FinalGatherPhotons;
-  plan.caustic = (plan.gather || plan.global) && options.caustic.on;
+  plan.by_name = m != Method::Scene;
+  if (m == Method::Path) {
+    plan.indirect = true;
+    return plan;
+  }
+  plan.gather = plan.by_name ? m != Method::Photons : options.finalgather.on;
+  plan.global = plan.by_name ? m != Method::FinalGather : options.globillum.on;
+  plan.caustic = options.caustic.on;
+  plan.indirect = plan.gather || plan.global;
   return plan;
 }
 
-IndirectPasses::IndirectPasses(const World& world, const Window& window, std::uint32_t seed,
-                               RayCounts& counts, const std::atomic<bool>* cancel)
-    : plan_(plan_indirect(world.options)) {
+IndirectPasses::IndirectPasses(const World& world) : plan_(plan_indirect(world.options)) {}
+
+PathSettings IndirectPasses::path_settings() const {
+  PathSettings settings = paths_;
+  settings.indirect = plan_.indirect;
+  // Where no record speaks, rays from the surface find what gather rays would have found.
+  if (plan_.gather && settings.diffuse_bounces < PathSettings{}.diffuse_bounces)
+    ++settings.diffuse_bounces;
+  // A sky that sends no photons lights nothing without gathering.
+  if (plan_.global && !plan_.gather && !plan_.by_name) settings.diffuse_bounces = 0;
+  settings.maps = plan_.maps() ? &maps_ : nullptr;
+  return settings;
+}
+
+void IndirectPasses::run(const World& world, const Window& window, std::uint32_t seed,
+                         RayCounts& counts, const MapFiles& files, Diagnostics* diagnostics,
+                         const Watch& watch, const std::function<void()>& after_pass) {
+  if (plan_.global || plan_.caustic) shoot(world, seed, counts, files, diagnostics, watch);
+  if (plan_.gather)
+    gather(world, window, seed, counts, files, diagnostics, watch, after_pass);
+}
+
+void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& counts,
+                           const MapFiles& files, Diagnostics* diagnostics, const Watch& watch) {
   const scene::RenderOptions& options = world.options;
-  const geom::Box3 box = world.accel->bounds();
-  if (plan_.global || plan_.caustic) {
-    PhotonSettings settings;
-    settings.globillum = plan_.global;
-    settings.caustics = plan_.caustic;
-    settings.each.global = settings.each.caustic = {kPhotonsPerLight, kMostSent};
-    settings.environment = settings.each;
-    settings.depth = options.photon_depth;
-    settings.merge_global = options.globillum.merge;
-    settings.merge_caustic = options.caustic.merge;
-    settings.seed = seed;
-    photons_ = trace_photons(world, settings, counts);
-    if (plan_.global) maps_.global = &photons_.global;
-    if (plan_.caustic) maps_.caustic = &photons_.caustic;
-    maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
-    maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
+  bool read = false;
+  if (!files.photons.empty() && !options.photonmap_rebuild &&
+      std::filesystem::exists(files.photons)) try {
+      photons_ = load_photon_maps(files.photons);
+      read = true;
+    } catch (const std::exception& e) {
+      warn(diagnostics, e.what());
+    }
+  if (!read) {
+    photons_ = trace_photons(world, photon_settings(world, plan_, seed), counts, nullptr, watch);
+    if (!files.photons.empty() && !watch.cancelled()) try {
+        save_photon_maps(files.photons, photons_);
+      } catch (const std::exception& e) {
+        warn(diagnostics, e.what());
+      }
   }
-  if (plan_.gather) gather(world, window, seed, counts, cancel);
+  const geom::Box3 box = world.accel->bounds();
+  if (plan_.global) maps_.global = &photons_.global;
+  if (plan_.caustic) maps_.caustic = &photons_.caustic;
+  maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
+  maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
 }
 
 void IndirectPasses::gather(const World& world, const Window& window, std::uint32_t seed,
-                            RayCounts& counts, const std::atomic<bool>* cancel) {
+                            RayCounts& counts, const MapFiles& files, Diagnostics* diagnostics,
+                            const Watch& watch, const std::function<void()>& after_pass) {
   const scene::FinalGatherOptions& options = world.options.finalgather;
-  const geom::Box3 box = world.accel->bounds();
-  GatherSettings settings = gather_settings(options, length(box.max - box.min));
+  GatherPasses passes;
+  passes.records = gather_settings(world.options, world.accel->bounds());
+  passes.density = options.presample_density;
+  passes.seed = seed;
+  // Photons bring all further bounces. Where the sky sends none, its light falls only on what
+  // gather rays come from; else also on what they meet, for photons hold no first hits.
+  if (plan_.global) passes.records.path.diffuse_bounces = plan_.by_name ? 1 : 0;
+  paths_ = passes.records.path;
   const IndirectMaps photons = maps_;
-  settings.path.maps = photons.global || photons.caustic ? &photons : nullptr;
+  if (plan_.global || plan_.caustic) passes.records.path.maps = &photons;
+  passes.covered.accuracy = kGatherError;
+  passes.covered.radii = passes.records.radii;
 
-  GatherQuery covered;  // whether a record speaks for a point well enough
-  covered.accuracy = kGatherError;
-  covered.radii = settings.radii;
-  const float density = std::max(options.presample_density, 0.01f);
-  const int finest =
-      std::clamp(static_cast<int>(std::lround(kFinestStep / std::sqrt(density))), 1, 64);
-  const PathSettings visiting{.indirect = true};
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const int step = finest << (kPasses - 1 - pass);
-    std::vector<int> rows;
-    for (int y = window.y0 + step / 2; y < window.y1; y += step) rows.push_back(y);
-    std::vector<std::vector<GatherRecord>> made(rows.size());
-    std::mutex mutex;
-    parallel_for(rows.size(), [&](std::size_t r) {
-      if (cancel && *cancel) return;
-      RayCounts mine;
-      std::vector<GatherPoint> points;
-      for (int x = window.x0 + step / 2; x < window.x1; x += step) {
-        sampling::Sampler sampler(x, rows[r], static_cast<std::uint32_t>(pass), seed + 0xf9u);
-        points.clear();
-        visit_gather_points(world,
-                            Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(rows[r]) + 0.5f),
-                            visiting, sampler, mine, points);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-          if (cache_.interpolate(query_at(covered, points[i].point, points[i].normal))) continue;
-          const auto stream =
-              sampler.split(static_cast<std::uint32_t>(i), kMostPointsOfPath, kGatherBranch);
-          made[r].push_back(gather_at(world, points[i], settings, stream, mine));
-        }
-      }
-      const std::lock_guard lock(mutex);
-      counts += mine;
-    });
-    for (const auto& row : made) cache_.insert(row);
-    cache_.clamp_to_neighbours();
-  }
+  using Rebuild = scene::FinalGatherOptions::Rebuild;
+  Diagnostics unheard;
+  if (options.rebuild != Rebuild::On)
+    for (const std::string& file : files.gather)
+      if (std::filesystem::exists(file))
+        if (const auto records = load_gather_map(file, diagnostics ? *diagnostics : unheard))
+          cache_.insert(*records);
+  cache_.clamp_to_neighbours();
+
   maps_.gather = &cache_;
-  maps_.query = covered;
+  maps_.query = gather_query(options, passes.records.radii);
   maps_.gather_scale = rgb(options.scale);
+  if (options.rebuild == Rebuild::Freeze && !files.gather.empty()) return;
+  const std::size_t before = cache_.records().size();
+  gather_for_picture(world, window, passes, cache_, counts, watch, after_pass);
+  const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
+  if (!files.gather.empty() && changed)
+    save_gather_map(cache_.records(), files.gather.front(), diagnostics ? *diagnostics : unheard);
 }
 
 }  // namespace oriel

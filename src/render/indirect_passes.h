@@ -1,49 +1,81 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is worked out before the picture: photons, then points where light is gathered.
+// What is worked out before the picture: photons, then points where light is gathered; or read from
+// files.
 #pragma once
 
-#include <atomic>
+#include <functional>
+#include <string>
 
+#include "base/diagnostic.h"
 #include "render/window.h"
-#include "transport/gather_points.h"
-#include "transport/photon_trace.h"
+#include "runtime/world.h"
+#include "transport/gather_cache.h"
+#include "transport/indirect_maps.h"
+#include "transport/path.h"
+#include "transport/photon_file.h"
+#include "transport/watch.h"
 
 namespace oriel {
 
-/// Which maps a picture needs. None: paths find indirect light themselves.
+/// Which maps a picture needs, and how its paths go on without.
 struct IndirectPlan {
   bool gather = false, global = false, caustic = false;
-  bool any() const { return gather || global || caustic; }
+  bool by_name = false;   ///< a method was chosen, not left to the scene's statements
+  bool indirect = false;  ///< diffuse surfaces light each other, by rays or by maps
+  bool maps() const { return gather || global || caustic; }
+  /// As the command line names methods; "none" where diffuse surfaces get direct light alone.
+  const char* name() const;
 };
 
-/// The plan of the options. A scene that asks for final gathering or photons and names no method is
-/// path traced.
+/// The plan of the options: a method chosen by name, else as the scene's statements say. Of a
+/// method chosen by name caustics are part where `caustic` is on.
 IndirectPlan plan_indirect(const scene::RenderOptions& options);
+
+/// Files of maps as the options name them, allowed ones alone; relative names are resolved.
+struct MapFiles {
+  std::string photons;
+  std::vector<std::string> gather;  ///< the first is also written
+};
 
 /// Photon maps and gather points of one picture.
 ///
-/// Model:   photons first. Gather points in passes over ever finer grids of the picture: a pass
-///          asks the cache as it stands, gathers where it knows nothing within its error, and adds
-///          all new records in the order of pixels; so the result does not depend on threads.
-/// Checked: tests/keystone (three methods on the same scenes), EmulatedReflection.* in
-///          tests/analytic
+/// Model:   photons first: of lights as their elements say. Where none of them says anything, or
+///          a method with photons was chosen by name, lights that do not say get kPhotonsPerLight.
+///          By name the environment emits as well; as the scene's own statements go it does not,
+///          and is left to final gathering and to portals.
+///          Files: photonmap and finalgather `rebuild` on: made anew and written. Off: read where
+///          they exist; photons then are not traced, gather points are added to; then written.
+///          `finalgather rebuild freeze`: read and used as they are.
+/// Errors:  OR-RN-042 a map cannot be read or written (a warning; it is made anew), and those of
+///          the files (OR-TR-1xx).
+/// Checked: tests/keystone (three methods on the same scenes), MapFiles.* in
+///          tests/analytic/map_files_test.cpp, EmulatedReflection.* in tests/analytic
 class IndirectPasses {
  public:
-  /// `cancel` ends gathering soon, with what is there; may be null.
-  IndirectPasses(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-                 const std::atomic<bool>* cancel);
+  explicit IndirectPasses(const World& world);
   IndirectPasses(const IndirectPasses&) = delete;
   IndirectPasses& operator=(const IndirectPasses&) = delete;
 
-  /// Null when there is nothing to read.
-  const IndirectMaps* maps() const { return plan_.any() ? &maps_ : nullptr; }
+  /// `after_pass`: called when there is more to see than before.
+  void run(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
+           const MapFiles& files, Diagnostics* diagnostics, const Watch& watch,
+           const std::function<void()>& after_pass);
+
+  const IndirectPlan& plan() const { return plan_; }
+  /// What paths of the picture go by.
+  PathSettings path_settings() const;
+  std::size_t gather_points() const { return cache_.records().size(); }
 
  private:
+  void shoot(const World& world, std::uint32_t seed, RayCounts& counts, const MapFiles& files,
+             Diagnostics* diagnostics, const Watch& watch);
   void gather(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-              const std::atomic<bool>* cancel);
+              const MapFiles& files, Diagnostics* diagnostics, const Watch& watch,
+              const std::function<void()>& after_pass);
 
   IndirectPlan plan_;
   IndirectMaps maps_;
+  PathSettings paths_;  ///< behind a diffuse surface
   PhotonMaps photons_;
   GatherCache cache_;
 };

@@ -64,6 +64,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
   place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
   world->environment = EnvironmentLight(std::move(environment), *world);
+  open_portals(*world);
 
   report.binding = binder.report();
   report.lights = world->lights.size();

@@ -92,6 +92,25 @@ void place_area(const scene::Light& element, const Mat4& to_world, Light& light,
   }
 }
 
+PhotonCount photon_count(const Statement* s) {
+  const auto whole = [&](std::size_t i) {
+    return static_cast<std::uint64_t>(clamp(number(s, i, 0), 0.0f, 1e12f));
+  };
+  return {whole(0), whole(1)};
+}
+
+/// `energy`, `caustic photons`, `globillum photons`, `photons only`.
+LightPhotons photons_of(const scene::Light& element) {
+  LightPhotons photons;
+  photons.global = photon_count(find_last(element.other, "globillum photons"));
+  photons.caustic = photon_count(find_last(element.other, "caustic photons"));
+  photons.only = is_on(find_last(element.other, "photons only"));
+  const Statement* energy = find_last(element.other, "energy");
+  const Rgb flux(number(energy, 0, 0), number(energy, 1, 0), number(energy, 2, 0));
+  if (max_component(flux) > 0) photons.emission.energy = flux;
+  return photons;
+}
+
 Light place_light(const scene::Leaf& leaf, Diagnostics& diagnostics) {
   const scene::Light& element = *leaf.light();
   Light light;
@@ -107,6 +126,7 @@ Light place_light(const scene::Leaf& leaf, Diagnostics& diagnostics) {
   light.visible = is_on(find_last(element.other, "visible")) ||
                   is_on(find_last(leaf.instance().flags, "visible"));
   const bool infinite = element.direction && (!element.origin || !element.spread);
+  light.photons = photons_of(element);
   if (element.spread && !infinite) light.spread = *element.spread;
   if (infinite && !element.area)
     light.shape = LightShape::Directional;
@@ -115,6 +135,20 @@ Light place_light(const scene::Leaf& leaf, Diagnostics& diagnostics) {
   else if (infinite)
     light.shape = LightShape::Directional;
   return light;
+}
+
+/// Turns a rectangle's front to its own +z, or to -z.
+void place_portal(const scene::Light& element, Light& light, Diagnostics& diagnostics) {
+  if (light.shape != LightShape::Rectangle) {
+    diagnostics.warning(
+        "OR-RN-023", element.where,
+        fmt::format("portal light \"{}\" is not a rectangle and gives no light", element.name));
+    light.portal.reset();
+    return;
+  }
+  const Vec3 z = transform_vector(Vec3(0, 0, light.portal->reverse ? -1.0f : 1.0f), light.to_world);
+  const Vec3 normal = normalize(cross(light.edge_u, light.edge_v));
+  light.direction = dot(normal, z) < 0 ? -normal : normal;
 }
 
 }  // namespace
@@ -154,7 +188,17 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     light.shader->with_params(binder.constant_point(), [&](const Call& call) {
       if (spec.light_cone && light.shape == LightShape::Directional)
         light.cone_angle = std::min(spec.light_cone(call.params), kPi / 2);
+      if (spec.portal) {
+        light.portal = std::make_unique<Portal>();
+        if (spec.portal(call.params, *light.portal))
+          place_portal(*leaf.light(), light, diagnostics);
+        else
+          light.portal.reset();
+        // The sky is seen there in any case: highlights would come on top of it.
+        light.visible = light.portal != nullptr;
+      }
       if (spec.prepare_light) light.state = spec.prepare_light(call.params, light);
+      if (spec.photons) spec.photons(call.params, light, light.photons);
     });
   }
 }

@@ -26,10 +26,12 @@ struct RenderBudget {
   bool operator==(const RenderBudget&) const = default;
 };
 
-enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled };
+/// MapsOnly: there is no picture, the options ask for maps of indirect light alone.
+enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly };
 
 /// How far a render is.
 struct Progress {
+  const char* stage = nullptr;  ///< of the work before the picture ("photons"); null = the picture
   int pass = 0;  ///< complete passes
   double mean_samples = 0;
   double active = 1;                ///< fraction of pixels that the running pass still samples

@@ -4,12 +4,17 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 
 #include "sampling/sampler.h"
 #include "transport/path.h"
 
 namespace oriel {
 namespace {
+
+/// How often the work before the picture tells how far it is, and shows what it knows.
+constexpr double kSecondsBetweenReports = 0.2, kSecondsBetweenPreviews = 10;
 
 Window window_of(const World& world, const SessionSettings& settings) {
   const Camera& camera = world.camera;
@@ -29,11 +34,6 @@ DisplayMap display_map(const World& world, const Window& window) {
 }
 
 }  // namespace
-
-bool asks_for_indirect(const scene::RenderOptions& options) {
-  if (options.indirect != scene::IndirectMethod::Scene) return true;
-  return options.finalgather.on || options.globillum.on;
-}
 
 Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& color) {
   ShadingPoint point;
@@ -59,7 +59,9 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
             settings.outputs),
       progressive_(film_, budget_),
-      indirect_(asks_for_indirect(world.options)) {}
+      map_files_(settings.map_files),
+      diagnostics_(settings.diagnostics),
+      passes_(world) {}
 
 FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& counts,
                                  Outputs* outputs) const {
@@ -69,11 +71,10 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
   const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
                     static_cast<float>(row) + 0.5f + offset.pixels.y);
 
-  const PathSettings settings{.indirect = indirect_,
-                              .paths_of_pixel = static_cast<float>(budget_.max_samples),
-                              .maps = passes_->maps(),
-                              .grid = grid_->empty() ? nullptr : &*grid_,
-                              .outputs = outputs};
+  PathSettings settings = passes_.path_settings();
+  settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
+  settings.grid = grid_ && !grid_->empty() ? &*grid_ : nullptr;
+  settings.outputs = outputs;
   const PathResult path =
       trace_path(world_, world_.camera.ray(raster), raster, settings, sampler, counts);
   FilmSample s;
@@ -88,23 +89,71 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
   return s;
 }
 
-StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
-                              const std::atomic<bool>* cancel) {
+StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
+                               const std::atomic<bool>* cancel) {
   struct PerThread {
     RayCounts counts;
     Outputs outputs;  // of the sample under way, until the film has it
   };
   tbb::enumerable_thread_specific<PerThread> threads;
-  const auto draw = [&](int x, int y, std::uint32_t index, FilmSample& s) {
+  const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
     PerThread& mine = threads.local();
     if (film_.keeps_outputs()) mine.outputs = {};
     s = sample(x, y, index, mine.counts, film_.keeps_outputs() ? &mine.outputs : nullptr);
   };
-  if (!passes_) passes_.emplace(world_, window_, seed_, rays_, cancel);
-  if (!grid_) grid_.emplace(world_, indirect_, seed_, rays_);
-  const StopReason reason = progressive_.run(draw, callbacks, cancel);
+  const StopReason reason = passes.run(draw_one, callbacks, cancel);
   for (const PerThread& thread : threads) rays_ += thread.counts;
   return reason;
+}
+
+void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
+                                 const std::atomic<bool>* cancel) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  Watch watch{cancel, {}};
+  double told = 0, shown = 0;
+  std::mutex mutex;
+  if (callbacks.progress)
+    watch.progress = [&](const char* name, double share) {
+      const std::lock_guard lock(mutex);
+      if (seconds() - told < kSecondsBetweenReports) return;
+      told = seconds();
+      Progress p;
+      p.stage = name;
+      p.elapsed = told;
+      p.remaining = share > 0 ? std::optional(told * (1 - share) / share) : std::nullopt;
+      callbacks.progress(p);
+    };
+  const auto after_pass = [&] {
+    if (!callbacks.pass || seconds() - shown < kSecondsBetweenPreviews || watch.cancelled()) return;
+    Progressive once(film_, {.max_samples = 1});
+    draw(once, {{}, callbacks.pass}, cancel);
+    film_.clear();
+    shown = seconds();
+  };
+  passes_.run(world_, window_, seed_, rays_, map_files_, diagnostics_, watch, after_pass);
+}
+
+StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
+                              const std::atomic<bool>* cancel) {
+  const IndirectPlan& plan = passes_.plan();
+  if (!grid_) {
+    prepare_maps(callbacks, cancel);
+    const scene::RenderOptions& o = world_.options;
+    if ((plan.gather && o.finalgather.only) ||
+        ((plan.global || plan.caustic) && o.photonmap_only))
+      return StopReason::MapsOnly;
+    grid_.emplace(world_, passes_.path_settings(), seed_, rays_);
+    if (cancel && *cancel && plan.maps()) {
+      Progressive once(film_, {.max_samples = 1});
+      draw(once, {}, nullptr);
+      return StopReason::Cancelled;
+    }
+  }
+  return draw(progressive_, callbacks, cancel);
 }
 
 }  // namespace oriel

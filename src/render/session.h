@@ -22,11 +22,9 @@ struct SessionSettings {
   std::uint32_t seed = 0;
   bool outputs = false;             ///< keep the outputs of materials
   std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
+  MapFiles map_files = {};
+  Diagnostics* diagnostics = nullptr;  ///< of map files; outlives the session; may be null
 };
-
-/// Whether diffuse surfaces light each other: the options ask for final gathering or global
-/// illumination photons, or name a method.
-bool asks_for_indirect(const scene::RenderOptions& options);
 
 /// Sends a colour through shaders that map colours (exposures), as lens or output shaders.
 ///
@@ -43,19 +41,26 @@ class RenderSession {
   /// `world` must outlive the session and stay as it is.
   RenderSession(const World& world, const SessionSettings& settings);
 
-  /// Renders until the budget is used up or `cancel` becomes true. Called again it goes on.
+  /// Makes maps as the options ask, then renders until the budget is used up or `cancel` becomes
+  /// true. Called again it goes on. While gather points are placed a picture of one sample with
+  /// what is known so far is shown from time to time (callbacks.pass); cancelled before the
+  /// picture began, it leaves such a one. No picture where the options ask for maps only.
   StopReason run(const Progressive::Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
 
   const World& world() const { return world_; }
   const Film& film() const { return film_; }
   const Window& window() const { return window_; }
+  const IndirectPasses& indirect() const { return passes_; }
   const RenderBudget& budget() const { return budget_; }
   Progress progress() const { return progressive_.progress(); }
   const RayCounts& rays() const { return rays_; }
 
  private:
   FilmSample sample(int x, int y, std::uint32_t index, RayCounts& counts, Outputs* outputs) const;
+  void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
+  StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,
+                  const std::atomic<bool>* cancel);
 
   const World& world_;
   std::uint32_t seed_;
@@ -64,10 +69,11 @@ class RenderSession {
   RenderBudget budget_;
   Film film_;
   Progressive progressive_;
-  std::optional<IndirectPasses> passes_;  ///< done when rendering begins, as the grid
-  std::optional<GlossyGrid> grid_;
+  MapFiles map_files_;
+  Diagnostics* diagnostics_;
+  IndirectPasses passes_;           ///< run when rendering begins
+  std::optional<GlossyGrid> grid_;  ///< made after them
   RayCounts rays_;
-  bool indirect_;
 };
 
 }  // namespace oriel

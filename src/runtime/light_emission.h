@@ -2,8 +2,6 @@
 // What leaves a light or the environment: photons whose power agrees with direct light.
 #pragma once
 
-#include <optional>
-
 #include "runtime/world.h"
 
 namespace oriel {
@@ -22,21 +20,12 @@ struct EmittedPhoton {
   Vec2 u{0};                 ///< that chose the direction
 };
 
-/// What a scene may say about the photons of a light.
-struct EmissionRequest {
-  /// Total flux as `energy` writes it: the unit is that of physical_light's colour, so that a
-  /// physical light whose energy is its colour agrees with its direct light. The shader then only
-  /// tells how it spreads. Unset: the shader tells all, photons agree with direct light.
-  std::optional<Rgb> energy;
-  /// World box at which infinitely far sources aim; unset or empty: the whole scene.
-  std::optional<geom::Box3> aim;
-};
-
 /// Emits the photons of one light, or of the environment as diffuse surfaces see it.
 ///
 /// Model:   point and spot lights uniform in solid angle, shapes uniform in area and by the cosine
 ///          (uniform in solid angle where the shader of a flat light leaves the cosine out),
-///          directional lights uniform over a disc, the environment by its table. A light whose
+///          directional lights uniform over a disc, the environment by its table, portals by
+///          theirs, which shadow rays' extension moves off the opening. A light whose
 ///          decay is not that of physics has no flux: its photons carry what direct light is where
 ///          they land, so that both agree at every first hit. Whether a light casts shadows does
 ///          not matter: photons are always stopped.
@@ -55,6 +44,9 @@ class PhotonSource {
   /// Power where nothing was met: at the radius of the scene.
   Rgb power_unmet(const EmittedPhoton& photon) const { return power(photon, scene_radius_); }
   float scene_radius() const { return scene_radius_; }
+  /// Whether first hits are stored, for direct light does not bring them.
+  bool direct() const { return light_ && light_->portal && light_->portal->photons_only; }
+  bool is_environment() const { return !light_; }
   /// Mean of power_unmet over `samples` photons.
   Rgb estimate_flux(int samples) const;
 

@@ -72,10 +72,14 @@ struct FinalGatherOptions {
   int points = 10;  ///< interpolated points
   bool radius_in_pixels = false;
   float max_radius = 0, min_radius = 0;
+  /// `diffuse`: bounces behind the first surface that a ray meets.
   struct Depth {
     int reflection = 1, refraction = 1, diffuse = 0, sum = 2;
     bool operator==(const Depth&) const = default;
-  } depth;
+  };
+  /// Unset, a scene that asks for final gathering itself gets Depth{}, a method chosen by name the
+  /// depth of the picture and bounces without limit, as the other methods have them.
+  std::optional<Depth> depth;
   float presample_density = 1;
   int filter = 0;                             ///< median over rays; 0 = none
   float falloff_start = 0, falloff_stop = 0;  ///< reach of the rays; both 0 = unlimited

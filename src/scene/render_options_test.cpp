@@ -84,7 +84,7 @@ TEST(RenderOptions, AnEmptyBlockHasTheDocumentedDefaults) {
   EXPECT_FLOAT_EQ(o.caustic.filter_constant, 1.1f);
   EXPECT_EQ(o.finalgather.rays, 100);
   EXPECT_EQ(o.finalgather.points, 10);
-  EXPECT_EQ(o.finalgather.depth, (FinalGatherOptions::Depth{1, 1, 0, 2}));
+  EXPECT_FALSE(o.finalgather.depth.has_value());
   EXPECT_EQ(o.finalgather.presample_density, 1);
   EXPECT_EQ(o.gamma, 1);
   EXPECT_FLOAT_EQ(o.luminance_weight[1], 0.715160f);

@@ -58,18 +58,18 @@ struct GatherCache::Sum {
 };
 
 struct GatherCache::Near {
-  float distance;  ///< divided by the compatibility
+  float error;  ///< or distance, divided by the compatibility
   std::uint32_t record;
   bool operator<(const Near& o) const {
-    return distance != o.distance ? distance < o.distance : record < o.record;
+    return error != o.error ? error < o.error : record < o.record;
   }
 };
 
-/// The nearest so far: a heap with the farthest on top.
+/// The best so far: a heap with the worst on top.
 struct GatherCache::Nearest {
   std::array<Near, kMostPoints + 1> heap;
   std::size_t count = 0, most = 0;
-  float bound = 0;  ///< nothing farther is wanted
+  float bound = 0;  ///< nothing worse is wanted
 
   void offer(const Near& candidate) {
     if (count == most) {
@@ -78,7 +78,7 @@ struct GatherCache::Nearest {
     }
     heap[count++] = candidate;
     std::push_heap(heap.begin(), heap.begin() + static_cast<std::ptrdiff_t>(count));
-    if (count == most) bound = std::min(bound, heap[0].distance);
+    if (count == most) bound = std::min(bound, heap[0].error);
   }
 };
 
@@ -118,13 +118,18 @@ void GatherCache::bounded(std::uint32_t index, const GatherQuery& q, Sum& sum) c
 
 void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& found) const {
   const Node& node = nodes_[index];
+  // Distance over which a record's error reaches 1.
+  const auto scale = [&](float radius) { return q.by_error ? q.radii.clamped(radius) : 1.0f; };
   if (node.child == 0) {
     for (const Entry& e : node.entries) {
       const float distance2 = (q.position - e.position).length2();
-      if (distance2 > sqr(found.bound) || !(dot(e.normal, q.normal) > q.min_cosine)) continue;
-      const float distance = std::sqrt(distance2);
+      const float cosine = dot(e.normal, q.normal), radius = scale(e.radius);
+      if (distance2 > sqr(found.bound * radius) || !(cosine > q.min_cosine)) continue;
+      float error = std::sqrt(distance2) / radius;
+      if (q.by_error) error += std::sqrt(std::max(0.0f, 1 - cosine));
+      if (error > found.bound) continue;
       const float fit = compatibility(e, q);
-      if (fit > 0 && distance <= found.bound * fit) found.offer({distance / fit, e.record});
+      if (fit > 0 && error <= found.bound * fit) found.offer({error / fit, e.record});
     }
     return;
   }
@@ -143,7 +148,8 @@ void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& fo
     order[at] = c;
   }
   for (std::size_t i = 0; i < count; ++i)
-    if (order[i].distance2 <= sqr(found.bound)) nearest(order[i].index, q, found);
+    if (order[i].distance2 <= sqr(found.bound * scale(nodes_[order[i].index].reach)))
+      nearest(order[i].index, q, found);
 }
 
 std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
@@ -156,20 +162,21 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   Nearest found;
   found.most = static_cast<std::size_t>(std::min(q.points, kMostPoints)) + 1;
   const float none = std::numeric_limits<float>::infinity();
-  const float farthest = q.radii.max > 0 ? q.radii.max : none;
-  found.bound = farthest;
+  const float worst = q.by_error ? q.accuracy : q.radii.max > 0 ? q.radii.max : none;
+  found.bound = worst;
   nearest(0, q, found);
   if (found.count == 0) return std::nullopt;
   std::sort_heap(found.heap.begin(), found.heap.begin() + static_cast<std::ptrdiff_t>(found.count));
   const std::size_t last = found.count - 1;
-  const float h = found.count == found.most ? found.heap[last].distance : farthest;
+  const float h = found.count == found.most ? found.heap[last].error : worst;
   // All equally far would all weigh nothing: they share alike.
-  const bool alike = !(found.heap[0].distance < h);
+  const bool alike = !(found.heap[0].error < h);
   for (std::size_t i = 0; i <= last; ++i) {
-    const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].distance / h)));
+    const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
     if (w > 0) sum.add(records_[found.heap[i].record], q, w);
   }
-  if (q.radii.max > 0) sum.result.fade = falling(0.5f, 1, found.heap[0].distance / q.radii.max);
+  if (!q.by_error && q.radii.max > 0)
+    sum.result.fade = falling(0.5f, 1, found.heap[0].error / q.radii.max);
   return sum.finished(q.directional);
 }
 

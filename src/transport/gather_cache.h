@@ -14,12 +14,13 @@ namespace oriel {
 /// A question to the cache.
 struct GatherQuery {
   Vec3 position{0}, normal{0, 0, 1};  ///< normal unit, on the side that is lit
-  int points = 0;                     ///< above 0: so many nearest records; 0: error-bounded
-  float accuracy = 1;                 ///< largest error a record may have (error-bounded)
+  int points = 0;     ///< above 0: so many records; 0: all within the error
+  bool by_error = false;  ///< of `points`: those of least error, not the nearest
+  float accuracy = 1;     ///< largest error a record may have; not for the nearest
   /// Records whose normals differ by more than this cosine are not used; their weight fades before.
   float min_cosine = 0.9f;
-  /// Scene units. Error-bounded: the records' radii are kept within, in place of those they were
-  /// made with where narrower or wider. Nearest: records farther than max are not used.
+  /// Scene units. By error: the records' radii are kept within, in place of those they were made
+  /// with where narrower or wider. Nearest: records farther than max are not used.
   GatherRadii radii;
   bool gradients = true;
   bool directional = false;    ///< fill Gathered::incoming
@@ -44,9 +45,10 @@ struct Gathered {
 ///          cosine of the normals), for records with e below `accuracy`. So accuracy 1 uses a
 ///          record up to its radius. Nearest: of the N + 1 nearest the weight is (1 - (d / h)^2)^2,
 ///          h the farthest's distance, so nothing jumps when one takes another's place (for N of
-///          at least 2). In both a record fades out as its normal turns away, when it lies in
-///          front of the point or far below it, and when something stands between: the tests'
-///          factors divide the distance of the nearest and multiply the weight of the others.
+///          at least 2); the same with errors in place of distances. In all a record fades out as
+///          its normal turns away, when it lies in front of the point or far below it, and when
+///          something stands between: the tests' factors divide the distance or error that picks
+///          and multiply the weight of the error-bounded.
 /// Source:  Ward, Rubinstein, Clear, "A Ray Tracing Solution for Diffuse Interreflection", SIGGRAPH
 ///          1988; Krivanek, Bouatouch, Pattanaik, Zara, "Making Radiance and Irradiance Caching
 ///          Practical", EGSR 2006 (neighbour clamping).

@@ -12,6 +12,8 @@ namespace {
 /// Share of the scene's diagonal that a record may reach, and of that what it reaches at least,
 /// where the scene does not say.
 constexpr float kMaxRadius = 0.1f, kMinRadius = 0.1f;
+/// Records of a larger error say nothing about a point (GatherQuery::accuracy); a guess.
+constexpr float kWorstError = 1;
 
 }  // namespace
 
@@ -22,17 +24,59 @@ void visit_gather_points(const World& world, Vec2 raster, const PathSettings& se
   Path(world, raster, settings, sampler, counts, nothing).visit(world.camera.ray(raster), points);
 }
 
-GatherSettings gather_settings(const scene::FinalGatherOptions& options, float diagonal) {
+GatherSettings gather_settings(const scene::RenderOptions& all, const geom::Box3& scene) {
+  const scene::FinalGatherOptions& options = all.finalgather;
   GatherSettings s;
   s.rays = std::max(options.rays, 4);
   s.filter = options.filter;
   s.reach = options.falloff_stop;
+  s.fades_from = std::min(options.falloff_start, options.falloff_stop);
   s.radii.in_pixels = options.radius_in_pixels && options.max_radius > 0;
-  s.radii.max = options.max_radius > 0 ? options.max_radius : kMaxRadius * diagonal;
+  s.radii.max =
+      options.max_radius > 0 ? options.max_radius : kMaxRadius * length(scene.max - scene.min);
   s.radii.min = options.min_radius > 0 ? options.min_radius : kMinRadius * s.radii.max;
-  s.path.diffuse_bounces = std::max(0, options.depth.diffuse);
+  s.path.further_bounces = rgb(options.secondary_scale);
+  using Depth = scene::FinalGatherOptions::Depth;
+  const bool by_name = all.indirect != scene::IndirectMethod::Scene;
+  if (by_name && !options.depth) return s;
+  const Depth depth = options.depth.value_or(Depth{});
+  s.path.diffuse_bounces = std::max(0, depth.diffuse);
+  s.path.depth_behind = {depth.reflection, depth.refraction, depth.sum};
   return s;
 }
+
+GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherRadii& radii) {
+  using Mode = scene::FinalGatherOptions::Mode;
+  GatherQuery q;
+  q.radii = radii;
+  if (options.normal_tolerance > 0) q.min_cosine = std::cos(options.normal_tolerance * kPi / 180);
+  q.gradients = options.mode != Mode::StrictRadius;
+  if (options.mode == Mode::Automatic) {
+    q.by_error = true;
+    q.accuracy = kWorstError;
+  }
+  if (options.mode == Mode::Automatic || options.mode == Mode::Multiframe)
+    q.points = std::clamp(options.points, 1, GatherCache::kMostPoints);
+  return q;
+}
+
+namespace {
+
+/// What a ray of limited reach brings from what it met, or did not meet.
+Rgb faded(const World& world, const GatherSettings& settings, const Vec3& origin,
+          const Vec3& direction, const PathResult& found, RayCounts& counts) {
+  if (!(settings.reach > 0) || found.depth <= settings.fades_from) return found.radiance;
+  Rgb open(0);
+  if (const NodeList& sky = world.environment.shaders(); !sky.empty()) {
+    ++counts.environment;
+    open = rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));
+  }
+  const float share = linear_fade(found.depth - settings.fades_from,
+                                  settings.reach - settings.fades_from);
+  return open + (found.radiance - open) * share;
+}
+
+}  // namespace
 
 GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,
                        const sampling::Sampler& sampler, RayCounts& counts) {
@@ -51,7 +95,7 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
     if (side * dot(s.direction, at.point.geometric_normal) <= 0) continue;
     const PathResult r =
         trace_gather_ray(world, at.point, s.direction, reach, settings.path, stream, counts);
-    s.radiance = r.radiance;
+    s.radiance = faded(world, settings, at.point.position, s.direction, r, counts);
     if (r.depth > 0) {
       s.distance = r.depth;
       s.normal = r.normal;

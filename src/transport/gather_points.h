@@ -26,13 +26,22 @@ void visit_gather_points(const World& world, Vec2 raster, const PathSettings& se
 struct GatherSettings {
   int rays = 100;
   int filter = 0;
-  float reach = 0;    ///< scene units, 0 = any
+  /// What rays meet from here on fades to the environment, which alone is there from `reach` on;
+  /// scene units. Reach 0 = any.
+  float fades_from = 0, reach = 0;
   GatherRadii radii;  ///< in scene units or pixels
   PathSettings path;  ///< of the rays: bounces behind the first surface, photons
 };
 
-/// What the options ask for. `diagonal`: of the scene's box, for radii that are not written.
-GatherSettings gather_settings(const scene::FinalGatherOptions& options, float diagonal);
+/// What the options ask for. The scene's box and trace depth fill in what is not written.
+GatherSettings gather_settings(const scene::RenderOptions& options, const geom::Box3& scene);
+
+/// How the records are asked for.
+///
+/// Model:   automatic: as many as "finalgather points", those of least error. Multiframe: as many,
+///          the nearest, within the maximum radius, where it fades to black. 3.4: all within their
+///          radius. Strict 3.4: the same without gradients.
+GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherRadii& radii);
 
 /// Gathers light at one point. Rays meet surfaces and environment, no light sources.
 GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,

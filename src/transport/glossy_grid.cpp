@@ -32,7 +32,8 @@ int GlossyGrid::height(int density) const {
   return grids_.empty() ? 0 : grids_[static_cast<std::size_t>(density)].height;
 }
 
-GlossyGrid::GlossyGrid(const World& world, bool indirect, std::uint32_t seed, RayCounts& counts) {
+GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed,
+                       RayCounts& counts) {
   unsigned wanted = 0;
   for (const Material& m : world.materials) wanted |= m.grids;
   if (!wanted) return;
@@ -56,8 +57,7 @@ GlossyGrid::GlossyGrid(const World& world, bool indirect, std::uint32_t seed, Ra
         const Vec2 raster((static_cast<float>(x) + 0.5f) / f, (static_cast<float>(y) + 0.5f) / f);
         sampling::Sampler sampler(x, y, 0, seed + 0x9d1du + static_cast<std::uint32_t>(d));
         PathResult nothing;
-        const PathSettings settings{.indirect = indirect};
-        Path(world, raster, settings, sampler, mine, nothing)
+        Path(world, raster, paths, sampler, mine, nothing)
             .tabulate(world.camera.ray(raster), d,
                       grid.points[row * static_cast<std::size_t>(grid.width) +
                                   static_cast<std::size_t>(x)]);

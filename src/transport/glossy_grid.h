@@ -11,6 +11,8 @@
 
 namespace oriel {
 
+struct PathSettings;
+
 /// What one grid point sees.
 struct GridPoint {
   int instance = -1;  ///< -1: nothing that interpolates
@@ -34,8 +36,8 @@ class GlossyGrid {
   /// Grid points along one pixel.
   static float resolution(int density);
 
-  /// Fills the grids of all materials of the world. `indirect`: as PathSettings.
-  GlossyGrid(const World& world, bool indirect, std::uint32_t seed, RayCounts& counts);
+  /// Fills the grids of all materials of the world by paths as those of the picture.
+  GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed, RayCounts& counts);
 
   bool empty() const { return grids_.empty(); }
   int width(int density) const;

@@ -2,6 +2,8 @@
 // The path tracer: the reference every other transport must agree with.
 #pragma once
 
+#include <optional>
+
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 #include "transport/counts.h"
@@ -30,6 +32,9 @@ struct PathSettings {
   /// without final gathering and photons is rendered.
   bool indirect = true;
   int diffuse_bounces = 1 << 20;  ///< most of them; light from the environment is the last one
+  Rgb further_bounces{1};         ///< factor of each diffuse bounce behind the first
+  /// Trace depth behind a diffuse bounce; unset = that of the options.
+  std::optional<scene::TraceDepth> depth_behind = std::nullopt;
   Estimator estimator = Estimator::Mis;
   /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
   /// surface: a material's sample counts are for the pixel.

@@ -48,7 +48,9 @@ float falloff_distance(const Closure& closure) {
 }  // namespace
 
 bool Path::depth_reached(LobeKind kind) const {
-  const scene::TraceDepth& depth = world_.options.trace_depth;
+  const scene::TraceDepth& depth = after_diffuse_ && settings_.depth_behind
+                                       ? *settings_.depth_behind
+                                       : world_.options.trace_depth;
   if (reflections_ + refractions_ >= depth.sum) return true;
   return transmits(kind) ? refractions_ >= depth.refraction : reflections_ >= depth.reflection;
 }
@@ -150,6 +152,8 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                     .environment_on_diffuse = diffuse,
                     .environment_in_reflections = !limits_reflections(closure),
                     .rays_bend = !after_diffuse_,
+                    .for_the_eye = !after_diffuse_,
+                    .portals_mapped = reads_photons(),
                     .falloff_distance = falloff_distance(closure),
                     .estimator = settings_.estimator},
                    sampler_, counts_);
@@ -178,6 +182,10 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   switch (lobe.kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:
+      if (after_diffuse_)
+        throughput_ *= settings_.further_bounces;
+      else if (settings_.maps && settings_.maps->gather)
+        throughput_ *= settings_.maps->gather_scale;
       kind_ = RayKind::FinalGather;
       after_diffuse_ = true;
       blurred_ = false;
@@ -274,7 +282,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   LobeChoice choice;
   make_ready(closure, point.wo());
   occlude(closure, point);
-  const bool mapped = settings_.maps && settings_.indirect;
+  const bool mapped = settings_.maps;
   const bool diffuse = !(mapped && take_mapped(closure, point)) && indirect();
   choose_lobes(closure, choice, diffuse);
   if (mapped) emulate(closure, point);
@@ -300,6 +308,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   from_.shadows = takes_shadows(world_, point);
   from_.invisible = light_in_reflection(closure, false);
   from_.visible = light_in_reflection(closure, true);
+  from_.hidden_portal = hidden_portal_in_reflection(closure);
   if (!splits) {
     float u = sampler_.next_1d();
     const int lobe = choose_lobe(closure, choice, u);

@@ -51,7 +51,7 @@ class Path {
     bool environment_sampled = false;
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
-    LightInReflection invisible, visible;  ///< lights, in reflecting lobes
+    LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
     bool shadows = true;
     float passed = 0;  ///< way of the ray since, through what let it pass straight
   };
@@ -89,6 +89,7 @@ class Path {
 
   // path_light.cpp
   void meet_lights(float t_surface, bool& ended);
+  bool ends_at(const Portal& portal) const;
   void meet_environment();
   void darken_near(float t);
   void fade(float t);
@@ -117,8 +118,7 @@ class Path {
   }
   /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
   bool reads_photons() const {
-    return settings_.maps && settings_.maps->global && indirect() &&
-           (after_diffuse_ || !settings_.maps->gather);
+    return settings_.maps && settings_.maps->global && (after_diffuse_ || !settings_.maps->gather);
   }
   /// Whether light that comes to a diffuse surface by mirrors and glass is in the caustic map, so
   /// that rays behind that surface must not find it again.

@@ -2,6 +2,8 @@
 #include "transport/photon_trace.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "base/parallel.h"
 #include "transport/photon_walk.h"
@@ -35,6 +37,14 @@ struct Harvest {
     return count.store > 0 && photons.empty() && sent >= kHopelessPhotons;
   }
 
+  double share_done(std::uint64_t sent) const {
+    if (!wanted) return 0;
+    const double of_sent = static_cast<double>(sent) / static_cast<double>(most());
+    if (count.store == 0) return of_sent;
+    return std::max(of_sent, std::min(1.0, static_cast<double>(photons.size()) /
+                                               static_cast<double>(count.store)));
+  }
+
   /// Drops what came past the limits and appends the rest, each its share of the power.
   void take_to(std::vector<Photon>& map, std::uint64_t sent) const {
     std::uint64_t emitted = std::min(sent, most());
@@ -51,17 +61,19 @@ struct Harvest {
 
 class Tracer {
  public:
-  Tracer(const World& world, const PhotonSettings& settings) : world_(world), settings_(settings) {}
+  Tracer(const World& world, const PhotonSettings& settings, const Watch& watch)
+      : world_(world), settings_(settings), watch_(watch) {}
 
-  void trace(const PhotonSource& source, const LightPhotons& asked, int stream) {
+  /// `share`: of all lights, how many were traced before and are when this one is.
+  void trace(const PhotonSource& source, const LightPhotons& asked, int stream,
+             const std::array<double, 2>& share) {
     Harvest global{asked.global, settings_.globillum && asked.global.any(), {}};
     Harvest caustic{asked.caustic, settings_.caustics && asked.caustic.any(), {}};
     // Photons that no map asks for any more are not followed.
     PhotonSettings settings = settings_;
-    settings.lights.clear();
     PhotonBalance balance;
     std::uint64_t sent = 0;
-    while (true) {
+    while (!watch_.cancelled()) {
       settings.globillum = global.wanted && !global.is_done(sent);
       settings.caustics = caustic.wanted && !caustic.is_done(sent);
       if (!settings.globillum && !settings.caustics) break;
@@ -81,6 +93,8 @@ class Tracer {
         counts_ += log.counts;
       }
       sent = end;
+      const double done = std::max(global.share_done(sent), caustic.share_done(sent));
+      watch_.tell("photons", std::lerp(share[0], share[1], done));
     }
     if (sent == 0) return;
     global.take_to(global_, sent);
@@ -101,6 +115,7 @@ class Tracer {
  private:
   const World& world_;
   const PhotonSettings& settings_;
+  const Watch& watch_;
   std::vector<Photon> global_, caustic_;
   PhotonBalance balance_;
   RayCounts counts_;
@@ -118,16 +133,20 @@ PhotonBalance& PhotonBalance::operator+=(const PhotonBalance& o) {
 }
 
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
-                         PhotonBalance* balance) {
-  Tracer tracer(world, settings);
+                         PhotonBalance* balance, const Watch& watch) {
+  Tracer tracer(world, settings, watch);
+  const double sources = static_cast<double>(world.lights.size()) + 1;
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
-    const LightPhotons& asked = i < settings.lights.size() ? settings.lights[i] : settings.each;
-    if (!asked.global.any() && !asked.caustic.any()) continue;
-    tracer.trace(PhotonSource(world, world.lights[i], asked.emission), asked,
-                 static_cast<int>(i) + 1);
+    const LightPhotons& own = world.lights[i].photons;
+    const LightPhotons& asked = own.any() ? own : settings.each;
+    if (!asked.any()) continue;
+    const double done = static_cast<double>(i);
+    tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked,
+                 static_cast<int>(i) + 1, {done / sources, (done + 1) / sources});
   }
   if (world.environment.lights())
-    tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0);
+    tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0,
+                 {1 - 1 / sources, 1});
   counts += tracer.counts();
   if (balance) *balance += tracer.balance();
   return tracer.maps();

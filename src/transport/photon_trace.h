@@ -8,30 +8,18 @@
 #include "runtime/light_emission.h"
 #include "transport/counts.h"
 #include "transport/photon_file.h"
+#include "transport/watch.h"
 
 namespace oriel {
 
 /// A light of which this many photons left none to store is given up.
 inline constexpr std::uint64_t kHopelessPhotons = 100000;
 
-/// How many photons of a light; what is reached first ends them, 0 = no limit. Neither: none.
-struct PhotonCount {
-  std::uint64_t store = 0;  ///< that are stored in the map
-  std::uint64_t emit = 0;   ///< that are sent
-  bool any() const { return store > 0 || emit > 0; }
-};
-
-struct LightPhotons {
-  PhotonCount global, caustic;
-  EmissionRequest emission;
-};
-
 struct PhotonSettings {
   bool globillum = true, caustics = true;
-  LightPhotons each;                 ///< of lights past the end of `lights`
-  std::vector<LightPhotons> lights;  ///< as World::lights
-  LightPhotons environment;          ///< none unless asked: hosts leave the sky to final gathering
-  scene::TraceDepth depth{5, 5, 5};  ///< bounces of all kinds, diffuse reflection included
+  LightPhotons each;         ///< counts of lights that write none of their own
+  LightPhotons environment;  ///< none unless asked: hosts leave the sky to final gathering
+  scene::TraceDepth depth{5, 5, 5};           ///< bounces of all kinds, diffuse reflection included
   float merge_global = 0, merge_caustic = 0;  ///< see PhotonMap
   std::uint32_t seed = 0;
 };
@@ -60,10 +48,10 @@ struct PhotonBalance {
 ///          global map, direct light in neither. Caustic and global photons of a light are the
 ///          same photons as far as both are asked for. Lists of lights of instances and materials
 ///          do not apply, nor do limits of reflection rays (cut-off, falloff, own depth).
-/// Returns: maps that depend on the world and the settings alone, not on threads. Segments are
-///          counted as gather rays.
+/// Returns: maps that depend on the world and the settings alone, not on threads; where `watch` is
+///          cancelled, of the photons sent until then. Segments are counted as gather rays.
 /// Checked: PhotonTrace.* in tests/analytic/photon_test.cpp.
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
-                         PhotonBalance* balance = nullptr);
+                         PhotonBalance* balance = nullptr, const Watch& watch = {});
 
 }  // namespace oriel

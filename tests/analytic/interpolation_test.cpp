@@ -71,7 +71,7 @@ TEST(Interpolation, DensitiesAreTheManualsAndRaysFallWithThem) {
                                     ", \"intr_grid_density\" " + std::to_string(d)));
     ASSERT_TRUE(s.world);
     RayCounts counts;
-    const GlossyGrid grid(*s.world, true, 0, counts);
+    const GlossyGrid grid(*s.world, {}, 0, counts);
     EXPECT_EQ(grid.width(d), static_cast<int>(std::ceil(64 * points[d])));
     EXPECT_EQ(grid.height(d), static_cast<int>(std::ceil(48 * points[d])));
     EXPECT_EQ(counts.eye, static_cast<std::uint64_t>(grid.width(d) * grid.height(d)));
@@ -86,7 +86,7 @@ TEST(Interpolation, MorePointsSmoothMore) {
       two_edges("\"refl_gloss\" .2, \"refl_gloss_samples\" 2" + kOn + ", \"intr_grid_density\" 1"));
   ASSERT_TRUE(s.world);
   RayCounts counts;
-  const GlossyGrid grid(*s.world, true, 0, counts);
+  const GlossyGrid grid(*s.world, {}, 0, counts);
   const Material& m = *s.material("m");
   // Noise along the edge, where the reflection is half of both.
   const auto variance = [&](int n) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gather_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "base/parallel.h"
+
+namespace oriel {
+namespace {
+
+/// Pixels between gather points of the last pass at presample density 1; a guess.
+constexpr float kFinestStep = 4;
+/// Passes, each twice as fine as the one before.
+constexpr int kPasses = 4;
+/// Streams of the points of one path, and what tells them from those of its lobes.
+constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
+
+}  // namespace
+
+void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
+                        GatherCache& cache, RayCounts& counts, const Watch& watch,
+                        const std::function<void()>& after_pass) {
+  const float density = std::max(passes.density, 0.01f);
+  const int finest =
+      std::clamp(static_cast<int>(std::lround(kFinestStep / std::sqrt(density))), 1, 64);
+  const PathSettings visiting{.indirect = true};
+  // A pass has four times the points of the one before; most of them need no record.
+  double done = 0, share = std::pow(4.0, -kPasses) * 3 / (1 - std::pow(4.0, -kPasses));
+  for (int pass = 0; pass < kPasses && !watch.cancelled(); ++pass, share *= 4) {
+    const int step = finest << (kPasses - 1 - pass);
+    std::vector<int> rows;
+    for (int y = window.y0 + step / 2; y < window.y1; y += step) rows.push_back(y);
+    std::vector<std::vector<GatherRecord>> made(rows.size());
+    std::mutex mutex;
+    std::size_t rows_done = 0;
+    parallel_for(rows.size(), [&](std::size_t r) {
+      if (watch.cancelled()) return;
+      RayCounts mine;
+      std::vector<GatherPoint> points;
+      for (int x = window.x0 + step / 2; x < window.x1; x += step) {
+        sampling::Sampler sampler(x, rows[r], static_cast<std::uint32_t>(pass),
+                                  passes.seed + 0xf9u);
+        points.clear();
+        visit_gather_points(world,
+                            Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(rows[r]) + 0.5f),
+                            visiting, sampler, mine, points);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          if (cache.interpolate(query_at(passes.covered, points[i].point, points[i].normal)))
+            continue;
+          const auto stream =
+              sampler.split(static_cast<std::uint32_t>(i), kMostPointsOfPath, kGatherBranch);
+          made[r].push_back(gather_at(world, points[i], passes.records, stream, mine));
+        }
+      }
+      const std::lock_guard lock(mutex);
+      counts += mine;
+      watch.tell("gather points", done + share * static_cast<double>(++rows_done) /
+                                             static_cast<double>(rows.size()));
+    });
+    for (const auto& row : made) cache.insert(row);
+    cache.clamp_to_neighbours();
+    done += share;
+    after_pass();
+  }
+}
+
+}  // namespace oriel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Final gathering for a picture: passes that place points where the eye sees surfaces.
+#pragma once
+
+#include "render/window.h"
+#include "transport/gather_points.h"
+#include "transport/watch.h"
+
+namespace oriel {
+
+/// What the passes go by.
+struct GatherPasses {
+  GatherSettings records;
+  GatherQuery covered;  ///< a point that such a look-up answers needs no record
+  float density = 1;    ///< points for each that the grid of density 1 has
+  std::uint32_t seed = 0;
+};
+
+/// Adds records until every surface seen through the finest grid has some.
+///
+/// Model:   passes over ever finer grids of the picture: a pass asks the cache as it stands,
+///          gathers where it knows nothing, and adds all new records in the order of pixels; so
+///          the result does not depend on threads. After each pass radii are clamped to the
+///          neighbours' and `after_pass` is called.
+/// Checked: tests/keystone, GatherPasses.* in tests/analytic/gather_options_test.cpp
+void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
+                        GatherCache& cache, RayCounts& counts, const Watch& watch,
+                        const std::function<void()>& after_pass);
+
+}  // namespace oriel
