@@ -37,19 +37,6 @@ bool is_flat(LightShape shape) {
   return shape == LightShape::Rectangle || shape == LightShape::Disc;
 }
 
-/// Whether the edges stand square on each other. The solid angle of other parallelograms has no
-/// such simple sampling; they are sampled by area.
-bool has_square_corners(const Light& light) {
-  const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
-  return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
-}
-
-/// Sample of an extended shape: where, and density per solid angle.
-struct ShapeSample {
-  Vec3 position, wi;
-  float distance, cosine, pdf;
-};
-
 std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
   ShapeSample s;
   if (light.shape == LightShape::Rectangle && has_square_corners(light)) {
@@ -100,10 +87,33 @@ std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Ve
   return s;
 }
 
+std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, Vec2 u) {
+  const Portal& portal = *light.portal;
+  const auto s = portal.table ? sample_through(light, from, u) : sample_flat(light, from, u);
+  if (!s || !(s->distance > 0)) return std::nullopt;
+  const Rgb radiance = portal_radiance(light, from, s->wi, s->distance, s->cosine);
+  if (is_black(radiance)) return std::nullopt;
+  LightSample sample;
+  sample.wi = s->wi;
+  sample.distance = s->distance;
+  sample.reach = std::max(0.0f, s->distance + portal.shadow_extension);
+  sample.irradiance = radiance / s->pdf;
+  // A ray meets other blockers than those that count.
+  sample.pdf = portal.shadow_extension == 0 ? s->pdf : 0;
+  sample.shadow = portal.shadows;
+  return sample;
+}
+
 }  // namespace
+
+bool has_square_corners(const Light& light) {
+  const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
+  return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
+}
 
 std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u) {
   const Vec3& p = point.position;
+  if (light.portal) return sample_portal(light, p, u);
   LightSample sample;
   if (light.shape == LightShape::Directional || light.shape == LightShape::Point) {
     if (light.shape == LightShape::Directional) {
@@ -137,6 +147,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     sample.shadow_factor = value.shadow_factor;
   }
   if (is_black(sample.irradiance)) return std::nullopt;
+  sample.reach = sample.distance;
   return sample;
 }
 
@@ -158,10 +169,13 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
           geom::intersect(geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f},
                           o, direction, 0.0f, t_most);
       if (!hit) return std::nullopt;
-      result.pdf = has_square_corners(light)
-                       ? sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
-                             .pdf(direction, hit->t)
-                       : sqr(hit->t) / (light.area * cosine);
+      if (light.portal && light.portal->table)
+        result.pdf = pdf_through(light, o, direction);
+      else
+        result.pdf = has_square_corners(light)
+                         ? sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
+                               .pdf(direction, hit->t)
+                         : sqr(hit->t) / (light.area * cosine);
       break;
     }
     case LightShape::Disc:
@@ -190,6 +204,11 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
     }
   }
   result.t = hit->t;
+  if (light.portal) {
+    result.radiance = portal_radiance(light, o, direction, hit->t, cosine);
+    result.shadow = light.portal->shadows && light.portal->shadow_extension == 0;
+    return result;
+  }
   const LightValue value =
       ask_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
   result.radiance = radiance_of(light, value.colour, hit->t, cosine);
@@ -198,6 +217,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
 }
 
 float estimate_irradiance(const Light& light, ShadingPoint& point) {
+  if (light.portal) return estimate_portal(light, point.position);
   Vec3 direction = light.direction;
   float distance = kInfinity, cosine = 1;
   if (light.shape != LightShape::Directional) {

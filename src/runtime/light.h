@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "runtime/light_photons.h"
+#include "runtime/portal.h"
 #include "runtime/shader_node.h"
 
 namespace oriel {
@@ -32,18 +34,23 @@ struct Light {
   float cone_angle = 0;  ///< Directional: half-angle of the cone, radians
   float exponent = 2;    ///< distance decay written in the element (physical_light)
   bool visible = false;  ///< the shape is seen by rays
+  LightPhotons photons;  ///< as its element and its shader ask
   Mat4 to_local;         ///< world to the light's space
   Mat4 to_world;
   const ShaderNode* shader = nullptr;
   std::unique_ptr<ShaderState> state;  ///< what the shader worked out for this light
+  std::unique_ptr<Portal> portal;      ///< set: it shines with the environment behind it
 };
 
 /// Light arriving at a point from one sample.
 struct LightSample {
   Vec3 wi{0};          ///< unit, from the point to the light
   float distance = 0;  ///< infinity for directional lights
+  float reach = 0;     ///< up to which things cast shadows
   Rgb irradiance{0};   ///< radiance / pdf: irradiance of a surface facing the light
-  float pdf = 0;       ///< per solid angle; 0 = the light has no extent (no MIS)
+  /// Per solid angle; 0 = no ray finds the light: it has no extent, or not its own place for
+  /// shadows.
+  float pdf = 0;
   bool shadow = true;
   float shadow_factor = 0;
 };
@@ -60,9 +67,9 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
 /// A ray that met a light's shape.
 struct LightHit {
   float t = 0;
-  Rgb radiance{0};  ///< toward the ray's origin
-  float pdf = 0;    ///< per solid angle with which sample_light would have chosen this direction
-  bool shadow = true;
+  Rgb radiance{0};     ///< toward the ray's origin
+  float pdf = 0;       ///< per solid angle with which sample_light would have chosen this direction
+  bool shadow = true;  ///< false: samples of the light stand alone
 };
 
 /// Intersects the shape within (0, t_most) and evaluates its radiance; nothing for lights without
@@ -73,5 +80,9 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
 /// Cosine-free estimate of the irradiance the light may bring to a point, shadows ignored; used to
 /// choose among lights.
 float estimate_irradiance(const Light& light, ShadingPoint& point);
+
+/// Whether the edges of a rectangle stand square on each other. The solid angle of other
+/// parallelograms has no such simple sampling; they are sampled by area.
+bool has_square_corners(const Light& light);
 
 }  // namespace oriel

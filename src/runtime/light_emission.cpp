@@ -62,6 +62,8 @@ PhotonSource::PhotonSource(const World& world, const EmissionRequest& request) :
 PhotonSource::PhotonSource(const World& world, const Light& light, const EmissionRequest& request)
     : world_(&world), light_(&light) {
   aim_at(request.aim.value_or(geom::Box3()));
+  // A portal's photons are as strong as what is behind it, whatever the element says.
+  if (light.portal) return;
   if (is_flat(light.shape)) by_cosine_ = !lacks_cosine(world, light);
   if (!request.energy) return;
   mean_luminance_ = luminance(estimate_flux(kFluxSamples));
@@ -132,6 +134,13 @@ EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
     photon.origin = light.position + light.edge_u * (2 * u_place.y - 1) + normal * light.radius;
     area = kTwoPi * light.radius * 2 * half;
   }
+  if (light.portal && light.portal->table) {
+    const PortalDirection d = sample_portal_direction(light, u_direction);
+    photon.direction = -d.outward;
+    photon.weight = d.pdf > 0 ? area * dot(photon.direction, normal) / d.pdf : 0;
+    photon.origin -= photon.direction * light.portal->shadow_extension;
+    return photon;
+  }
   // A spread limits flat lights around their normal, round ones not around every normal.
   cone = is_flat(light.shape) ? std::min(cone, 1.0f) : 1.0f;
   Vec3 local;
@@ -145,6 +154,7 @@ EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
     photon.weight = area * kTwoPi * cone * local.z;
   }
   photon.direction = Frame(normal).to_world(local);
+  if (light.portal) photon.origin -= photon.direction * light.portal->shadow_extension;
   return photon;
 }
 
@@ -164,6 +174,13 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
     if (!s) return Rgb(0);
     const float spreads = light.shape == LightShape::Point ? sqr(s->distance) : 1.0f;
     return s->irradiance * (spreads * photon.weight);
+  }
+  if (light.portal) {
+    // Nothing arrives on this side of where it begins, inside or out.
+    const float cosine = dot(photon.direction, light.direction);
+    const float way = dot(point.position - light.position, light.direction) / cosine;
+    if (!(way > 0) || !(cosine > 0)) return Rgb(0);
+    return portal_radiance(light, point.position, -photon.direction, way, cosine) * photon.weight;
   }
   auto hit = intersect_light(light, point, -photon.direction, kInfinity);
   if (!hit) {

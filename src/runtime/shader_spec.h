@@ -15,6 +15,8 @@ namespace oriel {
 
 struct Closure;
 struct Light;
+struct PortalTraits;
+struct LightPhotons;
 
 /// Where a shader may stand; bits, in the words of `apply`.
 enum Apply : unsigned {
@@ -69,14 +71,14 @@ struct LensCall {
   bool orthographic = false;
 };
 
-/// A built-in shader. Functions are null where the shader has no such role.
-struct ShaderSpec {
 /// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
 /// arrives, and `added` comes on top.
 struct AirValue {
   Rgb kept{1}, added{0};
 };
 
+/// A built-in shader. Functions are null where the shader has no such role.
+struct ShaderSpec {
   const char* name;
   const char* library;  ///< "architectural", "base", "physics"
   int version = 1;
@@ -96,18 +98,22 @@ struct AirValue {
   LightValue (*light)(const Call&, const LightCall&) = nullptr;
   /// Built once for each light the shader stands in.
   std::unique_ptr<ShaderState> (*prepare_light)(const void* params, const Light&) = nullptr;
+  /// For lights that stand in a window (runtime/portal.h), instead of `light`. False: it is off.
+  bool (*portal)(const void* params, PortalTraits&) = nullptr;
   /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
   float (*light_cone)(const void* params) = nullptr;
+  /// What it says of the photons of the light it stands in, over what the element says.
+  void (*photons)(const void* params, const Light&, LightPhotons&) = nullptr;
   /// Maps a colour on its way to the film.
   Rgb (*lens)(const Call&, const LensCall&, const Rgb&) = nullptr;
+  /// Acts as a volume: between call.point's ray origin and the surface at its ray_length.
+  AirValue (*volume)(const Call&) = nullptr;
   /// Built once from the constant parameters.
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
   /// False when constant parameters rule out that light passes (cut-out, transparency).
   bool (*may_transmit)(const ShaderNode&) = nullptr;
   /// False when constant parameters leave the result as the only output. Null: it has all.
   bool (*has_outputs)(const ShaderNode&) = nullptr;
-  /// Acts as a volume: between call.point's ray origin and the surface at its ray_length.
-  AirValue (*volume)(const Call&) = nullptr;
   /// Densities of the grids it interpolates over, a bit each. Null: none.
   unsigned (*grids)(const ShaderNode&) = nullptr;
 };

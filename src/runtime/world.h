@@ -38,13 +38,15 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
+  std::vector<int> portals;  ///< indices into lights
+  bool has_gels = false;     ///< some portal dims what is seen through it
   bool has_area_lights = false;  ///< some light has a shape that rays can meet
   EnvironmentLight environment;
   NodeList lens;                          ///< colour-mapping lens shaders, in order
-  bool has_transparent_blockers = false;  ///< some material may let light pass
-
   NodeList air;                           ///< volume shaders of the camera: around all rays
   NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
+  bool has_transparent_blockers = false;  ///< some material may let light pass
+
   std::deque<std::unique_ptr<ShaderNode>> nodes;
   TextureSystem texture_system;
   std::deque<std::unique_ptr<TextureNode>> textures;

@@ -155,6 +155,21 @@ sun_direction | vector | -
 sun | light | -
 y_is_up | boolean | -
 )";
+constexpr std::string_view kPortalTable = R"(
+on | boolean | on
+multiplier | scalar | 1
+tint_color | color | 1 1 1
+reverse | boolean | off
+cutoff_threshold | scalar | 0.005
+shadows | boolean | on
+use_custom_environment | boolean | off
+custom_environment | shader | -
+visible | boolean | off
+lookup_using_fg_rays | boolean | on
+shadow_ray_extension | scalar | 0
+emit_direct_photons | boolean | off
+transparency | color | 1 1 1
+)";
 constexpr std::string_view kPhotographicTable = R"(
 cm2_factor | scalar | 1
 whitepoint | color | 1 1 1
@@ -251,10 +266,11 @@ TEST(Declarations, MaterialIsTheFirstSixtySevenRows) {
   EXPECT_EQ(spec_of("mia_material").params.size(), 67u);
 }
 
-TEST(Declarations, SunSkyAndExposuresAreTheDeclaredTables) {
+TEST(Declarations, SunSkyPortalAndExposuresAreTheDeclaredTables) {
   EXPECT_EQ(table_of("mia_physicalsun"), kPhysicalSunTable);
   EXPECT_EQ(table_of("mia_physicalsky"), kPhysicalSkyTable);
   EXPECT_EQ(table_of("mia_ciesky"), kCieSkyTable);
+  EXPECT_EQ(table_of("mia_portal_light"), kPortalTable);
   EXPECT_EQ(table_of("mia_exposure_photographic"), kPhotographicTable);
   EXPECT_EQ(table_of("mia_exposure_simple"), kSimpleTable);
 }
@@ -263,6 +279,7 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
   EXPECT_GE(spec_of("mia_material_x").version, 15);
   EXPECT_EQ(spec_of("mia_physicalsun").version, 6);
   EXPECT_EQ(spec_of("mia_physicalsky").version, 5);
+  EXPECT_EQ(spec_of("mia_portal_light").version, 9);
   EXPECT_EQ(spec_of("mia_exposure_photographic").version, 4);
   EXPECT_EQ(spec_of("mia_exposure_simple").version, 1);
 }
@@ -317,7 +334,8 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_NE(spec->apply, 0u) << spec->name;
     EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
     EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
-    EXPECT_TRUE(spec->value || spec->material || spec->light || spec->lens) << spec->name;
+    EXPECT_TRUE(spec->value || spec->material || spec->light || spec->lens || spec->portal)
+        << spec->name;
     std::set<std::string> names;
     for (const ParamSpec& p : spec->params) {
       const std::string what = fmt::format("{}.{}", spec->name, p.name);

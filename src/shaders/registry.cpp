@@ -5,6 +5,7 @@
 
 #include "shaders/architectural/mia_exposure.h"
 #include "shaders/architectural/mia_material.h"
+#include "shaders/architectural/mia_portal_light.h"
 #include "shaders/architectural/mia_sun_sky.h"
 #include "shaders/base/mib_illum.h"
 #include "shaders/base/mib_light.h"
@@ -56,6 +57,7 @@ const Registry& builtin_shaders() {
       &kMiaMaterialXPasses,
       &kMiaPhysicalSun,
       &kMiaPhysicalSky,
+      &kMiaPortalLight,
       &kMiaCieSky,
       &kMiaExposurePhotographic,
       &kMiaExposureSimple,  //

@@ -19,6 +19,9 @@ bool contains(const ArrayView<LightRef>& list, int light) {
 }  // namespace
 
 bool LightChoice::lit_by(int light) const {
+  const Light& l = world_->lights[static_cast<std::size_t>(light)];
+  if (l.portal && l.portal->photons_only) return false;
+  if (world_->lights[static_cast<std::size_t>(light)].photons.only) return false;
   if (mode_ == 1) return contains(listed_, light);
   if (mode_ == 2) return !contains(listed_, light);
   if (mode_ == 0 && listed_.size > 0) return contains(listed_, light);
@@ -34,37 +37,54 @@ LightChoice::LightChoice(const World& world, ShadingPoint& point, const Closure&
                                    : &world.instances[static_cast<std::size_t>(point.instance)]),
       mode_(closure.light_mode),
       listed_(closure.lights) {
-  const int lights = static_cast<int>(world.lights.size());
-  count_ = lights;
-  all_ = lights <= kSampleAll;
-  if (lights > kMostWeighed) return;
-  for (int i = 0; i < lights; ++i) {
+  count_ = static_cast<int>(world.lights.size());
+  if (count_ > kMostWeighed) {
+    usual_.all = false;
+    return;
+  }
+  const int portals = static_cast<int>(world.portals.size());
+  weigh(usual_, count_ - portals, false, point);
+  if (portals > 0) weigh(portals_, portals, true, point);
+}
+
+void LightChoice::weigh(Group& group, int count, bool portals, ShadingPoint& point) {
+  group.all = count <= (portals ? kSampleAllPortals : kSampleAll);
+  for (int i = 0; i < count_; ++i) {
+    if (is_portal(i) != portals) continue;
     estimate_[i] = 0;
     if (!lit_by(i)) continue;
-    estimate_[i] = all_ ? 1 : estimate_irradiance(world.lights[static_cast<std::size_t>(i)], point);
-    total_ += estimate_[i];
+    estimate_[i] =
+        group.all ? 1 : estimate_irradiance(world_->lights[static_cast<std::size_t>(i)], point);
+    group.total += estimate_[i];
   }
-  if (all_) return;
-  const float least = kLeastShare * total_ / static_cast<float>(lights);
-  total_ = 0;
-  for (int i = 0; i < lights; ++i) {
-    if (!lit_by(i)) continue;
+  if (group.all) return;
+  const float least = kLeastShare * group.total / static_cast<float>(count);
+  group.total = 0;
+  for (int i = 0; i < count_; ++i) {
+    if (is_portal(i) != portals || !lit_by(i)) continue;
+    // Portals that a point sees nothing of cannot light it.
+    if (portals && estimate_[i] <= 0) continue;
     estimate_[i] = std::max(estimate_[i], std::max(least, 1e-20f));
-    total_ += estimate_[i];
+    group.total += estimate_[i];
   }
 }
 
 float LightChoice::rate(int light) const {
   if (count_ == 0) return 0;
   if (count_ > kMostWeighed) return lit_by(light) ? 1.0f / static_cast<float>(count_) : 0.0f;
-  if (all_) return estimate_[light];
-  return total_ > 0 ? estimate_[light] / total_ : 0;
+  const Group& group = group_of(light);
+  if (group.all) return estimate_[light];
+  return group.total > 0 ? estimate_[light] / group.total : 0;
 }
 
 LightInReflection light_in_reflection(const Closure& closure, bool visible) {
   if (!visible) return {0, closure.highlight_scale};
   // A visible light is reflected; its highlight comes on top only when the material asks.
   return {1, closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
+}
+
+LightInReflection hidden_portal_in_reflection(const Closure& closure) {
+  return {0, light_in_reflection(closure, true).as_highlight};
 }
 
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
@@ -83,27 +103,37 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     const Light& light = world.lights[static_cast<std::size_t>(index)];
     const auto s = sample_light(light, point, sampler.next_2d());
     if (!s) return;
-    const Response r = evaluate_closure(closure, lobes, point, wo, s->wi,
-                                        light.visible && !closure.highlights_of_visible_lights);
-    const LightInReflection in = light_in_reflection(closure, light.visible);
+    Response r = evaluate_closure(closure, lobes, point, wo, s->wi,
+                                  light.visible && !closure.highlights_of_visible_lights);
+    const bool looked_through = light.portal && !light.portal->visible;
+    const LightInReflection in = looked_through ? hidden_portal_in_reflection(closure)
+                                                : light_in_reflection(closure, light.visible);
+    if (looked_through) r.refraction.value = Rgb(0);
     const Rgb highlight = r.highlight * closure.highlight_scale;
     if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
       return;
     const float kept = linear_fade(s->distance, request.falloff_distance);
     const Rgb arriving = s->irradiance / rate;
+    // What portals on the way, and its own, leave of it for the eye.
+    Rgb view(1);
+    if (request.for_the_eye && world.has_gels)
+      view = portals_on_way(world, point.position, s->wi, s->distance * kShortOfPortal).view;
+    if (request.for_the_eye && light.portal && light.portal->visible)
+      view *= light.portal->transparency;
     // Factors of what rays could have found and of what they could not, after shadows.
     const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
                          const Rgb& highlights) {
       const bool behind = dot(s->wi, point.geometric_normal) < 0;
       (behind ? sum.translucency : sum.diffuse) += r.diffuse.value * diffuse * arriving;
-      sum.reflection += r.reflection.value * reflection * arriving * (in.as_reflection * kept);
+      sum.reflection +=
+          r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
       sum.specular +=
           (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
-      sum.refraction += r.refraction.value * refraction * arriving;
+      sum.refraction += r.refraction.value * refraction * arriving * view;
     };
     if (!shadows || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
 
-    const Openness open = shadow_transmittance(world, point, s->wi, s->distance, counts);
+    const Openness open = shadow_transmittance(world, point, s->wi, s->reach, counts);
     const auto weight = [&](const Response::Part& part) {
       return s->pdf > 0 ? light_sample_weight(request.estimator, s->pdf * rate, part.pdf) : 1.0f;
     };
@@ -121,8 +151,18 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     const auto s = world.environment.sample(sampler.next_2d());
     Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
     if (!request.environment_on_diffuse) r.diffuse.value = Rgb(0);
-    const Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);
-    if (!is_black(r.diffuse.value + reflection + r.refraction.value) && s.pdf > 0) {
+    Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);
+    if (!world.portals.empty()) {
+      const PortalsOnWay way =
+          portals_on_way(world, point.position, s.wi, std::numeric_limits<float>::infinity(),
+                         request.portals_mapped);
+      if (way.ends_diffuse) r.diffuse.value = Rgb(0);
+      Rgb view(way.ends_view ? 0.0f : 1.0f);
+      if (request.for_the_eye) view *= way.view;
+      reflection *= view;
+      r.refraction.value *= view;
+    }
+    if (s.pdf > 0 && !is_black(r.diffuse.value + reflection + r.refraction.value)) {
       const Openness open =
           shadow_transmittance(world, point, s.wi, std::numeric_limits<float>::infinity(), counts);
       const Rgb straight = request.rays_bend ? open.cut_outs : open.all;

@@ -6,9 +6,15 @@
 
 namespace oriel {
 
+/// Whether the ray ends at a portal that it meets from inside.
+bool Path::ends_at(const Portal& portal) const {
+  return kind_ == RayKind::FinalGather ? portal.blocks_diffuse_rays() : portal.visible;
+}
+
 /// Lights with a shape that the ray meets before the surface. A visible light ends rays that see it
 /// as an object (camera and mirrors); bundles only collect its weighed light and go on, since
-/// lights do not shadow each other.
+/// lights do not shadow each other. Portals end bundles as well: what is behind them is in their
+/// light.
 void Path::meet_lights(float t_surface, bool& ended) {
   if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   const bool sees = !from_.weighed;
@@ -17,43 +23,65 @@ void Path::meet_lights(float t_surface, bool& ended) {
   origin.position = ray_.org;
   origin.world = &world_;
   Rgb seen(0);
+  // What visible portals show the eye of themselves, hidden ones of what is behind them.
+  const bool dims = kind_ != RayKind::FinalGather && !after_diffuse_;
+  const auto own_view = [&](const Light& light) {
+    return dims && light.portal && light.portal->visible ? light.portal->transparency : Rgb(1);
+  };
+  const auto view_to = [&](float t) {
+    if (!dims || !world_.has_gels) return Rgb(1);
+    return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal).view;
+  };
   for (std::size_t i = 0; i < world_.lights.size(); ++i) {
     const Light& light = world_.lights[i];
     if (light.shape == LightShape::Point || light.shape == LightShape::Directional) continue;
-    if (sees && !light.visible) continue;
-    if (sees) {
-      const auto hit = intersect_light(light, origin, ray_.dir, nearest);
-      if (!hit) continue;
-      nearest = hit->t;
-      seen = hit->radiance;
-      ended = true;
-      continue;
+    const Portal* portal = light.portal.get();
+    if (sees || portal) {
+      const bool ends = portal ? ends_at(*portal) : light.visible;
+      const auto hit = ends ? intersect_light(light, origin, ray_.dir, nearest) : std::nullopt;
+      if (hit) {
+        nearest = hit->t;
+        seen = sees ? hit->radiance * own_view(light) : Rgb(0);
+        ended = true;
+      }
+      if (sees) continue;
     }
+    const bool looked_through = portal && !portal->visible;
+    if (looked_through && from_.group == LobeGroup::Refraction) continue;
+    const bool alone = portal && portal->photons_only && portal->visible;  // never sampled
     const float rate = from_.lights.rate(static_cast<int>(i));
-    if (rate <= 0) continue;
+    if (rate <= 0 && !alone) continue;
     const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
-    if (!hit || hit->t < from_.passed || !hit->shadow || !from_.shadows) continue;
-    const Rgb arriving = lights_ * hit->radiance *
-                         transmittance(medium_.medium, hit->t - from_.passed) *
-                         bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
+    if (!hit || hit->t < from_.passed) continue;
+    if (!alone && (!hit->shadow || !from_.shadows)) continue;
+    const float weight =
+        alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
+    const Rgb arriving =
+        lights_ * hit->radiance * transmittance(medium_.medium, hit->t - from_.passed) * weight;
+    const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     if (from_.group == LobeGroup::Reflection) {
-      const LightInReflection& in = light.visible ? from_.visible : from_.invisible;
+      const LightInReflection& in = looked_through  ? from_.hidden_portal
+                                    : light.visible ? from_.visible
+                                                    : from_.invisible;
       add(after_vertex(Component::Reflection),
-          arriving * (in.as_reflection * fading_.kept(hit->t)));
+          arriving * view * (in.as_reflection * fading_.kept(hit->t)));
       add(after_vertex(Component::Specular), arriving * in.as_highlight);
     } else {
       // Light sources on diffuse lobes are direct light, however they are found.
       add(after_vertex(component_ == Component::Indirect ? Component::Diffuse : component_),
-          arriving);
+          arriving * view);
     }
   }
-  if (ended) {
-    const float kept = fading_.kept(nearest);
-    Rgb radiance = seen * transmittance(medium_.medium, nearest) * kept;
-    if (kept < 1) radiance += faded_to() * (1 - kept);
-    add(component_, throughput_ * radiance);
-    if (first_) result_->alpha = 1;
-  }
+  const Rgb view = view_to(nearest);
+  if (!ended) return dim(view);
+  const float kept = fading_.kept(nearest);
+  Rgb radiance = seen * view * transmittance(medium_.medium, nearest) * kept;
+  if (kept < 1) radiance += faded_to() * (1 - kept);
+  add(component_, throughput_ * radiance);
+  if (!first_) return;
+  result_->alpha = 1;
+  // To gather rays a portal is a black wall.
+  if (!sees) result_->depth = nearest;
 }
 
 Rgb Path::reflected_environment(const Vec3& direction) {

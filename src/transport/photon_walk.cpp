@@ -91,7 +91,8 @@ void PhotonWalk::pass_medium(const Medium& medium, float distance) {
 }
 
 void PhotonWalk::store(const ShadingPoint& point) {
-  const bool global = diffuse_ && settings_.globillum;
+  const bool first = !diffuse_ && !specular_ && source_.direct();
+  const bool global = (diffuse_ || first) && settings_.globillum;
   const bool caustic = !diffuse_ && specular_ && settings_.caustics;
   if (!global && !caustic) return;
   (global ? log_.global : log_.caustic)
@@ -220,6 +221,9 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   shade(material, point, closure);
   if (!scattered_) emitted_ = source_.power(photon_, length(point.position - photon_.origin));
   if (max_component(power()) <= 0) return absorb(), false;
+  if (source_.is_environment() && !diffuse_ &&
+      is_behind_portal(world_, point.position, -ray_.dir, hit.t))
+    return absorb(), false;
 
   medium_.arrive(closure, point);
   if (medium_.medium.clear())

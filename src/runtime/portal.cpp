@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/portal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/parallel.h"
+#include "color/luminance.h"
+#include "geom/shapes.h"
+#include "runtime/world.h"
+#include "sampling/rectangle.h"
+
+namespace oriel {
+namespace {
+
+/// Cells each way over half a turn: 0.35 degrees resolve lamps in a photographed sky, a sky from
+/// formulas is smooth.
+constexpr std::size_t kPhotographedSide = 512, kSmoothSide = 256;
+/// Share of the mean radiance added everywhere.
+constexpr float kEvenShare = 0.05f;
+/// Grazing light that is given up, as for other flat lights.
+constexpr float kLeastCosine = 1e-6f;
+
+/// Solid angle for each unit of the two angles: a, b are their tangents.
+float solid_angle_of(float a, float b) {
+  const float s = 1 + a * a + b * b;
+  return (1 + a * a) * (1 + b * b) / (s * std::sqrt(s));
+}
+
+float uv_of(float tangent_y, float tangent_x) {
+  return std::atan2(tangent_y, tangent_x) / kPi + 0.5f;
+}
+
+/// Arc tangent within 0.004, continuous: enough for estimates.
+float rough_uv(float tangent) {
+  const float t = std::abs(tangent), s = std::min(t, 1 / t);
+  const float angle = s * (kPi / 4 + 0.273f * (1 - s));
+  return std::copysign(t > 1 ? kPi / 2 - angle : angle, tangent) / kPi + 0.5f;
+}
+
+/// The rectangle seen from a point.
+struct Seen {
+  float x0, x1, y0, y1, depth;
+  sampling::Window window() const {
+    return {Vec2(uv_of(x0, depth), uv_of(y0, depth)), Vec2(uv_of(x1, depth), uv_of(y1, depth))};
+  }
+};
+
+Seen seen_from(const Light& light, const Vec3& from) {
+  const Portal& portal = *light.portal;
+  const PortalTable& table = *portal.table;
+  const Vec3 to = light.position - from;
+  const float x = dot(to, table.x()), y = dot(to, table.y());
+  return {x - portal.half_u, x + portal.half_u, y - portal.half_v, y + portal.half_v,
+          dot(to, table.z())};
+}
+
+bool crosses_inside_out(const Light& light, const Vec3& from, const Vec3& direction, float t_most) {
+  if (!(-dot(direction, light.direction) > kLeastCosine)) return false;
+  return geom::intersect(geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f},
+                         from, direction, 0.0f, t_most)
+      .has_value();
+}
+
+}  // namespace
+
+PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lookup, const Vec3& x,
+                         const Vec3& y, const Vec3& z)
+    : x_(x), y_(y), z_(z), shaders_(shaders), lookup_(lookup) {
+  const std::size_t side = world.textures.empty() ? kSmoothSide : kPhotographedSide;
+  std::vector<float> values(side * side), angles(side * side);
+  parallel_for(side, [&](std::size_t j) {
+    for (std::size_t i = 0; i < side; ++i) {
+      // Four points of a cell: a small bright source between two centres must not be missed.
+      for (int k = 0; k < 4; ++k) {
+        const auto tangent = [&](std::size_t cell, bool upper) {
+          const float at =
+              (static_cast<float>(cell) + (upper ? 0.75f : 0.25f)) / static_cast<float>(side);
+          return std::tan((at - 0.5f) * kPi);
+        };
+        const float a = tangent(i, k & 1), b = tangent(j, k & 2);
+        const float angle = solid_angle_of(a, b) / 4;
+        const Vec3 d = normalize(x_ * a + y_ * b + z_);
+        const float l = luminance(rgb(environment_radiance(shaders_, world, Vec3(0), d, lookup_)));
+        angles[j * side + i] += angle;
+        if (std::isfinite(l)) values[j * side + i] += std::max(0.0f, l) * angle;
+      }
+    }
+  });
+  double light = 0, angle = 0;  // double: many terms of very different size
+  for (std::size_t i = 0; i < values.size(); ++i)
+    light += static_cast<double>(values[i]), angle += static_cast<double>(angles[i]);
+  lights_ = light > 0;
+  const float even = kEvenShare * static_cast<float>(light / angle);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] += even * angles[i];
+  table_ = std::make_unique<sampling::WindowedDistribution2D>(values, side, side);
+}
+
+PortalTable::Sample PortalTable::sample(Vec2 u, const sampling::Window& window) const {
+  const auto s = table_->sample(u, window);
+  if (!(s.pdf > 0)) return {};
+  const float a = std::tan((s.uv.x - 0.5f) * kPi), b = std::tan((s.uv.y - 0.5f) * kPi);
+  return {normalize(Vec3(a, b, 1)), s.pdf / (sqr(kPi) * solid_angle_of(a, b))};
+}
+
+float PortalTable::pdf(const Vec3& local, const sampling::Window& window) const {
+  const Vec2 uv(uv_of(local.x, local.z), uv_of(local.y, local.z));
+  return table_->pdf(uv, window) /
+         (sqr(kPi) * solid_angle_of(local.x / local.z, local.y / local.z));
+}
+
+float PortalTable::integral(const sampling::Window& window) const {
+  return table_->integral(window) * sqr(kPi);
+}
+
+std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u) {
+  const Seen seen = seen_from(light, from);
+  if (!(seen.depth > 0)) return std::nullopt;
+  const PortalTable& table = *light.portal->table;
+  const auto s = table.sample(u, seen.window());
+  if (!(s.pdf > 0) || !std::isfinite(s.pdf) || !(s.local.z > kLeastCosine)) return std::nullopt;
+  ShapeSample sample;
+  sample.wi = table.x() * s.local.x + table.y() * s.local.y + table.z() * s.local.z;
+  sample.distance = seen.depth / s.local.z;
+  sample.position = from + sample.wi * sample.distance;
+  sample.cosine = s.local.z;
+  sample.pdf = s.pdf;
+  return sample;
+}
+
+float pdf_through(const Light& light, const Vec3& from, const Vec3& wi) {
+  const Seen seen = seen_from(light, from);
+  if (!(seen.depth > 0)) return 0;
+  const PortalTable& table = *light.portal->table;
+  const Vec3 local(dot(wi, table.x()), dot(wi, table.y()), dot(wi, table.z()));
+  return local.z > 0 ? table.pdf(local, seen.window()) : 0;
+}
+
+Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
+                    float cosine) {
+  const Portal& portal = *light.portal;
+  Rgb radiance = portal.scale;
+  if (!portal.shaders.empty())
+    radiance *= rgb(environment_radiance(portal.shaders, *portal.world, from, wi, portal.lookup));
+  else if (!portal.own_environment)
+    return Rgb(0);
+  // The colour a light shader would give for this sample, of the whole area at its distance.
+  const float share = light.area * cosine / (kPi * sqr(distance));
+  return max_component(radiance) * share < portal.cutoff ? Rgb(0) : radiance;
+}
+
+float estimate_portal(const Light& light, const Vec3& from) {
+  const Portal& portal = *light.portal;
+  const float scale = luminance(portal.scale);
+  if (!portal.table) {
+    if (portal.shaders.empty() && !portal.own_environment) return 0;
+    if (!(dot(from - light.position, light.direction) > 0)) return 0;
+    const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
+    return scale *
+           sampling::SphericalRectangle(from, corner, light.edge_u, light.edge_v).solid_angle();
+  }
+  const Seen seen = seen_from(light, from);
+  if (!(seen.depth > 0)) return 0;
+  const float inverse = 1 / seen.depth;
+  const sampling::Window window{Vec2(rough_uv(seen.x0 * inverse), rough_uv(seen.y0 * inverse)),
+                                Vec2(rough_uv(seen.x1 * inverse), rough_uv(seen.y1 * inverse))};
+  // Never quite 0: the angles are rough.
+  return scale * (1e-12f + portal.table->integral(window));
+}
+
+PortalDirection sample_portal_direction(const Light& light, Vec2 u) {
+  const PortalTable& table = *light.portal->table;
+  const auto s = table.sample(u, {});
+  return {table.x() * s.local.x + table.y() * s.local.y + table.z() * s.local.z, s.pdf};
+}
+
+PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
+                            float t_most, bool mapped) {
+  PortalsOnWay way;
+  for (const int index : world.portals) {
+    const Light& light = world.lights[static_cast<std::size_t>(index)];
+    const Portal& portal = *light.portal;
+    if (!crosses_inside_out(light, from, direction, t_most)) continue;
+    way.ends_diffuse |= portal.blocks_diffuse_rays() || mapped;
+    if (portal.visible)
+      way.ends_view = true;
+    else
+      way.view *= portal.transparency;
+  }
+  return way;
+}
+
+bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most) {
+  return std::any_of(world.portals.begin(), world.portals.end(), [&](int index) {
+    return crosses_inside_out(world.lights[static_cast<std::size_t>(index)], point, to_source,
+                              t_most);
+  });
+}
+
+void open_portals(World& world) {
+  std::vector<std::shared_ptr<const PortalTable>> tables;
+  for (std::size_t i = 0; i < world.lights.size(); ++i) {
+    Light& light = world.lights[i];
+    if (!light.portal) continue;
+    Portal& portal = *light.portal;
+    world.portals.push_back(static_cast<int>(i));
+    world.has_gels |= !portal.visible && portal.transparency != Rgb(1);
+    portal.world = &world;
+    if (!portal.own_environment)
+      portal.shaders = world.environment.shaders();
+    else if (portal.environment)
+      portal.shaders = {portal.environment};
+    portal.half_u = length(light.edge_u) / 2;
+    portal.half_v = length(light.edge_v) / 2;
+    if (portal.shaders.empty() || !has_square_corners(light)) continue;
+    const Vec3 x = normalize(light.edge_u), y = normalize(light.edge_v);
+    const auto same = [&](const std::shared_ptr<const PortalTable>& t) {
+      constexpr float kParallel = 1 - 1e-6f;
+      return dot(t->x(), x) > kParallel && dot(t->y(), y) > kParallel &&
+             dot(t->z(), light.direction) < -kParallel && t->shaders() == portal.shaders &&
+             t->lookup() == portal.lookup;
+    };
+    auto table = std::find_if(tables.begin(), tables.end(), same);
+    if (table == tables.end()) {
+      tables.push_back(std::make_shared<const PortalTable>(portal.shaders, world, portal.lookup, x,
+                                                           y, -light.direction));
+      table = tables.end() - 1;
+    }
+    portal.table = *table;
+    if (!portal.table->lights()) portal.scale = Rgb(0);
+  }
+}
+
+}  // namespace oriel
