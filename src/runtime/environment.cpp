@@ -17,6 +17,22 @@ namespace {
 constexpr int kPhotographedWidth = 1024, kSmoothWidth = 256;
 /// Share of the density spread evenly, so that what the table smoothed away is still found.
 constexpr float kUniformShare = 0.02f;
+/// Share of plain proportion beside what stands out, so that dim parts are never found too seldom
+/// where no ray of a lobe finds them.
+constexpr float kPlainShare = 0.2f;
+
+/// The values less their mean, mixed with the values themselves.
+std::vector<float> standing_out(const std::vector<float>& values, float mean) {
+  double above = 0;  // half a million terms
+  for (const float v : values) above += std::max(0.0f, v - mean);
+  if (!(above > 0)) return values;
+  const double all = static_cast<double>(mean) * static_cast<double>(values.size());
+  const auto stretch = static_cast<float>((1 - kPlainShare) * all / above);
+  std::vector<float> mixed(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    mixed[i] = kPlainShare * values[i] + stretch * std::max(0.0f, values[i] - mean);
+  return mixed;
+}
 
 Vec3 direction_of(const Vec2& uv) {
   const float z = 1 - 2 * uv.y;
@@ -75,24 +91,27 @@ EnvironmentLight::EnvironmentLight(NodeList shaders, const World& world)
   double total = 0;  // double: half a million terms of very different size
   for (const float v : values) total += v;
   mean_luminance_ = static_cast<float>(total / static_cast<double>(values.size()));
-  if (mean_luminance_ > 0)
-    table_ = std::make_unique<sampling::Distribution2D>(values, width, height);
+  if (!(mean_luminance_ > 0)) return;
+  table_ = std::make_unique<sampling::Distribution2D>(values, width, height);
+  standing_out_ = std::make_unique<sampling::Distribution2D>(standing_out(values, mean_luminance_),
+                                                             width, height);
 }
 
-EnvironmentLight::Sample EnvironmentLight::sample(Vec2 u) const {
+EnvironmentLight::Sample EnvironmentLight::sample_from(const sampling::Distribution2D& table,
+                                                       Vec2 u) {
   Vec2 uv;
   if (u.x < kUniformShare) {
     uv = Vec2(u.x / kUniformShare, u.y);
   } else {
     u.x = std::min((u.x - kUniformShare) / (1 - kUniformShare), 0x1.fffffep-1f);
-    uv = table_->sample(u).uv;
+    uv = table.sample(u).uv;
   }
-  const float pdf = table_->pdf(uv);
+  const float pdf = table.pdf(uv);
   return {direction_of(uv), (kUniformShare + (1 - kUniformShare) * pdf) / (4 * kPi)};
 }
 
 float EnvironmentLight::pdf(const Vec3& direction) const {
-  return (kUniformShare + (1 - kUniformShare) * table_->pdf(uv_of(direction))) / (4 * kPi);
+  return (kUniformShare + (1 - kUniformShare) * standing_out_->pdf(uv_of(direction))) / (4 * kPi);
 }
 
 }  // namespace oriel

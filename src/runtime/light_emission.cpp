@@ -91,7 +91,7 @@ EmittedPhoton PhotonSource::emit_through_disc(const Vec3& direction, Vec2 u) con
 
 EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
   if (!light_) {
-    const EnvironmentLight::Sample s = world_->environment.sample(u_direction);
+    const EnvironmentLight::Sample s = world_->environment.sample_alone(u_direction);
     EmittedPhoton photon = emit_through_disc(-s.wi, u_place);
     photon.weight /= s.pdf;
     return photon;
