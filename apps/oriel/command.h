@@ -34,5 +34,6 @@ Command add_tonemap_command(CLI::App& program);
 Command add_diff_command(CLI::App& program);
 Command add_denoise_command(CLI::App& program);
 Command add_recombine_command(CLI::App& program);
+Command add_sun_command(CLI::App& program);
 
 }  // namespace oriel::app

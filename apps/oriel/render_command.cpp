@@ -16,6 +16,7 @@
 #include "render/session.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
+#include "sun_scene.h"
 
 namespace oriel::app {
 namespace {
@@ -33,7 +34,8 @@ struct RenderArguments {
   std::optional<std::uint32_t> samples;
   std::optional<float> noise;
   std::optional<double> time;
-  std::string gi, size, crop, camera, layers;
+  std::string gi, size, crop, camera, layers, sun;
+  std::optional<double> north;
   std::uint32_t seed = 0;
   int threads = 0;
   bool denoise = false, json = false, quiet = false;
@@ -62,6 +64,7 @@ struct RenderPlan {
   SessionSettings session;
   std::optional<LayerSet> layers;
   std::optional<scene::IndirectMethod> gi;
+  std::optional<sky::SolarPosition> sun;
 };
 
 std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
@@ -111,6 +114,8 @@ RenderPlan plan_of(const RenderArguments& a) {
           "--crop {}: write XL,YL,XH,YH in pixels from the lower left, ends included", a.crop));
     plan.session.crop = Window{crop[0], crop[1], crop[2] + 1, crop[3] + 1};
   }
+  if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
+  if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
   if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
   if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
@@ -285,6 +290,8 @@ class FrameRenderer {
     if (p.noise) m["oriel.noise"] = fmt::format("{:.6g}", *p.noise);
     if (!a_.scene.edits.empty())
       m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
+    if (!a_.sun.empty())
+      m["oriel.sun"] = fmt::format("{} north {:.6g}", a_.sun, a_.north.value_or(0));
     return m;
   }
 
@@ -349,6 +356,7 @@ int run_render(const RenderArguments& a) {
   while (!interrupted() && reader.next_frame(scene)) {
     printer.print_new();
     for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, builtin_shaders());
+    if (plan.sun) turn_sun(scene, scene.renders.back().root, *plan.sun, a.north.value_or(0));
     const bool rendered = renderer.render(scene.renders.back(), ++frames);
     printer.print_new();
     if (!rendered) return kExitFailed;
@@ -378,6 +386,11 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--gi", a->gi, "Indirect light: path, fg, photons, fg+photons or scene");
   app->add_option("--size", a->size, "Size of the picture")->type_name("WxH");
   app->add_option("--crop", a->crop, "Only this window: XL,YL,XH,YH from the lower left");
+  app->add_option("--sun", a->sun,
+                  "Turns sun and sky to where they stand, as 48.14,11.58,2026-06-21T12:00+02:00")
+      ->type_name("LAT,LON,TIME");
+  app->add_option("--north", a->north,
+                  "For --sun: degrees of north clockwise from above, from +Y, or -Z with y up");
   app->add_option("--camera", a->camera, "Camera instance to use");
   app->add_option(
       "--layers", a->layers,

@@ -81,7 +81,7 @@ std::optional<double> julian_day(std::string_view text) {
                                          std::chrono::day(static_cast<unsigned>(std::max(day, 0)))};
   if (!date.ok() || !take(text, "Tt ")) return std::nullopt;
   const int hours = take_number(text, 2);
-  if (hours < 0 || hours > 24 || !take(text, ":")) return std::nullopt;
+  if (hours < 0 || hours > 23 || !take(text, ":")) return std::nullopt;
   const int minutes = take_number(text, 2);
   if (minutes < 0 || minutes > 59) return std::nullopt;
   double seconds = 0;
