@@ -2,10 +2,12 @@
 // mia_physicalsun: colour, strength and softness of sunlight for a directional light.
 #include "shaders/architectural/mia_sun_sky.h"
 
+#include <cmath>
+
 #include "runtime/light.h"
+#include "sky/daylight.h"
 #include "sky/physical_sky.h"
 
-#include "sky/daylight.h"
 namespace oriel {
 namespace {
 
@@ -39,16 +41,24 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(P, photon_bbox_max), .doc = "Its other corner; both 0 0 0: the whole scene.",
      .declared_default = false},
     {ORIEL_PARAM(P, automatic_photon_energy),
-     .doc = "Photons as strong as the light, whatever its energy says.",
-     .declared_default = false},
-    {ORIEL_PARAM(P, automatic_photon_energy), .doc = "Photon energy follows the light.",
-     .support = Support::Ignored, .declared_default = false},
+     .doc = "Photons as strong as the light, whatever its energy says.", .declared_default = false},
     {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
     {ORIEL_PARAM(P, illuminance_mode),
      .doc = "Not 0: as strong as direct_normal_illuminance, in the haze's colour."},
     {ORIEL_PARAM(P, direct_normal_illuminance), .unit = "lux",
-     .doc = "Illuminance of a surface facing the sun.", .support = Support::Ignored},
+     .doc = "Illuminance of a surface facing the sun."},
 };
+
+/// Energy and aim of the sun's photons. A box that is turned is aimed at as a ball around it.
+void photons_of(const void* params, const Light& light, LightPhotons& photons) {
+  const P& p = *static_cast<const P*>(params);
+  if (p.automatic_photon_energy) photons.emission.energy.reset();
+  const Vec3 centre = (p.photon_bbox_min + p.photon_bbox_max) / 2;
+  const Vec3 corner = transform_vector(p.photon_bbox_max - centre, light.to_world);
+  const Vec3 reach(length(corner) / std::sqrt(3.0f)),
+      middle = transform_point(centre, light.to_world);
+  if (reach.x > 0) photons.emission.aim = geom::Box3(middle - reach, middle + reach);
+}
 
 struct SunState final : ShaderState {
   Rgb colour{0};
@@ -76,19 +86,19 @@ const ShaderSpec kMiaPhysicalSun = {
       auto state = std::make_unique<SunState>();
       // Directional lights only, as the manual says.
       if (light.shape == LightShape::Directional)
-        state->colour = sky::sun_colour({.on = p.on,
-                                         .multiplier = p.multiplier,
-                                         .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
-                                         .haze = p.haze,
-                                         .redblueshift = p.redblueshift,
-                                         .saturation = p.saturation,
-                                         .horizon_height = p.horizon_height,
-                                         .y_is_up = p.y_is_up,
-                                         .normal_illuminance =
-                                             p.illuminance_mode != 0
-                                                 ? std::optional(p.direct_normal_illuminance)
-                                                 : std::nullopt},
-                                        -light.direction);
+        state->colour =
+            sky::sun_colour({.on = p.on,
+                             .multiplier = p.multiplier,
+                             .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+                             .haze = p.haze,
+                             .redblueshift = p.redblueshift,
+                             .saturation = p.saturation,
+                             .horizon_height = p.horizon_height,
+                             .y_is_up = p.y_is_up,
+                             .normal_illuminance = p.illuminance_mode != 0
+                                                       ? std::optional(p.direct_normal_illuminance)
+                                                       : std::nullopt},
+                            -light.direction);
       return state;
     },
     .light_cone =
@@ -96,6 +106,7 @@ const ShaderSpec kMiaPhysicalSun = {
           const P& p = *static_cast<const P*>(params);
           return p.samples == 0 ? 0.0f : sky::sun_cone_angle(p.shadow_softness, p.haze);
         },
+    .photons = photons_of,
 };
 
 }  // namespace oriel
