@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// What do portals spare where the sky comes through a window?
+//
+// A room is path traced without a portal, with one, and with the window in sixteen. Errors are
+// relative squares against a converged picture, over all pixels; as they fall with the number of
+// paths, error times processor time tells the error at equal time whatever the number.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "color/luminance.h"
+#include "mi/reader.h"
+#include "render/prepare.h"
+#include "shaders/registry.h"
+#include "timing.h"
+#include "transport/path.h"
+
+namespace {
+
+using namespace oriel;
+
+constexpr int kWidth = 60, kHeight = 45;
+/// Opening in the wall at x = 0: y, then z.
+constexpr float kOpening[] = {-.6f, .8f, .9f, 2.1f};
+
+std::string quad(int i, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  std::string text = fmt::format("object \"q{}\" visible on shadow on trace on\n group\n", i);
+  for (const Vec3& p : {a, b, c, d}) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  return text + fmt::format(
+                    "v 0 v 1 v 2 v 3 c 0 1 2 3\n end group\nend object\n"
+                    "instance \"q{0}_i\" \"q{0}\" material \"wall\" end instance\n",
+                    i);
+}
+
+/// n x n portals, none for 0. `inside`: the camera looks away from the window, else at it.
+std::string room(const char* environment, int n) {
+  const auto [y0, y1, z0, z1] = kOpening;
+  const float x = 4, y = 1.5f, z = 3;
+  const Vec3 walls[][4] = {
+      {Vec3(0, -y, 0), Vec3(x, -y, 0), Vec3(x, y, 0), Vec3(0, y, 0)},
+      {Vec3(0, -y, z), Vec3(0, y, z), Vec3(x, y, z), Vec3(x, -y, z)},
+      {Vec3(x, -y, 0), Vec3(x, -y, z), Vec3(x, y, z), Vec3(x, y, 0)},
+      {Vec3(0, -y, 0), Vec3(0, -y, z), Vec3(x, -y, z), Vec3(x, -y, 0)},
+      {Vec3(0, y, 0), Vec3(x, y, 0), Vec3(x, y, z), Vec3(0, y, z)},
+      {Vec3(0, -y, 0), Vec3(0, y, 0), Vec3(0, y, z0), Vec3(0, -y, z0)},
+      {Vec3(0, -y, z1), Vec3(0, y, z1), Vec3(0, y, z), Vec3(0, -y, z)},
+      {Vec3(0, -y, z0), Vec3(0, y0, z0), Vec3(0, y0, z1), Vec3(0, -y, z1)},
+      {Vec3(0, y1, z0), Vec3(0, y, z0), Vec3(0, y, z1), Vec3(0, y1, z1)},
+      // Two shelves.
+      {Vec3(2, .5f, .8f), Vec3(3, .5f, .8f), Vec3(3, 1.5f, .8f), Vec3(2, 1.5f, .8f)},
+      {Vec3(3, -1.5f, 1.6f), Vec3(4, -1.5f, 1.6f), Vec3(4, 0, 1.6f), Vec3(3, 0, 1.6f)}};
+  std::string text =
+      "options \"opt\" object space trace on trace depth 4 4 8 \"indirect\" \"path\" end options\n"
+      "material \"wall\" \"mia_material_x\" ( \"diffuse\" .6 .6 .6, \"reflectivity\" 0 ) end "
+      "material\n";
+  std::string members;
+  int i = 0;
+  for (const auto& w : walls) {
+    members += fmt::format(" \"q{}_i\"", i);
+    text += quad(i++, w[0], w[1], w[2], w[3]);
+  }
+  for (int k = 0; k < n * n; ++k) {
+    const float w = (y1 - y0) / static_cast<float>(n), h = (z1 - z0) / static_cast<float>(n);
+    const float cy = y0 + w * (static_cast<float>(k / n) + .5f),
+                cz = z0 + h * (static_cast<float>(k % n) + .5f);
+    members += fmt::format(" \"p{}_i\"", k);
+    text += fmt::format(
+        "light \"p{0}\" \"mia_portal_light\" ( \"cutoff_threshold\" 0 ) origin 0 0 0 "
+        "rectangle {1} 0 0 0 {2} 0 3 3 end light\n"
+        "instance \"p{0}_i\" \"p{0}\" visible on transform 0 0 1 0  1 0 0 0  0 1 0 0  {3} {4} 0 1 "
+        "end instance\n",
+        k, w, h, -cy, -cz);
+  }
+  // From beside the window toward the far corner.
+  return text + fmt::format(
+                    "camera \"cam\" focal 1 aperture 1.6 aspect 1.3333 resolution {} {} "
+                    "environment {} end camera\n"
+                    "instance \"cam_i\" \"cam\" transform 0 0 -1 0  -1 0 0 0  0 1 0 0  "
+                    "0 -1.5 .1 1 end instance\n"
+                    "instgroup \"world\" \"cam_i\"{} end instgroup\n"
+                    "render \"world\" \"cam_i\" \"opt\"\n",
+                    kWidth, kHeight, environment, members);
+}
+
+using Picture = std::vector<Rgb>;
+
+struct Room {
+  scene::Scene scene;
+  std::unique_ptr<World> world;
+
+  explicit Room(const std::string& text) {
+    Diagnostics diagnostics;
+    mi::ReadOptions options;
+    options.packages = builtin_packages();
+    options.knows_shader = [](std::string_view n) { return builtin_shaders().find(n) != nullptr; };
+    scene = mi::read_text(text, options, diagnostics);
+    PrepareReport report;
+    world = prepare(scene, scene.renders.back(), builtin_shaders(), {}, diagnostics, report);
+    for (const Diagnostic& d : diagnostics.all()) fmt::print(stderr, "{}\n", diagnostics.format(d));
+  }
+
+  Picture render(int samples, std::uint32_t seed) const {
+    Picture picture(kWidth * kHeight, Rgb(0));
+    parallel_for(kHeight, [&](std::size_t line) {
+      RayCounts counts;
+      const int y = static_cast<int>(line);
+      for (int x = 0; x < kWidth; ++x)
+        for (int s = 0; s < samples; ++s) {
+          sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(s), seed);
+          const Vec2 raster =
+              Vec2(static_cast<float>(x), static_cast<float>(y)) + sampler.next_2d();
+          picture[line * kWidth + static_cast<std::size_t>(x)] +=
+              trace_path(*world, world->camera.ray(raster), raster, {}, sampler, counts).radiance /
+              static_cast<float>(samples);
+        }
+    });
+    return picture;
+  }
+};
+
+double relative_error(const Picture& a, const Picture& exact) {
+  double sum = 0, mean = 0;
+  for (const Rgb& c : exact) mean += static_cast<double>(luminance(c));
+  mean /= static_cast<double>(exact.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = static_cast<double>(luminance(a[i])),
+                 e = static_cast<double>(luminance(exact[i]));
+    sum += (x - e) * (x - e) / (e * e + 1e-4 * mean * mean);
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+void compare(const char* name, const char* environment, int reference_samples) {
+  constexpr int kSamples = 16, kRounds = 5;
+  const Room rooms[] = {Room(room(environment, 0)), Room(room(environment, 1)),
+                        Room(room(environment, 4))};
+  const Picture exact = rooms[1].render(reference_samples, 1);
+  const ThreadLimit limit(1);
+  fmt::print("{}: error at equal time, {} paths a pixel\n", name, kSamples);
+  double first = 0;
+  const char* const kinds[] = {"no portal", "one portal", "16 portals"};
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> seconds, errors;
+    for (int round = 0; round < kRounds; ++round) {
+      Picture picture;
+      seconds.push_back(bench::timed([&] {
+                          picture =
+                              rooms[i].render(kSamples, static_cast<std::uint32_t>(100 + round));
+                        }).cpu);
+      errors.push_back(relative_error(picture, exact));
+    }
+    const double cost = bench::median(seconds), error = bench::median(errors);
+    if (i == 0) first = cost * error;
+    fmt::print(
+        "  {:11} relative MSE {:.4f}   {:.3f} s   error times time {:.4f}   {:.1f} x lower\n",
+        kinds[i], error, cost, error * cost, first / (error * cost));
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main() {
+  compare("sky", "\"mia_physicalsky\" ( \"sun_direction\" -.6 -.5 .5, \"haze\" 1 )", 4096);
+  return EXIT_SUCCESS;
+}
