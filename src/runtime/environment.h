@@ -39,7 +39,7 @@ class EnvironmentLight {
   /// Checked: Sky.IrradianceOfTheSkyIsFoundWithFewSamples
   Sample sample(Vec2 u) const { return sample_from(*standing_out_, u); }
   float pdf(const Vec3& direction) const;
-  /// In proportion to radiance alone, for photons.
+  /// In proportion to radiance alone, where no ray of a lobe helps: photons.
   Sample sample_alone(Vec2 u) const { return sample_from(*table_, u); }
 
  private:

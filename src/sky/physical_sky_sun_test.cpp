@@ -62,6 +62,14 @@ TEST(Sun, ColourFollowsHazeAndHeight) {
   }
 }
 
+// acceptance: S2
+TEST(Sun, TracksTheClearDayOfTheIes) {
+  // Illuminance by the recommended practice of 1984: 127500 exp(-.21 / sin h), mean distance.
+  const float table[][2] = {{45, 94740}, {60, 100046}, {90, 103349}};
+  for (const auto& [elevation, lux] : table)
+    EXPECT_NEAR(luminance(sun_colour(sun_in_lux(), elevated(elevation))), lux, .025f * lux);
+}
+
 // acceptance: S6
 TEST(Sun, SetsAtTheMovedHorizon) {
   for (float height : {-2.0f, -0.2f, 0.0f, 0.5f, 3.0f}) {

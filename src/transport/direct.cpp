@@ -148,7 +148,9 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
         straight * weight(r.refraction) + missed, straight + glass + leak);
   });
   if (request.environment) {
-    const auto s = world.environment.sample(sampler.next_2d());
+    const Vec2 u = sampler.next_2d();
+    const auto s = request.estimator == Estimator::LightOnly ? world.environment.sample_alone(u)
+                                                             : world.environment.sample(u);
     Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
     if (!request.environment_on_diffuse) r.diffuse.value = Rgb(0);
     Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);

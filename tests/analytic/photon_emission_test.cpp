@@ -189,6 +189,38 @@ TEST(PhotonEmission, ABoxToAimAtChangesOnlyWherePhotonsGo) {
   }
 }
 
+// acceptance: S14
+TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
+  // The box is in the light's space, which is turned by a quarter and moved.
+  const std::string box = ", \"photon_bbox_min\" -.5 -1.6 -.2, \"photon_bbox_max\" .7 -.3 .2";
+  const std::string turned = "transform 0 -1 0 0  1 0 0 0  0 0 1 0  0 -.8 0 1";
+  for (const bool automatic : {true, false})
+    for (const bool aimed : {true, false}) {
+      SceneText scene = stage();
+      scene.light(
+          "sun",
+          fmt::format("\"mia_physicalsun\" ( \"rgb_unit_conversion\" 1 1 1, "
+                      "\"automatic_photon_energy\" {}{} ) direction .3 .2 -1 {}",
+                      automatic ? "on" : "off", aimed ? box : "", automatic ? "energy 3 2 1" : ""),
+          turned);
+      const Probe probe(scene);
+      const Light& sun = probe.world().lights[0];
+      EXPECT_EQ(sun.photons.emission.aim.has_value(), aimed);
+      const std::string name = fmt::format("sun, aimed {}, automatic {}", aimed, automatic);
+      expect_agreement(name, &sun, probe.world(), sun.photons.emission);
+      if (!aimed) continue;
+      const PhotonSource source(probe.world(), sun, sun.photons.emission);
+      const Vec3 corner(2.8f, -2.8f, 2);
+      EXPECT_EQ(by_photons(source, {corner, Vec3(.1f, 0, 0), Vec3(0, .1f, 0)}, 4096).mean, 0);
+    }
+  // Without it the light's own energy is what they carry.
+  SceneText scene = stage();
+  scene.light("sun", "\"mia_physicalsun\" ( ) direction 0 0 -1 energy 7 7 7");
+  const Probe probe(scene);
+  ASSERT_TRUE(probe.world().lights[0].photons.emission.energy);
+  EXPECT_EQ(*probe.world().lights[0].photons.emission.energy, Rgb(7));
+}
+
 // acceptance: L7
 TEST(PhotonEmission, EnergyReplacesTheFlux) {
   SceneText scene = stage();
