@@ -60,6 +60,16 @@ double delta_t(double julian_day) {
   return -20 + 32 * u * u;
 }
 
+/// Degrees by which Venus, Jupiter and the Moon pull the Earth ahead, and the slow change of all;
+/// `days` from 2000, noon.
+double perturbations(double days) {
+  const double t = (days + 36525) / 36525;  // centuries from 1900
+  return 0.00134 * cosine(153.23 + 22518.7541 * t) + 0.00154 * cosine(216.57 + 45037.5082 * t) +
+         0.00200 * cosine(312.69 + 32964.3577 * t) +
+         0.00179 * sine(350.74 + 445267.1142 * t - 0.00144 * t * t) +
+         0.00178 * sine(231.19 + 20.20 * t);
+}
+
 /// Degrees by which the air raises the sun.
 double refraction(double elevation, const Place& place) {
   constexpr double kUpperLimbSets = -0.26667 - 0.5667;
@@ -119,7 +129,7 @@ SolarPosition solar_position(double julian_day, const Place& place) {
   const double nutation = kArcsecond * (-17.20 * sine(node) - 1.32 * sine(2 * mean_longitude) -
                                         0.23 * sine(2 * moon) + 0.21 * sine(2 * node));
   const double aberration = -20.4898 * kArcsecond / distance;
-  const double longitude = mean_longitude + centre + aberration + nutation;
+  const double longitude = mean_longitude + centre + perturbations(days) + aberration + nutation;
   const double obliquity = 23.4392911 - t * kArcsecond * (46.8150 + t * (0.00059 - t * 0.001813)) +
                            kArcsecond * (9.20 * cosine(node) + 0.57 * cosine(2 * mean_longitude) +
                                          0.10 * cosine(2 * moon) - 0.09 * cosine(2 * node));

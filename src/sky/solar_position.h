@@ -35,10 +35,11 @@ std::optional<double> julian_day(std::string_view time);
 
 /// The sun's position.
 ///
-/// Model:   longitude of the Sun by the equation of its centre, aberration, the four largest terms
-///          of nutation, parallax, refraction. Planets are left out: within 0.01 degrees for some
-///          centuries around 2000.
-/// Source:  Meeus, Astronomical Algorithms, 2nd ed., chapters 12, 22, 25; refraction and its use
+/// Model:   longitude of the Sun by the equation of its centre, the largest perturbations,
+///          aberration, the four largest terms of nutation, parallax, refraction. Within 0.003
+///          degrees around 2000, 0.01 for some centuries.
+/// Source:  Meeus, Astronomical Algorithms, 2nd ed., chapters 12, 22, 25; perturbations: Meeus,
+///          Astronomical Formulae for Calculators, 3rd ed., chapter 18; refraction and its use
 ///          near the horizon: Reda and Andreas, Solar Position Algorithm, NREL/TP-560-34302 (2008);
 ///          length of the day: Espenak and Meeus, Five Millennium Canon of Solar Eclipses (2006).
 /// Checked: SolarPosition.MatchesTheExampleOfNrelsReport, SolarPosition.MatchesMeeusExample
