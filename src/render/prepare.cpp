@@ -30,9 +30,9 @@ void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
     if (node->spec().volume)
       world.air.push_back(node);
     else
-      diagnostics.warning("OR-RN-011", camera.where,
-                          fmt::format("volume shader \"{}\" does not act as a volume; skipped",
-                                      node->spec().name));
+      diagnostics.warning(
+          "OR-RN-011", camera.where,
+          fmt::format("volume shader \"{}\" does not act as a volume; skipped", node->spec().name));
   }
 }
 
