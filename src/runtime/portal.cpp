@@ -7,7 +7,6 @@
 
 #include "base/parallel.h"
 #include "color/luminance.h"
-#include "geom/shapes.h"
 #include "runtime/world.h"
 #include "sampling/rectangle.h"
 
@@ -17,6 +16,8 @@ namespace {
 /// Cells each way over half a turn: 0.35 degrees resolve lamps in a photographed sky, a sky from
 /// formulas is smooth.
 constexpr std::size_t kPhotographedSide = 512, kSmoothSide = 256;
+/// The same where a table small enough for the fastest cache will do.
+constexpr std::size_t kRoughSide = 32;
 /// Share of the mean radiance added everywhere.
 constexpr float kEvenShare = 0.05f;
 /// Grazing light that is given up, as for other flat lights.
@@ -56,13 +57,6 @@ Seen seen_from(const Light& light, const Vec3& from) {
           dot(to, table.z())};
 }
 
-bool crosses_inside_out(const Light& light, const Vec3& from, const Vec3& direction, float t_most) {
-  if (!(-dot(direction, light.direction) > kLeastCosine)) return false;
-  return geom::intersect(geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f},
-                         from, direction, 0.0f, t_most)
-      .has_value();
-}
-
 }  // namespace
 
 PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lookup, const Vec3& x,
@@ -95,6 +89,13 @@ PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lo
   const float even = kEvenShare * static_cast<float>(light / angle);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] += even * angles[i];
   table_ = std::make_unique<sampling::WindowedDistribution2D>(values, side, side);
+  const std::size_t block = side / kRoughSide;
+  std::vector<float> rough(kRoughSide * kRoughSide);
+  for (std::size_t j = 0; j < side; ++j)
+    for (std::size_t i = 0; i < side; ++i)
+      rough[j / block * kRoughSide + i / block] +=
+          values[j * side + i] / static_cast<float>(block * block);
+  rough_ = std::make_unique<sampling::WindowedDistribution2D>(rough, kRoughSide, kRoughSide);
 }
 
 PortalTable::Sample PortalTable::sample(Vec2 u, const sampling::Window& window) const {
@@ -110,8 +111,8 @@ float PortalTable::pdf(const Vec3& local, const sampling::Window& window) const 
          (sqr(kPi) * solid_angle_of(local.x / local.z, local.y / local.z));
 }
 
-float PortalTable::integral(const sampling::Window& window) const {
-  return table_->integral(window) * sqr(kPi);
+float PortalTable::rough_integral(const sampling::Window& window) const {
+  return rough_->integral(window) * sqr(kPi);
 }
 
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u) {
@@ -166,7 +167,7 @@ float estimate_portal(const Light& light, const Vec3& from) {
   const sampling::Window window{Vec2(rough_uv(seen.x0 * inverse), rough_uv(seen.y0 * inverse)),
                                 Vec2(rough_uv(seen.x1 * inverse), rough_uv(seen.y1 * inverse))};
   // Never quite 0: the angles are rough.
-  return scale * (1e-12f + portal.table->integral(window));
+  return scale * (1e-12f + portal.table->rough_integral(window));
 }
 
 PortalDirection sample_portal_direction(const Light& light, Vec2 u) {
@@ -175,13 +176,24 @@ PortalDirection sample_portal_direction(const Light& light, Vec2 u) {
   return {table.x() * s.local.x + table.y() * s.local.y + table.z() * s.local.z, s.pdf};
 }
 
+bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most) {
+  const float facing = -dot(direction, light.direction);
+  if (!(facing > kLeastCosine)) return false;
+  const Vec3 to = light.position - from;
+  const float t = -dot(to, light.direction) / facing;
+  if (!(t > 0 && t < t_most)) return false;
+  const Vec3 local = direction * t - to;
+  const Portal& portal = *light.portal;
+  return std::abs(dot(local, portal.across_u)) <= 1 && std::abs(dot(local, portal.across_v)) <= 1;
+}
+
 PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
                             float t_most, bool mapped) {
   PortalsOnWay way;
   for (const int index : world.portals) {
     const Light& light = world.lights[static_cast<std::size_t>(index)];
     const Portal& portal = *light.portal;
-    if (!crosses_inside_out(light, from, direction, t_most)) continue;
+    if (!crosses_portal(light, from, direction, t_most)) continue;
     way.ends_diffuse |= portal.blocks_diffuse_rays() || mapped;
     if (portal.visible)
       way.ends_view = true;
@@ -193,8 +205,7 @@ PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& di
 
 bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most) {
   return std::any_of(world.portals.begin(), world.portals.end(), [&](int index) {
-    return crosses_inside_out(world.lights[static_cast<std::size_t>(index)], point, to_source,
-                              t_most);
+    return crosses_portal(world.lights[static_cast<std::size_t>(index)], point, to_source, t_most);
   });
 }
 
@@ -213,6 +224,9 @@ void open_portals(World& world) {
       portal.shaders = {portal.environment};
     portal.half_u = length(light.edge_u) / 2;
     portal.half_v = length(light.edge_v) / 2;
+    const Vec3 normal = cross(light.edge_u, light.edge_v);
+    portal.across_u = cross(light.edge_v, normal) * (2 / dot(normal, normal));
+    portal.across_v = cross(normal, light.edge_u) * (2 / dot(normal, normal));
     if (portal.shaders.empty() || !has_square_corners(light)) continue;
     const Vec3 x = normalize(light.edge_u), y = normalize(light.edge_v);
     const auto same = [&](const std::shared_ptr<const PortalTable>& t) {

@@ -67,15 +67,15 @@ class PortalTable {
   Sample sample(Vec2 u, const sampling::Window& window) const;
   /// Density of a unit direction, by x, y, z.
   float pdf(const Vec3& local, const sampling::Window& window) const;
-  /// Luminance times solid angle.
-  float integral(const sampling::Window& window) const;
+  /// Luminance times solid angle, blurred over a few degrees: for choices.
+  float rough_integral(const sampling::Window& window) const;
 
  private:
   Vec3 x_, y_, z_;
   NodeList shaders_;
   RayKind lookup_;
   bool lights_ = false;
-  std::unique_ptr<sampling::WindowedDistribution2D> table_;
+  std::unique_ptr<sampling::WindowedDistribution2D> table_, rough_;
 };
 
 /// A portal in the scene.
@@ -84,6 +84,7 @@ struct Portal : PortalTraits {
   NodeList shaders;                          ///< of the environment
   std::shared_ptr<const PortalTable> table;  ///< null: even, or not at right angles
   float half_u = 0, half_v = 0;
+  Vec3 across_u{0}, across_v{0};  ///< places from the centre by these: -1 to 1 on the rectangle
 
   bool blocks_diffuse_rays() const { return !photons_only; }
 };
@@ -110,6 +111,9 @@ struct PortalDirection {
   float pdf = 0;
 };
 PortalDirection sample_portal_direction(const Light& light, Vec2 u);
+
+/// Whether a ray meets the portal from inside within (0, t_most).
+bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most);
 
 /// What portals do to a ray on its way.
 struct PortalsOnWay {

@@ -36,6 +36,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const Light& light = world_.lights[i];
     if (light.shape == LightShape::Point || light.shape == LightShape::Directional) continue;
     const Portal* portal = light.portal.get();
+    // Most of many portals are missed: asked before what a hit takes to work out.
+    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface)) continue;
     if (sees || portal) {
       const bool ends = portal ? ends_at(*portal) : light.visible;
       const auto hit = ends ? intersect_light(light, origin, ray_.dir, nearest) : std::nullopt;
