@@ -11,6 +11,10 @@ namespace oriel::app {
 /// Errors: UserError when there is no such file; else as read_image.
 Image read_named_picture(const std::string& path);
 
+/// Metadata of EXR files: the angle that the picture's width spans, degrees; of perspective
+/// cameras.
+inline constexpr const char* kFieldOfViewKey = "oriel.fieldOfView";
+
 /// Files that hold linear values, by their suffix.
 bool is_linear_file(const std::string& path);
 

@@ -9,8 +9,10 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "interrupt.h"
+#include "pictures.h"
 #include "progress_line.h"
 #include "render/camera_output.h"
+#include "render/exposure_check.h"
 #include "render/output.h"
 #include "render/prepare.h"
 #include "render/session.h"
@@ -166,7 +168,7 @@ class FrameRenderer {
     if (!world_) return false;
     if (plan_.gi) world_->options.indirect = *plan_.gi;
     choose_files(command, frame);
-    warn_double_gamma();
+    check_exposures(*world_, files_, diagnostics_);
     printer_.print_new();
 
     SessionSettings settings = plan_.session;
@@ -180,7 +182,7 @@ class FrameRenderer {
         &interrupted());
     line_.clear();
     if (reason == StopReason::MapsOnly) return finish(reason), true;
-    if (a_.denoise) denoised_ = denoised_beauty(*session_);
+    if (a_.denoise && !world_->preview) denoised_ = denoised_beauty(*session_);
     write_files();
     finish(reason);
     return true;
@@ -244,18 +246,6 @@ class FrameRenderer {
     return false;
   }
 
-  void warn_double_gamma() {
-    if (world_->options.gamma == 1 || world_->lens.empty()) return;
-    for (const PictureFile& file : files_)
-      if (!file.linear)
-        return diagnostics_.warning(
-            "OR-RN-041", {},
-            fmt::format(
-                "colours are mapped by a lens shader and get gamma {} of the options as well",
-                world_->options.gamma),
-            "gamma belongs in one place: set the options' to 1 or the shader's");
-  }
-
   void on_pass(const Progress& p) {
     line_.update(p);
     const double since = seconds_since(last_write_);
@@ -287,6 +277,10 @@ class FrameRenderer {
         {"oriel.maxSamples", fmt::format("{}", b.max_samples)},
         {"oriel.noiseTarget", fmt::format("{:.6g}", b.noise)},
         {"oriel.window", fmt::format("{} {} {} {}", w.x0, w.y0, w.x1 - 1, w.y1 - 1)}};
+    const Camera& c = world_->camera;
+    if (!c.orthographic)
+      m[kFieldOfViewKey] =
+          fmt::format("{:.9g}", 2 * std::atan(c.aperture / (2 * c.focal)) * 180 / kPi);
     if (p.noise) m["oriel.noise"] = fmt::format("{:.6g}", *p.noise);
     if (!a_.scene.edits.empty())
       m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));

@@ -2,12 +2,17 @@
 // oriel tonemap: the exposure shaders on a finished picture, without rendering.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "base/parallel.h"
+#include "color/srgb.h"
 #include "command.h"
+#include "image/exr.h"
 #include "image/files.h"
 #include "image/view.h"
+#include "lens/display_views.h"
 #include "lens/exposure.h"
 #include "pictures.h"
 
@@ -17,7 +22,8 @@ namespace {
 struct TonemapArguments {
   std::string input, output;
   bool simple = false;
-  std::string whitepoint;
+  std::string whitepoint, view, curve = "ratio";
+  std::optional<float> field_of_view;
   lens::PhotographicParameters photographic;
   lens::SimpleParameters plain;
   float gamma = 2.2f;
@@ -32,29 +38,83 @@ Rgb parse_color(const std::string& text) {
   return c;
 }
 
+/// Maps all pixels: exposure(colour, x, y).
 template <class Exposure>
 void map_image(Image& image, const Exposure& exposure) {
   const int colours = std::min(image.channels == 2 ? 1 : image.channels, 3);
   parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t y) {
     for (int x = 0; x < image.width; ++x) {
       float* p = image.at(x, static_cast<int>(y));
-      const Rgb c = exposure(colours == 3 ? Rgb(p[0], p[1], p[2]) : Rgb(p[0]));
+      const Rgb c =
+          exposure(colours == 3 ? Rgb(p[0], p[1], p[2]) : Rgb(p[0]), x, static_cast<int>(y));
       for (int i = 0; i < colours; ++i) p[i] = c[i];
     }
   });
 }
 
-int run_tonemap(TonemapArguments& a) {
-  Image image = read_named_picture(a.input);
+/// Cosines of the rays through a picture's pixels to its middle.
+class PixelCosine {
+ public:
+  /// All 1 where there is no vignetting to reckon.
+  PixelCosine(const TonemapArguments& a, const Image& image)
+      : width_(static_cast<float>(image.width)), height_(static_cast<float>(image.height)) {
+    if (a.photographic.vignetting == 0) return;
+    const float degrees = a.field_of_view ? *a.field_of_view : field_of_view(a.input);
+    if (!(degrees > 0 && degrees < 180))
+      throw UsageError("--fov: the angle that the picture's width spans, between 0 and 180");
+    per_pixel_ = 2 * std::tan(degrees * kPi / 360) / width_;
+  }
+  float operator()(int x, int y) const {
+    const float fx = (static_cast<float>(x) + 0.5f - width_ / 2) * per_pixel_;
+    const float fy = (static_cast<float>(y) + 0.5f - height_ / 2) * per_pixel_;
+    return 1 / std::sqrt(1 + fx * fx + fy * fy);
+  }
+
+ private:
+  /// As `oriel render` left it in the file.
+  static float field_of_view(const std::string& path) {
+    float degrees = 0;
+    if (std::filesystem::path(path).extension() == ".exr") {
+      const ExrFile file = read_exr(path);
+      const auto found = file.metadata.find(kFieldOfViewKey);
+      if (found != file.metadata.end()) degrees = std::strtof(found->second.c_str(), nullptr);
+    }
+    if (!(degrees > 0))
+      throw UserError(fmt::format(
+          "--vignetting: '{}' does not say its field of view; give it by --fov DEGREES", path));
+    return degrees;
+  }
+
+  float width_, height_, per_pixel_ = 0;
+};
+
+void expose(Image& image, TonemapArguments& a) {
   if (!a.whitepoint.empty()) a.photographic.whitepoint = parse_color(a.whitepoint);
   a.photographic.gamma = a.plain.gamma = a.gamma;
-  if (a.simple) {
-    map_image(image, lens::SimpleExposure(a.plain));
-  } else {
-    // A picture alone does not say where its camera's axis was, so there is no vignetting.
-    const lens::PhotographicExposure exposure(a.photographic);
-    map_image(image, [&](const Rgb& c) { return exposure(c); });
+  a.plain.curve = a.curve == "asymptotic" ? lens::KneeCurve::Asymptotic : lens::KneeCurve::Ratio;
+  if (a.simple)
+    return map_image(image, [exposure = lens::SimpleExposure(a.plain)](const Rgb& c, int, int) {
+      return exposure(c);
+    });
+  if (!a.view.empty()) {
+    // The view is the film: of the exposure it is the light alone that is left.
+    a.photographic.burn_highlights = 1;
+    a.photographic.crush_blacks = 0;
+    a.photographic.saturation = a.photographic.gamma = 1;
   }
+  const PixelCosine cosine(a, image);
+  const lens::PhotographicExposure exposure(a.photographic);
+  map_image(image, [&](const Rgb& c, int x, int y) {
+    const Rgb exposed = exposure(c, cosine(x, y));
+    if (a.view == "agx") return lens::agx(exposed);
+    if (a.view == "neutral") return srgb_encode(lens::pbr_neutral(exposed));
+    return exposed;
+  });
+}
+
+int run_tonemap(TonemapArguments& a) {
+  Image image = read_named_picture(a.input);
+  expose(image, a);
   const std::string suffix = std::filesystem::path(a.output).extension().string();
   FileOptions options;
   options.format = SampleFormat::Float;
@@ -75,15 +135,21 @@ Command add_tonemap_command(CLI::App& program) {
   auto a = std::make_shared<TonemapArguments>();
   app->add_option("IN", a->input, "Linear picture, usually EXR")->required();
   app->add_option("-o,--output", a->output, "The picture to write, type by suffix")->required();
-  app->add_option("--gamma", a->gamma, "Display gamma")->capture_default_str();
+  CLI::Option* gamma = app->add_option("--gamma", a->gamma, "Display gamma")->capture_default_str();
 
   auto& p = a->photographic;
+  p.vignetting = 0;  // a picture alone does not say where its camera's axis was
   const std::string photographic = "Photographic exposure";
   std::vector<CLI::Option*> of_photographic = {
       app->add_option("--iso", p.film_iso, "Film speed; 0: --cm2 is a plain gain"),
       app->add_option("--shutter", p.camera_shutter, "Shutter time is one over this, in seconds"),
       app->add_option("--f-number", p.f_number, "Aperture"),
       app->add_option("--cm2", p.cm2_factor, "cd/m2 per pixel unit"),
+      app->add_option("--vignetting", p.vignetting,
+                      "Exponent of the cosine, 0 none, 3 as a camera"),
+      app->add_option("--fov", a->field_of_view,
+                      "Degrees that the width spans; EXR files of oriel render say it")
+          ->type_name("DEGREES"),
       app->add_option("--burn", p.burn_highlights, "1 linear ... 0 never over-exposed"),
       app->add_option("--crush", p.crush_blacks, "0 linear ... darker shadows"),
       app->add_option("--saturation", p.saturation, "0 grey, 1 as it is"),
@@ -94,13 +160,26 @@ Command add_tonemap_command(CLI::App& program) {
       app->add_option("--pedestal", s.pedestal, "Added first"),
       app->add_option("--gain", s.gain, "Multiplies"),
       app->add_option("--knee", s.knee, "Where compression begins"),
-      app->add_option("--compression", s.compression, "Ratio above the knee")};
-  for (CLI::Option* option : of_photographic) {
-    option->group(photographic)->excludes(simple);
-    if (option->get_name() != "--whitepoint") option->capture_default_str();
-  }
+      app->add_option("--compression", s.compression, "Ratio above the knee"),
+      app->add_option("--knee-curve", a->curve, "ratio, or asymptotic: smooth and never above 1")
+          ->check(CLI::IsMember({"ratio", "asymptotic"}))
+          ->type_name("CURVE")};
   for (CLI::Option* option : of_simple)
     option->group("Simple exposure")->needs(simple)->capture_default_str();
+  CLI::Option* view =
+      app->add_option("--view", a->view,
+                      "Exposes by the options above, then shows by agx or neutral (PBR Neutral)")
+          ->check(CLI::IsMember({"agx", "neutral"}))
+          ->type_name("VIEW")
+          ->excludes(simple)
+          ->excludes(gamma);
+  for (const char* curve : {"--burn", "--crush", "--saturation"})
+    view->excludes(app->get_option(curve));
+  for (CLI::Option* option : of_photographic) {
+    option->group(photographic)->excludes(simple);
+    if (option->get_name() != "--whitepoint" && option->get_name() != "--fov")
+      option->capture_default_str();
+  }
   return {app, [a] { return run_tonemap(*a); }};
 }
 

@@ -12,9 +12,7 @@ constexpr int kMostBlades = 1 << 16;
 
 float usable(float v) { return v > 0 && std::isfinite(v) ? v : 0.0f; }
 
-Vec2 on_circle(float turns) {
-  return Vec2(std::cos(kTwoPi * turns), std::sin(kTwoPi * turns));
-}
+Vec2 on_circle(float turns) { return Vec2(std::cos(kTwoPi * turns), std::sin(kTwoPi * turns)); }
 
 }  // namespace
 
@@ -37,8 +35,7 @@ Aperture::Aperture(std::span<const Rgb> texels, std::size_t width, std::size_t h
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (brightness[i] > 0)
-        weights_[i][k] =
-            static_cast<float>(usable(texels[i][k]) / brightness[i] * (mean / most));
+        weights_[i][k] = static_cast<float>(usable(texels[i][k]) / brightness[i] * (mean / most));
   table_ = sampling::Distribution2D(brightness, width, height);
 }
 
@@ -48,7 +45,8 @@ Aperture::Sample Aperture::sample(const Vec2& u) const {
     const auto cell = [](float x, std::size_t n) {
       return std::min(static_cast<std::size_t>(x * static_cast<float>(n)), n - 1);
     };
-    const std::size_t at = cell(uv.y, table_.height()) * table_.width() + cell(uv.x, table_.width());
+    const std::size_t at =
+        cell(uv.y, table_.height()) * table_.width() + cell(uv.x, table_.width());
     return {Vec2(2 * uv.x - 1, 2 * uv.y - 1), weights_[at]};
   }
   const float r = std::pow(u.x, exponent_);

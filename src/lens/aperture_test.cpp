@@ -78,8 +78,8 @@ TEST(Aperture, FewerThanThreeBladesAreRound) {
 // acceptance: K3
 TEST(Aperture, PicturesAreReproduced) {
   // 4 x 2 texels: the sum of weights in each is its share of the picture, in each channel.
-  const std::vector<Rgb> texels = {Rgb(1), Rgb(0), Rgb(2, 1, 0), Rgb(0, 0, 3),
-                                   Rgb(.5f), Rgb(0, 4, 0), Rgb(0), Rgb(1, 1, 2)};
+  const std::vector<Rgb> texels = {Rgb(1),   Rgb(0),       Rgb(2, 1, 0), Rgb(0, 0, 3),
+                                   Rgb(.5f), Rgb(0, 4, 0), Rgb(0),       Rgb(1, 1, 2)};
   const Aperture aperture(texels, 4, 2);
   std::vector<Rgb> got(8, Rgb(0));
   each_sample(aperture, [&](const Aperture::Sample& s) {

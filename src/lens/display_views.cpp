@@ -56,16 +56,15 @@ float agx_curve(float x) {
   constexpr float kSlope = 2, kToe = 3, kShoulder = 3.25f, kMiddle = 0.5f;
   constexpr float kPivot = kStopsBelow / (kStopsBelow + kStopsAbove);
   x = clamp01(x);
-  const float y = x < kPivot
-                      ? kMiddle - branch(kPivot - x, Vec2(kPivot, kMiddle), kSlope, kToe)
-                      : kMiddle + branch(x - kPivot, Vec2(1 - kPivot, 1 - kMiddle), kSlope,
-                                         kShoulder);
+  const float y =
+      x < kPivot ? kMiddle - branch(kPivot - x, Vec2(kPivot, kMiddle), kSlope, kToe)
+                 : kMiddle + branch(x - kPivot, Vec2(1 - kPivot, 1 - kMiddle), kSlope, kShoulder);
   return clamp01(y);
 }
 
 Rgb agx(const Rgb& linear) {
-  const Rgb c = apply(insets().inset, Rgb(not_negative(linear.x), not_negative(linear.y),
-                                          not_negative(linear.z)));
+  const Rgb c = apply(insets().inset,
+                      Rgb(not_negative(linear.x), not_negative(linear.y), not_negative(linear.z)));
   Rgb out(0);
   for (int i = 0; i < 3; ++i) {
     const float stops = std::log2(std::max(c[i], 1e-30f) / kGrey);
@@ -76,9 +75,9 @@ Rgb agx(const Rgb& linear) {
 }
 
 Rgb pbr_neutral(const Rgb& linear) {
-  constexpr float kReflected = 0.04f;             // F90 of the specification: at normal incidence
-  constexpr float kStart = 0.8f - kReflected;     // K_s
-  constexpr float kDesaturation = 0.15f;          // K_d
+  constexpr float kReflected = 0.04f;          // F90 of the specification: at normal incidence
+  constexpr float kStart = 0.8f - kReflected;  // K_s
+  constexpr float kDesaturation = 0.15f;       // K_d
   Rgb c(not_negative(linear.x), not_negative(linear.y), not_negative(linear.z));
   const float least = std::min({c.x, c.y, c.z});
   c -= Rgb(least <= 2 * kReflected ? least - sqr(least) / (4 * kReflected) : kReflected);

@@ -55,9 +55,7 @@ TEST(DisplayViews, GreyStaysGreyAndRises) {
 }
 
 TEST(DisplayViews, AgxTakesColourFromBrightLightAndStaysInRange) {
-  const auto spread = [](const Rgb& c) {
-    return max_component(c) - std::min({c.x, c.y, c.z});
-  };
+  const auto spread = [](const Rgb& c) { return max_component(c) - std::min({c.x, c.y, c.z}); };
   const Rgb hue(1, 0.2f, 0.05f);
   EXPECT_GT(spread(agx(hue)), 0.2f);
   EXPECT_LT(spread(agx(hue * 100.0f)), spread(agx(hue)));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "render/lens_shaders.h"
 #include "render/output_names.h"
 #include "render/output_request.h"
 #include "runtime/binder.h"
@@ -20,13 +21,17 @@ class ShaderReader {
  public:
   ShaderReader(const scene::Scene& scene, const Registry& registry, World& world,
                Diagnostics& diagnostics)
-      : binder_(scene, registry, world, no_lights_, diagnostics), diagnostics_(diagnostics) {}
+      : world_(world),
+        binder_(scene, registry, world, no_lights_, diagnostics),
+        diagnostics_(diagnostics) {}
 
   void append(const scene::Output& output, NodeList& nodes) {
     for (const ShaderNode* node : binder_.bind(output.shaders)) {
-      if (node->spec().lens)
+      if (node->spec().lens) {
         nodes.push_back(node);
-      else
+        note_preview(*node, world_);
+        warn_missing_channel(*node, output);
+      } else
         diagnostics_.warning("OR-RN-052", output.where,
                              fmt::format("shader \"{}\" does not act as an output shader; skipped",
                                          node->spec().name));
@@ -34,6 +39,18 @@ class ShaderReader {
   }
 
  private:
+  void warn_missing_channel(const ShaderNode& node, const scene::Output& output) {
+    const LensTraits traits = lens_traits(node);
+    if (traits.side_channel_mode == 0 || has_side_channel(world_, traits.side_channel)) return;
+    diagnostics_.warning(
+        "OR-RN-056", output.where,
+        fmt::format("output shader \"{}\" reads the side channel \"{}\", which no lens shader "
+                    "fills; it acts on the picture",
+                    node.spec().name, traits.side_channel),
+        "put a copy of the shader with the same side_channel and mode into the camera's lens");
+  }
+
+  World& world_;
   std::unordered_map<std::string, std::vector<int>> no_lights_;
   Binder binder_;
   Diagnostics& diagnostics_;
@@ -67,8 +84,8 @@ void add_file(PictureFile file, std::vector<PictureFile>& files) {
 /// The files of the frame buffers, each named as the output it shows.
 class BufferReader {
  public:
-  BufferReader(const OutputRoots& roots, Diagnostics& diagnostics)
-      : roots_(roots), diagnostics_(diagnostics) {}
+  BufferReader(const OutputRoots& roots, const World& world, Diagnostics& diagnostics)
+      : roots_(roots), world_(world), diagnostics_(diagnostics) {}
 
   void read(const scene::FrameBuffer& buffer, const NodeList& shaders,
             std::vector<PictureFile>& files) {
@@ -77,7 +94,8 @@ class BufferReader {
     scene::Output output{buffer.datatype.empty() ? "rgba" : buffer.datatype, buffer.filetype,
                          buffer.filename, buffer.modifiers};
     output.where = buffer.where;
-    if (shown < 0 && !is_picture(buffer) && !is_geometry_type(output.types)) {
+    const bool side_channel = shown < 0 && has_side_channel(world_, buffer.name);
+    if (shown < 0 && !side_channel && !is_picture(buffer) && !is_geometry_type(output.types)) {
       unknown_ += fmt::format("{}\"{}\"", unknown_.empty() ? "" : ", ", buffer.name);
       if (count_++ == 0) first_ = buffer.where;
       return;
@@ -86,6 +104,8 @@ class BufferReader {
     if (!file) return;
     if (shown >= 0)
       file->shown_layer = material_output_names()[static_cast<std::size_t>(shown)];
+    else if (side_channel)
+      file->unmapped = true;
     else
       file->shaders = shaders;
     add_file(std::move(*file), files);
@@ -104,6 +124,7 @@ class BufferReader {
 
  private:
   const OutputRoots& roots_;
+  const World& world_;
   Diagnostics& diagnostics_;
   std::string unknown_;
   int count_ = 0;
@@ -157,7 +178,7 @@ std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const Outpu
       out.push_back(std::move(*file));
     }
   }
-  BufferReader buffers(roots, diagnostics);
+  BufferReader buffers(roots, world, diagnostics);
   for (const scene::FrameBuffer& b : camera.frame_buffers) buffers.read(b, before, out);
   buffers.report_unknown();
   return out;

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "image/denoise.h"
 #include "image/exr.h"
+#include "render/lens_shaders.h"
 #include "render/output_names.h"
 
 namespace oriel {
@@ -94,9 +95,9 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
   }
   if (file.channels != Channels::ColorAlpha && file.channels != Channels::Color)
     return data_image(session, file.channels);
-  Image image = file.linear ? linear_image(session, denoised)
-                            : view_image(shown_image(session, file.shaders, denoised),
-                                         view_options(session.world().options));
+  Image image = file.unmapped || file.linear ? linear_image(session, denoised)
+                                             : shown_image(session, file.shaders, denoised);
+  if (!file.linear) image = view_image(image, view_options(session.world().options));
   return file.channels == Channels::Color ? without_alpha(image) : image;
 }
 
@@ -200,7 +201,8 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
     const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
     Rgb c = clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y);
     if (!output_shaders.empty())
-      c = map_color(output_shaders, session.world(), w.pixel_centre(x, y), c);
+      c = map_output(output_shaders, session.world(), w.pixel_centre(x, y), c,
+                     clean ? Rgb(clean[0], clean[1], clean[2]) : rgb(film.pixel(x, y).beauty));
     put(to, c);
     to[3] = film.pixel(x, y).beauty.a;
   });

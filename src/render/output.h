@@ -50,6 +50,7 @@ struct PictureFile {
   Channels channels = Channels::ColorAlpha;
   SampleFormat samples = SampleFormat::Float;  ///< of EXR; of others the nearest they have
   bool linear = false;                         ///< not a view: film values as they are
+  bool unmapped = false;                       ///< a side channel: what lens shaders are given
   LayerSet layers = kFilmLayers;               ///< of EXR
   std::string shown_layer = {};                ///< an output in place of the beauty; empty = none
   NodeList shaders = {};                       ///< output shaders that run over what the file shows

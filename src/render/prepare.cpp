@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "render/lens_shaders.h"
 #include "render/prepare_parts.h"
 #include "scene/render_options.h"
 
@@ -13,9 +14,14 @@ namespace {
 void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
                Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.lens)) {
-    if (node->spec().lens)
-      world.lens.push_back(node);
-    else if (node->spec().volume)
+    const ShaderSpec& spec = node->spec();
+    if (spec.lens) {
+      // Each lens shader asks the next for the ray's colour and maps what comes back.
+      world.lens.insert(world.lens.begin(), node);
+      note_preview(*node, world);
+    } else if (spec.lens_ray) {
+      if (spec.lens_rays(*node) > 0) world.lens_rays.push_back(node);
+    } else if (spec.volume)
       world.air_of_eye.push_back(node);
     else
       diagnostics.warning(

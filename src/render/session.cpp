@@ -7,8 +7,8 @@
 #include <chrono>
 #include <mutex>
 
+#include "render/lens_shaders.h"
 #include "sampling/sampler.h"
-#include "transport/path.h"
 
 namespace oriel {
 namespace {
@@ -35,21 +35,6 @@ DisplayMap display_map(const World& world, const Window& window) {
 
 }  // namespace
 
-Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& color) {
-  ShadingPoint point;
-  point.raster = raster;
-  point.world = &world;
-  const Camera::Ray ray = world.camera.ray(raster);
-  point.ray_origin = ray.origin;
-  point.ray_direction = ray.direction;
-  const LensCall lens{ray.cos_to_film, world.camera.orthographic};
-  Rgb mapped = color;
-  for (const ShaderNode* node : shaders)
-    mapped = node->with_params(
-        point, [&](const Call& call) { return node->spec().lens(call, lens, mapped); });
-  return mapped;
-}
-
 RenderSession::RenderSession(const World& world, const SessionSettings& settings)
     : world_(world),
       seed_(settings.seed),
@@ -73,10 +58,11 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
 
   PathSettings settings = passes_.path_settings();
   settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
-  settings.grid = grid_ && !grid_->empty() ? &*grid_ : nullptr;
+  // The grid's points were found through the camera's middle: a lens sees others at a pixel.
+  const bool has_grid = grid_ && !grid_->empty() && world_.lens_rays.empty();
+  settings.grid = has_grid ? &*grid_ : nullptr;
   settings.outputs = outputs;
-  const PathResult path =
-      trace_path(world_, world_.camera.ray(raster), raster, settings, sampler, counts);
+  const PathResult path = trace_eye_rays(world_, raster, settings, sampler, counts);
   FilmSample s;
   s.beauty = path.radiance;
   s.alpha = path.alpha;
@@ -110,9 +96,7 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
                                  const std::atomic<bool>* cancel) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Watch watch{cancel, {}};
   double told = 0, shown = 0;
   std::mutex mutex;
@@ -137,14 +121,26 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
   passes_.run(world_, window_, seed_, rays_, map_files_, diagnostics_, watch, after_pass);
 }
 
+StopReason RenderSession::show_preview() {
+  film_.clear();
+  Progressive once(film_, {.max_samples = 1});
+  return once.run([&](int x, int y, std::uint32_t, FilmSample& s) {
+    const Vec2 at = window_.pixel_centre(x, y);
+    const Rgba c = world_.preview->texel(Vec2(at.x / static_cast<float>(world_.camera.width),
+                                              at.y / static_cast<float>(world_.camera.height)));
+    s.beauty = rgb(c);
+    s.alpha = c.a;
+  });
+}
+
 StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
                               const std::atomic<bool>* cancel) {
+  if (world_.preview) return show_preview();
   const IndirectPlan& plan = passes_.plan();
   if (!grid_) {
     prepare_maps(callbacks, cancel);
     const scene::RenderOptions& o = world_.options;
-    if ((plan.gather && o.finalgather.only) ||
-        ((plan.global || plan.caustic) && o.photonmap_only))
+    if ((plan.gather && o.finalgather.only) || ((plan.global || plan.caustic) && o.photonmap_only))
       return StopReason::MapsOnly;
     grid_.emplace(world_, passes_.path_settings(), seed_, rays_);
     if (cancel && *cancel && plan.maps()) {

@@ -26,11 +26,6 @@ struct SessionSettings {
   Diagnostics* diagnostics = nullptr;  ///< of map files; outlives the session; may be null
 };
 
-/// Sends a colour through shaders that map colours (exposures), as lens or output shaders.
-///
-/// Inputs:  raster: as Camera::ray takes it.
-Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& color);
-
 /// Renders one world.
 ///
 /// Model:   sample i of a pixel is keyed by the pixel's place in the whole picture, the seed and i:
@@ -44,7 +39,8 @@ class RenderSession {
   /// Makes maps as the options ask, then renders until the budget is used up or `cancel` becomes
   /// true. Called again it goes on. While gather points are placed a picture of one sample with
   /// what is known so far is shown from time to time (callbacks.pass); cancelled before the
-  /// picture began, it leaves such a one. No picture where the options ask for maps only.
+  /// picture began, it leaves such a one. No picture where the options ask for maps only. Where an
+  /// exposure has a preview, that is the picture and nothing is rendered.
   StopReason run(const Progressive::Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
 
@@ -59,6 +55,7 @@ class RenderSession {
  private:
   FilmSample sample(int x, int y, std::uint32_t index, RayCounts& counts, Outputs* outputs) const;
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
+  StopReason show_preview();
   StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                   const std::atomic<bool>* cancel);
 

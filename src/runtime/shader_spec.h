@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/camera.h"
 #include "runtime/param.h"
 #include "runtime/shading_point.h"
 
@@ -71,6 +72,15 @@ struct LensCall {
   bool orthographic = false;
 };
 
+/// What an exposure asks for beside mapping colours.
+struct LensTraits {
+  const TextureNode* preview = nullptr;  ///< shown in place of a rendering; null = none
+  int side_channel_mode = 0;             ///< see map_output() in render/lens_shaders.h
+  std::string_view side_channel = {};
+  float luminance = 0;  ///< cd/m2 that it takes one unit of a pixel for; 0 = no physical unit
+  float gamma = 1;
+};
+
 /// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
 /// arrives, and `added` comes on top.
 struct AirValue {
@@ -106,6 +116,13 @@ struct ShaderSpec {
   void (*photons)(const void* params, const Light&, LightPhotons&) = nullptr;
   /// Maps a colour on its way to the film.
   Rgb (*lens)(const Call&, const LensCall&, const Rgb&) = nullptr;
+  /// What it asks for beside that. Null: nothing.
+  LensTraits (*lens_traits)(const ShaderNode&) = nullptr;
+  /// Bends an eye ray of the camera through a lens; u is uniform in [0,1)^2. Returns the weight of
+  /// what the ray sees.
+  Rgb (*lens_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
+  /// How many rays each eye ray becomes, by constant parameters; 0 = the lens is off.
+  int (*lens_rays)(const ShaderNode&) = nullptr;
   /// Acts as a volume: between call.point's ray origin and the surface at its ray_length.
   AirValue (*volume)(const Call&) = nullptr;
   /// Built once from the constant parameters.

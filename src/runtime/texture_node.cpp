@@ -69,6 +69,12 @@ Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampl
   return texture_->sample(uv, footprint, how);
 }
 
+Rgba TextureNode::texel(const Vec2& uv) const {
+  ShadingPoint nowhere;
+  nowhere.nearest_texels = true;
+  return lookup(uv, nowhere, {.wrap_u = Wrap::Clamp, .wrap_v = Wrap::Clamp});
+}
+
 TextureFootprint texture_footprint(const ShadingPoint& point) {
   // Solve dP = dpdu du + dpdv dv in the least squares sense for both axes of the footprint.
   const float uu = dot(point.dpdu, point.dpdu), uv = dot(point.dpdu, point.dpdv),

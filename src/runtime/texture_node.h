@@ -23,6 +23,12 @@ class TextureNode {
 
   bool missing() const { return procedure_.empty() && !texture_; }
 
+  /// Pixels of the picture; 0 where it is procedural or missing.
+  int width() const { return texture_ ? texture_->width() : 0; }
+  int height() const { return texture_ ? texture_->height() : 0; }
+  /// The texel at uv as it stands; outside of the picture, that of its border.
+  Rgba texel(const Vec2& uv) const;
+
   /// Looks up at `uv`; `point` gives the ray's footprint, measured in texture space 0, or asks for
   /// the nearest texel.
   Rgba lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const;

@@ -38,11 +38,13 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
-  std::vector<int> portals;  ///< indices into lights
-  bool has_gels = false;     ///< some portal dims what is seen through it
+  std::vector<int> portals;      ///< indices into lights
+  bool has_gels = false;         ///< some portal dims what is seen through it
   bool has_area_lights = false;  ///< some light has a shape that rays can meet
   EnvironmentLight environment;
-  NodeList lens;                          ///< colour-mapping lens shaders, in order
+  NodeList lens;       ///< colour-mapping lens shaders, in the order in which they map
+  NodeList lens_rays;  ///< lens shaders that bend eye rays, in order
+  const TextureNode* preview = nullptr;   ///< shown in place of a rendering; null = none
   NodeList air;                           ///< volume shaders of the camera: around all rays
   NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
   bool has_transparent_blockers = false;  ///< some material may let light pass

@@ -186,6 +186,18 @@ side_channel | string | -
 preview | color texture | -
 use_preview | boolean | -
 )";
+constexpr std::string_view kLensBokehTable = R"(
+on | boolean | on
+plane | scalar | 100
+radius | scalar | 1
+samples | integer | 4
+bias | scalar | 1
+blade_count | integer | 0
+blade_angle | scalar | 0
+use_bokeh | boolean | off
+bokeh | color texture | -
+)";
+
 constexpr std::string_view kSimpleTable = R"(
 pedestal | scalar | 0
 gain | scalar | 1
@@ -273,6 +285,7 @@ TEST(Declarations, SunSkyPortalAndExposuresAreTheDeclaredTables) {
   EXPECT_EQ(table_of("mia_portal_light"), kPortalTable);
   EXPECT_EQ(table_of("mia_exposure_photographic"), kPhotographicTable);
   EXPECT_EQ(table_of("mia_exposure_simple"), kSimpleTable);
+  EXPECT_EQ(table_of("mia_lens_bokeh"), kLensBokehTable);
 }
 
 TEST(Declarations, VersionsAreThoseOfTheLibrary) {
@@ -282,6 +295,7 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
   EXPECT_EQ(spec_of("mia_portal_light").version, 9);
   EXPECT_EQ(spec_of("mia_exposure_photographic").version, 4);
   EXPECT_EQ(spec_of("mia_exposure_simple").version, 1);
+  EXPECT_EQ(spec_of("mia_lens_bokeh").version, 4);
 }
 
 TEST(Declarations, BaseShadersHaveTheirParametersInOrder) {

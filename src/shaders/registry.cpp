@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "shaders/architectural/mia_exposure.h"
+#include "shaders/architectural/mia_lens_bokeh.h"
 #include "shaders/architectural/mia_material.h"
 #include "shaders/architectural/mia_portal_light.h"
 #include "shaders/architectural/mia_sun_sky.h"
@@ -52,23 +53,12 @@ std::string apply_words(unsigned apply) {
 
 const Registry& builtin_shaders() {
   static const Registry registry({
-      &kMiaMaterial,
-      &kMiaMaterialX,
-      &kMiaMaterialXPasses,
-      &kMiaPhysicalSun,
-      &kMiaPhysicalSky,
-      &kMiaPortalLight,
-      &kMiaCieSky,
-      &kMiaExposurePhotographic,
-      &kMiaExposureSimple,  //
-      &kMibIllumLambert,
-      &kMibIllumPhong,
-      &kMibLightInfinite,
-      &kMibLightPoint,
-      &kMibLightSpot,
-      &kMibLookupBackground,
-      &kMibLookupSpherical,
-      &kMibTextureLookup,
+      &kMiaMaterial,       &kMiaMaterialX,        &kMiaMaterialXPasses, &kMiaPhysicalSun,
+      &kMiaPhysicalSky,    &kMiaPortalLight,      &kMiaCieSky,          &kMiaExposurePhotographic,
+      &kMiaExposureSimple,
+      &kMiaLensBokeh,  //
+      &kMibIllumLambert,   &kMibIllumPhong,       &kMibLightInfinite,   &kMibLightPoint,
+      &kMibLightSpot,      &kMibLookupBackground, &kMibLookupSpherical, &kMibTextureLookup,
       &kMibTextureRemap,
       &kMibTextureVector,  //
       &kPhysicalLight,

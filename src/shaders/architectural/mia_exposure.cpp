@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shaders/architectural/mia_exposure.h"
 
+#include <algorithm>
+
 #include "lens/exposure.h"
+#include "runtime/shader_node.h"
 
 namespace oriel {
 namespace {
@@ -22,7 +25,6 @@ struct Simple {
   bool use_preview;
 };
 
-constexpr Support kIgnored = Support::Ignored;
 constexpr ParamSpec kPhotographicRows[] = {
     {ORIEL_PARAM(Photographic, cm2_factor), .fallback = {1},
      .doc = "cd/m2 per unit of the pixels; with film_iso 0 the plain gain."},
@@ -42,13 +44,12 @@ constexpr ParamSpec kPhotographicRows[] = {
     {ORIEL_PARAM(Photographic, saturation), .fallback = {1}, .min = 0, .doc = "Of the result."},
     {ORIEL_PARAM(Photographic, gamma), .fallback = {2.2f}, .min = 0, .doc = "Display gamma."},
     {ORIEL_PARAM(Photographic, side_channel_mode), .min = 0, .max = 2,
-     .doc = "Lens and output copies share a frame buffer.", .support = kIgnored},
-    {ORIEL_PARAM(Photographic, side_channel), .doc = "That frame buffer.", .support = kIgnored,
+     .doc = "1: the output shader maps what the lens shader was given, 2: puts it back."},
+    {ORIEL_PARAM(Photographic, side_channel), .doc = "Name that both share.",
      .declared_default = false},
     {ORIEL_PARAM(Photographic, preview), .doc = "Picture to map instead of rendering.",
-     .support = kIgnored, .declared_default = false},
-    {ORIEL_PARAM(Photographic, use_preview), .doc = "Use it.", .support = kIgnored,
      .declared_default = false},
+    {ORIEL_PARAM(Photographic, use_preview), .doc = "Use it.", .declared_default = false},
 };
 constexpr ParamSpec kSimpleRows[] = {
     {ORIEL_PARAM(Simple, pedestal), .doc = "Added first."},
@@ -58,9 +59,8 @@ constexpr ParamSpec kSimpleRows[] = {
      .doc = "Compression ratio, 0 none."},
     {ORIEL_PARAM(Simple, gamma), .fallback = {2.2f}, .min = 0, .doc = "Display gamma."},
     {ORIEL_PARAM(Simple, preview), .doc = "Picture to map instead of rendering.",
-     .support = kIgnored, .declared_default = false},
-    {ORIEL_PARAM(Simple, use_preview), .doc = "Use it.", .support = kIgnored,
      .declared_default = false},
+    {ORIEL_PARAM(Simple, use_preview), .doc = "Use it.", .declared_default = false},
 };
 
 struct PhotographicState final : ShaderState {
@@ -107,6 +107,15 @@ const ShaderSpec kMiaExposurePhotographic = {
           return static_cast<const PhotographicState*>(call.state)
               ->exposure(c, lens.orthographic ? 1.0f : lens.cos_to_film);
         },
+    .lens_traits =
+        [](const ShaderNode& node) {
+          const auto& p = node.constants<Photographic>();
+          return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
+                            .side_channel_mode = std::clamp(p.side_channel_mode, 0, 2),
+                            .side_channel = p.side_channel,
+                            .luminance = p.film_iso > 0 ? p.cm2_factor : 0,
+                            .gamma = p.gamma};
+        },
     .prepare = prepare<PhotographicState, Photographic>,
 };
 
@@ -120,6 +129,12 @@ const ShaderSpec kMiaExposureSimple = {
     .params_size = sizeof(Simple),
     .lens = [](const Call& call, const LensCall&,
                const Rgb& c) { return static_cast<const SimpleState*>(call.state)->exposure(c); },
+    .lens_traits =
+        [](const ShaderNode& node) {
+          const auto& p = node.constants<Simple>();
+          return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
+                            .gamma = p.gamma};
+        },
     .prepare = prepare<SimpleState, Simple>,
 };
 

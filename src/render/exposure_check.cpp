@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/exposure_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <set>
+
+#include "render/lens_shaders.h"
+#include "sky/units.h"
+
+namespace oriel {
+namespace {
+
+/// Units that differ by less may be meant: lux for candela is a factor of pi.
+constexpr float kWrongFactor = 10;
+
+/// Who applies gamma to what the file shows, in order.
+std::vector<std::string> gammas(const World& world, const PictureFile& file) {
+  std::vector<std::string> who;
+  const auto add = [&](const ShaderNode& node, const char* role) {
+    if (lens_traits(node).gamma != 1)
+      who.push_back(fmt::format("the {} shader {}", role, node.spec().name));
+  };
+  for (const ShaderNode* node : world.lens) add(*node, "lens");
+  for (const ShaderNode* node : file.shaders) {
+    const LensTraits traits = lens_traits(*node);
+    const bool side = traits.side_channel_mode > 0 && has_side_channel(world, traits.side_channel);
+    if (side) who.clear();
+    if (!side || traits.side_channel_mode == 1) add(*node, "output");
+  }
+  if (world.options.gamma != 1) who.push_back(fmt::format("the options ({})", world.options.gamma));
+  return who;
+}
+
+bool shows_mapped_colors(const PictureFile& file) {
+  return !file.linear && !file.unmapped && file.shown_layer.empty() &&
+         (file.channels == Channels::ColorAlpha || file.channels == Channels::Color);
+}
+
+void check_gamma(const World& world, const std::vector<PictureFile>& files,
+                 Diagnostics& diagnostics) {
+  for (const PictureFile& file : files) {
+    if (!shows_mapped_colors(file)) continue;
+    const std::vector<std::string> who = gammas(world, file);
+    if (who.size() < 2) continue;
+    return diagnostics.warning(
+        "OR-RN-041", {},
+        fmt::format("colours get gamma {}, by {}", who.size() == 2 ? "twice" : "several times",
+                    fmt::join(who, " and by ")),
+        "gamma belongs in one place: set the others to 1");
+  }
+}
+
+/// cd/m2 of one unit of a pixel by a sun's or sky's rgb_unit_conversion; nothing for others.
+std::optional<float> luminance_of_unit(const ShaderNode& node) {
+  for (const ParamSpec& p : node.spec().params) {
+    if (p.type != ParamType::Color || std::strcmp(p.name, "rgb_unit_conversion") != 0) continue;
+    if (node.connected(p.offset)) continue;
+    Rgba unit;
+    convert_value(p.type, &node.constants<std::byte>() + p.offset, p.type, &unit);
+    const Rgb scale = sky::unit_conversion(rgb(unit));
+    const float mean = (scale.x + scale.y + scale.z) / 3;
+    // 1 / pi gives candela per square metre.
+    if (mean > 0) return kInvPi / mean;
+  }
+  return std::nullopt;
+}
+
+void check_units(const World& world, const std::vector<PictureFile>& files,
+                 Diagnostics& diagnostics) {
+  std::set<const ShaderNode*> exposures(world.lens.begin(), world.lens.end());
+  for (const PictureFile& file : files) exposures.insert(file.shaders.begin(), file.shaders.end());
+  for (const ShaderNode* exposure : exposures) {
+    const float taken = lens_traits(*exposure).luminance;
+    if (!(taken > 0)) continue;
+    for (const auto& node : world.nodes) {
+      const std::optional<float> put = luminance_of_unit(*node);
+      if (!put) continue;
+      const float stops = std::log2(taken / *put);
+      if (std::abs(stops) < std::log2(kWrongFactor)) continue;
+      return diagnostics.warning(
+          "OR-RN-044", {},
+          fmt::format("{} takes one unit of a pixel for {:.4g} cd/m2, {} makes it {:.4g}: the "
+                      "picture is {:.1f} stops too {}",
+                      exposure->spec().name, taken, node->spec().name, *put, std::abs(stops),
+                      stops < 0 ? "dark" : "bright"),
+          fmt::format("set cm2_factor to {:.4g}, or rgb_unit_conversion to {:.4g} (or film_iso 0 "
+                      "where no unit is meant)",
+                      *put, kInvPi / taken));
+    }
+  }
+}
+
+}  // namespace
+
+void check_exposures(const World& world, const std::vector<PictureFile>& files,
+                     Diagnostics& diagnostics) {
+  check_gamma(world, files, diagnostics);
+  check_units(world, files, diagnostics);
+}
+
+}  // namespace oriel

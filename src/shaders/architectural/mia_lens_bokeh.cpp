@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/architectural/mia_lens_bokeh.h"
+
+#include <algorithm>
+
+#include "lens/aperture.h"
+#include "runtime/shader_node.h"
+#include "runtime/texture_node.h"
+
+namespace oriel {
+namespace {
+
+struct Bokeh {
+  bool on;
+  float plane, radius;
+  int samples;
+  float bias;
+  int blade_count;
+  float blade_angle;
+  bool use_bokeh;
+  ColorTextureRef bokeh;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(Bokeh, on), .fallback = {1}, .doc = "Off: no depth of field."},
+    {ORIEL_PARAM(Bokeh, plane), .fallback = {100}, .unit = "scene units",
+     .doc = "Distance at which things are sharp."},
+    {ORIEL_PARAM(Bokeh, radius), .fallback = {1}, .min = 0, .unit = "scene units",
+     .doc = "Radius of the lens opening."},
+    {ORIEL_PARAM(Bokeh, samples), .fallback = {4}, .min = 1, .max = 256,
+     .doc = "Rays that each camera sample becomes."},
+    {ORIEL_PARAM(Bokeh, bias), .fallback = {1}, .min = 0,
+     .doc = "1 an even disc, less: light in the middle, more: at the rim."},
+    {ORIEL_PARAM(Bokeh, blade_count), .fallback = {0}, .min = 0,
+     .doc = "Corners of the opening; below 3 it is round."},
+    {ORIEL_PARAM(Bokeh, blade_angle), .fallback = {0}, .unit = "turns",
+     .doc = "Turns the blades; 1 is 360 degrees."},
+    {ORIEL_PARAM(Bokeh, use_bokeh), .fallback = {0},
+     .doc = "A picture is the opening; bias and blades have no effect."},
+    {ORIEL_PARAM(Bokeh, bokeh), .doc = "That picture.", .declared_default = false},
+};
+
+/// Larger pictures are looked up at so many places a side, procedural ones at kProcedural.
+constexpr int kMostTexels = 1024, kProcedural = 256;
+
+lens::Aperture kernel_of(const TextureNode& texture) {
+  const auto side = [](int texels) {
+    return texels > 0 ? std::min(texels, kMostTexels) : kProcedural;
+  };
+  const int width = side(texture.width()), height = side(texture.height());
+  std::vector<Rgb> texels;
+  texels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      texels.push_back(
+          rgb(texture.texel(Vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                                 (static_cast<float>(y) + 0.5f) / static_cast<float>(height)))));
+  return lens::Aperture(texels, static_cast<std::size_t>(width), static_cast<std::size_t>(height));
+}
+
+lens::Aperture aperture_of(const Bokeh& p) {
+  const TextureNode* picture = p.use_bokeh ? p.bokeh.texture : nullptr;
+  if (picture && !picture->missing()) return kernel_of(*picture);
+  return lens::Aperture(p.blade_count, p.blade_angle, p.bias);
+}
+
+struct BokehState final : ShaderState {
+  explicit BokehState(const Bokeh& p) : aperture(aperture_of(p)) {}
+  lens::Aperture aperture;
+};
+
+Rgb bend(const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
+  const auto& p = call.as<Bokeh>();
+  const lens::Aperture::Sample sample =
+      static_cast<const BokehState*>(call.state)->aperture.sample(u);
+  const auto axis = [&](float x, float y, float z) {
+    return normalize(transform_vector(Vec3(x, y, z), camera.to_world));
+  };
+  const Vec3 ahead = axis(0, 0, -1);
+  const float cosine = dot(ray.direction, ahead);
+  // Hosts write the distance with either sign.
+  const float plane = std::abs(p.plane), radius = std::max(p.radius, 0.0f);
+  if (!(cosine > 0) || !(plane > 0) || !std::isfinite(plane) || !std::isfinite(radius))
+    return sample.weight;
+  const Vec3 focus = ray.origin + ray.direction * (plane / cosine);
+  ray.origin += (axis(1, 0, 0) * sample.point.x + axis(0, 1, 0) * sample.point.y) * radius;
+  ray.direction = normalize(focus - ray.origin);
+  ray.cos_to_film = dot(ray.direction, ahead);
+  return sample.weight;
+}
+
+}  // namespace
+
+const ShaderSpec kMiaLensBokeh = {
+    .name = "mia_lens_bokeh",
+    .library = "architectural",
+    .version = 4,
+    .apply = kApplyLens,
+    .doc = "Depth of field, with the shape of the lens opening.",
+    .params = kRows,
+    .params_size = sizeof(Bokeh),
+    .lens_ray = bend,
+    .lens_rays =
+        [](const ShaderNode& node) {
+          const auto& p = node.constants<Bokeh>();
+          return p.on ? std::max(p.samples, 1) : 0;
+        },
+    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+      return std::make_unique<BokehState>(*static_cast<const Bokeh*>(params));
+    },
+};
+
+}  // namespace oriel
