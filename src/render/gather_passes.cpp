@@ -11,21 +11,45 @@ namespace oriel {
 namespace {
 
 /// Pixels between gather points of the last pass at presample density 1; a guess.
-constexpr float kFinestStep = 4;
+constexpr float kFinestStep = 2;
+/// Error at a record's radius that shortens it (GatherCache::shorten_by_curvature); a guess.
+constexpr float kCurvature = 0.1f;
 /// Passes, each twice as fine as the one before.
-constexpr int kPasses = 4;
+constexpr int kPasses = 5;
 /// Streams of the points of one path, and what tells them from those of its lobes.
 constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
 
+int finest_step(float density) {
+  return std::clamp(
+      static_cast<int>(std::lround(kFinestStep / std::sqrt(std::max(density, 0.01f)))), 1, 64);
+}
+
+/// The points that a sample through the middle of a pixel meets.
+void visit_pixel(const World& world, int x, int y, sampling::Sampler& sampler, RayCounts& counts,
+                 std::vector<GatherPoint>& points) {
+  const PathSettings visiting{.indirect = true};
+  visit_gather_points(world, Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f),
+                      visiting, sampler, counts, points);
+}
+
 }  // namespace
+
+std::vector<GatherPoint> first_gather_points(const World& world, const Window& window,
+                                             const GatherPasses& passes, RayCounts& counts) {
+  const int step = finest_step(passes.density) << (kPasses - 1);
+  std::vector<GatherPoint> points;
+  for (int y = window.y0 + step / 2; y < window.y1; y += step)
+    for (int x = window.x0 + step / 2; x < window.x1; x += step) {
+      sampling::Sampler sampler(x, y, 0, passes.seed + 0xf9u);
+      visit_pixel(world, x, y, sampler, counts, points);
+    }
+  return points;
+}
 
 void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
                         GatherCache& cache, RayCounts& counts, const Watch& watch,
                         const std::function<void()>& after_pass) {
-  const float density = std::max(passes.density, 0.01f);
-  const int finest =
-      std::clamp(static_cast<int>(std::lround(kFinestStep / std::sqrt(density))), 1, 64);
-  const PathSettings visiting{.indirect = true};
+  const int finest = finest_step(passes.density);
   // A pass has four times the points of the one before; most of them need no record.
   double done = 0, share = std::pow(4.0, -kPasses) * 3 / (1 - std::pow(4.0, -kPasses));
   for (int pass = 0; pass < kPasses && !watch.cancelled(); ++pass, share *= 4) {
@@ -43,9 +67,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
         sampling::Sampler sampler(x, rows[r], static_cast<std::uint32_t>(pass),
                                   passes.seed + 0xf9u);
         points.clear();
-        visit_gather_points(world,
-                            Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(rows[r]) + 0.5f),
-                            visiting, sampler, mine, points);
+        visit_pixel(world, x, rows[r], sampler, mine, points);
         for (std::size_t i = 0; i < points.size(); ++i) {
           if (cache.interpolate(query_at(passes.covered, points[i].point, points[i].normal)))
             continue;
@@ -61,6 +83,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
     });
     for (const auto& row : made) cache.insert(row);
     cache.clamp_to_neighbours();
+    cache.shorten_by_curvature(kCurvature, passes.records.radii);
     done += share;
     after_pass();
   }

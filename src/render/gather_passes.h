@@ -16,6 +16,10 @@ struct GatherPasses {
   std::uint32_t seed = 0;
 };
 
+/// Where the coarsest pass would gather.
+std::vector<GatherPoint> first_gather_points(const World& world, const Window& window,
+                                             const GatherPasses& passes, RayCounts& counts);
+
 /// Adds records until every surface seen through the finest grid has some.
 ///
 /// Model:   passes over ever finer grids of the picture: a pass asks the cache as it stands,

@@ -80,8 +80,7 @@ void IndirectPasses::run(const World& world, const Window& window, std::uint32_t
                          RayCounts& counts, const MapFiles& files, Diagnostics* diagnostics,
                          const Watch& watch, const std::function<void()>& after_pass) {
   if (plan_.global || plan_.caustic) shoot(world, seed, counts, files, diagnostics, watch);
-  if (plan_.gather)
-    gather(world, window, seed, counts, files, diagnostics, watch, after_pass);
+  if (plan_.gather) gather(world, window, seed, counts, files, diagnostics, watch, after_pass);
 }
 
 void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& counts,
@@ -89,7 +88,8 @@ void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& co
   const scene::RenderOptions& options = world.options;
   bool read = false;
   if (!files.photons.empty() && !options.photonmap_rebuild &&
-      std::filesystem::exists(files.photons)) try {
+      std::filesystem::exists(files.photons))
+    try {
       photons_ = load_photon_maps(files.photons);
       read = true;
     } catch (const std::exception& e) {
@@ -122,10 +122,17 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   // gather rays come from; else also on what they meet, for photons hold no first hits.
   if (plan_.global) passes.records.path.diffuse_bounces = plan_.by_name ? 1 : 0;
   paths_ = passes.records.path;
-  const IndirectMaps photons = maps_;
-  if (plan_.global || plan_.caustic) passes.records.path.maps = &photons;
   passes.covered.accuracy = kGatherError;
   passes.covered.radii = passes.records.radii;
+  if (!plan_.global && paths_.diffuse_bounces > 0) {
+    bounces_ = gather_bounces(world, first_gather_points(world, window, passes, counts),
+                              passes.records, seed, counts, watch);
+    maps_.bounces = &bounces_.cache;
+    maps_.bounces_query = bounces_.query;
+    maps_.bounces_held = bounces_.held;
+  }
+  const IndirectMaps behind = maps_;
+  if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
 
   using Rebuild = scene::FinalGatherOptions::Rebuild;
   Diagnostics unheard;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "render/gather_bounces.h"
 #include "render/window.h"
 #include "runtime/world.h"
 #include "transport/gather_cache.h"
@@ -77,6 +78,7 @@ class IndirectPasses {
   IndirectMaps maps_;
   PathSettings paths_;  ///< behind a diffuse surface
   PhotonMaps photons_;
+  Bounces bounces_;
   GatherCache cache_;
 };
 

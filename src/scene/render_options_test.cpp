@@ -82,7 +82,7 @@ TEST(RenderOptions, AnEmptyBlockHasTheDocumentedDefaults) {
   EXPECT_EQ(o.globillum.accuracy, 64);
   EXPECT_EQ(o.caustic.filter, PhotonOptions::Filter::Box);
   EXPECT_FLOAT_EQ(o.caustic.filter_constant, 1.1f);
-  EXPECT_EQ(o.finalgather.rays, 100);
+  EXPECT_EQ(o.finalgather.rays, 400);
   EXPECT_EQ(o.finalgather.points, 10);
   EXPECT_FALSE(o.finalgather.depth.has_value());
   EXPECT_EQ(o.finalgather.presample_density, 1);

@@ -14,9 +14,9 @@ namespace oriel {
 /// A question to the cache.
 struct GatherQuery {
   Vec3 position{0}, normal{0, 0, 1};  ///< normal unit, on the side that is lit
-  int points = 0;     ///< above 0: so many records; 0: all within the error
-  bool by_error = false;  ///< of `points`: those of least error, not the nearest
-  float accuracy = 1;     ///< largest error a record may have; not for the nearest
+  int points = 0;                     ///< above 0: so many records; 0: all within the error
+  bool by_error = false;              ///< of `points`: those of least error, not the nearest
+  float accuracy = 1;                 ///< largest error a record may have; not for the nearest
   /// Records whose normals differ by more than this cosine are not used; their weight fades before.
   float min_cosine = 0.9f;
   /// Scene units. By error: the records' radii are kept within, in place of those they were made
@@ -65,6 +65,11 @@ class GatherCache {
   /// whose rays missed a small thing nearby so learns of it. Call after inserting.
   void clamp_to_neighbours();
 
+  /// Shortens radii where neighbours gathered something else than the gradient foretells: at its
+  /// radius a record may be wrong by `tolerance`, a share of its irradiance, if errors grow with
+  /// the square of the distance. What noise explains does not count. Call after clamping.
+  void shorten_by_curvature(float tolerance, const GatherRadii& radii);
+
   std::optional<Gathered> interpolate(const GatherQuery& query) const;
 
   bool empty() const { return records_.empty(); }
@@ -107,6 +112,8 @@ class GatherCache {
   void grow_to(const Vec3& position);
   void split(std::uint32_t node, const Vec3& centre);
   float refit(std::uint32_t node);
+  float straight(std::uint32_t node, const GatherRecord& record, float radius,
+                 float tolerance) const;
   float clamped(std::uint32_t node, const Vec3& position, float best) const;
   float compatibility(const Entry& entry, const GatherQuery& query) const;
   void bounded(std::uint32_t node, const GatherQuery& query, Sum& sum) const;

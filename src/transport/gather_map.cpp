@@ -41,6 +41,7 @@ void each_number(Record& r, const F& f) {
   for (auto& v : r.by_position) vector(v);
   for (auto& v : r.by_normal) vector(v);
   f(r.radius);
+  f(r.noise);
   f(r.mean_distance);
   f(r.min_distance);
   for (auto& x : r.free) f(x);

@@ -11,9 +11,11 @@ namespace {
 
 /// Share of the scene's diagonal that a record may reach, and of that what it reaches at least,
 /// where the scene does not say.
-constexpr float kMaxRadius = 0.1f, kMinRadius = 0.1f;
+constexpr float kMaxRadius = 0.1f, kMinRadius = 0.03f;
 /// Records of a larger error say nothing about a point (GatherQuery::accuracy); a guess.
 constexpr float kWorstError = 1;
+/// Share of a point's rays that is spread evenly; the others go where those found contrast.
+constexpr float kSpreadShare = 0.5f;
 
 }  // namespace
 
@@ -24,6 +26,19 @@ void visit_gather_points(const World& world, Vec2 raster, const PathSettings& se
   Path(world, raster, settings, sampler, counts, nothing).visit(world.camera.ray(raster), points);
 }
 
+void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& direction,
+                      const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts,
+                      std::vector<GatherPoint>& points) {
+  PathResult nothing;
+  Path(world, from.point.raster, settings, sampler, counts, nothing)
+      .visit_behind(from.point, direction, points);
+}
+
+GatherRadii default_gather_radii(const geom::Box3& scene) {
+  const float max = kMaxRadius * length(scene.max - scene.min);
+  return {kMinRadius * max, max, false};
+}
+
 GatherSettings gather_settings(const scene::RenderOptions& all, const geom::Box3& scene) {
   const scene::FinalGatherOptions& options = all.finalgather;
   GatherSettings s;
@@ -31,9 +46,9 @@ GatherSettings gather_settings(const scene::RenderOptions& all, const geom::Box3
   s.filter = options.filter;
   s.reach = options.falloff_stop;
   s.fades_from = std::min(options.falloff_start, options.falloff_stop);
+  s.radii = default_gather_radii(scene);
   s.radii.in_pixels = options.radius_in_pixels && options.max_radius > 0;
-  s.radii.max =
-      options.max_radius > 0 ? options.max_radius : kMaxRadius * length(scene.max - scene.min);
+  if (options.max_radius > 0) s.radii.max = options.max_radius;
   s.radii.min = options.min_radius > 0 ? options.min_radius : kMinRadius * s.radii.max;
   s.path.further_bounces = rgb(options.secondary_scale);
   using Depth = scene::FinalGatherOptions::Depth;
@@ -71,8 +86,8 @@ Rgb faded(const World& world, const GatherSettings& settings, const Vec3& origin
     ++counts.environment;
     open = rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));
   }
-  const float share = linear_fade(found.depth - settings.fades_from,
-                                  settings.reach - settings.fades_from);
+  const float share =
+      linear_fade(found.depth - settings.fades_from, settings.reach - settings.fades_from);
   return open + (found.radiance - open) * share;
 }
 
@@ -83,16 +98,14 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
   sampling::Sampler turn = sampler;
   const int rays =
       std::max(4, static_cast<int>(std::lround(static_cast<float>(settings.rays) * at.quality)));
-  const auto hemisphere = GatherHemisphere::for_rays(at.normal, rays, turn.next_1d());
-  const float reach = settings.reach > 0 ? settings.reach : kInfinity;
+  const int spread = std::max(4, static_cast<int>(static_cast<float>(rays) * kSpreadShare));
+  const auto hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
   const float side = dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f;
-  std::vector<GatherSample> samples(static_cast<std::size_t>(hemisphere.count()));
-  for (int i = 0; i < hemisphere.count(); ++i) {
-    auto stream = sampler.split(static_cast<std::uint32_t>(i),
-                                static_cast<std::uint32_t>(hemisphere.count()), 0);
-    GatherSample& s = samples[static_cast<std::size_t>(i)];
-    s.direction = hemisphere.direction(i, stream.next_2d());
-    if (side * dot(s.direction, at.point.geometric_normal) <= 0) continue;
+  const auto trace = [&](int stratum, sampling::Sampler& stream) {
+    GatherSample s;
+    s.direction = hemisphere.direction(stratum, stream.next_2d());
+    if (side * dot(s.direction, at.point.geometric_normal) <= 0) return s;
+    const float reach = settings.reach > 0 ? settings.reach : kInfinity;
     const PathResult r =
         trace_gather_ray(world, at.point, s.direction, reach, settings.path, stream, counts);
     s.radiance = faded(world, settings, at.point.position, s.direction, r, counts);
@@ -100,6 +113,26 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
       s.distance = r.depth;
       s.normal = r.normal;
     }
+    return s;
+  };
+  const int strata = hemisphere.count();
+  std::vector<GatherSample> samples(static_cast<std::size_t>(strata));
+  for (int i = 0; i < strata; ++i) {
+    auto stream =
+        sampler.split(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(strata), 0);
+    samples[static_cast<std::size_t>(i)] = trace(i, stream);
+  }
+  const std::vector<int> more =
+      share_rays(samples, hemisphere.rings, hemisphere.sectors, std::max(0, rays - strata));
+  for (int i = 0; i < strata; ++i) {
+    GatherSample& s = samples[static_cast<std::size_t>(i)];
+    const int n = more[static_cast<std::size_t>(i)];
+    for (int j = 0; j < n; ++j) {
+      auto stream = sampler.split(static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(n),
+                                  static_cast<std::uint32_t>(i + 1));
+      s.radiance += trace(i, stream).radiance;
+    }
+    s.radiance /= static_cast<float>(n + 1);
   }
   return make_gather_record(at.point.position, hemisphere, samples,
                             settings.radii.in_scene(pixel_width(at.point)), settings.filter);

@@ -22,9 +22,14 @@ void visit_gather_points(const World& world, Vec2 raster, const PathSettings& se
                          sampling::Sampler& sampler, RayCounts& counts,
                          std::vector<GatherPoint>& points);
 
+/// The surfaces that a gather ray meets before anything diffuse.
+void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& direction,
+                      const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts,
+                      std::vector<GatherPoint>& points);
+
 /// How records are made.
 struct GatherSettings {
-  int rays = 100;
+  int rays = 400;
   int filter = 0;
   /// What rays meet from here on fades to the environment, which alone is there from `reach` on;
   /// scene units. Reach 0 = any.
@@ -32,6 +37,9 @@ struct GatherSettings {
   GatherRadii radii;  ///< in scene units or pixels
   PathSettings path;  ///< of the rays: bounces behind the first surface, photons
 };
+
+/// Radii for options that write none, by the size of the scene.
+GatherRadii default_gather_radii(const geom::Box3& scene);
 
 /// What the options ask for. The scene's box and trace depth fill in what is not written.
 GatherSettings gather_settings(const scene::RenderOptions& options, const geom::Box3& scene);

@@ -63,6 +63,7 @@ struct GatherRecord {
   /// By channel: E changes by its product with another normal, to first order.
   std::array<Vec3, 3> by_normal{Vec3(0), Vec3(0), Vec3(0)};
   float radius = 1;  ///< of validity, scene units; finite
+  float noise = 0;   ///< standard error of the irradiance's brightness, as share of it; a guess
   float mean_distance = kGatherFarthest, min_distance = kGatherFarthest;
   /// How far one gets along the surface before something stands there, in eight directions of
   /// Frame(normal), the first along s.
@@ -91,6 +92,19 @@ float gather_sector(const Vec3& normal, const Vec3& v);
 /// Checked: GatherRecord.FilterRemovesASpeckle, GatherRecord.FilterKeepsAnEdge.
 void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, int reach);
 
+/// How many rays of `more` each stratum gets beside its first one: those with contrast about them.
+///
+/// Model:   strata alternate like the squares of a chessboard, and one is judged by its four
+///          neighbours alone, which are of the other colour, each colour having half of the rays.
+///          So what a stratum's own rays found has no say in how many it gets, and the mean of them
+///          stays unbiased. Rays go by the difference of the neighbours' brightness: about where
+///          the rays of a stratum differ. Strata among equal ones get none, and a hemisphere
+///          without contrast spends fewer rays than it may.
+/// Inputs:  samples: as make_gather_record; sectors: even.
+/// Checked: GatherRecord.MoreRaysGoWhereContrastIs, GatherRecord.SharedRaysStayUnbiased
+std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, int sectors,
+                            int more);
+
 /// Makes a record of the rays of one point.
 ///
 /// Model:   E and the integrals over directions take the radiance as constant in each stratum.
@@ -98,8 +112,9 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
 ///          nearer of the two is near; where samples bring normals, as near as its plane is at the
 ///          strata's border. Without, the gradient is too long in the mean: before
 ///          a wall 1.5 high, with 100 rays, by 1.2 at distance 1 and 1.8 at 0.3; with them 0.97 and
-///          1.07. Radius: harmonic mean of the distances, no longer than E /
-///          |gradient| (beyond which E would be extrapolated to nothing), then kept within `radii`.
+///          1.07. Radius: harmonic mean of the distances, no longer than half
+///          of E / |gradient| (beyond the whole, E would be extrapolated to nothing), then kept
+///          within `radii`.
 /// Inputs:  samples: one for each stratum, in order; radiance that is negative or not finite counts
 ///          as black. radii: in scene units. filter: as filter_speckles.
 /// Source:  Ward, Heckbert, "Irradiance Gradients", EGWR 1992; strata's borders as in Krivanek,

@@ -147,6 +147,44 @@ float GatherCache::refit(std::uint32_t index) {
   return node.reach;
 }
 
+float GatherCache::straight(std::uint32_t index, const GatherRecord& r, float radius,
+                            float tolerance) const {
+  /// Differences of fewer standard errors than this are taken for noise.
+  constexpr float kNoise = 0.5f;
+  /// Neighbours whose normals differ by more than this cosine are another surface.
+  constexpr float kSameWay = 0.9f;
+  const Node& node = nodes_[index];
+  if (node.distance2(r.position) > sqr(radius)) return radius;
+  if (node.child != 0) {
+    for (std::uint32_t i = 0; i < 8; ++i) radius = straight(node.child + i, r, radius, tolerance);
+    return radius;
+  }
+  for (const Entry& e : node.entries) {
+    const float distance2 = (e.position - r.position).length2();
+    if (!(distance2 > 0) || distance2 > sqr(radius) || dot(e.normal, r.normal) < kSameWay) continue;
+    const GatherRecord& other = records_[e.record];
+    const auto bright = [](const Rgb& c) { return c.x + c.y + c.z; };
+    const float foretold = bright(extrapolate(r, other.position, other.normal));
+    const float found = bright(other.irradiance), own = bright(r.irradiance);
+    const float scale = std::max(found, own);
+    if (!(scale > 0)) continue;
+    const float noise = std::hypot(r.noise * own, other.noise * found) / scale;
+    const float wrong = std::abs(foretold - found) / scale - kNoise * noise;
+    if (wrong > tolerance) radius = std::min(radius, std::sqrt(distance2 * tolerance / wrong));
+  }
+  return radius;
+}
+
+void GatherCache::shorten_by_curvature(float tolerance, const GatherRadii& radii) {
+  if (nodes_.empty()) return;
+  std::vector<float> shorter(radii_.size());
+  parallel_for(records_.size(), [&](std::size_t i) {
+    shorter[i] = radii.clamped(straight(0, records_[i], radii_[i], tolerance));
+  });
+  radii_ = std::move(shorter);
+  refit(0);
+}
+
 void GatherCache::clamp_to_neighbours() {
   if (nodes_.empty()) return;
   // From the radii that the records were made with: min over all others of radius + distance obeys

@@ -21,6 +21,10 @@ struct IndirectMaps {
   const GatherCache* gather = nullptr;  ///< read where the eye sees, mirrors and glass between
   GatherQuery query;                    ///< how; place and normal are the asker's
   Rgb gather_scale{1};
+  /// Read behind gather rays: coarse records that hold so many further bounces, the sky included.
+  const GatherCache* bounces = nullptr;
+  GatherQuery bounces_query;
+  int bounces_held = 0;
   const PhotonMap* global = nullptr;  ///< read behind gather rays, or by the eye without `gather`
   PhotonLookup global_lookup;
   const PhotonMap* caustic = nullptr;  ///< read everywhere

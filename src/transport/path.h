@@ -28,11 +28,12 @@ struct IndirectMaps;
 
 /// How paths are traced.
 struct PathSettings {
+  static constexpr int kAllBounces = 1 << 20;
   /// False: no diffuse bounces and no light from the environment on diffuse lobes, as a scene
   /// without final gathering and photons is rendered.
   bool indirect = true;
-  int diffuse_bounces = 1 << 20;  ///< most of them; light from the environment is the last one
-  Rgb further_bounces{1};         ///< factor of each diffuse bounce behind the first
+  int diffuse_bounces = kAllBounces;  ///< most of them; light from the environment is the last one
+  Rgb further_bounces{1};             ///< factor of each diffuse bounce behind the first
   /// Trace depth behind a diffuse bounce; unset = that of the options.
   std::optional<scene::TraceDepth> depth_behind = std::nullopt;
   Estimator estimator = Estimator::Mis;

@@ -43,6 +43,14 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
     if (!found) return std::nullopt;
     return found->irradiance * maps.gather_scale * found->fade;
   }
+  if (reads_bounces()) {
+    GatherQuery query = maps.bounces_query;
+    query.position = point.position;
+    query.normal = normal;
+    const auto found = maps.bounces->interpolate(query);
+    if (!found) return std::nullopt;
+    return found->irradiance * settings_.further_bounces;
+  }
   if (maps.global)
     return maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
                                    maps.global_lookup);
@@ -121,6 +129,12 @@ Rgb Path::with_neighbours(const Closure& closure, const ShadingPoint& point, con
 void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {
   visited_ = &points;
   run(eye);
+}
+
+void Path::visit_behind(const ShadingPoint& point, const Vec3& direction,
+                        std::vector<GatherPoint>& points) {
+  visited_ = &points;
+  gather_ray(point, direction, kInfinity);
 }
 
 /// Notes a surface that gathered light falls on, and goes on through what mirrors or transmits.

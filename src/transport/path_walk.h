@@ -39,6 +39,9 @@ class Path {
   void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
   /// Follows the eye ray as far as nothing diffuse comes before, and notes what it meets.
   void visit(const Camera::Ray& eye, std::vector<GatherPoint>& points);
+  /// The same behind a diffuse surface.
+  void visit_behind(const ShadingPoint& point, const Vec3& direction,
+                    std::vector<GatherPoint>& points);
   /// Follows the eye ray to the first surface and fills a point of the grid of that density.
   void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
 
@@ -119,6 +122,13 @@ class Path {
   /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
   bool reads_photons() const {
     return settings_.maps && settings_.maps->global && (after_diffuse_ || !settings_.maps->gather);
+  }
+  /// Whether coarse records stand for just the diffuse bounces that are still to come.
+  bool reads_bounces() const {
+    if (!settings_.maps || !settings_.maps->bounces || !after_diffuse_) return false;
+    const int held = settings_.maps->bounces_held;
+    return held >= PathSettings::kAllBounces ||
+           settings_.diffuse_bounces - diffuse_bounces_ == held;
   }
   /// Whether light that comes to a diffuse surface by mirrors and glass is in the caustic map, so
   /// that rays behind that surface must not find it again.

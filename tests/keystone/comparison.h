@@ -66,6 +66,7 @@ struct Level {
 
 /// Luminance of some pictures of one scene.
 struct Measured {
+  std::vector<Values> pictures;
   Values pixels;         ///< means over the pictures
   Level picture;         ///< of whole pictures
   Level indirect;        ///< of their layer indirect_result
@@ -99,7 +100,7 @@ class Comparison {
       indirects.push_back(mean_of(luminances(find_layer(layers, "indirect_result")->image)));
     }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    Measured m{means(all), Level(wholes), Level(indirects), 0, took.count() / pictures};
+    Measured m{all, means(all), Level(wholes), Level(indirects), 0, took.count() / pictures};
     if (pictures > 1)
       for (const Values& one : all)
         m.noise_mse += relative_mse(one, m.pixels) / (pictures - 1) / pictures;

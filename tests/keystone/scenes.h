@@ -53,8 +53,7 @@ inline void face(SceneText& scene, const std::string& material, int axis, bool u
 }
 
 inline SceneText start(const std::string& options = {}) {
-  SceneText scene(kOptions + " " + options + " " +
-                  (std::getenv("KS_OPT") ? std::getenv("KS_OPT") : ""));
+  SceneText scene(kOptions + " " + options);
   scene.camera(kCamera)
       .lambert("grey", .6f)
       .lambert("floor", .4f)
