@@ -22,7 +22,7 @@ namespace {
 struct TonemapArguments {
   std::string input, output;
   bool simple = false;
-  std::string whitepoint, view, curve = "ratio";
+  std::string layer, whitepoint, view, curve = "ratio";
   std::optional<float> field_of_view;
   lens::PhotographicParameters photographic;
   lens::SimpleParameters plain;
@@ -112,8 +112,19 @@ void expose(Image& image, TonemapArguments& a) {
   });
 }
 
-int run_tonemap(TonemapArguments& a) {
+/// The picture to map: the beauty, or a layer of an EXR file.
+Image read_picture(const TonemapArguments& a) {
   Image image = read_named_picture(a.input);
+  if (a.layer.empty()) return image;
+  std::vector<Layer> layers;
+  if (std::filesystem::path(a.input).extension() == ".exr") layers = read_exr(a.input).layers;
+  const Layer* layer = find_layer(layers, a.layer);
+  if (!layer) throw UserError(fmt::format("'{}' has no layer {}", a.input, a.layer));
+  return layer->image;
+}
+
+int run_tonemap(TonemapArguments& a) {
+  Image image = read_picture(a);
   expose(image, a);
   const std::string suffix = std::filesystem::path(a.output).extension().string();
   FileOptions options;
@@ -135,6 +146,7 @@ Command add_tonemap_command(CLI::App& program) {
   auto a = std::make_shared<TonemapArguments>();
   app->add_option("IN", a->input, "Linear picture, usually EXR")->required();
   app->add_option("-o,--output", a->output, "The picture to write, type by suffix")->required();
+  app->add_option("--layer", a->layer, "Layer of an EXR file, as \"denoised\"; else the beauty");
   CLI::Option* gamma = app->add_option("--gamma", a->gamma, "Display gamma")->capture_default_str();
 
   auto& p = a->photographic;

@@ -348,7 +348,8 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_NE(spec->apply, 0u) << spec->name;
     EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
     EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
-    EXPECT_TRUE(spec->value || spec->material || spec->light || spec->lens || spec->portal)
+    EXPECT_TRUE(spec->value || spec->material || spec->light || spec->portal || spec->lens ||
+                spec->lens_ray)
         << spec->name;
     std::set<std::string> names;
     for (const ParamSpec& p : spec->params) {

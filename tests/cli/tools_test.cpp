@@ -125,6 +125,76 @@ TEST_F(TonemapProgram, Burn1Crush0IsLinearAndBurn0NeverExceedsWhite) {
   EXPECT_GT(soft[3], 0.999f);
 }
 
+// acceptance: X6
+TEST_F(TonemapProgram, VignettingGoesByTheFieldOfView) {
+  // 90 degrees over 4 pixels: their middles lie 1.5 and .5 pixels off, 2 pixels away.
+  const std::vector<std::string> linear = {"--iso",   "0", "--burn",       "1",
+                                           "--crush", "0", "--vignetting", "3"};
+  std::vector<std::string> given = linear;
+  given.insert(given.end(), {"--gamma", "1", "--fov", "90"});
+  const auto v = mapped({1, 1, 1, 1}, given);
+  EXPECT_NEAR(v[0], std::pow(1 / std::sqrt(1 + .75 * .75), 3), 1e-6);
+  EXPECT_NEAR(v[2], std::pow(1 / std::sqrt(1 + .25 * .25), 3), 1e-6);
+  std::vector<std::string> unknown = {"tonemap", "in.exr", "-o", "a.exr"};
+  unknown.insert(unknown.end(), linear.begin(), linear.end());
+  const RunResult r = run(unknown);
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_NE(r.err.find("--fov"), std::string::npos) << r.err;
+}
+
+// acceptance: X2, X6
+TEST_F(TonemapProgram, MapsAsTheLensShaderOfTheRender) {
+  // The render says its field of view in the file; linear settings map pixels as their parts.
+  write("scene.mi",
+        small_scene("",
+                    "lens \"mia_exposure_photographic\" ( \"film_iso\" 0, \"cm2_factor\" .5, "
+                    "\"vignetting\" 4, \"burn_highlights\" 1, \"crush_blacks\" 0, "
+                    "\"saturation\" .7, \"gamma\" 1 )"));
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--samples", "16"}).exit_code, 0);
+  ASSERT_EQ(run({"tonemap", "a.exr", "-o", "b.exr", "--iso", "0", "--cm2", ".5", "--vignetting",
+                 "4", "--burn", "1", "--crush", "0", "--saturation", ".7", "--gamma", "1"})
+                .exit_code,
+            0);
+  const ExrFile rendered = read_exr(file("a.exr"));
+  const Layer* display = find_layer(rendered.layers, "display");
+  ASSERT_NE(display, nullptr);
+  const Image mapped = read_image(file("b.exr"));
+  for (int y = 0; y < mapped.height; ++y)
+    for (int x = 0; x < mapped.width; ++x)
+      for (int k = 0; k < 3; ++k)
+        ASSERT_NEAR(mapped.at(x, y)[k], display->image.at(x, y)[k], 2e-6f) << x << " " << y;
+  ASSERT_EQ(run({"tonemap", "a.exr", "-o", "c.exr", "--layer", "albedo", "--iso", "0", "--burn",
+                 "1", "--crush", "0", "--gamma", "1"})
+                .exit_code,
+            0);
+  const Layer* albedo = find_layer(rendered.layers, "albedo");
+  EXPECT_NEAR(read_image(file("c.exr")).at(20, 20)[1], albedo->image.at(20, 20)[1], 1e-6f);
+  EXPECT_EQ(run({"tonemap", "a.exr", "-o", "c.exr", "--layer", "nothing"}).exit_code, 1);
+}
+
+TEST_F(TonemapProgram, ViewsStandInForTheCurves) {
+  // Exposed by the camera first: 30720 cd/m2 saturate.
+  const auto agx = mapped({0, .18f * 30720, 1e9f}, {"--view", "agx"});
+  EXPECT_NEAR(agx[0], 0, 1e-6);
+  EXPECT_NEAR(agx[1], .5, 1e-4);
+  EXPECT_NEAR(agx[2], 1, 1e-4);
+  // PBR Neutral takes .04 of .4; then the sRGB curve.
+  const auto neutral = mapped({.4f * 30720}, {"--view", "neutral"});
+  EXPECT_NEAR(neutral[0], 1.055 * std::pow(.36, 1 / 2.4) - .055, 1e-5);
+  for (const char* option : {"--burn", "--crush", "--saturation", "--gamma"})
+    EXPECT_EQ(run({"tonemap", "in.exr", "-o", "a.png", "--view", "agx", option, "1"}).exit_code, 2)
+        << option;
+  EXPECT_EQ(run({"tonemap", "in.exr", "-o", "a.png", "--view", "aces"}).exit_code, 2);
+}
+
+// acceptance: X1
+TEST_F(TonemapProgram, KneesOfBothForms) {
+  const auto ratio = mapped({1}, {"--simple", "--gamma", "1"});
+  const auto smooth = mapped({1}, {"--simple", "--gamma", "1", "--knee-curve", "asymptotic"});
+  EXPECT_NEAR(ratio[0], 2 / 3., 1e-6);
+  EXPECT_NEAR(smooth[0], .75, 1e-6);
+}
+
 TEST_F(TonemapProgram, WrongOptionsAreUsageErrors) {
   EXPECT_EQ(run({"tonemap", "in.exr"}).exit_code, 2);
   EXPECT_EQ(run({"tonemap", "in.exr", "-o", "a.png", "--gain", "2"}).exit_code, 2);
