@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The manual's way to tune an exposure, and what is said of exposures that cannot be right.
+#include <nlohmann/json.hpp>
+
+#include "image/exr.h"
+#include "image/files.h"
+#include "lens/exposure.h"
+#include "program.h"
+
+namespace oriel {
+namespace {
+
+class ExposureProgram : public ProgramTest {
+ protected:
+  /// The last line of what `oriel render --json` said.
+  static nlohmann::json last_line(const RunResult& r) {
+    const std::string text = r.out.substr(0, r.out.find_last_not_of('\n') + 1);
+    return nlohmann::json::parse(text.substr(text.rfind('\n') + 1));
+  }
+};
+
+// acceptance: X2
+TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
+  write("plain.mi", small_scene());
+  // With all its layers: the beauty is what is read.
+  ASSERT_EQ(run({"render", "plain.mi", "-o", "preview.exr", "--samples", "8"}).exit_code, 0);
+  write("tuned.mi", "color texture \"pv\" \"preview.exr\"\n" +
+                        small_scene("finalgather on",
+                                    "lens \"mia_exposure_simple\" ( \"gain\" 3, \"gamma\" 1.8, "
+                                    "\"preview\" \"pv\", \"use_preview\" on )"));
+  const RunResult r = run({"render", "tuned.mi", "-o", "tuned.exr", "--json"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.error_lines(), 0) << r.err;
+  EXPECT_EQ(last_line(r)["rays"], 0);
+  EXPECT_LT(last_line(r)["elapsed"], 2);
+  const ExrFile tuned = read_exr(file("tuned.exr")), before = read_exr(file("preview.exr"));
+  const Layer* display = find_layer(tuned.layers, "display");
+  ASSERT_NE(display, nullptr);
+  const lens::SimpleExposure exposure({.gain = 3, .gamma = 1.8f});
+  const Image& beauty = before.layers[0].image;
+  for (int y = 0; y < beauty.height; ++y)
+    for (int x = 0; x < beauty.width; ++x) {
+      const float* p = beauty.at(x, y);
+      const Rgb exact = exposure(Rgb(p[0], p[1], p[2]));
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_EQ(tuned.layers[0].image.at(x, y)[k], p[k]) << x << " " << y;
+        ASSERT_NEAR(display->image.at(x, y)[k], exact[k], 1e-6f) << x << " " << y;
+      }
+    }
+  // Denoising has nothing to go by, and says nothing.
+  EXPECT_EQ(run({"render", "tuned.mi", "-o", "tuned.png", "--denoise", "-q"}).exit_code, 0);
+}
+
+TEST_F(ExposureProgram, GammaTwiceIsToldForOutputShadersToo) {
+  for (const char* role : {"lens", "output"}) {
+    write("scene.mi",
+          small_scene("gamma 2.2", std::string(role) + " \"mia_exposure_simple\" ( \"gain\" 1 )"));
+    const RunResult r = run({"render", "scene.mi", "-o", "a.png", "--samples", "1", "-q"});
+    EXPECT_EQ(r.exit_code, 0);
+    EXPECT_NE(r.err.find("OR-RN-041"), std::string::npos) << role << r.err;
+  }
+}
+
+}  // namespace
+}  // namespace oriel
