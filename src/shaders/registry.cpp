@@ -55,8 +55,8 @@ const Registry& builtin_shaders() {
   static const Registry registry({
       &kMiaMaterial,       &kMiaMaterialX,        &kMiaMaterialXPasses, &kMiaPhysicalSun,
       &kMiaPhysicalSky,    &kMiaPortalLight,      &kMiaCieSky,          &kMiaExposurePhotographic,
-      &kMiaExposureSimple,
-      &kMiaLensBokeh,  //
+      &kMiaExposureSimple, &kMiaLensBokeh,
+      &kPhysicalLensDof,  //
       &kMibIllumLambert,   &kMibIllumPhong,       &kMibLightInfinite,   &kMibLightPoint,
       &kMibLightSpot,      &kMibLookupBackground, &kMibLookupSpherical, &kMibTextureLookup,
       &kMibTextureRemap,

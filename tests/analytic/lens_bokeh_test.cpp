@@ -209,6 +209,15 @@ TEST(LensBokeh, OffIsNoLens) {
   for (int x = -40; x < 40; ++x) ASSERT_EQ(off.at(x, 2).r, plain.at(x, 2).r);
 }
 
+// acceptance: K2, K4
+TEST(LensBokeh, DefaultsRenderThePictureOfPhysicalLensDof) {
+  const Rendered bladed(glow_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1")), 4);
+  const Rendered dof(glow_at(4, .4, "lens \"physical_lens_dof\" ( \"plane\" 2, \"radius\" 1 )"), 4);
+  for (int y = -40; y < 40; ++y)
+    for (int x = -40; x < 40; ++x) ASSERT_EQ(dof.at(x, y).r, bladed.at(x, y).r);
+  EXPECT_EQ(dof.session->rays().eye, bladed.session->rays().eye);
+}
+
 TEST(LensBokeh, MoreRaysMakeSmootherPictures) {
   const auto noise = [](int samples) {
     const Rendered r(

@@ -69,25 +69,35 @@ struct BokehState final : ShaderState {
   lens::Aperture aperture;
 };
 
-Rgb bend(const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
-  const auto& p = call.as<Bokeh>();
-  const lens::Aperture::Sample sample =
-      static_cast<const BokehState*>(call.state)->aperture.sample(u);
+/// Moves the ray to a point of the lens (unit disc) and turns it to what it meets at the plane.
+void bend(const Camera& camera, float plane, float radius, const Vec2& point, Camera::Ray& ray) {
   const auto axis = [&](float x, float y, float z) {
     return normalize(transform_vector(Vec3(x, y, z), camera.to_world));
   };
   const Vec3 ahead = axis(0, 0, -1);
   const float cosine = dot(ray.direction, ahead);
   // Hosts write the distance with either sign.
-  const float plane = std::abs(p.plane), radius = std::max(p.radius, 0.0f);
-  if (!(cosine > 0) || !(plane > 0) || !std::isfinite(plane) || !std::isfinite(radius))
-    return sample.weight;
+  plane = std::abs(plane), radius = std::max(radius, 0.0f);
+  if (!(cosine > 0) || !(plane > 0) || !std::isfinite(plane) || !std::isfinite(radius)) return;
   const Vec3 focus = ray.origin + ray.direction * (plane / cosine);
-  ray.origin += (axis(1, 0, 0) * sample.point.x + axis(0, 1, 0) * sample.point.y) * radius;
+  ray.origin += (axis(1, 0, 0) * point.x + axis(0, 1, 0) * point.y) * radius;
   ray.direction = normalize(focus - ray.origin);
   ray.cos_to_film = dot(ray.direction, ahead);
-  return sample.weight;
 }
+
+struct LensDof {
+  float plane, radius;
+};
+
+constexpr ParamSpec kDofRows[] = {
+    {ORIEL_PARAM(LensDof, plane), .unit = "scene units",
+     .doc = "Distance at which things are sharp, of either sign.", .declared_default = false},
+    {ORIEL_PARAM(LensDof, radius), .unit = "scene units", .doc = "Radius of the lens opening.",
+     .declared_default = false},
+};
+
+/// What the manual compares mia_lens_bokeh's defaults with.
+constexpr int kDofRays = 4;
 
 }  // namespace
 
@@ -99,7 +109,13 @@ const ShaderSpec kMiaLensBokeh = {
     .doc = "Depth of field, with the shape of the lens opening.",
     .params = kRows,
     .params_size = sizeof(Bokeh),
-    .lens_ray = bend,
+    .lens_ray =
+        [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
+          const auto& p = call.as<Bokeh>();
+          const auto s = static_cast<const BokehState*>(call.state)->aperture.sample(u);
+          bend(camera, p.plane, p.radius, s.point, ray);
+          return s.weight;
+        },
     .lens_rays =
         [](const ShaderNode& node) {
           const auto& p = node.constants<Bokeh>();
@@ -108,6 +124,22 @@ const ShaderSpec kMiaLensBokeh = {
     .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
       return std::make_unique<BokehState>(*static_cast<const Bokeh*>(params));
     },
+};
+
+const ShaderSpec kPhysicalLensDof = {
+    .name = "physical_lens_dof",
+    .library = "physics",
+    .apply = kApplyLens,
+    .doc = "Depth of field of a round lens.",
+    .params = kDofRows,
+    .params_size = sizeof(LensDof),
+    .lens_ray =
+        [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
+          const auto& p = call.as<LensDof>();
+          bend(camera, p.plane, p.radius, lens::Aperture(0, 0, 1).sample(u).point, ray);
+          return Rgb(1);
+        },
+    .lens_rays = [](const ShaderNode&) { return kDofRays; },
 };
 
 }  // namespace oriel

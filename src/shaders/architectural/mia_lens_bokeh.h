@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_lens_bokeh: depth of field by rays from all over a lens.
+// mia_lens_bokeh, and physical_lens_dof before it: depth of field by rays from all over a lens.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -19,5 +19,8 @@ namespace oriel {
 //   lights before it upside down. Its brightness says where light passes, its colours tint; what is
 //   sharp keeps its brightness in the channel that the picture has most of.
 extern const ShaderSpec kMiaLensBokeh;
+
+/// The same with an even, round opening and 4 rays.
+extern const ShaderSpec kPhysicalLensDof;
 
 }  // namespace oriel
