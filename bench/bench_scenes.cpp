@@ -221,4 +221,59 @@ std::string big_room() {
   return whole(std::move(body), instances);
 }
 
+std::string sky_lit_room(bool portal, const std::string& floor, const std::string& walls) {
+  const float x = 2, y0 = -1.5f, y1 = 1.5f, z0 = -5, z1 = 1;
+  const float low = -.3f, high = 1, back = -3.5f, front = -1.5f;  // the window at x
+  Quads quads;
+  const auto side = [&](const char* material, float at, float ya, float yb, float za, float zb) {
+    quads.add(material, Vec3(at, ya, za), Vec3(at, ya, zb), Vec3(at, yb, zb), Vec3(at, yb, za));
+  };
+  const auto level = [&](const char* material, float at) {
+    quads.add(material, Vec3(-x, at, z0), Vec3(x, at, z0), Vec3(x, at, z1), Vec3(-x, at, z1));
+  };
+  const auto across = [&](float at) {
+    quads.add("grey", Vec3(-x, y0, at), Vec3(x, y0, at), Vec3(x, y1, at), Vec3(-x, y1, at));
+  };
+  side("red", -x, y0, y1, z0, z1);
+  side("green", x, y0, low, z0, z1);
+  side("green", x, high, y1, z0, z1);
+  side("green", x, low, high, z0, back);
+  side("green", x, low, high, front, z1);
+  level("floor", y0);
+  level("grey", y1);
+  across(z0);
+  across(z1);
+
+  std::string text =
+      "link \"base.so\"\nlink \"architectural.so\"\n"
+      "$include <base.mi>\n$include <architectural.mi>\n"
+      "options \"options\" object space trace on trace depth 8 8 12 "
+      "finalgather on finalgather trace depth 4 4 12 16 end options\n"
+      "shader \"sky\" \"mia_physicalsky\" ( \"y_is_up\" on, \"sun_direction\" -.7071 .7071 0, "
+      "\"haze\" 2, \"sun_disk_intensity\" 0, \"sun_glow_intensity\" 0 )\n"
+      "camera \"camera\" environment = \"sky\" focal 1 aperture 1.5 aspect 1.333333 "
+      "resolution 320 240 end camera\n"
+      "instance \"camera_inst\" \"camera\" end instance\n";
+  const auto material = [&](const char* name, const char* diffuse, const std::string& more) {
+    text += fmt::format(
+        "shader \"{0}_s\" \"mia_material_x\" ( \"diffuse\" {1}, {2} )\n"
+        "material \"{0}\" = \"{0}_s\" shadow = \"{0}_s\" end material\n",
+        name, diffuse, more);
+  };
+  material("grey", ".6 .6 .6", walls);
+  material("red", ".6 .1 .1", walls);
+  material("green", ".1 .5 .1", walls);
+  material("floor", ".4 .4 .4", floor);
+  text += quads.object("room");
+  if (portal)
+    text += fmt::format(
+        "light \"portal\" \"mia_portal_light\" ( \"cutoff_threshold\" 0 ) origin {} {} {} "
+        "rectangle 0 0 {} 0 {} 0 3 3 end light\n"
+        "instance \"portal_inst\" \"portal\" visible on end instance\n",
+        x, (low + high) / 2, (back + front) / 2, front - back, high - low);
+  return text + "instgroup \"world\" \"camera_inst\" \"room_inst\"" +
+         (portal ? " \"portal_inst\"" : "") +
+         " end instgroup\nrender \"world\" \"camera_inst\" \"options\"\n";
+}
+
 }  // namespace oriel::bench

@@ -24,4 +24,12 @@ std::string small_room();
 /// glossy and clear glass.
 std::string big_room();
 
+/// A closed room (y up) that the sky lights through a window: what FinalGather.* in
+/// tests/keystone/smoothness_test.cpp shows, 320 x 240 pixels, bounces not cut by any method.
+///
+/// Inputs:  portal: a portal light fills the window. floor, walls: parameters of mia_material_x
+///          beside the diffuse colour.
+std::string sky_lit_room(bool portal, const std::string& floor = "\"reflectivity\" 0",
+                         const std::string& walls = "\"reflectivity\" 0");
+
 }  // namespace oriel::bench
