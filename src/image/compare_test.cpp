@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 #include "image/flip.h"
@@ -71,6 +72,21 @@ TEST(Flip, IsSymmetricAndGrowsWithTheDifference) {
     EXPECT_GT(there, last);
     last = there;
   }
+}
+
+TEST(Flip, GrowsWithTheLevelOfNoise) {
+  const Image grey(64, 64, 3, 0.5f);
+  double last = 0;
+  for (const float level : {0.01f, 0.03f, 0.1f, 0.3f}) {
+    Image noisy = grey;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> noise(-level, level);
+    for (float& v : noisy.pixels) v += noise(random);
+    const double error = mean_value(flip_error(noisy, grey));
+    EXPECT_GT(error, 1.5 * last) << level;
+    last = error;
+  }
+  EXPECT_LT(last, 1);
 }
 
 TEST(Flip, FineNoiseCountsLessFromFarAway) {
