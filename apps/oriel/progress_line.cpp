@@ -24,12 +24,9 @@ double done_share(const Progress& p) {
 }
 
 nlohmann::json to_json(const Progress& p) {
-  nlohmann::json json = {{"event", "progress"},
-                         {"stage", p.stage ? p.stage : "picture"},
-                         {"pass", p.pass},
-                         {"samples", p.mean_samples},
-                         {"active", p.active},
-                         {"elapsed", p.elapsed}};
+  nlohmann::json json = {{"event", "progress"}, {"stage", p.stage ? p.stage : "picture"},
+                         {"pass", p.pass},      {"samples", p.mean_samples},
+                         {"active", p.active},  {"elapsed", p.elapsed}};
   if (p.noise) json["noise"] = *p.noise;
   if (p.remaining) json["remaining"] = *p.remaining;
   return json;

@@ -83,7 +83,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
     });
     for (const auto& row : made) cache.insert(row);
     cache.clamp_to_neighbours();
-    cache.shorten_by_curvature(kCurvature, passes.records.radii);
+    cache.shorten_by_curvature(kCurvature);
     done += share;
     after_pass();
   }

@@ -32,7 +32,7 @@ enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly
 /// How far a render is.
 struct Progress {
   const char* stage = nullptr;  ///< of the work before the picture ("photons"); null = the picture
-  int pass = 0;  ///< complete passes
+  int pass = 0;                 ///< complete passes
   double mean_samples = 0;
   double active = 1;                ///< fraction of pixels that the running pass still samples
   std::optional<float> noise;       ///< mean over pixels; nothing before the second sample

@@ -25,6 +25,9 @@ struct GatherQuery {
   bool gradients = true;
   bool directional = false;    ///< fill Gathered::incoming
   bool through_walls = false;  ///< last resort: leave out the tests against leaking
+
+  /// Whether there is nothing but black far from records.
+  bool fades() const { return points > 0 && !by_error && radii.max > 0; }
 };
 
 struct Gathered {
@@ -67,8 +70,9 @@ class GatherCache {
 
   /// Shortens radii where neighbours gathered something else than the gradient foretells: at its
   /// radius a record may be wrong by `tolerance`, a share of its irradiance, if errors grow with
-  /// the square of the distance. What noise explains does not count. Call after clamping.
-  void shorten_by_curvature(float tolerance, const GatherRadii& radii);
+  /// the square of the distance. What noise explains does not count; the least radius is the
+  /// query's affair. Call after clamping.
+  void shorten_by_curvature(float tolerance);
 
   std::optional<Gathered> interpolate(const GatherQuery& query) const;
 

@@ -54,6 +54,34 @@ bool same(const std::optional<Gathered>& a, const std::optional<Gathered>& b) {
   return a->irradiance == b->irradiance && a->records == b->records && a->fade == b->fade;
 }
 
+// Irradiance x^2 with its gradient 2 x: the error of a record at distance d is d^2.
+TEST(GatherCache, CurvatureShortensRadii) {
+  GatherCache cache;
+  for (int i = 0; i <= 10; ++i) {
+    const float x = 1 + 0.1f * static_cast<float>(i);
+    GatherRecord r = record(Vec3(x, 0, 0), x * x, 5);
+    r.by_position = {Vec3(2 * x, 0, 0), Vec3(2 * x, 0, 0), Vec3(2 * x, 0, 0)};
+    cache.insert({&r, 1});
+  }
+  cache.shorten_by_curvature(0.1f);
+  // The first neighbour that is wrong by more sets it: radius^2 / E there = tolerance.
+  EXPECT_NEAR(cache.radius(0), std::sqrt(0.1f * 2.25f), 1e-3f);
+  EXPECT_NEAR(cache.radius(10), std::sqrt(0.1f * 4), 1e-3f);
+}
+
+TEST(GatherCache, BestRecordsAreThoseOfLeastError) {
+  GatherCache cache;
+  const GatherRecord near = record(Vec3(0.2f, 0, 0), 1, 0.25f), far = record(Vec3(0, 1, 0), 2, 10);
+  cache.insert({&near, 1});
+  cache.insert({&far, 1});
+  GatherQuery q = at(Vec3(0), 1);
+  EXPECT_FLOAT_EQ(cache.interpolate(q)->irradiance.x, 1) << "the nearest";
+  q.by_error = true;
+  EXPECT_FLOAT_EQ(cache.interpolate(q)->irradiance.x, 2) << "error .1 against .8";
+  q.accuracy = 0.05f;
+  EXPECT_FALSE(cache.interpolate(q));
+}
+
 TEST(GatherCache, EmptyCacheSaysNothing) {
   GatherCache cache;
   EXPECT_FALSE(cache.interpolate(at(Vec3(0))));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "transport/gather_share.h"
 #include "transport/path_walk.h"
 
 namespace oriel {

@@ -8,12 +8,11 @@ namespace oriel {
 namespace {
 
 constexpr int kMostFilter = 4;
-/// Differences below this share of the mean brightness are not worth more rays, and most rays that
-/// one stratum gets beside its first; guesses.
-constexpr float kLeastContrast = 0.5f;
-constexpr int kMostMore = 64;
 /// A plane's border is taken to be at most so many times nearer than the sample on it.
 constexpr float kMostNearer = 4;
+/// Radius in parts of the distance to the nearest thing: beside a window most rays find nothing,
+/// and the mean distance would reach past its frame. A guess.
+constexpr float kMostNearest = 2;
 /// Share of the irradiance that the gradient may add or take over a radius; a guess.
 constexpr float kMostChange = 0.5f;
 /// Rays nearer to the horizon than this, sin^2(theta), tell what stands on the surface.
@@ -168,52 +167,8 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
     }
 }
 
-std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, int sectors,
-                            int more) {
-  std::vector<int> rays(samples.size(), 0);
-  if (more <= 0) return rays;
-  const auto found = [&](int ring, int sector) {
-    const int i = std::clamp(ring, 0, rings - 1) * sectors + (sector + sectors) % sectors;
-    return brightness(samples[static_cast<std::size_t>(i)].radiance);
-  };
-  for (const int color : {0, 1}) {
-    std::vector<float> contrast(samples.size(), 0);
-    float total = 0, level = 0;
-    for (int j = 0; j < rings; ++j)
-      for (int k = 0; k < sectors; ++k) {
-        if ((j + k) % 2 != color) continue;
-        // At the rim the neighbour beyond is left out, not this one taken for it.
-        float low = found(j, k - 1), high = low, sum = low;
-        const auto look = [&](float l) {
-          low = std::min(low, l), high = std::max(high, l), sum += l;
-        };
-        look(found(j, k + 1));
-        if (j > 0) look(found(j - 1, k));
-        if (j + 1 < rings) look(found(j + 1, k));
-        const float c = high - low;
-        contrast[static_cast<std::size_t>(j * sectors + k)] = c;
-        total += c;
-        level += sum;
-      }
-    const float floor = kLeastContrast * level / static_cast<float>(4 * samples.size() / 2);
-    const float budget = 0.5f * static_cast<float>(more);
-    if (!(total > 0)) continue;
-    // Rounded so that sums stay: each gets what the running total has come to.
-    float run = 0;
-    int given = 0;
-    for (std::size_t i = 0; i < contrast.size(); ++i) {
-      if (contrast[i] <= floor) continue;
-      run += contrast[i] / total * budget;
-      const int n = std::min(kMostMore, static_cast<int>(run) - given);
-      rays[i] = n;
-      given += n;
-    }
-  }
-  return rays;
-}
-
 /// Standard error of the mean of strata whose neighbours differ so; as share of the mean.
-float noise_of(std::span<const GatherSample> samples, int rings, int sectors) {
+static float noise_of(std::span<const GatherSample> samples, int rings, int sectors) {
   float squares = 0, sum = 0;
   int pairs = 0;
   const auto found = [&](int j, int k) {
@@ -277,7 +232,8 @@ GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& he
   }
   const float steepness = length(total), e = brightness(r.irradiance);
   const float slope_limit = steepness > 0 ? kMostChange * e / steepness : kGatherFarthest;
-  r.radius = std::min(radii.clamped(std::min(r.mean_distance, slope_limit)), kGatherFarthest);
+  const float reach = std::min(r.mean_distance, kMostNearest * r.min_distance);
+  r.radius = std::min(radii.clamped(std::min(reach, slope_limit)), kGatherFarthest);
   return r;
 }
 

@@ -92,19 +92,6 @@ float gather_sector(const Vec3& normal, const Vec3& v);
 /// Checked: GatherRecord.FilterRemovesASpeckle, GatherRecord.FilterKeepsAnEdge.
 void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, int reach);
 
-/// How many rays of `more` each stratum gets beside its first one: those with contrast about them.
-///
-/// Model:   strata alternate like the squares of a chessboard, and one is judged by its four
-///          neighbours alone, which are of the other colour, each colour having half of the rays.
-///          So what a stratum's own rays found has no say in how many it gets, and the mean of them
-///          stays unbiased. Rays go by the difference of the neighbours' brightness: about where
-///          the rays of a stratum differ. Strata among equal ones get none, and a hemisphere
-///          without contrast spends fewer rays than it may.
-/// Inputs:  samples: as make_gather_record; sectors: even.
-/// Checked: GatherRecord.MoreRaysGoWhereContrastIs, GatherRecord.SharedRaysStayUnbiased
-std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, int sectors,
-                            int more);
-
 /// Makes a record of the rays of one point.
 ///
 /// Model:   E and the integrals over directions take the radiance as constant in each stratum.

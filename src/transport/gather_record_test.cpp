@@ -158,11 +158,13 @@ TEST(GatherRecord, GradientsOfFewRaysAreRightInTheMean) {
 }
 
 TEST(GatherRecord, RadiusIsTheHarmonicMeanWithinBounds) {
-  const auto room = [](const Vec3&, const Vec3& w) { return Seen{1, w.z > 0.5f ? 4.0f : 1.0f}; };
-  // cos > 1/2 holds 3/4 of the cosine-weighted hemisphere: 1 / (3/4 / 4 + 1/4 / 1).
-  EXPECT_NEAR(gather(Vec3(0), kUp, 4000, room).radius, 16 / 7.0f, 0.02f);
-  EXPECT_EQ(gather(Vec3(0), kUp, 100, room, {3, 5}).radius, 3);
+  const auto room = [](const Vec3&, const Vec3& w) { return Seen{1, w.z > 0.5f ? 4.0f : 2.0f}; };
+  // cos > 1/2 holds 3/4 of the cosine-weighted hemisphere: 1 / (3/4 / 4 + 1/4 / 2).
+  EXPECT_NEAR(gather(Vec3(0), kUp, 4000, room).radius, 16 / 5.0f, 0.02f);
+  EXPECT_EQ(gather(Vec3(0), kUp, 100, room, {4, 5}).radius, 4);
   EXPECT_EQ(gather(Vec3(0), kUp, 100, room, {0.1f, 1.5f}).radius, 1.5f);
+  const auto niche = [](const Vec3&, const Vec3& w) { return Seen{1, w.z > .2f ? 100.f : .5f}; };
+  EXPECT_FLOAT_EQ(gather(Vec3(0), kUp, 400, niche).radius, 1) << "twice the nearest distance";
   const GatherRadii pixels{1, 10, true};
   EXPECT_FLOAT_EQ(gather(Vec3(0), kUp, 100, room, pixels.in_scene(0.01f)).radius, 0.1f);
 }

@@ -175,12 +175,11 @@ float GatherCache::straight(std::uint32_t index, const GatherRecord& r, float ra
   return radius;
 }
 
-void GatherCache::shorten_by_curvature(float tolerance, const GatherRadii& radii) {
+void GatherCache::shorten_by_curvature(float tolerance) {
   if (nodes_.empty()) return;
   std::vector<float> shorter(radii_.size());
-  parallel_for(records_.size(), [&](std::size_t i) {
-    shorter[i] = radii.clamped(straight(0, records_[i], radii_[i], tolerance));
-  });
+  parallel_for(records_.size(),
+               [&](std::size_t i) { shorter[i] = straight(0, records_[i], radii_[i], tolerance); });
   radii_ = std::move(shorter);
   refit(0);
 }

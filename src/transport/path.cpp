@@ -55,6 +55,7 @@ void Path::count_ray() {
 void Path::follow(const ShadingPoint& point, const Vec3& direction) {
   float reach = medium_.reach();
   if (fading_.distance > 0) reach = std::min(reach, fading_.distance - from_.passed);
+  reach = std::min(reach, reach_ - from_.passed);
   ray_ = leave(point, direction, reach, mask());
   left_ = point.position;
 }
@@ -96,7 +97,9 @@ void Path::meet_first(const Closure& closure) {
 /// unbent, with the weights of the vertex it came from; when by chance it does not, the
 /// transmitting lobes are taken out of the closure.
 bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoint& point) {
-  const bool keeps_weights = material.may_transmit;
+  if (after_diffuse_ && material.may_transmit && material.filters_shadows())
+    return pass_filter(closure, material, point);
+  const bool keeps_weights = material.may_transmit && !material.filters_shadows();
   float u = 0;
   if (closure.opacity < 1)
     u = sampler_.next_1d();
@@ -144,6 +147,34 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   return true;
 }
 
+/// The same behind a diffuse bounce where other shaders than the surface's filter shadows. They
+/// stand for all that passes straight; the rest of the surface is seen beside it.
+bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint& point) {
+  sampler_.skip();
+  Closure filter;
+  const Rgb through = straight_through(material, point, world_.options, filter);
+  Rgb other(closure.emission);
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    if (transmits(lobe.kind)) lobe.level = Rgb(0);
+    other += lobe.level;
+  }
+  const float wanted = luminance(through);
+  const float p = wanted > 0 ? wanted / (wanted + luminance(other) * closure.opacity) : 0;
+  if (sampler_.next_1d() >= p) {
+    throughput_ *= closure.opacity / (1 - p);
+    return false;
+  }
+  dim(through / p);
+  if (!filter.thin_walled && straight_rays_fade())
+    medium_.leave(filter, point, ray_.dir);
+  else if (!closure.thin_walled)
+    medium_.ignore();
+  from_.passed += point.ray_length;
+  follow(point, ray_.dir);
+  return true;
+}
+
 /// At a surface. False: the path ends here.
 bool Path::arrive(const geom::Hit& hit) {
   ShadingPoint point;
@@ -159,6 +190,7 @@ bool Path::arrive(const geom::Hit& hit) {
   medium_.arrive(closure, point);
   if (!medium_.medium.clear()) dim(transmittance(medium_.medium, length(point.position - left_)));
   if (pass_straight(closure, material, point)) return true;
+  takes_ = world_.instances[static_cast<std::size_t>(point.instance)].takes;
   if (visited_) return note_gather_point(closure, material, point);
   if (grid_point_) {
     fill_grid_point(closure, material, point);
@@ -193,7 +225,8 @@ void Path::walk() {
     if (ended) return;
     if (!found) {
       // Nothing within the reach of a medium that turns black is black.
-      if (std::isinf(ray_.tfar) || kind_ == RayKind::Eye || fading_.distance > 0)
+      if (std::isinf(ray_.tfar) || kind_ == RayKind::Eye || fading_.distance > 0 ||
+          !std::isinf(reach_))
         meet_environment();
       return;
     }
@@ -221,8 +254,8 @@ void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float re
   cone_.spread = kDiffuseSpread;
   from_.weighed = true;  // against no lights: it passes through them unseen
   vertex_ = 1;
+  reach_ = reach;
   follow(point, direction);
-  ray_.tfar = std::min(ray_.tfar, reach);
   walk();
 }
 

@@ -29,7 +29,7 @@ Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
 std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
                                        bool directional) const {
   const IndirectMaps& maps = *settings_.maps;
-  if (after_diffuse_ || !maps.gather) return std::nullopt;
+  if (after_diffuse_ || !maps.gather || !takes_all(kSendsGatherRays)) return std::nullopt;
   GatherQuery query = query_at(maps.query, point, normal);
   query.directional = directional;
   return maps.gather->interpolate(query);
@@ -40,10 +40,11 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   const IndirectMaps& maps = *settings_.maps;
   if (!after_diffuse_ && maps.gather) {
     const auto found = gathered(point, normal, false);
-    if (!found) return std::nullopt;
+    if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
     return found->irradiance * maps.gather_scale * found->fade;
   }
   if (reads_bounces()) {
+    if (!takes_all(kSendsGatherRays)) return Rgb(0);
     GatherQuery query = maps.bounces_query;
     query.position = point.position;
     query.normal = normal;
@@ -51,6 +52,7 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
     if (!found) return std::nullopt;
     return found->irradiance * settings_.further_bounces;
   }
+  if (maps.global && !takes_all(kReceivesGlobillum)) return Rgb(0);
   if (maps.global)
     return maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
                                    maps.global_lookup);
@@ -84,7 +86,7 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
     const bool passes = lobe.kind == LobeKind::Translucency;
     const Vec3 normal = lit_side(lobe);
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
-    if (maps.caustic)
+    if (maps.caustic && takes_all(kReceivesCaustics))
       (passes ? caustic_through : caustic) +=
           albedo * maps.caustic->irradiance(point.position, facing(point.geometric_normal, normal),
                                             maps.caustic_lookup);
@@ -146,9 +148,10 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
     const Lobe& lobe = closure.lobes[i];
     const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
     if (is_diffuse(lobe.kind) || emulates) {
-      visited_->push_back(
-          {point, lit_side(lobe),
-           lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f});
+      if (takes_all(kSendsGatherRays))
+        visited_->push_back(
+            {point, lit_side(lobe),
+             lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f});
       choice.rays[i] = 0;
     }
   }

@@ -45,6 +45,13 @@ float falloff_distance(const Closure& closure) {
   return 0;
 }
 
+/// What an instance must do for rays of a lobe that is not diffuse to leave it.
+unsigned sending(const Lobe& lobe) {
+  if (lobe.channel == Channel::Reflection) return kSendsReflections;
+  const bool thin = lobe.kind == LobeKind::ThinTransmission || lobe.kind == LobeKind::GlossyThin;
+  return thin ? kSendsTransparency : kSendsRefractions;
+}
+
 }  // namespace
 
 bool Path::depth_reached(LobeKind kind) const {
@@ -69,10 +76,10 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) cons
       // The material's own refraction depth ends in black, the scene's depth in the environment.
       const bool deep = lobe.controls.depth > 0 &&
                         (reflection ? reflections_ : refractions_) >= lobe.controls.depth;
-      if (cut || deep) {
+      if (cut || deep || !takes_all(sending(lobe))) {
         // At its depth a reflection is as with highlights only, gathered light included.
         if (reflection)
-          lobe.controls.highlights_only = true, lobe.controls.emulated = deep;
+          lobe.controls.highlights_only = true, lobe.controls.emulated = deep && takes_all(kSendsReflections);
         else
           lobe.level = Rgb(0);
         continue;
@@ -166,9 +173,9 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
     bring(Component::Reflection, light.reflection);
     bring(Component::Refraction, light.refraction);
   }
-  bring(Component::Translucency,
-        light.translucency + light.environment_translucency * closure.indirect_scale);
-  bring(Component::Indirect, light.environment * occlusion_ * closure.indirect_scale);
+  const Rgb indirect = indirect_factor() * closure.indirect_scale;
+  bring(Component::Translucency, light.translucency + light.environment_translucency * indirect);
+  bring(Component::Indirect, light.environment * occlusion_ * indirect);
 }
 
 void Path::scatter(const Closure& closure, const Material& material, ShadingPoint& point,
@@ -176,16 +183,14 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   const Lobe& lobe = closure.lobes[sample.lobe];
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
   medium_.leave(closure, point, sample.wi);
+  reach_ = kInfinity;
   lights_ = throughput_ = throughput_ * sample.weight;
   importance_ *= max_component(lobe.level);
   Component part = Component::Indirect;
   switch (lobe.kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:
-      if (after_diffuse_)
-        throughput_ *= settings_.further_bounces;
-      else if (settings_.maps && settings_.maps->gather)
-        throughput_ *= settings_.maps->gather_scale;
+      throughput_ *= indirect_factor();
       kind_ = RayKind::FinalGather;
       after_diffuse_ = true;
       blurred_ = false;

@@ -73,6 +73,7 @@ class Path {
   void walk();
   bool arrive(const geom::Hit& hit);
   bool pass_straight(Closure& closure, const Material& material, ShadingPoint& point);
+  bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
   void dim(const Rgb& factor);
   std::uint32_t mask() const;
   void count_ray();
@@ -115,9 +116,10 @@ class Path {
   bool depth_reached(LobeKind kind) const;
   bool survive();
 
+  bool takes_all(unsigned bits) const { return (takes_ & bits) == bits; }
   /// Whether this vertex may be lit by surfaces and environment.
   bool indirect() const {
-    return settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
+    return settings_.indirect && takes_all(kSendsGatherRays) && diffuse_bounces_ < settings_.diffuse_bounces;
   }
   /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
   bool reads_photons() const {
@@ -134,6 +136,11 @@ class Path {
   /// that rays behind that surface must not find it again.
   bool caustics_are_mapped() const {
     return settings_.maps && settings_.maps->caustic && after_diffuse_;
+  }
+  /// Factor of the options on indirect light that comes to this vertex by rays.
+  Rgb indirect_factor() const {
+    if (after_diffuse_) return settings_.further_bounces;
+    return settings_.maps && settings_.maps->gather ? settings_.maps->gather_scale : Rgb(1);
   }
   RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
   // path_indirect.cpp
@@ -187,11 +194,13 @@ class Path {
   Vertex from_;
   Fading fading_;
   const NodeList* environment_ = nullptr;
+  float reach_ = kInfinity;  ///< of a gather ray; beyond it there is only the environment
   MediumOnWay medium_;
   Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
   int reflections_ = 0, refractions_ = 0;  ///< since the last diffuse bounce
   int bounces_ = 0;                        ///< diffuse and glossy
   int diffuse_bounces_ = 0;
+  unsigned takes_ = kTakesAll;  ///< of the surface's instance
 };
 
 }  // namespace oriel

@@ -141,8 +141,8 @@ PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, Ray
     const LightPhotons& asked = own.any() ? own : settings.each;
     if (!asked.any()) continue;
     const double done = static_cast<double>(i);
-    tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked,
-                 static_cast<int>(i) + 1, {done / sources, (done + 1) / sources});
+    tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked, static_cast<int>(i) + 1,
+                 {done / sources, (done + 1) / sources});
   }
   if (world.environment.lights())
     tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0,

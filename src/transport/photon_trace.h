@@ -17,9 +17,9 @@ inline constexpr std::uint64_t kHopelessPhotons = 100000;
 
 struct PhotonSettings {
   bool globillum = true, caustics = true;
-  LightPhotons each;         ///< counts of lights that write none of their own
-  LightPhotons environment;  ///< none unless asked: hosts leave the sky to final gathering
-  scene::TraceDepth depth{5, 5, 5};           ///< bounces of all kinds, diffuse reflection included
+  LightPhotons each;                 ///< counts of lights that write none of their own
+  LightPhotons environment;          ///< none unless asked: hosts leave the sky to final gathering
+  scene::TraceDepth depth{5, 5, 5};  ///< bounces of all kinds, diffuse reflection included
   float merge_global = 0, merge_caustic = 0;  ///< see PhotonMap
   std::uint32_t seed = 0;
 };

@@ -9,7 +9,7 @@ namespace oriel {
 
 /// Whoever starts the work keeps what this refers to.
 struct Watch {
-  const std::atomic<bool>* cancel = nullptr;             ///< true: end soon, with what is there
+  const std::atomic<bool>* cancel = nullptr;            ///< true: end soon, with what is there
   std::function<void(const char*, double)> progress{};  ///< name of the work, share that is done
 
   bool cancelled() const { return cancel && *cancel; }
