@@ -55,7 +55,10 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
         "OR-RN-002", command.where,
         fmt::format("there are no options \"{}\"; defaults are used", command.options));
 
-  const std::vector<scene::Leaf> leaves = scene::flatten(scene, command.root, diagnostics);
+  const std::vector<scene::Leaf> leaves =
+      scene::flatten(scene, command.root, diagnostics, {},
+                     scene::photon_flags(world->options.caustic.object_flags,
+                                         world->options.globillum.object_flags));
   const scene::Camera* camera = nullptr;
   const std::string& camera_name = options.camera.empty() ? command.camera : options.camera;
   if (!place_camera(scene, leaves, camera_name, options, *world, camera, diagnostics))

@@ -90,6 +90,22 @@ std::uint32_t ray_mask(const scene::ResolvedFlags& flags, bool lets_light_throug
   return mask;
 }
 
+std::uint16_t takes(const scene::ResolvedFlags& flags) {
+  unsigned bits = 0;
+  const auto set = [&](bool on, unsigned bit) { bits |= on ? bit : 0; };
+  set(flags.reflection.sends, kSendsReflections);
+  set(flags.refraction.sends, kSendsRefractions);
+  set(flags.transparency.sends, kSendsTransparency);
+  set(flags.finalgather.sends, kSendsGatherRays);
+  set(!flags.caustic.excluded, kMeetsCaustics);
+  set(flags.caustic.casts, kCastsCaustics);
+  set(flags.caustic.receives, kReceivesCaustics);
+  set(!flags.globillum.excluded, kMeetsGlobillum);
+  set(flags.globillum.casts, kCastsGlobillum);
+  set(flags.globillum.receives, kReceivesGlobillum);
+  return static_cast<std::uint16_t>(bits);
+}
+
 /// One mesh of the world: an object as a set of displacement shaders leaves it.
 struct MeshVariant {
   std::size_t object = 0;
@@ -170,6 +186,8 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     data.to_object = leaf.world_to_local;
     data.to_world = leaf.local_to_world;
     data.receives_shadow = leaf.flags.receives_shadow;
+    data.takes = takes(leaf.flags);
+    world.photons_part_ways |= photon_bits(data.takes, true) != photon_bits(data.takes, false);
     bool transmits_light = false;
     for (const geom::MaterialSlot& slot : meshes[mesh].slots) {
       data.materials.push_back(material_of_slot(leaf, slot, materials));

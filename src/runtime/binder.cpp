@@ -220,6 +220,40 @@ NodeList Binder::bind_displacement(const scene::ShaderList& list, Scope* scope) 
   return nodes;
 }
 
+void Binder::bind_shadow(const scene::ShaderList& list, Scope* scope, Material& bound) {
+  bound.has_shadow_shader = !list.empty();
+  const auto in_surface = [&](auto&& matches) {
+    return std::any_of(bound.surface.begin(), bound.surface.end(), matches);
+  };
+  bool others = false;
+  Material slot;
+  for (const scene::ShaderUse& use : list) {
+    const ShaderNode* node = bind_use(use, scope);
+    if (!node || node == stand_in_) continue;
+    const ShaderSpec& spec = node->spec();
+    // The surface itself; a call of its shader without arguments takes over the surface's.
+    const bool bare = use.reference.empty() && !use.interface && use.arguments.empty();
+    if (in_surface([&](const ShaderNode* n) {
+          return n == node || (bare && !spec.shadow && &n->spec() == &spec);
+        })) {
+      slot.shadow_surface = bound.surface;
+    } else if (spec.shadow) {
+      slot.shadow.push_back(node);
+      others = true;
+    } else if (spec.material) {
+      slot.shadow_surface.push_back(node);
+      others = true;
+    } else {
+      diagnostics_.warning(
+          "OR-RT-031", use.where,
+          fmt::format("shader \"{}\" does not act on shadows; skipped", spec.name));
+    }
+  }
+  if (!others) return;
+  bound.shadow = std::move(slot.shadow);
+  bound.shadow_surface = std::move(slot.shadow_surface);
+}
+
 Material Binder::bind_material(const scene::Material& material) {
   return bind_material(material, nullptr);
 }
@@ -252,10 +286,19 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("environment")) bound.environment = bind_list(*list, scope);
   if (const auto* list = material.slot("displace"))
     bound.displace = bind_displacement(*list, scope);
-  if (const auto* list = material.slot("shadow")) bound.has_shadow_shader = !list->empty();
-  for (const ShaderNode* node : bound.surface)
-    if (node->spec().may_transmit && node->spec().may_transmit(*node)) bound.may_transmit = true;
-  bound.may_have_holes = bound.may_transmit;
+  if (const auto* list = material.slot("shadow")) bind_shadow(*list, scope, bound);
+  const auto transmits = [](const ShaderNode* node) {
+    return node->spec().may_transmit && node->spec().may_transmit(*node);
+  };
+  const auto some_transmit = [&](const NodeList& nodes) {
+    return std::any_of(nodes.begin(), nodes.end(), transmits);
+  };
+  bound.may_have_holes = some_transmit(bound.surface);
+  bound.may_transmit =
+      bound.filters_shadows()
+          ? std::all_of(bound.shadow.begin(), bound.shadow.end(), transmits) &&
+                (bound.shadow_surface.empty() || some_transmit(bound.shadow_surface))
+          : bound.may_have_holes;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
   for (const ShaderNode* node : bound.surface) {
     if (node->spec().has_outputs) bound.outputs = node->spec().has_outputs(*node);

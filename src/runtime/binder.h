@@ -67,6 +67,8 @@ class Binder {
                                     const std::vector<scene::Argument>& args, SourceLocation where,
                                     Scope* scope);
   Material bind_material(const scene::Material& material, Scope* scope);
+  /// The slot `shadow`, as far as other shaders than the surface stand there.
+  void bind_shadow(const scene::ShaderList& list, Scope* scope, Material& bound);
   /// Those of the list that give a value to move by.
   NodeList bind_displacement(const scene::ShaderList& list, Scope* scope);
   const ShaderNode* find_named(const std::string& name, Scope* scope);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/material.h"
 
-namespace oriel {
+#include <utility>
 
-void shade(const Material& material, ShadingPoint& point, Closure& closure) {
-  for (const ShaderNode* node : material.surface) {
+namespace oriel {
+namespace {
+
+void run(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
+  for (const ShaderNode* node : shaders) {
     const ShaderSpec& spec = node->spec();
     if (spec.material) {
       node->with_params(point, [&](const Call& call) { spec.material(call, closure); });
@@ -13,6 +16,25 @@ void shade(const Material& material, ShadingPoint& point, Closure& closure) {
       closure.emission = rgb(node->color(point));
     }
   }
+}
+
+}  // namespace
+
+void shade(const Material& material, ShadingPoint& point, Closure& closure) {
+  run(material.surface, point, closure);
+}
+
+void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure) {
+  run(material.filters_shadows() ? material.shadow_surface : material.surface, point, closure);
+}
+
+Rgb filter_light(const Material& material, ShadingPoint& point, Rgb light) {
+  const RayKind kind = std::exchange(point.ray_kind, RayKind::Shadow);
+  for (const ShaderNode* node : material.shadow)
+    light = node->with_params(point,
+                              [&](const Call& call) { return node->spec().shadow(call, light); });
+  point.ray_kind = kind;
+  return light;
 }
 
 }  // namespace oriel

@@ -104,6 +104,10 @@ struct ShaderSpec {
   void (*value)(const Call&, void* result) = nullptr;
   /// Fills the closure.
   void (*material)(const Call&, Closure&) = nullptr;
+  /// Stands in a material's slot `shadow`: what is left of the light so far, which starts as white
+  /// at the lit point, behind the blocker at call.point. call.point.light is the light; -1 for the
+  /// environment and for rays that stand for shadow rays and do not know it.
+  Rgb (*shadow)(const Call&, const Rgb& light) = nullptr;
   /// Colour of one light sample.
   LightValue (*light)(const Call&, const LightCall&) = nullptr;
   /// Built once for each light the shader stands in.

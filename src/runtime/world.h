@@ -19,6 +19,25 @@
 
 namespace oriel {
 
+/// What an instance does with rays and photons beside being met by them; bits.
+enum Takes : std::uint16_t {
+  kSendsReflections = 1u << 0,
+  kSendsRefractions = 1u << 1,
+  kSendsTransparency = 1u << 2,
+  kSendsGatherRays = 1u << 3,  ///< diffuse bounces and light of the environment as well
+  kMeetsCaustics = 1u << 4,    ///< photons for the caustic map; without it they pass
+  kCastsCaustics = 1u << 5,    ///< and are scattered on
+  kReceivesCaustics = 1u << 6,
+  kMeetsGlobillum = 1u << 7,
+  kCastsGlobillum = 1u << 8,
+  kReceivesGlobillum = 1u << 9,
+  kTakesAll = (1u << 10) - 1
+};
+/// The bits of one kind of photon, moved to those of caustics.
+inline unsigned photon_bits(unsigned takes, bool caustic) {
+  return (caustic ? takes : takes >> 3) & (kMeetsCaustics | kCastsCaustics | kReceivesCaustics);
+}
+
 /// One leaf of the instance graph that holds geometry.
 struct InstanceData {
   std::string name;
@@ -29,6 +48,7 @@ struct InstanceData {
   bool linked = false;
   bool lights_exclusive = false;
   bool receives_shadow = true;
+  std::uint16_t takes = kTakesAll;  ///< see Takes
 };
 
 struct World {
@@ -48,6 +68,7 @@ struct World {
   NodeList air;                           ///< volume shaders of the camera: around all rays
   NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
   bool has_transparent_blockers = false;  ///< some material may let light pass
+  bool photons_part_ways = false;         ///< some instance treats caustic and global photons apart
 
   std::deque<std::unique_ptr<ShaderNode>> nodes;
   TextureSystem texture_system;

@@ -137,6 +137,17 @@ FlagLayer instance_flags(const Instance& instance, Diagnostics& diagnostics) {
   return read_layer(instance.flags, true, diagnostics);
 }
 
+FlagLayer photon_flags(std::optional<int> caustic, std::optional<int> globillum) {
+  FlagLayer layer;
+  const auto set = [&](Channel channel, std::optional<int> value) {
+    const auto bits = static_cast<std::uint32_t>(value.value_or(0));
+    put(layer, channel, bits & kBoth, (bits | bits >> 2) & kBoth);
+  };
+  set(kCaustic, caustic);
+  set(kGlobillum, globillum);
+  return layer;
+}
+
 FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower) {
   return {(higher.bits & ~lower.mask) | (lower.bits & lower.mask), higher.mask | lower.mask,
           lower.face ? lower.face : higher.face, higher.hidden || lower.hidden};

@@ -54,6 +54,8 @@ struct FlagLayer {
 FlagLayer object_flags(const Object& object, Diagnostics& diagnostics);
 /// Flags of an instance. Integers: 1, 2 switch the two on; 4, 8 off. Errors: OR-SC-201
 FlagLayer instance_flags(const Instance& instance, Diagnostics& diagnostics);
+/// What options say for objects that do not: integers as in an instance.
+FlagLayer photon_flags(std::optional<int> caustic, std::optional<int> globillum);
 /// `lower` laid over `higher`.
 FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower);
 /// `instances` laid over `object`, and what is still open decided.

@@ -57,10 +57,12 @@ struct Inherited {
 
 class Flattener {
  public:
-  Flattener(const Scene& scene, Diagnostics& diagnostics, const FlattenLimits& limits)
+  Flattener(const Scene& scene, Diagnostics& diagnostics, const FlattenLimits& limits,
+            const FlagLayer& defaults)
       : scene_(scene),
         diagnostics_(diagnostics),
         limits_(limits),
+        defaults_(defaults),
         instances_(scene.elements().size()),
         groups_(scene.elements().size()),
         objects_(scene.elements().size()) {}
@@ -266,7 +268,8 @@ class Flattener {
                 : leaf.camera() ? LeafKind::Camera
                                 : LeafKind::Object;
     const bool is_object = leaf.kind == LeafKind::Object;
-    leaf.flags = resolve(is_object ? flags_of_object(index) : FlagLayer{}, here.flags);
+    leaf.flags =
+        resolve(is_object ? overlay(defaults_, flags_of_object(index)) : FlagLayer{}, here.flags);
     if (is_object && leaf.flags.assumed_on && assumed_on_++ == 0)
       first_assumed_ = place_of(element(index));
   }
@@ -286,6 +289,7 @@ class Flattener {
   const Scene& scene_;
   Diagnostics& diagnostics_;
   const FlattenLimits& limits_;
+  const FlagLayer& defaults_;
   // By index of the element; filled when first reached.
   std::vector<InstanceInfo> instances_;
   std::vector<std::unique_ptr<GroupInfo>> groups_;
@@ -300,8 +304,8 @@ class Flattener {
 }  // namespace
 
 std::vector<Leaf> flatten(const Scene& scene, std::string_view root, Diagnostics& diagnostics,
-                          const FlattenLimits& limits) {
-  return Flattener(scene, diagnostics, limits).run(root);
+                          const FlattenLimits& limits, const FlagLayer& defaults) {
+  return Flattener(scene, diagnostics, limits, defaults).run(root);
 }
 
 }  // namespace oriel::scene

@@ -48,6 +48,7 @@ struct FlattenLimits {
 
 /// All leaves below `root`, a group or an instance, in the order the groups name them.
 ///
+/// Inputs:  defaults: flags that objects lie over.
 /// Errors:  OR-SC-301 no such root, OR-SC-302 a member or element that nothing defines, OR-SC-303
 ///          one of a kind that cannot stand there, OR-SC-304 a group inside itself, OR-SC-305 too
 ///          many leaves or too deep (what was found so far is returned), OR-SC-306 singular
@@ -55,6 +56,6 @@ struct FlattenLimits {
 ///          Each place is reported once, however often it is reached.
 /// Checked: hierarchy_test.cpp
 std::vector<Leaf> flatten(const Scene& scene, std::string_view root, Diagnostics& diagnostics,
-                          const FlattenLimits& limits = {});
+                          const FlattenLimits& limits = {}, const FlagLayer& defaults = {});
 
 }  // namespace oriel::scene

@@ -219,6 +219,7 @@ constexpr PlainInterface kBase[] = {
     {"mib_illum_lambert", 2, "ambience c, ambient c, diffuse c, mode i, lights L"},
     {"mib_illum_phong", 2,
      "ambience c, ambient c, diffuse c, specular c, exponent s, mode i, lights L"},
+    {"mib_shadow_transparency", 1, "color c, transp c, mode i, lights L"},
     {"mib_texture_lookup", 1, "tex tex, coord v"},
     {"mib_texture_vector", 2, "select i, selspace i, vertex i, project i"},
     {"mib_texture_remap", 1,
@@ -349,7 +350,7 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
     EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
     EXPECT_TRUE(spec->value || spec->material || spec->light || spec->portal || spec->lens ||
-                spec->lens_ray)
+                spec->lens_ray || spec->shadow)
         << spec->name;
     std::set<std::string> names;
     for (const ParamSpec& p : spec->params) {

@@ -11,6 +11,7 @@
 #include "shaders/base/mib_illum.h"
 #include "shaders/base/mib_light.h"
 #include "shaders/base/mib_lookup.h"
+#include "shaders/base/mib_shadow.h"
 #include "shaders/base/mib_texture.h"
 
 namespace oriel {
@@ -53,14 +54,28 @@ std::string apply_words(unsigned apply) {
 
 const Registry& builtin_shaders() {
   static const Registry registry({
-      &kMiaMaterial,       &kMiaMaterialX,        &kMiaMaterialXPasses, &kMiaPhysicalSun,
-      &kMiaPhysicalSky,    &kMiaPortalLight,      &kMiaCieSky,          &kMiaExposurePhotographic,
-      &kMiaExposureSimple, &kMiaLensBokeh,
+      &kMiaMaterial,
+      &kMiaMaterialX,
+      &kMiaMaterialXPasses,
+      &kMiaPhysicalSun,
+      &kMiaPhysicalSky,
+      &kMiaPortalLight,
+      &kMiaCieSky,
+      &kMiaExposurePhotographic,
+      &kMiaExposureSimple,
+      &kMiaLensBokeh,
       &kPhysicalLensDof,  //
-      &kMibIllumLambert,   &kMibIllumPhong,       &kMibLightInfinite,   &kMibLightPoint,
-      &kMibLightSpot,      &kMibLookupBackground, &kMibLookupSpherical, &kMibTextureLookup,
+      &kMibIllumLambert,
+      &kMibIllumPhong,
+      &kMibLightInfinite,
+      &kMibLightPoint,
+      &kMibLightSpot,
+      &kMibLookupBackground,
+      &kMibLookupSpherical,
+      &kMibTextureLookup,
       &kMibTextureRemap,
-      &kMibTextureVector,  //
+      &kMibTextureVector,
+      &kMibShadowTransparency,  //
       &kPhysicalLight,
   });
   return registry;

@@ -133,7 +133,7 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     };
     if (!shadows || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
 
-    const Openness open = shadow_transmittance(world, point, s->wi, s->reach, counts);
+    const Openness open = shadow_transmittance(world, point, s->wi, s->reach, counts, index);
     const auto weight = [&](const Response::Part& part) {
       return s->pdf > 0 ? light_sample_weight(request.estimator, s->pdf * rate, part.pdf) : 1.0f;
     };

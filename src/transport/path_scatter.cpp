@@ -79,7 +79,8 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) cons
       if (cut || deep || !takes_all(sending(lobe))) {
         // At its depth a reflection is as with highlights only, gathered light included.
         if (reflection)
-          lobe.controls.highlights_only = true, lobe.controls.emulated = deep && takes_all(kSendsReflections);
+          lobe.controls.highlights_only = true,
+          lobe.controls.emulated = deep && takes_all(kSendsReflections);
         else
           lobe.level = Rgb(0);
         continue;

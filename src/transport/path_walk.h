@@ -119,7 +119,8 @@ class Path {
   bool takes_all(unsigned bits) const { return (takes_ & bits) == bits; }
   /// Whether this vertex may be lit by surfaces and environment.
   bool indirect() const {
-    return settings_.indirect && takes_all(kSendsGatherRays) && diffuse_bounces_ < settings_.diffuse_bounces;
+    return settings_.indirect && takes_all(kSendsGatherRays) &&
+           diffuse_bounces_ < settings_.diffuse_bounces;
   }
   /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
   bool reads_photons() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/bump.h"
 #include "transport/lobes.h"
@@ -43,11 +44,16 @@ class PhotonWalk {
 
  private:
   bool arrive(const geom::Hit& hit);
+  unsigned takes(const ShadingPoint& point) const {
+    return photon_bits(world_.instances[static_cast<std::size_t>(point.instance)].takes,
+                       !settings_.globillum);
+  }
   void pass_medium(const Medium& medium, float distance);
   void store(const ShadingPoint& point);
   float choose_lobes(const Closure& closure, LobeChoice& choice) const;
   bool go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
              bool seen);
+  bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
   bool count_bounce(LobeKind kind);
   void follow(const ShadingPoint& point, const Vec3& direction);
   Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
@@ -169,7 +175,7 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
   const LobeKind kind = closure.lobes[index].kind;
 
   const bool refracts = closure.refractive_caustics && world_.options.caustic.on;
-  if (transmits(kind) && material.may_transmit && !refracts) {
+  if (transmits(kind) && material.may_transmit && !material.filters_shadows() && !refracts) {
     Rgb through(0);
     float chance = 0;
     for (int i = 0; i < closure.count; ++i) {
@@ -188,7 +194,8 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
 
   if (!seen) return absorb(), false;
   const bool wanted = settings_.globillum || !is_diffuse(kind);
-  if (!count_bounce(kind) || !wanted) {
+  const bool casts = takes(point) & kCastsCaustics;
+  if (!count_bounce(kind) || !wanted || !casts) {
     log_.balance.stopped += precise(power());
     factor_ = Rgb(0);
     return false;
@@ -212,10 +219,44 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
   return max_component(factor_) > 0;
 }
 
+/// Where other shaders than the surface's filter shadows, they stand for all that passes straight,
+/// as paths have it. True: the photon goes on so; else by chance it does not, and the transmitting
+/// lobes are taken out.
+bool PhotonWalk::pass_filter(Closure& closure, const Material& material, ShadingPoint& point) {
+  Closure filter;
+  const Rgb through = straight_through(material, point, world_.options, filter);
+  const Rgb now = power();
+  Rgb other(0);
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    if (transmits(lobe.kind)) lobe.level = Rgb(0);
+    if (!lobe.controls.highlights_only) other += lobe.level * closure.opacity;
+  }
+  const float share = max_component(through * now) / max_component(now);
+  const float p = share / std::max(1.0f, share + max_component(other * now) / max_component(now));
+  if (sampler_.next_1d() >= p) {
+    lose(factor_ / (1 - p));
+    return false;
+  }
+  lose(factor_ * through / p);
+  if (!filter.thin_walled && straight_rays_fade())
+    medium_.leave(filter, point, ray_.dir);
+  else if (!closure.thin_walled)
+    medium_.ignore();
+  follow(point, ray_.dir);
+  return true;
+}
+
 /// At a surface. False: the photon ends here.
 bool PhotonWalk::arrive(const geom::Hit& hit) {
   ShadingPoint point;
   fill_point(world_, ray_, hit, {}, RayKind::FinalGather, point);
+  if (!(takes(point) & kMeetsCaustics)) {
+    const Vec3 left = left_;
+    follow(point, ray_.dir);
+    left_ = left;  // a medium goes on
+    return true;
+  }
   const Material& material = material_of(world_, hit);
   Closure closure;
   shade(material, point, closure);
@@ -231,7 +272,10 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   else
     pass_medium(medium_.medium, length(point.position - left_));
   if (max_component(factor_) <= 0) return false;
+  const bool filtered = material.may_transmit && material.filters_shadows();
+  if (filtered && pass_filter(closure, material, point)) return true;
   if (sampler_.next_1d() >= closure.opacity) {
+    if (filtered) return absorb(), false;
     follow(point, ray_.dir);
     return true;
   }
@@ -239,7 +283,8 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   // What only casts shadows neither keeps nor scatters light.
   const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
   make_ready(closure, point.wo());
-  for (int i = 0; seen && i < closure.count; ++i) {
+  const bool receives = seen && takes(point) & kReceivesCaustics;
+  for (int i = 0; receives && i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.kind != LobeKind::Diffuse && lobe.kind != LobeKind::Translucency) continue;
     if (max_component(lobe.level) <= 0) continue;
@@ -280,7 +325,19 @@ void PhotonWalk::run() {
 
 void walk_photon(const World& world, const PhotonSettings& settings, const PhotonSource& source,
                  int stream, std::uint32_t index, PhotonLog& log) {
-  PhotonWalk(world, settings, source, stream, index, log).run();
+  if (!(world.photons_part_ways && settings.globillum && settings.caustics)) {
+    PhotonWalk(world, settings, source, stream, index, log).run();
+    return;
+  }
+  // Photons of the two maps go different ways: each alone, and those of the global map count.
+  PhotonSettings alone = settings;
+  alone.caustics = false;
+  PhotonWalk(world, alone, source, stream, index, log).run();
+  std::swap(alone.globillum, alone.caustics);
+  PhotonLog other;
+  PhotonWalk(world, alone, source, stream, index, other).run();
+  log.caustic.insert(log.caustic.end(), other.caustic.begin(), other.caustic.end());
+  log.counts += other.counts;
 }
 
 }  // namespace oriel

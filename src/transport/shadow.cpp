@@ -17,6 +17,24 @@ constexpr int kMostBlockers = 128;
 /// the sample does not block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
 
+/// Takes from what is open what a blocker keeps.
+void pass(const Material& material, const Closure& closure, ShadingPoint& blocker,
+          const scene::RenderOptions& options, Openness& open) {
+  if (!material.shadow.empty()) {
+    const Rgb before = open.all;
+    open.all = filter_light(material, blocker, before);
+    for (int k = 0; k < 3; ++k) open.clear[k] *= before[k] > 0 ? open.all[k] / before[k] : 0;
+  }
+  if (!material.filters_shadows() || !material.shadow_surface.empty()) {
+    const Openness here = straight_transmission(closure, options);
+    open.all *= here.all;
+    open.clear *= here.clear;
+    open.cut_outs *= here.cut_outs;
+  }
+  // Rays that see the surface itself do not go by what stands in for it.
+  if (material.filters_shadows()) open.cut_outs = Rgb(0);
+}
+
 }  // namespace
 
 Rgb transmittance(const Medium& medium, float distance) {
@@ -46,8 +64,17 @@ bool takes_shadows(const World& world, const ShadingPoint& point) {
          world.instances[static_cast<std::size_t>(point.instance)].receives_shadow;
 }
 
+Rgb straight_through(const Material& material, ShadingPoint& point,
+                     const scene::RenderOptions& options, Closure& by) {
+  point.light = -1;
+  shade_blocker(material, point, by);
+  Openness open;
+  pass(material, by, point, options, open);
+  return open.all;
+}
+
 Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
-                              float distance, RayCounts& counts) {
+                              float distance, RayCounts& counts, int light) {
   constexpr Openness kClosed{Rgb(0), Rgb(0), Rgb(0)};
   const float tfar =
       std::isinf(distance) ? std::numeric_limits<float>::infinity() : distance * kShortOfLight;
@@ -78,17 +105,16 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     }
     ShadingPoint blocker;
     fill_point(world, ray, hit, {}, RayKind::Shadow, blocker);
+    blocker.light = light;
+    const Material& material = material_of(world, hit);
     Closure closure;
-    shade(material_of(world, hit), blocker, closure);
+    shade_blocker(material, blocker, closure);
     if (segments) {
       way.arrive(closure, blocker);
       // From where the ray left: its origin is a little off the surface, and glass may be thin.
       dim(transmittance(way.medium, length(blocker.position - left)));
     }
-    const Openness here = straight_transmission(closure, world.options);
-    open.all *= here.all;
-    open.clear *= here.clear;
-    open.cut_outs *= here.cut_outs;
+    pass(material, closure, blocker, world.options, open);
     if (max_component(open.all) <= 0) return kClosed;
     way.leave(closure, blocker, wi);
     const float rest = ray.tfar - hit.t;

@@ -19,17 +19,33 @@ struct Openness {
 /// Model:   opaque blockers first; then, when there are any, transparent ones one after another:
 ///          each passes the levels of its transmitting lobes straight on, with absorption through
 ///          the thickness in shadow mode segments. Refraction does not bend shadow rays.
-/// Inputs:  point: the lit point; wi: unit, to the light; distance: to it, may be infinite.
+///          Where a shadow shader stands in the material's slot it decides in place of the lobes.
+///          It is asked from the point to the light in all modes, with white light at the point;
+///          modes on and sort leave out only the media in between. Once a blocker is opaque none is
+///          asked.
+/// Inputs:  point: the lit point; wi: unit, to the light; distance: to it, may be infinite; light:
+///          index into World::lights, which shadow shaders may ask for; -1 = the environment.
 /// Source:  manual 1.6.8.2 and 1.6.8.3 (do_refractive_caustics).
-/// Checked: Glass.Shadows*, Glass.SkyThroughASlab*, CutOut.* in tests/analytic.
+/// Checked: Glass.Shadows*, Glass.SkyThroughASlab*, CutOut.*, ShadowModes.* in tests/analytic.
 Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
-                              float distance, RayCounts& counts);
+                              float distance, RayCounts& counts, int light = -1);
 
 /// Whether lights are shadowed at the point: not when the scene or its instance says so.
 bool takes_shadows(const World& world, const ShadingPoint& point);
 
 /// Shares a closure lets pass straight, for shadow rays and what must match them.
 Openness straight_transmission(const Closure& closure, const scene::RenderOptions& options);
+
+/// The same of a blocker, by the surface or what stands for it in the slot `shadow`. `by` becomes
+/// the closure that media behind it go by.
+///
+/// Model:   rays behind a diffuse bounce and photons stand for shadow rays. They ask each blocker
+///          alone, with white light and without a light's name: they pass what shadow rays pass as
+///          far as shadow shaders multiply, and take all lights as shadow rays take the
+///          environment.
+/// Checked: ShadowShader.* in tests/analytic.
+Rgb straight_through(const Material& material, ShadingPoint& point,
+                     const scene::RenderOptions& options, Closure& by);
 
 /// Share left after `distance` in a medium.
 Rgb transmittance(const Medium& medium, float distance);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_shadow.h"
+
+#include <algorithm>
+
+#include "runtime/shader_node.h"
+
+namespace oriel {
+namespace {
+
+struct Transparency {
+  Rgba color, transp;
+  int mode;
+  ArrayView<LightRef> lights;
+};
+
+constexpr ParamSpec kTransparencyRows[] = {
+    {ORIEL_PARAM(Transparency, color),
+     .doc = "Colour that light is multiplied with; its alpha 0 lets all of that pass.",
+     .declared_default = false},
+    {ORIEL_PARAM(Transparency, transp), .doc = "Share that passes where alpha is 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Transparency, mode),
+     .doc = "Which lights: 0 the list or all, 1 the list, 2 all but it, 4 all.",
+     .declared_default = false},
+    {ORIEL_PARAM(Transparency, lights), .doc = "The list.", .declared_default = false},
+};
+
+/// Whether the light's shadows are filtered; -1 is on no list.
+bool applies(const Transparency& p, int light) {
+  const bool listed = std::any_of(p.lights.begin(), p.lights.end(),
+                                  [&](LightRef l) { return l.index == light && light >= 0; });
+  if (p.mode == 1 || (p.mode == 0 && p.lights.size > 0)) return listed;
+  if (p.mode == 2) return !listed;
+  return true;
+}
+
+Rgb passes(const Transparency& p) {
+  return rgb(p.color) * (Rgb(1) - (Rgb(1) - rgb(p.transp)) * p.color.a);
+}
+
+}  // namespace
+
+const ShaderSpec kMibShadowTransparency = {
+    .name = "mib_shadow_transparency",
+    .library = "base",
+    .version = 1,
+    .apply = kApplyShadow,
+    .doc = "Filters the light that passes an object, in its material's slot shadow.",
+    .params = kTransparencyRows,
+    .params_size = sizeof(Transparency),
+    .shadow =
+        [](const Call& call, const Rgb& light) {
+          const auto& p = call.as<Transparency>();
+          return applies(p, call.point.light) ? light * passes(p) : light;
+        },
+    .may_transmit =
+        [](const ShaderNode& node) {
+          const auto& p = node.constants<Transparency>();
+          return max_component(passes(p)) > 0 || p.lights.size > 0 || p.mode == 1 ||
+                 node.connected(offsetof(Transparency, color)) ||
+                 node.connected(offsetof(Transparency, transp)) ||
+                 node.connected(offsetof(Transparency, mode));
+        },
+};
+
+}  // namespace oriel
