@@ -18,7 +18,7 @@ constexpr int kFeelers = 16;
 /// Points that are looked from in a generation, and that get records in all, at most.
 constexpr std::size_t kMostLookers = 1024, kMostPoints = 4096;
 /// Error that a point may have before it gets a record, and at which records are no longer used.
-constexpr float kCoverError = 0.7f, kWorstError = 0.8f, kCurvature = 0.15f;
+constexpr float kCoverError = 0.7f, kWorstError = 0.8f;
 /// Records in a look-up.
 constexpr int kPoints = 4;
 /// Rays of a record, as share of the fine ones', and most of them.
@@ -67,8 +67,7 @@ class BounceSolver {
       }
       const std::vector<GatherRecord> made = gather(wanted, points_.size());
       cache_.insert(made);
-      cache_.clamp_to_neighbours();
-      cache_.shorten_by_curvature(kCurvature);
+      cache_.settle_radii();
       points_.insert(points_.end(), wanted.begin(), wanted.end());
       records_.insert(records_.end(), made.begin(), made.end());
       begin = end;
@@ -108,8 +107,7 @@ class BounceSolver {
       }
       cache_ = {};
       cache_.insert(records_);
-      cache_.clamp_to_neighbours();
-      cache_.shorten_by_curvature(kCurvature);
+      cache_.settle_radii();
       watch_.tell("bounces", 0.4 + 0.6 * b.held / (all ? 6 : wanted));
       if (settled) break;
       change_before = change;

@@ -12,8 +12,6 @@ namespace {
 
 /// Pixels between gather points of the last pass at presample density 1; a guess.
 constexpr float kFinestStep = 2;
-/// Error at a record's radius that shortens it (GatherCache::shorten_by_curvature); a guess.
-constexpr float kCurvature = 0.1f;
 /// Passes, each twice as fine as the one before.
 constexpr int kPasses = 5;
 /// Streams of the points of one path, and what tells them from those of its lobes.
@@ -82,8 +80,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
                                              static_cast<double>(rows.size()));
     });
     for (const auto& row : made) cache.insert(row);
-    cache.clamp_to_neighbours();
-    cache.shorten_by_curvature(kCurvature);
+    cache.settle_radii();
     done += share;
     after_pass();
   }

@@ -141,7 +141,7 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
       if (std::filesystem::exists(file))
         if (const auto records = load_gather_map(file, diagnostics ? *diagnostics : unheard))
           cache_.insert(*records);
-  cache_.clamp_to_neighbours();
+  cache_.settle_radii();
 
   maps_.gather = &cache_;
   maps_.query = gather_query(options, passes.records.radii);

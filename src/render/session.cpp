@@ -99,11 +99,13 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Watch watch{cancel, {}};
   double told = 0, shown = 0;
+  const char* stage = nullptr;
   std::mutex mutex;
   if (callbacks.progress)
     watch.progress = [&](const char* name, double share) {
       const std::lock_guard lock(mutex);
-      if (seconds() - told < kSecondsBetweenReports) return;
+      if (name == stage && seconds() - told < kSecondsBetweenReports) return;
+      stage = name;
       told = seconds();
       Progress p;
       p.stage = name;

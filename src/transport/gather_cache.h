@@ -64,6 +64,9 @@ class GatherCache {
   /// Returns: how many were added.
   std::size_t insert(std::span<const GatherRecord> records);
 
+  /// Both of what follows; for caches that are complete for now.
+  void settle_radii();
+
   /// Neighbour clamping: no radius longer than another record's plus the distance to it. A record
   /// whose rays missed a small thing nearby so learns of it. Call after inserting.
   void clamp_to_neighbours();

@@ -184,6 +184,13 @@ void GatherCache::shorten_by_curvature(float tolerance) {
   refit(0);
 }
 
+void GatherCache::settle_radii() {
+  /// Share of the irradiance that a record may be wrong by at its radius; a guess.
+  constexpr float kTolerance = 0.1f;
+  clamp_to_neighbours();
+  shorten_by_curvature(kTolerance);
+}
+
 void GatherCache::clamp_to_neighbours() {
   if (nodes_.empty()) return;
   // From the radii that the records were made with: min over all others of radius + distance obeys

@@ -152,6 +152,19 @@ TEST_F(RenderProgram, CameraOutputsAreWrittenBesideTheScene) {
   EXPECT_NE(r.err.find("OR-RN-050"), std::string::npos) << r.err;
 }
 
+TEST_F(RenderProgram, MapsLieBelowTheFolderOfTheScene) {
+  std::filesystem::create_directory(file("sub"));
+  std::string scene = small_scene("finalgather on finalgather file [\"a.fgm\", \"../b.fgm\"]");
+  scene.replace(scene.find("\"indirect\" \"path\""), 17, "");
+  write("sub/scene.mi", scene);
+  const RunResult r = run({"render", "sub/scene.mi", "-o", "a.exr", "--samples", "1"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("OR-RN-043"), std::string::npos) << r.err;
+  EXPECT_TRUE(std::filesystem::exists(file("sub/a.fgm")));
+  EXPECT_FALSE(std::filesystem::exists(file("b.fgm")));
+  EXPECT_EQ(read_exr(file("a.exr")).metadata.at("oriel.indirect"), "fg");
+}
+
 TEST_F(RenderProgram, UserErrorsAreOneClearLine) {
   const std::vector<std::vector<std::string>> usage = {{"render"},
                                                        {"render", "scene.mi", "--bogus"},
