@@ -231,7 +231,7 @@ Reached samples_for(const std::vector<CurvePoint>& curve, double Error::*what, d
 }
 
 void compare(const char* name, const Scene& scene, const Reference& reference, int most) {
-  constexpr int kRounds = 5;
+  constexpr int kRounds = 3;
   const Image gathered = scene.render(IndirectMethod::FinalGather, kSamples, 1);
   const Error goal = reference.error(gathered);
   const std::vector<CurvePoint> curve = curve_of_paths(scene, reference, goal, most);
@@ -284,17 +284,17 @@ void compare_interior() {
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
   const Scene scene(text.str(), 480, 320, path);
-  const Reference reference(text.str(), scene, 512);
-  compare("sun and sky", scene, reference, 192);
+  const Reference reference(text.str(), scene, 192);
+  compare("sun and sky", scene, reference, 96);
 }
 
 /// Time of the second scene by that of the first, in turns.
 void compare_cost(const char* name, const std::string& plain, const std::string& other,
                   IndirectMethod method) {
-  constexpr int kRounds = 7;
+  constexpr int kRounds = 3;
   const ThreadLimit limit(1);
   // The plain one twice: what their ratio is off 1 by is noise.
-  const Scene scenes[] = {Scene(plain), Scene(plain), Scene(other)};
+  const Scene scenes[] = {Scene(plain, 160, 120), Scene(plain, 160, 120), Scene(other, 160, 120)};
   std::vector<double> ratios[3];
   for (int round = 0; round < kRounds; ++round) {
     double first = 0;
@@ -311,10 +311,13 @@ void compare_cost(const char* name, const std::string& plain, const std::string&
 }
 
 void compare_reflections() {
-  fmt::print("sky-lit room with a portal, {} samples, processor time\n", kSamples);
+  fmt::print("sky-lit room, 160 x 120, {} samples, processor time\n", kSamples);
   const std::string emulated = "\"reflectivity\" .5, \"refl_gloss\" .4, \"refl_hl_only\" on";
-  compare_cost("final gathering, refl_hl_only everywhere, by diffuse", bench::sky_lit_room(true),
-               bench::sky_lit_room(true, emulated, emulated), IndirectMethod::FinalGather);
+  for (const bool portal : {true, false})
+    compare_cost(portal ? "final gathering, refl_hl_only everywhere, by diffuse"
+                        : "the same without the portal, so without highlights",
+                 bench::sky_lit_room(portal), bench::sky_lit_room(portal, emulated, emulated),
+                 IndirectMethod::FinalGather);
   const std::string mirror = "\"reflectivity\" .5, \"brdf_0_degree_refl\" 1",
                     trick = mirror + ", \"refl_gloss_samples\" 0, \"refl_interpolate\" on";
   for (const auto method : {IndirectMethod::Path, IndirectMethod::FinalGather})

@@ -9,6 +9,7 @@
 #include "color/srgb.h"
 #include "command.h"
 #include "image/compare.h"
+#include "image/files.h"
 #include "image/flip.h"
 #include "pictures.h"
 #include "scene_file.h"
@@ -19,6 +20,7 @@ namespace {
 struct DiffArguments {
   std::string test, reference;
   std::vector<std::string> thresholds;
+  std::string flip_map;
   bool json = false;
 };
 
@@ -72,8 +74,9 @@ int run_diff(const DiffArguments& a) {
         test.height, test.channels, reference.width, reference.height, reference.channels));
 
   const Difference d = compare(test, reference);
-  const double flip =
-      mean_value(flip_error(as_shown(test, a.test), as_shown(reference, a.reference)));
+  const Image flip_map = flip_error(as_shown(test, a.test), as_shown(reference, a.reference));
+  const double flip = mean_value(flip_map);
+  if (!a.flip_map.empty()) write_image(a.flip_map, flip_map, {.format = SampleFormat::Float});
   nlohmann::json values = {{"rmse", d.rmse},
                            {"relmse", d.relative_mse},
                            {"mean", d.mean_abs},
@@ -116,6 +119,9 @@ Command add_diff_command(CLI::App& program) {
                   "Exit code 1 when the metric (rmse, relmse, mean, max, flip) is larger")
       ->allow_extra_args(false)
       ->type_name("METRIC=VALUE");
+  app->add_option("--flip", a->flip_map,
+                  "Writes the FLIP error of each pixel as a grey picture, 0 same to 1 other")
+      ->type_name("FILE");
   app->add_flag("--json", a->json, "One line of JSON");
   return {app, [a] { return run_diff(*a); }};
 }

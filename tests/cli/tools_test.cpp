@@ -237,6 +237,27 @@ TEST_F(DiffProgram, JsonHasEveryMetric) {
   EXPECT_GT(json["flip"].get<double>(), 0);
 }
 
+TEST_F(DiffProgram, FlipMapHasTheErrorOfEachPixel) {
+  Image image(32, 32, 3, .5f);
+  write_image(file("a.exr"), image, {.format = SampleFormat::Float});
+  for (int k = 0; k < 3; ++k) image.at(8, 20)[k] = 1;
+  write_image(file("b.exr"), image, {.format = SampleFormat::Float});
+  const RunResult r = run({"diff", "a.exr", "b.exr", "--flip", "map.exr", "--json"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const Image map = read_image(file("map.exr"));
+  ASSERT_EQ(map.pixel_count(), image.pixel_count());
+  double sum = 0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      sum += double{map.at(x, y)[0]};
+      EXPECT_LE(map.at(x, y)[0], map.at(8, 20)[0]) << x << ' ' << y;
+    }
+  EXPECT_GT(map.at(8, 20)[0], .1f);
+  EXPECT_EQ(map.at(31, 0)[0], 0);
+  EXPECT_NEAR(sum / 1024, nlohmann::json::parse(r.out)["flip"].get<double>(), 1e-6);
+  EXPECT_EQ(run({"diff", "a.exr", "b.exr", "--flip", "nowhere/map.png"}).exit_code, 1);
+}
+
 TEST_F(DiffProgram, ValuesThatAreNoNumbersAreNeverFine) {
   write_grey("a.exr", 0.5f);
   write_grey("b.exr", std::nanf(""));
