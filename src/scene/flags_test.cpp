@@ -144,6 +144,19 @@ TEST(InstanceFlags, LowerOverridesHigherAndBothOverrideTheObject) {
   EXPECT_EQ(r.caustic, (PhotonFlags{false, true, true}));
 }
 
+TEST(ObjectFlags, OptionsLieBelowObjectsAndInstances) {
+  const FlagLayer options = photon_flags(8, 4);
+  EXPECT_EQ(resolve(options, {}).caustic, (PhotonFlags{false, true, false}));
+  EXPECT_EQ(resolve(options, {}).globillum, (PhotonFlags{false, false, true}));
+  Object o;
+  o.flags = {flag("caustic", 2), flag("globillum", 1)};
+  Diagnostics d;
+  const ResolvedFlags r = resolve(overlay(options, object_flags(o, d)), {});
+  EXPECT_EQ(r.caustic, (PhotonFlags{false, false, true}));
+  EXPECT_EQ(r.globillum, (PhotonFlags{false, true, false}));
+  EXPECT_EQ(photon_flags(std::nullopt, std::nullopt), FlagLayer{});
+}
+
 TEST(InstanceFlags, HideOfAnyInstanceHides) {
   EXPECT_TRUE(resolved({}, {{flag("hide", true)}, {flag("hide", false)}}).hidden);
   EXPECT_FALSE(resolved({}, {{flag("hide", false)}}).hidden);

@@ -53,7 +53,9 @@ struct PathSettings {
 ///          materials whose shadows are transparent, rays that follow a diffuse bounce go on
 ///          straight, as the shadow rays they are weighed against do (photons do the same): bent
 ///          light is caustics. Cut-offs, occlusion and its neighbours act before the first diffuse
-///          bounce.
+///          bounce. An object that its flags keep from sending gather rays has no indirect light
+///          but that of photon maps; one that sends no reflection rays shows highlights alone, one
+///          that sends no refraction rays is black behind, except where rays go on straight.
 /// Checked: tests/analytic (furnace, skies, form factors, shapes of lights, mirrors, glass, three
 ///          estimators, outputs).
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,

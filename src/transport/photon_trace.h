@@ -48,9 +48,12 @@ struct PhotonBalance {
 ///          global map, direct light in neither. Caustic and global photons of a light are the
 ///          same photons as far as both are asked for. Lists of lights of instances and materials
 ///          do not apply, nor do limits of reflection rays (cut-off, falloff, own depth).
+///          Flags of objects do: photons pass what is excluded, are stored where it receives and
+///          scattered on where it casts. Where the flags for the two maps differ, each map has
+///          photons of its own, and the balance is that of the global ones.
 /// Returns: maps that depend on the world and the settings alone, not on threads; where `watch` is
 ///          cancelled, of the photons sent until then. Segments are counted as gather rays.
-/// Checked: PhotonTrace.* in tests/analytic/photon_test.cpp.
+/// Checked: PhotonTrace.*, ObjectFlags.* in tests/analytic.
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
                          PhotonBalance* balance = nullptr, const Watch& watch = {});
 

@@ -95,7 +95,7 @@ TEST(AreaLight, PointLightDecaysBySquare) {
                .5f * std::sqrt(.5f));
 }
 
-// acceptance: H4
+// acceptance: H4, H6
 TEST(AreaLight, ShapesBringTheirFormFactors) {
   // Energy c: a point light brings pi c / (4 pi d^2); as a shape its radiance is c / (4 area), with
   // the projected area for spheres (pi R^2) and of cylinders (pi R times the half length).
@@ -139,6 +139,7 @@ TEST(AreaLight, FarShapesActAsPoints) {
   }
 }
 
+// acceptance: H6
 TEST(AreaLight, CylinderIsThatOfItsStripes) {
   // Infinite cylinder of radiance L, radius R at height d over the card: E = pi L R / d.
   SceneText scene = card();
