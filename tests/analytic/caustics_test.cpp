@@ -27,7 +27,7 @@ class TwoBalls {
         .sphere("on", Vec3(.3f, .8f, -3), .5f)
         .sphere("off", Vec3(.3f, -.8f, -3), .5f)
         .light("sun",
-               "\"physical_light\" ( \"color\" 2 2 2 ) direction 1 0 0 caustic photons 30000")
+               "\"physical_light\" ( \"color\" 2 2 2 ) direction 1 0 0 caustic photons 80000")
         .camera("focal 1 aperture 2 aspect 1 resolution 128 128");
     std::string text = s.str();
     text.replace(text.find("\"path\""), 6, "\"scene\"");
@@ -47,7 +47,7 @@ class TwoBalls {
 
 // acceptance: T9
 TEST(RefractiveCaustics, MixWithTransparentShadowsInOnePicture) {
-  const TwoBalls with("on caustic accuracy 100 .08");
+  const TwoBalls with("on caustic accuracy 100 .05");
   EXPECT_NEAR(with.at(0), 1.03f, .03f) << "beside the balls; rays of the rim come this far";
   EXPECT_NEAR(with.at(-.8f), .64f, .02) << "straight through two tinted surfaces";
   EXPECT_NEAR(with.at(-1.1f), .64f, .02);
