@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much longer do paths take to look as good as final gathering does?
 //
-//     gather_bench [room] [interior] [reflection]      all three when none is named
+//     gather_bench [room] [interior] [emulated] [interpolated]      all when none is named
 //
 // Pictures are exposed alike, encoded for a screen and compared with a converged one by FLIP. Final
 // gathering has 16 samples for each pixel; paths get more and more until their mean FLIP is as low.
@@ -310,20 +310,24 @@ void compare_cost(const char* name, const std::string& plain, const std::string&
   std::fflush(stdout);
 }
 
-void compare_reflections() {
-  fmt::print("sky-lit room, 160 x 120, {} samples, processor time\n", kSamples);
+void compare_emulated() {
+  fmt::print("soft reflections of gathered light, sky-lit room, 160 x 120\n");
   const std::string emulated = "\"reflectivity\" .5, \"refl_gloss\" .4, \"refl_hl_only\" on";
   for (const bool portal : {true, false})
-    compare_cost(portal ? "final gathering, refl_hl_only everywhere, by diffuse"
-                        : "the same without the portal, so without highlights",
+    compare_cost(portal ? "with a portal, refl_hl_only everywhere by diffuse"
+                        : "without, so without highlights",
                  bench::sky_lit_room(portal), bench::sky_lit_room(portal, emulated, emulated),
                  IndirectMethod::FinalGather);
+}
+
+void compare_interpolated() {
+  fmt::print("floor that interpolates without samples, sky-lit room with a portal, 160 x 120\n");
   const std::string mirror = "\"reflectivity\" .5, \"brdf_0_degree_refl\" 1",
                     trick = mirror + ", \"refl_gloss_samples\" 0, \"refl_interpolate\" on";
   for (const auto method : {IndirectMethod::Path, IndirectMethod::FinalGather})
-    compare_cost(method == IndirectMethod::Path ? "paths, interpolated floor by mirror"
-                                                : "final gathering, interpolated floor by mirror",
-                 bench::sky_lit_room(true, mirror), bench::sky_lit_room(true, trick), method);
+    compare_cost(
+        method == IndirectMethod::Path ? "paths, by a mirror" : "final gathering, by a mirror",
+        bench::sky_lit_room(true, mirror), bench::sky_lit_room(true, trick), method);
 }
 
 }  // namespace
@@ -334,6 +338,7 @@ int main(int argc, char** argv) {
   };
   if (wanted("room")) compare_rooms();
   if (wanted("interior")) compare_interior();
-  if (wanted("reflection")) compare_reflections();
+  if (wanted("emulated")) compare_emulated();
+  if (wanted("interpolated")) compare_interpolated();
   return EXIT_SUCCESS;
 }

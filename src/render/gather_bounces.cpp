@@ -27,8 +27,8 @@ constexpr int kMostRays = 100;
 /// Least radius of a record, as share of the scene's diagonal.
 constexpr float kLeastRadius = 0.02f;
 /// Rounds of a sum of all bounces; what the last one still changes, by which the tail is known.
-constexpr int kMostRounds = 12;
-constexpr double kSettled = 0.05;
+constexpr int kMostRounds = 16;
+constexpr double kSettled = 0.015;
 /// Longest tail, in parts of the last change: a room that keeps nine tenths of its light.
 constexpr double kMostTail = 9;
 /// Points of the first batch; each is twice the one before, so that few are placed side by side.
@@ -100,16 +100,20 @@ class BounceSolver {
         change += std::abs(luminance(records_[i].irradiance - before[i].irradiance));
         total += luminance(records_[i].irradiance);
       }
-      const bool settled = all && change < kSettled * total;
+      const bool settled = change <= kSettled * total;
       if (settled && change_before > change) {
-        const double ratio = change / change_before;
-        add_tail(before, static_cast<float>(std::min(kMostTail, ratio / (1 - ratio))));
+        const double ratio = change / change_before, rounds_left = wanted - b.held - 1;
+        const double tail = ratio * (1 - std::pow(ratio, rounds_left)) / (1 - ratio);
+        add_tail(before, static_cast<float>(std::min(kMostTail, tail)));
       }
       cache_ = {};
       cache_.insert(records_);
       cache_.settle_radii();
       watch_.tell("bounces", 0.4 + 0.6 * b.held / (all ? 6 : wanted));
-      if (settled) break;
+      if (settled) {
+        b.held = wanted;
+        break;
+      }
       change_before = change;
     }
     if (all) b.held = PathSettings::kAllBounces;

@@ -18,9 +18,9 @@ struct Bounces {
 /// Gathers at points that gather rays of `seen` meet, and that rays from there meet.
 ///
 /// Model:   Jacobi iteration on fixed points: the records of a round gather what those of the round
-///          before send back, so round k holds k bounces. The tail of a sum of all bounces is taken
-///          for a geometric series with the ratio of the last two rounds. Where there is no record,
-///          rays go on as paths.
+///          before send back, so round k holds k bounces. When a round changes little, those still
+///          wanted are taken for a geometric series with the ratio of the last two. Where there is
+///          no record, rays go on as paths.
 /// Inputs:  seen: where the picture gathers; settings: of its records; their path.diffuse_bounces
 ///          says how many bounces are wanted, above 0.
 /// Checked: tests/keystone

@@ -26,7 +26,9 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   const bool none_says = std::none_of(world.lights.begin(), world.lights.end(),
                                       [](const Light& l) { return l.photons.any(); });
   if (plan.by_name || none_says) settings.each.global = settings.each.caustic = usual;
-  if (plan.by_name) settings.environment.global = settings.environment.caustic = usual;
+  // Gathering brings the light of the sky with all its bounces.
+  if (plan.by_name && !plan.gather) settings.environment.global = usual;
+  if (plan.by_name) settings.environment.caustic = usual;
   settings.depth = options.photon_depth;
   settings.merge_global = options.globillum.merge;
   settings.merge_caustic = options.caustic.merge;
@@ -118,15 +120,18 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   passes.records = gather_settings(world.options, world.accel->bounds());
   passes.density = options.presample_density;
   passes.seed = seed;
-  // Photons bring all further bounces. Where the sky sends none, its light falls only on what
-  // gather rays come from; else also on what they meet, for photons hold no first hits.
-  if (plan_.global) passes.records.path.diffuse_bounces = plan_.by_name ? 1 : 0;
+  // Photons bring all further bounces of lamps. Those of the sky and of what glows are gathered,
+  // but in a scene that asks for both itself, where they are left out as the manual has it.
+  if (plan_.global)
+    passes.records.path.diffuse_bounces = plan_.by_name ? PathSettings::kAllBounces : 0;
   paths_ = passes.records.path;
   passes.covered.accuracy = kGatherError;
   passes.covered.radii = passes.records.radii;
-  if (!plan_.global && paths_.diffuse_bounces > 0) {
-    bounces_ = gather_bounces(world, first_gather_points(world, window, passes, counts),
-                              passes.records, seed, counts, watch);
+  if (paths_.diffuse_bounces > 0) {
+    GatherSettings behind = passes.records;
+    behind.path.lamps = !plan_.global;
+    bounces_ = gather_bounces(world, first_gather_points(world, window, passes, counts), behind,
+                              seed, counts, watch);
     maps_.bounces = &bounces_.cache;
     maps_.bounces_query = bounces_.query;
     maps_.bounces_held = bounces_.held;

@@ -42,8 +42,8 @@ struct MapFiles {
 ///
 /// Model:   photons first: of lights as their elements say. Where none of them says anything, or
 ///          a method with photons was chosen by name, lights that do not say get kPhotonsPerLight.
-///          By name the environment emits as well; as the scene's own statements go it does not,
-///          and is left to final gathering and to portals.
+///          With photons alone, by name, the environment emits as well; as the scene's own
+///          statements go it does not, and is left to final gathering and to portals.
 ///          Files: photonmap and finalgather `rebuild` on: made anew and written. Off: read where
 ///          they exist; photons then are not traced, gather points are added to; then written.
 ///          `finalgather rebuild freeze`: read and used as they are.

@@ -36,6 +36,7 @@ struct PathSettings {
   Rgb further_bounces{1};             ///< factor of each diffuse bounce behind the first
   /// Trace depth behind a diffuse bounce; unset = that of the options.
   std::optional<scene::TraceDepth> depth_behind = std::nullopt;
+  bool lamps = true;  ///< false: light elements give nothing, the sky and what glows are left
   Estimator estimator = Estimator::Mis;
   /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
   /// surface: a material's sample counts are for the pixel.

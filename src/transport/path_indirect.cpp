@@ -43,20 +43,24 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
     if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
     return found->irradiance * maps.gather_scale * found->fade;
   }
-  if (reads_bounces()) {
-    if (!takes_all(kSendsGatherRays)) return Rgb(0);
+  std::optional<Rgb> sum;
+  if (reads_bounces() && !takes_all(kSendsGatherRays)) {
+    sum = Rgb(0);
+  } else if (reads_bounces()) {
     GatherQuery query = maps.bounces_query;
     query.position = point.position;
     query.normal = normal;
     const auto found = maps.bounces->interpolate(query);
     if (!found) return std::nullopt;
-    return found->irradiance * settings_.further_bounces;
+    sum = found->irradiance * settings_.further_bounces;
   }
-  if (maps.global && !takes_all(kReceivesGlobillum)) return Rgb(0);
-  if (maps.global)
-    return maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
-                                   maps.global_lookup);
-  return std::nullopt;
+  if (maps.global && !takes_all(kReceivesGlobillum))
+    sum = sum.value_or(Rgb(0));
+  else if (maps.global)
+    sum = sum.value_or(Rgb(0)) + maps.global->irradiance(point.position,
+                                                         facing(point.geometric_normal, normal),
+                                                         maps.global_lookup);
+  return sum;
 }
 
 /// Soft reflections without rays: gathered light blurred about the mirrored view.

@@ -16,7 +16,7 @@ bool Path::ends_at(const Portal& portal) const {
 /// lights do not shadow each other. Portals end bundles as well: what is behind them is in their
 /// light.
 void Path::meet_lights(float t_surface, bool& ended) {
-  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
+  if (!settings_.lamps || (caustics_are_mapped() && kind_ != RayKind::FinalGather)) return;
   const bool sees = !from_.weighed;
   float nearest = t_surface;
   ShadingPoint origin;

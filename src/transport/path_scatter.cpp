@@ -294,7 +294,11 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   if (mapped) emulate(closure, point);
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
-  std::construct_at(&from_.lights, world_, point, closure);  // in place: it is large
+  // In place: it is large.
+  if (settings_.lamps)
+    std::construct_at(&from_.lights, world_, point, closure);
+  else
+    std::construct_at(&from_.lights);
   const bool environment =
       indirect() && world_.environment.lights() && material.environment.empty();
   bool scatters_light = false;
@@ -306,7 +310,8 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
     result_->albedo = closure.albedo;
   }
   if (scatters_light && (!from_.lights.empty() || environment))
-    take_direct(closure, choice, point, environment, diffuse || reads_photons());
+    take_direct(closure, choice, point, environment,
+                diffuse || (reads_photons() && !reads_bounces()));
   if (!choice.any) return false;
 
   if (world_.has_area_lights) from_.point = point;
