@@ -230,41 +230,42 @@ Reached samples_for(const std::vector<CurvePoint>& curve, double Error::*what, d
   return {there, "extrapolated "};
 }
 
-void compare(const char* name, const Scene& scene, const Reference& reference, int most) {
-  constexpr int kRounds = 3;
+void compare(const char* name, const Scene& scene, const Reference& reference, int most,
+             int rounds) {
+  fmt::print("  {}\n", name);
   const Image gathered = scene.render(IndirectMethod::FinalGather, kSamples, 1);
   const Error goal = reference.error(gathered);
+  fmt::print("    final gathering, {} samples   FLIP {:.4f}   blocks {:.4f}   mean {:.3f}\n",
+             kSamples, goal.flip, goal.blocks, reference.brightness(gathered));
+  std::fflush(stdout);
   const std::vector<CurvePoint> curve = curve_of_paths(scene, reference, goal, most);
-  const Reached by_flip = samples_for(curve, &Error::flip, goal.flip),
-                by_blocks = samples_for(curve, &Error::blocks, goal.blocks);
-  std::vector<double> gather_seconds, path_seconds, ratios;
-  {
-    const ThreadLimit limit(1);
-    for (int round = 0; round < kRounds; ++round) {
-      const auto cost = [&](IndirectMethod method) {
-        const auto seed = static_cast<std::uint32_t>(round + 1);
-        return bench::timed([&] { scene.render(method, kSamples, seed); }).cpu;
-      };
-      gather_seconds.push_back(cost(IndirectMethod::FinalGather));
-      path_seconds.push_back(cost(IndirectMethod::Path) / kSamples);
-      ratios.push_back(path_seconds.back() / gather_seconds.back());
-    }
-  }
-  fmt::print(
-      "  {}\n    final gathering, {} samples   FLIP {:.4f}   blocks {:.4f}   mean {:.3f}   {:.2f} "
-      "s\n",
-      name, kSamples, goal.flip, goal.blocks, reference.brightness(gathered),
-      bench::median(gather_seconds));
   for (const CurvePoint& p : curve)
     fmt::print("    {:5.0f} paths                   FLIP {:.4f}   blocks {:.4f}\n", p.samples,
                p.error.flip, p.error.blocks);
+  std::fflush(stdout);
+
+  std::vector<double> gather_seconds, path_seconds, ratios;
+  const ThreadLimit limit(1);
+  for (int round = 0; round < rounds; ++round) {
+    const auto cost = [&](IndirectMethod method) {
+      const auto seed = static_cast<std::uint32_t>(round + 1);
+      return bench::timed([&] { scene.render(method, kSamples, seed); }).cpu;
+    };
+    gather_seconds.push_back(cost(IndirectMethod::FinalGather));
+    path_seconds.push_back(cost(IndirectMethod::Path) / kSamples);
+    ratios.push_back(path_seconds.back() / gather_seconds.back());
+  }
+  const Reached by_flip = samples_for(curve, &Error::flip, goal.flip),
+                by_blocks = samples_for(curve, &Error::blocks, goal.blocks);
+  const double ratio = bench::median(ratios);
   const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
-  fmt::print("    a path for each pixel takes {:.4f} s\n", bench::median(path_seconds));
+  fmt::print("    final gathering takes {:.2f} s, a path for each pixel {:.4f} s\n",
+             bench::median(gather_seconds), bench::median(path_seconds));
   fmt::print("    as good by FLIP: {}{:.0f} paths, {:.1f} times as long ({:.1f} to {:.1f})\n",
-             by_flip.how, by_flip.samples, by_flip.samples * bench::median(ratios),
-             by_flip.samples * *low, by_flip.samples * *high);
+             by_flip.how, by_flip.samples, by_flip.samples * ratio, by_flip.samples * *low,
+             by_flip.samples * *high);
   fmt::print("    as good by blocks: {}{:.0f} paths, {:.1f} times as long\n", by_blocks.how,
-             by_blocks.samples, by_blocks.samples * bench::median(ratios));
+             by_blocks.samples, by_blocks.samples * ratio);
   std::fflush(stdout);
 }
 
@@ -274,8 +275,8 @@ void compare_rooms() {
   const Scene with(text), without(bench::sky_lit_room(false));
   // The portal brings the same light with less noise.
   const Reference reference(text, with, 512);
-  compare("with a portal", with, reference, 256);
-  compare("without", without, reference, 256);
+  compare("with a portal", with, reference, 256, 3);
+  compare("without", without, reference, 256, 3);
 }
 
 void compare_interior() {
@@ -285,7 +286,7 @@ void compare_interior() {
   text << std::ifstream(path).rdbuf();
   const Scene scene(text.str(), 480, 320, path);
   const Reference reference(text.str(), scene, 192);
-  compare("sun and sky", scene, reference, 96);
+  compare("sun and sky", scene, reference, 96, 1);
 }
 
 /// Time of the second scene by that of the first, in turns.
