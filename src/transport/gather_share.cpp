@@ -38,11 +38,12 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
         if (j > 0) look(found(j - 1, k));
         if (j + 1 < rings) look(found(j + 1, k));
         const float c = high - low;
-        contrast[static_cast<std::size_t>(j * sectors + k)] = c;
+        const int own = j * sectors + k;
+        contrast[static_cast<std::size_t>(own)] = c;
         total += c;
         level += sum;
       }
-    const float floor = kLeastContrast * level / static_cast<float>(4 * samples.size() / 2);
+    const float floor = kLeastContrast * level / static_cast<float>(2 * samples.size());
     const float budget = 0.5f * static_cast<float>(more);
     if (!(total > 0)) continue;
     // Rounded so that sums stay: each gets what the running total has come to.

@@ -148,15 +148,24 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
   LobeChoice choice;
   make_ready(closure, point.wo());
   choose_lobes(closure, choice, indirect());
+  const auto before = static_cast<std::ptrdiff_t>(visited_->size());
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
     if (is_diffuse(lobe.kind) || emulates) {
-      if (takes_all(kSendsGatherRays))
-        visited_->push_back(
-            {point, lit_side(lobe),
-             lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f});
       choice.rays[i] = 0;
+      if (!takes_all(kSendsGatherRays)) continue;
+      const Vec3 side = lit_side(lobe);
+      const float quality =
+          lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f;
+      // One record serves all lobes of a side.
+      const auto same =
+          std::find_if(visited_->begin() + before, visited_->end(),
+                       [&](const GatherPoint& p) { return dot(p.normal, side) > 1 - 1e-4f; });
+      if (same != visited_->end())
+        same->quality = std::max(same->quality, quality);
+      else
+        visited_->push_back({point, side, quality});
     }
   }
   choice.share_one_ray();
