@@ -29,9 +29,8 @@
 #include "color/srgb.h"
 #include "image/files.h"
 #include "image/flip.h"
-#include "mi/reader.h"
-#include "render/prepare.h"
 #include "render/session.h"
+#include "render/testing/prepared_scene.h"
 #include "shaders/registry.h"
 #include "timing.h"
 
@@ -54,24 +53,11 @@ Image linear_image(const RenderSession& session) {
   return image;
 }
 
-struct Scene {
-  scene::Scene scene;
-  std::unique_ptr<World> world;
-
+struct Scene : oriel::testing::PreparedScene {
   /// Inputs:  path: what includes are relative to.
   explicit Scene(const std::string& text, int width = 0, int height = 0,
-                 const std::string& path = "scene.mi") {
-    Diagnostics diagnostics;
-    mi::ReadOptions options;
-    options.packages = builtin_packages();
-    options.knows_shader = [](std::string_view n) { return builtin_shaders().find(n) != nullptr; };
-    scene = mi::read_text(text, options, diagnostics, path);
-    PrepareOptions prepare_options;
-    prepare_options.width = width, prepare_options.height = height;
-    PrepareReport report;
-    if (!scene.renders.empty())
-      world = prepare(scene, scene.renders.back(), builtin_shaders(), prepare_options, diagnostics,
-                      report);
+                 const std::string& path = "scene.mi")
+      : PreparedScene(text, builtin_shaders(), {.width = width, .height = height}, path) {
     for (const Diagnostic& d : diagnostics.all())
       if (d.severity != Severity::Note) fmt::print(stderr, "{}\n", diagnostics.format(d));
     if (!world) throw std::runtime_error("the scene cannot be rendered");

@@ -13,8 +13,7 @@
 #include "bench_scenes.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
-#include "mi/reader.h"
-#include "render/prepare.h"
+#include "render/testing/prepared_scene.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "shaders/registry.h"
@@ -89,21 +88,9 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// A prepared world and the scene it came from.
-struct Room {
-  scene::Scene scene;
-  std::unique_ptr<World> world;
-
-  explicit Room(const std::string& text) {
-    Diagnostics diagnostics;
-    mi::ReadOptions options;
-    options.packages = builtin_packages();
-    options.knows_shader = [](std::string_view n) { return registry().find(n) != nullptr; };
-    scene = mi::read_text(text, options, diagnostics);
-    PrepareReport report;
-    PrepareOptions prepare_options;
-    prepare_options.width = 300, prepare_options.height = 200;
-    world = prepare(scene, scene.renders.back(), registry(), prepare_options, diagnostics, report);
+struct Room : oriel::testing::PreparedScene {
+  explicit Room(const std::string& text)
+      : PreparedScene(text, registry(), {.width = 300, .height = 200}) {
     for (const Diagnostic& d : diagnostics.all())
       if (d.severity != Severity::Note) fmt::print(stderr, "{}\n", diagnostics.format(d));
   }

@@ -12,8 +12,7 @@
 
 #include "base/parallel.h"
 #include "color/luminance.h"
-#include "mi/reader.h"
-#include "render/prepare.h"
+#include "render/testing/prepared_scene.h"
 #include "shaders/registry.h"
 #include "timing.h"
 #include "transport/path.h"
@@ -86,19 +85,9 @@ std::string room(const char* environment, int n) {
 
 using Picture = std::vector<Rgb>;
 
-struct Room {
-  scene::Scene scene;
-  std::unique_ptr<World> world;
-
-  explicit Room(const std::string& text) {
-    Diagnostics diagnostics;
-    mi::ReadOptions options;
-    options.packages = builtin_packages();
-    options.knows_shader = [](std::string_view n) { return builtin_shaders().find(n) != nullptr; };
-    scene = mi::read_text(text, options, diagnostics);
-    PrepareReport report;
-    world = prepare(scene, scene.renders.back(), builtin_shaders(), {}, diagnostics, report);
-    for (const Diagnostic& d : diagnostics.all()) fmt::print(stderr, "{}\n", diagnostics.format(d));
+struct Room : oriel::testing::PreparedScene {
+  explicit Room(const std::string& text) : PreparedScene(text) {
+    fmt::print(stderr, "{}", messages());
   }
 
   Picture render(int samples, std::uint32_t seed) const {

@@ -60,10 +60,8 @@ class BounceSolver {
       std::vector<GatherPoint> wanted;
       for (std::size_t i = begin; i < end; ++i) {
         if (points_.size() + wanted.size() >= kMostPoints) break;
-        GatherQuery q = cover_;
-        q.position = met[i].point.position;
-        q.normal = met[i].normal;
-        if (!cache_.interpolate(q)) wanted.push_back(met[i]);
+        if (!cache_.interpolate(query_at(cover_, met[i].point, met[i].normal)))
+          wanted.push_back(met[i]);
       }
       const std::vector<GatherRecord> made = gather(wanted, points_.size());
       cache_.insert(made);

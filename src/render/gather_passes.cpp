@@ -16,18 +16,23 @@ constexpr float kFinestStep = 2;
 constexpr int kPasses = 5;
 /// Streams of the points of one path, and what tells them from those of its lobes.
 constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
+/// Tells these samples from those of the picture.
+constexpr std::uint32_t kGatherSeed = 0xf9;
 
 int finest_step(float density) {
   return std::clamp(
       static_cast<int>(std::lround(kFinestStep / std::sqrt(std::max(density, 0.01f)))), 1, 64);
 }
 
-/// The points that a sample through the middle of a pixel meets.
-void visit_pixel(const World& world, int x, int y, sampling::Sampler& sampler, RayCounts& counts,
-                 std::vector<GatherPoint>& points) {
+/// Adds the points that a sample through the middle of a pixel meets; the stream goes on from
+/// there.
+sampling::Sampler visit_pixel(const World& world, int x, int y, int pass, std::uint32_t seed,
+                              RayCounts& counts, std::vector<GatherPoint>& points) {
+  sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(pass), seed + kGatherSeed);
   const PathSettings visiting{.indirect = true};
   visit_gather_points(world, Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f),
                       visiting, sampler, counts, points);
+  return sampler;
 }
 
 }  // namespace
@@ -37,10 +42,8 @@ std::vector<GatherPoint> first_gather_points(const World& world, const Window& w
   const int step = finest_step(passes.density) << (kPasses - 1);
   std::vector<GatherPoint> points;
   for (int y = window.y0 + step / 2; y < window.y1; y += step)
-    for (int x = window.x0 + step / 2; x < window.x1; x += step) {
-      sampling::Sampler sampler(x, y, 0, passes.seed + 0xf9u);
-      visit_pixel(world, x, y, sampler, counts, points);
-    }
+    for (int x = window.x0 + step / 2; x < window.x1; x += step)
+      visit_pixel(world, x, y, 0, passes.seed, counts, points);
   return points;
 }
 
@@ -62,10 +65,8 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
       RayCounts mine;
       std::vector<GatherPoint> points;
       for (int x = window.x0 + step / 2; x < window.x1; x += step) {
-        sampling::Sampler sampler(x, rows[r], static_cast<std::uint32_t>(pass),
-                                  passes.seed + 0xf9u);
         points.clear();
-        visit_pixel(world, x, rows[r], sampler, mine, points);
+        const auto sampler = visit_pixel(world, x, rows[r], pass, passes.seed, mine, points);
         for (std::size_t i = 0; i < points.size(); ++i) {
           if (cache.interpolate(query_at(passes.covered, points[i].point, points[i].normal)))
             continue;

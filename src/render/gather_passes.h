@@ -26,7 +26,7 @@ std::vector<GatherPoint> first_gather_points(const World& world, const Window& w
 ///          gathers where it knows nothing, and adds all new records in the order of pixels; so
 ///          the result does not depend on threads. After each pass radii are clamped to the
 ///          neighbours' and `after_pass` is called.
-/// Checked: tests/keystone, GatherPasses.* in tests/analytic/gather_options_test.cpp
+/// Checked: tests/keystone, GatherOptions.* in tests/analytic
 void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
                         GatherCache& cache, RayCounts& counts, const Watch& watch,
                         const std::function<void()>& after_pass);

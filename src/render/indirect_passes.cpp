@@ -36,8 +36,13 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   return settings;
 }
 
-void warn(Diagnostics* diagnostics, const std::string& why) {
-  if (diagnostics) diagnostics->warning("OR-RN-042", {}, why);
+/// Whether that went well; else a warning says why it did not.
+bool tried(const std::function<void()>& what, Diagnostics& diagnostics) try {
+  what();
+  return true;
+} catch (const std::exception& e) {
+  diagnostics.warning("OR-RN-042", {}, e.what());
+  return false;
 }
 
 }  // namespace
@@ -70,7 +75,7 @@ PathSettings IndirectPasses::path_settings() const {
   PathSettings settings = paths_;
   settings.indirect = plan_.indirect;
   // Where no record speaks, rays from the surface find what gather rays would have found.
-  if (plan_.gather && settings.diffuse_bounces < PathSettings{}.diffuse_bounces)
+  if (plan_.gather && settings.diffuse_bounces < PathSettings::kAllBounces)
     ++settings.diffuse_bounces;
   // A sky that sends no photons lights nothing without gathering.
   if (plan_.global && !plan_.gather && !plan_.by_name) settings.diffuse_bounces = 0;
@@ -79,31 +84,22 @@ PathSettings IndirectPasses::path_settings() const {
 }
 
 void IndirectPasses::run(const World& world, const Window& window, std::uint32_t seed,
-                         RayCounts& counts, const MapFiles& files, Diagnostics* diagnostics,
+                         RayCounts& counts, const MapFiles& files, Diagnostics& diagnostics,
                          const Watch& watch, const std::function<void()>& after_pass) {
   if (plan_.global || plan_.caustic) shoot(world, seed, counts, files, diagnostics, watch);
   if (plan_.gather) gather(world, window, seed, counts, files, diagnostics, watch, after_pass);
 }
 
 void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& counts,
-                           const MapFiles& files, Diagnostics* diagnostics, const Watch& watch) {
+                           const MapFiles& files, Diagnostics& diagnostics, const Watch& watch) {
   const scene::RenderOptions& options = world.options;
-  bool read = false;
-  if (!files.photons.empty() && !options.photonmap_rebuild &&
-      std::filesystem::exists(files.photons))
-    try {
-      photons_ = load_photon_maps(files.photons);
-      read = true;
-    } catch (const std::exception& e) {
-      warn(diagnostics, e.what());
-    }
+  const std::string& file = files.photons;
+  const bool read = !file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file) &&
+                    tried([&] { photons_ = load_photon_maps(file); }, diagnostics);
   if (!read) {
     photons_ = trace_photons(world, photon_settings(world, plan_, seed), counts, nullptr, watch);
-    if (!files.photons.empty() && !watch.cancelled()) try {
-        save_photon_maps(files.photons, photons_);
-      } catch (const std::exception& e) {
-        warn(diagnostics, e.what());
-      }
+    if (!file.empty() && !watch.cancelled())
+      tried([&] { save_photon_maps(file, photons_); }, diagnostics);
   }
   const geom::Box3 box = world.accel->bounds();
   if (plan_.global) maps_.global = &photons_.global;
@@ -113,7 +109,7 @@ void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& co
 }
 
 void IndirectPasses::gather(const World& world, const Window& window, std::uint32_t seed,
-                            RayCounts& counts, const MapFiles& files, Diagnostics* diagnostics,
+                            RayCounts& counts, const MapFiles& files, Diagnostics& diagnostics,
                             const Watch& watch, const std::function<void()>& after_pass) {
   const scene::FinalGatherOptions& options = world.options.finalgather;
   GatherPasses passes;
@@ -140,12 +136,10 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
 
   using Rebuild = scene::FinalGatherOptions::Rebuild;
-  Diagnostics unheard;
   if (options.rebuild != Rebuild::On)
     for (const std::string& file : files.gather)
       if (std::filesystem::exists(file))
-        if (const auto records = load_gather_map(file, diagnostics ? *diagnostics : unheard))
-          cache_.insert(*records);
+        if (const auto records = load_gather_map(file, diagnostics)) cache_.insert(*records);
   cache_.settle_radii();
 
   maps_.gather = &cache_;
@@ -156,7 +150,7 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   gather_for_picture(world, window, passes, cache_, counts, watch, after_pass);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
   if (!files.gather.empty() && changed)
-    save_gather_map(cache_.records(), files.gather.front(), diagnostics ? *diagnostics : unheard);
+    save_gather_map(cache_.records(), files.gather.front(), diagnostics);
 }
 
 }  // namespace oriel

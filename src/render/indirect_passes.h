@@ -59,7 +59,7 @@ class IndirectPasses {
 
   /// `after_pass`: called when there is more to see than before.
   void run(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-           const MapFiles& files, Diagnostics* diagnostics, const Watch& watch,
+           const MapFiles& files, Diagnostics& diagnostics, const Watch& watch,
            const std::function<void()>& after_pass);
 
   const IndirectPlan& plan() const { return plan_; }
@@ -69,9 +69,9 @@ class IndirectPasses {
 
  private:
   void shoot(const World& world, std::uint32_t seed, RayCounts& counts, const MapFiles& files,
-             Diagnostics* diagnostics, const Watch& watch);
+             Diagnostics& diagnostics, const Watch& watch);
   void gather(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-              const MapFiles& files, Diagnostics* diagnostics, const Watch& watch,
+              const MapFiles& files, Diagnostics& diagnostics, const Watch& watch,
               const std::function<void()>& after_pass);
 
   IndirectPlan plan_;

@@ -45,23 +45,27 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
             settings.outputs),
       progressive_(film_, budget_),
       map_files_(settings.map_files),
-      diagnostics_(settings.diagnostics),
+      diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
       passes_(world) {}
 
-FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& counts,
-                                 Outputs* outputs) const {
+/// What all paths of the picture go by, maps and grid as they are now.
+PathSettings RenderSession::path_settings() const {
+  PathSettings settings = passes_.path_settings();
+  settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
+  // The grid's points were found through the camera's middle: a lens sees others at a pixel.
+  const bool has_grid = grid_ && !grid_->empty() && world_.lens_rays.empty();
+  settings.grid = has_grid ? &*grid_ : nullptr;
+  return settings;
+}
+
+FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSettings& settings,
+                                 RayCounts& counts) const {
   const int column = window_.x0 + x, row = window_.y1 - 1 - y;
   sampling::Sampler sampler(column, row, index, seed_);
   const FilterSampler::Offset offset = filter_.sample(sampler.next_2d());
   const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
                     static_cast<float>(row) + 0.5f + offset.pixels.y);
 
-  PathSettings settings = passes_.path_settings();
-  settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
-  // The grid's points were found through the camera's middle: a lens sees others at a pixel.
-  const bool has_grid = grid_ && !grid_->empty() && world_.lens_rays.empty();
-  settings.grid = has_grid ? &*grid_ : nullptr;
-  settings.outputs = outputs;
   const PathResult path = trace_eye_rays(world_, raster, settings, sampler, counts);
   FilmSample s;
   s.beauty = path.radiance;
@@ -69,7 +73,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
   s.depth = path.depth;
   s.normal = path.normal;
   s.albedo = path.albedo;
-  s.outputs = outputs;
+  s.outputs = settings.outputs;
   s.negative = offset.negative;
   s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));
   return s;
@@ -78,14 +82,18 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, RayCounts& c
 StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                                const std::atomic<bool>* cancel) {
   struct PerThread {
-    RayCounts counts;
-    Outputs outputs;  // of the sample under way, until the film has it
+    PathSettings paths;
+    RayCounts counts = {};
+    Outputs outputs = {};  // of the sample under way, until the film has it
   };
-  tbb::enumerable_thread_specific<PerThread> threads;
+  tbb::enumerable_thread_specific<PerThread> threads(PerThread{path_settings()});
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
     PerThread& mine = threads.local();
-    if (film_.keeps_outputs()) mine.outputs = {};
-    s = sample(x, y, index, mine.counts, film_.keeps_outputs() ? &mine.outputs : nullptr);
+    if (film_.keeps_outputs()) {
+      mine.outputs = {};
+      mine.paths.outputs = &mine.outputs;
+    }
+    s = sample(x, y, index, mine.paths, mine.counts);
   };
   const StopReason reason = passes.run(draw_one, callbacks, cancel);
   for (const PerThread& thread : threads) rays_ += thread.counts;

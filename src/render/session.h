@@ -53,7 +53,9 @@ class RenderSession {
   const RayCounts& rays() const { return rays_; }
 
  private:
-  FilmSample sample(int x, int y, std::uint32_t index, RayCounts& counts, Outputs* outputs) const;
+  PathSettings path_settings() const;
+  FilmSample sample(int x, int y, std::uint32_t index, const PathSettings& settings,
+                    RayCounts& counts) const;
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
   StopReason show_preview();
   StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,
@@ -67,7 +69,8 @@ class RenderSession {
   Film film_;
   Progressive progressive_;
   MapFiles map_files_;
-  Diagnostics* diagnostics_;
+  Diagnostics unheard_;  ///< where nobody listens
+  Diagnostics& diagnostics_;
   IndirectPasses passes_;           ///< run when rendering begins
   std::optional<GlossyGrid> grid_;  ///< made after them
   RayCounts rays_;

@@ -64,7 +64,7 @@ class GatherCache {
   /// Returns: how many were added.
   std::size_t insert(std::span<const GatherRecord> records);
 
-  /// Both of what follows; for caches that are complete for now.
+  /// Both of what follows, in their order. Call when records were inserted.
   void settle_radii();
 
   /// Neighbour clamping: no radius longer than another record's plus the distance to it. A record

@@ -18,8 +18,6 @@ constexpr float kMostChange = 0.5f;
 /// Rays nearer to the horizon than this, sin^2(theta), tell what stands on the surface.
 constexpr float kLowRays = 2 / 3.0f;
 
-float brightness(const Rgb& c) { return c.x + c.y + c.z; }
-
 float seen_distance(const GatherSample& s) {
   // Also catches NaN; a hit at the point itself must not divide by zero.
   return s.distance > 0 ? std::clamp(s.distance, 1e-6f, kGatherFarthest) : 1e-6f;
@@ -103,6 +101,29 @@ std::array<float, 8> free_ways(const Vec3& normal, std::span<const GatherSample>
   return free;
 }
 
+/// Standard error of the mean of strata whose neighbours differ so; as share of the mean.
+float noise_of(std::span<const GatherSample> samples, int rings, int sectors) {
+  float squares = 0, sum = 0;
+  int pairs = 0;
+  const auto found = [&](int j, int k) {
+    const int i = j * sectors + k;
+    return gather_brightness(samples[static_cast<std::size_t>(i)].radiance);
+  };
+  for (int j = 0; j < rings; ++j)
+    for (int k = 0; k < sectors; ++k) {
+      const float own = found(j, k);
+      sum += own;
+      squares += sqr(own - found(j, (k + 1) % sectors));
+      ++pairs;
+      if (j + 1 == rings) continue;
+      squares += sqr(own - found(j + 1, k));
+      ++pairs;
+    }
+  const float n = static_cast<float>(rings * sectors);
+  // Half the mean squared difference of neighbours is the variance of one.
+  return sum > 0 ? std::sqrt(0.5f * squares / static_cast<float>(pairs) * n) / sum : 0;
+}
+
 }  // namespace
 
 GatherHemisphere GatherHemisphere::for_rays(const Vec3& normal, int rays, float turn) {
@@ -157,7 +178,7 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
       for (int ring = std::max(0, j - reach); ring <= std::min(rings - 1, j + reach); ++ring)
         for (int i = 0; i < width; ++i) {
           const int index = ring * sectors + (k - reach + i + sectors * kMostFilter) % sectors;
-          near[count++] = {brightness(before[static_cast<std::size_t>(index)]), index};
+          near[count++] = {gather_brightness(before[static_cast<std::size_t>(index)]), index};
         }
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>((count - 1) / 2);
       std::nth_element(near.begin(), middle, near.begin() + static_cast<std::ptrdiff_t>(count));
@@ -165,28 +186,6 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
       samples[static_cast<std::size_t>(own)].radiance =
           before[static_cast<std::size_t>(middle->index)];
     }
-}
-
-/// Standard error of the mean of strata whose neighbours differ so; as share of the mean.
-static float noise_of(std::span<const GatherSample> samples, int rings, int sectors) {
-  float squares = 0, sum = 0;
-  int pairs = 0;
-  const auto found = [&](int j, int k) {
-    return brightness(samples[static_cast<std::size_t>(j * sectors + k)].radiance);
-  };
-  for (int j = 0; j < rings; ++j)
-    for (int k = 0; k < sectors; ++k) {
-      const float own = found(j, k);
-      sum += own;
-      squares += sqr(own - found(j, (k + 1) % sectors));
-      ++pairs;
-      if (j + 1 == rings) continue;
-      squares += sqr(own - found(j + 1, k));
-      ++pairs;
-    }
-  const float n = static_cast<float>(rings * sectors);
-  // Half the mean squared difference of neighbours is the variance of one.
-  return sum > 0 ? std::sqrt(0.5f * squares / static_cast<float>(pairs) * n) / sum : 0;
 }
 
 GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& hemisphere,
@@ -230,7 +229,7 @@ GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& he
     r.by_position[i] = hemisphere.frame.to_world(gradient[i]);
     total += r.by_position[i];
   }
-  const float steepness = length(total), e = brightness(r.irradiance);
+  const float steepness = length(total), e = gather_brightness(r.irradiance);
   const float slope_limit = steepness > 0 ? kMostChange * e / steepness : kGatherFarthest;
   const float reach = std::min(r.mean_distance, kMostNearest * r.min_distance);
   r.radius = std::min(radii.clamped(std::min(reach, slope_limit)), kGatherFarthest);

@@ -77,6 +77,9 @@ struct GatherRecord {
   }
 };
 
+/// What records and rays are judged by: all channels alike.
+inline float gather_brightness(const Rgb& c) { return c.x + c.y + c.z; }
+
 /// Where a vector points within Frame(normal): 0..8, eighths of a turn from s towards t (in between
 /// not quite proportional to the angle, which saves the arc tangent).
 float gather_sector(const Vec3& normal, const Vec3& v);
@@ -99,9 +102,9 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
 ///          nearer of the two is near; where samples bring normals, as near as its plane is at the
 ///          strata's border. Without, the gradient is too long in the mean: before
 ///          a wall 1.5 high, with 100 rays, by 1.2 at distance 1 and 1.8 at 0.3; with them 0.97 and
-///          1.07. Radius: harmonic mean of the distances, no longer than half
-///          of E / |gradient| (beyond the whole, E would be extrapolated to nothing), then kept
-///          within `radii`.
+///          1.07. Radius: harmonic mean of the distances, no longer than
+///          twice the nearest, nor than half of E / |gradient| (beyond the whole, E would be
+///          extrapolated to nothing), then kept within `radii`.
 /// Inputs:  samples: one for each stratum, in order; radiance that is negative or not finite counts
 ///          as black. radii: in scene units. filter: as filter_speckles.
 /// Source:  Ward, Heckbert, "Irradiance Gradients", EGWR 1992; strata's borders as in Krivanek,

@@ -11,8 +11,6 @@ namespace {
 constexpr float kLeastContrast = 0.5f;
 constexpr int kMostMore = 64;
 
-float brightness(const Rgb& c) { return c.x + c.y + c.z; }
-
 }  // namespace
 
 std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, int sectors,
@@ -20,8 +18,8 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
   std::vector<int> rays(samples.size(), 0);
   if (more <= 0) return rays;
   const auto found = [&](int ring, int sector) {
-    const int i = std::clamp(ring, 0, rings - 1) * sectors + (sector + sectors) % sectors;
-    return brightness(samples[static_cast<std::size_t>(i)].radiance);
+    const int i = ring * sectors + (sector + sectors) % sectors;
+    return gather_brightness(samples[static_cast<std::size_t>(i)].radiance);
   };
   for (const int color : {0, 1}) {
     std::vector<float> contrast(samples.size(), 0);

@@ -163,9 +163,8 @@ float GatherCache::straight(std::uint32_t index, const GatherRecord& r, float ra
     const float distance2 = (e.position - r.position).length2();
     if (!(distance2 > 0) || distance2 > sqr(radius) || dot(e.normal, r.normal) < kSameWay) continue;
     const GatherRecord& other = records_[e.record];
-    const auto bright = [](const Rgb& c) { return c.x + c.y + c.z; };
-    const float foretold = bright(extrapolate(r, other.position, other.normal));
-    const float found = bright(other.irradiance), own = bright(r.irradiance);
+    const float foretold = gather_brightness(extrapolate(r, other.position, other.normal));
+    const float found = gather_brightness(other.irradiance), own = gather_brightness(r.irradiance);
     const float scale = std::max(found, own);
     if (!(scale > 0)) continue;
     const float noise = std::hypot(r.noise * own, other.noise * found) / scale;

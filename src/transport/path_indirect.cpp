@@ -43,23 +43,17 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
     if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
     return found->irradiance * maps.gather_scale * found->fade;
   }
-  std::optional<Rgb> sum;
-  if (reads_bounces() && !takes_all(kSendsGatherRays)) {
-    sum = Rgb(0);
-  } else if (reads_bounces()) {
-    GatherQuery query = maps.bounces_query;
-    query.position = point.position;
-    query.normal = normal;
-    const auto found = maps.bounces->interpolate(query);
+  const bool coarse = reads_bounces();
+  if (!coarse && !maps.global) return std::nullopt;
+  Rgb sum(0);
+  if (coarse && takes_all(kSendsGatherRays)) {
+    const auto found = maps.bounces->interpolate(query_at(maps.bounces_query, point, normal));
     if (!found) return std::nullopt;
-    sum = found->irradiance * settings_.further_bounces;
+    sum += found->irradiance * settings_.further_bounces;
   }
-  if (maps.global && !takes_all(kReceivesGlobillum))
-    sum = sum.value_or(Rgb(0));
-  else if (maps.global)
-    sum = sum.value_or(Rgb(0)) + maps.global->irradiance(point.position,
-                                                         facing(point.geometric_normal, normal),
-                                                         maps.global_lookup);
+  if (maps.global && takes_all(kReceivesGlobillum))
+    sum += maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
+                                   maps.global_lookup);
   return sum;
 }
 

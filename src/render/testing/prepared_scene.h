@@ -19,12 +19,13 @@ struct PreparedScene {
   PrepareReport report;
   std::unique_ptr<World> world;
 
+  /// Inputs:  name: of the file it stands for; includes are relative to it.
   explicit PreparedScene(std::string_view text, const Registry& registry = builtin_shaders(),
-                         const PrepareOptions& options = {}) {
+                         const PrepareOptions& options = {}, const std::string& name = "scene.mi") {
     mi::ReadOptions read;
     read.packages = builtin_packages();
     read.knows_shader = [&](std::string_view n) { return registry.find(n) != nullptr; };
-    scene = mi::read_text(text, read, diagnostics);
+    scene = mi::read_text(text, read, diagnostics, name);
     if (!scene.renders.empty())
       world = prepare(scene, scene.renders.back(), registry, options, diagnostics, report);
   }
