@@ -119,7 +119,9 @@ void Binder::set_defaults(ShaderNode& node) {
       const Mat4 identity;
       store(bytes + param.offset, identity);
     } else {
-      const std::size_t count = param.type == ParamType::Color && param.fallback[3] == 0 ? 3 : 4;
+      // A declared colour is opaque; what is neither declared nor written is all zero.
+      const bool opaque = param.declared_default && param.fallback[3] == 0;
+      const std::size_t count = param.type == ParamType::Color && opaque ? 3 : 4;
       store_numbers(bytes + param.offset, param.type, param.fallback.data(), count);
     }
   }

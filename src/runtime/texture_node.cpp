@@ -46,6 +46,12 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
 }
 
 Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const {
+  const bool filters = texture_ && !point.nearest_texels;
+  return lookup(uv, filters ? texture_footprint(point) : TextureFootprint{}, point, how);
+}
+
+Rgba TextureNode::lookup(const Vec2& uv, const TextureFootprint& footprint, ShadingPoint& point,
+                         const TextureSampling& how) const {
   if (!procedure_.empty()) {
     ShadingPoint at = point;
     at.tex[0] = Vec3(uv.x, uv.y, 0);
@@ -63,10 +69,7 @@ Rgba TextureNode::lookup(const Vec2& uv, ShadingPoint& point, const TextureSampl
     single.interpolation = Interpolation::Nearest;
     return texture_->sample(uv, {}, single);
   }
-  TextureFootprint footprint = texture_footprint(point);
-  footprint.dx *= filter_;
-  footprint.dy *= filter_;
-  return texture_->sample(uv, footprint, how);
+  return texture_->sample(uv, {footprint.dx * filter_, footprint.dy * filter_}, how);
 }
 
 Rgba TextureNode::texel(const Vec2& uv) const {

@@ -32,6 +32,9 @@ class TextureNode {
   /// Looks up at `uv`; `point` gives the ray's footprint, measured in texture space 0, or asks for
   /// the nearest texel.
   Rgba lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const;
+  /// The same over a footprint of the caller's.
+  Rgba lookup(const Vec2& uv, const TextureFootprint& footprint, ShadingPoint& point,
+              const TextureSampling& how) const;
 
  private:
   TextureNode() = default;

@@ -219,6 +219,40 @@ constexpr PlainInterface kBase[] = {
     {"mib_illum_lambert", 2, "ambience c, ambient c, diffuse c, mode i, lights L"},
     {"mib_illum_phong", 2,
      "ambience c, ambient c, diffuse c, specular c, exponent s, mode i, lights L"},
+    {"mib_blackbody", 1, "temperature s, intensity s"},
+    {"mib_cie_d", 1, "temperature s, intensity s"},
+    {"mib_color_alpha", 2, "input c, factor s"},
+    {"mib_color_average", 2, "input c, factor s"},
+    {"mib_color_intensity", 2, "input c, factor s"},
+    {"mib_color_interpolate", 1,
+     "input s, num i, weight_1 s, weight_2 s, weight_3 s, weight_4 s, weight_5 s, weight_6 s, "
+     "color_0 c, color_1 c, color_2 c, color_3 c, color_4 c, color_5 c, color_6 c, color_7 c"},
+    {"mib_color_mix", 2,
+     "num i, mode_0 i, mode_1 i, mode_2 i, mode_3 i, mode_4 i, mode_5 i, mode_6 i, mode_7 i, "
+     "weight_0 s, weight_1 s, weight_2 s, weight_3 s, weight_4 s, weight_5 s, weight_6 s, "
+     "weight_7 s, color_0 c, color_1 c, color_2 c, color_3 c, color_4 c, color_5 c, color_6 c, "
+     "color_7 c, color_base c"},
+    {"mib_color_spread", 1,
+     "input c, num i, mode_0 i, mode_1 i, mode_2 i, mode_3 i, mode_4 i, mode_5 i, mode_6 i, "
+     "mode_7 i, weight_0 c, weight_1 c, weight_2 c, weight_3 c, weight_4 c, weight_5 c, "
+     "weight_6 c, weight_7 c"},
+    {"mib_lookup_cube1", 1, "point v, dir v, size v, tex tex"},
+    {"mib_lookup_cube6", 1,
+     "point v, dir v, size v, tex_mx tex, tex_px tex, tex_my tex, tex_py tex, tex_mz tex, "
+     "tex_pz tex"},
+    {"mib_lookup_cylindrical", 1, "xform t, begin s, end s, tex tex"},
+    {"mib_texture_checkerboard", 1,
+     "coord v, xsize s, ysize s, zsize s, color000 c, color001 c, color010 c, color011 c, "
+     "color100 c, color101 c, color110 c, color111 c"},
+    {"mib_texture_filter_lookup", 3,
+     "tex tex, coord v, eccmax s, maxminor s, disc_r s, bilinear b, space i, remap sh"},
+    {"mib_texture_lookup2", 1, "tex tex, factor s"},
+    {"mib_texture_polkadot", 1, "coord v, radius s, fgcolor c, bgcolor c"},
+    {"mib_texture_polkasphere", 1, "coord v, radius s, fgcolor c, bgcolor c"},
+    {"mib_texture_rotate", 1, "input v, angle s, min s, max s"},
+    {"mib_texture_turbulence", 1,
+     "coord v, spacing s, strength s, power s, iteration i, polar_dim i"},
+    {"mib_texture_wave", 1, "coord v, amplitude_x s, amplitude_y s, amplitude_z s, offset s"},
     {"mib_shadow_transparency", 1, "color c, transp c, mode i, lights L"},
     {"mib_texture_lookup", 1, "tex tex, coord v"},
     {"mib_texture_vector", 2, "select i, selspace i, vertex i, project i"},
@@ -326,6 +360,12 @@ TEST(Declarations, BaseShadersHaveTheirParametersInOrder) {
         case ParamType::ColorTexture:
           letter = "tex";
           break;
+        case ParamType::ScalarTexture:
+          letter = "stex";
+          break;
+        case ParamType::Shader:
+          letter = "sh";
+          break;
         case ParamType::Array:
           letter = p.element == ParamType::Light ? "L" : "?";
           break;
@@ -350,7 +390,7 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
     EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
     EXPECT_TRUE(spec->value || spec->material || spec->light || spec->portal || spec->lens ||
-                spec->lens_ray || spec->shadow)
+                spec->lens_ray || spec->shadow || spec->volume)
         << spec->name;
     std::set<std::string> names;
     for (const ParamSpec& p : spec->params) {

@@ -8,11 +8,15 @@
 #include "shaders/architectural/mia_material.h"
 #include "shaders/architectural/mia_portal_light.h"
 #include "shaders/architectural/mia_sun_sky.h"
+#include "shaders/base/mib_color.h"
 #include "shaders/base/mib_illum.h"
 #include "shaders/base/mib_light.h"
 #include "shaders/base/mib_lookup.h"
+#include "shaders/base/mib_lookup_cube.h"
 #include "shaders/base/mib_shadow.h"
 #include "shaders/base/mib_texture.h"
+#include "shaders/base/mib_texture_filter.h"
+#include "shaders/base/mib_texture_procedural.h"
 
 namespace oriel {
 namespace {
@@ -65,16 +69,35 @@ const Registry& builtin_shaders() {
       &kMiaExposureSimple,
       &kMiaLensBokeh,
       &kPhysicalLensDof,  //
+      &kMibBlackbody,
+      &kMibCieD,
+      &kMibColorAlpha,
+      &kMibColorAverage,
+      &kMibColorIntensity,
+      &kMibColorInterpolate,
+      &kMibColorMix,
+      &kMibColorSpread,
       &kMibIllumLambert,
       &kMibIllumPhong,
       &kMibLightInfinite,
       &kMibLightPoint,
       &kMibLightSpot,
       &kMibLookupBackground,
+      &kMibLookupCube1,
+      &kMibLookupCube6,
+      &kMibLookupCylindrical,
       &kMibLookupSpherical,
+      &kMibTextureCheckerboard,
+      &kMibTextureFilterLookup,
       &kMibTextureLookup,
+      &kMibTextureLookup2,
+      &kMibTexturePolkadot,
+      &kMibTexturePolkasphere,
       &kMibTextureRemap,
+      &kMibTextureRotate,
+      &kMibTextureTurbulence,
       &kMibTextureVector,
+      &kMibTextureWave,
       &kMibShadowTransparency,  //
       &kPhysicalLight,
   });

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_texture_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/frame.h"
+#include "runtime/texture_node.h"
+
+namespace oriel {
+namespace {
+
+struct Lookup2 {
+  ColorTextureRef tex;
+  float factor;
+};
+struct Filter {
+  ColorTextureRef tex;
+  Vec3 coord;
+  float eccmax, maxminor, disc_r;
+  bool bilinear;
+  int space;
+  ShaderRef remap;
+};
+struct Rotate {
+  Vec3 input;
+  float angle, min, max;
+};
+struct Tangents {
+  Vec3 u, v;
+};
+
+constexpr ParamSpec kLookup2Rows[] = {
+    {ORIEL_PARAM(Lookup2, tex), .doc = "The texture.", .declared_default = false},
+    {ORIEL_PARAM(Lookup2, factor), .doc = "Times the first texture space; 0 = 1.",
+     .declared_default = false},
+};
+constexpr ParamSpec kFilterRows[] = {
+    {ORIEL_PARAM(Filter, tex), .doc = "The texture.", .declared_default = false},
+    {ORIEL_PARAM(Filter, coord), .doc = "Where; outside 0..1 is transparent black.",
+     .declared_default = false},
+    {ORIEL_PARAM(Filter, eccmax), .doc = "Longest ratio of the ellipse's axes; 0 = 16.",
+     .declared_default = false},
+    {ORIEL_PARAM(Filter, maxminor), .unit = "texels",
+     .doc = "Texels on the short axis that are read; it only decided speed.",
+     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(Filter, disc_r), .unit = "pixels",
+     .doc = "Radius of the disc that is projected; 0 = 0.3.", .declared_default = false},
+    {ORIEL_PARAM(Filter, bilinear), .doc = "Interpolate texels that are large in the picture.",
+     .declared_default = false},
+    {ORIEL_PARAM(Filter, space), .doc = "Texture space the footprint is measured in.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Filter, remap), .doc = "Shader that moved the coordinate.",
+     .support = Support::Approximated, .declared_default = false},
+};
+constexpr ParamSpec kRotateRows[] = {
+    {ORIEL_PARAM(Rotate, input), .doc = "Direction that is turned; null = along u.",
+     .declared_default = false},
+    {ORIEL_PARAM(Rotate, angle), .doc = "0 gives min, 1 gives max.", .declared_default = false},
+    {ORIEL_PARAM(Rotate, min), .unit = "turns", .doc = "Turn at angle 0.",
+     .declared_default = false},
+    {ORIEL_PARAM(Rotate, max), .unit = "turns", .doc = "Turn at angle 1; 0 like min = 0.25.",
+     .declared_default = false},
+};
+constexpr ParamSpec kRotateResults[] = {{ORIEL_PARAM(Tangents, u)}, {ORIEL_PARAM(Tangents, v)}};
+
+void lookup2(const Call& call, void* result) {
+  const auto& p = call.as<Lookup2>();
+  auto& out = *static_cast<Rgba*>(result);
+  out = Rgba(0);
+  if (!p.tex.texture || call.point.texture_spaces == 0) return;
+  const float factor = p.factor != 0 ? p.factor : 1;
+  const Vec3 uv = call.point.tex[0] * factor;
+  const TextureFootprint own = texture_footprint(call.point);
+  out = p.tex.texture->lookup(Vec2(uv.x, uv.y), {own.dx * factor, own.dy * factor}, call.point, {});
+}
+
+/// What the remap shader makes of the footprint at the point.
+TextureFootprint remapped(const ShaderNode& remap, ShadingPoint& point,
+                          const TextureFootprint& footprint) {
+  if (!remap.spec().value || point.texture_spaces == 0) return footprint;
+  const auto at = [&](const Vec2& d) {
+    ShadingPoint moved = point;
+    moved.tex[0] += Vec3(d.x, d.y, 0);
+    return remap.vector(moved);
+  };
+  const Vec3 here = at(Vec2(0)), x = at(footprint.dx) - here, y = at(footprint.dy) - here;
+  // Across a seam, where copies meet, the step is not the footprint.
+  const auto step = [](const Vec3& d, const Vec2& plain) {
+    const bool jumps = std::max(std::abs(d.x), std::abs(d.y)) > 0.5f;
+    return jumps ? plain : Vec2(d.x, d.y);
+  };
+  return {step(x, footprint.dx), step(y, footprint.dy)};
+}
+
+/// Whether there is nothing to filter.
+bool within_a_texel(const TextureFootprint& footprint, const TextureNode& texture) {
+  const auto texels = [&](const Vec2& d) {
+    return std::max(std::abs(d.x) * static_cast<float>(texture.width()),
+                    std::abs(d.y) * static_cast<float>(texture.height()));
+  };
+  return std::max(texels(footprint.dx), texels(footprint.dy)) <= 1;
+}
+
+void filter_lookup(const Call& call, void* result) {
+  const auto& p = call.as<Filter>();
+  auto& out = *static_cast<Rgba*>(result);
+  out = Rgba(0);
+  if (!p.tex.texture) return;
+  TextureSampling how{.wrap_u = Wrap::Black, .wrap_v = Wrap::Black};
+  if (p.eccmax > 0) how.anisotropy = std::max(1.0f, p.eccmax);
+  TextureFootprint footprint = texture_footprint(call.point);
+  if (p.remap.node) footprint = remapped(*p.remap.node, call.point, footprint);
+  // The footprint's half axes are half a pixel.
+  const float wider = (p.disc_r > 0 ? p.disc_r : 0.3f) / 0.5f;
+  footprint.dx *= wider;
+  footprint.dy *= wider;
+  if (!p.bilinear && within_a_texel(footprint, *p.tex.texture))
+    how.interpolation = Interpolation::Nearest;
+  out = p.tex.texture->lookup(Vec2(p.coord.x, p.coord.y), footprint, call.point, how);
+}
+
+void rotate(const Call& call, void* result) {
+  const auto& p = call.as<Rotate>();
+  const bool unset = p.min == 0 && p.max == 0;
+  const float turn = p.angle * ((unset ? 0.25f : p.max) - p.min) + p.min;
+  const Vec3 along = p.input == Vec3(0) ? call.point.dpdu : p.input;
+  const Frame frame = Frame::along(call.point.normal, along);
+  const float c = std::cos(turn * kTwoPi), s = std::sin(turn * kTwoPi);
+  *static_cast<Tangents*>(result) = {frame.s * c + frame.t * s, frame.t * c - frame.s * s};
+}
+
+}  // namespace
+
+const ShaderSpec kMibTextureLookup2 = {
+    .name = "mib_texture_lookup2",
+    .library = "base",
+    .apply = kApplyTexture,
+    .doc = "Looks up a texture at the first texture space, scaled and repeated.",
+    .params = kLookup2Rows,
+    .params_size = sizeof(Lookup2),
+    .value = lookup2,
+};
+
+const ShaderSpec kMibTextureFilterLookup = {
+    .name = "mib_texture_filter_lookup",
+    .library = "base",
+    .version = 3,
+    .apply = kApplyTexture,
+    .doc = "Looks up a texture through an elliptical filter.",
+    .params = kFilterRows,
+    .params_size = sizeof(Filter),
+    .value = filter_lookup,
+};
+
+const ShaderSpec kMibTextureRotate = {
+    .name = "mib_texture_rotate",
+    .library = "base",
+    .apply = kApplyTexture,
+    .doc = "Two directions across the normal, turned by an angle.",
+    .params = kRotateRows,
+    .params_size = sizeof(Rotate),
+    .result = ParamType::Struct,
+    .results = kRotateResults,
+    .result_size = sizeof(Tangents),
+    .value = rotate,
+};
+
+}  // namespace oriel
