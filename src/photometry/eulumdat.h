@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Photometric files of the format EULUMDAT (.ldt).
+#pragma once
+
+#include <string_view>
+
+#include "photometry/profile_file.h"
+
+namespace oriel::photometry {
+
+// Conventions
+//   C0 - C180 lies across the luminaire, C90 - C270 along it; in IES files 0 - 180 lies along it.
+//   In the luminaire's own frame of light_profile.h gamma 0 is nadir (-z), C90 is +x and C0 is -y:
+//   C runs against the clock seen from above, and C is the IES angle + 90.
+
+/// Reads EULUMDAT files of every symmetry (Isym 0 ... 4).
+///
+/// Model:   intensity = value * lamp flux / 1000 * conversion factor; the flux is that of the first
+///          set of lamps. One value a line; commas count as decimal points.
+/// Errors:  ProfileError.
+/// Source:  Stockmar, "EULUMDAT - ein Leuchtendatenformat fuer den europaeischen
+///          Beleuchtungsplaner", Licht '90, 1990.
+/// Checked: EulumdatFile.*
+ProfileData parse_eulumdat(std::string_view text);
+
+}  // namespace oriel::photometry

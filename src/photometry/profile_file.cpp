@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "photometry/profile_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+
+#include "photometry/eulumdat.h"
+#include "photometry/ies.h"
+
+namespace oriel::photometry {
+namespace {
+
+/// No luminaire is brighter: a searchlight of the largest kind reaches 1e9 cd.
+constexpr double kMostCandela = 1e12;
+/// Planes nearer than this are the same one, degrees.
+constexpr float kSamePlane = 1e-3f;
+
+std::string read_text(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw ProfileError(0, "it is a folder", "name a photometric file (.ies or .ldt)");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw ProfileError(0, "there is no such file, or it may not be read",
+                       "check its name and folder");
+  std::string text(kMostProfileBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kMostProfileBytes)
+    throw ProfileError(0, fmt::format("it is larger than {} MB", kMostProfileBytes >> 20),
+                       "photometric files are small: is this one?");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw ProfileError(0, "it is empty", "save or download it again");
+  return text;
+}
+
+ProfileFormat format_of(std::string_view text) {
+  const auto begins = [&](std::string_view with) { return text.substr(0, with.size()) == with; };
+  if (begins("\xef\xbb\xbf")) text.remove_prefix(3);
+  if (begins("IES") || text.find("TILT") != std::string_view::npos) return ProfileFormat::Ies;
+  return ProfileFormat::Eulumdat;
+}
+
+}  // namespace
+
+ProfileData read_profile(const std::string& path, ProfileFormat format, Turn turn) {
+  const std::string text = read_text(path);
+  if (format == ProfileFormat::ByContent) format = format_of(text);
+  ProfileData data = format == ProfileFormat::Ies
+                         ? parse_ies(text, std::filesystem::path(path).parent_path().string())
+                         : parse_eulumdat(text);
+  // Seen from above, azimuths of types A and B run clockwise, of type C against the clock.
+  const Turn natural = data.report.type == 'C' ? Turn::CounterClockwise : Turn::Clockwise;
+  if (turn != Turn::AsFormat && turn != natural) {
+    // The other way round: the luminaire as its mirror image along its length.
+    PolarFrame& f = data.table.frame;
+    for (Vec3* axis : {&f.pole, &f.zero, &f.side}) axis->y = -axis->y;
+  }
+  return data;
+}
+
+std::string clean_text(std::string_view text) {
+  constexpr std::size_t kLongest = 120;
+  std::string clean;
+  for (const char c : text.substr(0, kLongest)) {
+    const bool control = static_cast<unsigned char>(c) < 32 || c == 127;
+    clean += control ? ' ' : c;
+  }
+  const std::size_t first = clean.find_first_not_of(' ');
+  if (first == std::string::npos) return {};
+  return clean.substr(first, clean.find_last_not_of(' ') - first + 1);
+}
+
+std::optional<double> parse_number(std::string_view text, bool decimal_commas) {
+  constexpr std::size_t kLongest = 64;
+  if (text.size() > kLongest) return std::nullopt;
+  std::string digits(text);
+  if (decimal_commas) std::replace(digits.begin(), digits.end(), ',', '.');
+  const bool plus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';
+  const char* first = digits.data() + (plus ? 1 : 0);
+  const char* last = digits.data() + digits.size();
+  double value = 0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+void scale_candela(std::vector<float>& candela, const std::vector<int>& lines, double factor) {
+  for (std::size_t i = 0; i < candela.size(); ++i) {
+    const double value = double{candela[i]} * factor;
+    if (candela[i] < 0)
+      throw ProfileError(lines[i], fmt::format("an intensity is negative ({} cd)", candela[i]),
+                         "intensities are 0 or more: correct the file");
+    if (!(value <= kMostCandela))
+      throw ProfileError(lines[i], fmt::format("an intensity is {:.3g} cd", value),
+                         "no luminaire is that bright: check the multiplier and factors");
+    candela[i] = static_cast<float>(value);
+  }
+  if (std::all_of(candela.begin(), candela.end(), [](float c) { return c == 0; }))
+    throw ProfileError(0, "all intensities are 0", "such a luminaire gives no light");
+}
+
+void expect_ascending(const std::vector<float>& angles, const std::vector<int>& lines,
+                      const char* kind, float least, float most) {
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (angles[i] < least - kSamePlane || angles[i] > most + kSamePlane)
+      throw ProfileError(
+          lines[i],
+          fmt::format("{} angle {} is outside of {} ... {} degrees", kind, angles[i], least, most),
+          "correct the angle, or the counts that come before it");
+    if (i > 0 && !(angles[i] > angles[i - 1]))
+      throw ProfileError(
+          lines[i],
+          fmt::format("{} angle {} comes after {}: they do not ascend", kind, angles[i],
+                      angles[i - 1]),
+          "each angle stands once, in ascending order; check the counts that come before them");
+  }
+}
+
+Planes mirror_planes(const Planes& planes, std::size_t cones, float about) {
+  Planes both = planes;
+  for (std::size_t p = 0; p < planes.azimuth.size(); ++p) {
+    both.azimuth.push_back(2 * about - planes.azimuth[p]);
+    const auto first = planes.candela.begin() + static_cast<std::ptrdiff_t>(p * cones);
+    both.candela.insert(both.candela.end(), first, first + static_cast<std::ptrdiff_t>(cones));
+  }
+  return close_circle(both, cones);
+}
+
+Planes close_circle(const Planes& planes, std::size_t cones) {
+  std::vector<float> azimuth = planes.azimuth;
+  for (float& a : azimuth) {
+    a -= 360 * std::floor(a / 360);
+    if (a > 360 - kSamePlane) a = 0;
+  }
+  std::vector<std::size_t> order(azimuth.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return azimuth[a] < azimuth[b]; });
+  Planes circle;
+  const auto add = [&](float at, std::size_t plane) {
+    circle.azimuth.push_back(at);
+    const auto first = planes.candela.begin() + static_cast<std::ptrdiff_t>(plane * cones);
+    circle.candela.insert(circle.candela.end(), first, first + static_cast<std::ptrdiff_t>(cones));
+  };
+  for (const std::size_t p : order)
+    if (circle.azimuth.empty() || azimuth[p] - circle.azimuth.back() > kSamePlane)
+      add(azimuth[p], p);
+  add(circle.azimuth.front() + 360, order.front());
+  return circle;
+}
+
+}  // namespace oriel::photometry
