@@ -74,6 +74,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
   world->environment = EnvironmentLight(std::move(environment), *world);
   open_portals(*world);
+  world->light_groups = group_lights(*world);
 
   report.binding = binder.report();
   report.lights = world->lights.size();

@@ -15,26 +15,10 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-LightValue ask_shader(const Light& light, ShadingPoint& point, const Vec3& position,
-                      const Vec3& direction, float distance, float emitter_cos) {
-  if (!light.shader) return {};
-  const LightCall call{light, position, direction, distance, emitter_cos};
-  const ShaderSpec& spec = light.shader->spec();
-  if (spec.light)
-    return light.shader->with_params(point, [&](const Call& c) { return spec.light(c, call); });
-  LightValue value;
-  if (spec.value) value.colour = rgb(light.shader->color(point));
-  return value;
-}
-
 /// Radiance of a shape of that area toward a point at `distance`, from the shader's colour there:
 /// the mean of pi * colour over the shape must be the irradiance.
 Rgb radiance_of(const Light& light, const Rgb& colour, float distance, float emitter_cos) {
   return colour * (kPi * sqr(distance) / (light.area * std::max(emitter_cos, 1e-6f)));
-}
-
-bool is_flat(LightShape shape) {
-  return shape == LightShape::Rectangle || shape == LightShape::Disc;
 }
 
 std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
@@ -106,6 +90,18 @@ std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, V
 
 }  // namespace
 
+LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3& position,
+                            const Vec3& direction, float distance, float emitter_cos) {
+  if (!light.shader) return {};
+  const LightCall call{light, position, direction, distance, emitter_cos};
+  const ShaderSpec& spec = light.shader->spec();
+  if (spec.light)
+    return light.shader->with_params(point, [&](const Call& c) { return spec.light(c, call); });
+  LightValue value;
+  if (spec.value) value.colour = rgb(light.shader->color(point));
+  return value;
+}
+
 bool has_square_corners(const Light& light) {
   const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
   return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
@@ -131,20 +127,25 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
       sample.wi = to * (1 / sample.distance);
     }
     const LightValue value =
-        ask_shader(light, point, light.position, -sample.wi, sample.distance, 1);
+        ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1);
     sample.irradiance = value.colour * kPi;
     sample.shadow = value.shadow;
     sample.shadow_factor = value.shadow_factor;
+    sample.affects_diffuse = value.affects_diffuse;
+    sample.affects_specular = value.affects_specular;
   } else {
     const auto s = is_flat(light.shape) ? sample_flat(light, p, u) : sample_round(light, p, u);
     if (!s || !(s->distance > 0)) return std::nullopt;
-    const LightValue value = ask_shader(light, point, s->position, -s->wi, s->distance, s->cosine);
+    const LightValue value =
+        ask_light_shader(light, point, s->position, -s->wi, s->distance, s->cosine);
     sample.wi = s->wi;
     sample.distance = s->distance;
     sample.pdf = s->pdf;
     sample.irradiance = radiance_of(light, value.colour, s->distance, s->cosine) / s->pdf;
     sample.shadow = value.shadow;
     sample.shadow_factor = value.shadow_factor;
+    sample.affects_diffuse = value.affects_diffuse;
+    sample.affects_specular = value.affects_specular;
   }
   if (is_black(sample.irradiance)) return std::nullopt;
   sample.reach = sample.distance;
@@ -210,25 +211,12 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
     return result;
   }
   const LightValue value =
-      ask_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
+      ask_light_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
   result.radiance = radiance_of(light, value.colour, hit->t, cosine);
   result.shadow = value.shadow;
+  result.affects_diffuse = value.affects_diffuse;
+  result.affects_specular = value.affects_specular;
   return result;
-}
-
-float estimate_irradiance(const Light& light, ShadingPoint& point) {
-  if (light.portal) return estimate_portal(light, point.position);
-  Vec3 direction = light.direction;
-  float distance = kInfinity, cosine = 1;
-  if (light.shape != LightShape::Directional) {
-    const Vec3 to = point.position - light.position;
-    distance = std::max(length(to), 1e-6f);
-    direction = to / distance;
-    // The far side of a flat light still sees part of it near its plane: never quite zero.
-    if (is_flat(light.shape)) cosine = std::max(0.1f, dot(direction, light.direction));
-  }
-  const LightValue value = ask_shader(light, point, light.position, direction, distance, cosine);
-  return kPi * std::max(0.0f, luminance(value.colour));
 }
 
 }  // namespace oriel

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "runtime/light_photons.h"
+#include "runtime/luminaire.h"
 #include "runtime/portal.h"
 #include "runtime/shader_node.h"
 
@@ -35,6 +36,7 @@ struct Light {
   float exponent = 2;    ///< distance decay written in the element (physical_light)
   bool visible = false;  ///< the shape is seen by rays
   LightPhotons photons;  ///< as its element and its shader ask
+  Luminaire luminaire;   ///< set where the shader distributes light by a profile
   Mat4 to_local;         ///< world to the light's space
   Mat4 to_world;
   const ShaderNode* shader = nullptr;
@@ -53,6 +55,7 @@ struct LightSample {
   float pdf = 0;
   bool shadow = true;
   float shadow_factor = 0;
+  float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue
 };
 
 /// Samples a light from a point.
@@ -70,6 +73,7 @@ struct LightHit {
   Rgb radiance{0};     ///< toward the ray's origin
   float pdf = 0;       ///< per solid angle with which sample_light would have chosen this direction
   bool shadow = true;  ///< false: samples of the light stand alone
+  float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue
 };
 
 /// Intersects the shape within (0, t_most) and evaluates its radiance; nothing for lights without
@@ -77,9 +81,15 @@ struct LightHit {
 std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
                                         const Vec3& direction, float t_most);
 
-/// Cosine-free estimate of the irradiance the light may bring to a point, shadows ignored; used to
-/// choose among lights.
-float estimate_irradiance(const Light& light, ShadingPoint& point);
+/// What the light's shader says of a sample at `position`: `direction` from there to the lit point,
+/// `distance` as long, `emitter_cos` as in LightCall. Nothing for a light without a shader.
+LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3& position,
+                            const Vec3& direction, float distance, float emitter_cos);
+
+/// Rectangles and discs: they shine to one side.
+inline bool is_flat(LightShape shape) {
+  return shape == LightShape::Rectangle || shape == LightShape::Disc;
+}
 
 /// Whether the edges of a rectangle stand square on each other. The solid angle of other
 /// parallelograms has no such simple sampling; they are sampled by area.

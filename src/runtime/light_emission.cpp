@@ -18,10 +18,6 @@ constexpr int kFluxSamples = 4096;
 /// Photons from afar begin this much outside of the scene, so that what lies on its rim is met.
 constexpr float kOutside = 1.001f;
 
-bool is_flat(LightShape shape) {
-  return shape == LightShape::Rectangle || shape == LightShape::Disc;
-}
-
 /// Cosine of the widest angle at which a light sends.
 float least_cosine(const Light& light) { return light.spread < -1 ? -1.0f : light.spread; }
 
@@ -89,6 +85,44 @@ EmittedPhoton PhotonSource::emit_through_disc(const Vec3& direction, Vec2 u) con
   return {place + direction * std::min(0.0f, back), direction, kPi * sqr(aim_radius_), Vec2(0)};
 }
 
+/// The direction first; then a place on the shape, uniform in the area that the direction sees, so
+/// that all photons of a profile's light are equally strong.
+EmittedPhoton PhotonSource::emit_by_profile(Vec2 u_place, Vec2 u_direction) const {
+  const Light& light = *light_;
+  const auto s = light.luminaire.profile->sample(u_direction);
+  EmittedPhoton photon;
+  photon.origin = light.position;
+  photon.direction = light.luminaire.to_world(s.direction);
+  if (!(s.pdf > 0)) return photon;
+  float area = 1;  // as seen along the direction
+  if (is_flat(light.shape)) {
+    const Vec2 d = light.shape == LightShape::Rectangle
+                       ? u_place - Vec2(0.5f)
+                       : sampling::sample_disc(u_place) * light.radius;
+    photon.origin += light.edge_u * d.x + light.edge_v * d.y;
+    area = light.area * std::max(0.0f, dot(photon.direction, light.direction));
+  } else if (light.shape == LightShape::Sphere) {
+    const Frame frame(photon.direction);
+    const Vec2 d = sampling::sample_disc(u_place);
+    const float height = std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y));
+    photon.origin += (frame.s * d.x + frame.t * d.y + frame.n * height) * light.radius;
+    area = light.area;
+  } else if (light.shape == LightShape::Cylinder) {
+    const float half = length(light.edge_u);
+    const Vec3 axis = light.edge_u / half;
+    const Vec3 across = photon.direction - axis * dot(photon.direction, axis);
+    const float sine = length(across);
+    if (!(sine > 1e-6f)) return photon;
+    const float x = 2 * u_place.x - 1;
+    photon.origin += light.edge_u * (2 * u_place.y - 1) +
+                     (cross(axis, across / sine) * x + across / sine * std::sqrt(1 - x * x)) *
+                         light.radius;
+    area = 4 * half * light.radius * sine;
+  }
+  photon.weight = area / s.pdf;
+  return photon;
+}
+
 EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
   if (!light_) {
     const EnvironmentLight::Sample s = world_->environment.sample_alone(u_direction);
@@ -105,6 +139,7 @@ EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
     return photon;
   }
 
+  if (light.luminaire) return emit_by_profile(u_place, u_direction);
   EmittedPhoton photon;
   float cone = 1 - std::min(least_cosine(light), 1.0f);  // 1 - its cosine
   if (light.shape == LightShape::Point) {

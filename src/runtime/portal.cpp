@@ -16,8 +16,6 @@ namespace {
 /// Cells each way over half a turn: 0.35 degrees resolve lamps in a photographed sky, a sky from
 /// formulas is smooth.
 constexpr std::size_t kPhotographedSide = 512, kSmoothSide = 256;
-/// The same where a table small enough for the fastest cache will do.
-constexpr std::size_t kRoughSide = 32;
 /// Share of the mean radiance added everywhere.
 constexpr float kEvenShare = 0.05f;
 /// Grazing light that is given up, as for other flat lights.
@@ -31,13 +29,6 @@ float solid_angle_of(float a, float b) {
 
 float uv_of(float tangent_y, float tangent_x) {
   return std::atan2(tangent_y, tangent_x) / kPi + 0.5f;
-}
-
-/// Arc tangent within 0.004, continuous: enough for estimates.
-float rough_uv(float tangent) {
-  const float t = std::abs(tangent), s = std::min(t, 1 / t);
-  const float angle = s * (kPi / 4 + 0.273f * (1 - s));
-  return std::copysign(t > 1 ? kPi / 2 - angle : angle, tangent) / kPi + 0.5f;
 }
 
 /// The rectangle seen from a point.
@@ -86,16 +77,10 @@ PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lo
   for (std::size_t i = 0; i < values.size(); ++i)
     light += static_cast<double>(values[i]), angle += static_cast<double>(angles[i]);
   lights_ = light > 0;
-  const float even = kEvenShare * static_cast<float>(light / angle);
+  mean_luminance_ = static_cast<float>(light / angle);
+  const float even = kEvenShare * mean_luminance_;
   for (std::size_t i = 0; i < values.size(); ++i) values[i] += even * angles[i];
   table_ = std::make_unique<sampling::WindowedDistribution2D>(values, side, side);
-  const std::size_t block = side / kRoughSide;
-  std::vector<float> rough(kRoughSide * kRoughSide);
-  for (std::size_t j = 0; j < side; ++j)
-    for (std::size_t i = 0; i < side; ++i)
-      rough[j / block * kRoughSide + i / block] +=
-          values[j * side + i] / static_cast<float>(block * block);
-  rough_ = std::make_unique<sampling::WindowedDistribution2D>(rough, kRoughSide, kRoughSide);
 }
 
 PortalTable::Sample PortalTable::sample(Vec2 u, const sampling::Window& window) const {
@@ -109,10 +94,6 @@ float PortalTable::pdf(const Vec3& local, const sampling::Window& window) const 
   const Vec2 uv(uv_of(local.x, local.z), uv_of(local.y, local.z));
   return table_->pdf(uv, window) /
          (sqr(kPi) * solid_angle_of(local.x / local.z, local.y / local.z));
-}
-
-float PortalTable::rough_integral(const sampling::Window& window) const {
-  return rough_->integral(window) * sqr(kPi);
 }
 
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u) {
@@ -151,23 +132,12 @@ Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float 
   return max_component(radiance) * share < portal.cutoff ? Rgb(0) : radiance;
 }
 
-float estimate_portal(const Light& light, const Vec3& from) {
-  const Portal& portal = *light.portal;
+float mean_luminance(const Portal& portal) {
   const float scale = luminance(portal.scale);
-  if (!portal.table) {
-    if (portal.shaders.empty() && !portal.own_environment) return 0;
-    if (!(dot(from - light.position, light.direction) > 0)) return 0;
-    const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
-    return scale *
-           sampling::SphericalRectangle(from, corner, light.edge_u, light.edge_v).solid_angle();
-  }
-  const Seen seen = seen_from(light, from);
-  if (!(seen.depth > 0)) return 0;
-  const float inverse = 1 / seen.depth;
-  const sampling::Window window{Vec2(rough_uv(seen.x0 * inverse), rough_uv(seen.y0 * inverse)),
-                                Vec2(rough_uv(seen.x1 * inverse), rough_uv(seen.y1 * inverse))};
-  // Never quite 0: the angles are rough.
-  return scale * (1e-12f + portal.table->rough_integral(window));
+  if (portal.table) return scale * portal.table->mean_luminance();
+  if (portal.shaders.empty()) return portal.own_environment ? scale : 0;
+  // Without a table all that is known is what the camera's environment shows, if it is that one.
+  return scale * (portal.own_environment ? 1 : portal.world->environment.mean_luminance());
 }
 
 PortalDirection sample_portal_direction(const Light& light, Vec2 u) {
@@ -190,23 +160,26 @@ bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction,
 PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
                             float t_most, bool mapped) {
   PortalsOnWay way;
-  for (const int index : world.portals) {
+  world.light_groups.portals.for_each_on_way(from, direction, t_most, [&](int index) {
     const Light& light = world.lights[static_cast<std::size_t>(index)];
     const Portal& portal = *light.portal;
-    if (!crosses_portal(light, from, direction, t_most)) continue;
+    if (!crosses_portal(light, from, direction, t_most)) return;
     way.ends_diffuse |= portal.blocks_diffuse_rays() || mapped;
     if (portal.visible)
       way.ends_view = true;
     else
       way.view *= portal.transparency;
-  }
+  });
   return way;
 }
 
 bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most) {
-  return std::any_of(world.portals.begin(), world.portals.end(), [&](int index) {
-    return crosses_portal(world.lights[static_cast<std::size_t>(index)], point, to_source, t_most);
+  bool behind = false;
+  world.light_groups.portals.for_each_on_way(point, to_source, t_most, [&](int index) {
+    behind |=
+        crosses_portal(world.lights[static_cast<std::size_t>(index)], point, to_source, t_most);
   });
+  return behind;
 }
 
 void open_portals(World& world) {
@@ -215,7 +188,6 @@ void open_portals(World& world) {
     Light& light = world.lights[i];
     if (!light.portal) continue;
     Portal& portal = *light.portal;
-    world.portals.push_back(static_cast<int>(i));
     world.has_gels |= !portal.visible && portal.transparency != Rgb(1);
     portal.world = &world;
     if (!portal.own_environment)

@@ -67,15 +67,16 @@ class PortalTable {
   Sample sample(Vec2 u, const sampling::Window& window) const;
   /// Density of a unit direction, by x, y, z.
   float pdf(const Vec3& local, const sampling::Window& window) const;
-  /// Luminance times solid angle, blurred over a few degrees: for choices.
-  float rough_integral(const sampling::Window& window) const;
+  /// Mean luminance over the half sphere.
+  float mean_luminance() const { return mean_luminance_; }
 
  private:
   Vec3 x_, y_, z_;
   NodeList shaders_;
   RayKind lookup_;
   bool lights_ = false;
-  std::unique_ptr<sampling::WindowedDistribution2D> table_, rough_;
+  float mean_luminance_ = 0;
+  std::unique_ptr<sampling::WindowedDistribution2D> table_;
 };
 
 /// A portal in the scene.
@@ -102,8 +103,8 @@ float pdf_through(const Light& light, const Vec3& from, const Vec3& wi);
 /// Radiance toward a point, wi from there to the portal.
 Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
                     float cosine);
-/// Estimate of the luminance times solid angle that a point sees.
-float estimate_portal(const Light& light, const Vec3& from);
+/// Mean luminance of all that is behind it.
+float mean_luminance(const Portal& portal);
 /// A direction out of which the environment shines through the portal, by the table: where photons
 /// come from. World space, with its density.
 struct PortalDirection {

@@ -12,6 +12,7 @@
 #include "runtime/camera.h"
 #include "runtime/environment.h"
 #include "runtime/light.h"
+#include "runtime/light_tree.h"
 #include "runtime/material.h"
 #include "runtime/shader_node.h"
 #include "runtime/texture_node.h"
@@ -58,7 +59,7 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
-  std::vector<int> portals;      ///< indices into lights
+  LightGroups light_groups;      ///< indices into lights
   bool has_gels = false;         ///< some portal dims what is seen through it
   bool has_area_lights = false;  ///< some light has a shape that rays can meet
   EnvironmentLight environment;
@@ -71,6 +72,7 @@ struct World {
   bool photons_part_ways = false;         ///< some instance treats caustic and global photons apart
 
   std::deque<std::unique_ptr<ShaderNode>> nodes;
+  std::deque<std::unique_ptr<photometry::LightProfile>> light_profiles;
   TextureSystem texture_system;
   std::deque<std::unique_ptr<TextureNode>> textures;
   std::deque<std::vector<std::byte>> arrays;  ///< elements of array parameters

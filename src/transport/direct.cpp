@@ -8,73 +8,71 @@
 namespace oriel {
 namespace {
 
-/// Share of the mean estimate every light gets in addition: estimates ignore shadows and may be 0
-/// where light arrives all the same.
-constexpr float kLeastShare = 0.02f;
-
-bool contains(const ArrayView<LightRef>& list, int light) {
-  return std::any_of(list.begin(), list.end(), [&](LightRef l) { return l.index == light; });
+/// Whether light from behind the surface counts.
+bool is_lit_through(const Closure& closure) {
+  for (int i = 0; i < closure.count; ++i)
+    if (closure.lobes[i].kind == LobeKind::Translucency || transmits(closure.lobes[i].kind))
+      return true;
+  return false;
 }
 
 }  // namespace
 
-bool LightChoice::lit_by(int light) const {
-  const Light& l = world_->lights[static_cast<std::size_t>(light)];
-  if (l.portal && l.portal->photons_only) return false;
-  if (world_->lights[static_cast<std::size_t>(light)].photons.only) return false;
-  if (mode_ == 1) return contains(listed_, light);
-  if (mode_ == 2) return !contains(listed_, light);
-  if (mode_ == 0 && listed_.size > 0) return contains(listed_, light);
-  if (!instance_ || !instance_->linked) return true;
-  const std::vector<int>& linked = instance_->lights;
-  const bool named = std::find(linked.begin(), linked.end(), light) != linked.end();
-  return named != instance_->lights_exclusive;
-}
-
-LightChoice::LightChoice(const World& world, ShadingPoint& point, const Closure& closure)
+LightChoice::LightChoice(const World& world, const ShadingPoint& point, const Closure& closure)
     : world_(&world),
+      lit_{point.position, is_lit_through(closure) ? Vec3(0) : point.geometric_normal},
       instance_(point.instance < 0 ? nullptr
                                    : &world.instances[static_cast<std::size_t>(point.instance)]),
-      mode_(closure.light_mode),
       listed_(closure.lights) {
-  count_ = static_cast<int>(world.lights.size());
-  if (count_ > kMostWeighed) {
-    usual_.all = false;
-    return;
-  }
-  const int portals = static_cast<int>(world.portals.size());
-  weigh(usual_, count_ - portals, false, point);
-  if (portals > 0) weigh(portals_, portals, true, point);
+  const int mode = closure.light_mode;
+  by_material_ = mode == 1 || mode == 2 || (mode == 0 && listed_.size > 0);
+  const bool linked = !by_material_ && instance_ && instance_->linked;
+  excluded_ = by_material_ ? mode == 2 : linked && instance_->lights_exclusive;
+  if (by_material_ && !excluded_) named_ = listed_.size;
+  if (linked && !excluded_) named_ = static_cast<int>(instance_->lights.size());
+  if (!by_material_ && !linked) instance_ = nullptr;
 }
 
-void LightChoice::weigh(Group& group, int count, bool portals, ShadingPoint& point) {
-  group.all = count <= (portals ? kSampleAllPortals : kSampleAll);
-  for (int i = 0; i < count_; ++i) {
-    if (is_portal(i) != portals) continue;
-    estimate_[i] = 0;
-    if (!lit_by(i)) continue;
-    estimate_[i] =
-        group.all ? 1 : estimate_irradiance(world_->lights[static_cast<std::size_t>(i)], point);
-    group.total += estimate_[i];
-  }
-  if (group.all) return;
-  const float least = kLeastShare * group.total / static_cast<float>(count);
-  group.total = 0;
-  for (int i = 0; i < count_; ++i) {
-    if (is_portal(i) != portals || !lit_by(i)) continue;
-    // Portals that a point sees nothing of cannot light it.
-    if (portals && estimate_[i] <= 0) continue;
-    estimate_[i] = std::max(estimate_[i], std::max(least, 1e-20f));
-    group.total += estimate_[i];
-  }
+int LightChoice::listed_light(int i) const {
+  return by_material_ ? listed_.begin()[i].index : instance_->lights[static_cast<std::size_t>(i)];
+}
+
+bool LightChoice::is_listed(int light) const {
+  if (by_material_)
+    return std::any_of(listed_.begin(), listed_.end(),
+                       [&](LightRef l) { return l.index == light; });
+  const std::vector<int>& linked = instance_->lights;
+  return std::find(linked.begin(), linked.end(), light) != linked.end();
+}
+
+bool LightChoice::lit_by(int light) const {
+  if (light < 0) return false;
+  const Light& l = world_->lights[static_cast<std::size_t>(light)];
+  if (l.photons.only || (l.portal && l.portal->photons_only)) return false;
+  if (!by_material_ && !instance_) return true;
+  return is_listed(light) != excluded_;
+}
+
+bool LightChoice::draws() const {
+  if (empty()) return false;
+  if (named_ >= 0) return named_ > kSampleAll;
+  const LightGroups& groups = world_->light_groups;
+  return static_cast<int>(groups.infinite.size()) > kSampleAll ||
+         groups.lamps.size() > kSampleAll || groups.portals.size() > kSampleAllPortals;
 }
 
 float LightChoice::rate(int light) const {
-  if (count_ == 0) return 0;
-  if (count_ > kMostWeighed) return lit_by(light) ? 1.0f / static_cast<float>(count_) : 0.0f;
-  const Group& group = group_of(light);
-  if (group.all) return estimate_[light];
-  return group.total > 0 ? estimate_[light] / group.total : 0;
+  if (empty() || !lit_by(light)) return 0;
+  if (named_ >= 0) return named_ > kSampleAll ? 1 / static_cast<float>(named_) : 1.0f;
+  const LightGroups& groups = world_->light_groups;
+  const Light& l = world_->lights[static_cast<std::size_t>(light)];
+  if (l.shape == LightShape::Directional) {
+    const int infinite = static_cast<int>(groups.infinite.size());
+    return infinite > kSampleAll ? 1 / static_cast<float>(infinite) : 1.0f;
+  }
+  const LightTree& tree = l.portal ? groups.portals : groups.lamps;
+  const int most = l.portal ? kSampleAllPortals : kSampleAll;
+  return tree.size() > most ? tree.probability(lit_, light) : 1.0f;
 }
 
 LightInReflection light_in_reflection(const Closure& closure, bool visible) {
@@ -154,7 +152,7 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
     if (!request.environment_on_diffuse) r.diffuse.value = Rgb(0);
     Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);
-    if (!world.portals.empty()) {
+    if (!world.light_groups.portals.empty()) {
       const PortalsOnWay way =
           portals_on_way(world, point.position, s.wi, std::numeric_limits<float>::infinity(),
                          request.portals_mapped);

@@ -10,17 +10,17 @@
 
 namespace oriel {
 
-/// How the lights of a vertex are sampled: all of them when there are few, else one of them by its
-/// estimated irradiance. Portals are a group of their own, of which always one is asked: a window
-/// in many parts costs what one window costs, and keeps no samples from the sun.
+/// How the lights of a vertex are sampled: those infinitely far, the lamps and the portals each all
+/// when they are few, else one of them. Groups of their own since a window in many parts shall cost
+/// what one window costs, and keep no samples from the sun.
 class LightChoice {
  public:
   LightChoice() = default;
-  LightChoice(const World& world, ShadingPoint& point, const Closure& closure);
+  LightChoice(const World& world, const ShadingPoint& point, const Closure& closure);
 
-  bool empty() const { return count_ == 0; }
+  bool empty() const { return !world_ || world_->lights.empty(); }
   /// Whether sample() needs a random number: not when all lights are asked.
-  bool draws() const { return !usual_.all || !portals_.all; }
+  bool draws() const;
   /// Expected number of samples of light i at this vertex, for multiple importance sampling; 0 =
   /// this vertex is not lit by it.
   float rate(int light) const;
@@ -30,27 +30,22 @@ class LightChoice {
 
  private:
   static constexpr int kSampleAll = 4, kSampleAllPortals = 1;
-  struct Group {
-    bool all = true;
-    float total = 0;
-  };
   bool lit_by(int light) const;
-  bool is_portal(int light) const {
-    return world_->lights[static_cast<std::size_t>(light)].portal != nullptr;
-  }
-  const Group& group_of(int light) const { return is_portal(light) ? portals_ : usual_; }
-  void weigh(Group& group, int count, bool portals, ShadingPoint& point);
+  bool is_listed(int light) const;
+  int listed_light(int i) const;
   template <class F>
-  void sample_group(const Group& group, bool portals, float& u, F&& f) const;
+  void sample_listed(float u, F&& f) const;
+  template <class F>
+  void sample_tree(const LightTree& tree, int most, float& u, F&& f) const;
 
   const World* world_ = nullptr;
+  LitPoint lit_;
   const InstanceData* instance_ = nullptr;
-  int mode_ = 4;
   ArrayView<LightRef> listed_;
-  int count_ = 0;
-  Group usual_, portals_;
-  static constexpr int kMostWeighed = 64;
-  float estimate_[kMostWeighed];  // the first count_ are set
+  /// How many the material's list or the instance's links name, when only these count.
+  int named_ = -1;
+  bool by_material_ = false;  ///< the material's list decides, else the instance's links
+  bool excluded_ = false;     ///< it names those that do not count
 };
 
 /// What direct light is asked for.
@@ -99,38 +94,46 @@ LightInReflection light_in_reflection(const Closure& closure, bool visible);
 LightInReflection hidden_portal_in_reflection(const Closure& closure);
 
 template <class F>
-void LightChoice::sample_group(const Group& group, bool portals, float& u, F&& f) const {
-  const int lights = static_cast<int>(world_->lights.size());
-  float target = u * group.total;
-  int last = -1;
-  float below = 0;  // of the target, in the last one
-  for (int i = 0; i < lights; ++i) {
-    if (estimate_[i] <= 0 || is_portal(i) != portals) continue;
-    if (group.all) {
-      f(i, 1.0f);
-      continue;
-    }
-    last = i;
-    below = target;
-    if (target < estimate_[i]) break;
-    target -= estimate_[i];
+void LightChoice::sample_listed(float u, F&& f) const {
+  if (named_ == 0) return;
+  if (named_ > kSampleAll) {
+    const int i = std::min(static_cast<int>(u * static_cast<float>(named_)), named_ - 1);
+    const int light = listed_light(i);
+    if (lit_by(light)) f(light, 1 / static_cast<float>(named_));
+    return;
   }
-  if (last < 0) return;
-  u = clamp(below / estimate_[last], 0.0f, 0x1.fffffep-1f);
-  f(last, estimate_[last] / group.total);
+  for (int i = 0; i < named_; ++i)
+    if (lit_by(listed_light(i))) f(listed_light(i), 1.0f);
+}
+
+template <class F>
+void LightChoice::sample_tree(const LightTree& tree, int most, float& u, F&& f) const {
+  if (tree.size() <= most) {
+    for (const int light : tree.names())
+      if (lit_by(light)) f(light, 1.0f);
+  } else if (const auto choice = tree.choose(lit_, u)) {
+    if (lit_by(choice->light)) f(choice->light, choice->probability);
+  }
 }
 
 template <class F>
 void LightChoice::sample(float u, F&& f) const {
-  if (count_ == 0) return;
-  const int lights = static_cast<int>(world_->lights.size());
-  if (lights > kMostWeighed) {
-    const int i = std::min(static_cast<int>(u * static_cast<float>(lights)), lights - 1);
-    if (rate(i) > 0) f(i, rate(i));
-    return;
+  if (empty()) return;
+  if (named_ >= 0) return sample_listed(u, f);
+  const LightGroups& groups = world_->light_groups;
+  const int infinite = static_cast<int>(groups.infinite.size());
+  if (infinite <= kSampleAll) {
+    for (const int light : groups.infinite)
+      if (lit_by(light)) f(light, 1.0f);
+  } else {
+    const float scaled = u * static_cast<float>(infinite);
+    const int i = std::min(static_cast<int>(scaled), infinite - 1);
+    u = std::min(scaled - static_cast<float>(i), 0x1.fffffep-1f);
+    const int light = groups.infinite[static_cast<std::size_t>(i)];
+    if (lit_by(light)) f(light, 1 / static_cast<float>(infinite));
   }
-  sample_group(usual_, false, u, f);
-  if (portals_.total > 0) sample_group(portals_, true, u, f);
+  sample_tree(groups.lamps, kSampleAll, u, f);
+  sample_tree(groups.portals, kSampleAllPortals, u, f);
 }
 
 }  // namespace oriel

@@ -32,12 +32,12 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (!dims || !world_.has_gels) return Rgb(1);
     return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal).view;
   };
-  for (std::size_t i = 0; i < world_.lights.size(); ++i) {
-    const Light& light = world_.lights[i];
-    if (light.shape == LightShape::Point || light.shape == LightShape::Directional) continue;
+  const auto meet = [&](int index) {
+    const Light& light = world_.lights[static_cast<std::size_t>(index)];
+    if (light.shape == LightShape::Point) return;
     const Portal* portal = light.portal.get();
     // Most of many portals are missed: asked before what a hit takes to work out.
-    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface)) continue;
+    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface)) return;
     if (sees || portal) {
       const bool ends = portal ? ends_at(*portal) : light.visible;
       const auto hit = ends ? intersect_light(light, origin, ray_.dir, nearest) : std::nullopt;
@@ -46,16 +46,16 @@ void Path::meet_lights(float t_surface, bool& ended) {
         seen = sees ? hit->radiance * own_view(light) : Rgb(0);
         ended = true;
       }
-      if (sees) continue;
+      if (sees) return;
     }
     const bool looked_through = portal && !portal->visible;
-    if (looked_through && from_.group == LobeGroup::Refraction) continue;
+    if (looked_through && from_.group == LobeGroup::Refraction) return;
     const bool alone = portal && portal->photons_only && portal->visible;  // never sampled
-    const float rate = from_.lights.rate(static_cast<int>(i));
-    if (rate <= 0 && !alone) continue;
+    const float rate = from_.lights.rate(index);
+    if (rate <= 0 && !alone) return;
     const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
-    if (!hit || hit->t < from_.passed) continue;
-    if (!alone && (!hit->shadow || !from_.shadows)) continue;
+    if (!hit || hit->t < from_.passed) return;
+    if (!alone && (!hit->shadow || !from_.shadows)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
     const Rgb arriving =
@@ -73,7 +73,9 @@ void Path::meet_lights(float t_surface, bool& ended) {
       add(after_vertex(component_ == Component::Indirect ? Component::Diffuse : component_),
           arriving * view);
     }
-  }
+  };
+  world_.light_groups.lamps.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
+  world_.light_groups.portals.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
   const Rgb view = view_to(nearest);
   if (!ended) return dim(view);
   const float kept = fading_.kept(nearest);

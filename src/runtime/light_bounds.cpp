@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lights are like from afar: what a tree of lights goes by.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "color/luminance.h"
+#include "runtime/light_tree.h"
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+/// Lights are weighed as if each had at least this share of the mean: shaders may shine where they
+/// were not asked.
+constexpr float kLeastShare = 0.02f;
+/// Shares of the scene's radius at which a light is asked; a guess.
+constexpr float kNear = 1 / 30.0f, kFar = 1 / 3.0f;
+/// Cosine of what is asked beyond a cone's rim, as share of the rim's: a few degrees.
+constexpr float kBeyondRim = 0.05f;
+
+constexpr std::array<Vec3, 6> kAllSides = {Vec3(1, 0, 0),  Vec3(-1, 0, 0), Vec3(0, 1, 0),
+                                           Vec3(0, -1, 0), Vec3(0, 0, 1),  Vec3(0, 0, -1)};
+
+float brightness(const Light& light, const World& world, const Vec3& direction, float distance) {
+  ShadingPoint point;
+  point.world = &world;
+  point.position = light.position + direction * distance;
+  point.ray_kind = RayKind::Light;
+  const float cosine = is_flat(light.shape) ? dot(direction, light.direction) : 1;
+  const Rgb c = ask_light_shader(light, point, light.position, direction, distance, cosine).colour;
+  const float l = luminance(c);
+  return std::isfinite(l) ? std::max(0.0f, l) : 0;
+}
+
+Vec3 half_size(const Light& light) {
+  Vec3 half(0);
+  for (int k = 0; k < 3; ++k) {
+    const float u = std::abs(light.edge_u[k]), v = std::abs(light.edge_v[k]);
+    switch (light.shape) {
+      case LightShape::Rectangle:
+        half[k] = (u + v) / 2;
+        break;
+      case LightShape::Disc:
+        half[k] = light.radius * std::hypot(u, v);
+        break;
+      case LightShape::Cylinder:
+        half[k] = u + light.radius;
+        break;
+      default:
+        half[k] = light.radius;
+    }
+    // Rays must not miss the box by rounding.
+    half[k] += 1e-5f * (std::abs(light.position[k]) + light.radius + u + v);
+  }
+  return half;
+}
+
+/// Whether a spot keeps within its cone, as far as a few questions tell.
+bool keeps_to_cone(const Light& light, const World& world, float distance) {
+  const float cosine = light.spread - kBeyondRim * (1 - light.spread) - kBeyondRim;
+  if (cosine <= -1) return false;
+  const Frame frame(light.direction);
+  const float sine = std::sqrt(1 - sqr(cosine));
+  for (const Vec3& side : kAllSides) {
+    const Vec3 local = side.z == 0 ? side * sine + Vec3(0, 0, cosine) : Vec3(0, 0, -1);
+    if (brightness(light, world, frame.to_world(local), distance) > 0) return false;
+  }
+  return true;
+}
+
+bool only_sends_photons(const Light& light) {
+  return light.photons.only || (light.portal && light.portal->photons_only);
+}
+
+}  // namespace
+
+LightBounds bounds_of(const Light& light, const World& world, float reach) {
+  LightBounds bounds;
+  const Vec3 half = half_size(light);
+  bounds.low = light.position - half;
+  bounds.high = light.position + half;
+  if (light.portal || is_flat(light.shape)) {
+    bounds.normals = {light.direction, 1};
+    bounds.cos_reach = 0;
+  } else if (light.shape == LightShape::Point && light.spread >= -1 &&
+             keeps_to_cone(light, world, reach * kNear)) {
+    bounds.normals = {light.direction, 1};
+    bounds.cos_reach = light.spread - kBeyondRim;
+  }
+  if (only_sends_photons(light)) return bounds;
+  if (light.portal) {
+    bounds.falling = mean_luminance(*light.portal) * light.area;
+    return bounds;
+  }
+  const float near = reach * kNear, far = reach * kFar;
+  float at_near = 0, at_far = 0;
+  if (bounds.normals.all()) {
+    for (const Vec3& side : kAllSides) {
+      at_near += brightness(light, world, side, near) / kAllSides.size();
+      at_far += brightness(light, world, side, far) / kAllSides.size();
+    }
+  } else {
+    at_near = brightness(light, world, light.direction, near);
+    at_far = brightness(light, world, light.direction, far);
+  }
+  // even + falling / d^2 through both; what falls off faster is taken by what it is nearby.
+  bounds.falling = std::max(0.0f, (at_near - at_far) / (1 / sqr(near) - 1 / sqr(far)));
+  bounds.even = std::max(0.0f, at_far - bounds.falling / sqr(far));
+  return bounds;
+}
+
+LightGroups group_lights(const World& world) {
+  LightGroups groups;
+  const geom::Box3 box = world.accel->bounds();
+  const float reach = box.isEmpty() ? 1 : std::max(length(box.size()) / 2, 1e-6f);
+  std::vector<LightBounds> bounds[2];
+  std::vector<int> names[2];
+  for (std::size_t i = 0; i < world.lights.size(); ++i) {
+    const Light& light = world.lights[i];
+    const int name = static_cast<int>(i);
+    if (light.shape == LightShape::Directional) {
+      groups.infinite.push_back(name);
+      continue;
+    }
+    const std::size_t k = light.portal ? 1 : 0;
+    bounds[k].push_back(bounds_of(light, world, reach));
+    names[k].push_back(name);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto least = [&](float LightBounds::*part) {
+      double sum = 0;  // double: many lights
+      for (const LightBounds& b : bounds[k]) sum += static_cast<double>(b.*part);
+      return kLeastShare * static_cast<float>(sum / static_cast<double>(bounds[k].size()));
+    };
+    if (bounds[k].empty()) continue;
+    const float even = least(&LightBounds::even), falling = least(&LightBounds::falling);
+    const bool none = even + falling == 0;
+    for (std::size_t i = 0; i < bounds[k].size(); ++i) {
+      LightBounds& b = bounds[k][i];
+      if (only_sends_photons(world.lights[static_cast<std::size_t>(names[k][i])])) continue;
+      b.even = std::max(b.even, even);
+      b.falling = std::max(b.falling, none ? 1.0f : falling);
+    }
+  }
+  groups.lamps = LightTree(bounds[0], names[0]);
+  groups.portals = LightTree(bounds[1], names[1]);
+  return groups;
+}
+
+}  // namespace oriel
