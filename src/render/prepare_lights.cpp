@@ -185,7 +185,13 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     }
     light.shader = nodes.back();
     const ShaderSpec& spec = light.shader->spec();
+    const Statement* measured = find_last(leaf.light()->other, "lightprofile");
+    const bool named = measured && !measured->values.empty();
+    light.luminaire = place_luminaire(
+        named ? binder.light_profile(measured->values[0].text, measured->where) : nullptr,
+        light.to_world, light.direction);
     light.shader->with_params(binder.constant_point(), [&](const Call& call) {
+      light.luminaire.profile = spec.profile ? spec.profile(call.params, light) : nullptr;
       if (spec.light_cone && light.shape == LightShape::Directional)
         light.cone_angle = std::min(spec.light_cone(call.params), kPi / 2);
       if (spec.portal) {

@@ -37,6 +37,8 @@ class Binder {
   NodeList bind(const scene::ShaderList& list);
   /// A shader by name; null and a diagnostic when there is none.
   const ShaderNode* named(const std::string& name, SourceLocation where);
+  /// A light profile by its element's name; null when there is none or its file cannot be used.
+  const photometry::LightProfile* light_profile(const std::string& name, SourceLocation where);
   /// A material; phenomena whose root is a material are expanded.
   Material bind_material(const scene::Material& material);
 
@@ -111,6 +113,7 @@ class Binder {
   std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;
   const ShaderNode* stand_in_ = nullptr;
+  std::map<std::string, const photometry::LightProfile*> light_profiles_;
   std::map<std::string, int> reported_;
   BindingReport report_;
   ShadingPoint constant_point_;

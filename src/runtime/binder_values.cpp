@@ -172,8 +172,9 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
     case Value::Kind::Text:
       return bind_text(node, param, offset, type, value, scope);
     case Value::Kind::Connection: {
-      if (type == ParamType::Shader || type == ParamType::ColorTexture ||
-          type == ParamType::ScalarTexture || type == ParamType::VectorTexture)
+      if (type == ParamType::Shader || type == ParamType::LightProfile ||
+          type == ParamType::ColorTexture || type == ParamType::ScalarTexture ||
+          type == ParamType::VectorTexture)
         return bind_text(node, param, offset, type, value, scope);
       const Resolved source = resolve(value.text, value.where, scope);
       if (!source.node) return;
@@ -279,7 +280,6 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     }
     case ParamType::Material:
     case ParamType::Geometry:
-    case ParamType::LightProfile:
     case ParamType::Data:
     case ParamType::Spectrum:
       return;
@@ -317,6 +317,12 @@ void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& v
     } else if ((item.kind == Value::Kind::Text || item.kind == Value::Kind::Connection) &&
                param.element == ParamType::Shader) {
       const ShaderRef ref{resolve(item.text, item.where, scope).node};
+    case ParamType::LightProfile: {
+      if (value.text.empty()) return;
+      const LightProfileRef ref{light_profile(value.text, value.where)};
+      store(target, ref);
+      return;
+    }
       append(&ref);
     } else if (item.kind != Value::Kind::Null) {
       mismatch(node, param, item);
@@ -376,3 +382,25 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
 }
 
 }  // namespace oriel
+const photometry::LightProfile* Binder::light_profile(const std::string& name,
+                                                      SourceLocation where) {
+  if (const auto known = light_profiles_.find(name); known != light_profiles_.end())
+    return known->second;
+  const photometry::LightProfile*& profile = light_profiles_[name];
+  if (const auto* element = scene_.get<scene::LightProfile>(name)) {
+    if (auto opened = open_light_profile(*element, diagnostics_)) {
+      world_.light_profiles.push_back(std::move(opened));
+      profile = world_.light_profiles.back().get();
+    }
+  } else {
+    std::vector<std::string> names;
+    for (const scene::Element& e : scene_.elements())
+      if (std::holds_alternative<scene::LightProfile>(e)) names.push_back(scene::name_of(e));
+    const std::string near = nearest_name(name, names);
+    diagnostics_.warning("OR-RT-042", where, fmt::format("there is no light profile \"{}\"", name),
+                         near.empty() ? "profiles are elements: lightprofile \"name\" ..."
+                                      : fmt::format("did you mean \"{}\"?", near));
+  }
+  return profile;
+}
+

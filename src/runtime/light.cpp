@@ -15,10 +15,19 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Radiance of a shape of that area toward a point at `distance`, from the shader's colour there:
-/// the mean of pi * colour over the shape must be the irradiance.
-Rgb radiance_of(const Light& light, const Rgb& colour, float distance, float emitter_cos) {
-  return colour * (kPi * sqr(distance) / (light.area * std::max(emitter_cos, 1e-6f)));
+/// The area over which a light spreads what it sends along wi's opposite. What a profile measured
+/// is for the cylinder as seen from there, else cylinders send as their shader says on the mean.
+float sending_area(const Light& light, const Vec3& wi) {
+  if (light.shape != LightShape::Cylinder || !light.luminaire) return light.area;
+  const float half = length(light.edge_u);
+  return 4 * light.radius * half * std::max(1e-3f, length(cross(wi, light.edge_u)) / half);
+}
+
+/// Radiance of a shape toward a point at `distance` in the direction -wi, from the shader's colour
+/// there: the mean of pi * colour over the shape must be the irradiance.
+Rgb radiance_of(const Light& light, const Rgb& colour, const Vec3& wi, float distance,
+                float emitter_cos) {
+  return colour * (kPi * sqr(distance) / (sending_area(light, wi) * std::max(emitter_cos, 1e-6f)));
 }
 
 std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
@@ -141,7 +150,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     sample.wi = s->wi;
     sample.distance = s->distance;
     sample.pdf = s->pdf;
-    sample.irradiance = radiance_of(light, value.colour, s->distance, s->cosine) / s->pdf;
+    sample.irradiance = radiance_of(light, value.colour, s->wi, s->distance, s->cosine) / s->pdf;
     sample.shadow = value.shadow;
     sample.shadow_factor = value.shadow_factor;
     sample.affects_diffuse = value.affects_diffuse;
@@ -212,7 +221,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
   }
   const LightValue value =
       ask_light_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
-  result.radiance = radiance_of(light, value.colour, hit->t, cosine);
+  result.radiance = radiance_of(light, value.colour, direction, hit->t, cosine);
   result.shadow = value.shadow;
   result.affects_diffuse = value.affects_diffuse;
   result.affects_specular = value.affects_specular;

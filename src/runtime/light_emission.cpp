@@ -114,9 +114,9 @@ EmittedPhoton PhotonSource::emit_by_profile(Vec2 u_place, Vec2 u_direction) cons
     const float sine = length(across);
     if (!(sine > 1e-6f)) return photon;
     const float x = 2 * u_place.x - 1;
-    photon.origin += light.edge_u * (2 * u_place.y - 1) +
-                     (cross(axis, across / sine) * x + across / sine * std::sqrt(1 - x * x)) *
-                         light.radius;
+    photon.origin +=
+        light.edge_u * (2 * u_place.y - 1) +
+        (cross(axis, across / sine) * x + across / sine * std::sqrt(1 - x * x)) * light.radius;
     area = 4 * half * light.radius * sine;
   }
   photon.weight = area / s.pdf;

@@ -25,7 +25,8 @@ struct EmittedPhoton {
 /// Model:   point and spot lights uniform in solid angle, shapes uniform in area and by the cosine
 ///          (uniform in solid angle where the shader of a flat light leaves the cosine out),
 ///          directional lights uniform over a disc, the environment by its table, portals by
-///          theirs, which shadow rays' extension moves off the opening. A light whose
+///          theirs, which shadow rays' extension moves off the opening; whatever shines by a
+///          profile in proportion to it, from the shape as the direction sees it. A light whose
 ///          decay is not that of physics has no flux: its photons carry what direct light is where
 ///          they land, so that both agree at every first hit. Whether a light casts shadows does
 ///          not matter: photons are always stopped.
@@ -52,6 +53,7 @@ class PhotonSource {
 
  private:
   void aim_at(const geom::Box3& box);
+  EmittedPhoton emit_by_profile(Vec2 u_place, Vec2 u_direction) const;
   EmittedPhoton emit_through_disc(const Vec3& direction, Vec2 u) const;
   Rgb power_by_shader(const EmittedPhoton& photon, float distance) const;
 

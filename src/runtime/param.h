@@ -15,6 +15,9 @@ namespace oriel {
 
 using scene::ParamType;
 
+namespace photometry {
+class LightProfile;
+}
 class ShaderNode;
 class TextureNode;
 
@@ -43,7 +46,7 @@ struct VectorTextureRef {
 };
 /// A light profile (IES, EULUMDAT), null when unset.
 struct LightProfileRef {
-  const void* profile = nullptr;
+  const photometry::LightProfile* profile = nullptr;
 };
 /// An array parameter; the elements live as long as the world.
 template <class T>

@@ -65,6 +65,8 @@ struct LightValue {
   bool shadow = true;       ///< whether blockers matter
   float shadow_factor = 0;  ///< share that passes an opaque blocker
 };
+  /// Shares of the light that diffuse lobes take, and glossy reflections and highlights.
+  float affects_diffuse = 1, affects_specular = 1;
 
 /// What a lens shader that maps colours knows beside the colour.
 struct LensCall {
@@ -113,6 +115,9 @@ struct ShaderSpec {
   /// Built once for each light the shader stands in.
   std::unique_ptr<ShaderState> (*prepare_light)(const void* params, const Light&) = nullptr;
   /// For lights that stand in a window (runtime/portal.h), instead of `light`. False: it is off.
+  /// The profile by which a light of constant parameters distributes its light, its strength
+  /// apart; null: by none. The light's own element may name one: light.luminaire.
+  const photometry::LightProfile* (*profile)(const void* params, const Light& light) = nullptr;
   bool (*portal)(const void* params, PortalTraits&) = nullptr;
   /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
   float (*light_cone)(const void* params) = nullptr;

@@ -6,12 +6,14 @@
 #include "shaders/architectural/mia_exposure.h"
 #include "shaders/architectural/mia_lens_bokeh.h"
 #include "shaders/architectural/mia_material.h"
+#include "shaders/architectural/mia_photometric_light.h"
 #include "shaders/architectural/mia_portal_light.h"
 #include "shaders/architectural/mia_sun_sky.h"
 #include "shaders/base/mib_color.h"
 #include "shaders/base/mib_illum.h"
 #include "shaders/base/mib_light.h"
 #include "shaders/base/mib_lookup.h"
+#include "shaders/base/mib_light_photometric.h"
 #include "shaders/base/mib_lookup_cube.h"
 #include "shaders/base/mib_shadow.h"
 #include "shaders/base/mib_texture.h"
@@ -66,6 +68,7 @@ const Registry& builtin_shaders() {
       &kMiaPortalLight,
       &kMiaCieSky,
       &kMiaExposurePhotographic,
+      &kMiaPhotometricLight,
       &kMiaExposureSimple,
       &kMiaLensBokeh,
       &kPhysicalLensDof,  //
@@ -87,6 +90,7 @@ const Registry& builtin_shaders() {
       &kMibLookupCube6,
       &kMibLookupCylindrical,
       &kMibLookupSpherical,
+      &kMibLightPhotometric,
       &kMibTextureCheckerboard,
       &kMibTextureFilterLookup,
       &kMibTextureLookup,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/light.h"
+#include "shaders/base/light_falloff.h"
 
 namespace oriel {
 namespace {
@@ -77,15 +77,6 @@ constexpr ParamSpec kPhysicalRows[] = {
      .doc = "Exponent of the cosine of rectangles and discs; 0 = 1.", .declared_default = false},
 };
 
-/// 1 inside the inner cone, 0 outside the outer one, linear in the cosine between.
-float spot_share(const Light& light, const Vec3& direction, float cone) {
-  if (light.spread < -1) return 1;
-  const float cosine = dot(direction, light.direction);
-  if (cosine <= light.spread) return 0;
-  if (cosine >= cone || cone <= light.spread) return 1;
-  return (cosine - light.spread) / (cone - light.spread);
-}
-
 template <class P>
 LightValue ranged_light(const P& p, float distance) {
   LightValue value{rgb(p.color), p.shadow, clamp01(p.factor)};
@@ -103,13 +94,13 @@ LightValue physical_value(const Call& call, const LightCall& l) {
   LightValue value;
   Rgb c = rgb(p.color);
   if (l.light.shape != LightShape::Directional) {
-    // Energy spreads over the sphere: divided by its 4 pi steradians.
-    const float distance = std::max(l.distance, 1e-6f);
-    const float decay =
-        l.light.exponent == 2 ? 1 / sqr(distance) : std::pow(distance, -l.light.exponent);
-    c *= decay / (4 * kPi);
+    // Energy spreads over the sphere: divided by its 4 pi steradians, or by a profile.
+    const Luminaire& measured = l.light.luminaire;
+    const float spread =
+        measured ? measured.candela(l.direction) / measured.profile->flux() : 1 / (4 * kPi);
+    c *= distance_decay(l.light, l.distance) * spread;
     const float exponent = p.cos_exp > 0 ? p.cos_exp : 1;
-    if (l.emitter_cos < 1)
+    if (l.emitter_cos < 1 && !measured)
       c *= exponent == 1 ? l.emitter_cos : std::pow(std::max(0.0f, l.emitter_cos), exponent);
     c *= spot_share(l.light, l.direction, p.cone);
   }
@@ -169,6 +160,8 @@ const ShaderSpec kPhysicalLight = {
     .params = kPhysicalRows,
     .params_size = sizeof(Physical),
     .light = physical_value,
+    // That of the light's element: it tells where the energy goes, not how much it is.
+    .profile = [](const void*, const Light& light) { return light.luminaire.profile; },
 };
 
 }  // namespace oriel

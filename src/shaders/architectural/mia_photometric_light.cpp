@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_photometric_light: a light of so many candela or lumen, evenly, as a spot, or as measured.
+//
+// Model:  a distribution of known flux and peak is scaled to the intensity asked for:
+//         isotropic  1 everywhere; flat shapes: the cosine, that is the same luminance
+//         spot       cos^bias within the light's spread, a half sphere without one
+//         profile    as measured
+//         Lumen are those of the whole distribution, also where a spread or a flat shape keeps part
+//         of it back. How the original shapes a spot by its bias was never published.
+// Units:  with factors of 1, I cd bring I / d^2 lux in scenes of metres, and pixels are cd/m2.
+#include "shaders/architectural/mia_photometric_light.h"
+
+#include "shaders/base/light_falloff.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  bool on;
+  float multiplier;
+  Rgba color;
+  int intensity_mode;
+  float manual_peak_intensity_cd, manual_flux_lm;
+  int distribution_mode;
+  float spotlight_cosine_bias;
+  LightProfileRef profile;
+  float units_to_meter_scale, cm2_factor;
+};
+
+enum IntensityMode { kPeak = 0, kFlux = 1, kFromProfile = 2 };
+enum DistributionMode { kIsotropic = 0, kSpot = 1, kProfile = 2 };
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the light on."},
+    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
+    {ORIEL_PARAM(P, color), .fallback = {1, 1, 1}, .doc = "Colours the light."},
+    {ORIEL_PARAM(P, intensity_mode), .min = 0, .max = 2,
+     .doc = "How bright: 0 by peak intensity, 1 by flux, 2 as the profile says."},
+    {ORIEL_PARAM(P, manual_peak_intensity_cd), .min = 0, .unit = "cd",
+     .doc = "Intensity in the brightest direction, for `intensity_mode` 0."},
+    {ORIEL_PARAM(P, manual_flux_lm), .min = 0, .unit = "lm",
+     .doc = "Flux of the whole distribution, for `intensity_mode` 1."},
+    {ORIEL_PARAM(P, distribution_mode), .min = 0, .max = 2,
+     .doc = "Where to: 0 evenly, 1 as a spot, 2 by the profile."},
+    {ORIEL_PARAM(P, spotlight_cosine_bias), .min = 0,
+     .doc = "A spot's intensity is this power of the cosine to its axis; 0 = even.",
+     .support = Support::Approximated},
+    {ORIEL_PARAM(P, profile), .doc = "Candela by direction, else that of the light's own element.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, units_to_meter_scale), .fallback = {1}, .min = 0,
+     .doc = "Metres in a unit of the scene."},
+    {ORIEL_PARAM(P, cm2_factor), .fallback = {1}, .min = 0,
+     .doc = "Scales photometric units to those of the picture; 1 = pixels in cd/m2."},
+};
+
+/// Intensity in a direction, beside the flux and peak of all directions in the same unit.
+struct Distribution {
+  float here, flux, peak;
+};
+
+Distribution spot(const P& p, const LightCall& l) {
+  const float rim = l.light.spread < -1 ? 0 : std::min(l.light.spread, 0.999999f);
+  const float cosine = dot(l.direction, l.light.direction), bias = p.spotlight_cosine_bias;
+  if (!(bias > 0)) return {cosine > rim ? 1.0f : 0.0f, kTwoPi * (1 - rim), 1};
+  const float low = std::max(rim, 0.0f);
+  return {cosine > low ? std::pow(cosine, bias) : 0,
+          kTwoPi * (1 - std::pow(low, bias + 1)) / (bias + 1), 1};
+}
+
+Distribution distribution(const P& p, const LightCall& l) {
+  if (p.distribution_mode == kSpot) return spot(p, l);
+  const photometry::LightProfile* profile = l.light.luminaire.profile;
+  const bool inside = in_spread(l.light, l.direction);
+  if (p.distribution_mode == kProfile && profile)
+    return {inside ? l.light.luminaire.candela(l.direction) : 0, profile->flux(), profile->peak()};
+  const bool flat = is_flat(l.light.shape);
+  return {inside ? (flat ? l.emitter_cos : 1) : 0, flat ? kPi : 4 * kPi, 1};
+}
+
+/// Candela in the call's direction.
+float intensity(const P& p, const LightCall& l) {
+  const Distribution d = distribution(p, l);
+  const photometry::LightProfile* profile = p.profile.profile;
+  if (p.intensity_mode == kFlux) return d.flux > 0 ? d.here * p.manual_flux_lm / d.flux : 0;
+  if (p.intensity_mode == kFromProfile) {
+    if (p.distribution_mode == kProfile && l.light.luminaire) return d.here;
+    // Spread otherwise, a profile still says how much.
+    if (profile) return d.flux > 0 ? d.here * profile->flux() / d.flux : 0;
+  }
+  return d.peak > 0 ? d.here * p.manual_peak_intensity_cd / d.peak : 0;
+}
+
+LightValue value(const Call& call, const LightCall& l) {
+  const P& p = call.as<P>();
+  LightValue v;
+  if (!p.on) return v;
+  const float decay = distance_decay(l.light, l.distance * p.units_to_meter_scale);
+  v.colour = rgb(p.color) * (p.multiplier * p.cm2_factor * intensity(p, l) * decay * kInvPi);
+  return v;
+}
+
+const photometry::LightProfile* profile(const void* params, const Light& light) {
+  const P& p = *static_cast<const P*>(params);
+  if (p.distribution_mode != kProfile) return nullptr;
+  return p.profile.profile ? p.profile.profile : light.luminaire.profile;
+}
+
+}  // namespace
+
+const ShaderSpec kMiaPhotometricLight = {
+    .name = "mia_photometric_light",
+    .library = "architectural",
+    .version = 2,
+    .apply = kApplyLight | kApplyEmitter,
+    .doc = "A light of so many candela or lumen, evenly, as a spot, or as measured.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .light = value,
+    .profile = profile,
+    // Its photons are as strong as its light, whatever energy the element writes.
+    .photons = [](const void*, const Light&,
+                  LightPhotons& photons) { photons.emission.energy.reset(); },
+};
+
+}  // namespace oriel

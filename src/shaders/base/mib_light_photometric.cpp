@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// mib_light_photometric: a light whose intensity in each direction was measured.
+//
+// Units: with a colour of 1 a profile of I cd brings I / d^2 lux in scenes of metres, and pixels
+// are cd/m2 (a light of colour c brings pi * c, see runtime/light.h).
+#include "shaders/base/mib_light_photometric.h"
+
+#include "shaders/base/light_falloff.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  Rgba color;
+  bool shadow;
+  float factor, start, stop;
+  LightProfileRef profile;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, color), .doc = "Scales the measured intensity.", .declared_default = false},
+    {ORIEL_PARAM(P, shadow), .doc = "Cast shadows.", .declared_default = false},
+    {ORIEL_PARAM(P, factor), .min = 0, .max = 1,
+     .doc = "Share of the light that passes an opaque blocker.", .declared_default = false},
+    {ORIEL_PARAM(P, start), .unit = "scene units",
+     .doc = "Full strength up to here, when `stop` lies beyond.", .declared_default = false},
+    {ORIEL_PARAM(P, stop), .unit = "scene units", .doc = "Nothing from here; 0 = no end.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, profile),
+     .doc = "Candela by direction, else that of the light's own element; none: 1 cd evenly.",
+     .declared_default = false},
+};
+
+LightValue value(const Call& call, const LightCall& l) {
+  const P& p = call.as<P>();
+  LightValue v{.shadow = p.shadow, .shadow_factor = clamp01(p.factor)};
+  if (!in_spread(l.light, l.direction)) return v;
+  const float candela = l.light.luminaire ? l.light.luminaire.candela(l.direction) : 1;
+  float share = distance_decay(l.light, l.distance) * kInvPi;
+  if (p.stop > p.start && p.stop > 0 && l.distance > p.start)
+    share *= std::max(0.0f, (p.stop - l.distance) / (p.stop - p.start));
+  v.colour = rgb(p.color) * (candela * share);
+  return v;
+}
+
+}  // namespace
+
+const ShaderSpec kMibLightPhotometric = {
+    .name = "mib_light_photometric",
+    .library = "base",
+    .apply = kApplyLight,
+    .doc = "A light with a measured distribution, in candela.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .light = value,
+    .profile =
+        [](const void* params, const Light& light) {
+          const photometry::LightProfile* own = static_cast<const P*>(params)->profile.profile;
+          return own ? own : light.luminaire.profile;
+        },
+};
+
+}  // namespace oriel
