@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <set>
 
 #include "render/lens_shaders.h"
-#include "sky/units.h"
+#include "render/unit_luminance.h"
 
 namespace oriel {
 namespace {
@@ -52,21 +51,6 @@ void check_gamma(const World& world, const std::vector<PictureFile>& files,
                     fmt::join(who, " and by ")),
         "gamma belongs in one place: set the others to 1");
   }
-}
-
-/// cd/m2 of one unit of a pixel by a sun's or sky's rgb_unit_conversion; nothing for others.
-std::optional<float> luminance_of_unit(const ShaderNode& node) {
-  for (const ParamSpec& p : node.spec().params) {
-    if (p.type != ParamType::Color || std::strcmp(p.name, "rgb_unit_conversion") != 0) continue;
-    if (node.connected(p.offset)) continue;
-    Rgba unit;
-    convert_value(p.type, &node.constants<std::byte>() + p.offset, p.type, &unit);
-    const Rgb scale = sky::unit_conversion(rgb(unit));
-    const float mean = (scale.x + scale.y + scale.z) / 3;
-    // 1 / pi gives candela per square metre.
-    if (mean > 0) return kInvPi / mean;
-  }
-  return std::nullopt;
 }
 
 void check_units(const World& world, const std::vector<PictureFile>& files,

@@ -63,8 +63,11 @@ void PixelMeans::add(const FilmSample& s) {
   normal += ((is_finite(s.normal) ? s.normal : Vec3(0)) - normal) * share;
   albedo += (finite_or_black(s.albedo) - albedo) * share;
 
-  if (s.depth > 0 && std::isfinite(s.depth))
-    depth += (s.depth - depth) / static_cast<float>(++hits);
+  if (s.depth > 0 && std::isfinite(s.depth)) {
+    const float hit_share = 1 / static_cast<float>(++hits);
+    depth += (s.depth - depth) * hit_share;
+    irradiance += (finite_or_zero(s.irradiance) - irradiance) * hit_share;
+  }
 }
 
 void SubPixelMeans::add(const FilmSample& s) {
@@ -162,11 +165,12 @@ Film::Pixel Film::pixel(int x, int y) const {
   if (m) out.halves += half_difference(*m) * s.marked;
 
   // A mean of distances, not a filtered one: negative weights make no sense of them.
-  const std::uint32_t hits = p.hits + (m ? m->hits : 0);
-  if (hits > 0)
-    out.depth = (p.depth * static_cast<float>(p.hits) +
-                 (m ? m->depth * static_cast<float>(m->hits) : 0.0f)) /
-                static_cast<float>(hits);
+  const auto over_hits = [&](float PixelMeans::*value) {
+    const auto plain = static_cast<float>(p.hits), marked = m ? static_cast<float>(m->hits) : 0;
+    return (p.*value * plain + (m ? m->*value * marked : 0)) / std::max(plain + marked, 1.0f);
+  };
+  out.depth = over_hits(&PixelMeans::depth);
+  out.irradiance = over_hits(&PixelMeans::irradiance);
   return out;
 }
 

@@ -27,6 +27,7 @@ struct FilmSample {
   float depth = 0;  ///< scene units; 0 = nothing was hit, which does not count
   Vec3 normal{0};
   Rgb albedo{0};
+  float irradiance = 0;              ///< of what was hit, by luminance; pixel units times pi
   std::uint8_t sub_pixel = 0;        ///< quadrant of the pixel it fell into
   bool negative = false;             ///< fell where the pixel filter is negative
   const Outputs* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
@@ -39,7 +40,7 @@ struct PixelMeans {
   Rgb beauty{0};
   Rgb beauty_m2{0};  ///< summed squared distances from the mean
   Rgb second{0};     ///< mean of every other four samples: a half that has seen none of the rest
-  float alpha = 0, depth = 0;
+  float alpha = 0, depth = 0, irradiance = 0;
   Vec3 normal{0};
   Rgb albedo{0};
 
@@ -102,9 +103,10 @@ class Film {
   /// One pixel, filtered. The normal is not normalised (0 where there is none).
   struct Pixel {
     Rgba beauty{0, 0, 0, 0};
-    Rgb variance{0};  ///< of the beauty's mean; 0 below two samples
-    Rgb halves{0};    ///< half of (mean of one half of the samples - mean of the other)
-    float depth = 0;  ///< mean over samples that hit something; 0 = none did
+    Rgb variance{0};       ///< of the beauty's mean; 0 below two samples
+    Rgb halves{0};         ///< half of (mean of one half of the samples - mean of the other)
+    float depth = 0;       ///< mean over samples that hit something; 0 = none did
+    float irradiance = 0;  ///< likewise
     Vec3 normal{0};
     Rgb albedo{0};
   };

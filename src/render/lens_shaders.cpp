@@ -88,10 +88,10 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
     sum.alpha += path.alpha * share;
     sum.normal += path.normal * share;
     sum.albedo += path.albedo * share;
-    if (path.depth > 0) sum.depth += path.depth, ++hits;
+    if (path.depth > 0) sum.depth += path.depth, sum.irradiance += path.irradiance, ++hits;
     if (settings.outputs) add_outputs(parts, part, weight, share);
   }
-  if (hits > 0) sum.depth /= hits;
+  if (hits > 0) sum.depth /= hits, sum.irradiance /= hits;
   if (settings.outputs) *settings.outputs = parts;
   return sum;
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "color/luminance.h"
 #include "image/denoise.h"
 #include "image/exr.h"
 #include "render/lens_shaders.h"
@@ -120,8 +121,8 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
 
 const std::vector<std::string>& layer_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"depth",   "normal",  "albedo", "variance",
-                                    "samples", "display", "halves"};
+    std::vector<std::string> all = {"depth",   "normal", "albedo",    "variance",   "samples",
+                                    "display", "halves", "luminance", "illuminance"};
     const auto& outputs = material_output_names();
     all.insert(all.end(), outputs.begin(), outputs.end());
     return all;
@@ -140,6 +141,8 @@ LayerSet layer_bit(std::string_view name) {
 bool needs_outputs(const PictureFile& file) {
   return (file.layers & kOutputLayers) != 0 || !file.shown_layer.empty();
 }
+
+bool needs_irradiance(const PictureFile& file) { return (file.layers & kLayerIlluminance) != 0; }
 
 PictureFile picture_file(const std::string& path) {
   PictureFile file{.path = path};
@@ -178,6 +181,16 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
                      put(to, film.shown(x, y));
                    })});
   if ((layers & kLayerHalves) && film.has_halves()) colours("halves", &Film::Pixel::halves);
+  const auto photometric = [&](const char* name, auto value) {
+    const float unit = session.unit_luminance();
+    out.push_back({name, {""}, collect(session, 1, [&, unit](int x, int y, float* to) {
+                     *to = value(film.pixel(x, y)) * unit;
+                   })});
+  };
+  if (layers & kLayerLuminance)
+    photometric("luminance", [](const Film::Pixel& p) { return luminance(rgb(p.beauty)); });
+  if ((layers & kLayerIlluminance) && session.keeps_irradiance())
+    photometric("illuminance", [](const Film::Pixel& p) { return p.irradiance; });
   if (film.keeps_outputs())
     for (std::size_t i = 0; i < kOutputs; ++i)
       if (layers & (LayerSet{1} << (kFirstOutputBit + static_cast<int>(i)))) {

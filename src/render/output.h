@@ -19,7 +19,8 @@ namespace oriel {
 //   Files cover the whole picture; what lies outside the rendered window is 0, so that pictures of
 //   several windows add up to the whole one.
 
-/// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display, halves.
+/// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display, halves,
+/// luminance, illuminance.
 using LayerSet = std::uint64_t;
 enum LayerBit : LayerSet {
   kLayerDepth = 1u << 0,
@@ -29,10 +30,13 @@ enum LayerBit : LayerSet {
   kLayerSamples = 1u << 4,   ///< how many samples each pixel got
   kLayerDisplay = 1u << 5,   ///< after lens shaders; only where there are any
   kLayerHalves = 1u << 6,  ///< half the difference of two halves of the samples, from 8 samples on
-  kFilmLayers = (1u << 7) - 1
+  kFilmLayers = (1u << 7) - 1,
+  kLayerLuminance = 1u << 7,    ///< of the beauty, cd/m2
+  kLayerIlluminance = 1u << 8,  ///< lux of the first surface; only where the session keeps it
+  kPhotometricLayers = kLayerLuminance | kLayerIlluminance
 };
 /// The outputs of materials follow, one bit each in the order of material_output_names().
-inline constexpr int kFirstOutputBit = 8;
+inline constexpr int kFirstOutputBit = 16;
 inline constexpr LayerSet kOutputLayers = ((LayerSet{1} << kOutputs) - 1) << kFirstOutputBit;
 
 /// The bit of a layer's name, 0 when there is no such layer ("beauty" is always there).
@@ -75,8 +79,9 @@ Image denoised_beauty(const RenderSession& session);
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised = nullptr);
 
-/// Whether the file shows anything that the film must keep outputs for.
+/// Whether the file shows anything that the film must keep outputs or irradiance for.
 bool needs_outputs(const PictureFile& file);
+bool needs_irradiance(const PictureFile& file);
 
 /// How the options make integers of it.
 ViewOptions view_options(const scene::RenderOptions& options);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "color/luminance.h"
 #include "render/lens_shaders.h"
 #include "sampling/sampler.h"
 
@@ -38,6 +39,8 @@ DisplayMap display_map(const World& world, const Window& window) {
 RenderSession::RenderSession(const World& world, const SessionSettings& settings)
     : world_(world),
       seed_(settings.seed),
+      irradiance_(settings.irradiance),
+      unit_luminance_(settings.unit_luminance),
       window_(window_of(world, settings)),
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
@@ -52,6 +55,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
 PathSettings RenderSession::path_settings() const {
   PathSettings settings = passes_.path_settings();
   settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
+  settings.meters = irradiance_;
   // The grid's points were found through the camera's middle: a lens sees others at a pixel.
   const bool has_grid = grid_ && !grid_->empty() && world_.lens_rays.empty();
   settings.grid = has_grid ? &*grid_ : nullptr;
@@ -73,6 +77,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   s.depth = path.depth;
   s.normal = path.normal;
   s.albedo = path.albedo;
+  s.irradiance = luminance(path.irradiance);
   s.outputs = settings.outputs;
   s.negative = offset.negative;
   s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));

@@ -21,6 +21,8 @@ struct SessionSettings {
   BudgetRequest budget;
   std::uint32_t seed = 0;
   bool outputs = false;             ///< keep the outputs of materials
+  bool irradiance = false;          ///< and that of the first surfaces: a second path for each
+  float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
   MapFiles map_files = {};
   Diagnostics* diagnostics = nullptr;  ///< of map files; outlives the session; may be null
@@ -51,6 +53,8 @@ class RenderSession {
   const RenderBudget& budget() const { return budget_; }
   Progress progress() const { return progressive_.progress(); }
   const RayCounts& rays() const { return rays_; }
+  bool keeps_irradiance() const { return irradiance_; }
+  float unit_luminance() const { return unit_luminance_; }
 
  private:
   PathSettings path_settings() const;
@@ -63,6 +67,8 @@ class RenderSession {
 
   const World& world_;
   std::uint32_t seed_;
+  bool irradiance_;
+  float unit_luminance_;
   Window window_;
   FilterSampler filter_;
   RenderBudget budget_;

@@ -21,6 +21,7 @@ struct PathResult {
   /// a mirror or clear glass, seen through those; else of the first surface.
   Vec3 normal{0};
   Rgb albedo{0};
+  Rgb irradiance{0};  ///< of the first surface, where PathSettings::meters; see light_meter.h
 };
 
 class GlossyGrid;
@@ -44,6 +45,7 @@ struct PathSettings {
   const IndirectMaps* maps = nullptr;  ///< indirect light made before; null = rays find it all
   const GlossyGrid* grid = nullptr;    ///< for materials that interpolate; null = they do not
   Outputs* outputs = nullptr;          ///< where to leave the parts of the radiance; null = nowhere
+  bool meters = false;  ///< the irradiance of the first surface is wanted: a second path
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.

@@ -288,7 +288,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   LobeChoice choice;
   make_ready(closure, point.wo());
   occlude(closure, point);
-  const bool mapped = settings_.maps;
+  const bool mapped = reads_maps();
   const bool diffuse = !(mapped && take_mapped(closure, point)) && indirect();
   choose_lobes(closure, choice, diffuse);
   if (mapped) emulate(closure, point);

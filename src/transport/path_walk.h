@@ -44,6 +44,9 @@ class Path {
                     std::vector<GatherPoint>& points);
   /// Follows the eye ray to the first surface and fills a point of the grid of that density.
   void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
+  /// Begins at a white Lambert surface, seen from straight above, in place of what is at the point.
+  /// `mapped`: maps of indirect light know the place; others gather by rays.
+  void receive(ShadingPoint& point, bool mapped);
 
  private:
   /// Where the ray came from, to weigh lights and environment it meets.
@@ -88,6 +91,9 @@ class Path {
   Component at_vertex(Component c) const { return at_first_ ? c : component_; }
   Component after_vertex(Component c) const { return from_first_ ? c : component_; }
 
+  // path_meter.cpp
+  void meter(const Closure& closure, const ShadingPoint& point);
+
   // path_air.cpp
   void pass_air(const ShadingPoint& end, float t);
 
@@ -122,9 +128,10 @@ class Path {
     return settings_.indirect && takes_all(kSendsGatherRays) &&
            diffuse_bounces_ < settings_.diffuse_bounces;
   }
+  bool reads_maps() const { return settings_.maps && (after_diffuse_ || !off_maps_); }
   /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
   bool reads_photons() const {
-    return settings_.maps && settings_.maps->global && (after_diffuse_ || !settings_.maps->gather);
+    return reads_maps() && settings_.maps->global && (after_diffuse_ || !settings_.maps->gather);
   }
   /// Whether coarse records stand for just the diffuse bounces that are still to come.
   bool reads_bounces() const {
@@ -184,6 +191,7 @@ class Path {
   bool at_first_ = false;       ///< at that surface
   bool from_first_ = false;     ///< on the way from it to the next
   bool features_seen_ = false;  ///< normal and albedo are those of a surface that scatters
+  bool off_maps_ = false;       ///< begins where maps know nothing
   bool alpha_open_ = false;     ///< what lies behind shows in alpha
   Component component_ = Component::Other;
   Rgb throughput_{1};

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths that begin at a light meter in place of the eye: in the air, or on the first surface.
+#include "transport/light_meter.h"
+#include "transport/path_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Tells this stream from those of lobes, which number from 0.
+constexpr std::uint32_t kBranch = 3000;
+
+bool holds_diffuse(const Closure& closure) {
+  for (int i = 0; i < closure.count; ++i)
+    if (is_diffuse(closure.lobes[i].kind)) return true;
+  return false;
+}
+
+}  // namespace
+
+void Path::receive(ShadingPoint& point, bool mapped) {
+  static const Material kMeter;
+  point.instance = -1;
+  point.texture_spaces = 0;
+  point.normal = point.geometric_normal;
+  point.ray_direction = -point.normal;
+  point.ray_origin = point.position + point.normal;
+  point.ray_length = 1;
+  eye_ = left_ = point.position;
+  first_ = false;
+  parted_ = true;
+  off_maps_ = !mapped;
+  Closure white;
+  white.add(LobeKind::Diffuse, Channel::Diffuse, Rgb(1), Frame(point.normal));
+  if (!gather(white, kMeter, point)) return;
+  ++vertex_;
+  walk();
+}
+
+/// The irradiance of the eye's first surface, on the side that is seen.
+void Path::meter(const Closure& closure, const ShadingPoint& point) {
+  PathSettings settings = settings_;
+  settings.outputs = nullptr;
+  settings.meters = false;
+  sampling::Sampler stream = sampler_.split(0, 1, kBranch);
+  ShadingPoint above = point;
+  PathResult received;
+  Path(world_, raster_, settings, stream, counts_, received).receive(above, holds_diffuse(closure));
+  result_->irradiance = received.radiance * kPi;
+}
+
+Rgb sample_irradiance(const World& world, const LightMeter& meter, const PathSettings& settings,
+                      sampling::Sampler& sampler, RayCounts& counts) {
+  ShadingPoint point;
+  point.position = meter.position;
+  point.geometric_normal = meter.normal;
+  point.ray_offset = meter.offset;
+  point.world = &world;
+  PathResult received;
+  Path(world, point.raster, settings, sampler, counts, received).receive(point, false);
+  return received.radiance * kPi;
+}
+
+}  // namespace oriel
