@@ -51,6 +51,13 @@ inline Roughness anisotropic_roughness(float alpha, float anisotropy) {
   return {std::max(base * root, kMinAlpha), std::max(base / root, kMinAlpha)};
 }
 
+/// Roughness given along both axes, within the same limits: of axes more than ten times as wide as
+/// each other the mean and the ratio's limit are kept.
+inline Roughness limited_roughness(float ax, float ay) {
+  const float x = std::max(ax, kMinAlpha), y = std::max(ay, kMinAlpha);
+  return anisotropic_roughness(std::sqrt(x * y), x / y);
+}
+
 inline Roughness gloss_to_roughness(float gloss, float anisotropy = 1,
                                     GlossModel model = GlossModel::Nvidia) {
   return anisotropic_roughness(gloss_to_alpha(gloss, model), anisotropy);

@@ -27,6 +27,13 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return near.empty() ? std::string() : fmt::format("did you mean \"{}\"?", near);
 }
 
+/// Grids of a material and of those it is connected to.
+unsigned grids_of(const ShaderNode& node) {
+  unsigned grids = node.spec().grids ? node.spec().grids(node) : 0;
+  for (const MaterialInput& input : node.material_inputs()) grids |= grids_of(*input.source);
+  return grids;
+}
+
 }  // namespace
 
 Binder::Binder(const scene::Scene& scene, const Registry& registry, World& world,
@@ -171,6 +178,7 @@ const ShaderNode* Binder::bind_call(const std::string& type,
   ++report_.shaders[type];
   ShaderNode* node = make_node(*spec);
   for (const scene::Argument& argument : args) bind_argument(*node, argument, scope);
+  count_lobes(*node, where);
   if (spec->prepare) node->state_ = spec->prepare(node->constants_.data(), world_);
   return node;
 }
@@ -302,7 +310,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
   for (const ShaderNode* node : bound.surface) {
     if (node->spec().has_outputs) bound.outputs = node->spec().has_outputs(*node);
-    if (node->spec().grids) bound.grids |= node->spec().grids(*node);
+    bound.grids |= grids_of(*node);
   }
   return bound;
 }

@@ -87,6 +87,11 @@ class Binder {
   void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   void bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                   const scene::Value& value, Scope* scope);
+  /// Has a material stand for the parameter at `offset`; false: it costs too much.
+  bool bind_input(ShaderNode& node, std::size_t offset, const ShaderNode& source,
+                  SourceLocation where);
+  /// Leaves out materials whose lobes a closure has no room for.
+  void count_lobes(ShaderNode& node, SourceLocation where);
   /// Counts the shaders that run for `node` with a source of that cost more; false: too many.
   bool afford(ShaderNode& node, float cost, SourceLocation where);
   void bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
@@ -108,12 +113,12 @@ class Binder {
   std::map<std::string, const ShaderNode*> named_;
   std::map<std::string, const TextureNode*> textures_;
   std::map<const ShaderNode*, const TextureNode*> procedures_;
+  std::map<std::string, const photometry::LightProfile*> light_profiles_;
   std::map<const TextureNode*, float> texture_cost_;  ///< shaders that one look-up runs
   std::vector<std::unique_ptr<Scope>> scopes_;
   std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;
   const ShaderNode* stand_in_ = nullptr;
-  std::map<std::string, const photometry::LightProfile*> light_profiles_;
   std::map<std::string, int> reported_;
   BindingReport report_;
   ShadingPoint constant_point_;

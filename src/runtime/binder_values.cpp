@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "runtime/binder.h"
+#include "runtime/closure.h"
 
 namespace oriel {
 namespace {
@@ -178,6 +179,10 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
         return bind_text(node, param, offset, type, value, scope);
       const Resolved source = resolve(value.text, value.where, scope);
       if (!source.node) return;
+      if (param.takes_material && source.node->spec().material) {
+        bind_input(node, offset, *source.node, value.where);
+        return;
+      }
       if (!source.node->spec().value) {
         diagnostics_.warning(
             "OR-RT-012", value.where,
@@ -210,6 +215,36 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
     case Value::Kind::Struct:
       return mismatch(node, param, value);
   }
+}
+
+bool Binder::bind_input(ShaderNode& node, std::size_t offset, const ShaderNode& source,
+                        SourceLocation where) {
+  if (!afford(node, source.cost_, where)) return false;
+  node.material_inputs_.push_back({offset, &source});
+  return true;
+}
+
+void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
+  const ShaderSpec& spec = node.spec();
+  if (!spec.material) return;
+  const int own = spec.most_lobes ? spec.most_lobes(node) : 1;
+  int of_inputs = 0;
+  for (std::size_t i = 0; i < node.material_inputs_.size(); ++i) {
+    const ShaderNode& source = *node.material_inputs_[i].source;
+    const int all = spec.one_material ? std::max(of_inputs, source.most_lobes_)
+                                      : of_inputs + source.most_lobes_;
+    if (own + all > Closure::kMostLobes) {
+      diagnostics_.warning(
+          "OR-RT-008", where,
+          fmt::format("shader \"{}\" under \"{}\" would scatter light in more than {} ways",
+                      source.spec().name, spec.name, Closure::kMostLobes),
+          "it is left out");
+      node.material_inputs_.erase(node.material_inputs_.begin() + static_cast<std::ptrdiff_t>(i--));
+      continue;
+    }
+    of_inputs = all;
+  }
+  node.most_lobes_ = own + of_inputs;
 }
 
 bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
@@ -247,7 +282,12 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     case ParamType::Shader: {
       if (value.text.empty()) return;
       const ShaderRef ref{resolve(value.text, value.where, scope).node};
-      if (ref.node && afford(node, ref.node->cost_, value.where)) store(target, ref);
+      if (!ref.node) return;
+      if (param.takes_material && ref.node->spec().material) {
+        if (bind_input(node, offset, *ref.node, value.where)) store(target, ref);
+      } else if (afford(node, ref.node->cost_, value.where)) {
+        store(target, ref);
+      }
       return;
     }
     case ParamType::Light: {
@@ -276,6 +316,12 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
       const auto cost = texture_cost_.find(ref.texture);
       if (cost == texture_cost_.end() || afford(node, cost->second, value.where))
         store(target, ref);
+      return;
+    }
+    case ParamType::LightProfile: {
+      if (value.text.empty()) return;
+      const LightProfileRef ref{light_profile(value.text, value.where)};
+      store(target, ref);
       return;
     }
     case ParamType::Material:
@@ -317,12 +363,6 @@ void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& v
     } else if ((item.kind == Value::Kind::Text || item.kind == Value::Kind::Connection) &&
                param.element == ParamType::Shader) {
       const ShaderRef ref{resolve(item.text, item.where, scope).node};
-    case ParamType::LightProfile: {
-      if (value.text.empty()) return;
-      const LightProfileRef ref{light_profile(value.text, value.where)};
-      store(target, ref);
-      return;
-    }
       append(&ref);
     } else if (item.kind != Value::Kind::Null) {
       mismatch(node, param, item);
@@ -342,6 +382,28 @@ void Binder::mismatch(const ShaderNode& node, const ParamSpec& param, const Valu
                                        ? fmt::format(" of {}", scene::type_name(param.element))
                                        : std::string(),
                                    describe(value)));
+}
+
+const photometry::LightProfile* Binder::light_profile(const std::string& name,
+                                                      SourceLocation where) {
+  if (const auto known = light_profiles_.find(name); known != light_profiles_.end())
+    return known->second;
+  const photometry::LightProfile*& profile = light_profiles_[name];
+  if (const auto* element = scene_.get<scene::LightProfile>(name)) {
+    if (auto opened = open_light_profile(*element, diagnostics_)) {
+      world_.light_profiles.push_back(std::move(opened));
+      profile = world_.light_profiles.back().get();
+    }
+  } else {
+    std::vector<std::string> names;
+    for (const scene::Element& e : scene_.elements())
+      if (std::holds_alternative<scene::LightProfile>(e)) names.push_back(scene::name_of(e));
+    const std::string near = nearest_name(name, names);
+    diagnostics_.warning("OR-RT-042", where, fmt::format("there is no light profile \"{}\"", name),
+                         near.empty() ? "profiles are elements: lightprofile \"name\" ..."
+                                      : fmt::format("did you mean \"{}\"?", near));
+  }
+  return profile;
 }
 
 const TextureNode* Binder::texture(const std::string& name, SourceLocation where, Scope* scope) {
@@ -382,25 +444,3 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
 }
 
 }  // namespace oriel
-const photometry::LightProfile* Binder::light_profile(const std::string& name,
-                                                      SourceLocation where) {
-  if (const auto known = light_profiles_.find(name); known != light_profiles_.end())
-    return known->second;
-  const photometry::LightProfile*& profile = light_profiles_[name];
-  if (const auto* element = scene_.get<scene::LightProfile>(name)) {
-    if (auto opened = open_light_profile(*element, diagnostics_)) {
-      world_.light_profiles.push_back(std::move(opened));
-      profile = world_.light_profiles.back().get();
-    }
-  } else {
-    std::vector<std::string> names;
-    for (const scene::Element& e : scene_.elements())
-      if (std::holds_alternative<scene::LightProfile>(e)) names.push_back(scene::name_of(e));
-    const std::string near = nearest_name(name, names);
-    diagnostics_.warning("OR-RT-042", where, fmt::format("there is no light profile \"{}\"", name),
-                         near.empty() ? "profiles are elements: lightprofile \"name\" ..."
-                                      : fmt::format("did you mean \"{}\"?", near));
-  }
-  return profile;
-}
-

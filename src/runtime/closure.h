@@ -23,8 +23,13 @@ enum class LobeKind : std::uint8_t {
   ThinTransmission,  ///< straight through a thin wall
   GlossyThin,        ///< blurred, through a thin wall
   Translucency,      ///< diffuse to the other side
-  PhongHighlight     ///< light sources only: cos^exponent of the mirrored view, mental ray's phong
+  // Light sources only, as mental ray's illumination shaders show them; see bsdf/highlights.h:
+  PhongHighlight,     ///< cos^`roughness` of the mirrored view
+  TorranceHighlight,  ///< facets: `roughness` their slope, `eta` the index
+  WardHighlight,      ///< alpha_x, alpha_y: slopes
+  HairHighlight       ///< cos^`roughness` of the cone about frame.s
 };
+inline bool is_highlight(LobeKind kind) { return kind >= LobeKind::PhongHighlight; }
 
 /// The output of the material a lobe belongs to.
 enum class Channel : std::uint8_t { Diffuse, Reflection, Refraction, Translucency };
@@ -69,7 +74,7 @@ struct Lobe {
   Channel channel = Channel::Diffuse;
   Rgb level{0};         ///< per view direction; includes energy conservation and the angle curve
   Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
-  float roughness = 0;  ///< Diffuse: sigma; PhongHighlight: exponent
+  float roughness = 0;  ///< Diffuse: sigma; of highlights see LobeKind
   float alpha_x = 0, alpha_y = 0;
   float inverse_albedo = 0;  ///< of glossy lobes for this viewer, filled in by transport
   float eta = 1;             ///< index on the far side over index on the viewer's side

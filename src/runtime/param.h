@@ -146,6 +146,8 @@ struct ParamSpec {
   /// Textures connected here give the nearest texel as it stands: values that wrap around, such as
   /// angles, have no mean.
   bool unfiltered = false;
+  /// Another material may stand here, by connection or as a shader: see runtime/shade_input.h.
+  bool takes_material = false;
 };
 
 /// Starts a row: name, types and offset from the struct's member.

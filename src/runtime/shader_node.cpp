@@ -93,8 +93,22 @@ void convert_value(ParamType from, const void* source, ParamType to, void* targe
 }
 
 bool ShaderNode::connected(std::size_t offset) const {
-  return std::any_of(connections_.begin(), connections_.end(),
+  return material_input(offset) != nullptr ||
+         std::any_of(connections_.begin(), connections_.end(),
                      [&](const Connection& c) { return c.offset == offset; });
+}
+
+const ShaderNode* ShaderNode::material_input(std::size_t offset) const {
+  for (const MaterialInput& input : material_inputs_)
+    if (input.offset == offset) return input.source;
+  return nullptr;
+}
+
+bool ShaderNode::inputs_may_transmit() const {
+  return std::any_of(material_inputs_.begin(), material_inputs_.end(), [](const MaterialInput& i) {
+    const ShaderSpec& spec = i.source->spec();
+    return spec.may_transmit && spec.may_transmit(*i.source);
+  });
 }
 
 void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) const {
@@ -102,6 +116,8 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
   alignas(16) std::byte result[kMostParamBytes];
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     const Connection& c = connections_[i];
+    // A shader may move the normal for those that run after it; a vector is for who asks for it.
+    const Vec3 normal = point.normal;
     // Neighbouring connections to one source (a struct's members) evaluate it once.
     if (i == 0 || connections_[i - 1].source != c.source ||
         connections_[i - 1].unfiltered != c.unfiltered) {
@@ -113,6 +129,7 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
         c.source->value(point, result);
       }
     }
+    if (c.type == ParamType::Vector) point.normal = normal;
     convert_value(c.source_type, result + c.source_offset, c.type, scratch + c.offset);
   }
 }

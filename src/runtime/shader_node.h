@@ -24,6 +24,12 @@ struct Connection {
   bool unfiltered = false;    ///< the source, and all it asks, look up single texels
 };
 
+/// A parameter that another material stands for.
+struct MaterialInput {
+  std::size_t offset;  ///< into this shader's parameters
+  const ShaderNode* source;
+};
+
 /// One bound shader. Immutable while rendering.
 class ShaderNode {
  public:
@@ -39,14 +45,19 @@ class ShaderNode {
   }
   /// Whether the parameter at `offset` comes from another shader.
   bool connected(std::size_t offset) const;
+  /// The material that stands for the parameter at `offset`; null when there is none.
+  const ShaderNode* material_input(std::size_t offset) const;
+  const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }
+  /// Whether light may pass one of these materials straight.
+  bool inputs_may_transmit() const;
 
   /// Calls f(Call) with all connections evaluated at the point.
   template <class F>
   auto with_params(ShadingPoint& point, F&& f) const {
-    if (connections_.empty()) return f(Call{constants_.data(), state_.get(), point});
+    if (connections_.empty()) return f(Call{constants_.data(), state_.get(), point, this});
     alignas(16) std::byte scratch[kMostParamBytes];
     evaluate_connections(point, scratch);
-    return f(Call{scratch, state_.get(), point});
+    return f(Call{scratch, state_.get(), point, this});
   }
 
   /// Evaluates as a value and converts to T = Rgba, float, Vec3, int or bool.
@@ -65,10 +76,12 @@ class ShaderNode {
   std::vector<std::max_align_t> storage_;
   std::span<std::byte> constants_;
   std::vector<Connection> connections_;
+  std::vector<MaterialInput> material_inputs_;
   std::unique_ptr<ShaderState> state_;
   /// Shaders that run for one evaluation, itself included. A shader that several others use runs
   /// once for each.
   float cost_ = 1;
+  int most_lobes_ = 1;  ///< of its closure, with those of the materials it is connected to
 };
 
 /// Shaders of a list run in order, each on what the one before left at the point.

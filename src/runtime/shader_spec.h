@@ -43,6 +43,7 @@ struct Call {
   const void* params;
   const ShaderState* state;
   ShadingPoint& point;
+  const ShaderNode* node = nullptr;  ///< whose call it is; null where parameters stand alone
   template <class P>
   const P& as() const {
     return *static_cast<const P*>(params);
@@ -64,9 +65,9 @@ struct LightValue {
   Rgb colour{0};
   bool shadow = true;       ///< whether blockers matter
   float shadow_factor = 0;  ///< share that passes an opaque blocker
-};
   /// Shares of the light that diffuse lobes take, and glossy reflections and highlights.
   float affects_diffuse = 1, affects_specular = 1;
+};
 
 /// What a lens shader that maps colours knows beside the colour.
 struct LensCall {
@@ -114,10 +115,10 @@ struct ShaderSpec {
   LightValue (*light)(const Call&, const LightCall&) = nullptr;
   /// Built once for each light the shader stands in.
   std::unique_ptr<ShaderState> (*prepare_light)(const void* params, const Light&) = nullptr;
-  /// For lights that stand in a window (runtime/portal.h), instead of `light`. False: it is off.
   /// The profile by which a light of constant parameters distributes its light, its strength
   /// apart; null: by none. The light's own element may name one: light.luminaire.
   const photometry::LightProfile* (*profile)(const void* params, const Light& light) = nullptr;
+  /// For lights that stand in a window (runtime/portal.h), instead of `light`. False: it is off.
   bool (*portal)(const void* params, PortalTraits&) = nullptr;
   /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
   float (*light_cone)(const void* params) = nullptr;
@@ -138,6 +139,10 @@ struct ShaderSpec {
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
   /// False when constant parameters rule out that light passes (cut-out, transparency).
   bool (*may_transmit)(const ShaderNode&) = nullptr;
+  /// Most lobes it adds itself, by constant parameters. Null: one.
+  int (*most_lobes)(const ShaderNode&) = nullptr;
+  /// Of the materials it is connected to only one is asked at a point.
+  bool one_material = false;
   /// False when constant parameters leave the result as the only output. Null: it has all.
   bool (*has_outputs)(const ShaderNode&) = nullptr;
   /// Densities of the grids it interpolates over, a bit each. Null: none.

@@ -9,16 +9,21 @@
 #include "shaders/architectural/mia_photometric_light.h"
 #include "shaders/architectural/mia_portal_light.h"
 #include "shaders/architectural/mia_sun_sky.h"
+#include "shaders/base/mib_bump.h"
 #include "shaders/base/mib_color.h"
+#include "shaders/base/mib_glossy.h"
 #include "shaders/base/mib_illum.h"
+#include "shaders/base/mib_lens.h"
 #include "shaders/base/mib_light.h"
-#include "shaders/base/mib_lookup.h"
 #include "shaders/base/mib_light_photometric.h"
+#include "shaders/base/mib_lookup.h"
 #include "shaders/base/mib_lookup_cube.h"
+#include "shaders/base/mib_ray.h"
 #include "shaders/base/mib_shadow.h"
 #include "shaders/base/mib_texture.h"
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
+#include "shaders/physics/dgs_material.h"
 
 namespace oriel {
 namespace {
@@ -66,13 +71,16 @@ const Registry& builtin_shaders() {
       &kMiaPhysicalSun,
       &kMiaPhysicalSky,
       &kMiaPortalLight,
+      &kMiaPhotometricLight,
       &kMiaCieSky,
       &kMiaExposurePhotographic,
-      &kMiaPhotometricLight,
       &kMiaExposureSimple,
       &kMiaLensBokeh,
       &kPhysicalLensDof,  //
       &kMibBlackbody,
+      &kMibBumpBasis,
+      &kMibBumpMap,
+      &kMibBumpMap2,
       &kMibCieD,
       &kMibColorAlpha,
       &kMibColorAverage,
@@ -80,9 +88,21 @@ const Registry& builtin_shaders() {
       &kMibColorInterpolate,
       &kMibColorMix,
       &kMibColorSpread,
+      &kMibContinue,
+      &kMibDielectric,
+      &kMibGlossyReflection,
+      &kMibGlossyRefraction,
+      &kMibIllumBlinn,
+      &kMibIllumCooktorr,
+      &kMibIllumHair,
       &kMibIllumLambert,
       &kMibIllumPhong,
+      &kMibIllumWard,
+      &kMibIllumWardDeriv,
+      &kMibLensClamp,
+      &kMibLensStencil,
       &kMibLightInfinite,
+      &kMibLightPhotometric,
       &kMibLightPoint,
       &kMibLightSpot,
       &kMibLookupBackground,
@@ -90,7 +110,12 @@ const Registry& builtin_shaders() {
       &kMibLookupCube6,
       &kMibLookupCylindrical,
       &kMibLookupSpherical,
-      &kMibLightPhotometric,
+      &kMibOpacity,
+      &kMibPassthroughBumpMap,
+      &kMibPhotonBasic,
+      &kMibReflect,
+      &kMibRefract,
+      &kMibRefractionIndex,
       &kMibTextureCheckerboard,
       &kMibTextureFilterLookup,
       &kMibTextureLookup,
@@ -102,8 +127,19 @@ const Registry& builtin_shaders() {
       &kMibTextureTurbulence,
       &kMibTextureVector,
       &kMibTextureWave,
+      &kMibTransparency,
+      &kMibTwosided,
+      &kMibVolume,
       &kMibShadowTransparency,  //
+      &kDgsMaterial,
+      &kDgsMaterialPhoton,
+      &kDielectricMaterial,
+      &kDielectricMaterialPhoton,
+      &kOversamplingLens,
+      &kPathMaterial,
       &kPhysicalLight,
+      &kTransmat,
+      &kTransmatPhoton,
   });
   return registry;
 }

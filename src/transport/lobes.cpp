@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bsdf/glossy_reflection.h"
+#include "bsdf/highlights.h"
 #include "bsdf/oren_nayar.h"
 #include "bsdf/phong.h"
 #include "bsdf/rough_refraction.h"
@@ -43,12 +44,28 @@ bool right_side(LobeKind kind, bool same_side) {
     case LobeKind::Diffuse:
     case LobeKind::GlossyReflection:
     case LobeKind::PhongHighlight:
+    case LobeKind::TorranceHighlight:
+    case LobeKind::WardHighlight:
       return same_side;
     case LobeKind::GlossyThin:
     case LobeKind::Translucency:
       return !same_side;
     default:
-      return true;  // rough refraction reflects totally as well
+      return true;  // rough refraction reflects totally as well, hair is lit from all sides
+  }
+}
+
+/// Of lobes that show light sources alone.
+float highlight(const Lobe& lobe, const Vec3& o, const Vec3& w) {
+  switch (lobe.kind) {
+    case LobeKind::TorranceHighlight:
+      return bsdf::TorranceHighlight{lobe.roughness, lobe.eta}.eval(o, w);
+    case LobeKind::WardHighlight:
+      return bsdf::WardHighlight{lobe.alpha_x, lobe.alpha_y}.eval(o, w);
+    case LobeKind::HairHighlight:
+      return bsdf::HairHighlight{lobe.roughness}.eval(o, w);
+    default:
+      return bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
   }
 }
 
@@ -71,6 +88,9 @@ LobeGroup group_of(LobeKind kind) {
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
     case LobeKind::PhongHighlight:
+    case LobeKind::TorranceHighlight:
+    case LobeKind::WardHighlight:
+    case LobeKind::HairHighlight:
       return LobeGroup::Reflection;
     default:
       return LobeGroup::Refraction;
@@ -87,8 +107,8 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
     if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
     if (seen_in_mirrors && lobe.controls.mirrored) continue;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
-    if (lobe.kind == LobeKind::PhongHighlight) {
-      out.highlight += lobe.level * bsdf::PhongHighlight{lobe.roughness}.eval(o, w);
+    if (is_highlight(lobe.kind)) {
+      out.highlight += lobe.level * highlight(lobe, o, w);
       continue;
     }
     float value = 0, pdf = 0;

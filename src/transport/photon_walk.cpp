@@ -112,7 +112,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
   float total = 0;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    if (lobe.controls.highlights_only || lobe.kind == LobeKind::PhongHighlight) continue;
+    if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
     choice.rays[i] = std::max(0.0f, max_component(lobe.level * now)) / most;
     total += choice.rays[i];
   }

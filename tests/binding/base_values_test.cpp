@@ -264,6 +264,21 @@ TEST(BaseLookups, FilterLookupWithoutInterpolationShowsTexels) {
   EXPECT_GT(at("on").r, .25f);
 }
 
+struct Ratio {
+  float ior;
+  bool enter;
+};
+
+TEST(BaseRays, RefractionIndexIsTheRatioTheRayMeets) {
+  Node node("mib_refraction_index", "\"mtl_ior\" 1.5");
+  EXPECT_FLOAT_EQ(node.raw<Ratio>().ior, 1.5f);
+  EXPECT_TRUE(node.raw<Ratio>().enter);
+  node.point.back_side = true;
+  EXPECT_FLOAT_EQ(node.raw<Ratio>().ior, 1 / 1.5f);
+  EXPECT_FALSE(node.raw<Ratio>().enter);
+  EXPECT_EQ(Node("mib_refraction_index", "").raw<Ratio>().ior, 1);
+}
+
 struct Tangents {
   Vec3 u, v;
 };

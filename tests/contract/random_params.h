@@ -91,6 +91,11 @@ class ParamBlock {
     for (const ParamSpec& row : spec_.params)
       if (name == row.name) set(row, value);
   }
+  /// The same where it is a colour.
+  void set_color(std::string_view name, const Rgba& value) {
+    for (const ParamSpec& row : spec_.params)
+      if (name == row.name && row.type == ParamType::Color) set(row, value);
+  }
   const void* data() const { return storage_.data(); }
 
  private:

@@ -250,6 +250,20 @@ unsigned mia_grids(const ShaderNode& node) {
   return interpolates ? 1u << grid_density(p) : 0u;
 }
 
+int mia_most_lobes(const ShaderNode& node) {
+  const P& p = node.constants<P>();
+  // A highlight stands beside mirror rays.
+  const auto reflects = [&](int samples, std::size_t offset) {
+    return samples == 0 || node.connected(offset) ? 2 : 1;
+  };
+  int lobes = 1 + reflects(p.refl_gloss_samples, offsetof(P, refl_gloss_samples));
+  if (p.refl_base > 0 || node.connected(offsetof(P, refl_base)))
+    lobes += reflects(p.refl_base_gloss_samples, offsetof(P, refl_base_gloss_samples));
+  if (p.transparency > 0 || node.connected(offsetof(P, transparency)))
+    lobes += p.refr_translucency || node.connected(offsetof(P, refr_translucency)) ? 2 : 1;
+  return lobes;
+}
+
 constexpr ParamSpec kResults[] = {
     {.name = "result", .type = ParamType::Color, .element = ParamType::Color, .offset = 0}};
 
@@ -312,6 +326,7 @@ const ShaderSpec kMiaMaterial = {
     .params_size = sizeof(P),
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, false); },
     .may_transmit = mia_may_transmit,
+    .most_lobes = mia_most_lobes,
     .grids = mia_grids,
 };
 
@@ -327,6 +342,7 @@ const ShaderSpec kMiaMaterialX = {
     .results = kResults,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
+    .most_lobes = mia_most_lobes,
     .has_outputs = mia_has_outputs,
     .grids = mia_grids,
 };
@@ -343,6 +359,7 @@ const ShaderSpec kMiaMaterialXPasses = {
     .results = kResults,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
+    .most_lobes = mia_most_lobes,
     .has_outputs = mia_has_outputs,
     .grids = mia_grids,
 };

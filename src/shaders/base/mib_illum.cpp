@@ -20,11 +20,43 @@ struct Phong {
   int mode;
   ArrayView<LightRef> lights;
 };
+struct Blinn {
+  Rgba ambience, ambient, diffuse, specular;
+  float roughness, ior;
+  int mode;
+  ArrayView<LightRef> lights;
+};
+struct Cooktorr {
+  Rgba ambience, ambient, diffuse, specular;
+  float roughness;
+  Rgba ior;
+  int mode;
+  ArrayView<LightRef> lights;
+};
+struct Ward {
+  Rgba ambience, ambient, diffuse, glossy;
+  float shiny_u, shiny_v;
+  Vec3 u, v;
+  int mode;
+  ArrayView<LightRef> lights;
+};
+struct WardDeriv {
+  Rgba ambience, ambient, diffuse, glossy;
+  float shiny_u, shiny_v;
+  int mode;
+  ArrayView<LightRef> lights;
+};
 
 constexpr const char* kAmbience = "Ambient light of the scene.";
 constexpr const char* kAmbient = "Colour that ambience is multiplied with.";
 constexpr const char* kMode =
     "Which lights: 0 list or linked or all, 1 the list, 2 all but it, 4 linked or all.";
+
+constexpr const char* kDiffuse = "Diffuse colour.";
+constexpr const char* kSpecular = "Colour of the highlight.";
+constexpr const char* kSlope = "Mean slope of the facets: width of the highlight.";
+constexpr const char* kIor = "Index of refraction; below 1 it is 1.";
+constexpr const char* kList = "The list.";
 
 constexpr ParamSpec kLambertRows[] = {
     {ORIEL_PARAM(Lambert, ambience), .doc = kAmbience, .declared_default = false},
@@ -44,6 +76,59 @@ constexpr ParamSpec kPhongRows[] = {
     {ORIEL_PARAM(Phong, lights), .doc = "The list.", .declared_default = false},
 };
 
+constexpr ParamSpec kBlinnRows[] = {
+    {ORIEL_PARAM(Blinn, ambience), .doc = kAmbience, .declared_default = false},
+    {ORIEL_PARAM(Blinn, ambient), .doc = kAmbient, .declared_default = false},
+    {ORIEL_PARAM(Blinn, diffuse), .doc = kDiffuse, .declared_default = false},
+    {ORIEL_PARAM(Blinn, specular), .doc = kSpecular, .declared_default = false},
+    {ORIEL_PARAM(Blinn, roughness), .min = 0, .doc = kSlope, .declared_default = false},
+    {ORIEL_PARAM(Blinn, ior), .min = 0, .doc = kIor, .declared_default = false},
+    {ORIEL_PARAM(Blinn, mode), .doc = kMode, .declared_default = false},
+    {ORIEL_PARAM(Blinn, lights), .doc = kList, .declared_default = false},
+};
+constexpr ParamSpec kCooktorrRows[] = {
+    {ORIEL_PARAM(Cooktorr, ambience), .doc = kAmbience, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, ambient), .doc = kAmbient, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, diffuse), .doc = kDiffuse, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, specular), .doc = kSpecular, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, roughness), .min = 0, .doc = kSlope, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, ior), .doc = kIor, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, mode), .doc = kMode, .declared_default = false},
+    {ORIEL_PARAM(Cooktorr, lights), .doc = kList, .declared_default = false},
+};
+constexpr ParamSpec kWardRows[] = {
+    {ORIEL_PARAM(Ward, ambience), .doc = kAmbience, .declared_default = false},
+    {ORIEL_PARAM(Ward, ambient), .doc = kAmbient, .declared_default = false},
+    {ORIEL_PARAM(Ward, diffuse), .doc = kDiffuse, .declared_default = false},
+    {ORIEL_PARAM(Ward, glossy), .doc = kSpecular, .declared_default = false},
+    {ORIEL_PARAM(Ward, shiny_u), .min = 0, .doc = "Narrowness of the highlight along u.",
+     .declared_default = false},
+    {ORIEL_PARAM(Ward, shiny_v), .min = 0, .doc = "Narrowness of the highlight along v.",
+     .declared_default = false},
+    {ORIEL_PARAM(Ward, u), .doc = "Direction across the normal; null: along the texture.",
+     .declared_default = false},
+    {ORIEL_PARAM(Ward, v),
+     .doc = "The direction at a right angle to u, which gives u where that is null.",
+     .declared_default = false},
+    {ORIEL_PARAM(Ward, mode), .doc = kMode, .declared_default = false},
+    {ORIEL_PARAM(Ward, lights), .doc = kList, .declared_default = false},
+};
+constexpr ParamSpec kWardDerivRows[] = {
+    {ORIEL_PARAM(WardDeriv, ambience), .doc = kAmbience, .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, ambient), .doc = kAmbient, .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, diffuse), .doc = kDiffuse, .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, glossy), .doc = kSpecular, .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, shiny_u), .min = 0,
+     .doc = "Narrowness of the highlight along the surface's u.", .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, shiny_v), .min = 0, .doc = "Narrowness of the highlight across it.",
+     .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, mode), .doc = kMode, .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, lights), .doc = kList, .declared_default = false},
+};
+
+/// Steepest facets and narrowest lobes that are told apart.
+constexpr float kMostSlope = 10;
+
 template <class P>
 Frame shade_diffuse(const P& p, const ShadingPoint& point, Closure& closure) {
   const Frame frame(facing_viewer(point.normal, point));
@@ -55,6 +140,68 @@ Frame shade_diffuse(const P& p, const ShadingPoint& point, Closure& closure) {
     closure.add(LobeKind::Diffuse, Channel::Diffuse, closure.albedo, frame);
   return frame;
 }
+
+Lobe& add_highlight(LobeKind kind, const Rgb& level, const Frame& frame, Closure& closure) {
+  Lobe& lobe = closure.add(kind, Channel::Reflection, level, frame);
+  lobe.controls.highlights_only = true;
+  return lobe;
+}
+
+void add_facets(const Rgb& level, float slope, float ior, const Frame& frame, Closure& closure) {
+  if (is_black(level)) return;
+  Lobe& lobe = add_highlight(LobeKind::TorranceHighlight, level, frame, closure);
+  lobe.roughness = clamp(slope, 0, kMostSlope);
+  lobe.eta = std::max(1.0f, ior);
+}
+
+void blinn(const Call& call, Closure& closure) {
+  const auto& p = call.as<Blinn>();
+  const Frame frame = shade_diffuse(p, call.point, closure);
+  add_facets(rgb(p.specular), p.roughness, p.ior, frame, closure);
+}
+
+void cooktorr(const Call& call, Closure& closure) {
+  const auto& p = call.as<Cooktorr>();
+  const Frame frame = shade_diffuse(p, call.point, closure);
+  const Rgb specular = rgb(p.specular), ior = rgb(p.ior);
+  if (ior.x == ior.y && ior.y == ior.z)
+    return add_facets(specular, p.roughness, ior.x, frame, closure);
+  for (int k = 0; k < 3; ++k) {
+    Rgb channel(0);
+    channel[k] = specular[k];
+    add_facets(channel, p.roughness, ior[k], frame, closure);
+  }
+}
+
+/// Slopes of Ward's lobe; a shininess of 0 is as wide as they get.
+template <class P>
+void ward(const P& p, const Vec3& along, const ShadingPoint& point, Closure& closure) {
+  const Frame frame = shade_diffuse(p, point, closure);
+  const Rgb glossy = rgb(p.glossy);
+  if (is_black(glossy)) return;
+  Lobe& lobe =
+      add_highlight(LobeKind::WardHighlight, glossy, Frame::along(frame.n, along), closure);
+  lobe.alpha_x = 1 / std::max(p.shiny_u, 1 / kMostSlope);
+  lobe.alpha_y = 1 / std::max(p.shiny_v, 1 / kMostSlope);
+}
+
+/// The direction u, by v where only that is given, or of the texture.
+Vec3 brushed(const Ward& p, const ShadingPoint& point) {
+  if (p.u != Vec3(0)) return p.u;
+  return p.v != Vec3(0) ? cross(p.v, point.normal) : point.dpdu;
+}
+
+void hair(const Call& call, Closure& closure) {
+  const auto& p = call.as<Phong>();
+  const Frame frame = shade_diffuse(p, call.point, closure);
+  const Rgb specular = rgb(p.specular);
+  if (is_black(specular)) return;
+  Lobe& lobe = add_highlight(LobeKind::HairHighlight, specular,
+                             Frame::along(frame.n, call.point.dpdv), closure);
+  lobe.roughness = std::max(0.0f, p.exponent);
+}
+
+int two_lobes(const ShaderNode&) { return 2; }
 
 }  // namespace
 
@@ -84,10 +231,77 @@ const ShaderSpec kMibIllumPhong = {
           const Frame frame = shade_diffuse(p, call.point, closure);
           const Rgb specular = rgb(p.specular);
           if (is_black(specular)) return;
-          Lobe& lobe = closure.add(LobeKind::PhongHighlight, Channel::Reflection, specular, frame);
-          lobe.roughness = std::max(0.0f, p.exponent);
-          lobe.controls.highlights_only = true;
+          add_highlight(LobeKind::PhongHighlight, specular, frame, closure).roughness =
+              std::max(0.0f, p.exponent);
         },
+    .most_lobes = two_lobes,
+};
+
+const ShaderSpec kMibIllumBlinn = {
+    .name = "mib_illum_blinn",
+    .library = "base",
+    .version = 2,
+    .apply = kApplyMaterial,
+    .doc = "A diffuse surface with the highlight of facets of one index.",
+    .params = kBlinnRows,
+    .params_size = sizeof(Blinn),
+    .material = blinn,
+    .most_lobes = two_lobes,
+};
+
+const ShaderSpec kMibIllumCooktorr = {
+    .name = "mib_illum_cooktorr",
+    .library = "base",
+    .version = 2,
+    .apply = kApplyMaterial,
+    .doc = "A diffuse surface with the highlight of facets, which shifts in colour.",
+    .params = kCooktorrRows,
+    .params_size = sizeof(Cooktorr),
+    .material = cooktorr,
+    .most_lobes = [](const ShaderNode&) { return 4; },
+};
+
+const ShaderSpec kMibIllumWard = {
+    .name = "mib_illum_ward",
+    .library = "base",
+    .version = 1,
+    .apply = kApplyMaterial,
+    .doc = "A diffuse surface with a highlight stretched along given directions.",
+    .params = kWardRows,
+    .params_size = sizeof(Ward),
+    .material =
+        [](const Call& call, Closure& closure) {
+          const auto& p = call.as<Ward>();
+          ward(p, brushed(p, call.point), call.point, closure);
+        },
+    .most_lobes = two_lobes,
+};
+
+const ShaderSpec kMibIllumWardDeriv = {
+    .name = "mib_illum_ward_deriv",
+    .library = "base",
+    .version = 1,
+    .apply = kApplyMaterial,
+    .doc = "A diffuse surface with a highlight stretched along the surface's u.",
+    .params = kWardDerivRows,
+    .params_size = sizeof(WardDeriv),
+    .material =
+        [](const Call& call, Closure& closure) {
+          ward(call.as<WardDeriv>(), call.point.dpdu, call.point, closure);
+        },
+    .most_lobes = two_lobes,
+};
+
+const ShaderSpec kMibIllumHair = {
+    .name = "mib_illum_hair",
+    .library = "base",
+    .version = 1,
+    .apply = kApplyMaterial,
+    .doc = "A diffuse ribbon with the highlight of a fibre.",
+    .params = kPhongRows,
+    .params_size = sizeof(Phong),
+    .material = hair,
+    .most_lobes = two_lobes,
 };
 
 }  // namespace oriel

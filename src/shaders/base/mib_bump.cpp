@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_bump.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/shade_input.h"
+#include "runtime/texture_node.h"
+
+namespace oriel {
+namespace {
+
+struct Basis {
+  int project, ntex;
+};
+struct BasisOut {
+  Vec3 u, v;
+};
+struct Map {
+  Vec3 u, v, coord, step;
+  float factor;
+  bool torus_u, torus_v, alpha;
+  ColorTextureRef tex;
+  bool clamp;
+};
+struct Map2 {
+  float factor, scale;
+  ColorTextureRef tex;
+  Rgba color;
+};
+
+constexpr ParamSpec kBasisRows[] = {
+    {ORIEL_PARAM(Basis, project),
+     .doc = "1 xy, 2 xz, 3 yz, 4 spherical, 6 cylindrical; else the texture space.",
+     .declared_default = false},
+    {ORIEL_PARAM(Basis, ntex), .min = 0, .max = 63, .doc = "The texture space.",
+     .declared_default = false},
+};
+constexpr ParamSpec kBasisResults[] = {{ORIEL_PARAM(BasisOut, u)}, {ORIEL_PARAM(BasisOut, v)}};
+constexpr ParamSpec kMapRows[] = {
+    {ORIEL_PARAM(Map, u), .doc = "Direction the normal turns to by the change along u.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map, v), .doc = "Direction the normal turns to by the change along v.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map, coord), .doc = "Where the texture is looked up.", .declared_default = false},
+    {ORIEL_PARAM(Map, step), .doc = "Way to the other two look-ups; 0 = 0.01.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map, factor), .doc = "Strength; 0 = 1.", .declared_default = false},
+    {ORIEL_PARAM(Map, torus_u), .doc = "Repeat the picture along u.", .declared_default = false},
+    {ORIEL_PARAM(Map, torus_v), .doc = "Repeat the picture along v.", .declared_default = false},
+    {ORIEL_PARAM(Map, alpha), .doc = "Take the alpha in place of the mean of the channels.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map, tex), .doc = "The picture.", .declared_default = false},
+    {ORIEL_PARAM(Map, clamp), .doc = "No bump outside of 0..1.", .declared_default = false},
+};
+constexpr ParamSpec kMap2Rows[] = {
+    {ORIEL_PARAM(Map2, factor), .doc = "Strength; 0 = 1.", .declared_default = false},
+    {ORIEL_PARAM(Map2, scale), .doc = "Times the first texture space; 0 = 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map2, tex), .doc = "The picture.", .declared_default = false},
+    {ORIEL_PARAM(Map2, color), .doc = "Colour or material that is returned.",
+     .declared_default = false, .takes_material = true},
+};
+
+constexpr float kStep = 0.01f;
+
+/// Unit directions of a texture space; null where it has none.
+BasisOut of_texture_space(const ShadingPoint& point, int space) {
+  if (space >= 0 && space < point.texture_spaces && point.bump_u[space] != Vec3(0))
+    return {normalize(point.bump_u[space]), normalize(point.bump_v[space])};
+  return {normalize(point.dpdu), normalize(point.dpdv)};
+}
+
+BasisOut basis_of(const Basis& p, const ShadingPoint& point) {
+  const auto world = [&](const Vec3& d) {
+    return normalize(point.to_world ? transform_vector(d, *point.to_world) : d);
+  };
+  const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  switch (p.project) {
+    case 1:
+      return {world(x), world(y)};
+    case 2:
+      return {world(x), world(z)};
+    case 3:
+      return {world(y), world(z)};
+    case 4:
+    case 6: {
+      const Vec3 at =
+          point.to_object ? transform_point(point.position, *point.to_object) : point.position;
+      const float r = std::hypot(at.x, at.z);
+      if (!(r > 0)) return {world(x), world(y)};
+      const Vec3 round(at.z / r, 0, -at.x / r);
+      const Vec3 up = p.project == 6 ? y : Vec3(-at.x * at.y / r, r, -at.z * at.y / r);
+      return {world(round), world(up)};
+    }
+    default:
+      return of_texture_space(point, p.ntex);
+  }
+}
+
+/// What is looked up around a place.
+struct Heights {
+  const TextureNode& texture;
+  ShadingPoint& point;
+  TextureSampling how;
+  bool alpha;
+
+  float at(float x, float y) const {
+    const Rgba c = texture.lookup(Vec2(x, y), point, how);
+    return alpha ? c.a : (c.r + c.g + c.b) / 3;
+  }
+};
+
+/// The normal turned by the changes along u and v.
+Vec3 turned(const Vec3& normal, const BasisOut& basis, const Vec2& at, const Vec2& step,
+            float factor, const Heights& heights) {
+  const float strength = factor != 0 ? factor : 1;
+  const float here = heights.at(at.x, at.y);
+  const float along_u = heights.at(at.x + step.x, at.y) - here;
+  const float along_v = heights.at(at.x, at.y + step.y) - here;
+  const Vec3 sum = normal + (basis.u * along_u + basis.v * along_v) * strength;
+  return dot(sum, sum) > 0 ? normalize(sum) : normal;
+}
+
+float or_step(float s) { return s != 0 ? s : kStep; }
+
+void move_normal(const Map& p, ShadingPoint& point) {
+  if (!p.tex.texture) return;
+  const auto outside = [](float x) { return x < 0 || x > 1; };
+  if (p.clamp && (outside(p.coord.x) || outside(p.coord.y))) return;
+  const Heights heights{*p.tex.texture,
+                        point,
+                        {.wrap_u = p.torus_u ? Wrap::Periodic : Wrap::Clamp,
+                         .wrap_v = p.torus_v ? Wrap::Periodic : Wrap::Clamp},
+                        p.alpha};
+  point.normal = turned(point.normal, {p.u, p.v}, Vec2(p.coord.x, p.coord.y),
+                        Vec2(or_step(p.step.x), or_step(p.step.y)), p.factor, heights);
+}
+
+void move_normal(const Map2& p, ShadingPoint& point) {
+  if (!p.tex.texture || point.texture_spaces == 0) return;
+  const Vec3 at = point.tex[0] * (p.scale != 0 ? p.scale : 1);
+  point.normal = turned(point.normal, of_texture_space(point, 0), Vec2(at.x, at.y), Vec2(kStep),
+                        p.factor, {*p.tex.texture, point, {}, false});
+}
+
+/// In a list before a material.
+void move_for_list(const Call& call, Closure&) { move_normal(call.as<Map>(), call.point); }
+
+}  // namespace
+
+const ShaderSpec kMibBumpBasis = {
+    .name = "mib_bump_basis",
+    .library = "base",
+    .version = 2,
+    .apply = kApplyTexture,
+    .doc = "The directions that a bump map turns the normal to.",
+    .params = kBasisRows,
+    .params_size = sizeof(Basis),
+    .result = ParamType::Struct,
+    .results = kBasisResults,
+    .result_size = sizeof(BasisOut),
+    .value =
+        [](const Call& call, void* result) {
+          *static_cast<BasisOut*>(result) = basis_of(call.as<Basis>(), call.point);
+        },
+};
+
+const ShaderSpec kMibBumpMap = {
+    .name = "mib_bump_map",
+    .library = "base",
+    .version = 2,
+    .apply = kApplyTexture,
+    .doc = "Turns the normal by a picture, and returns it.",
+    .params = kMapRows,
+    .params_size = sizeof(Map),
+    .result = ParamType::Vector,
+    .result_size = sizeof(Vec3),
+    .value =
+        [](const Call& call, void* result) {
+          ShadingPoint& point = call.point;
+          move_normal(call.as<Map>(), point);
+          *static_cast<Vec3*>(result) = point.back_side ? -point.normal : point.normal;
+        },
+    .material = move_for_list,
+    .most_lobes = [](const ShaderNode&) { return 0; },
+};
+
+const ShaderSpec kMibPassthroughBumpMap = {
+    .name = "mib_passthrough_bump_map",
+    .library = "base",
+    .version = 2,
+    .apply = kApplyTexture | kApplyMaterial,
+    .doc = "Turns the normal by a picture, for the shaders after it in a list.",
+    .params = kMapRows,
+    .params_size = sizeof(Map),
+    .value =
+        [](const Call& call, void* result) {
+          move_normal(call.as<Map>(), call.point);
+          *static_cast<Rgba*>(result) = Rgba(0);
+        },
+    .material = move_for_list,
+    .most_lobes = [](const ShaderNode&) { return 0; },
+};
+
+const ShaderSpec kMibBumpMap2 = {
+    .name = "mib_bump_map2",
+    .library = "base",
+    .apply = kApplyTexture | kApplyMaterial,
+    .doc = "Turns the normal by a picture before a material.",
+    .params = kMap2Rows,
+    .params_size = sizeof(Map2),
+    .value =
+        [](const Call& call, void* result) {
+          move_normal(call.as<Map2>(), call.point);
+          *static_cast<Rgba*>(result) = call.as<Map2>().color;
+        },
+    .material =
+        [](const Call& call, Closure& closure) {
+          const auto& p = call.as<Map2>();
+          move_normal(p, call.point);
+          shade_input(call, offsetof(Map2, color), p.color, Rgb(1), closure);
+        },
+    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+    .most_lobes = [](const ShaderNode&) { return 0; },
+};
+
+}  // namespace oriel

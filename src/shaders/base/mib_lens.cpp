@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_lens.h"
+
+#include <algorithm>
+
+#include "color/luminance.h"
+#include "runtime/texture_node.h"
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+struct Stencil {
+  float floor, ceiling;
+  Rgba floor_color, ceil_color;
+  ScalarTextureRef stencil;
+};
+struct Clamp {
+  float floor, ceiling;
+  bool luminance;
+  Rgba floor_color, ceil_color;
+};
+struct Volume {
+  Rgba color;
+  float max;
+  bool lightrays;
+};
+struct Oversampling {
+  int samples;
+};
+
+constexpr ParamSpec kStencilRows[] = {
+    {ORIEL_PARAM(Stencil, floor), .doc = "Below this value of the stencil: floor_color.",
+     .declared_default = false},
+    {ORIEL_PARAM(Stencil, ceiling), .doc = "Above this value of the stencil: ceil_color.",
+     .declared_default = false},
+    {ORIEL_PARAM(Stencil, floor_color), .doc = "Colour below the floor.",
+     .declared_default = false},
+    {ORIEL_PARAM(Stencil, ceil_color), .doc = "Colour above the ceiling.",
+     .declared_default = false},
+    {ORIEL_PARAM(Stencil, stencil), .doc = "Picture that lies over the whole image.",
+     .declared_default = false},
+};
+constexpr ParamSpec kClampRows[] = {
+    {ORIEL_PARAM(Clamp, floor), .doc = "What becomes 0.", .declared_default = false},
+    {ORIEL_PARAM(Clamp, ceiling), .doc = "What becomes 1; not above floor = floor + 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Clamp, luminance), .doc = "By luminance, not by channel.",
+     .declared_default = false},
+    {ORIEL_PARAM(Clamp, floor_color), .doc = "By luminance: colour below the floor.",
+     .declared_default = false},
+    {ORIEL_PARAM(Clamp, ceil_color), .doc = "By luminance: colour above the ceiling.",
+     .declared_default = false},
+};
+constexpr ParamSpec kVolumeRows[] = {
+    {ORIEL_PARAM(Volume, color), .doc = "Colour of the fog.", .declared_default = false},
+    {ORIEL_PARAM(Volume, max), .unit = "scene units",
+     .doc = "Distance where nothing else is seen; 0 = no fog.", .declared_default = false},
+    {ORIEL_PARAM(Volume, lightrays), .doc = "Fade light on its way as well.",
+     .support = Support::Ignored, .declared_default = false},
+};
+constexpr ParamSpec kOversamplingRows[] = {
+    {ORIEL_PARAM(Oversampling, samples), .doc = "Eye rays for each sample.",
+     .support = Support::Ignored, .declared_default = false},
+};
+
+template <class P>
+float ceiling_of(const P& p) {
+  return p.ceiling > p.floor ? p.ceiling : p.floor + 1;
+}
+
+Rgb stencil(const Call& call, const LensCall&, const Rgb& color) {
+  const auto& p = call.as<Stencil>();
+  if (!p.stencil.texture || !call.point.world) return color;
+  const Camera& camera = call.point.world->camera;
+  const Vec2 uv(call.point.raster.x / static_cast<float>(camera.width),
+                call.point.raster.y / static_cast<float>(camera.height));
+  const Rgba c =
+      p.stencil.texture->lookup(uv, call.point, {.wrap_u = Wrap::Clamp, .wrap_v = Wrap::Clamp});
+  const float value = (c.r + c.g + c.b) / 3, ceiling = ceiling_of(p);
+  if (value < p.floor) return rgb(p.floor_color);
+  if (value > ceiling) return rgb(p.ceil_color);
+  const float shown = (value - p.floor) / (ceiling - p.floor);
+  return color * shown + rgb(p.floor_color) * (1 - shown);
+}
+
+Rgb clamp_lens(const Call& call, const LensCall&, const Rgb& color) {
+  const auto& p = call.as<Clamp>();
+  const float ceiling = ceiling_of(p), range = ceiling - p.floor;
+  if (!p.luminance)
+    return Rgb(clamp01((color.x - p.floor) / range), clamp01((color.y - p.floor) / range),
+               clamp01((color.z - p.floor) / range));
+  const float l = luminance(color);
+  if (l < p.floor) return rgb(p.floor_color);
+  if (l > ceiling) return rgb(p.ceil_color);
+  return l > 0 ? color * ((l - p.floor) / range / l) : Rgb(0);
+}
+
+AirValue fog(const Call& call) {
+  const auto& p = call.as<Volume>();
+  if (!(p.max > 0)) return {};
+  const float dense = clamp01(call.point.ray_length / p.max);
+  return {Rgb(1 - dense), rgb(p.color) * dense};
+}
+
+}  // namespace
+
+const ShaderSpec kMibLensStencil = {
+    .name = "mib_lens_stencil",
+    .library = "base",
+    .apply = kApplyLens,
+    .doc = "A picture over the image that covers parts of it.",
+    .params = kStencilRows,
+    .params_size = sizeof(Stencil),
+    .lens = stencil,
+};
+
+const ShaderSpec kMibLensClamp = {
+    .name = "mib_lens_clamp",
+    .library = "base",
+    .apply = kApplyLens,
+    .doc = "Maps a range of brightness to 0..1 and cuts what lies out of it.",
+    .params = kClampRows,
+    .params_size = sizeof(Clamp),
+    .lens = clamp_lens,
+};
+
+const ShaderSpec kMibVolume = {
+    .name = "mib_volume",
+    .library = "base",
+    .apply = kApplyVolume,
+    .doc = "Even fog.",
+    .params = kVolumeRows,
+    .params_size = sizeof(Volume),
+    .volume = fog,
+};
+
+const ShaderSpec kOversamplingLens = {
+    .name = "oversampling_lens",
+    .library = "physics",
+    .apply = kApplyLens,
+    .doc = "Accepted; the sampler decides how many rays a pixel gets.",
+    .params = kOversamplingRows,
+    .params_size = sizeof(Oversampling),
+    .lens = [](const Call&, const LensCall&, const Rgb& color) { return color; },
+};
+
+}  // namespace oriel

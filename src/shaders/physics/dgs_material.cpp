@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/physics/dgs_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/fresnel.h"
+#include "bsdf/gloss.h"
+#include "runtime/bump.h"
+#include "runtime/closure.h"
+#include "runtime/shader_node.h"
+
+namespace oriel {
+namespace {
+
+struct Dgs {
+  Rgba diffuse, glossy, specular;
+  float shiny, shiny_u, shiny_v;
+  float transp, ior;
+  ArrayView<LightRef> lights;
+  int mode;
+};
+struct Dielectric {
+  Rgba col;
+  float ior;
+  Rgba col_out;
+  float ior_out;
+  bool ignore_normals;
+  float phong_coef;
+  ArrayView<LightRef> lights;
+  int mode;
+};
+struct PhotonBasic {
+  Rgba diffuse, specular, transp;
+  float ior_frac;
+};
+
+constexpr const char* kMode =
+    "Which lights: 0 list or linked or all, 1 the list, 2 all but it, 4 linked or all.";
+
+constexpr ParamSpec kDgsRows[] = {
+    {ORIEL_PARAM(Dgs, diffuse), .doc = "Diffuse colour.", .declared_default = false},
+    {ORIEL_PARAM(Dgs, glossy), .doc = "Colour of the blurred reflection.",
+     .declared_default = false},
+    {ORIEL_PARAM(Dgs, specular), .doc = "Colour of the mirror.", .declared_default = false},
+    {ORIEL_PARAM(Dgs, shiny), .min = 0,
+     .doc = "Narrowness of the blurred reflection, like Phong's exponent; 0 = the next two.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Dgs, shiny_u), .min = 0, .doc = "Narrowness along the surface's u.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Dgs, shiny_v), .min = 0, .doc = "Narrowness across it.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Dgs, transp), .min = 0, .max = 1,
+     .doc = "Share of all three that goes through the surface.", .declared_default = false},
+    {ORIEL_PARAM(Dgs, ior), .min = 0, .doc = "Index of refraction; 0 = 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Dgs, lights), .doc = "The list.", .declared_default = false},
+    {ORIEL_PARAM(Dgs, mode), .doc = kMode, .declared_default = false},
+};
+constexpr ParamSpec kDielectricRows[] = {
+    {ORIEL_PARAM(Dielectric, col), .unit = "per scene unit",
+     .doc = "Share that is left after a unit of length inside.", .declared_default = false},
+    {ORIEL_PARAM(Dielectric, ior), .min = 0, .doc = "Index inside; 0 = 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Dielectric, col_out), .unit = "per scene unit",
+     .doc = "The same outside; told by the surface that bounds it.", .support = Support::Ignored,
+     .declared_default = false},
+    {ORIEL_PARAM(Dielectric, ior_out), .min = 0, .doc = "Index outside; 0 = 1.",
+     .declared_default = false},
+    {ORIEL_PARAM(Dielectric, ignore_normals),
+     .doc = "Tell inside from outside by the depth of the ray; it is told by the normal.",
+     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(Dielectric, phong_coef), .min = 0,
+     .doc = "Exponent of a highlight of light sources; 0 = none.", .support = Support::Approximated,
+     .declared_default = false},
+    {ORIEL_PARAM(Dielectric, lights), .doc = "The list.", .declared_default = false},
+    {ORIEL_PARAM(Dielectric, mode), .doc = kMode, .declared_default = false},
+};
+constexpr ParamSpec kPhotonBasicRows[] = {
+    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters.", .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, specular), .doc = "Share that is mirrored.",
+     .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes.", .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, ior_frac), .min = 0,
+     .doc = "Index of the side entered over that of the side left; 0 = 1.",
+     .declared_default = false},
+};
+
+float or_one(float index) { return index > 0 ? index : 1; }
+
+/// Far side over viewer's side, of a solid of index `inside` in `outside`; bounded, since beyond
+/// directions round to nothing.
+float ratio(const ShadingPoint& point, float inside, float outside = 1) {
+  const float eta = or_one(inside) / or_one(outside);
+  return clamp(point.back_side ? 1 / eta : eta, 0.1f, 10);
+}
+
+float roughness_of(float shiny) { return std::sqrt(2 / (4 * std::max(0.0f, shiny) + 2)); }
+
+void add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame, Closure& closure) {
+  if (is_black(level)) return;
+  closure.add(kind, channel, level, frame);
+  closure.albedo += level;
+}
+
+void add_glossy(const Dgs& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
+                LobeKind kind, Closure& closure) {
+  if (is_black(level)) return;
+  const bool even = p.shiny != 0;
+  Lobe& lobe = closure.add(
+      kind, kind == LobeKind::GlossyReflection ? Channel::Reflection : Channel::Refraction, level,
+      even ? Frame(normal) : Frame::along(normal, point.dpdu));
+  const bsdf::Roughness roughness = bsdf::limited_roughness(
+      roughness_of(even ? p.shiny : p.shiny_u), roughness_of(even ? p.shiny : p.shiny_v));
+  lobe.alpha_x = roughness.ax;
+  lobe.alpha_y = roughness.ay;
+  closure.albedo += level;
+}
+
+void dgs(const Call& call, Closure& closure) {
+  const auto& p = call.as<Dgs>();
+  const ShadingPoint& point = call.point;
+  closure.light_mode = p.mode;
+  closure.lights = p.lights;
+  const Vec3 normal = facing_viewer(point.normal, point);
+  const Vec3 mirroring = reflecting_outward(normal, point);
+  const float through = clamp01(p.transp);
+  const Rgb diffuse = rgb(p.diffuse), glossy = rgb(p.glossy), specular = rgb(p.specular);
+  add(LobeKind::Diffuse, Channel::Diffuse, diffuse * (1 - through), Frame(normal), closure);
+  add_glossy(p, point, mirroring, glossy * (1 - through), LobeKind::GlossyReflection, closure);
+  add(LobeKind::Mirror, Channel::Reflection, specular * (1 - through), Frame(mirroring), closure);
+  if (through == 0) return;
+
+  const float eta = ratio(point, p.ior);
+  closure.thin_walled = eta == 1;
+  const int first = closure.count;
+  add(LobeKind::Translucency, Channel::Translucency, diffuse * through, Frame(normal), closure);
+  add_glossy(p, point, normal, glossy * through,
+             eta == 1 ? LobeKind::GlossyThin : LobeKind::GlossyRefraction, closure);
+  add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, Channel::Refraction,
+      specular * through, Frame(normal), closure);
+  for (int i = first; i < closure.count; ++i) closure.lobes[i].eta = eta;
+}
+
+int dgs_lobes(const ShaderNode& node) {
+  const bool through = node.constants<Dgs>().transp > 0 || node.connected(offsetof(Dgs, transp));
+  return through ? 6 : 3;
+}
+
+void dielectric(const Call& call, Closure& closure) {
+  const auto& p = call.as<Dielectric>();
+  const ShadingPoint& point = call.point;
+  closure.light_mode = p.mode;
+  closure.lights = p.lights;
+  closure.thin_walled = false;
+  const Vec3 normal = facing_viewer(point.normal, point);
+  const float eta = ratio(point, p.ior, p.ior_out);
+  const float reflected = bsdf::fresnel_dielectric(dot(normal, point.wo()), eta);
+  add(LobeKind::Mirror, Channel::Reflection, Rgb(reflected),
+      Frame(reflecting_outward(normal, point)), closure);
+  if (reflected < 1) {
+    closure.add(LobeKind::ClearRefraction, Channel::Refraction, Rgb(1 - reflected), Frame(normal))
+        .eta = eta;
+    closure.albedo += Rgb(1 - reflected);
+  }
+  if (p.phong_coef > 0 && reflected > 0) {
+    Lobe& lobe =
+        closure.add(LobeKind::PhongHighlight, Channel::Reflection, Rgb(reflected), Frame(normal));
+    lobe.roughness = p.phong_coef;
+    lobe.controls.highlights_only = true;
+  }
+  // col^d = exp(-absorption d); what is black is so within a hundredth of a unit.
+  constexpr float kDarkest = 1e-30f;
+  const Rgb col = rgb(p.col);
+  for (int k = 0; k < 3; ++k) closure.inside.absorption[k] = -std::log(clamp(col[k], kDarkest, 1));
+}
+
+void photon_basic(const Call& call, Closure& closure) {
+  const auto& p = call.as<PhotonBasic>();
+  const Vec3 normal = facing_viewer(call.point.normal, call.point);
+  add(LobeKind::Diffuse, Channel::Diffuse, rgb(p.diffuse), Frame(normal), closure);
+  add(LobeKind::Mirror, Channel::Reflection, rgb(p.specular),
+      Frame(reflecting_outward(normal, call.point)), closure);
+  const float eta = clamp(or_one(p.ior_frac), 0.1f, 10);
+  const Rgb transp = rgb(p.transp);
+  if (is_black(transp)) return;
+  add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, Channel::Refraction,
+      transp, Frame(normal), closure);
+  closure.lobes[closure.count - 1].eta = eta;
+  closure.thin_walled = eta == 1;
+}
+
+void pass_all(const Call&, Closure& closure) { closure.opacity = 0; }
+
+bool always(const ShaderNode&) { return true; }
+
+}  // namespace
+
+const ShaderSpec kDgsMaterial = {
+    .name = "dgs_material",
+    .library = "physics",
+    .version = 3,
+    .apply = kApplyMaterial,
+    .doc = "Diffuse, glossy and specular parts that reflect and let light through.",
+    .params = kDgsRows,
+    .params_size = sizeof(Dgs),
+    .material = dgs,
+    .most_lobes = dgs_lobes,
+};
+
+const ShaderSpec kDgsMaterialPhoton = {
+    .name = "dgs_material_photon",
+    .library = "physics",
+    .version = 3,
+    .apply = kApplyPhoton,
+    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .params = kDgsRows,
+    .params_size = sizeof(Dgs),
+    .material = dgs,
+    .most_lobes = dgs_lobes,
+};
+
+const ShaderSpec kPathMaterial = {
+    .name = "path_material",
+    .library = "physics",
+    .version = 2,
+    .apply = kApplyMaterial,
+    .doc = "The same as dgs_material.",
+    .params = kDgsRows,
+    .params_size = sizeof(Dgs),
+    .material = dgs,
+    .most_lobes = dgs_lobes,
+};
+
+const ShaderSpec kDielectricMaterial = {
+    .name = "dielectric_material",
+    .library = "physics",
+    .version = 2,
+    .apply = kApplyMaterial,
+    .doc = "Glass and liquids: Fresnel's reflection and refraction, absorption inside.",
+    .params = kDielectricRows,
+    .params_size = sizeof(Dielectric),
+    .material = dielectric,
+    .may_transmit = always,
+    .most_lobes = [](const ShaderNode&) { return 3; },
+};
+
+const ShaderSpec kDielectricMaterialPhoton = {
+    .name = "dielectric_material_photon",
+    .library = "physics",
+    .version = 2,
+    .apply = kApplyPhoton,
+    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .params = kDielectricRows,
+    .params_size = sizeof(Dielectric),
+    .material = dielectric,
+    .may_transmit = always,
+    .most_lobes = [](const ShaderNode&) { return 3; },
+};
+
+const ShaderSpec kTransmat = {
+    .name = "transmat",
+    .library = "physics",
+    .apply = kApplyMaterial | kApplyShadow,
+    .doc = "Lets everything through unchanged.",
+    .material = pass_all,
+    .may_transmit = always,
+    .most_lobes = [](const ShaderNode&) { return 0; },
+};
+
+const ShaderSpec kTransmatPhoton = {
+    .name = "transmat_photon",
+    .library = "physics",
+    .apply = kApplyPhoton,
+    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .material = pass_all,
+    .may_transmit = always,
+    .most_lobes = [](const ShaderNode&) { return 0; },
+};
+
+const ShaderSpec kMibPhotonBasic = {
+    .name = "mib_photon_basic",
+    .library = "base",
+    .apply = kApplyPhoton,
+    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .params = kPhotonBasicRows,
+    .params_size = sizeof(PhotonBasic),
+    .material = photon_basic,
+    .most_lobes = [](const ShaderNode&) { return 3; },
+};
+
+}  // namespace oriel
