@@ -23,6 +23,8 @@
 #include "shaders/base/mib_texture.h"
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
+#include "shaders/hosts/maya_light.h"
+#include "shaders/hosts/maya_surface.h"
 #include "shaders/physics/dgs_material.h"
 
 namespace oriel {
@@ -139,7 +141,16 @@ const Registry& builtin_shaders() {
       &kPathMaterial,
       &kPhysicalLight,
       &kTransmat,
-      &kTransmatPhoton,
+      &kTransmatPhoton,  //
+      &kMayaBlinn,
+      &kMayaDirectionallight,
+      &kMayaLambert,
+      &kMayaPhong,
+      &kMayaPointlight,
+      &kMayaShadingengine,
+      &kMayaShadow,
+      &kMayaSpotlight,
+      &kMayaSurfaceshader,
   });
   return registry;
 }

@@ -46,6 +46,8 @@ struct Case {
       params.set("refl_gloss", kWidestGloss * unit(engine));
       params.set("refr_gloss", kWidestGloss * unit(engine));
       params.set("anisotropy", 0.5f + 1.5f * unit(engine));
+      params.set("u_spread", 0.4f);
+      params.set("v_spread", 0.3f);
     }
     const float cosine =
         unit(engine) < 0.2f ? 0.02f + 0.1f * unit(engine) : 0.1f + 0.9f * unit(engine);
