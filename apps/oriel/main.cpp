@@ -29,7 +29,8 @@ int main(int argc, char** argv) {
   const std::vector<Command> commands = {
       add_render_command(program),    add_check_command(program), add_shaders_command(program),
       add_tonemap_command(program),   add_diff_command(program),  add_denoise_command(program),
-      add_recombine_command(program), add_sun_command(program)};
+      add_recombine_command(program), add_sun_command(program),   add_measure_command(program),
+      add_falsecolor_command(program)};
 
   std::string chosen;
   try {

@@ -15,6 +15,11 @@ Image read_named_picture(const std::string& path);
 /// cameras.
 inline constexpr const char* kFieldOfViewKey = "oriel.fieldOfView";
 
+/// cd/m2 of one unit of a pixel; of files with layers in lux or cd/m2.
+inline constexpr const char* kUnitLuminanceKey = "oriel.unitLuminance";
+inline constexpr const char* kIlluminanceLayer = "illuminance";
+inline constexpr const char* kLuminanceLayer = "luminance";
+
 /// Files that hold linear values, by their suffix.
 bool is_linear_file(const std::string& path);
 

@@ -16,6 +16,7 @@
 #include "render/output.h"
 #include "render/prepare.h"
 #include "render/session.h"
+#include "render/unit_luminance.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
 #include "sun_scene.h"
@@ -38,6 +39,7 @@ struct RenderArguments {
   std::optional<double> time;
   std::string gi, size, crop, camera, layers, sun;
   std::optional<double> north;
+  std::optional<float> unit_luminance;
   std::uint32_t seed = 0;
   int threads = 0;
   bool denoise = false, json = false, quiet = false;
@@ -87,7 +89,7 @@ LayerSet parse_layers(const std::string& text) {
     const std::string name = text.substr(at, end - at);
     const LayerSet bit = layer_bit(name);
     if (name == "all")
-      layers = kFilmLayers | kOutputLayers;
+      layers = kFilmLayers | kPhotometricLayers | kOutputLayers;
     else if (name == "outputs")
       layers |= kOutputLayers;
     else if (!bit && name != "beauty" && name != "alpha")
@@ -119,6 +121,8 @@ RenderPlan plan_of(const RenderArguments& a) {
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
   if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
+  if (a.unit_luminance && !(*a.unit_luminance > 0))
+    throw UsageError("--unit-luminance: more than 0");
   if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
   if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
   if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
@@ -173,6 +177,8 @@ class FrameRenderer {
 
     SessionSettings settings = plan_.session;
     settings.outputs = keeps_outputs();
+    settings.irradiance = std::any_of(files_.begin(), files_.end(), needs_irradiance);
+    settings.unit_luminance = unit_of_pixels();
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;
     session_.emplace(*world_, settings);
@@ -210,6 +216,21 @@ class FrameRenderer {
           picture_file(frame_path(fs::path(a_.scene.path).stem().string() + ".exr", frame)));
     if (plan_.layers)
       for (PictureFile& file : files_) file.layers = *plan_.layers;
+  }
+
+  bool has_photometric_layers() const {
+    return std::any_of(files_.begin(), files_.end(),
+                       [](const PictureFile& f) { return (f.layers & kPhotometricLayers) != 0; });
+  }
+
+  /// cd/m2, asked for only where a layer is told in it.
+  float unit_of_pixels() {
+    if (!has_photometric_layers()) return 1;
+    if (a_.unit_luminance) return *a_.unit_luminance;
+    NodeList exposures;
+    for (const PictureFile& file : files_)
+      exposures.insert(exposures.end(), file.shaders.begin(), file.shaders.end());
+    return unit_luminance(*world_, exposures, diagnostics_).cd_m2;
   }
 
   /// Maps that the options name, below the scene's folder alone.
@@ -281,6 +302,8 @@ class FrameRenderer {
     if (!c.orthographic)
       m[kFieldOfViewKey] =
           fmt::format("{:.9g}", 2 * std::atan(c.aperture / (2 * c.focal)) * 180 / kPi);
+    if (has_photometric_layers())
+      m[kUnitLuminanceKey] = fmt::format("{:.9g}", session_->unit_luminance());
     if (p.noise) m["oriel.noise"] = fmt::format("{:.6g}", *p.noise);
     if (!a_.scene.edits.empty())
       m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
@@ -388,8 +411,10 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--camera", a->camera, "Camera instance to use");
   app->add_option(
       "--layers", a->layers,
-      "Layers of EXR files, comma between: beauty, depth, ..., outputs (of materials) or "
-      "all");
+      "Layers of EXR files, comma between: beauty, depth, ..., illuminance (lux), luminance "
+      "(cd/m2), outputs (of materials) or all");
+  app->add_option("--unit-luminance", a->unit_luminance,
+                  "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
   app->add_flag("--denoise", a->denoise,
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");

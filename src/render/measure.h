@@ -40,9 +40,9 @@ using Quantity =
 ///          within. The interval is Student's t over the means of the batches. A pass doubles the
 ///          number of batches of the readings that are not good enough yet. Readings end when their
 ///          interval happens to look narrow, which it does too often: for that half of the degrees
-///          of freedom are given away, and the number of batches grows, not their size. With even,
-///          hit-or-miss and long-tailed quantities 94.2 to 95.5 of 100 simulated intervals held the
-///          truth (all degrees and batches of twice the size: 92 to 95).
+///          of freedom are given away, and the number of batches grows, not their size. Of
+///          simulated intervals of hit-or-miss quantities 95 in 100 held the truth, of quantities
+///          with long tails 93 to 95 (all degrees and batches of twice the size: 91 to 94).
 ///          What no sample has found is not in the interval: light that one path of ten thousand
 ///          finds needs more samples than that, whatever the interval says.
 ///          Deterministic, unless time ends it.

@@ -209,6 +209,7 @@ bool Path::arrive(const geom::Hit& hit) {
     result_->normal = point.normal;
     result_->albedo = closure.albedo;
     alpha_open_ = true;
+    if (settings_.meters) meter(closure, point);
   }
   add(at_vertex(Component::Added), throughput_ * closure.emission);
   return closure.count > 0 && gather(closure, material, point);
