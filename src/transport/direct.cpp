@@ -103,6 +103,10 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     if (!s) return;
     Response r = evaluate_closure(closure, lobes, point, wo, s->wi,
                                   light.visible && !closure.highlights_of_visible_lights);
+    // What the light's shader keeps from either kind of lobe.
+    r.diffuse.value *= s->affects_diffuse;
+    for (Rgb* specular : {&r.reflection.value, &r.refraction.value, &r.highlight})
+      *specular *= s->affects_specular;
     const bool looked_through = light.portal && !light.portal->visible;
     const LightInReflection in = looked_through ? hidden_portal_in_reflection(closure)
                                                 : light_in_reflection(closure, light.visible);

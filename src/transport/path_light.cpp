@@ -58,8 +58,10 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (!alone && (!hit->shadow || !from_.shadows)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
-    const Rgb arriving =
-        lights_ * hit->radiance * transmittance(medium_.medium, hit->t - from_.passed) * weight;
+    const float affects =
+        from_.group == LobeGroup::Diffuse ? hit->affects_diffuse : hit->affects_specular;
+    const Rgb arriving = lights_ * hit->radiance * affects *
+                         transmittance(medium_.medium, hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     if (from_.group == LobeGroup::Reflection) {
       const LightInReflection& in = looked_through  ? from_.hidden_portal

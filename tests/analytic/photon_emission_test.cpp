@@ -2,6 +2,8 @@
 // First hits of photons against direct light, for every kind of light.
 #include "runtime/light_emission.h"
 
+#include <fstream>
+
 #include "probe.h"
 
 namespace oriel::analytic {
@@ -149,6 +151,66 @@ TEST(PhotonEmission, FirstHitsBringWhatDirectLightBrings) {
     const Probe probe(scene);
     expect_agreement(c.name, &probe.world().lights[0], probe.world());
   }
+}
+
+/// A lopsided lamp, mostly downward, and its element.
+std::string measured_lamp() {
+  const std::string path = testing::TempDir() + "/oriel-emission.ies";
+  std::ofstream(path) << "IESNA91\nTILT=NONE\n1 -1 1 5 3 1 2 0 0 0 1 1 40\n0 30 60 90 180\n"
+                         "0 90 180\n9 8 3 1 0\n9 14 6 1 0\n9 5 1 0 0\n";
+  return fmt::format("lightprofile \"lp\" format ies file \"{}\" end lightprofile", path);
+}
+
+// acceptance: H4, H6
+TEST(PhotonEmission, MeasuredLightsSendByTheirProfile) {
+  const std::string mib = "\"mib_light_photometric\" ( \"color\" 1 1 1, \"profile\" \"lp\" ) ";
+  const std::string mia =
+      "\"mia_photometric_light\" ( \"distribution_mode\" 2, \"profile\" \"lp\", "
+      "\"intensity_mode\" 1, \"manual_flux_lm\" 80 ) energy 1 1 1 ";
+  const std::string down = "direction .1 0 -1 spread -1 ";
+  const struct {
+    const char* name;
+    std::string element;
+    bool even;  // all photons that come out are equally strong
+  } kCases[] = {
+      {"measured point", mib + "origin 0 0 1.5", true},
+      {"measured point by flux", mia + "origin 0 0 1.5", true},
+      {"measured spot", mib + "origin 0 0 2 direction .1 0 -1 spread .8", true},
+      {"measured point, decay 1", mib + "origin 0 0 1.5 exponent 1", false},
+      {"physical point by profile", physical(100) + " origin 0 0 1.5 lightprofile \"lp\"", true},
+      {"measured rectangle", mib + "origin 0 0 1 " + down + "rectangle 1 0 .1 0 2 0 3 3", true},
+      {"measured disc", mib + "origin 0 0 1 " + down + "disc 0 0 -1 .5 3 3", true},
+      {"measured sphere", mib + "origin 0 0 1 " + down + "sphere .5 3 3", true},
+      {"measured cylinder", mib + "origin 0 0 1 " + down + "cylinder 1 0 .2 .25 3 3", true},
+      {"spot by cosine",
+       "\"mia_photometric_light\" ( \"distribution_mode\" 1, \"spotlight_cosine_bias\" 3, "
+       "\"manual_peak_intensity_cd\" 9 ) origin 0 0 2 direction 0 0 -1 spread .7",
+       false},
+  };
+  for (const auto& c : kCases) {
+    SceneText scene = stage();
+    scene.statement(measured_lamp()).light("lamp", c.element);
+    const Probe probe(scene);
+    const Light& light = probe.world().lights[0];
+    expect_agreement(c.name, &light, probe.world(), light.photons.emission);
+    if (!c.even) continue;
+    const PhotonSource source(probe.world(), light, light.photons.emission);
+    float power = 0;
+    for (int i = 0; i < 1000; ++i) {
+      sampling::Sampler s(i, 0, 0);
+      const Vec2 u = s.next_2d();
+      const float here = source.power(source.emit(u, s.next_2d()), 1).y;
+      if (here <= 0) continue;  // the side that a flat shape keeps back
+      if (power == 0) power = here;
+      ASSERT_NEAR(here, power, .01f * power) << c.name;
+    }
+    EXPECT_GT(power, 0) << c.name;
+  }
+  // The flux asked for is what leaves, in the unit of pi per colour.
+  SceneText scene = stage();
+  scene.statement(measured_lamp()).light("lamp", mia + "origin 0 0 1");
+  const Probe probe(scene);
+  EXPECT_NEAR(PhotonSource(probe.world(), probe.world().lights[0]).estimate_flux(64).y, 80, .05);
 }
 
 // acceptance: H4
