@@ -35,6 +35,7 @@ Command add_diff_command(CLI::App& program);
 Command add_denoise_command(CLI::App& program);
 Command add_recombine_command(CLI::App& program);
 Command add_sun_command(CLI::App& program);
+Command add_profile_command(CLI::App& program);
 Command add_measure_command(CLI::App& program);
 Command add_falsecolor_command(CLI::App& program);
 

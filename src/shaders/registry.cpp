@@ -5,6 +5,7 @@
 
 #include "shaders/architectural/mia_exposure.h"
 #include "shaders/architectural/mia_lens_bokeh.h"
+#include "shaders/architectural/mia_light_surface.h"
 #include "shaders/architectural/mia_material.h"
 #include "shaders/architectural/mia_photometric_light.h"
 #include "shaders/architectural/mia_portal_light.h"
@@ -76,6 +77,7 @@ const Registry& builtin_shaders() {
       &kMiaPhotometricLight,
       &kMiaCieSky,
       &kMiaExposurePhotographic,
+      &kMiaLightSurface,
       &kMiaExposureSimple,
       &kMiaLensBokeh,
       &kPhysicalLensDof,  //

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_light_surface: what a lamp's bulb or tube looks like while a light does the lighting.
+//
+// Model:  color * (sum of the lights * lights_multiplier + intensity). The lights are those that a
+//         white surface facing each of them would show, without shadows: at the point itself, or,
+//         where lights_eval_point is not 0, at that place of each light's own space, whatever the
+//         surface is. So a bulb within a light by a profile glows evenly.
+#include "shaders/architectural/mia_light_surface.h"
+
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  Rgba color;
+  float intensity, fg_contrib, refl_contrib;
+  bool use_lights;
+  float lights_multiplier;
+  Vec3 lights_eval_point;
+  ArrayView<LightRef> lights;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, color), .fallback = {1, 1, 1}, .doc = "Scales all of it."},
+    {ORIEL_PARAM(P, intensity), .fallback = {1}, .doc = "What it shows by itself."},
+    {ORIEL_PARAM(P, fg_contrib), .min = 0,
+     .doc = "Share that diffuse surfaces see: 1 = it lights the scene."},
+    {ORIEL_PARAM(P, refl_contrib), .min = 0, .doc = "Share that reflections show."},
+    {ORIEL_PARAM(P, use_lights), .doc = "Adds what the lights bring.", .declared_default = false},
+    {ORIEL_PARAM(P, lights_multiplier), .fallback = {1}, .doc = "Scales what the lights bring."},
+    {ORIEL_PARAM(P, lights_eval_point), .unit = "scene units",
+     .doc = "Where the lights are asked, in their own space; 0 = at the point seen."},
+    {ORIEL_PARAM(P, lights), .doc = "Instances of lights to ask.", .declared_default = false},
+};
+
+/// What the lights bring, per colour of a light (runtime/light.h).
+Rgb light_sum(const P& p, const ShadingPoint& point) {
+  Rgb sum(0);
+  for (const LightRef ref : p.lights) {
+    if (ref.index < 0) continue;
+    const Light& light = point.world->lights[static_cast<std::size_t>(ref.index)];
+    ShadingPoint at;
+    at.world = point.world;
+    at.ray_kind = RayKind::Light;
+    const bool fixed = p.lights_eval_point != Vec3(0);
+    at.position = fixed ? transform_point(p.lights_eval_point, light.to_world) : point.position;
+    // The middle of a shape stands for all of it: a glow without noise.
+    if (const auto s = sample_light(light, at, Vec2(0.5f))) sum += s->irradiance * kInvPi;
+  }
+  return sum;
+}
+
+/// How much of it a ray of that kind sees.
+float share_seen(const P& p, RayKind kind) {
+  if (kind == RayKind::FinalGather) return p.fg_contrib;
+  if (kind == RayKind::Reflect) return p.refl_contrib;
+  return 1;
+}
+
+void value(const Call& call, void* result) {
+  const P& p = call.as<P>();
+  Rgb shown(0);
+  const float share = share_seen(p, call.point.ray_kind);
+  if (share != 0) {
+    shown = Rgb(p.intensity);
+    if (p.use_lights && call.point.world) shown += light_sum(p, call.point) * p.lights_multiplier;
+    shown *= rgb(p.color) * share;
+  }
+  *static_cast<Rgba*>(result) = Rgba(shown.x, shown.y, shown.z, 1);
+}
+
+}  // namespace
+
+const ShaderSpec kMiaLightSurface = {
+    .name = "mia_light_surface",
+    .library = "architectural",
+    .version = 3,
+    .apply = kApplyTexture,
+    .doc = "The visible part of a lamp, as bright as a light and told apart for each kind of ray.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .value = value,
+};
+
+}  // namespace oriel
