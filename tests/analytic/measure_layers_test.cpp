@@ -44,7 +44,7 @@ constexpr const char* kMirror =
 constexpr const char* kGlass = "\"diffuse_weight\" 0, \"transparency\" 1, \"refr_ior\" 1.5";
 constexpr const char* kWhite = "\"diffuse\" 1 1 1, \"reflectivity\" 0";
 
-TEST(MeasureLayers, IlluminanceIsTheSameOnEverySurfaceAndByEveryMethod) {
+TEST(MeasureLayers, IlluminanceIsTheSameOnEverySurface) {
   const std::string options = "trace depth 8 8 12 shadow segments ";
   for (const char* material : {kWhite, kBlack, kMirror, kGlass})
     EXPECT_NEAR(Rendered(plate(material, options)).mean_lux(), kExact, .01 * kExact) << material;
