@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What do portals spare where the sky comes through a window?
+// What do portals spare where the sky comes through a window, or a picture that is named?
 //
 // A room is path traced without a portal, with one, and with the window in sixteen. Errors are
 // relative squares against a converged picture, over all pixels; as they fall with the number of
@@ -34,8 +34,13 @@ std::string quad(int i, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
                     i);
 }
 
+/// What is outside: statements before, and the camera's environment.
+struct Surroundings {
+  std::string statements, environment;
+};
+
 /// n x n portals, none for 0; the camera looks from the window wall into the room.
-std::string room(const char* environment, int n) {
+std::string room(const Surroundings& around, int n) {
   const auto [y0, y1, z0, z1] = kOpening;
   const float x = 4, y = 1.5f, z = 3;
   const Vec3 walls[][4] = {
@@ -54,7 +59,8 @@ std::string room(const char* environment, int n) {
   std::string text =
       "options \"opt\" object space trace on trace depth 4 4 8 \"indirect\" \"path\" end options\n"
       "material \"wall\" \"mia_material_x\" ( \"diffuse\" .6 .6 .6, \"reflectivity\" 0 ) end "
-      "material\n";
+      "material\n" +
+      around.statements;
   std::string members;
   int i = 0;
   for (const auto& w : walls) {
@@ -80,7 +86,7 @@ std::string room(const char* environment, int n) {
                     "0 -1.5 .1 1 end instance\n"
                     "instgroup \"world\" \"cam_i\"{} end instgroup\n"
                     "render \"world\" \"cam_i\" \"opt\"\n",
-                    kWidth, kHeight, environment, members);
+                    kWidth, kHeight, around.environment, members);
 }
 
 using Picture = std::vector<Rgb>;
@@ -121,10 +127,9 @@ double relative_error(const Picture& a, const Picture& exact) {
   return sum / static_cast<double>(a.size());
 }
 
-void compare(const char* name, const char* environment, int reference_samples) {
+void compare(const char* name, const Surroundings& around, int reference_samples) {
   constexpr int kSamples = 16, kRounds = 5;
-  const Room rooms[] = {Room(room(environment, 0)), Room(room(environment, 1)),
-                        Room(room(environment, 4))};
+  const Room rooms[] = {Room(room(around, 0)), Room(room(around, 1)), Room(room(around, 4))};
   const Picture exact = rooms[1].render(reference_samples, 1);
   const ThreadLimit limit(1);
   fmt::print("{}: error at equal time, {} paths a pixel\n", name, kSamples);
@@ -151,7 +156,17 @@ void compare(const char* name, const char* environment, int reference_samples) {
 
 }  // namespace
 
-int main() {
-  compare("sky", "\"mia_physicalsky\" ( \"sun_direction\" -.6 -.5 .5, \"haze\" 1 )", 1024);
+int main(int argc, char** argv) {
+  if (argc > 2) {
+    fmt::print(stderr, "usage: portal_bench [PROBE]   (a latitude-longitude picture)\n");
+    return 2;
+  }
+  compare("sky", {"", "\"mia_physicalsky\" ( \"sun_direction\" -.6 -.5 .5, \"haze\" 1 )"}, 1024);
+  // Up in the picture is +y, so it lies on its side around the room.
+  if (argc == 2)
+    compare("probe",
+            {fmt::format("color texture \"probe\" \"{}\"\n", argv[1]),
+             "\"mib_lookup_spherical\" ( \"tex\" \"probe\" )"},
+            1024);
   return EXIT_SUCCESS;
 }

@@ -147,6 +147,11 @@ class Probe {
   Measured picture(int samples) const {
     return pixels(0, 0, world_->camera.width, world_->camera.height, samples);
   }
+  /// Over the rays that `eye(sampler, sample)` returns, each with its place on the raster.
+  template <class F>
+  Measured over(int samples, const F& eye) const {
+    return measure(samples, eye);
+  }
 
  private:
   /// Batches with independent random numbers, so that their spread is the error of the mean even

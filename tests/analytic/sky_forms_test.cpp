@@ -171,6 +171,11 @@ TEST(Sky, TheDiscIsSeenButLightsNothing) {
     SceneText scene;
     scene.environment(sky(more)).material("mirror", kMirror).lambert("card", .5f);
     scene.square("mirror", Vec3(0), 1, kUp).square("card", Vec3(9, 0, 0), 1, kUp);
+    scene
+        .material("pane",
+                  "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, "
+                  "\"thin_walled\" on")
+        .square("pane", Vec3(20, 0, 0), 1, kUp);
     return Probe(scene);
   };
   const Probe plain = probe_of(""), loud = probe_of(
@@ -184,6 +189,34 @@ TEST(Sky, TheDiscIsSeenButLightsNothing) {
   EXPECT_GT(seen.y, 100);
   expect_exact("the disc", loud.ray(Vec3(0, 0, 1), sun, 64), seen);
   expect_exact("the disc in a mirror", loud.ray(-down * .1f, down, 64), seen);
+  expect_exact("the disc through glass", loud.ray(Vec3(20, 0, 0) - sun * .1f, sun, 64), seen);
+}
+
+// acceptance: S7
+TEST(Sky, TheGroundLightsAWallAndTakesNoShadows) {
+  // Sky and what it is without its ground: the rest is half of what the ground sends, since a wall
+  // sees ground in the lower half. A roof over the wall keeps sky and sun from the land before it,
+  // which the sky's ground does not know.
+  const auto wall = [](const std::string& ground, bool roof) {
+    SceneText scene;
+    scene.environment(sky("\"horizon_blur\" 0, \"ground_color\" " + ground))
+        .lambert("card", 1)
+        .square("card", Vec3(0), .1f, Vec3(1, 0, 0));
+    if (roof) scene.lambert("roof", 0).square("roof", Vec3(0, 0, 1), 50, -kUp);
+    return Probe(scene).onto(Vec3(0), Vec3(1, 0, 0), 0, 1 << 16);
+  };
+  sky::SkyParameters p = parameters();
+  p.horizon_blur = 0;
+  p.ground_color = Rgb(.6f, .2f, .1f);
+  const Rgb exact = sky::PhysicalSky(p).ground_radiance() * .5f;
+  for (const bool roof : {false, true}) {
+    const Measured with = wall(".6 .2 .1", roof), without = wall("0 0 0", roof);
+    for (int k = 0; k < 3; ++k) {
+      const float error = std::hypot(with.error[k], without.error[k]);
+      EXPECT_NEAR(with.mean[k] - without.mean[k], exact[k], 4 * error + 1e-3f * exact[k]) << roof;
+      EXPECT_LE(error, .01f * exact[k]) << "too noisy";
+    }
+  }
 }
 
 // acceptance: S13

@@ -44,6 +44,20 @@ TEST_P(Methods, BringTheSameLightToThePicture) {
   }
 }
 
+// Gather rays from inside end at the portal; its light is direct.
+// acceptance: L1
+TEST(PortalMethods, GatheringBringsTheLightOfPaths) {
+  const Case c{"sky_portal", sky_portal, 32};
+  Comparison comparison(c.scene());
+  const Measured paths = comparison.render(kPath, c.samples, 4);
+  EXPECT_LE(paths.picture.error, kReferenceError * paths.picture.mean) << "the reference is noisy";
+  print_row(c, kPath, paths, paths);
+  const Measured m = comparison.render(kFinalGather, 16, 2);
+  EXPECT_NEAR(m.picture.mean / paths.picture.mean, 1, kTolerance);
+  EXPECT_NEAR(m.indirect.mean / paths.indirect.mean, 1, kTolerance);
+  print_row(c, kFinalGather, m, paths);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Keystone, Methods,
     ::testing::Values(Case{"closed_box", closed_box, 32}, Case{"sky_window", sky_window, 64},
