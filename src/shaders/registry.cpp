@@ -77,6 +77,7 @@ const Registry& builtin_shaders() {
       &kMiaPhotometricLight,
       &kMiaCieSky,
       &kMiaExposurePhotographic,
+      &kMiaExposurePhotographicRev,
       &kMiaLightSurface,
       &kMiaExposureSimple,
       &kMiaLensBokeh,

@@ -136,6 +136,34 @@ TEST(Preview, ThatCannotBeReadIsSaidAndTheSceneRendered) {
   EXPECT_GT(r.session->rays().eye, 0u);
 }
 
+// A finished picture behind the scene, in light and back: with every step of the exposure at work,
+// and from pixel to pixel another vignetting.
+TEST(ReverseExposure, PlateBehindTheSceneComesOutAsItWas) {
+  const std::string camera =
+      "\"cm2_factor\" 2, \"whitepoint\" 1 .9 .7, \"f_number\" 4, \"vignetting\" 3, "
+      "\"burn_highlights\" .2, \"crush_blacks\" .3, \"saturation\" 1.2";
+  const auto plate = [&](const std::string& reverse) {
+    return Rendered(
+        "options \"opt\" object space end options camera \"cam\" focal 1 aperture 1 "
+        "aspect 1.333333 resolution 16 12 lens \"mia_exposure_photographic\" ( " +
+        camera + " ) environment \"mia_exposure_photographic_rev\" ( " + reverse +
+        ", \"input\" .2 .5 .8 ) end camera instance \"cam_i\" \"cam\" end instance "
+        "instgroup \"root\" \"cam_i\" end instgroup render \"root\" \"cam_i\" "
+        "\"opt\"\n");
+  };
+  const Rendered r = plate(camera);
+  EXPECT_EQ(r.scene.messages(), "");
+  EXPECT_EQ(r.scene.report.binding.approximated.count("mia_exposure_photographic_rev.input"), 1u);
+  const Image shown = r.picture();
+  // Quarters of a pixel are mapped by their means, and vignetting changes within them.
+  each_pixel([&](int x, int y) { expect_near(pixel(shown, x, y), Rgb(.2f, .5f, .8f), 1e-3f); });
+  // The light behind it is brighter where the film is dimmer.
+  EXPECT_GT(r.film(0, 0).y, 1.2f * r.film(kWidth / 2, kHeight / 2).y);
+  // Another camera shows it otherwise.
+  const Image other = plate("\"f_number\" 4").picture();
+  EXPECT_GT(std::abs(pixel(other, 8, 6).y - .5f), .02f);
+}
+
 // acceptance: X8
 TEST(SideChannel, LensAndOutputShadersAgreeWhereTheMappingIsLinear) {
   const Image lens = Rendered(scene_with("lens " + kLinear + " )")).picture();

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_exposure_photographic_rev: which light the photographic exposure shows as a given colour, so
+// that a photograph behind the scene comes out as it was.
+#include <algorithm>
+
+#include "lens/exposure_reverse.h"
+#include "runtime/world.h"
+#include "shaders/architectural/mia_exposure.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  Rgba input;
+  float cm2_factor;
+  Rgba whitepoint;
+  float film_iso, camera_shutter, f_number, vignetting, burn_highlights, crush_blacks, saturation,
+      gamma;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, input),
+     .doc = "The picture's colour. Only the shader's name is known: this parameter is named here.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(P, cm2_factor), .fallback = {1}, .doc = "As the exposure's; so are all below."},
+    {ORIEL_PARAM(P, whitepoint), .fallback = {1, 1, 1}, .doc = "The colour shown as grey."},
+    {ORIEL_PARAM(P, film_iso), .fallback = {100}, .min = 0, .unit = "ISO",
+     .doc = "Film speed; 0 = arbitrary mode."},
+    {ORIEL_PARAM(P, camera_shutter), .fallback = {100}, .min = 0, .unit = "1/s",
+     .doc = "Shutter: 100 is 1/100 s."},
+    {ORIEL_PARAM(P, f_number), .fallback = {16}, .min = 0, .doc = "Aperture number."},
+    {ORIEL_PARAM(P, vignetting), .fallback = {1}, .min = 0,
+     .doc = "Exponent of the cosine that darkens the edges."},
+    {ORIEL_PARAM(P, burn_highlights), .min = 0, .max = 1, .doc = "1 linear, 0 never over-exposed."},
+    {ORIEL_PARAM(P, crush_blacks), .fallback = {.25f}, .min = 0, .max = 1,
+     .doc = "Pushes dark values toward black."},
+    {ORIEL_PARAM(P, saturation), .fallback = {1}, .min = 0, .doc = "Of the result."},
+    {ORIEL_PARAM(P, gamma), .fallback = {2.2f}, .min = 0,
+     .doc = "Display gamma that the input still has; 1 where its texture took it out."},
+};
+
+struct State final : ShaderState {
+  explicit State(const P& p)
+      : reverse({.cm2_factor = p.cm2_factor,
+                 .whitepoint = rgb(p.whitepoint),
+                 .film_iso = p.film_iso,
+                 .camera_shutter = p.camera_shutter,
+                 .f_number = p.f_number,
+                 .vignetting = p.vignetting,
+                 .burn_highlights = p.burn_highlights,
+                 .crush_blacks = p.crush_blacks,
+                 .saturation = p.saturation,
+                 .gamma = p.gamma}) {}
+  lens::ReversePhotographicExposure reverse;
+};
+
+/// Of the ray to the optical axis. Beyond the film's corner it is that of the corner: the picture
+/// has no more vignetting than it shows.
+float cos_to_film(const Camera& camera, const Vec3& direction) {
+  if (camera.orthographic || !(camera.focal > 0)) return 1;
+  const float width = camera.aperture / (2 * camera.focal);
+  const float height = camera.aspect > 0 ? width / camera.aspect : 0;
+  const float corner = 1 / std::sqrt(1 + sqr(width) + sqr(height));
+  return std::max(-normalize(transform_vector(direction, camera.to_camera)).z, corner);
+}
+
+}  // namespace
+
+const ShaderSpec kMiaExposurePhotographicRev = {
+    .name = "mia_exposure_photographic_rev",
+    .library = "architectural",
+    .apply = kApplyTexture | kApplyEnvironment,
+    .doc = "Undoes the photographic exposure: light from a finished picture.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .value =
+        [](const Call& call, void* result) {
+          const auto& p = call.as<P>();
+          const World* world = call.point.world;
+          const float cosine =
+              world && p.vignetting != 0 ? cos_to_film(world->camera, call.point.ray_direction) : 1;
+          const Rgb c = static_cast<const State*>(call.state)->reverse(rgb(p.input), cosine);
+          *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, p.input.a);
+        },
+    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+      return std::make_unique<State>(*static_cast<const P*>(params));
+    },
+};
+
+}  // namespace oriel
