@@ -183,7 +183,8 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
         bind_input(node, offset, *source.node, value.where);
         return;
       }
-      if (!source.node->spec().value) {
+      // What lies over materials gives no value either.
+      if (!source.node->spec().value || !source.node->material_inputs_.empty()) {
         diagnostics_.warning(
             "OR-RT-012", value.where,
             fmt::format("shader \"{}\" gives no value that \"{}\" of \"{}\" can use",

@@ -59,9 +59,9 @@ struct Harvest {
   }
 };
 
-class Tracer {
+class MapTracer {
  public:
-  Tracer(const World& world, const PhotonSettings& settings, const Watch& watch)
+  MapTracer(const World& world, const PhotonSettings& settings, const Watch& watch)
       : world_(world), settings_(settings), watch_(watch) {}
 
   /// `share`: of all lights, how many were traced before and are when this one is.
@@ -134,7 +134,7 @@ PhotonBalance& PhotonBalance::operator+=(const PhotonBalance& o) {
 
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
                          PhotonBalance* balance, const Watch& watch) {
-  Tracer tracer(world, settings, watch);
+  MapTracer tracer(world, settings, watch);
   const double sources = static_cast<double>(world.lights.size()) + 1;
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     const LightPhotons& own = world.lights[i].photons;

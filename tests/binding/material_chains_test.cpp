@@ -183,6 +183,27 @@ TEST(MaterialChains, CyclesAreRefused) {
   EXPECT_LE(c.closure.count, 2);
 }
 
+TEST(MaterialChains, LayersMayBeMaterials) {
+  const Chain c(kLambert + "shader \"g\" \"mib_illum_lambert\" ( \"diffuse\" 0 1 0 )\n" +
+                material("\"mib_color_mix\" ( \"num\" 2, \"mode_0\" 1, \"weight_0\" .25, "
+                         "\"color_0\" = \"g\", \"mode_1\" 4, \"weight_1\" 1, "
+                         "\"color_1\" .5 .5 1, \"color_base\" = \"l\" )"));
+  c.expect_silent();
+  ASSERT_EQ(c.closure.count, 2);
+  expect_rgb(c.closure.lobes[0].level, .75f * .8f * .5f, .75f * .4f * .5f, .75f * .2f);
+  expect_rgb(c.closure.lobes[1].level, 0, .25f * .5f, 0);
+  expect_rgb(c.closure.emission, .2f * .75f * .5f, .2f * .75f * .5f, .2f * .75f);
+  const Chain plain(
+      material("\"mib_color_mix\" ( \"num\" 1, \"mode_0\" 2, \"weight_0\" .5, "
+               "\"color_0\" 1 0 0, \"color_base\" .1 .2 .3 )"));
+  EXPECT_EQ(plain.closure.count, 0);
+  expect_rgb(plain.closure.emission, .6f, .2f, .3f);
+  const ProbeScene s(
+      probe_call("\"tint\" = \"x\"", kLambert + "shader \"x\" \"mib_color_mix\" ( \"num\" 1, "
+                                                "\"color_0\" = \"l\" )\n"));
+  EXPECT_NE(s.only("OR-RT-012"), nullptr) << s.messages();
+}
+
 TEST(MaterialChains, MaterialsGiveNoValuesElsewhere) {
   const ProbeScene s(probe_call("\"tint\" = \"l\"", kLambert));
   EXPECT_NE(s.only("OR-RT-012"), nullptr) << s.messages();

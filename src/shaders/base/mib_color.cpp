@@ -6,6 +6,7 @@
 #include "color/black_body.h"
 #include "color/cie_daylight.h"
 #include "color/luminance.h"
+#include "runtime/shade_input.h"
 
 namespace oriel {
 namespace {
@@ -101,17 +102,25 @@ constexpr ParamSpec kMixRows[] = {
     {ORIEL_PARAM(Mix, weight_5), .doc = "Weight of the layer.", .declared_default = false},
     {ORIEL_PARAM(Mix, weight_6), .doc = "Weight of the layer.", .declared_default = false},
     {ORIEL_PARAM(Mix, weight_7), .doc = "Weight of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_0), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_1), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_2), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_3), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_4), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_5), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_6), .doc = "Colour of the layer.", .declared_default = false},
-    {ORIEL_PARAM(Mix, color_7), .doc = "Colour of the layer.", .declared_default = false},
+    {ORIEL_PARAM(Mix, color_0), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_1), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_2), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_3), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_4), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_5), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_6), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Mix, color_7), .doc = "Colour of the layer.", .declared_default = false,
+     .takes_material = true},
     {ORIEL_PARAM(Mix, color_base),
      .doc = "What lies below all layers; unwritten it is transparent black.",
-     .declared_default = false},
+     .declared_default = false, .takes_material = true},
 };
 constexpr ParamSpec kSpreadRows[] = {
     {ORIEL_PARAM(Spread, input), .doc = "The colour.", .declared_default = false},
@@ -236,6 +245,32 @@ void mix(const Call& call, void* result) {
   *static_cast<Rgba*>(result) = c;
 }
 
+/// The same where some layers are materials; those are opaque. Closures cannot be multiplied with
+/// each other or bounded: modes 3 and 5 are 2 and 4, and multiplying by a material does nothing.
+void mix_materials(const Call& call, Closure& closure) {
+  const auto& p = call.as<Mix>();
+  if (!call.node || call.node->material_inputs().empty()) {
+    Rgba plain;
+    mix(call, &plain);
+    closure.emission += rgb(plain);
+    return;
+  }
+  shade_input(call, offsetof(Mix, color_base), p.color_base, Rgb(1), closure);
+  for (int i = 0; i < std::clamp(p.num, 0, kMost); ++i) {
+    const std::size_t offset = offsetof(Mix, color_0) + static_cast<std::size_t>(i) * sizeof(Rgba);
+    const Rgba& color = p.*kMixColors[i];
+    const float w = std::max(0.0f, p.*kMixWeights[i]);
+    const bool is_material = call.node->material_input(offset) != nullptr;
+    const int mode = p.*kMixModes[i];
+    if (mode == 0 || mode == 1) {
+      const float covered = mode == 0 && !is_material ? color.a * w : w;
+      scale(closure, Rgb(std::max(0.0f, 1 - covered)));
+    }
+    if (mode >= 0 && mode <= 3) shade_input(call, offset, color, Rgb(w), closure);
+    if ((mode == 4 || mode == 5) && !is_material) scale(closure, rgb(color) * w);
+  }
+}
+
 Rgba converted(const Rgba& c, int mode) {
   switch (mode) {
     case 1:
@@ -338,11 +373,14 @@ const ShaderSpec kMibColorMix = {
     .name = "mib_color_mix",
     .library = "base",
     .version = 2,
-    .apply = kApplyTexture,
-    .doc = "Lays colours over each other.",
+    .apply = kApplyTexture | kApplyMaterial,
+    .doc = "Lays colours, or materials, over each other.",
     .params = kMixRows,
     .params_size = sizeof(Mix),
     .value = mix,
+    .material = mix_materials,
+    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+    .most_lobes = [](const ShaderNode&) { return 0; },
 };
 
 const ShaderSpec kMibColorSpread = {

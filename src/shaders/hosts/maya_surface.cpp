@@ -2,6 +2,7 @@
 #include "shaders/hosts/maya_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/bump.h"
@@ -48,19 +49,38 @@ constexpr ParamSpec kRows[] = {
     {ORIEL_PARAM(Surface, refractions), .doc = "Bend what is seen through.", .support = kAbout},
     {ORIEL_PARAM(Surface, refractiveIndex), .fallback = {1}, .min = 0,
      .doc = "Index of refraction.", .support = kAbout},
-    // Only with a highlight:
-    {ORIEL_PARAM(Surface, specularColor), .fallback = {.5f, .5f, .5f},
-     .doc = "Colour of highlight and mirror.", .support = kAbout},
-    {ORIEL_PARAM(Surface, reflectivity), .min = 0, .max = 1, .doc = "Share of the mirror.",
-     .support = kAbout},
-    {ORIEL_PARAM(Surface, cosinePower), .fallback = {20}, .min = 0,
-     .doc = "Narrowness of Phong's highlight.", .support = kAbout},
-    {ORIEL_PARAM(Surface, eccentricity), .fallback = {.3f}, .min = 0, .max = 1,
-     .doc = "Width of Blinn's highlight.", .support = kAbout},
-    {ORIEL_PARAM(Surface, specularRollOff), .fallback = {.7f}, .min = 0, .max = 1,
-     .doc = "Strength of Blinn's highlight.", .support = kAbout},
 };
-constexpr std::size_t kLambertRows = 9;
+/// Rows of those that mirror.
+constexpr ParamSpec kSpecularRow = {ORIEL_PARAM(Surface, specularColor),
+                                    .fallback = {.5f, .5f, .5f},
+                                    .doc = "Colour of highlight and mirror.", .support = kAbout};
+constexpr ParamSpec kReflectivityRow = {ORIEL_PARAM(Surface, reflectivity), .min = 0, .max = 1,
+                                        .doc = "Share of the mirror.", .support = kAbout};
+constexpr ParamSpec kPhongTail[] = {
+    kSpecularRow,
+    kReflectivityRow,
+    {ORIEL_PARAM(Surface, cosinePower), .fallback = {20}, .min = 0,
+     .doc = "Narrowness of the highlight.", .support = kAbout},
+};
+constexpr ParamSpec kBlinnTail[] = {
+    kSpecularRow,
+    kReflectivityRow,
+    {ORIEL_PARAM(Surface, eccentricity), .fallback = {.3f}, .min = 0, .max = 1,
+     .doc = "Width of the highlight.", .support = kAbout},
+    {ORIEL_PARAM(Surface, specularRollOff), .fallback = {.7f}, .min = 0, .max = 1,
+     .doc = "Strength of the highlight.", .support = kAbout},
+};
+
+template <std::size_t N, std::size_t M>
+constexpr std::array<ParamSpec, N + M> joined(const ParamSpec (&head)[N],
+                                              const ParamSpec (&tail)[M]) {
+  std::array<ParamSpec, N + M> all{};
+  for (std::size_t i = 0; i < N; ++i) all[i] = head[i];
+  for (std::size_t i = 0; i < M; ++i) all[N + i] = tail[i];
+  return all;
+}
+constexpr auto kPhongRows = joined(kRows, kPhongTail);
+constexpr auto kBlinnRows = joined(kRows, kBlinnTail);
 
 constexpr ParamSpec kPlainRows[] = {
     {ORIEL_PARAM(Plain, outColor), .doc = "What is seen.", .support = kAbout},
@@ -157,7 +177,7 @@ const ShaderSpec kMayaLambert = {
     .library = "hosts",
     .apply = kApplySurface,
     .doc = "Stand-in for the host's lambert.",
-    .params = std::span(kRows).first(kLambertRows),
+    .params = kRows,
     .params_size = sizeof(Surface),
     .material = [](const Call& call,
                    Closure& closure) { body(call.as<Surface>(), call.point, Rgb(1), closure); },
@@ -170,7 +190,7 @@ const ShaderSpec kMayaPhong = {
     .library = "hosts",
     .apply = kApplySurface,
     .doc = "Stand-in for the host's phong.",
-    .params = kRows,
+    .params = kPhongRows,
     .params_size = sizeof(Surface),
     .material = phong,
     .may_transmit = body_passes,
@@ -182,7 +202,7 @@ const ShaderSpec kMayaBlinn = {
     .library = "hosts",
     .apply = kApplySurface,
     .doc = "Stand-in for the host's blinn.",
-    .params = kRows,
+    .params = kBlinnRows,
     .params_size = sizeof(Surface),
     .material = blinn,
     .may_transmit = body_passes,
