@@ -69,6 +69,19 @@ bool keeps_to_cone(const Light& light, const World& world, float distance) {
   return true;
 }
 
+Opening opening_of(const Light& light) {
+  const PortalTable* table = light.portal->table.get();
+  if (!table || !table->uneven()) return {};
+  const float x = dot(light.position, table->x()), y = dot(light.position, table->y());
+  return {.table = table,
+          .x0 = x - light.portal->half_u,
+          .x1 = x + light.portal->half_u,
+          .y0 = y - light.portal->half_v,
+          .y1 = y + light.portal->half_v,
+          .z = dot(light.position, table->z()),
+          .scale = luminance(light.portal->scale)};
+}
+
 bool only_sends_photons(const Light& light) {
   return light.photons.only || (light.portal && light.portal->photons_only);
 }
@@ -91,6 +104,7 @@ LightBounds bounds_of(const Light& light, const World& world, float reach) {
   if (only_sends_photons(light)) return bounds;
   if (light.portal) {
     bounds.falling = mean_luminance(*light.portal) * light.area;
+    bounds.opening = opening_of(light);
     return bounds;
   }
   const float near = reach * kNear, far = reach * kFar;

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "runtime/portal.h"
+
 namespace oriel {
 namespace {
 
@@ -32,6 +34,26 @@ float area_of(const LightBounds& b) {
   return 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
 }
 
+/// Nothing where they lie in different planes or show different things.
+Opening joined(const Opening& a, const Opening& b) {
+  const float size = std::max(a.x1 - a.x0, a.y1 - a.y0);
+  if (a.table != b.table || std::abs(a.z - b.z) > 1e-3f * size || a.scale != b.scale) return {};
+  Opening r = a;
+  r.x0 = std::min(a.x0, b.x0), r.x1 = std::max(a.x1, b.x1);
+  r.y0 = std::min(a.y0, b.y0), r.y1 = std::max(a.y1, b.y1);
+  return r;
+}
+
+/// Luminance times solid angle that a point sees of it.
+float seen_through(const Opening& o, const Vec3& from) {
+  const float depth = o.z - dot(from, o.table->z());
+  if (!(depth > 0)) return 0;
+  const float x = dot(from, o.table->x()), y = dot(from, o.table->y()), inverse = 1 / depth;
+  // Never quite 0: the angles are rough.
+  return o.scale * (1e-12f + o.table->rough_integral((o.x0 - x) * inverse, (o.x1 - x) * inverse,
+                                                     (o.y0 - y) * inverse, (o.y1 - y) * inverse));
+}
+
 LightBounds joined(const LightBounds& a, const LightBounds& b) {
   LightBounds r;
   for (int i = 0; i < 3; ++i) {
@@ -42,6 +64,7 @@ LightBounds joined(const LightBounds& a, const LightBounds& b) {
   r.cos_reach = std::min(a.cos_reach, b.cos_reach);
   r.even = a.even + b.even;
   r.falling = a.falling + b.falling;
+  r.opening = joined(a.opening, b.opening);
   return r;
 }
 
@@ -73,6 +96,7 @@ DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
 }
 
 float importance(const LightBounds& bounds, const LitPoint& lit) {
+  if (bounds.opening.table) return seen_through(bounds.opening, lit.position);
   const Vec3 to = bounds.centre() - lit.position;
   const float radius2 = (bounds.high - bounds.low).length2() / 4;
   const float d2 = to.length2();

@@ -13,6 +13,7 @@ namespace oriel {
 
 struct Light;
 struct World;
+class PortalTable;
 
 /// Directions within an angle of an axis.
 struct DirectionCone {
@@ -24,6 +25,14 @@ struct DirectionCone {
 /// The smallest cone that holds both, nearly.
 DirectionCone joined(const DirectionCone& a, const DirectionCone& b);
 
+/// A rectangle about portals of one plane, where what is behind is too uneven to go by its mean.
+struct Opening {
+  const PortalTable* table = nullptr;  ///< null: go by the mean
+  // Along the table's axes, world.
+  float x0 = 0, x1 = 0, y0 = 0, y1 = 0, z = 0;
+  float scale = 1;  ///< of the table's luminance
+};
+
 /// Where a light is, where it shines to and how much, without asking its shader again.
 struct LightBounds {
   Vec3 low{0}, high{0};   ///< corners of a box about the shape, world
@@ -31,6 +40,7 @@ struct LightBounds {
   float cos_reach = -1;   ///< how far from these it shines; -1 = everywhere
   // Irradiance facing it at distance d: even + falling / d^2.
   float even = 0, falling = 0;
+  Opening opening;
 
   Vec3 centre() const { return (low + high) * 0.5f; }
 };

@@ -21,6 +21,7 @@ void run(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
 }  // namespace
 
 void shade(const Material& material, ShadingPoint& point, Closure& closure) {
+  point.material = &material;
   run(material.surface, point, closure);
 }
 

@@ -16,6 +16,11 @@ namespace {
 /// Cells each way over half a turn: 0.35 degrees resolve lamps in a photographed sky, a sky from
 /// formulas is smooth.
 constexpr std::size_t kPhotographedSide = 512, kSmoothSide = 256;
+/// The same where a table small enough for the fastest cache will do.
+constexpr std::size_t kRoughSide = 32;
+/// Luminance of a cell of it over the mean from which on choices go by it; a guess: a clear sky
+/// without its sun stays below.
+constexpr float kUneven = 8;
 /// Share of the mean radiance added everywhere.
 constexpr float kEvenShare = 0.05f;
 /// Grazing light that is given up, as for other flat lights.
@@ -29,6 +34,13 @@ float solid_angle_of(float a, float b) {
 
 float uv_of(float tangent_y, float tangent_x) {
   return std::atan2(tangent_y, tangent_x) / kPi + 0.5f;
+}
+
+/// Arc tangent within 0.004, continuous: enough for estimates.
+float rough_uv(float tangent) {
+  const float t = std::abs(tangent), s = std::min(t, 1 / t);
+  const float angle = s * (kPi / 4 + 0.273f * (1 - s));
+  return std::copysign(t > 1 ? kPi / 2 - angle : angle, tangent) / kPi + 0.5f;
 }
 
 /// The rectangle seen from a point.
@@ -81,6 +93,17 @@ PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lo
   const float even = kEvenShare * mean_luminance_;
   for (std::size_t i = 0; i < values.size(); ++i) values[i] += even * angles[i];
   table_ = std::make_unique<sampling::WindowedDistribution2D>(values, side, side);
+  const std::size_t block = side / kRoughSide;
+  std::vector<float> rough(kRoughSide * kRoughSide), rough_angles(kRoughSide * kRoughSide);
+  for (std::size_t j = 0; j < side; ++j)
+    for (std::size_t i = 0; i < side; ++i) {
+      const std::size_t cell = j / block * kRoughSide + i / block;
+      rough[cell] += values[j * side + i] / static_cast<float>(block * block);
+      rough_angles[cell] += angles[j * side + i] / static_cast<float>(block * block);
+    }
+  for (std::size_t i = 0; i < rough.size(); ++i)
+    uneven_ |= rough[i] > kUneven * mean_luminance_ * rough_angles[i];
+  rough_ = std::make_unique<sampling::WindowedDistribution2D>(rough, kRoughSide, kRoughSide);
 }
 
 PortalTable::Sample PortalTable::sample(Vec2 u, const sampling::Window& window) const {
@@ -94,6 +117,11 @@ float PortalTable::pdf(const Vec3& local, const sampling::Window& window) const 
   const Vec2 uv(uv_of(local.x, local.z), uv_of(local.y, local.z));
   return table_->pdf(uv, window) /
          (sqr(kPi) * solid_angle_of(local.x / local.z, local.y / local.z));
+}
+
+float PortalTable::rough_integral(float x0, float x1, float y0, float y1) const {
+  return rough_->integral({Vec2(rough_uv(x0), rough_uv(y0)), Vec2(rough_uv(x1), rough_uv(y1))}) *
+         sqr(kPi);
 }
 
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u) {

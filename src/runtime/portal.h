@@ -69,14 +69,19 @@ class PortalTable {
   float pdf(const Vec3& local, const sampling::Window& window) const;
   /// Mean luminance over the half sphere.
   float mean_luminance() const { return mean_luminance_; }
+  /// Whether some of it is so bright that it matters through which of many portals it is seen.
+  bool uneven() const { return uneven_; }
+  /// Luminance times solid angle within a rectangle at z = 1 by x, y, z; blurred over a few
+  /// degrees.
+  float rough_integral(float x0, float x1, float y0, float y1) const;
 
  private:
   Vec3 x_, y_, z_;
   NodeList shaders_;
   RayKind lookup_;
-  bool lights_ = false;
+  bool lights_ = false, uneven_ = false;
   float mean_luminance_ = 0;
-  std::unique_ptr<sampling::WindowedDistribution2D> table_;
+  std::unique_ptr<sampling::WindowedDistribution2D> table_, rough_;
 };
 
 /// A portal in the scene.

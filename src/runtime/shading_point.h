@@ -10,6 +10,8 @@ namespace oriel {
 
 struct World;
 struct CameraSpace;
+struct Material;
+class Tracer;
 
 /// Kinds of rays, numbered as mental ray's enumeration (shaders in scenes can tell them apart).
 enum class RayKind : std::uint8_t {
@@ -65,6 +67,8 @@ struct ShadingPoint {
   const Mat4* to_world = nullptr;
   Vec2 raster{0};  ///< pixels, origin lower left, pixel centres at half steps
   const World* world = nullptr;
+  const Material* material = nullptr;  ///< whose surface shaders are running
+  Tracer* tracer = nullptr;            ///< see runtime/tracer.h
 
   Vec3 wo() const { return -ray_direction; }
 };

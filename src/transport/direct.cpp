@@ -85,108 +85,144 @@ LightInReflection hidden_portal_in_reflection(const Closure& closure) {
   return {0, light_in_reflection(closure, true).as_highlight};
 }
 
+namespace {
+
+/// What the samples of one vertex bring, added up.
+class DirectSum {
+ public:
+  DirectSum(const World& world, ShadingPoint& point, const Closure& closure,
+            const LobeChoice& lobes, const DirectRequest& request, RayCounts& counts)
+      : world_(world),
+        point_(point),
+        closure_(closure),
+        lobes_(lobes),
+        request_(request),
+        counts_(counts),
+        wo_(point.wo()),
+        shadows_(takes_shadows(world, point)) {}
+
+  /// One sample of a light that is asked `rate` times in the mean.
+  void add_light(int index, float rate, const Vec2& u);
+  /// One sample of the environment.
+  void add_environment(const Vec2& u);
+  const DirectLight& sum() const { return sum_; }
+
+ private:
+  const World& world_;
+  ShadingPoint& point_;
+  const Closure& closure_;
+  const LobeChoice& lobes_;
+  const DirectRequest& request_;
+  RayCounts& counts_;
+  Vec3 wo_;
+  bool shadows_;
+  DirectLight sum_;
+};
+
+void DirectSum::add_light(int index, float rate, const Vec2& u) {
+  const Light& light = world_.lights[static_cast<std::size_t>(index)];
+  const auto s = sample_light(light, point_, u);
+  if (!s) return;
+  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s->wi,
+                                light.visible && !closure_.highlights_of_visible_lights);
+  // What the light's shader keeps from either kind of lobe.
+  r.diffuse.value *= s->affects_diffuse;
+  for (Rgb* specular : {&r.reflection.value, &r.refraction.value, &r.highlight})
+    *specular *= s->affects_specular;
+  const bool looked_through = light.portal && !light.portal->visible;
+  const LightInReflection in = looked_through ? hidden_portal_in_reflection(closure_)
+                                              : light_in_reflection(closure_, light.visible);
+  if (looked_through) r.refraction.value = Rgb(0);
+  const Rgb highlight = r.highlight * closure_.highlight_scale;
+  if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
+    return;
+  const float kept = linear_fade(s->distance, request_.falloff_distance);
+  const Rgb arriving = s->irradiance / rate;
+  // What portals on the way, and its own, leave of it for the eye.
+  Rgb view(1);
+  if (request_.for_the_eye && world_.has_gels)
+    view = portals_on_way(world_, point_.position, s->wi, s->distance * kShortOfPortal).view;
+  if (request_.for_the_eye && light.portal && light.portal->visible)
+    view *= light.portal->transparency;
+  // Factors of what rays could have found and of what they could not, after shadows.
+  const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
+                       const Rgb& highlights) {
+    const bool behind = dot(s->wi, point_.geometric_normal) < 0;
+    (behind ? sum_.translucency : sum_.diffuse) += r.diffuse.value * diffuse * arriving;
+    sum_.reflection +=
+        r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
+    sum_.specular +=
+        (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
+    sum_.refraction += r.refraction.value * refraction * arriving * view;
+  };
+  if (!shadows_ || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
+
+  const Openness open = shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
+  const auto weight = [&](const Response::Part& part) {
+    return s->pdf > 0 ? light_sample_weight(request_.estimator, s->pdf * rate, part.pdf) : 1.0f;
+  };
+  // What the light lets pass opaque blockers, no ray would find.
+  const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
+  const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
+  // Behind glass a ray of a glossy lobe meets only lights that are seen.
+  const bool bent_rays_find = light.visible && s->pdf > 0;
+  const Rgb glass = request_.rays_bend ? open.clear - open.cut_outs : Rgb(0);
+  const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
+  add(open.all * weight(r.diffuse) + leak, straight * weight(r.reflection) + missed,
+      straight * weight(r.refraction) + missed, straight + glass + leak);
+}
+
+void DirectSum::add_environment(const Vec2& u) {
+  const auto s = request_.estimator == Estimator::LightOnly ? world_.environment.sample_alone(u)
+                                                            : world_.environment.sample(u);
+  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s.wi);
+  if (!request_.environment_on_diffuse) r.diffuse.value = Rgb(0);
+  Rgb reflection = request_.environment_in_reflections ? r.reflection.value : Rgb(0);
+  if (!world_.light_groups.portals.empty()) {
+    const PortalsOnWay way =
+        portals_on_way(world_, point_.position, s.wi, std::numeric_limits<float>::infinity(),
+                       request_.portals_mapped);
+    if (way.ends_diffuse) r.diffuse.value = Rgb(0);
+    Rgb view(way.ends_view ? 0.0f : 1.0f);
+    if (request_.for_the_eye) view *= way.view;
+    reflection *= view;
+    r.refraction.value *= view;
+  }
+  if (!(s.pdf > 0) || is_black(r.diffuse.value + reflection + r.refraction.value)) return;
+  const Openness open =
+      shadow_transmittance(world_, point_, s.wi, std::numeric_limits<float>::infinity(), counts_);
+  if (is_black(open.all)) return;
+  const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
+  const Rgb radiance = rgb(environment_radiance(world_.environment.shaders(), world_,
+                                                point_.position, s.wi, RayKind::FinalGather));
+  ++counts_.environment;
+  const auto found = [&](const Rgb& value, float pdf, const Rgb& passes) {
+    return value * passes * radiance *
+           (light_sample_weight(request_.estimator, s.pdf, pdf) / s.pdf);
+  };
+  const bool behind = dot(s.wi, point_.geometric_normal) < 0;
+  (behind ? sum_.environment_translucency : sum_.environment) +=
+      found(r.diffuse.value, r.diffuse.pdf, open.all);
+  sum_.reflection += found(reflection, r.reflection.pdf, straight);
+  sum_.refraction += found(r.refraction.value, r.refraction.pdf, straight);
+}
+
+}  // namespace
+
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                          const LobeChoice& lobes, const LightChoice& lights,
                          const DirectRequest& request, sampling::Sampler& sampler,
                          RayCounts& counts) {
-  const Vec3 wo = point.wo();
-  const bool shadows = takes_shadows(world, point);
-  DirectLight sum;
+  DirectSum direct(world, point, closure, lobes, request, counts);
   float u_light = 0;
   if (lights.draws())
     u_light = sampler.next_1d();
   else
     sampler.skip();
-  lights.sample(u_light, [&](int index, float rate) {
-    const Light& light = world.lights[static_cast<std::size_t>(index)];
-    const auto s = sample_light(light, point, sampler.next_2d());
-    if (!s) return;
-    Response r = evaluate_closure(closure, lobes, point, wo, s->wi,
-                                  light.visible && !closure.highlights_of_visible_lights);
-    // What the light's shader keeps from either kind of lobe.
-    r.diffuse.value *= s->affects_diffuse;
-    for (Rgb* specular : {&r.reflection.value, &r.refraction.value, &r.highlight})
-      *specular *= s->affects_specular;
-    const bool looked_through = light.portal && !light.portal->visible;
-    const LightInReflection in = looked_through ? hidden_portal_in_reflection(closure)
-                                                : light_in_reflection(closure, light.visible);
-    if (looked_through) r.refraction.value = Rgb(0);
-    const Rgb highlight = r.highlight * closure.highlight_scale;
-    if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
-      return;
-    const float kept = linear_fade(s->distance, request.falloff_distance);
-    const Rgb arriving = s->irradiance / rate;
-    // What portals on the way, and its own, leave of it for the eye.
-    Rgb view(1);
-    if (request.for_the_eye && world.has_gels)
-      view = portals_on_way(world, point.position, s->wi, s->distance * kShortOfPortal).view;
-    if (request.for_the_eye && light.portal && light.portal->visible)
-      view *= light.portal->transparency;
-    // Factors of what rays could have found and of what they could not, after shadows.
-    const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
-                         const Rgb& highlights) {
-      const bool behind = dot(s->wi, point.geometric_normal) < 0;
-      (behind ? sum.translucency : sum.diffuse) += r.diffuse.value * diffuse * arriving;
-      sum.reflection +=
-          r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
-      sum.specular +=
-          (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
-      sum.refraction += r.refraction.value * refraction * arriving * view;
-    };
-    if (!shadows || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
-
-    const Openness open = shadow_transmittance(world, point, s->wi, s->reach, counts, index);
-    const auto weight = [&](const Response::Part& part) {
-      return s->pdf > 0 ? light_sample_weight(request.estimator, s->pdf * rate, part.pdf) : 1.0f;
-    };
-    // What the light lets pass opaque blockers, no ray would find.
-    const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
-    const Rgb straight = request.rays_bend ? open.cut_outs : open.all;
-    // Behind glass a ray of a glossy lobe meets only lights that are seen.
-    const bool bent_rays_find = light.visible && s->pdf > 0;
-    const Rgb glass = request.rays_bend ? open.clear - open.cut_outs : Rgb(0);
-    const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
-    add(open.all * weight(r.diffuse) + leak, straight * weight(r.reflection) + missed,
-        straight * weight(r.refraction) + missed, straight + glass + leak);
-  });
-  if (request.environment) {
-    const Vec2 u = sampler.next_2d();
-    const auto s = request.estimator == Estimator::LightOnly ? world.environment.sample_alone(u)
-                                                             : world.environment.sample(u);
-    Response r = evaluate_closure(closure, lobes, point, wo, s.wi);
-    if (!request.environment_on_diffuse) r.diffuse.value = Rgb(0);
-    Rgb reflection = request.environment_in_reflections ? r.reflection.value : Rgb(0);
-    if (!world.light_groups.portals.empty()) {
-      const PortalsOnWay way =
-          portals_on_way(world, point.position, s.wi, std::numeric_limits<float>::infinity(),
-                         request.portals_mapped);
-      if (way.ends_diffuse) r.diffuse.value = Rgb(0);
-      Rgb view(way.ends_view ? 0.0f : 1.0f);
-      if (request.for_the_eye) view *= way.view;
-      reflection *= view;
-      r.refraction.value *= view;
-    }
-    if (s.pdf > 0 && !is_black(r.diffuse.value + reflection + r.refraction.value)) {
-      const Openness open =
-          shadow_transmittance(world, point, s.wi, std::numeric_limits<float>::infinity(), counts);
-      const Rgb straight = request.rays_bend ? open.cut_outs : open.all;
-      if (!is_black(open.all)) {
-        const Rgb radiance = rgb(environment_radiance(world.environment.shaders(), world,
-                                                      point.position, s.wi, RayKind::FinalGather));
-        ++counts.environment;
-        const auto found = [&](const Rgb& value, float pdf, const Rgb& passes) {
-          return value * passes * radiance *
-                 (light_sample_weight(request.estimator, s.pdf, pdf) / s.pdf);
-        };
-        const bool behind = dot(s.wi, point.geometric_normal) < 0;
-        (behind ? sum.environment_translucency : sum.environment) +=
-            found(r.diffuse.value, r.diffuse.pdf, open.all);
-        sum.reflection += found(reflection, r.reflection.pdf, straight);
-        sum.refraction += found(r.refraction.value, r.refraction.pdf, straight);
-      }
-    }
-  }
-  return sum;
+  lights.sample(u_light,
+                [&](int index, float rate) { direct.add_light(index, rate, sampler.next_2d()); });
+  if (request.environment) direct.add_environment(sampler.next_2d());
+  return direct.sum();
 }
 
 }  // namespace oriel

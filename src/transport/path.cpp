@@ -7,6 +7,7 @@
 
 #include "color/luminance.h"
 #include "transport/path_walk.h"
+#include "transport/scene_tracer.h"
 #include "transport/shadow.h"
 
 namespace oriel {
@@ -184,7 +185,10 @@ bool Path::arrive(const geom::Hit& hit) {
   cone_.width = cone_.width_at(hit.t);
   const Material& material = material_of(world_, hit);
   Closure closure;
+  SceneTracer tracer(world_, sampler_, counts_);
+  point.tracer = &tracer;
   shade(material, point, closure);
+  point.tracer = nullptr;
 
   // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
   medium_.arrive(closure, point);

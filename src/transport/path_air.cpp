@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the air before a surface does to its light.
 #include "transport/path_walk.h"
+#include "transport/scene_tracer.h"
 
 namespace oriel {
 
@@ -19,6 +20,8 @@ void Path::pass_air(const ShadingPoint& end, float t) {
   point.ray_direction = ray_.dir;
   point.ray_length = t;
   point.world = &world_;
+  SceneTracer tracer(world_, sampler_, counts_);
+  point.tracer = &tracer;
   // The last shader of a list takes what the ones before it left: it is the nearest to the eye.
   const auto pass = [&](const NodeList& nodes) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/scene_tracer.h"
+
+#include "transport/shadow.h"
+#include "transport/surface.h"
+
+namespace oriel {
+namespace {
+
+/// Tells its stream from those of lobes, which number from 0, and of occlusion.
+constexpr std::uint32_t kTracerBranch = 2000;
+/// Holes on one ray before the rest counts as free.
+constexpr int kMostHoles = 64;
+
+}  // namespace
+
+Vec2 SceneTracer::next() {
+  if (!own_) own_ = sampler_.split(0, 1, kTracerBranch + sampler_.dimension());
+  return own_->next_2d();
+}
+
+std::optional<Tracer::Met> SceneTracer::follow(geom::Ray ray, float reach) {
+  float passed = 0;
+  for (int i = 0; i < kMostHoles; ++i) {
+    geom::Hit hit;
+    ++counts_.probe;
+    if (!world_.accel->intersect(ray, hit)) return std::nullopt;
+    ShadingPoint point;
+    fill_point(world_, ray, hit, {}, RayKind::Probe, point);
+    const Material& material = material_of(world_, hit);
+    bool there = true;
+    if (material.may_have_holes) {
+      Closure closure;
+      shade(material, point, closure);
+      there = next().x < closure.opacity;
+    }
+    if (there)
+      return Met{passed + hit.t,  point.position, point.normal,  point.geometric_normal,
+                 point.back_side, &material,      point.instance};
+    passed += hit.t;
+    ray = leave(point, ray.dir, reach - passed, geom::RayMask::Probe);
+  }
+  return std::nullopt;
+}
+
+std::optional<Tracer::Met> SceneTracer::probe(const Vec3& origin, const Vec3& direction,
+                                              float reach) {
+  geom::Ray ray;
+  ray.org = origin;
+  ray.dir = direction;
+  ray.tfar = reach;
+  ray.mask = geom::RayMask::Probe;
+  return follow(ray, reach);
+}
+
+std::optional<Tracer::Met> SceneTracer::probe_from(const ShadingPoint& point, const Vec3& direction,
+                                                   float reach) {
+  return follow(leave(point, direction, reach, geom::RayMask::Probe), reach);
+}
+
+std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& point) {
+  if (index < 0 || index >= static_cast<int>(world_.lights.size())) return std::nullopt;
+  const auto s = sample_light(world_.lights[static_cast<std::size_t>(index)], point, next());
+  if (!s) return std::nullopt;
+  Rgb open(1);
+  if (s->shadow && takes_shadows(world_, point)) {
+    const Rgb all = shadow_transmittance(world_, point, s->wi, s->reach, counts_, index).all;
+    open = all + (Rgb(1) - all) * s->shadow_factor;
+  }
+  return Arriving{s->irradiance * open * kInvPi, s->wi};
+}
+
+}  // namespace oriel
