@@ -10,6 +10,7 @@
 
 #include "runtime/shader_node.h"
 #include "shaders/registry.h"
+#include "shaders/testing/declared.h"
 
 namespace oriel {
 namespace {
@@ -208,100 +209,6 @@ preview | color texture | -
 use_preview | boolean | -
 )";
 
-/// Names and types in order, of shaders whose declarations have no defaults.
-struct PlainInterface {
-  const char* shader;
-  int version;
-  std::string_view parameters;
-};
-// Source: the public declarations of the base and physics libraries.
-constexpr PlainInterface kBase[] = {
-    {"mib_illum_lambert", 2, "ambience c, ambient c, diffuse c, mode i, lights L"},
-    {"mib_illum_phong", 2,
-     "ambience c, ambient c, diffuse c, specular c, exponent s, mode i, lights L"},
-    {"mib_blackbody", 1, "temperature s, intensity s"},
-    {"mib_cie_d", 1, "temperature s, intensity s"},
-    {"mib_color_alpha", 2, "input c, factor s"},
-    {"mib_color_average", 2, "input c, factor s"},
-    {"mib_color_intensity", 2, "input c, factor s"},
-    {"mib_color_interpolate", 1,
-     "input s, num i, weight_1 s, weight_2 s, weight_3 s, weight_4 s, weight_5 s, weight_6 s, "
-     "color_0 c, color_1 c, color_2 c, color_3 c, color_4 c, color_5 c, color_6 c, color_7 c"},
-    {"mib_color_mix", 2,
-     "num i, mode_0 i, mode_1 i, mode_2 i, mode_3 i, mode_4 i, mode_5 i, mode_6 i, mode_7 i, "
-     "weight_0 s, weight_1 s, weight_2 s, weight_3 s, weight_4 s, weight_5 s, weight_6 s, "
-     "weight_7 s, color_0 c, color_1 c, color_2 c, color_3 c, color_4 c, color_5 c, color_6 c, "
-     "color_7 c, color_base c"},
-    {"mib_color_spread", 1,
-     "input c, num i, mode_0 i, mode_1 i, mode_2 i, mode_3 i, mode_4 i, mode_5 i, mode_6 i, "
-     "mode_7 i, weight_0 c, weight_1 c, weight_2 c, weight_3 c, weight_4 c, weight_5 c, "
-     "weight_6 c, weight_7 c"},
-    {"mib_lookup_cube1", 1, "point v, dir v, size v, tex tex"},
-    {"mib_lookup_cube6", 1,
-     "point v, dir v, size v, tex_mx tex, tex_px tex, tex_my tex, tex_py tex, tex_mz tex, "
-     "tex_pz tex"},
-    {"mib_lookup_cylindrical", 1, "xform t, begin s, end s, tex tex"},
-    {"mib_texture_checkerboard", 1,
-     "coord v, xsize s, ysize s, zsize s, color000 c, color001 c, color010 c, color011 c, "
-     "color100 c, color101 c, color110 c, color111 c"},
-    {"mib_texture_filter_lookup", 3,
-     "tex tex, coord v, eccmax s, maxminor s, disc_r s, bilinear b, space i, remap sh"},
-    {"mib_texture_lookup2", 1, "tex tex, factor s"},
-    {"mib_texture_polkadot", 1, "coord v, radius s, fgcolor c, bgcolor c"},
-    {"mib_texture_polkasphere", 1, "coord v, radius s, fgcolor c, bgcolor c"},
-    {"mib_texture_rotate", 1, "input v, angle s, min s, max s"},
-    {"mib_texture_turbulence", 1,
-     "coord v, spacing s, strength s, power s, iteration i, polar_dim i"},
-    {"mib_texture_wave", 1, "coord v, amplitude_x s, amplitude_y s, amplitude_z s, offset s"},
-    {"mib_shadow_transparency", 1, "color c, transp c, mode i, lights L"},
-    {"mib_texture_lookup", 1, "tex tex, coord v"},
-    {"mib_texture_vector", 2, "select i, selspace i, vertex i, project i"},
-    {"mib_texture_remap", 1,
-     "input v, transform t, repeat v, alt_x b, alt_y b, alt_z b, torus_x b, torus_y b, torus_z b, "
-     "min v, max v, offset v"},
-    {"mib_lookup_spherical", 1, "dir v, rotate s, tex tex"},
-    {"mib_lookup_background", 1, "zoom v, pan v, torus_u b, torus_v b, tex tex"},
-    {"physical_light", 3, "color c, cone s, threshold s, cos_exp s"},
-    {"mib_light_infinite", 1, "color c, shadow b, factor s"},
-    {"mib_light_point", 1, "color c, shadow b, factor s, atten b, start s, stop s"},
-    {"mib_light_spot", 1, "color c, shadow b, factor s, atten b, start s, stop s, cone s"},
-};
-
-const ShaderSpec& spec_of(std::string_view name) {
-  const ShaderSpec* spec = builtin_shaders().find(name);
-  if (!spec) throw std::runtime_error(fmt::format("no shader {}", name));
-  return *spec;
-}
-
-std::string type_of(const ParamSpec& p) {
-  const std::string name(scene::type_name(p.type == ParamType::Array ? p.element : p.type));
-  return p.type == ParamType::Array ? "array " + name : name;
-}
-
-std::string default_of(const ParamSpec& p) {
-  if (!p.declared_default) return "-";
-  const auto& v = p.fallback;
-  switch (p.type) {
-    case ParamType::Boolean:
-      return v[0] != 0 ? "on" : "off";
-    case ParamType::Integer:
-    case ParamType::Scalar:
-      return fmt::format("{:g}", v[0]);
-    case ParamType::Color:
-    case ParamType::Vector:
-      return fmt::format("{:g} {:g} {:g}", v[0], v[1], v[2]);
-    default:
-      return "-";
-  }
-}
-
-std::string table_of(std::string_view shader) {
-  std::string text = "\n";
-  for (const ParamSpec& p : spec_of(shader).params)
-    text += fmt::format("{} | {} | {}\n", p.name, type_of(p), default_of(p));
-  return text;
-}
-
 TEST(Declarations, MaterialXIsTheDeclaredTable) {
   EXPECT_EQ(table_of("mia_material_x"), kMiaMaterialXTable);
   EXPECT_EQ(table_of("mia_material_x_passes"), kMiaMaterialXTable);
@@ -331,53 +238,6 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
   EXPECT_EQ(spec_of("mia_exposure_photographic").version, 4);
   EXPECT_EQ(spec_of("mia_exposure_simple").version, 1);
   EXPECT_EQ(spec_of("mia_lens_bokeh").version, 4);
-}
-
-TEST(Declarations, BaseShadersHaveTheirParametersInOrder) {
-  for (const PlainInterface& row : kBase) {
-    std::string text;
-    for (const ParamSpec& p : spec_of(row.shader).params) {
-      const char* letter = "?";
-      switch (p.type) {
-        case ParamType::Color:
-          letter = "c";
-          break;
-        case ParamType::Vector:
-          letter = "v";
-          break;
-        case ParamType::Scalar:
-          letter = "s";
-          break;
-        case ParamType::Integer:
-          letter = "i";
-          break;
-        case ParamType::Boolean:
-          letter = "b";
-          break;
-        case ParamType::Transform:
-          letter = "t";
-          break;
-        case ParamType::ColorTexture:
-          letter = "tex";
-          break;
-        case ParamType::ScalarTexture:
-          letter = "stex";
-          break;
-        case ParamType::Shader:
-          letter = "sh";
-          break;
-        case ParamType::Array:
-          letter = p.element == ParamType::Light ? "L" : "?";
-          break;
-        default:
-          break;
-      }
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", p.name, letter);
-      EXPECT_EQ(p.fallback, (std::array<float, 4>{})) << row.shader << '.' << p.name;
-    }
-    EXPECT_EQ(text, row.parameters) << row.shader;
-    EXPECT_EQ(spec_of(row.shader).version, row.version) << row.shader;
-  }
 }
 
 // What every table owes its readers, of shaders here and of shaders to come.

@@ -19,6 +19,7 @@
 #include "shaders/base/mib_light_photometric.h"
 #include "shaders/base/mib_lookup.h"
 #include "shaders/base/mib_lookup_cube.h"
+#include "shaders/base/mib_occlusion.h"
 #include "shaders/base/mib_ray.h"
 #include "shaders/base/mib_shadow.h"
 #include "shaders/base/mib_texture.h"
@@ -27,6 +28,7 @@
 #include "shaders/hosts/maya_light.h"
 #include "shaders/hosts/maya_surface.h"
 #include "shaders/physics/dgs_material.h"
+#include "shaders/physics/parti_volume.h"
 
 namespace oriel {
 namespace {
@@ -75,13 +77,15 @@ const Registry& builtin_shaders() {
       &kMiaPhysicalSky,
       &kMiaPortalLight,
       &kMiaPhotometricLight,
+      &kMiaLightSurface,
       &kMiaCieSky,
       &kMiaExposurePhotographic,
       &kMiaExposurePhotographicRev,
-      &kMiaLightSurface,
       &kMiaExposureSimple,
       &kMiaLensBokeh,
       &kPhysicalLensDof,  //
+      &kMibAmbOcclusion,
+      &kMibBentNormalEnv,
       &kMibBlackbody,
       &kMibBumpBasis,
       &kMibBumpMap,
@@ -95,6 +99,8 @@ const Registry& builtin_shaders() {
       &kMibColorSpread,
       &kMibContinue,
       &kMibDielectric,
+      &kMibFastOcclusion,
+      &kMibFgOcclusion,
       &kMibGlossyReflection,
       &kMibGlossyRefraction,
       &kMibIllumBlinn,
@@ -141,6 +147,8 @@ const Registry& builtin_shaders() {
       &kDielectricMaterial,
       &kDielectricMaterialPhoton,
       &kOversamplingLens,
+      &kPartiVolume,
+      &kPartiVolumePhoton,
       &kPathMaterial,
       &kPhysicalLight,
       &kTransmat,

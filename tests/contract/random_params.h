@@ -96,6 +96,17 @@ class ParamBlock {
     for (const ParamSpec& row : spec_.params)
       if (name == row.name && row.type == ParamType::Color) set(row, value);
   }
+  /// The texture everywhere one is asked for.
+  void set_textures(const TextureNode* texture) {
+    for (const ParamSpec& row : spec_.params)
+      if (row.type == ParamType::ColorTexture || row.type == ParamType::ScalarTexture)
+        set(row, texture);
+  }
+  /// Another's value of that parameter.
+  void take(const ParamBlock& other, const ParamSpec& row) {
+    std::memcpy(reinterpret_cast<std::byte*>(storage_.data()) + row.offset,
+                static_cast<const std::byte*>(other.data()) + row.offset, size_of(row.type));
+  }
   const void* data() const { return storage_.data(); }
 
  private:

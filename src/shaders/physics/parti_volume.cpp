@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/physics/parti_volume.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/tracer.h"
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+struct Air {
+  int mode;
+  Rgba scatter;
+  float extinction, r, g1, g2, nonuniform, height, min_step_len, max_step_len, light_dist;
+  int min_level;
+  bool no_globil_where_direct;
+  ArrayView<LightRef> lights;
+};
+
+constexpr Support kNone = Support::Ignored;
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(Air, mode), .min = 0, .max = 1, .doc = "0 everywhere, 1 below height.",
+     .declared_default = false},
+    {ORIEL_PARAM(Air, scatter), .doc = "Share that is scattered of what is taken away.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Air, extinction), .min = 0, .unit = "per scene unit",
+     .doc = "What a unit of length takes away.", .declared_default = false},
+    {ORIEL_PARAM(Air, r), .min = 0, .max = 1, .doc = "Share of the first lobe.",
+     .declared_default = false},
+    {ORIEL_PARAM(Air, g1), .min = -1, .max = 1, .doc = "How much the first lobe goes forward.",
+     .declared_default = false},
+    {ORIEL_PARAM(Air, g2), .min = -1, .max = 1, .doc = "How much the second lobe goes forward.",
+     .declared_default = false},
+    {ORIEL_PARAM(Air, nonuniform), .doc = "How uneven the air is; it is even.", .support = kNone,
+     .declared_default = false},
+    {ORIEL_PARAM(Air, height), .unit = "scene units", .doc = "Where the air ends, along y.",
+     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Air, min_step_len), .doc = "Shortest step; places are drawn by chance.",
+     .support = kNone, .declared_default = false},
+    {ORIEL_PARAM(Air, max_step_len), .doc = "Longest step; places are drawn by chance.",
+     .support = kNone, .declared_default = false},
+    {ORIEL_PARAM(Air, light_dist), .doc = "Steps near lights; places are drawn by chance.",
+     .support = kNone, .declared_default = false},
+    {ORIEL_PARAM(Air, min_level), .doc = "Depth from which photons are stored; none are.",
+     .support = kNone, .declared_default = false},
+    {ORIEL_PARAM(Air, no_globil_where_direct), .doc = "No photons where there is direct light.",
+     .support = kNone, .declared_default = false},
+    {ORIEL_PARAM(Air, lights), .doc = "Lights that are scattered; none = all.",
+     .declared_default = false},
+};
+
+float lobe(float cosine, float g) {
+  /// Narrower lobes are needles that no sample finds.
+  constexpr float kMost = 0.99f;
+  const float a = clamp(g, -kMost, kMost);
+  return (1 - a * a) / (4 * kPi * std::pow(1 + a * a - 2 * a * cosine, 1.5f));
+}
+
+/// The stretch of a ray that runs through the air.
+struct Stretch {
+  float begin = 0, end = 0;
+  float length() const { return std::max(0.0f, end - begin); }
+};
+
+Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) {
+  Stretch s{0, length};
+  if (p.mode != 1) return s;
+  const float below = p.height - origin.y;
+  if (way.y == 0) return below > 0 ? s : Stretch{};
+  const float crossing = below / way.y;
+  if (way.y > 0)
+    s.end = std::min(s.end, crossing);
+  else
+    s.begin = std::max(s.begin, crossing);
+  return s;
+}
+
+/// Share of a light's colour that is left at a place.
+float dimmed(const Air& p, const Light& light, const Vec3& place, const Vec3& wi) {
+  if (light.shape != LightShape::Directional) {
+    const float way = length(light.position - place);
+    return std::exp(-p.extinction * within(p, place, wi, way).length());
+  }
+  if (p.mode != 1) return 1;  // air without end would leave nothing
+  if (!(wi.y > 0)) return 0;
+  return std::exp(-p.extinction * std::max(0.0f, (p.height - place.y) / wi.y));
+}
+
+/// Light of one source scattered toward the eye at a place, per unit of scattering.
+Rgb scattered(const Air& p, int index, ShadingPoint& point) {
+  const auto arriving = point.tracer->light(index, point);
+  if (!arriving) return Rgb(0);
+  // Forward is on along the light's way, which is toward the eye where that is behind.
+  const float cosine = dot(arriving->wi, point.ray_direction);
+  const float share = clamp01(p.r);
+  const float phase = share * lobe(cosine, p.g1) + (1 - share) * lobe(cosine, p.g2);
+  const Light& light = point.world->lights[static_cast<std::size_t>(index)];
+  // A colour is irradiance over pi.
+  return arriving->colour * (kPi * phase * dimmed(p, light, point.position, arriving->wi));
+}
+
+AirValue air(const Call& call) {
+  const auto& p = call.as<Air>();
+  const ShadingPoint& eye = call.point;
+  const Stretch s = within(p, eye.ray_origin, eye.ray_direction, eye.ray_length);
+  const float depth = p.extinction * s.length();
+  if (!(depth > 0)) return {};
+  AirValue out{Rgb(std::exp(-depth)), Rgb(0)};
+  if (!eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
+  // A place on the stretch, as likely as light from there gets through.
+  const float taken = -std::expm1(-depth);
+  const float t = -std::log1p(-eye.tracer->next().x * taken) / p.extinction;
+  ShadingPoint place = eye;
+  place.position = eye.ray_origin + eye.ray_direction * (s.begin + std::min(t, s.length()));
+  if (p.lights.size > 0) {
+    for (const LightRef light : p.lights)
+      if (light.index >= 0) out.added += scattered(p, light.index, place);
+  } else {
+    for (std::size_t i = 0; i < eye.world->lights.size(); ++i)
+      out.added += scattered(p, static_cast<int>(i), place);
+  }
+  out.added *= rgb(p.scatter) * taken;
+  return out;
+}
+
+}  // namespace
+
+const ShaderSpec kPartiVolume = {
+    .name = "parti_volume",
+    .library = "physics",
+    .version = 3,
+    .apply = kApplyVolume,
+    .doc = "Air that dims and scatters light.",
+    .params = kRows,
+    .params_size = sizeof(Air),
+    .volume = air,
+};
+
+const ShaderSpec kPartiVolumePhoton = {
+    .name = "parti_volume_photon",
+    .library = "physics",
+    .version = 3,
+    .apply = kApplyPhoton,
+    .doc = "Accepted; photons are not scattered by air.",
+    .params = kRows,
+    .params_size = sizeof(Air),
+    .volume = air,
+};
+
+}  // namespace oriel
