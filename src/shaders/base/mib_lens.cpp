@@ -69,8 +69,16 @@ float ceiling_of(const P& p) {
   return p.ceiling > p.floor ? p.ceiling : p.floor + 1;
 }
 
-Rgb stencil(const Call& call, const LensCall&, const Rgb& color) {
+/// A colour of the film as one that can be shown: no path may spoil the picture.
+Rgb shown(const Rgb& c) {
+  constexpr float kBrightest = 1e30f;
+  const auto channel = [&](float x) { return x > 0 ? std::min(x, kBrightest) : 0.0f; };
+  return Rgb(channel(c.x), channel(c.y), channel(c.z));
+}
+
+Rgb stencil(const Call& call, const LensCall&, const Rgb& film) {
   const auto& p = call.as<Stencil>();
+  const Rgb color = shown(film);
   if (!p.stencil.texture || !call.point.world) return color;
   const Camera& camera = call.point.world->camera;
   const Vec2 uv(call.point.raster.x / static_cast<float>(camera.width),
@@ -80,12 +88,13 @@ Rgb stencil(const Call& call, const LensCall&, const Rgb& color) {
   const float value = (c.r + c.g + c.b) / 3, ceiling = ceiling_of(p);
   if (value < p.floor) return rgb(p.floor_color);
   if (value > ceiling) return rgb(p.ceil_color);
-  const float shown = (value - p.floor) / (ceiling - p.floor);
-  return color * shown + rgb(p.floor_color) * (1 - shown);
+  const float share = (value - p.floor) / (ceiling - p.floor);
+  return color * share + rgb(p.floor_color) * (1 - share);
 }
 
-Rgb clamp_lens(const Call& call, const LensCall&, const Rgb& color) {
+Rgb clamp_lens(const Call& call, const LensCall&, const Rgb& film) {
   const auto& p = call.as<Clamp>();
+  const Rgb color = shown(film);
   const float ceiling = ceiling_of(p), range = ceiling - p.floor;
   if (!p.luminance)
     return Rgb(clamp01((color.x - p.floor) / range), clamp01((color.y - p.floor) / range),
@@ -142,7 +151,7 @@ const ShaderSpec kOversamplingLens = {
     .doc = "Accepted; the sampler decides how many rays a pixel gets.",
     .params = kOversamplingRows,
     .params_size = sizeof(Oversampling),
-    .lens = [](const Call&, const LensCall&, const Rgb& color) { return color; },
+    .lens = [](const Call&, const LensCall&, const Rgb& color) { return shown(color); },
 };
 
 }  // namespace oriel
