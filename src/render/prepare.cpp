@@ -68,11 +68,10 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   Binder binder(scene, registry, *world, light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment before materials: nothing in it depends on them.
-  NodeList environment = binder.bind(camera->environment);
+  world->environment = EnvironmentLight(binder.bind(camera->environment), *world);
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
   place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
-  world->environment = EnvironmentLight(std::move(environment), *world);
   open_portals(*world);
   world->light_groups = group_lights(*world);
 

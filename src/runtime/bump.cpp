@@ -27,4 +27,18 @@ Vec3 bump_normal(const ShadingPoint& point, const Vec3& normal, const Vec3& v, i
   return dot(sum, sum) > 0 ? normalize(sum) : normal;
 }
 
+Vec3 bump_vector(const ShadingPoint& point, const Vec3& from, const Vec3& to, int mode) {
+  if (mode < 1 || mode > 8) return Vec3(0);
+  Vec3 v = to - from;
+  if (mode >= 5) v = point.back_side ? -to : to;
+  switch ((mode - 1) % 4) {
+    case 2:
+      return point.to_world ? transform_normal(v, *point.to_world) : v;
+    case 3:
+      return point.world ? transform_normal(v, point.world->camera.to_world) : v;
+    default:
+      return v;
+  }
+}
+
 }  // namespace oriel

@@ -17,6 +17,10 @@ namespace oriel {
 /// Source:  manual, "Bump Mapping".
 Vec3 bump_normal(const ShadingPoint& point, const Vec3& normal, const Vec3& v, int mode);
 
+/// The vector v by which bump_normal(point, from, v, mode) is `to`; null where they are the same
+/// and the mode adds. Checked: BumpNormal.VectorsGiveTheNormalBack
+Vec3 bump_vector(const ShadingPoint& point, const Vec3& from, const Vec3& to, int mode);
+
 /// Turns the normal just enough that the viewer is on its front side: a bumped or interpolated
 /// normal that looks away would shade black.
 inline Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point) {

@@ -94,5 +94,18 @@ TEST(FacingViewer, KeepsNormalsThatFaceAndLiftsOthersJustEnough) {
   }
 }
 
+TEST_F(BumpNormal, VectorsGiveTheNormalBack) {
+  const Vec3 from = normalize(Vec3(.1f, -.2f, 1)), to = normalize(Vec3(-.4f, .3f, .8f));
+  for (const bool back : {false, true})
+    for (int mode = 1; mode <= 8; ++mode) {
+      point.back_side = back;
+      const Vec3 v = bump_vector(point, from, to, mode);
+      expect_near(bump_normal(point, from, v, mode), to, "there");
+      if (mode <= 4) {
+        EXPECT_EQ(bump_vector(point, from, from, mode), Vec3(0));
+      }
+    }
+}
+
 }  // namespace
 }  // namespace oriel

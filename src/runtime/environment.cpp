@@ -50,11 +50,12 @@ Vec2 uv_of(const Vec3& d) {
 }  // namespace
 
 Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec3& origin,
-                          const Vec3& direction, RayKind kind, bool blurred) {
+                          const Vec3& direction, RayKind kind, bool blurred, float roughness) {
   ShadingPoint point;
   point.environment = true;
   point.ray_kind = kind;
   point.blurred = blurred;
+  point.roughness = roughness;
   point.ray_origin = origin;
   point.ray_direction = direction;
   point.position = origin + direction;

@@ -10,9 +10,10 @@
 namespace oriel {
 
 /// Radiance, in pixel units, of environment shaders in a direction; alpha as the shader returns it.
-/// `blurred`: the ray is one of a glossy bundle.
+/// `blurred`: the ray is one of a glossy bundle. `roughness`: see ShadingPoint.
 Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec3& origin,
-                          const Vec3& direction, RayKind kind, bool blurred = false);
+                          const Vec3& direction, RayKind kind, bool blurred = false,
+                          float roughness = 0);
 
 /// The scene's environment as a light: a table of what diffuse surfaces see of it, over
 /// (u, v) = (azimuth / 2 pi, (1 - z) / 2), equal areas in solid angle, z world up or not.

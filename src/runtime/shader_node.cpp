@@ -93,9 +93,13 @@ void convert_value(ParamType from, const void* source, ParamType to, void* targe
 }
 
 bool ShaderNode::connected(std::size_t offset) const {
-  return material_input(offset) != nullptr ||
-         std::any_of(connections_.begin(), connections_.end(),
-                     [&](const Connection& c) { return c.offset == offset; });
+  return material_input(offset) != nullptr || source(offset) != nullptr;
+}
+
+const ShaderNode* ShaderNode::source(std::size_t offset) const {
+  for (const Connection& c : connections_)
+    if (c.offset == offset) return c.source;
+  return nullptr;
 }
 
 const ShaderNode* ShaderNode::material_input(std::size_t offset) const {

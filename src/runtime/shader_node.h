@@ -45,6 +45,8 @@ class ShaderNode {
   }
   /// Whether the parameter at `offset` comes from another shader.
   bool connected(std::size_t offset) const;
+  /// The shader that gives the parameter at `offset`; null when it is constant.
+  const ShaderNode* source(std::size_t offset) const;
   /// The material that stands for the parameter at `offset`; null when there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }

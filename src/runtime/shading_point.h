@@ -43,6 +43,7 @@ struct ShadingPoint {
   RayKind ray_kind = RayKind::Eye;
   bool environment = false;     ///< no surface: asked for what lies in ray_direction
   bool blurred = false;         ///< the ray is one of a glossy bundle, not a mirror's
+  float roughness = 0;          ///< of the part of a lobe that a look-up stands for; 0: a direction
   bool nearest_texels = false;  ///< textures give single texels, neither filtered nor interpolated
   std::uint8_t texture_spaces = 0;
 

@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "shaders/architectural/mia_envblur.h"
 #include "shaders/architectural/mia_exposure.h"
 #include "shaders/architectural/mia_lens_bokeh.h"
 #include "shaders/architectural/mia_light_surface.h"
 #include "shaders/architectural/mia_material.h"
 #include "shaders/architectural/mia_photometric_light.h"
 #include "shaders/architectural/mia_portal_light.h"
+#include "shaders/architectural/mia_roundcorners.h"
 #include "shaders/architectural/mia_sun_sky.h"
 #include "shaders/base/mib_bump.h"
 #include "shaders/base/mib_color.h"
@@ -83,6 +85,8 @@ const Registry& builtin_shaders() {
       &kMiaExposurePhotographicRev,
       &kMiaExposureSimple,
       &kMiaLensBokeh,
+      &kMiaEnvBlur,
+      &kMiaRoundCorners,
       &kPhysicalLensDof,  //
       &kMibAmbOcclusion,
       &kMibBentNormalEnv,

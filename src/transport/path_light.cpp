@@ -16,7 +16,13 @@ bool Path::ends_at(const Portal& portal) const {
 /// lights do not shadow each other. Portals end bundles as well: what is behind them is in their
 /// light.
 void Path::meet_lights(float t_surface, bool& ended) {
-  if (!settings_.lamps || (caustics_are_mapped() && kind_ != RayKind::FinalGather)) return;
+  if (!settings_.lamps) {
+    // Photons bring the light of portals: what is behind them must not come a second time.
+    if (kind_ == RayKind::FinalGather)
+      ended = portals_on_way(world_, ray_.org, ray_.dir, t_surface, true).ends_diffuse;
+    return;
+  }
+  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   const bool sees = !from_.weighed;
   float nearest = t_surface;
   ShadingPoint origin;
@@ -94,8 +100,8 @@ Rgb Path::reflected_environment(const Vec3& direction) {
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
   if (shaders.empty()) return Rgb(0);
   ++counts_.environment;
-  return rgb(
-      environment_radiance(shaders, world_, ray_.org, direction, environment_kind(), blurred_));
+  return rgb(environment_radiance(shaders, world_, ray_.org, direction, environment_kind(),
+                                  blurred_, roughness_));
 }
 
 /// What a limited reflection fades to.
@@ -132,9 +138,9 @@ void Path::meet_environment() {
   if (!shaders.empty()) ++counts_.environment;
   const Vec3 origin = ray_.org, direction = ray_.dir;
   const RayKind kind = environment_kind();
-  const Rgba c = shaders.empty()
-                     ? Rgba(0, 0, 0, 0)
-                     : environment_radiance(shaders, world_, origin, direction, kind, blurred_);
+  const Rgba c = shaders.empty() ? Rgba(0, 0, 0, 0)
+                                 : environment_radiance(shaders, world_, origin, direction, kind,
+                                                        blurred_, roughness_);
   if (first_)
     result_->alpha = clamp01(c.a);
   else if (alpha_open_)

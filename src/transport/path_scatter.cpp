@@ -238,6 +238,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   at_first_ = false;
 
   environment_ = material.environment.empty() ? nullptr : &material.environment;
+  roughness_ = lobe.kind == LobeKind::GlossyReflection ? std::sqrt(lobe.alpha_x * lobe.alpha_y) : 0;
   from_.weighed = !sample.delta;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
@@ -274,6 +275,9 @@ bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Materia
     from_.environment_sampled = false;
   scatter(closure, material, point, *sample);
   from_.weighed &= weighed;
+  // One look-up stands for the lobe; of many rays each stands for its share of the solid angle.
+  if (!fading_.single_environment)
+    roughness_ /= std::sqrt(std::max(1.0f, choice.rays[index]) * settings_.paths_of_pixel);
   if (too_deep) {
     bool seen = false;
     if (world_.has_area_lights) meet_lights(kInfinity, seen);

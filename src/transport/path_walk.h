@@ -185,6 +185,7 @@ class Path {
   RayCone cone_;
   RayKind kind_ = RayKind::Eye;
   bool blurred_ = false;
+  float roughness_ = 0;  ///< of the part of a reflecting lobe that the ray stands for
   bool after_diffuse_ = false;
   bool first_ = true;           ///< no surface has been seen yet
   bool parted_ = false;         ///< the surface that radiance is told apart by has been met

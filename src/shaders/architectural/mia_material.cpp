@@ -55,12 +55,29 @@ struct Normals {
   Vec3 diffuse, specular, base;
 };
 
+/// The normal after one bump input. A shader there may return nothing and move it itself.
+Vec3 after_bump(const Call& call, std::size_t offset, const Vec3& v, const Vec3& normal) {
+  const ShadingPoint& point = call.point;
+  if (v != Vec3(0)) return bump_normal(point, normal, v, call.as<P>().bump_mode);
+  const ShaderNode* source = call.node ? call.node->source(offset) : nullptr;
+  if (!source) return normal;
+  ShadingPoint moved = point;
+  moved.normal = normal;
+  source->color(moved);
+  return moved.normal;
+}
+
 /// The normals after the bump inputs, on the viewer's side.
-Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
+Normals bumped_normals(const Call& call, bool extended) {
+  const P& p = call.as<P>();
+  const ShadingPoint& point = call.point;
   Normals n{point.normal, point.normal, point.normal};
-  const Vec3 none(0);
-  if (extended && p.bump_mode != 0 && p.overall_bump == none && p.standard_bump == none &&
-      p.refl_base_bump == none) {
+  const auto is_still = [&](std::size_t offset, const Vec3& v) {
+    return v == Vec3(0) && !(call.node && call.node->source(offset));
+  };
+  if (extended && p.bump_mode != 0 && is_still(offsetof(P, overall_bump), p.overall_bump) &&
+      is_still(offsetof(P, standard_bump), p.standard_bump) &&
+      is_still(offsetof(P, refl_base_bump), p.refl_base_bump)) {
     n.diffuse = n.specular = n.base = facing_viewer(point.normal, point);
     return n;
   }
@@ -72,11 +89,11 @@ Normals bumped_normals(const P& p, bool extended, ShadingPoint& point) {
       if (!p.no_diffuse_bump) n.diffuse = n.specular;
     }
   } else {
-    const Vec3 overall = bump_normal(point, point.normal, p.overall_bump, p.bump_mode);
-    const Vec3 standard = bump_normal(point, overall, p.standard_bump, p.bump_mode);
+    const Vec3 overall = after_bump(call, offsetof(P, overall_bump), p.overall_bump, point.normal);
+    const Vec3 standard = after_bump(call, offsetof(P, standard_bump), p.standard_bump, overall);
     n.specular = standard;
     n.diffuse = p.no_diffuse_bump ? overall : standard;
-    n.base = bump_normal(point, overall, p.refl_base_bump, p.bump_mode);
+    n.base = after_bump(call, offsetof(P, refl_base_bump), p.refl_base_bump, overall);
     n.base = facing_viewer(n.base, point);
   }
   n.diffuse = facing_viewer(n.diffuse, point);
@@ -207,7 +224,7 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
 
   closure.emission += rgb(p.additional_color);
   closure.indirect_scale = std::max(0.0f, p.indirect_multiplier);
-  const Normals n = bumped_normals(p, extended, point);
+  const Normals n = bumped_normals(call, extended);
   const float cos_view = clamp01(dot(n.specular, point.wo()));
   const bool inside = point.back_side && !p.thin_walled;
   const MiaLevels levels = mia_levels(p, cos_view, inside);
