@@ -200,8 +200,8 @@ void print_grid(const Measurement& m) {
   for (int row = 0; row < m.places.rows; ++row) {
     std::string line;
     for (int column = 0; column < m.places.columns; ++column) {
-      const double lux =
-          m.readings[static_cast<std::size_t>(row * m.places.columns + column)].value;
+      const int sensor = row * m.places.columns + column;
+      const double lux = m.readings[static_cast<std::size_t>(sensor)].value;
       line += fmt::format(" {:>7}",
                           lux < 100 ? fmt::format("{:.1f}", lux) : fmt::format("{:.0f}", lux));
     }

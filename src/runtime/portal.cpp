@@ -20,7 +20,7 @@ constexpr std::size_t kPhotographedSide = 512, kSmoothSide = 256;
 constexpr std::size_t kRoughSide = 32;
 /// Luminance of a cell of it over the mean from which on choices go by it; a guess: a clear sky
 /// without its sun stays below.
-constexpr float kUneven = 8;
+constexpr float kUneven = 4;
 /// Share of the mean radiance added everywhere.
 constexpr float kEvenShare = 0.05f;
 /// Grazing light that is given up, as for other flat lights.

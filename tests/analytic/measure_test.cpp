@@ -74,6 +74,16 @@ TEST(Measure, WindowsBringTheirFormFactor) {
   }
 }
 
+TEST(Measure, ASquareAtTheFootOfAWallLightsItByItsFormFactor) {
+  // A unit square at height 1 over the foot of the wall, one corner above the meter.
+  SceneText scene;
+  scene.emitter("glow", 1000)
+      .polygon("glow", {Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(1, 1, 1), Vec3(1, 0, 1)});
+  expect_reads("1x1 at 1, from an upright element under its corner",
+               measure(scene, {Vec3(0), Vec3(1, 0, 0)}, {.precision = .01}), 1000 * kPi * .0557342,
+               .011);
+}
+
 TEST(Measure, LampsBringWhatTheirShapesDo) {
   // A physical light of colour c sends pi c in all: 1000 cd are c = 4000.
   const auto lamp = [](const std::string& element, float color) {
