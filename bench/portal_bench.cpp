@@ -10,12 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "base/parallel.h"
-#include "color/luminance.h"
+#include "path_picture.h"
 #include "render/testing/prepared_scene.h"
 #include "shaders/registry.h"
 #include "timing.h"
-#include "transport/path.h"
 
 namespace {
 
@@ -89,48 +87,16 @@ std::string room(const Surroundings& around, int n) {
                     kWidth, kHeight, around.environment, members);
 }
 
-using Picture = std::vector<Rgb>;
-
 struct Room : oriel::testing::PreparedScene {
   explicit Room(const std::string& text) : PreparedScene(text) {
     fmt::print(stderr, "{}", messages());
   }
-
-  Picture render(int samples, std::uint32_t seed) const {
-    Picture picture(kWidth * kHeight, Rgb(0));
-    parallel_for(kHeight, [&](std::size_t line) {
-      RayCounts counts;
-      const int y = static_cast<int>(line);
-      for (int x = 0; x < kWidth; ++x)
-        for (int s = 0; s < samples; ++s) {
-          sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(s), seed);
-          const Vec2 raster =
-              Vec2(static_cast<float>(x), static_cast<float>(y)) + sampler.next_2d();
-          picture[line * kWidth + static_cast<std::size_t>(x)] +=
-              trace_path(*world, world->camera.ray(raster), raster, {}, sampler, counts).radiance /
-              static_cast<float>(samples);
-        }
-    });
-    return picture;
-  }
 };
-
-double relative_error(const Picture& a, const Picture& exact) {
-  double sum = 0, mean = 0;
-  for (const Rgb& c : exact) mean += static_cast<double>(luminance(c));
-  mean /= static_cast<double>(exact.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double x = static_cast<double>(luminance(a[i])),
-                 e = static_cast<double>(luminance(exact[i]));
-    sum += (x - e) * (x - e) / (e * e + 1e-4 * mean * mean);
-  }
-  return sum / static_cast<double>(a.size());
-}
 
 void compare(const char* name, const Surroundings& around, int reference_samples) {
   constexpr int kSamples = 16, kRounds = 5;
   const Room rooms[] = {Room(room(around, 0)), Room(room(around, 1)), Room(room(around, 4))};
-  const Picture exact = rooms[1].render(reference_samples, 1);
+  const bench::Picture exact = bench::path_picture(*rooms[1].world, reference_samples, 1);
   const ThreadLimit limit(1);
   fmt::print("{}: error at equal time, {} paths a pixel\n", name, kSamples);
   double first = 0;
@@ -138,12 +104,12 @@ void compare(const char* name, const Surroundings& around, int reference_samples
   for (int i = 0; i < 3; ++i) {
     std::vector<double> seconds, errors;
     for (int round = 0; round < kRounds; ++round) {
-      Picture picture;
+      bench::Picture picture;
+      const auto seed = static_cast<std::uint32_t>(100 + round);
       seconds.push_back(bench::timed([&] {
-                          picture =
-                              rooms[i].render(kSamples, static_cast<std::uint32_t>(100 + round));
+                          picture = bench::path_picture(*rooms[i].world, kSamples, seed);
                         }).cpu);
-      errors.push_back(relative_error(picture, exact));
+      errors.push_back(bench::relative_error(picture, exact));
     }
     const double cost = bench::median(seconds), error = bench::median(errors);
     if (i == 0) first = cost * error;
