@@ -60,6 +60,15 @@ class GlossyReflection {
   float inverse_albedo_ = 0;  // 0: not made for one viewer
 };
 
+/// Where a rough surface reflects to on the whole: from the mirrored view r toward the normal n.
+/// Source:  Lagarde, de Rousiers, "Moving Frostbite to Physically Based Rendering 3.0", SIGGRAPH
+///          2014 courses, 4.9.3: a fit for GGX.
+/// Checked: EnvBlur.OneLookUpIsWhatManyRaysConvergeTo
+inline Vec3 main_direction(const Vec3& r, const Vec3& n, float alpha) {
+  const float smooth = clamp01(1 - alpha);
+  return normalize(n + (r - n) * (smooth * (std::sqrt(smooth) + alpha)));
+}
+
 /// Blurred transparency of a thin sheet: the reflection lobe turned to the other side, centred on
 /// the straight way through.
 /// Checked: RoughThinTransmission.CentresOnTheStraightWay and the contract suite.

@@ -17,11 +17,11 @@ constexpr float kFourPointVariance = 1 / 16.0f, kBoxVariance = 1 / 12.0f;
 /// Width of the first level in texels.
 const float kFirstWidth = std::sqrt(kSplineVariance + kFourPointVariance);
 /// Maps do not get smaller than that many texels each way.
-constexpr int kLeastSide = 13;
-/// Points of a kernel that is as wide as texels of its map; more where it is wider.
-constexpr float kPointsPerTexel = 64;
+constexpr int kLeastSide = 6;
+/// Points of a kernel for each square texel of its variance, and least.
+constexpr float kPointsPerTexel = 16, kLeastPoints = 48;
 
-float texel_width(int side) { return std::sqrt(4 * kPi) / static_cast<float>(side); }
+float texel_width(int side) { return std::sqrt(4 * kPi / 6) / static_cast<float>(side); }
 
 /// Cosine below which lies the share u of the kernel exp(k (cos t - 1)).
 float cosine_at(float u, float k) {
@@ -29,11 +29,10 @@ float cosine_at(float u, float k) {
 }
 
 /// The map under a kernel of that variance, at points spread evenly over it.
-SphereMap blurred(const SphereMap& map, float variance) {
-  SphereMap out(map.side());
+CubeMap blurred(const CubeMap& map, float variance) {
   const float k = 1 / variance;
-  const auto points =
-      static_cast<int>(kPointsPerTexel * std::max(1.0f, variance / sqr(texel_width(map.side()))));
+  const auto points = static_cast<int>(
+      std::max(kLeastPoints, kPointsPerTexel * variance / sqr(texel_width(map.side()))));
   std::vector<Vec3> offsets;
   for (int i = 0; i < points; ++i) {
     const float z = cosine_at((static_cast<float>(i) + 0.5f) / static_cast<float>(points), k);
@@ -42,76 +41,50 @@ SphereMap blurred(const SphereMap& map, float variance) {
     const float phi = kTwoPi * (golden - std::floor(golden));
     offsets.emplace_back(r * std::cos(phi), r * std::sin(phi), z);
   }
-  parallel_for(static_cast<std::size_t>(map.side()), [&](std::size_t line) {
-    const int y = static_cast<int>(line);
-    for (int x = 0; x < map.side(); ++x) {
-      const Frame frame(map.direction(x, y));
-      Rgba sum(0);
-      for (const Vec3& o : offsets) sum += map.lookup(square_of(frame.to_world(o)));
-      out.at(x, y) = sum * (1 / static_cast<float>(points));
-    }
+  CubeMap out(map.side());
+  out.fill([&](int face, int x, int y) {
+    const Frame frame(
+        map.direction(face, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
+    Rgba sum(0);
+    for (const Vec3& o : offsets) sum += map.lookup(frame.to_world(o));
+    return sum * (1 / static_cast<float>(points));
   });
   // The points are no exact quadrature: what they brighten or darken all in all is made up for.
   const Rgba before = map.mean(), after = out.mean();
   Rgba factor(1);
   for (int c = 0; c < 4; ++c)
     if ((&after.r)[c] > 0) (&factor.r)[c] = (&before.r)[c] / (&after.r)[c];
-  for (int y = 0; y < out.side(); ++y)
-    for (int x = 0; x < out.side(); ++x) out.at(x, y) *= factor;
-  out.close();
+  out.fill([&](int face, int x, int y) { return out.at(face, x, y) * factor; });
   return out;
 }
 
 }  // namespace
 
-Vec2 square_of(const Vec3& d) {
-  const float r = std::sqrt(std::max(0.0f, 1 - std::abs(d.z)));
-  const float turn = std::atan2(std::abs(d.y), std::abs(d.x)) * (2 * kInvPi);
-  float v = turn * r, u = r - v;
-  if (d.z < 0) {
-    const float old = u;
-    u = 1 - v;
-    v = 1 - old;
-  }
-  return Vec2(std::copysign(u, d.x) + 1, std::copysign(v, d.y) + 1) * 0.5f;
+CubeMap::CubeMap(int side)
+    : side_(side), texels_(static_cast<std::size_t>(6 * (side + 2) * (side + 2)), Rgba(0)) {}
+
+Vec3 CubeMap::direction(int face, float x, float y) const {
+  const float step = kPi / 2 / static_cast<float>(side_);
+  const int axis = face / 2;
+  Vec3 d;
+  d[axis] = face % 2 == 0 ? 1.0f : -1.0f;
+  d[(axis + 1) % 3] = std::tan(step * x - kPi / 4);
+  d[(axis + 2) % 3] = std::tan(step * y - kPi / 4);
+  return normalize(d);
 }
 
-Vec3 direction_of(const Vec2& square) {
-  const float u = 2 * square.x - 1, v = 2 * square.y - 1;
-  const float inner = 1 - std::abs(u) - std::abs(v);  // below 0: the lower half
-  const float r = 1 - std::abs(inner);
-  const float phi = r > 0 ? ((std::abs(v) - std::abs(u)) / r + 1) * (kPi / 4) : 0;
-  const float across = r * std::sqrt(std::max(0.0f, 2 - r * r));
-  return Vec3(std::copysign(across * std::cos(phi), u), std::copysign(across * std::sin(phi), v),
-              std::copysign(1 - r * r, inner));
+float CubeMap::solid_angle(float x, float y) const {
+  const float step = kPi / 2 / static_cast<float>(side_);
+  const float a = sqr(std::tan(step * x - kPi / 4)), b = sqr(std::tan(step * y - kPi / 4));
+  return sqr(step) * (1 + a) * (1 + b) / std::pow(1 + a + b, 1.5f);
 }
 
-SphereMap::SphereMap(int side)
-    : side_(side), texels_(static_cast<std::size_t>((side + 2) * (side + 2)), Rgba(0)) {}
-
-Vec3 SphereMap::direction(int x, int y) const {
-  const auto n = static_cast<float>(side_);
-  return direction_of(Vec2((static_cast<float>(x) + 0.5f) / n, (static_cast<float>(y) + 0.5f) / n));
-}
-
-void SphereMap::close() {
-  const int last = side_ - 1;
-  for (int i = 0; i < side_; ++i) {
-    at(i, -1) = at(last - i, 0);
-    at(i, side_) = at(last - i, last);
-    at(-1, i) = at(0, last - i);
-    at(side_, i) = at(last, last - i);
-  }
-  // All corners of the square are one point.
-  at(-1, -1) = at(last, last);
-  at(side_, side_) = at(0, 0);
-  at(-1, side_) = at(last, 0);
-  at(side_, -1) = at(0, last);
-}
-
-Rgba SphereMap::lookup(const Vec2& square) const {
-  const auto split = [this](float s, float* weights) {
-    const float x = s * static_cast<float>(side_);
+Rgba CubeMap::lookup(const Vec3& d) const {
+  const Vec3 size(std::abs(d.x), std::abs(d.y), std::abs(d.z));
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  const int face = 2 * axis + (d[axis] < 0 ? 1 : 0);
+  const auto split = [&](float tangent, float* weights) {
+    const float x = (std::atan(tangent) * (2 * kInvPi) + 0.5f) * static_cast<float>(side_);
     const int i = std::clamp(static_cast<int>(x), 0, side_ - 1);
     const float f = x - static_cast<float>(i) - 0.5f;
     weights[0] = 0.5f * sqr(0.5f - f);
@@ -120,62 +93,78 @@ Rgba SphereMap::lookup(const Vec2& square) const {
     return i;
   };
   float wx[3], wy[3];
-  const int x = split(square.x, wx), y = split(square.y, wy);
+  const int x = split(d[(axis + 1) % 3] / size[axis], wx);
+  const int y = split(d[(axis + 2) % 3] / size[axis], wy);
   Rgba sum(0);
   for (int j = 0; j < 3; ++j) {
-    const Rgba* row = &texels_[index(x - 1, y - 1 + j)];
+    const Rgba* row = &texels_[index(face, x - 1, y - 1 + j)];
     sum += (row[0] * wx[0] + row[1] * wx[1] + row[2] * wx[2]) * wy[j];
   }
   return sum;
 }
 
-SphereMap SphereMap::halved() const {
-  SphereMap half(side_ / 2);
-  for (int y = 0; y < half.side_; ++y)
-    for (int x = 0; x < half.side_; ++x)
-      half.at(x, y) = (at(2 * x, 2 * y) + at(2 * x + 1, 2 * y) + at(2 * x, 2 * y + 1) +
-                       at(2 * x + 1, 2 * y + 1)) *
-                      0.25f;
-  half.close();
+void CubeMap::fill(const std::function<Rgba(int face, int x, int y)>& colour) {
+  const auto rows = static_cast<std::size_t>(side_ + 2);
+  parallel_for(6 * rows, [&](std::size_t line) {
+    const auto face = static_cast<int>(line / rows), y = static_cast<int>(line % rows) - 1;
+    for (int x = -1; x <= side_; ++x) at(face, x, y) = colour(face, x, y);
+  });
+}
+
+CubeMap CubeMap::halved() const {
+  CubeMap half(side_ / 2);
+  half.fill([&](int face, int x, int y) {
+    const bool inside = x >= 0 && y >= 0 && x < half.side_ && y < half.side_;
+    Rgba sum(0);
+    float all = 0;
+    for (int k = 0; k < 4; ++k) {
+      const int fine_x = 2 * x + k % 2, fine_y = 2 * y + k / 2;
+      const float mid_x = static_cast<float>(fine_x) + 0.5f;
+      const float mid_y = static_cast<float>(fine_y) + 0.5f;
+      const float weight = solid_angle(mid_x, mid_y);
+      all += weight;
+      sum += (inside ? at(face, fine_x, fine_y) : lookup(direction(face, mid_x, mid_y))) * weight;
+    }
+    return sum * (1 / all);
+  });
   return half;
 }
 
-Rgba SphereMap::mean() const {
-  double sum[4] = {};  // a million terms of very different size
-  for (int y = 0; y < side_; ++y)
-    for (int x = 0; x < side_; ++x)
-      for (int c = 0; c < 4; ++c) sum[c] += (&at(x, y).r)[c];
+Rgba CubeMap::mean() const {
+  double sum[4] = {}, all = 0;  // a million terms of very different size
+  for (int face = 0; face < 6; ++face)
+    for (int y = 0; y < side_; ++y)
+      for (int x = 0; x < side_; ++x) {
+        const double weight =
+            solid_angle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        all += weight;
+        for (int c = 0; c < 4; ++c) sum[c] += weight * (&at(face, x, y).r)[c];
+      }
   Rgba mean;
-  for (int c = 0; c < 4; ++c)
-    (&mean.r)[c] = static_cast<float>(sum[c] / (static_cast<double>(side_) * side_));
+  for (int c = 0; c < 4; ++c) (&mean.r)[c] = static_cast<float>(sum[c] / all);
   return mean;
 }
 
-SphereBlur::SphereBlur(int side, const std::function<Rgba(const Vec3&)>& source) {
+SphereBlur::SphereBlur(int samples, const std::function<Rgba(const Vec3&)>& source) {
   constexpr int kMultiple = 16;
-  SphereMap map((std::max(side, kMultiple) + kMultiple - 1) / kMultiple * kMultiple);
-  const auto n = static_cast<float>(map.side());
-  parallel_for(static_cast<std::size_t>(map.side()), [&](std::size_t line) {
-    const int y = static_cast<int>(line);
-    for (int x = 0; x < map.side(); ++x) {
-      Rgba sum(0);
-      for (int k = 0; k < 4; ++k) {
-        const Vec2 at((static_cast<float>(x) + (k & 1 ? 0.75f : 0.25f)) / n,
-                      (static_cast<float>(y) + (k & 2 ? 0.75f : 0.25f)) / n);
-        const Rgba c = source(direction_of(at));
-        if (std::isfinite(c.r + c.g + c.b + c.a)) sum += c;
-      }
-      map.at(x, y) = sum * 0.25f;
+  const int least = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(samples) / 6)));
+  CubeMap map((std::max(least, 1) + kMultiple - 1) / kMultiple * kMultiple);
+  map.fill([&](int face, int x, int y) {
+    Rgba sum(0);
+    for (int k = 0; k < 4; ++k) {
+      const Rgba c = source(map.direction(face, static_cast<float>(x) + (k % 2 ? 0.75f : 0.25f),
+                                          static_cast<float>(y) + (k / 2 ? 0.75f : 0.25f)));
+      if (std::isfinite(c.r + c.g + c.b + c.a)) sum += c;
     }
+    return sum * 0.25f;
   });
-  map.close();
   levels_[0] = map;
   for (int j = 1; j < kLevels; ++j) {
-    const std::size_t level = static_cast<std::size_t>(j);
     const float texel = sqr(texel_width(map.side()));
-    const float own = 2 * kSplineVariance + (j == 1 ? kFourPointVariance : kBoxVariance);
-    levels_[level] = blurred(map, sqr(width(j)) - own * texel);
-    if (map.side() % 2 == 0 && map.side() / 2 >= kLeastSide) map = map.halved();
+    const float own = 2 * kSplineVariance + (j < 3 ? kFourPointVariance : kBoxVariance);
+    levels_[static_cast<std::size_t>(j)] = blurred(map, sqr(width(j)) - own * texel);
+    // A level is at least twice as wide as its texels: splines bend little.
+    if (j > 1 && map.side() % 2 == 0 && map.side() / 2 >= kLeastSide) map = map.halved();
   }
 }
 
@@ -184,10 +173,9 @@ float SphereBlur::width(int level) const {
 }
 
 Rgba SphereBlur::lookup(const Vec3& direction, const Weights& weights) const {
-  const Vec2 square = square_of(direction);
   Rgba sum(0);
   for (std::size_t j = 0; j < levels_.size(); ++j)
-    if (weights[j] > 0) sum += levels_[j].lookup(square) * weights[j];
+    if (weights[j] > 0) sum += levels_[j].lookup(direction) * weights[j];
   return sum;
 }
 

@@ -10,35 +10,34 @@
 
 namespace oriel::image {
 
-/// The sphere on the unit square, equal areas for equal solid angles, and back.
+/// Colours all around on the six faces of a cube, looked up by smooth (quadratic) splines.
 ///
-/// Model:   Octahedron unfolded; opposite halves of each side of the square are joined.
-/// Source:  Clarberg, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD", JGT 13(3), 2008.
-/// Checked: SphereSquare.*
-Vec2 square_of(const Vec3& direction);
-Vec3 direction_of(const Vec2& square);
-
-/// A map over that square, looked up by smooth (quadratic) splines.
-class SphereMap {
+/// Model:   Steps along a face are equal angles at the middle of the cube. Each face goes on by one
+///          texel beyond its edges, so that look-ups meet no seam.
+class CubeMap {
  public:
-  explicit SphereMap(int side = 0);
+  explicit CubeMap(int side = 0);
   int side() const { return side_; }
-  Rgba& at(int x, int y) { return texels_[index(x, y)]; }
-  const Rgba& at(int x, int y) const { return texels_[index(x, y)]; }
-  Vec3 direction(int x, int y) const;
-  /// Copies what lies across the sides of the square; before look-ups.
-  void close();
-  Rgba lookup(const Vec2& square) const;
+  /// A texel; x and y from -1 to side, those outside being beyond the edge.
+  Rgba& at(int face, int x, int y) { return texels_[index(face, x, y)]; }
+  const Rgba& at(int face, int x, int y) const { return texels_[index(face, x, y)]; }
+  /// Towards a point of a face; 0.5 more than x or y is the middle of a texel.
+  Vec3 direction(int face, float x, float y) const;
+  Rgba lookup(const Vec3& direction) const;
+  /// Sets all texels, on all threads.
+  void fill(const std::function<Rgba(int face, int x, int y)>& colour);
   /// Means of two by two; the side is even.
-  SphereMap halved() const;
+  CubeMap halved() const;
+  /// By solid angle.
   Rgba mean() const;
 
  private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>((y + 1) * (side_ + 2) + x + 1);
+  std::size_t index(int face, int x, int y) const {
+    return static_cast<std::size_t>((face * (side_ + 2) + y + 1) * (side_ + 2) + x + 1);
   }
+  float solid_angle(float x, float y) const;
   int side_;
-  std::vector<Rgba> texels_;  // with one more all around
+  std::vector<Rgba> texels_;
 };
 
 /// The same colours blurred by kernels of doubling width.
@@ -46,15 +45,16 @@ class SphereMap {
 /// Model:   Level j holds them under exp(k_j (cos t - 1)), 1 / k_j = width_j^2. Level 0 is the map,
 ///          as wide as its texels and splines; each further one is twice as wide. Wider maps have
 ///          fewer texels. Any kernel that falls off with the angle is a mixture of levels.
-/// Inputs:  side: texels each way, rounded up to a multiple of 16. source: colour by direction,
-///          asked four times for each texel, on all threads; what is not finite is black.
+/// Inputs:  samples: texels at least; sides of the cube are multiples of 16. source: colour by
+///          direction, asked four times for each texel, on all threads; what is not finite is
+///          black.
 /// Checked: SphereBlur.*
 class SphereBlur {
  public:
   static constexpr int kLevels = 9;
   using Weights = std::array<float, kLevels>;
 
-  SphereBlur(int side, const std::function<Rgba(const Vec3&)>& source);
+  SphereBlur(int samples, const std::function<Rgba(const Vec3&)>& source);
 
   int side() const { return levels_[0].side(); }
   /// Radians: of the level's kernel, across one axis.
@@ -68,7 +68,7 @@ class SphereBlur {
   Weights weights_of(const std::function<float(float)>& kernel) const;
 
  private:
-  std::array<SphereMap, kLevels> levels_;
+  std::array<CubeMap, kLevels> levels_;
 };
 
 }  // namespace oriel::image

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bsdf/ggx.h"
+#include "bsdf/glossy_reflection.h"
 #include "transport/occlusion.h"
 #include "transport/path_walk.h"
 #include "transport/shadow.h"
@@ -250,7 +251,9 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
              controls.falloff_color,
              Vec3(0),
              nullptr};
-  if (controls.single_environment) fading_.mirrored = bsdf::reflect(point.wo(), lobe.frame.n);
+  if (controls.single_environment)
+    fading_.mirrored =
+        bsdf::main_direction(bsdf::reflect(point.wo(), lobe.frame.n), lobe.frame.n, roughness_);
   follow(point, sample.wi);
 }
 

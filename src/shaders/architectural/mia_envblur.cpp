@@ -36,7 +36,7 @@ constexpr ParamSpec kRows[] = {
 struct BlurState final : ShaderState {
   BlurState(NodeList shaders, int resolution, const World& world)
       : source(std::move(shaders)),
-        map(resolution,
+        map(resolution * resolution,
             [&](const Vec3& d) {
               return environment_radiance(source, world, Vec3(0), d, RayKind::Reflect, true);
             }),
