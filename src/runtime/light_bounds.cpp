@@ -109,7 +109,14 @@ LightBounds bounds_of(const Light& light, const World& world, float reach) {
   }
   const float near = reach * kNear, far = reach * kFar;
   float at_near = 0, at_far = 0;
-  if (bounds.normals.all()) {
+  if (light.luminaire) {
+    // Seldom does an axis meet the beam: the mean over all directions by the profile's own.
+    const photometry::LightProfile& profile = *light.luminaire.profile;
+    const Vec3 beam = light.luminaire.to_world(profile.peak_direction());
+    const float mean = profile.flux() / (4 * kPi * std::max(profile.peak(), 1e-20f));
+    at_near = brightness(light, world, beam, near) * mean;
+    at_far = brightness(light, world, beam, far) * mean;
+  } else if (bounds.normals.all()) {
     for (const Vec3& side : kAllSides) {
       at_near += brightness(light, world, side, near) / kAllSides.size();
       at_far += brightness(light, world, side, far) / kAllSides.size();
