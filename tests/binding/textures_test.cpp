@@ -162,14 +162,14 @@ TEST(TextureVector, SelectsAndProjects) {
   p.tex[0] = Vec3(.1f, .2f, 0);
   p.tex[3] = Vec3(.3f, .4f, .5f);
   const auto of = [&](int select, int project) {
-    return vector_of(fmt::format("\"mib_texture_vector\" ( \"select\" {}, \"selspace\" 1, "
+    return vector_of(fmt::format("\"mib_texture_vector\" ( \"select\" {}, \"selspace\" 2, "
                                  "\"project\" {} )",
                                  select, project),
                      p);
   };
   expect_vec(of(0, 0), .1f, .2f, 0);
   expect_vec(of(3, 0), .3f, .4f, .5f);
-  expect_vec(of(4, 0), 0, 0, 0);
+  expect_vec(of(4, 0), 1, 2, 3);
   expect_vec(of(-1, 0), 1, 2, 3);
   expect_vec(of(-2, 0), 0, 1, 0);
   expect_vec(of(-4, 0), 0, 0, -1);
@@ -183,7 +183,8 @@ TEST(TextureVector, ObjectSpaceUndoesTheInstance) {
   p.position = Vec3(11, 2, 3);
   const Mat4 to_object(.5f, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -5, 0, 0, 1);
   p.to_object = &to_object;
-  expect_vec(vector_of("\"mib_texture_vector\" ( \"select\" -1, \"selspace\" 2 )", p), .5f, 2, 3);
+  expect_vec(vector_of("\"mib_texture_vector\" ( \"select\" -1, \"selspace\" 1 )", p), .5f, 2, 3);
+  expect_vec(vector_of("\"mib_texture_vector\" ( \"select\" -1, \"selspace\" 2 )", p), 11, 2, 3);
 }
 
 TEST(TextureRemap, WorksInItsDeclaredOrder) {

@@ -27,10 +27,12 @@ struct LookupParams {
 
 constexpr ParamSpec kVectorRows[] = {
     {ORIEL_PARAM(VectorParams, select), .min = -10, .max = 63,
-     .doc = "0..63 a texture space; -1 point, -2 normal, -3 motion, -4 ray, -10 environment ray.",
+     .doc = "0..63 a texture space, the point where there is none; -1 point, -2 normal, -3 motion, "
+            "-4 ray, -10 environment ray.",
      .support = Support::Approximated, .declared_default = false},
     {ORIEL_PARAM(VectorParams, selspace),
-     .doc = "Space the vector is taken to: 1 world, 2 object, 3 camera, 4 screen.",
+     .doc = "Space the vector is taken to: 1 object, 2 world, 3 camera; 4: where on the picture, "
+            "0..1.",
      .support = Support::Approximated, .declared_default = false},
     {ORIEL_PARAM(VectorParams, vertex), .doc = "0 the point; 1..3 corners of the triangle.",
      .support = Support::Ignored, .declared_default = false},
@@ -68,13 +70,16 @@ Vec3 selected(const VectorParams& p, const ShadingPoint& point) {
     const auto through = [&](const Mat4& m) {
       return is_point ? transform_point(v, m) : transform_vector(v, m);
     };
-    if (p.selspace == 2 && to_object) return through(*to_object);
-    if (p.selspace >= 3 && point.world) return through(point.world->camera.to_camera);
+    if (p.selspace == 1 && to_object) return through(*to_object);
+    if (p.selspace == 3 && point.world) return through(point.world->camera.to_camera);
     return v;
   };
+  if (p.selspace == 4 && point.world) {
+    const Camera& camera = point.world->camera;
+    return {point.raster.x / static_cast<float>(camera.width),
+            point.raster.y / static_cast<float>(camera.height), 0};
+  }
   switch (p.select) {
-    case -1:
-      return space(point.position, true);
     case -2:
       return space(point.normal, false);
     case -3:
@@ -85,8 +90,8 @@ Vec3 selected(const VectorParams& p, const ShadingPoint& point) {
     default:
       break;
   }
-  if (p.select >= 0) return p.select < point.texture_spaces ? point.tex[p.select] : Vec3(0);
-  return point.position;
+  if (p.select >= 0 && p.select < point.texture_spaces) return point.tex[p.select];
+  return space(point.position, true);
 }
 
 Vec3 projected(int project, const Vec3& v) {
