@@ -223,7 +223,7 @@ TEST(PortalRoom, HasTheLightOfThePhysicalSkyOnEveryWall) {
 TEST(PortalRoom, HasTheLightOfAnHdrPictureOnEveryWall) {
   const TestFolder folder;
   expect_light_of("picture", "\"mib_lookup_spherical\" ( \"tex\" \"hall\" )",
-                  fmt::format("color texture \"hall\" \"{}\"", write_hall(folder)), false, 1 << 20,
+                  fmt::format("color texture \"hall\" \"{}\"", write_hall(folder)), false, 1 << 18,
                   {normalize(Vec3(.968f, -.218f, .122f)), .954f});
 }
 
