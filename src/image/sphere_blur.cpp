@@ -61,7 +61,9 @@ CubeMap blurred(const CubeMap& map, float variance) {
 }  // namespace
 
 CubeMap::CubeMap(int side)
-    : side_(side), texels_(static_cast<std::size_t>(6 * (side + 2) * (side + 2)), Rgba(0)) {}
+    : side_(side),
+      texels_(6 * (static_cast<std::size_t>(side) + 2) * (static_cast<std::size_t>(side) + 2),
+              Rgba(0)) {}
 
 Vec3 CubeMap::direction(int face, float x, float y) const {
   const float step = kPi / 2 / static_cast<float>(side_);
@@ -104,7 +106,7 @@ Rgba CubeMap::lookup(const Vec3& d) const {
 }
 
 void CubeMap::fill(const std::function<Rgba(int face, int x, int y)>& colour) {
-  const auto rows = static_cast<std::size_t>(side_ + 2);
+  const std::size_t rows = static_cast<std::size_t>(side_) + 2;
   parallel_for(6 * rows, [&](std::size_t line) {
     const auto face = static_cast<int>(line / rows), y = static_cast<int>(line % rows) - 1;
     for (int x = -1; x <= side_; ++x) at(face, x, y) = colour(face, x, y);

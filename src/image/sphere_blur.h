@@ -33,7 +33,10 @@ class CubeMap {
 
  private:
   std::size_t index(int face, int x, int y) const {
-    return static_cast<std::size_t>((face * (side_ + 2) + y + 1) * (side_ + 2) + x + 1);
+    const auto size = [](int i) { return static_cast<std::size_t>(i); };
+    const int column = x + 1, line = y + 1;
+    const std::size_t row = size(side_) + 2;
+    return (size(face) * row + size(line)) * row + size(column);
   }
   float solid_angle(float x, float y) const;
   int side_;

@@ -239,7 +239,10 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   at_first_ = false;
 
   environment_ = material.environment.empty() ? nullptr : &material.environment;
-  roughness_ = lobe.kind == LobeKind::GlossyReflection ? std::sqrt(lobe.alpha_x * lobe.alpha_y) : 0;
+  const bool glossy = lobe.kind == LobeKind::GlossyReflection;
+  const float alpha = glossy ? std::sqrt(lobe.alpha_x * lobe.alpha_y) : 0;
+  // Seen from aside a lobe gets narrower across: a round one of the same area stands for it.
+  roughness_ = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
@@ -253,7 +256,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
              nullptr};
   if (controls.single_environment)
     fading_.mirrored =
-        bsdf::main_direction(bsdf::reflect(point.wo(), lobe.frame.n), lobe.frame.n, roughness_);
+        bsdf::main_direction(bsdf::reflect(point.wo(), lobe.frame.n), lobe.frame.n, alpha);
   follow(point, sample.wi);
 }
 
