@@ -200,7 +200,7 @@ TEST(RoundCorners, SmoothSurfacesKeepTheirNormalsAndTheirCreasesAreRounded) {
   }
   for (int i = 0; i < kN; ++i) {
     lid.push_back(static_cast<int>(points.size()));
-    points.push_back(points[static_cast<std::size_t>(2 * i + 1)]);
+    points.push_back(points[2 * static_cast<std::size_t>(i) + 1]);
     normals.push_back(kUp);
   }
   faces.push_back(lid);
