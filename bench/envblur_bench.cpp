@@ -110,8 +110,9 @@ struct Scene : oriel::testing::PreparedScene {
 
 /// Within the ball's outline, with a margin.
 bool on_ball(int pixel) {
-  const float x = (static_cast<float>(pixel % kSide) + .5f) / kSide - .5f;
-  const float y = (static_cast<float>(pixel / kSide) + .5f) / kSide - .5f;
+  const int column = pixel % kSide, line = pixel / kSide;
+  const float x = (static_cast<float>(column) + .5f) / kSide - .5f;
+  const float y = (static_cast<float>(line) + .5f) / kSide - .5f;
   return std::hypot(x, y) < .4f;
 }
 
