@@ -21,11 +21,6 @@ struct ShadersArguments {
   bool as_json = false;
 };
 
-std::string type_text(const ParamSpec& p) {
-  if (p.type == ParamType::Array) return fmt::format("array {}", scene::type_name(p.element));
-  return std::string(scene::type_name(p.type));
-}
-
 std::string default_text(const ParamSpec& p) {
   const auto& v = p.fallback;
   switch (p.type) {

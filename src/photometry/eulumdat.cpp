@@ -47,19 +47,8 @@ class Lines {
   }
   int whole(const char* what, int least, int most) {
     const double value = number(what);
-    if (value != std::floor(value) || value < least || value > most)
-      throw ProfileError(
-          line_, fmt::format("{} is {}, not a whole number of {} ... {}", what, value, least, most),
-          "is this an EULUMDAT file? IES files say `format ies`");
-    return static_cast<int>(value);
-  }
-  std::vector<float> numbers(int count, const char* what, std::vector<int>& lines) {
-    std::vector<float> values;
-    for (int i = 0; i < count; ++i) {
-      values.push_back(static_cast<float>(std::clamp(number(what), -1e30, 1e30)));
-      lines.push_back(line_);
-    }
-    return values;
+    return whole_number(value, line_, what, least, most,
+                        "is this an EULUMDAT file? IES files say `format ies`");
   }
 
  private:
@@ -157,8 +146,8 @@ ProfileData parse_eulumdat(std::string_view text) {
     throw ProfileError(4, fmt::format("{} C planes do not fit the symmetry {}", planes, symmetry),
                        "Isym 2 and 3 need an even number, Isym 4 a multiple of 4");
   std::vector<int> c_lines, g_lines, lines;
-  std::vector<float> c = in.numbers(planes, "a C angle", c_lines);
-  const std::vector<float> gamma = in.numbers(cones, "an angle gamma", g_lines);
+  std::vector<float> c = read_numbers(in, planes, "a C angle", c_lines);
+  const std::vector<float> gamma = read_numbers(in, cones, "an angle gamma", g_lines);
   expect_ascending(gamma, g_lines, "gamma", 0, 180);
   if (symmetry != 1) expect_ascending(c, c_lines, "C", 0, 360);
   const int stored = stored_planes(symmetry, planes);
@@ -179,7 +168,7 @@ ProfileData parse_eulumdat(std::string_view text) {
     c = std::vector<float>(c.begin() + static_cast<std::ptrdiff_t>(first),
                            c.begin() + static_cast<std::ptrdiff_t>(first + count));
   }
-  std::vector<float> candela = in.numbers(stored * cones, "an intensity", lines);
+  std::vector<float> candela = read_numbers(in, stored * cones, "an intensity", lines);
   scale_candela(candela, lines, flux / 1000 * conversion);
 
   report.symmetry = kSymmetries[symmetry];

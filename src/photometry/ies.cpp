@@ -46,19 +46,8 @@ class Reader {
   }
   int whole(const char* what, int least, int most) {
     const double value = number(what);
-    if (value != std::floor(value) || value < least || value > most)
-      throw ProfileError(
-          line_, fmt::format("{} is {}, not a whole number of {} ... {}", what, value, least, most),
-          "correct the header, the numbers after the TILT line");
-    return static_cast<int>(value);
-  }
-  std::vector<float> numbers(int count, const char* what, std::vector<int>& lines) {
-    std::vector<float> values;
-    for (int i = 0; i < count; ++i) {
-      values.push_back(static_cast<float>(std::clamp(number(what), -1e30, 1e30)));
-      lines.push_back(line_);
-    }
-    return values;
+    return whole_number(value, line_, what, least, most,
+                        "correct the header, the numbers after the TILT line");
   }
 
  private:
@@ -151,8 +140,8 @@ double tilt_factor(Reader& in) {
   in.whole("the lamp-to-luminaire geometry of TILT", 1, 3);
   const int count = in.whole("the number of TILT angles", 1, kMostAngles);
   std::vector<int> lines;
-  const std::vector<float> angles = in.numbers(count, "a TILT angle", lines);
-  const std::vector<float> factors = in.numbers(count, "a TILT factor", lines);
+  const std::vector<float> angles = read_numbers(in, count, "a TILT angle", lines);
+  const std::vector<float> factors = read_numbers(in, count, "a TILT factor", lines);
   for (std::size_t i = 0; i < factors.size(); ++i)
     if (!(factors[i] >= 0 && factors[i] <= 100))
       throw ProfileError(lines[factors.size() + i], fmt::format("a TILT factor is {}", factors[i]),
@@ -316,13 +305,13 @@ ProfileData parse_ies(std::string_view text, const std::string& folder) {
     report.lamp_lumens = static_cast<float>(h.lumens) * static_cast<float>(h.lamps);
 
   std::vector<int> v_lines, h_lines, lines;
-  const std::vector<float> v = in.numbers(h.vertical, "a vertical angle", v_lines);
-  const std::vector<float> u = in.numbers(h.horizontal, "a horizontal angle", h_lines);
+  const std::vector<float> v = read_numbers(in, h.vertical, "a vertical angle", v_lines);
+  const std::vector<float> u = read_numbers(in, h.horizontal, "a horizontal angle", h_lines);
   const bool c = h.type == 'C';
   const float most = h.type == 'A' ? 180 : 90;
   expect_ascending(v, v_lines, "vertical", c ? 0 : -90, c ? 180 : 90);
   expect_ascending(u, h_lines, "horizontal", c ? 0 : -most, c ? 360 : most);
-  std::vector<float> candela = in.numbers(h.vertical * h.horizontal, "an intensity", lines);
+  std::vector<float> candela = read_numbers(in, h.vertical * h.horizontal, "an intensity", lines);
   scale_candela(candela, lines, h.multiplier * h.ballast * h.other * tilt_factor_at_0);
 
   const std::size_t cones = v.size();

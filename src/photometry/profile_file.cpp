@@ -77,6 +77,14 @@ std::string clean_text(std::string_view text) {
   return clean.substr(first, clean.find_last_not_of(' ') - first + 1);
 }
 
+int whole_number(double value, int line, const char* what, int least, int most, const char* hint) {
+  if (value != std::floor(value) || value < least || value > most)
+    throw ProfileError(
+        line, fmt::format("{} is {}, not a whole number of {} ... {}", what, value, least, most),
+        hint);
+  return static_cast<int>(value);
+}
+
 std::optional<double> parse_number(std::string_view text, bool decimal_commas) {
   constexpr std::size_t kLongest = 64;
   if (text.size() > kLongest) return std::nullopt;

@@ -2,6 +2,7 @@
 // Photometric files of either format: what they say beside their table, and how they fail.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -61,6 +62,18 @@ inline constexpr int kMostAngles = 10000, kMostIntensities = 2'000'000;
 std::string clean_text(std::string_view text);
 /// A finite number that fills the whole text; commas count as points when asked.
 std::optional<double> parse_number(std::string_view text, bool decimal_commas = false);
+/// `value` if it is a whole number of least ... most; `hint`: what to do where it is not.
+int whole_number(double value, int line, const char* what, int least, int most, const char* hint);
+/// `count` numbers of a reader with number() and line(); `lines`: where each one stands.
+template <class Reader>
+std::vector<float> read_numbers(Reader& in, int count, const char* what, std::vector<int>& lines) {
+  std::vector<float> values;
+  for (int i = 0; i < count; ++i) {
+    values.push_back(static_cast<float>(std::clamp(in.number(what), -1e30, 1e30)));
+    lines.push_back(in.line());
+  }
+  return values;
+}
 /// Checks intensities and multiplies them. `lines`: where each one stands.
 void scale_candela(std::vector<float>& candela, const std::vector<int>& lines, double factor);
 /// Errors unless the angles ascend within least ... most.

@@ -123,6 +123,14 @@ struct Closure {
   float indirect_scale = 1;  ///< on light from diffuse surfaces and the environment
   bool outputs = true;       ///< false: the material has no outputs but its result
 
+  /// Whether some lobe is so.
+  template <class F>
+  bool any(F&& is_so) const {
+    for (int i = 0; i < count; ++i)
+      if (is_so(lobes[i])) return true;
+    return false;
+  }
+
   Lobe& add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame) {
     ORIEL_ASSERT(count < kMostLobes);
     Lobe& lobe = *new (&lobes[count++]) Lobe{};

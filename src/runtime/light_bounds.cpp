@@ -91,8 +91,7 @@ bool only_sends_photons(const Light& light) {
 LightBounds bounds_of(const Light& light, const World& world, float reach) {
   LightBounds bounds;
   const Vec3 half = half_size(light);
-  bounds.low = light.position - half;
-  bounds.high = light.position + half;
+  bounds.box = {light.position - half, light.position + half};
   if (light.portal || is_flat(light.shape)) {
     bounds.normals = {light.direction, 1};
     bounds.cos_reach = 0;

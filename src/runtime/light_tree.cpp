@@ -30,7 +30,7 @@ Angle less(const Angle& a, const Angle& b) {
 Angle angle_of(float cosine) { return {cosine, safe_sqrt(1 - sqr(cosine))}; }
 
 float area_of(const LightBounds& b) {
-  const Vec3 d = b.high - b.low;
+  const Vec3 d = b.box.size();
   return 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
 }
 
@@ -56,10 +56,8 @@ float seen_through(const Opening& o, const Vec3& from) {
 
 LightBounds joined(const LightBounds& a, const LightBounds& b) {
   LightBounds r;
-  for (int i = 0; i < 3; ++i) {
-    r.low[i] = std::min(a.low[i], b.low[i]);
-    r.high[i] = std::max(a.high[i], b.high[i]);
-  }
+  r.box = a.box;
+  r.box.extendBy(b.box);
   r.normals = joined(a.normals, b.normals);
   r.cos_reach = std::min(a.cos_reach, b.cos_reach);
   r.even = a.even + b.even;
@@ -97,8 +95,8 @@ DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
 
 float importance(const LightBounds& bounds, const LitPoint& lit) {
   if (bounds.opening.table) return seen_through(bounds.opening, lit.position);
-  const Vec3 to = bounds.centre() - lit.position;
-  const float radius2 = (bounds.high - bounds.low).length2() / 4;
+  const Vec3 to = bounds.box.center() - lit.position;
+  const float radius2 = bounds.box.size().length2() / 4;
   const float d2 = to.length2();
   const float strength = bounds.even + bounds.falling / std::max(d2, radius2 + 1e-12f);
   if (d2 <= radius2 * 1.0001f || !(d2 > 0)) return strength;
@@ -131,18 +129,14 @@ struct LightTree::Build {
   /// Middle of the range after it was split along its best axis.
   std::size_t split(std::size_t begin, std::size_t end, const LightBounds& whole, int depth) {
     const std::size_t middle = (begin + end) / 2;
-    Vec3 low(kMost), high(-kMost);
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 c = at(i).centre();
-      for (int k = 0; k < 3; ++k)
-        low[k] = std::min(low[k], c[k]), high[k] = std::max(high[k], c[k]);
-    }
-    const Vec3 extent = high - low, size = whole.high - whole.low;
+    geom::Box3 centres;
+    for (std::size_t i = begin; i < end; ++i) centres.extendBy(at(i).box.center());
+    const Vec3 low = centres.min, extent = centres.size(), size = whole.box.size();
     const float longest = std::max({size.x, size.y, size.z});
     float best = kMost;
     int best_axis = -1, best_bucket = 0;
     const auto bucket_of = [&](int light, int axis) {
-      const float c = bounds[static_cast<std::size_t>(light)].centre()[axis];
+      const float c = bounds[static_cast<std::size_t>(light)].box.center()[axis];
       return std::min(static_cast<int>((c - low[axis]) / extent[axis] * kBuckets), kBuckets - 1);
     };
     for (int axis = 0; axis < 3 && depth < kDeepest / 2; ++axis) {
@@ -252,7 +246,8 @@ float LightTree::probability(const LitPoint& lit, int light) const {
 bool LightTree::crosses(const Node& node, const Vec3& from, const Vec3& inverse, float t_most) {
   float t0 = 0, t1 = t_most;
   for (int k = 0; k < 3; ++k) {
-    const float a = (node.low[k] - from[k]) * inverse[k], b = (node.high[k] - from[k]) * inverse[k];
+    const float a = (node.box.min[k] - from[k]) * inverse[k],
+                b = (node.box.max[k] - from[k]) * inverse[k];
     // Written so that 0 * infinity leaves the interval as it is.
     t0 = std::max(t0, std::min(a, b));
     t1 = std::min(t1, std::max(a, b));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "geom/mesh.h"
 
 namespace oriel {
 
@@ -35,14 +36,12 @@ struct Opening {
 
 /// Where a light is, where it shines to and how much, without asking its shader again.
 struct LightBounds {
-  Vec3 low{0}, high{0};   ///< corners of a box about the shape, world
+  geom::Box3 box;         ///< about the shape, world
   DirectionCone normals;  ///< of the emitting surface, or axes of cones
   float cos_reach = -1;   ///< how far from these it shines; -1 = everywhere
   // Irradiance facing it at distance d: even + falling / d^2.
   float even = 0, falling = 0;
   Opening opening;
-
-  Vec3 centre() const { return (low + high) * 0.5f; }
 };
 
 /// Where light is asked for.

@@ -20,8 +20,7 @@ std::vector<LightBounds> random_lamps(int n, std::uint32_t seed) {
     LightBounds b;
     const Vec3 centre(10 * u(engine), 10 * u(engine), 3 * u(engine));
     const Vec3 half(i % 3 == 0 ? 0.0f : 0.2f * u(engine));
-    b.low = centre - half;
-    b.high = centre + half;
+    b.box = {centre - half, centre + half};
     if (i % 2) {
       b.normals = {normalize(Vec3(u(engine) - .5f, u(engine) - .5f, u(engine) - .5f)), 1};
       b.cos_reach = i % 4 == 1 ? 0 : .7f;
@@ -89,7 +88,7 @@ TEST(LightTree, ALampThatShinesOnThePointIsNeverLeftOut) {
       bool shines = false;
       for (int corner = 0; corner < 8; ++corner) {
         Vec3 place;
-        for (int k = 0; k < 3; ++k) place[k] = corner >> k & 1 ? lamp.high[k] : lamp.low[k];
+        for (int k = 0; k < 3; ++k) place[k] = corner >> k & 1 ? lamp.box.max[k] : lamp.box.min[k];
         const Vec3 way = point.position - place;
         const bool out =
             lamp.normals.all() || dot(normalize(way), lamp.normals.axis) > lamp.cos_reach + 1e-4f;
@@ -108,7 +107,7 @@ TEST(LightTree, NearLampsAreChosenByTheirShareOfLight) {
   double total = 0;
   for (int i = 0; i < 4; ++i) {
     auto& lamp = lamps[static_cast<std::size_t>(i)];
-    lamp.low = lamp.high = Vec3(0, 0, static_cast<float>(i + 1));
+    lamp.box = geom::Box3(Vec3(0, 0, static_cast<float>(i + 1)));
     lamp.falling = 1;
     total += 1.0 / ((i + 1) * (i + 1));
   }
@@ -123,7 +122,7 @@ TEST(LightTree, NearLampsAreChosenByTheirShareOfLight) {
 
 TEST(LightTree, ManyLampsInOnePlaceAreSplitEvenly) {
   std::vector<LightBounds> lamps(300);
-  for (LightBounds& lamp : lamps) lamp.falling = 1;
+  for (LightBounds& lamp : lamps) lamp.box = geom::Box3(Vec3(0)), lamp.falling = 1;
   const LightTree tree(lamps, numbered(300));
   for (int i = 0; i < 300; ++i)
     EXPECT_NEAR(tree.probability({Vec3(1, 2, 3), Vec3(0)}, i), 1 / 300.0f, 1e-3f / 300);
@@ -140,15 +139,14 @@ TEST(LightTree, RaysMeetTheBoxesThatTheyCross) {
     const Vec3 from(5 + 6 * u(engine), 5 + 6 * u(engine), 1.5f + 2 * u(engine));
     // Through the middle of a lamp, beyond it, and short of it.
     const int aim = k % n;
-    const Vec3 to = lamps[static_cast<std::size_t>(aim)].centre() - from;
+    const Vec3 to = lamps[static_cast<std::size_t>(aim)].box.center() - from;
     std::vector<int> found;
     tree.for_each_on_way(from, normalize(to), length(to) * 1.01f,
                          [&](int light) { found.push_back(light); });
     EXPECT_TRUE(std::find(found.begin(), found.end(), aim) != found.end());
     met += static_cast<int>(found.size());
     bool again = false;
-    const Vec3 half =
-        lamps[static_cast<std::size_t>(aim)].high - lamps[static_cast<std::size_t>(aim)].low;
+    const Vec3 half = lamps[static_cast<std::size_t>(aim)].box.size();
     tree.for_each_on_way(from, normalize(to), std::max(0.0f, length(to) - length(half)) * .99f,
                          [&](int light) { again |= light == aim; });
     EXPECT_FALSE(again);

@@ -2,6 +2,8 @@
 // The declared interfaces of the base and physics libraries, name by name.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "shaders/testing/declared.h"
 
 namespace oriel {
@@ -188,46 +190,24 @@ TEST(Declarations, OcclusionAndGlossyNodesAreTheDeclaredTables) {
   EXPECT_EQ(spec_of("mib_glossy_reflection").version, 3);
 }
 
+/// As the table above shortens types.
+const char* letter_of(const ParamSpec& p) {
+  static const std::map<ParamType, const char*> kLetters = {
+      {ParamType::Color, "c"},          {ParamType::Vector, "v"},
+      {ParamType::Scalar, "s"},         {ParamType::Integer, "i"},
+      {ParamType::Boolean, "b"},        {ParamType::Transform, "t"},
+      {ParamType::ColorTexture, "tex"}, {ParamType::ScalarTexture, "stex"},
+      {ParamType::Shader, "sh"}};
+  if (p.type == ParamType::Array) return p.element == ParamType::Light ? "L" : "?";
+  const auto letter = kLetters.find(p.type);
+  return letter == kLetters.end() ? "?" : letter->second;
+}
+
 TEST(Declarations, BaseShadersHaveTheirParametersInOrder) {
   for (const PlainInterface& row : kBase) {
     std::string text;
     for (const ParamSpec& p : spec_of(row.shader).params) {
-      const char* letter = "?";
-      switch (p.type) {
-        case ParamType::Color:
-          letter = "c";
-          break;
-        case ParamType::Vector:
-          letter = "v";
-          break;
-        case ParamType::Scalar:
-          letter = "s";
-          break;
-        case ParamType::Integer:
-          letter = "i";
-          break;
-        case ParamType::Boolean:
-          letter = "b";
-          break;
-        case ParamType::Transform:
-          letter = "t";
-          break;
-        case ParamType::ColorTexture:
-          letter = "tex";
-          break;
-        case ParamType::ScalarTexture:
-          letter = "stex";
-          break;
-        case ParamType::Shader:
-          letter = "sh";
-          break;
-        case ParamType::Array:
-          letter = p.element == ParamType::Light ? "L" : "?";
-          break;
-        default:
-          break;
-      }
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", p.name, letter);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", p.name, letter_of(p));
       EXPECT_EQ(p.fallback, (std::array<float, 4>{})) << row.shader << '.' << p.name;
     }
     EXPECT_EQ(text, row.parameters) << row.shader;

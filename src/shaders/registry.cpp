@@ -134,12 +134,6 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kMayaSurfaceshader,
 };
 
-std::string declared_type(const ParamSpec& param) {
-  if (param.type == ParamType::Array)
-    return fmt::format("array {}", scene::type_name(param.element));
-  return std::string(scene::type_name(param.type));
-}
-
 std::string declared_default(const ParamSpec& param) {
   if (!param.declared_default) return {};
   const auto& v = param.fallback;
@@ -179,6 +173,12 @@ const std::vector<std::string>& builtin_packages() {
   return packages;
 }
 
+std::string type_text(const ParamSpec& param) {
+  if (param.type == ParamType::Array)
+    return fmt::format("array {}", scene::type_name(param.element));
+  return std::string(scene::type_name(param.type));
+}
+
 std::string mi_declarations(const Registry& registry, std::string_view library) {
   std::string text = fmt::format(
       "# Declarations of Oriel's {0} library, generated from the shaders' own tables.\n"
@@ -191,12 +191,12 @@ std::string mi_declarations(const Registry& registry, std::string_view library) 
       result = "struct {";
       for (const ParamSpec& member : spec->results)
         result += fmt::format("{} {} \"{}\"", &member == spec->results.data() ? "" : ",",
-                              declared_type(member), member.name);
+                              type_text(member), member.name);
       result += " }";
     }
     text += fmt::format("# {}\ndeclare shader {} \"{}\" (\n", spec->doc, result, spec->name);
     for (const ParamSpec& param : spec->params)
-      text += fmt::format("    {} \"{}\"{}{}  # {}\n", declared_type(param), param.name,
+      text += fmt::format("    {} \"{}\"{}{}  # {}\n", type_text(param), param.name,
                           declared_default(param), &param == &spec->params.back() ? "" : ",",
                           param.doc);
     text += fmt::format("    )\n    version {}\n    apply {}\nend declare\n\n", spec->version,

@@ -11,6 +11,9 @@ const Registry& builtin_shaders();
 /// The shader packages Oriel supplies: includes and links of these are satisfied without a file.
 const std::vector<std::string>& builtin_packages();
 
+/// The `.mi` type of a parameter: "scalar", "array light".
+std::string type_text(const ParamSpec& param);
+
 /// The `.mi` declarations of one library ("architectural", "base", "physics").
 std::string mi_declarations(const Registry& registry, std::string_view library);
 

@@ -10,10 +10,8 @@ namespace {
 
 /// Whether light from behind the surface counts.
 bool is_lit_through(const Closure& closure) {
-  for (int i = 0; i < closure.count; ++i)
-    if (closure.lobes[i].kind == LobeKind::Translucency || transmits(closure.lobes[i].kind))
-      return true;
-  return false;
+  return closure.any(
+      [](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency || transmits(lobe.kind); });
 }
 
 }  // namespace

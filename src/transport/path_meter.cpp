@@ -9,12 +9,6 @@ namespace {
 /// Tells this stream from those of lobes, which number from 0.
 constexpr std::uint32_t kBranch = 3000;
 
-bool holds_diffuse(const Closure& closure) {
-  for (int i = 0; i < closure.count; ++i)
-    if (is_diffuse(closure.lobes[i].kind)) return true;
-  return false;
-}
-
 }  // namespace
 
 void Path::receive(ShadingPoint& point, bool mapped) {
@@ -44,7 +38,8 @@ void Path::meter(const Closure& closure, const ShadingPoint& point) {
   sampling::Sampler stream = sampler_.split(0, 1, kBranch);
   ShadingPoint above = point;
   PathResult received;
-  Path(world_, raster_, settings, stream, counts_, received).receive(above, holds_diffuse(closure));
+  const bool mapped = closure.any([](const Lobe& lobe) { return is_diffuse(lobe.kind); });
+  Path(world_, raster_, settings, stream, counts_, received).receive(above, mapped);
   result_->irradiance = received.radiance * kPi;
 }
 

@@ -22,21 +22,16 @@ constexpr float kSpreadPerRoughness = 0.5f;
 constexpr float kFarAway = 1e30f;
 
 bool has_diffuse(const Closure& closure) {
-  for (int i = 0; i < closure.count; ++i)
-    if (closure.lobes[i].kind == LobeKind::Diffuse) return true;
-  return false;
+  return closure.any([](const Lobe& lobe) { return lobe.kind == LobeKind::Diffuse; });
 }
 
 /// Reflection rays that end early or look up the environment their own way are not weighed against
 /// samples of the environment.
 bool limits_reflections(const Closure& closure) {
-  for (int i = 0; i < closure.count; ++i) {
-    const Lobe& lobe = closure.lobes[i];
-    if (lobe.channel == Channel::Reflection &&
-        (lobe.controls.falloff_distance > 0 || lobe.controls.single_environment))
-      return true;
-  }
-  return false;
+  return closure.any([](const Lobe& lobe) {
+    return lobe.channel == Channel::Reflection &&
+           (lobe.controls.falloff_distance > 0 || lobe.controls.single_environment);
+  });
 }
 
 float falloff_distance(const Closure& closure) {
@@ -311,9 +306,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
     std::construct_at(&from_.lights);
   const bool environment =
       indirect() && world_.environment.lights() && material.environment.empty();
-  bool scatters_light = false;
-  for (int i = 0; i < closure.count; ++i)
-    if (!is_delta(closure.lobes[i].kind)) scatters_light = true;
+  const bool scatters_light = closure.any([](const Lobe& lobe) { return !is_delta(lobe.kind); });
   if (scatters_light && !features_seen_ && !from_.weighed) {
     features_seen_ = true;
     result_->normal = point.normal;

@@ -21,24 +21,6 @@ constexpr ShaderSpec kTestDirection = {
         },
 };
 
-/// "test_tilt": a bump shader, which turns the normal itself and returns nothing.
-struct TestTilt {
-  Vec3 normal;
-};
-constexpr ParamSpec kTestTiltRows[] = {{ORIEL_PARAM(TestTilt, normal)}};
-constexpr ShaderSpec kTestTilt = {
-    .name = "test_tilt",
-    .library = "test",
-    .apply = kApplyTexture,
-    .params = kTestTiltRows,
-    .params_size = sizeof(TestTilt),
-    .value =
-        [](const Call& call, void* result) {
-          call.point.normal = normalize(call.as<TestTilt>().normal);
-          *static_cast<Rgba*>(result) = Rgba(0);
-        },
-};
-
 /// "test_links": 0 in round holes of radius .3 about whole numbers of x and y, else 1.
 constexpr ShaderSpec kTestLinks = {
     .name = "test_links",
@@ -57,7 +39,7 @@ constexpr ShaderSpec kTestLinks = {
 const Registry& registry() {
   static const Registry all([] {
     std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.insert(specs.end(), {&kTestDirection, &kTestTilt, &kTestLinks});
+    specs.insert(specs.end(), {&kTestDirection, &kTestLinks});
     return specs;
   }());
   return all;

@@ -57,11 +57,30 @@ inline constexpr ShaderSpec kTestPlace = {
         },
 };
 
+/// "test_tilt": a bump shader, which turns the normal itself and returns nothing.
+struct TestTilt {
+  Vec3 normal;
+};
+inline constexpr ParamSpec kTestTiltRows[] = {{ORIEL_PARAM(TestTilt, normal)}};
+inline constexpr ShaderSpec kTestTilt = {
+    .name = "test_tilt",
+    .library = "test",
+    .apply = kApplyTexture,
+    .params = kTestTiltRows,
+    .params_size = sizeof(TestTilt),
+    .value =
+        [](const Call& call, void* result) {
+          call.point.normal = normalize(call.as<TestTilt>().normal);
+          *static_cast<Rgba*>(result) = Rgba(0);
+        },
+};
+
 inline const Registry& test_registry() {
   static const Registry registry([] {
     std::vector<const ShaderSpec*> specs = builtin_shaders().all();
     specs.push_back(&kTestSky);
     specs.push_back(&kTestPlace);
+    specs.push_back(&kTestTilt);
     return specs;
   }());
   return registry;

@@ -25,28 +25,10 @@ constexpr ShaderSpec kTestNormal = {
         },
 };
 
-/// "test_tilt": a bump shader, which turns the normal itself and returns nothing.
-struct TestTilt {
-  Vec3 normal;
-};
-constexpr ParamSpec kTestTiltRows[] = {{ORIEL_PARAM(TestTilt, normal)}};
-constexpr ShaderSpec kTestTilt = {
-    .name = "test_tilt",
-    .library = "test",
-    .apply = kApplyTexture,
-    .params = kTestTiltRows,
-    .params_size = sizeof(TestTilt),
-    .value =
-        [](const Call& call, void* result) {
-          call.point.normal = normalize(call.as<TestTilt>().normal);
-          *static_cast<Rgba*>(result) = Rgba(0);
-        },
-};
-
 const Registry& registry() {
   static const Registry all([] {
     std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.insert(specs.end(), {&kTestNormal, &kTestTilt});
+    specs.push_back(&kTestNormal);
     return specs;
   }());
   return all;

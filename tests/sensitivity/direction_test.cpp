@@ -24,26 +24,9 @@ Widths widths(const std::string& list, const std::string& element = {}) {
   return {toward(Vec3(1, 0, 0)), toward(Vec3(0, 1, 0))};
 }
 
-/// "test_tilt": a bump shader that turns the normal itself, 20 degrees toward x.
+/// The normal that the bumps below turn to: 20 degrees toward x.
 const Vec3 kTilted(.3420201f, 0, .9396926f);
-constexpr ShaderSpec kTestTilt = {
-    .name = "test_tilt",
-    .library = "test",
-    .apply = kApplyTexture,
-    .value =
-        [](const Call& call, void* result) {
-          call.point.normal = kTilted;
-          *static_cast<Rgba*>(result) = Rgba(0, 0, 0, 0);
-        },
-};
-const Registry& registry() {
-  static const Registry all([] {
-    std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.push_back(&kTestTilt);
-    return specs;
-  }());
-  return all;
-}
+const std::string kTilt = ".3420201 0 .9396926, ";
 
 /// What the bumps of a plate turned by 90 degrees do: diffuse light of a sun straight above (the
 /// cosine of the tilt), and whether the mirror shows the sky toward +x.
@@ -53,18 +36,17 @@ struct Bumped {
 Bumped bumped(const std::string& list) {
   const auto measure = [&](const std::string& base, bool sky) {
     SceneText scene;
-    scene.statement("shader \"tilt\" \"test_tilt\" ()")
+    scene.statement("shader \"tilt\" \"test_tilt\" ( \"normal\" .3420201 0 .9396926 )")
         .material("m", parameters(base + list))
         .polygon("m", {Vec3(-5, -5, 0), Vec3(5, -5, 0), Vec3(5, 5, 0), Vec3(-5, 5, 0)},
                  "transform 0 1 0 0 -1 0 0 0 0 0 1 0 0 0 0 1");
     if (sky) scene.half_sky(1, Vec3(1, 0, -.3f));
     const std::string text = sky ? scene.str() : with_sun(scene, -kUp).str();
-    return seen(Probe(text, registry()).direct_only(), 0, 64).mean.x;
+    return seen(Probe(text).direct_only(), 0, 64).mean.x;
   };
   return {measure(kMatte + "diffuse 1 1 1, ", false), measure(kMirror, true)};
 }
 const float kCosine = kTilted.z;
-const std::string kTilt = ".3420201 0 .9396926, ";
 
 }  // namespace
 

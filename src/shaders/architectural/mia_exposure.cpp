@@ -64,17 +64,7 @@ constexpr ParamSpec kSimpleRows[] = {
 };
 
 struct PhotographicState final : ShaderState {
-  explicit PhotographicState(const Photographic& p)
-      : exposure({.cm2_factor = p.cm2_factor,
-                  .whitepoint = rgb(p.whitepoint),
-                  .film_iso = p.film_iso,
-                  .camera_shutter = p.camera_shutter,
-                  .f_number = p.f_number,
-                  .vignetting = p.vignetting,
-                  .burn_highlights = p.burn_highlights,
-                  .crush_blacks = p.crush_blacks,
-                  .saturation = p.saturation,
-                  .gamma = p.gamma}) {}
+  explicit PhotographicState(const Photographic& p) : exposure(photographic_parameters(p)) {}
   lens::PhotographicExposure exposure;
 };
 struct SimpleState final : ShaderState {

@@ -3,6 +3,7 @@
 // shaders (per sample) or output shaders (per pixel); and the photographic one undone.
 #pragma once
 
+#include "lens/exposure.h"
 #include "runtime/shader_spec.h"
 
 namespace oriel {
@@ -10,5 +11,20 @@ namespace oriel {
 extern const ShaderSpec kMiaExposurePhotographic;
 extern const ShaderSpec kMiaExposurePhotographicRev;
 extern const ShaderSpec kMiaExposureSimple;
+
+/// Of shaders whose parameters are named as those of the photographic exposure.
+template <class P>
+lens::PhotographicParameters photographic_parameters(const P& p) {
+  return {.cm2_factor = p.cm2_factor,
+          .whitepoint = rgb(p.whitepoint),
+          .film_iso = p.film_iso,
+          .camera_shutter = p.camera_shutter,
+          .f_number = p.f_number,
+          .vignetting = p.vignetting,
+          .burn_highlights = p.burn_highlights,
+          .crush_blacks = p.crush_blacks,
+          .saturation = p.saturation,
+          .gamma = p.gamma};
+}
 
 }  // namespace oriel

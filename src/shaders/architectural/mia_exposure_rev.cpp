@@ -40,17 +40,7 @@ constexpr ParamSpec kRows[] = {
 };
 
 struct State final : ShaderState {
-  explicit State(const P& p)
-      : reverse({.cm2_factor = p.cm2_factor,
-                 .whitepoint = rgb(p.whitepoint),
-                 .film_iso = p.film_iso,
-                 .camera_shutter = p.camera_shutter,
-                 .f_number = p.f_number,
-                 .vignetting = p.vignetting,
-                 .burn_highlights = p.burn_highlights,
-                 .crush_blacks = p.crush_blacks,
-                 .saturation = p.saturation,
-                 .gamma = p.gamma}) {}
+  explicit State(const P& p) : reverse(photographic_parameters(p)) {}
   lens::ReversePhotographicExposure reverse;
 };
 

@@ -20,11 +20,6 @@ inline const ShaderSpec& spec_of(std::string_view name) {
   return *spec;
 }
 
-inline std::string type_of(const ParamSpec& p) {
-  const std::string name(scene::type_name(p.type == ParamType::Array ? p.element : p.type));
-  return p.type == ParamType::Array ? "array " + name : name;
-}
-
 inline std::string default_of(const ParamSpec& p) {
   if (!p.declared_default) return "-";
   const auto& v = p.fallback;
@@ -45,7 +40,7 @@ inline std::string default_of(const ParamSpec& p) {
 inline std::string table_of(std::string_view shader) {
   std::string text = "\n";
   for (const ParamSpec& p : spec_of(shader).params)
-    text += fmt::format("{} | {} | {}\n", p.name, type_of(p), default_of(p));
+    text += fmt::format("{} | {} | {}\n", p.name, type_text(p), default_of(p));
   return text;
 }
 
