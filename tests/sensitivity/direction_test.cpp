@@ -48,6 +48,12 @@ Bumped bumped(const std::string& list) {
 }
 const float kCosine = kTilted.z;
 
+/// A plate whose texture runs along y.
+const std::string kTurnedPlate =
+    "object \"turned\" visible trace group -5 -5 0 5 -5 0 5 5 0 -5 5 0 0 0 0 0 1 0 1 1 0 "
+    "1 0 0 v 0 t 4 v 1 t 5 v 2 t 6 v 3 t 7 c 0 1 2 3 end group end object "
+    "instance \"turned_i\" \"turned\" material \"m\" end instance";
+
 }  // namespace
 
 Cases direction_cases() {
@@ -71,13 +77,8 @@ Cases direction_cases() {
        }},
       {"anisotropy_channel",
        [] {
-         // A plate whose texture runs along y.
-         const std::string turned =
-             "object \"turned\" visible trace group -5 -5 0 5 -5 0 5 5 0 -5 5 0 0 0 0 0 1 0 1 1 0 "
-             "1 0 0 v 0 t 4 v 1 t 5 v 2 t 6 v 3 t 7 c 0 1 2 3 end group end object "
-             "instance \"turned_i\" \"turned\" material \"m\" end instance";
-         const Widths object = widths("anisotropy_channel -1", turned),
-                      texture = widths("anisotropy_channel 0", turned);
+         const Widths object = widths("anisotropy_channel -1", kTurnedPlate),
+                      texture = widths("anisotropy_channel 0", kTurnedPlate);
          EXPECT_GT(object.x, 4 * object.y);
          EXPECT_GT(texture.y, 4 * texture.x);
        }},
