@@ -108,6 +108,7 @@ struct Closure {
   int count = 0;
 
   Rgb emission{0};                   ///< added, whatever lights are there
+  float alpha = 1;                   ///< of the picture where the eye sees the surface
   float opacity = 1;                 ///< cut-out: share of the surface that exists
   Medium inside;                     ///< of the solid behind the surface
   bool thin_walled = true;           ///< false: a boundary of a solid, `inside` and eta apply

@@ -4,9 +4,8 @@
 #include <utility>
 
 namespace oriel {
-namespace {
 
-void run(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
+void shade(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
   for (const ShaderNode* node : shaders) {
     const ShaderSpec& spec = node->spec();
     if (spec.material) {
@@ -18,15 +17,16 @@ void run(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
   }
 }
 
-}  // namespace
-
 void shade(const Material& material, ShadingPoint& point, Closure& closure) {
   point.material = &material;
-  run(material.surface, point, closure);
+  shade(material.surface, point, closure);
 }
 
 void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure) {
-  run(material.filters_shadows() ? material.shadow_surface : material.surface, point, closure);
+  if (!material.filters_shadows()) return shade(material.surface, point, closure);
+  const RayKind kind = std::exchange(point.ray_kind, RayKind::Shadow);
+  shade(material.shadow_surface, point, closure);
+  point.ray_kind = kind;
 }
 
 Rgb filter_light(const Material& material, ShadingPoint& point, Rgb light) {

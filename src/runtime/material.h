@@ -32,6 +32,8 @@ struct Material {
 /// Runs the surface shaders; the closure is that of the last material shader in the list, opaque
 /// and black when there is none.
 void shade(const Material& material, ShadingPoint& point, Closure& closure);
+/// The same for a list of shaders that is no material's.
+void shade(const NodeList& surface, ShadingPoint& point, Closure& closure);
 /// The closure that light passes a blocker by; as a thin wall where shadow shaders alone decide.
 void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure);
 /// Runs the shadow shaders on the light so far.

@@ -2,15 +2,19 @@
 // What a shader that is no material may ask of the scene around a point while it is rendered.
 #pragma once
 
+#include <limits>
 #include <optional>
 
+#include "runtime/shader_node.h"
 #include "runtime/shading_point.h"
 
 namespace oriel {
 
+struct Outputs;
+
 /// Conventions: world space. ShadingPoint::tracer is one while a surface is shaded for a path, and
 /// null elsewhere (shadow rays, photons, displacement): shaders then answer without it. It must not
-/// be kept. Implemented by transport/scene_tracer.h.
+/// be kept. Implemented by transport/scene_tracer.h. Radiance in pixel units.
 class Tracer {
  public:
   virtual ~Tracer() = default;
@@ -40,6 +44,39 @@ class Tracer {
 
   /// Two independent numbers in [0,1), evenly spread over the samples of a pixel.
   virtual Vec2 next() = 0;
+
+  // For shaders that bring a finished colour: each answer is an estimate whose mean is right.
+
+  /// How far the path has come that asks.
+  struct Levels {
+    int reflections = 0, refractions = 0;
+    float importance = 1;  ///< share of the pixel that it decides, at most 1
+  };
+  virtual Levels levels() const = 0;
+
+  struct SubRay {
+    RayKind kind = RayKind::Reflect;  ///< Eye, Reflect, Refract, Transparent
+    Vec3 direction{0, 0, 1};          ///< unit
+    bool from_surface = true;         ///< leaves the point's surface, else `origin`
+    Vec3 origin{0};
+    Levels levels;                                         ///< those of the new ray
+    float reach = std::numeric_limits<float>::infinity();  ///< beyond it is the environment
+  };
+  struct Seen {
+    Rgba colour{0};
+    std::optional<Met> met;  ///< the first surface; nothing: environment or a light's shape
+  };
+  /// What a ray sees: surfaces with all their light, visible lights, the environment.
+  virtual Seen trace(const ShadingPoint& from, const SubRay& ray) = 0;
+
+  /// Light of surfaces and environment on the side that `normal` faces, through mirrors and glass
+  /// as well, by the method the scene is rendered with: irradiance. That of light sources that
+  /// reach the point straight is not in it.
+  virtual Rgb irradiance(const ShadingPoint& point, const Vec3& normal) = 0;
+
+  /// The colour of materials at the point, each shader on what the one before left, and the parts
+  /// of it where `outputs` is not null. Alpha 1.
+  virtual Rgba shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) = 0;
 };
 
 }  // namespace oriel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/scene_tracer.h"
 
+#include "transport/path_walk.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
 
@@ -9,6 +10,8 @@ namespace {
 
 /// Tells its stream from those of lobes, which number from 0, and of occlusion.
 constexpr std::uint32_t kTracerBranch = 2000;
+/// The same for the paths that shaders ask for; they number from here, vertex by vertex.
+constexpr std::uint32_t kSubPathBranch = 100000, kSubPathsOfVertex = 4096;
 /// Holes on one ray before the rest counts as free.
 constexpr int kMostHoles = 64;
 
@@ -17,6 +20,28 @@ constexpr int kMostHoles = 64;
 Vec2 SceneTracer::next() {
   if (!own_) own_ = sampler_.split(0, 1, kTracerBranch + sampler_.dimension());
   return own_->next_2d();
+}
+
+sampling::Sampler SceneTracer::next_stream() {
+  const std::uint32_t index = streams_++ % kSubPathsOfVertex;
+  sampling::Sampler stream =
+      sampler_.split(0, 1, kSubPathBranch + kSubPathsOfVertex * sampler_.dimension() + index);
+  stream.set_dimension(0);
+  return stream;
+}
+
+Tracer::Levels SceneTracer::levels() const { return path_ ? path_->levels() : Levels{}; }
+
+Tracer::Seen SceneTracer::trace(const ShadingPoint& from, const SubRay& ray) {
+  return path_ ? path_->trace_for_shader(from, ray, next_stream()) : Seen{};
+}
+
+Rgb SceneTracer::irradiance(const ShadingPoint& point, const Vec3& normal) {
+  return path_ ? path_->irradiance_for_shader(point, normal, next_stream()) : Rgb(0);
+}
+
+Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) {
+  return path_ ? path_->shade_for_shader(surface, point, outputs, next_stream()) : Rgba(0);
 }
 
 std::optional<Tracer::Met> SceneTracer::follow(geom::Ray ray, float reach) {
@@ -31,7 +56,7 @@ std::optional<Tracer::Met> SceneTracer::follow(geom::Ray ray, float reach) {
     bool there = true;
     if (material.may_have_holes) {
       Closure closure;
-      shade(material, point, closure);
+      oriel::shade(material, point, closure);
       there = next().x < closure.opacity;
     }
     if (there)
