@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interface for shaders in C and C++, at the level of mental ray 3.6.
+#ifndef ORIEL_SDK_SHADER_H
+#define ORIEL_SDK_SHADER_H
+
+// Conventions
+//   Spaces, units and what miFALSE means stand at the head of each header below. Priorities and who
+//   may call what: functions.txt beside this file.
+
+#include "mi_shader_if.h"
+#include "shader/brdf.h"
+#include "shader/call.h"
+#include "shader/database.h"
+#include "shader/direction.h"
+#include "shader/enums.h"
+#include "shader/eval.h"
+#include "shader/image.h"
+#include "shader/irradiance.h"
+#include "shader/light.h"
+#include "shader/options.h"
+#include "shader/output.h"
+#include "shader/photon.h"
+#include "shader/query.h"
+#include "shader/sample.h"
+#include "shader/scene.h"
+#include "shader/space.h"
+#include "shader/state.h"
+#include "shader/system.h"
+#include "shader/texture.h"
+#include "shader/trace.h"
+#include "shader/types.h"
+#include "shader/vector.h"
+
+#endif
