@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands behind a miState: how the functions of the interface reach the renderer.
+#pragma once
+
+#include <cstdint>
+
+#include "oriel/sdk/shader.h"
+#include "runtime/shader_node.h"
+#include "runtime/tracer.h"
+
+namespace oriel::sdk {
+
+class Host;
+struct UserInstance;
+struct PhotonWork;
+struct LensWork;
+struct LeftValue;
+
+/// A value of a connected parameter that was asked for, kept while the shader runs.
+struct Evaluated {
+  const void* parameter;
+  void* value;
+  const Evaluated* next;
+};
+
+// Conventions
+//   One Context for each ShadingPoint that users' shaders are run at, on the stack; miState::cache
+//   points to it, in copies of the state too. Internal space is world space.
+struct Context {
+  Host* host = nullptr;
+  const World* world = nullptr;
+  ShadingPoint* point = nullptr;         ///< as the renderer knows it; never null
+  const UserInstance* shader = nullptr;  ///< the call that runs
+  const Evaluated* evaluated = nullptr;
+  miShader_type call_type = miSHADER_OTHER;
+  std::uint32_t draws = 0;  ///< random numbers drawn without a tracer
+  double ray_offset = 0, falloff_start = 0, falloff_stop = 0;  ///< mi_ray_offset, mi_ray_falloff
+  miColor opacity = {1, 1, 1, 1};
+  bool opacity_known = false;
+
+  // Light shaders.
+  bool shadow_asked = false;      ///< mi_trace_shadow was called
+  bool shadow_is_black = false;   ///< ... and answers as behind an opaque blocker
+  // Lens and photon shaders: what continues the ray or the photon.
+  LensWork* lens = nullptr;
+  PhotonWork* photon = nullptr;
+
+  Tracer* tracer() const { return point->tracer; }
+};
+
+inline Context& context(const miState* state) { return *static_cast<Context*>(state->cache); }
+
+inline Vec3 vec(const miVector& v) { return Vec3(v.x, v.y, v.z); }
+inline miVector mi(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline Rgb rgb(const miColor& c) { return Rgb(c.r, c.g, c.b); }
+inline miColor mi(const Rgb& c, float alpha) { return {c.x, c.y, c.z, alpha}; }
+inline miColor mi(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
+
+/// Two independent numbers in [0,1): the path's where there is one, else from the point and how
+/// many were drawn there before.
+Vec2 next(const miState* state);
+
+/// The point as the state now describes it, for the renderer's own shaders and rays: shaders may
+/// move position, normals, texture coordinates and the ray.
+ShadingPoint point_of(const miState* state);
+/// Takes over into the state what the renderer's shader did to the point (bump, vectors).
+void take_over(const ShadingPoint& point, const ShadingPoint& before, miState* state);
+
+/// Memory for as long as the running shader runs.
+void* allocate_for_call(std::size_t bytes);
+
+}  // namespace oriel::sdk

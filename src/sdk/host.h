@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The users' shaders of one scene: their libraries, their calls, and tags for what they reach.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "oriel/sdk/shader.h"
+#include "runtime/world.h"
+#include "scene/scene.h"
+#include "sdk/library.h"
+#include "sdk/user_spec.h"
+
+namespace oriel::sdk {
+
+/// Finds what `link` statements name, makes specs of the shaders that the scene declares and the
+/// libraries have, and lends the rest of the scene to them by tags.
+///
+/// Model:   lives longer than the World that was prepared with its registry. A built-in shader wins
+///          over a user's of the same name.
+/// Errors:  OR-SDK-nnn; libraries that cannot be used leave their shaders unknown.
+/// Checked: tests/sdk.
+class Host {
+ public:
+  Host(const scene::Scene& scene, const Registry& builtin, const TrustedFolders& folders,
+       Diagnostics& diagnostics);
+  ~Host();
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  /// The built-in shaders and the users'.
+  const Registry& registry() const { return *registry_; }
+  const scene::Scene& scene() const { return scene_; }
+  /// The world under way: known from when its first user's shader is bound.
+  const World* world() const { return world_; }
+  void attach(const World& world) { world_ = &world; }
+  Diagnostics& diagnostics() { return diagnostics_; }
+  const std::vector<std::unique_ptr<Library>>& libraries() const { return libraries_; }
+  /// Calls the exit functions of the shaders that were initialised; before the world goes.
+  void end_frame();
+
+  // Tags; 0 for null.
+  miTag tag_of(const ShaderNode* node);
+  miTag tag_of(const TextureNode* texture);
+  miTag tag_of_text(std::string_view text);
+  miTag tag_of(const photometry::LightProfile* profile);
+  miTag tag_of(const Material* material) const;
+  miTag tag_of(const UserSpec& declaration) const;
+  /// What they stand for; null where the tag is of another kind.
+  const ShaderNode* node(miTag tag) const;
+  const TextureNode* texture(miTag tag) const;
+  const Material* material(miTag tag) const;
+  const UserSpec* declaration(miTag tag) const;
+  /// Index into World::lights of a light's instance or of the light; -1.
+  int light(miTag tag) const;
+  const InstanceData* instance(miTag tag) const;
+
+  /// The C structure behind a tag (mi_db_access), made when first asked for; null when unknown.
+  void* access(miTag tag);
+  miScene_types type_of(miTag tag) const;
+
+  const miCamera* camera();
+  const miOptions* options();
+  const std::vector<miTag>& lights();  ///< instances of all lights
+  std::string_view text(miTag tag) const;
+
+  std::mutex& shader_lock() { return shader_lock_; }
+  miLock global_lock() const { return global_lock_; }
+
+  void say(Severity severity, std::string text);
+  /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
+  std::atomic<bool> stopped = false;
+
+ private:
+  void* make(miTag tag);
+
+  const scene::Scene& scene_;
+  Diagnostics& diagnostics_;
+  std::vector<std::unique_ptr<Library>> libraries_;
+  std::vector<std::unique_ptr<UserSpec>> specs_;
+  std::unique_ptr<Registry> registry_;
+  const World* world_ = nullptr;
+
+  mutable std::shared_mutex mutex_;
+  std::vector<const ShaderNode*> nodes_;
+  std::vector<const TextureNode*> textures_;
+  std::vector<const photometry::LightProfile*> profiles_;
+  std::deque<std::string> texts_;
+  std::unordered_map<const void*, miTag> known_;
+  std::unordered_map<std::string, miTag> known_texts_;
+  std::unordered_map<miTag, std::unique_ptr<std::byte[]>> records_;
+  std::vector<miTag> lights_;
+  std::mutex shader_lock_;
+  miLock global_lock_;
+};
+
+}  // namespace oriel::sdk
