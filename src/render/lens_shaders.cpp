@@ -7,8 +7,10 @@
 namespace oriel {
 namespace {
 
-Rgb map_with(const ShaderNode& node, const World& world, Vec2 raster, const Rgb& color) {
+Rgb map_with(const ShaderNode& node, const World& world, Vec2 raster, const Rgb& color,
+             RayKind kind) {
   ShadingPoint point;
+  point.ray_kind = kind;
   point.raster = raster;
   point.world = &world;
   const Camera::Ray ray = world.camera.ray(raster);
@@ -30,7 +32,7 @@ std::optional<Rgb> side_value(const World& world, Vec2 raster, const Rgb& film,
   Rgb color = film;
   for (const ShaderNode* node : world.lens) {
     if (fills(*node, channel)) return color;
-    color = map_with(*node, world, raster, color);
+    color = map_with(*node, world, raster, color, RayKind::Eye);
   }
   return std::nullopt;
 }
@@ -98,7 +100,8 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
 
 Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& color) {
   Rgb mapped = color;
-  for (const ShaderNode* node : shaders) mapped = map_with(*node, world, raster, mapped);
+  for (const ShaderNode* node : shaders)
+    mapped = map_with(*node, world, raster, mapped, RayKind::Eye);
   return mapped;
 }
 
@@ -110,7 +113,8 @@ Rgb map_output(const NodeList& shaders, const World& world, Vec2 raster, const R
     std::optional<Rgb> side;
     if (traits.side_channel_mode > 0) side = side_value(world, raster, film, traits.side_channel);
     if (side) color = *side;
-    if (!side || traits.side_channel_mode == 1) color = map_with(*node, world, raster, color);
+    if (!side || traits.side_channel_mode == 1)
+      color = map_with(*node, world, raster, color, RayKind::Output);
   }
   return color;
 }

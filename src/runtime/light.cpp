@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "color/luminance.h"
 #include "geom/shapes.h"
@@ -100,14 +101,26 @@ std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, V
 }  // namespace
 
 LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3& position,
-                            const Vec3& direction, float distance, float emitter_cos) {
-  if (!light.shader) return {};
+                            const Vec3& direction, float distance, float emitter_cos,
+                            RayKind kind) {
+  const ShaderNode* shader = light.shader;
+  if (is_photon(kind)) {
+    // The shader of direct light tells of photons what it tells of that.
+    if (light.emitter)
+      shader = light.emitter;
+    else
+      kind = RayKind::Light;
+  }
+  if (!shader) return {};
   const LightCall call{light, position, direction, distance, emitter_cos};
-  const ShaderSpec& spec = light.shader->spec();
-  if (spec.light)
-    return light.shader->with_params(point, [&](const Call& c) { return spec.light(c, call); });
+  const ShaderSpec& spec = shader->spec();
+  const RayKind before = std::exchange(point.ray_kind, kind);
   LightValue value;
-  if (spec.value) value.colour = rgb(light.shader->color(point));
+  if (spec.light)
+    value = shader->with_params(point, [&](const Call& c) { return spec.light(c, call); });
+  else if (spec.value)
+    value.colour = rgb(shader->color(point));
+  point.ray_kind = before;
   return value;
 }
 
@@ -116,7 +129,8 @@ bool has_square_corners(const Light& light) {
   return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
 }
 
-std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u) {
+std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
+                                        RayKind kind) {
   const Vec3& p = point.position;
   if (light.portal) return sample_portal(light, p, u);
   LightSample sample;
@@ -136,7 +150,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
       sample.wi = to * (1 / sample.distance);
     }
     const LightValue value =
-        ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1);
+        ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1, kind);
     sample.irradiance = value.colour * kPi;
     sample.shadow = value.shadow;
     sample.shadow_factor = value.shadow_factor;
@@ -146,7 +160,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     const auto s = is_flat(light.shape) ? sample_flat(light, p, u) : sample_round(light, p, u);
     if (!s || !(s->distance > 0)) return std::nullopt;
     const LightValue value =
-        ask_light_shader(light, point, s->position, -s->wi, s->distance, s->cosine);
+        ask_light_shader(light, point, s->position, -s->wi, s->distance, s->cosine, kind);
     sample.wi = s->wi;
     sample.distance = s->distance;
     sample.pdf = s->pdf;
@@ -162,7 +176,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
 }
 
 std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
-                                        const Vec3& direction, float t_most) {
+                                        const Vec3& direction, float t_most, RayKind kind) {
   const Vec3& o = from.position;
   std::optional<geom::ShapeHit> hit;
   LightHit result;
@@ -220,7 +234,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
     return result;
   }
   const LightValue value =
-      ask_light_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine);
+      ask_light_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine, kind);
   result.radiance = radiance_of(light, value.colour, direction, hit->t, cosine);
   result.shadow = value.shadow;
   result.affects_diffuse = value.affects_diffuse;

@@ -40,8 +40,9 @@ struct Light {
   Mat4 to_local;         ///< world to the light's space
   Mat4 to_world;
   const ShaderNode* shader = nullptr;
-  std::unique_ptr<ShaderState> state;  ///< what the shader worked out for this light
-  std::unique_ptr<Portal> portal;      ///< set: it shines with the environment behind it
+  const ShaderNode* emitter = nullptr;  ///< asked for photons in place of the shader; null: none
+  std::unique_ptr<ShaderState> state;   ///< what the shader worked out for this light
+  std::unique_ptr<Portal> portal;       ///< set: it shines with the environment behind it
 };
 
 /// Light arriving at a point from one sample.
@@ -64,8 +65,10 @@ struct LightSample {
 /// Returns: nothing where the light cannot reach the point. With a mental ray light shader an area
 ///          light is the mean of its shader over the shape (per area; rectangles with decay are
 ///          sampled by solid angle, which has the same mean and less noise).
+/// `kind`: as ask_light_shader.
 /// Checked: Lights.* in runtime/light_test.cpp (sphere, disc, rectangle against closed forms).
-std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u);
+std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
+                                        RayKind kind = RayKind::Light);
 
 /// A ray that met a light's shape.
 struct LightHit {
@@ -77,14 +80,19 @@ struct LightHit {
 };
 
 /// Intersects the shape within (0, t_most) and evaluates its radiance; nothing for lights without
-/// extent, for rays that miss, and for the dark side of rectangles and discs.
+/// extent, for rays that miss, and for the dark side of rectangles and discs. `kind`: as
+/// ask_light_shader.
 std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
-                                        const Vec3& direction, float t_most);
+                                        const Vec3& direction, float t_most,
+                                        RayKind kind = RayKind::Light);
 
 /// What the light's shader says of a sample at `position`: `direction` from there to the lit point,
-/// `distance` as long, `emitter_cos` as in LightCall. Nothing for a light without a shader.
+/// `distance` as long, `emitter_cos` as in LightCall. Nothing for a light without a shader. `kind`:
+/// Light for what it brings to a point, the ray's where one sees its shape; kinds of photon
+/// emission ask its emitter, where it has one, and are Light where not.
 LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3& position,
-                            const Vec3& direction, float distance, float emitter_cos);
+                            const Vec3& direction, float distance, float emitter_cos,
+                            RayKind kind = RayKind::Light);
 
 /// Rectangles and discs: they shine to one side.
 inline bool is_flat(LightShape shape) {

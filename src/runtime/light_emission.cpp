@@ -35,7 +35,8 @@ float flat_radiance(const World& world, const Light& light, float cosine, float 
   const Frame frame(light.direction);
   const Vec3 direction = frame.to_world(Vec3(std::sqrt(1 - sqr(cosine)), 0, cosine));
   ShadingPoint point = lit_point(world, light.position + direction * distance, direction);
-  const auto hit = intersect_light(light, point, -direction, kInfinity);
+  const auto hit =
+      intersect_light(light, point, -direction, kInfinity, RayKind::PhotonEmitGlobillum);
   return hit ? luminance(hit->radiance) : 0;
 }
 
@@ -205,7 +206,7 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
   ShadingPoint point =
       lit_point(*world_, photon.origin + photon.direction * distance, photon.direction);
   if (light.shape == LightShape::Point || light.shape == LightShape::Directional) {
-    const auto s = sample_light(light, point, photon.u);
+    const auto s = sample_light(light, point, photon.u, photon.kind);
     if (!s) return Rgb(0);
     const float spreads = light.shape == LightShape::Point ? sqr(s->distance) : 1.0f;
     return s->irradiance * (spreads * photon.weight);
@@ -217,7 +218,7 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
     if (!(way > 0) || !(cosine > 0)) return Rgb(0);
     return portal_radiance(light, point.position, -photon.direction, way, cosine) * photon.weight;
   }
-  auto hit = intersect_light(light, point, -photon.direction, kInfinity);
+  auto hit = intersect_light(light, point, -photon.direction, kInfinity, photon.kind);
   if (!hit) {
     // Rounding may pass the rim of the shape: look a little farther in.
     constexpr float kInward = 1e-3f;
@@ -226,7 +227,7 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
       centre += light.edge_u * (dot(photon.origin - light.position, light.edge_u) /
                                 dot(light.edge_u, light.edge_u));
     const Vec3 inner = photon.origin + (centre - photon.origin) * kInward;
-    hit = intersect_light(light, point, normalize(inner - point.position), kInfinity);
+    hit = intersect_light(light, point, normalize(inner - point.position), kInfinity, photon.kind);
   }
   return hit ? hit->radiance * photon.weight : Rgb(0);
 }

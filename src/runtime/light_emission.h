@@ -18,6 +18,7 @@ struct EmittedPhoton {
   Vec3 direction{0, 0, -1};  ///< unit
   float weight = 0;          ///< power for each unit of intensity, irradiance or radiance
   Vec2 u{0};                 ///< that chose the direction
+  RayKind kind = RayKind::PhotonEmitGlobillum;  ///< for shaders of the list `emitter`
 };
 
 /// Emits the photons of one light, or of the environment as diffuse surfaces see it.

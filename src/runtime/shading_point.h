@@ -13,21 +13,66 @@ struct CameraSpace;
 struct Material;
 class Tracer;
 
-/// Kinds of rays, numbered as mental ray's enumeration (shaders in scenes can tell them apart).
+/// What a shader is asked for, in the order and with the values of mental ray's miRay_type, so that
+/// shaders in scenes can tell them apart and the C interface needs no table.
+///
+/// Which kind is met where:
+///   surfaces      the kind of the ray that met them; photons: of their last scattering
+///   textures      as the shader they are connected to
+///   lights        Light; the kind of the ray where it sees the shape of a visible light;
+///   PhotonEmit*
+///                 in the list `emitter` of a light
+///   shadow slot   Shadow
+///   environment   the kind of the ray that met nothing, FinalGather after a diffuse bounce and
+///   where
+///                 it stands for all diffuse light; Environment where no ray was traced
+///   volumes       the kind of the ray on its way, Light between a light and what it lights
+///   cut-outs      Probe, for rays that ask only what is there
+/// Absorb, None, LightMap* and the hulls are only names: nothing is asked by them.
+/// Checked: RayKinds.* in tests/analytic.
 enum class RayKind : std::uint8_t {
-  Eye = 0,
-  Transparent = 1,
-  Reflect = 2,
-  Refract = 3,
-  Light = 4,
-  Shadow = 5,
-  Environment = 6,
-  None = 7,
-  Displace = 16,
-  Output = 17,
-  FinalGather = 20,
-  Probe = 25
+  Eye,
+  Transparent,  ///< straight through what does not bend it
+  Reflect,
+  Refract,
+  Light,
+  Shadow,
+  Environment,
+  None,
+  PhotonAbsorb,
+  PhotonLight,  ///< straight from its light
+  PhotonReflectSpecular,
+  PhotonReflectGlossy,
+  PhotonReflectDiffuse,
+  PhotonTransmitSpecular,
+  PhotonTransmitGlossy,
+  PhotonTransmitDiffuse,
+  Displace,
+  Output,
+  PhotonScatterVolume,
+  PhotonTransparent,  ///< passed a surface straight
+  FinalGather,        ///< diffuse bounces of paths as well
+  LightMapVertex,
+  LightMapMesh,
+  PhotonEmitGlobillum,
+  PhotonEmitCaustic,
+  Probe,
+  Hull,
+  PhotonHull
 };
+static_assert(static_cast<int>(RayKind::Displace) == 16 && static_cast<int>(RayKind::Probe) == 25);
+
+/// As mental ray's class tests: rays that other rays caused, and all that belongs to photons.
+inline constexpr bool is_secondary(RayKind kind) {
+  return (kind > RayKind::Eye && kind < RayKind::PhotonAbsorb) || kind == RayKind::FinalGather ||
+         kind == RayKind::Hull;
+}
+inline constexpr bool is_photon(RayKind kind) {
+  return (kind >= RayKind::PhotonAbsorb && kind <= RayKind::PhotonTransmitDiffuse) ||
+         kind == RayKind::PhotonScatterVolume || kind == RayKind::PhotonTransparent ||
+         kind == RayKind::PhotonEmitGlobillum || kind == RayKind::PhotonEmitCaustic ||
+         kind == RayKind::PhotonHull;
+}
 
 inline constexpr int kMostTextureSpaces = 8;
 

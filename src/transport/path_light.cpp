@@ -46,7 +46,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface)) return;
     if (sees || portal) {
       const bool ends = portal ? ends_at(*portal) : light.visible;
-      const auto hit = ends ? intersect_light(light, origin, ray_.dir, nearest) : std::nullopt;
+      const auto hit =
+          ends ? intersect_light(light, origin, ray_.dir, nearest, kind_) : std::nullopt;
       if (hit) {
         nearest = hit->t;
         seen = sees ? hit->radiance * own_view(light) : Rgb(0);
@@ -100,8 +101,8 @@ Rgb Path::reflected_environment(const Vec3& direction) {
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
   if (shaders.empty()) return Rgb(0);
   ++counts_.environment;
-  return rgb(environment_radiance(shaders, world_, ray_.org, direction, environment_kind(),
-                                  blurred_, roughness_));
+  return rgb(environment_radiance(shaders, world_, ray_.org, direction,
+                                  environment_kind(RayKind::Environment), blurred_, roughness_));
 }
 
 /// What a limited reflection fades to.
@@ -137,7 +138,7 @@ void Path::meet_environment() {
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
   if (!shaders.empty()) ++counts_.environment;
   const Vec3 origin = ray_.org, direction = ray_.dir;
-  const RayKind kind = environment_kind();
+  const RayKind kind = environment_kind(kind_);
   const Rgba c = shaders.empty() ? Rgba(0, 0, 0, 0)
                                  : environment_radiance(shaders, world_, origin, direction, kind,
                                                         blurred_, roughness_);

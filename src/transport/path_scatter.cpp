@@ -282,6 +282,7 @@ bool Path::go_on(const Closure& closure, const LobeChoice& choice, const Materia
   if (too_deep) {
     bool seen = false;
     if (world_.has_area_lights) meet_lights(kInfinity, seen);
+    kind_ = RayKind::Environment;  // no ray was traced
     if (!seen) meet_environment();
     return false;
   }

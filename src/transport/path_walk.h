@@ -150,7 +150,10 @@ class Path {
     if (after_diffuse_) return settings_.further_bounces;
     return settings_.maps && settings_.maps->gather ? settings_.maps->gather_scale : Rgb(1);
   }
-  RayKind environment_kind() const { return after_diffuse_ ? RayKind::FinalGather : kind_; }
+  /// After a diffuse bounce an environment shows all rays what light of it is sampled by.
+  RayKind environment_kind(RayKind kind) const {
+    return after_diffuse_ ? RayKind::FinalGather : kind;
+  }
   // path_indirect.cpp
   std::optional<Rgb> mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const;
   std::optional<Gathered> gathered(const ShadingPoint& point, const Vec3& normal,

@@ -27,6 +27,15 @@ constexpr float kOffTheLight = 1e-5f;
 /// Photons that graze a surface whose shading normal faces them would gain without bound.
 constexpr float kLeastCosine = 1e-3f;
 
+/// What a photon is after it was scattered.
+RayKind scattered_as(LobeKind kind, bool crosses) {
+  if (is_diffuse(kind))
+    return crosses ? RayKind::PhotonTransmitDiffuse : RayKind::PhotonReflectDiffuse;
+  if (is_delta(kind))
+    return crosses ? RayKind::PhotonTransmitSpecular : RayKind::PhotonReflectSpecular;
+  return crosses ? RayKind::PhotonTransmitGlossy : RayKind::PhotonReflectGlossy;
+}
+
 PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
 
 class PhotonWalk {
@@ -56,6 +65,11 @@ class PhotonWalk {
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
   bool count_bounce(LobeKind kind);
   void follow(const ShadingPoint& point, const Vec3& direction);
+  /// The same, unbent.
+  void pass(const ShadingPoint& point) {
+    kind_ = RayKind::PhotonTransparent;
+    follow(point, ray_.dir);
+  }
   Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
                    LobeKind kind) const;
   void absorb() { lose(Rgb(0)); }
@@ -76,6 +90,7 @@ class PhotonWalk {
   sampling::Sampler sampler_;
 
   EmittedPhoton photon_;
+  RayKind kind_ = RayKind::PhotonLight;
   geom::Ray ray_;
   Rgb emitted_{0};  // as of the last surface, until the photon has scattered
   Rgb factor_{1};
@@ -148,6 +163,7 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   ShadingPoint seen = point;
   seen.ray_origin = point.position + sample.wi;
   seen.ray_direction = -sample.wi;
+  seen.ray_kind = RayKind::FinalGather;
   if (dot(sample.wi, point.geometric_normal) < 0) {
     seen.geometric_normal = -point.geometric_normal;
     seen.normal = -point.normal;
@@ -188,7 +204,7 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
       medium_.leave(closure, point, ray_.dir);
     else if (!closure.thin_walled)
       medium_.ignore();
-    follow(point, ray_.dir);
+    pass(point);
     return true;
   }
 
@@ -209,6 +225,7 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
   lose(factor_ * weight);
   medium_.leave(closure, point, sample->wi);
   scattered_ = true;
+  kind_ = scattered_as(kind, dot(sample->wi, point.geometric_normal) < 0);
   if (is_diffuse(kind)) {
     diffuse_ = true;
     if (!straight_rays_fade()) medium_.ignore();
@@ -243,14 +260,14 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
     medium_.leave(filter, point, ray_.dir);
   else if (!closure.thin_walled)
     medium_.ignore();
-  follow(point, ray_.dir);
+  pass(point);
   return true;
 }
 
 /// At a surface. False: the photon ends here.
 bool PhotonWalk::arrive(const geom::Hit& hit) {
   ShadingPoint point;
-  fill_point(world_, ray_, hit, {}, RayKind::FinalGather, point);
+  fill_point(world_, ray_, hit, {}, kind_, point);
   if (!(takes(point) & kMeetsCaustics)) {
     const Vec3 left = left_;
     follow(point, ray_.dir);
@@ -276,7 +293,7 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   if (filtered && pass_filter(closure, material, point)) return true;
   if (sampler_.next_1d() >= closure.opacity) {
     if (filtered) return absorb(), false;
-    follow(point, ray_.dir);
+    pass(point);
     return true;
   }
 
@@ -297,6 +314,7 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
 void PhotonWalk::run() {
   const Vec2 u_place = sampler_.next_2d();
   photon_ = source_.emit(u_place, sampler_.next_2d());
+  photon_.kind = settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic;
   ray_.org = left_ = photon_.origin;
   ray_.dir = photon_.direction;
   ray_.tnear = kOffTheLight * source_.scene_radius();
