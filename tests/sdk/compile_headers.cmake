@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compiles each header for shaders alone, twice, in one standard, without a warning; with -DWHICH=top
+# only those that shaders name.
+#   cmake -DCOMPILER=gcc -DSTANDARD=c99 -DFOLDER=.../include/oriel/sdk -DWORK=... -P this file
+cmake_minimum_required(VERSION 3.25)
+find_program(program NAMES ${COMPILER} NO_CACHE)
+if(NOT program)
+  message("SKIPPED: there is no ${COMPILER} here")
+  return()
+endif()
+string(REGEX MATCH "^c\\+\\+" is_cpp ${STANDARD})
+set(extension "c")
+if(is_cpp)
+  set(extension "cpp")
+endif()
+
+file(MAKE_DIRECTORY ${WORK})
+file(GLOB headers RELATIVE ${FOLDER} ${FOLDER}/*.h)
+if(NOT WHICH STREQUAL "top")
+  file(GLOB parts RELATIVE ${FOLDER} ${FOLDER}/shader/*.h)
+  list(APPEND headers ${parts})
+endif()
+set(units)
+foreach(header ${headers})
+  string(REPLACE "/" "_" unit ${header})
+  file(WRITE ${WORK}/${unit}.${extension} "#include <${header}>\n#include <${header}>\n")
+  list(APPEND units ${WORK}/${unit}.${extension})
+endforeach()
+execute_process(
+  COMMAND ${program} -std=${STANDARD} -Wall -Wextra -Wpedantic -Wshadow -Werror -fsyntax-only
+          -I${FOLDER} ${units}
+  RESULT_VARIABLE result ERROR_VARIABLE messages)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${COMPILER} -std=${STANDARD}:\n${messages}")
+endif()
