@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where rays and photons go on: mirrored, refracted, spread, scattered.
+#include <cmath>
+
+#include "base/frame.h"
+#include "bsdf/fresnel.h"
+#include "oriel/sdk/shader/direction.h"
+#include "sampling/warp.h"
+#include "sdk/context.h"
+#include "sdk/ward_lobe.h"
+
+namespace {
+
+using oriel::cross;
+using oriel::dot;
+using oriel::Frame;
+using oriel::normalize;
+using oriel::Vec2;
+using oriel::Vec3;
+using oriel::sdk::mi;
+using oriel::sdk::vec;
+using oriel::sdk::WardLobe;
+
+/// The shader's sample as the warps want it: below 1, which a double just below it rounds to.
+Vec2 pair(const double sample[2]) {
+  constexpr double kMost = 0x1.fffffep-1;
+  return Vec2(static_cast<float>(std::fmin(std::fmax(sample[0], 0.0), kMost)),
+              static_cast<float>(std::fmin(std::fmax(sample[1], 0.0), kMost)));
+}
+
+/// The normal on the side that the ray comes from.
+Vec3 facing_normal(const miState* state) {
+  const Vec3 n = vec(state->normal);
+  return dot(n, vec(state->dir)) > 0 ? -n : n;
+}
+
+Vec3 mirrored(const miState* state) {
+  const Vec3 d = vec(state->dir), n = vec(state->normal);
+  return normalize(d - n * (2 * dot(d, n)));
+}
+
+/// The axis of u, or that v stands on; null for both alike.
+Vec3 brushed(const miVector* u, const miVector* v, const Vec3& normal) {
+  const Vec3 along = u ? vec(*u) : Vec3(0);
+  return along == Vec3(0) && v ? cross(vec(*v), normal) : along;
+}
+
+/// A direction about the mirror direction of a ray that comes along `incoming`.
+Vec3 spread(const Vec3& incoming, const Vec3& normal, const Vec3& along, const WardLobe& lobe,
+            Vec2 u) {
+  const Frame frame = Frame::along(normal, along);
+  return normalize(frame.to_world(lobe.sample(frame.to_local(-incoming), u)));
+}
+
+/// As spread(), about the refracted direction: the lobe of a ray that would be mirrored into the
+/// refracted one's image on the near side, seen on the far side. It is as wide for equal indices,
+/// which would not bend rays at any facet.
+miBoolean spread_through(miVector* dir, miState* state, miScalar ior_in, miScalar ior_out,
+                         const Vec3& along, const WardLobe& lobe, Vec2 u) {
+  if (!mi_refraction_dir(dir, state, ior_in, ior_out)) return miFALSE;
+  const Vec3 n = facing_normal(state);
+  const Vec3 image = spread(vec(*dir), n, along, lobe, u);
+  *dir = mi(normalize(image - n * (2 * dot(image, n))));
+  return miTRUE;
+}
+
+}  // namespace
+
+void mi_reflection_dir(miVector* dir, miState* state) { *dir = mi(mirrored(state)); }
+
+void mi_reflection_dir_specular(miVector* dir, miState* state) { mi_reflection_dir(dir, state); }
+
+void mi_reflection_dir_glossy_x(miVector* dir, miState* state, miScalar shiny,
+                                const double sample[2]) {
+  *dir = mi(
+      spread(vec(state->dir), facing_normal(state), Vec3(0), WardLobe(shiny, shiny), pair(sample)));
+}
+
+void mi_reflection_dir_glossy(miVector* dir, miState* state, miScalar shiny) {
+  const Vec2 u = oriel::sdk::next(state);
+  const double sample[2] = {u.x, u.y};
+  mi_reflection_dir_glossy_x(dir, state, shiny, sample);
+}
+
+void mi_reflection_dir_anisglossy_x(miVector* dir, miState* state, const miVector* u,
+                                    const miVector* v, miScalar shiny_u, miScalar shiny_v,
+                                    const double sample[2]) {
+  const Vec3 n = facing_normal(state);
+  *dir = mi(spread(vec(state->dir), n, brushed(u, v, n), WardLobe(shiny_u, shiny_v), pair(sample)));
+}
+
+void mi_reflection_dir_anisglossy(miVector* dir, miState* state, const miVector* u,
+                                  const miVector* v, miScalar shiny_u, miScalar shiny_v) {
+  const Vec2 s = oriel::sdk::next(state);
+  const double sample[2] = {s.x, s.y};
+  mi_reflection_dir_anisglossy_x(dir, state, u, v, shiny_u, shiny_v, sample);
+}
+
+void mi_reflection_dir_diffuse_x(miVector* dir, miState* state, const double sample[2]) {
+  const Frame frame(facing_normal(state));
+  *dir = mi(normalize(frame.to_world(oriel::sampling::sample_cosine_hemisphere(pair(sample)))));
+}
+
+void mi_reflection_dir_diffuse(miVector* dir, miState* state) {
+  const Vec2 u = oriel::sdk::next(state);
+  const double sample[2] = {u.x, u.y};
+  mi_reflection_dir_diffuse_x(dir, state, sample);
+}
+
+miBoolean mi_refraction_dir(miVector* dir, miState* state, miScalar ior_in, miScalar ior_out) {
+  // Indices that nobody set bend nothing.
+  const bool sensible = ior_in > 0 && ior_out > 0;
+  const auto through = oriel::bsdf::refract(-vec(state->dir), facing_normal(state),
+                                            sensible ? ior_out / ior_in : 1.0f);
+  // What shaders that do not look at the answer go on with.
+  *dir = mi(through ? normalize(*through) : mirrored(state));
+  return through ? miTRUE : miFALSE;
+}
+
+miBoolean mi_transmission_dir_specular(miVector* dir, miState* state, miScalar ior_in,
+                                       miScalar ior_out) {
+  return mi_refraction_dir(dir, state, ior_in, ior_out);
+}
+
+miBoolean mi_transmission_dir_glossy_x(miVector* dir, miState* state, miScalar ior_in,
+                                       miScalar ior_out, miScalar shiny, const double sample[2]) {
+  return spread_through(dir, state, ior_in, ior_out, Vec3(0), WardLobe(shiny, shiny), pair(sample));
+}
+
+miBoolean mi_transmission_dir_glossy(miVector* dir, miState* state, miScalar ior_in,
+                                     miScalar ior_out, miScalar shiny) {
+  return spread_through(dir, state, ior_in, ior_out, Vec3(0), WardLobe(shiny, shiny),
+                        oriel::sdk::next(state));
+}
+
+miBoolean mi_transmission_dir_anisglossy_x(miVector* dir, miState* state, miScalar ior_in,
+                                           miScalar ior_out, const miVector* u, const miVector* v,
+                                           miScalar shiny_u, miScalar shiny_v,
+                                           const double sample[2]) {
+  return spread_through(dir, state, ior_in, ior_out, brushed(u, v, facing_normal(state)),
+                        WardLobe(shiny_u, shiny_v), pair(sample));
+}
+
+miBoolean mi_transmission_dir_anisglossy(miVector* dir, miState* state, miScalar ior_in,
+                                         miScalar ior_out, const miVector* u, const miVector* v,
+                                         miScalar shiny_u, miScalar shiny_v) {
+  return spread_through(dir, state, ior_in, ior_out, brushed(u, v, facing_normal(state)),
+                        WardLobe(shiny_u, shiny_v), oriel::sdk::next(state));
+}
+
+void mi_transmission_dir_diffuse_x(miVector* dir, miState* state, const double sample[2]) {
+  const Frame frame(-facing_normal(state));
+  *dir = mi(normalize(frame.to_world(oriel::sampling::sample_cosine_hemisphere(pair(sample)))));
+}
+
+void mi_transmission_dir_diffuse(miVector* dir, miState* state) {
+  const Vec2 u = oriel::sdk::next(state);
+  const double sample[2] = {u.x, u.y};
+  mi_transmission_dir_diffuse_x(dir, state, sample);
+}
+
+void mi_scattering_dir_diffuse(miVector* dir, miState* state) {
+  *dir = mi(oriel::sampling::sample_uniform_sphere(oriel::sdk::next(state)));
+}
+
+// Inverts the integral of Schlick's phase function, see mi_schlick_scatter.
+void mi_scattering_dir_directional(miVector* dir, miState* state, miScalar directionality) {
+  const float k = oriel::clamp(directionality, -0.9999f, 0.9999f);
+  const Vec2 u = oriel::sdk::next(state);
+  const float c = oriel::clamp((2 * u.x - 1 + k) / (1 + k * (2 * u.x - 1)), -1, 1);
+  const float s = std::sqrt(1 - c * c);
+  const oriel::sampling::SinCos turn = oriel::sampling::sincos_turns(u.y);
+  *dir = mi(
+      normalize(Frame(normalize(vec(state->dir))).to_world(Vec3(s * turn.cos, s * turn.sin, c))));
+}
+
+miScalar mi_scattering_pathlength(miState* state, miScalar k) {
+  if (!(k > 0)) return miHUGE_SCALAR;
+  return -std::log1p(-oriel::sdk::next(state).x) / k;
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sdk/ward_lobe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/warp.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// Steepest mean slope, as the renderer's own mib_illum_ward has it: that of a shininess of 0.
+constexpr float kMostSlope = 10;
+/// Highlights of finer slopes are points that no picture resolves.
+constexpr float kLeastSlope = 1e-4f;
+
+float slope_of(float shiny) { return std::max(kLeastSlope, 1 / std::max(shiny, 1 / kMostSlope)); }
+
+}  // namespace
+
+WardLobe::WardLobe(float shiny_u, float shiny_v) : ax_(slope_of(shiny_u)), ay_(slope_of(shiny_v)) {}
+
+Vec3 WardLobe::sample(const Vec3& wo, const Vec2& u) const {
+  const float r = std::sqrt(-std::log1p(-u.x));
+  const sampling::SinCos turn = sampling::sincos_turns(u.y);
+  const Vec3 h = normalize(Vec3(ax_ * r * turn.cos, ay_ * r * turn.sin, 1));
+  Vec3 wi = h * (2 * dot(wo, h)) - wo;
+  wi.z = std::max(std::abs(wi.z), 1e-7f);
+  return normalize(wi);
+}
+
+float WardLobe::mirror_pdf(const Vec3& wo, const Vec3& wi) const {
+  const Vec3 h = normalize(wo + wi);
+  if (h.z == 0) return 0;
+  const float slope2 = (sqr(h.x / ax_) + sqr(h.y / ay_)) / sqr(h.z);
+  const float facets = std::exp(-slope2) / (kPi * ax_ * ay_ * std::abs(h.z) * sqr(h.z));
+  return facets / (4 * std::abs(dot(wo, h)));
+}
+
+float WardLobe::pdf(const Vec3& wo, const Vec3& wi) const {
+  if (wi.z <= 0) return 0;
+  return mirror_pdf(wo, wi) + mirror_pdf(wo, Vec3(wi.x, wi.y, -wi.z));
+}
+
+}  // namespace oriel::sdk
