@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Locks of shaders.
+#include <chrono>
+#include <memory>
+#include <mutex>
+
+#include "oriel/sdk/shader/system.h"
+#include "sdk/call.h"
+#include "sdk/current.h"
+#include "sdk/host.h"
+
+namespace {
+
+using Mutex = std::timed_mutex;
+
+/// Between looks whether the rendering was stopped: a shader that crashed gave nothing back.
+constexpr std::chrono::milliseconds kPatience{100};
+
+/// What a lock nobody made stands for: one for all of these.
+Mutex& mutex_of(miLock lock) {
+  static Mutex shared;
+  return lock.p ? *static_cast<Mutex*>(lock.p) : shared;
+}
+
+bool stopped() {
+  const oriel::sdk::Host* host = oriel::sdk::current_host();
+  return host && host->stopped;
+}
+
+}  // namespace
+
+void mi_init_lock(miLock* lock) { lock->p = std::make_unique<Mutex>().release(); }
+
+void mi_delete_lock(miLock* lock) {
+  const std::unique_ptr<Mutex> gone(static_cast<Mutex*>(lock->p));
+  lock->p = nullptr;
+}
+
+void mi_lock(miLock lock) {
+  Mutex& mutex = mutex_of(lock);
+  while (!mutex.try_lock_for(kPatience))
+    if (stopped()) oriel::sdk::leave_crashed_shader();
+}
+
+void mi_unlock(miLock lock) { mutex_of(lock).unlock(); }
+
+miBoolean mi_trylock(miLock lock) { return mutex_of(lock).try_lock() ? miTRUE : miFALSE; }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points, vectors and normals between the spaces of a state. Internal space is world space.
+#include <cmath>
+
+#include "oriel/sdk/shader/space.h"
+#include "sdk/context.h"
+#include "sdk/host.h"
+
+namespace {
+
+using oriel::Camera;
+using oriel::Mat4;
+using oriel::Vec3;
+using oriel::sdk::context;
+using oriel::sdk::vec;
+
+/// Both ways between internal space and another one; null where they are the same.
+struct Way {
+  const Mat4* to = nullptr;
+  const Mat4* from = nullptr;
+  Way reversed() const { return {from, to}; }
+};
+
+Way to_world(const miState* /*state*/) { return {}; }
+
+Way to_camera(const miState* state) {
+  const oriel::World* world = context(state).world;
+  if (!world) return {};
+  return {&world->camera.to_camera, &world->camera.to_world};
+}
+
+// By the tag first: shaders may put that of another instance.
+Way to_object(const miState* state) {
+  const oriel::sdk::Context& c = context(state);
+  if (c.host && state->instance != miNULLTAG)
+    if (const oriel::InstanceData* instance = c.host->instance(state->instance))
+      return {&instance->to_object, &instance->to_world};
+  return {c.point->to_object, c.point->to_world};
+}
+
+Way to_light(const miState* state) {
+  const oriel::sdk::Context& c = context(state);
+  if (!c.host || !c.world) return {};
+  const int index = c.host->light(state->light_instance);
+  if (index < 0) return {};
+  const oriel::Light& light = c.world->lights[static_cast<std::size_t>(index)];
+  return {&light.to_local, &light.to_world};
+}
+
+void move_point(const Way& way, miVector* result, const miVector* in) {
+  *result = way.to ? oriel::sdk::mi(oriel::transform_point(vec(*in), *way.to)) : *in;
+}
+void move_vector(const Way& way, miVector* result, const miVector* in) {
+  *result = way.to ? oriel::sdk::mi(oriel::transform_vector(vec(*in), *way.to)) : *in;
+}
+void move_normal(const Way& way, miVector* result, const miVector* in) {
+  *result = way.from ? oriel::sdk::mi(oriel::transform_normal(vec(*in), *way.from)) : *in;
+}
+
+/// Depth below which a point is as good as in the camera's own plane.
+constexpr float kLeastDepth = 1e-30f;
+
+/// Inverts Camera::ray; z stays that of camera space.
+Vec3 raster_of(const Camera& camera, const Vec3& p) {
+  float x = p.x, y = p.y;
+  if (!camera.orthographic) {
+    const float depth = std::abs(p.z) > kLeastDepth ? -p.z : kLeastDepth;
+    x *= camera.focal / depth;
+    y *= camera.focal / depth;
+  }
+  const float half_width = camera.aperture / 2, half_height = half_width / camera.aspect;
+  return Vec3((x / half_width + 1) / 2 * static_cast<float>(camera.width) - camera.offset.x,
+              (y / half_height + 1) / 2 * static_cast<float>(camera.height) - camera.offset.y, p.z);
+}
+
+}  // namespace
+
+#define ORIEL_SPACE(space)                                                                  \
+  void mi_point_to_##space(const miState* state, miVector* result, const miVector* in) {    \
+    move_point(to_##space(state), result, in);                                              \
+  }                                                                                         \
+  void mi_point_from_##space(const miState* state, miVector* result, const miVector* in) {  \
+    move_point(to_##space(state).reversed(), result, in);                                   \
+  }                                                                                         \
+  void mi_vector_to_##space(const miState* state, miVector* result, const miVector* in) {   \
+    move_vector(to_##space(state), result, in);                                             \
+  }                                                                                         \
+  void mi_vector_from_##space(const miState* state, miVector* result, const miVector* in) { \
+    move_vector(to_##space(state).reversed(), result, in);                                  \
+  }                                                                                         \
+  void mi_normal_to_##space(const miState* state, miVector* result, const miVector* in) {   \
+    move_normal(to_##space(state), result, in);                                             \
+  }                                                                                         \
+  void mi_normal_from_##space(const miState* state, miVector* result, const miVector* in) { \
+    move_normal(to_##space(state).reversed(), result, in);                                  \
+  }
+
+ORIEL_SPACE(world)
+ORIEL_SPACE(camera)
+ORIEL_SPACE(object)
+ORIEL_SPACE(light)
+
+#undef ORIEL_SPACE
+
+void mi_point_to_raster(const miState* state, miVector* result, const miVector* in) {
+  const oriel::World* world = context(state).world;
+  if (!world) {
+    *result = *in;
+    return;
+  }
+  const Vec3 p = oriel::transform_point(vec(*in), world->camera.to_camera);
+  *result = oriel::sdk::mi(raster_of(world->camera, p));
+}
+
+// Across the view at the depth of the hit, as long as one step of a pixel there.
+miBoolean mi_raster_unit(const miState* state, miVector* x, miVector* y) {
+  const oriel::World* world = context(state).world;
+  if (!world) return miFALSE;
+  const Camera& camera = world->camera;
+  const float depth = -oriel::transform_point(vec(state->point), camera.to_camera).z;
+  if (!(depth > 0)) return miFALSE;
+  const float scale = camera.orthographic ? 1 : depth / camera.focal;
+  const float width = camera.aperture / static_cast<float>(camera.width) * scale;
+  const float height = camera.aperture / camera.aspect / static_cast<float>(camera.height) * scale;
+  const miVector step_x = {width, 0, 0}, step_y = {0, height, 0};
+  mi_vector_from_camera(state, x, &step_x);
+  mi_vector_from_camera(state, y, &step_y);
+  mi_vector_to_object(state, x, x);
+  mi_vector_to_object(state, y, y);
+  return miTRUE;
+}
