@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sdk/picture.h"
+
+#include <half.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace oriel::sdk {
+namespace {
+
+constexpr TypeTraits kTypes[miIMG_NTYPES] = {{"rgba", 4, Storage::U8},
+                                             {"rgba_16", 4, Storage::U16},
+                                             {"rgb", 3, Storage::U8},
+                                             {"rgb_16", 3, Storage::U16},
+                                             {"a", 1, Storage::U8},
+                                             {"a_16", 1, Storage::U16},
+                                             {"s", 1, Storage::U8},
+                                             {"s_16", 1, Storage::U16},
+                                             {"vta", 2, Storage::Float},
+                                             {"vts", 2, Storage::Float},
+                                             {"z", 1, Storage::Float},
+                                             {"n", 3, Storage::Float},
+                                             {"tag", 1, Storage::Label},
+                                             {"rgba_fp", 4, Storage::Float},
+                                             {"m", 3, Storage::Float},
+                                             {"bit", 1, Storage::U8},
+                                             {"rgb_fp", 3, Storage::Float},
+                                             {"coverage", 1, Storage::Float},
+                                             {"rgbe", 4, Storage::SharedExponent},
+                                             {"a_fp", 1, Storage::Float},
+                                             {"s_fp", 1, Storage::Float},
+                                             {"rgba_h", 4, Storage::Half},
+                                             {"rgb_h", 3, Storage::Half}};
+
+template <class T>
+T load(const unsigned char* at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return value;
+}
+template <class T>
+void store(unsigned char* at, T value) {
+  std::memcpy(at, &value, sizeof value);
+}
+
+/// Not a number is 0.
+template <class T>
+T quantized(float value, float largest) {
+  return static_cast<T>(std::lround((value > 0 ? std::min(value, 1.0f) : 0.0f) * largest));
+}
+
+bool is_alpha(miImg_type type) {
+  return type == miIMG_TYPE_A || type == miIMG_TYPE_A_16 || type == miIMG_TYPE_A_FP;
+}
+
+}  // namespace
+
+const TypeTraits& traits_of(miImg_type type) {
+  return kTypes[type >= 0 && type < miIMG_NTYPES ? type : miIMG_TYPE_RGBA];
+}
+
+int bytes_of(Storage storage) {
+  switch (storage) {
+    case Storage::U16:
+    case Storage::Half:
+      return 2;
+    case Storage::Float:
+    case Storage::Label:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+Picture::Picture(miImg_type its_type, int its_width, int its_height) : miImg_image{} {
+  const TypeTraits& traits = traits_of(its_type);
+  storage_ = traits.storage;
+  type = its_type;
+  width = std::max(its_width, 0);
+  height = std::max(its_height, 0);
+  comp = traits.components;
+  bits = 8 * bytes_of(storage_);
+  local = writable = miTRUE;
+  const int line = width * bytes_of(storage_);
+  for (int k = 0; k < 4; ++k) c[k] = k < comp ? k * line : 0;
+  bytes.resize(static_cast<std::size_t>(line) * static_cast<std::size_t>(comp) *
+               static_cast<std::size_t>(height));
+}
+
+unsigned char* Picture::row(int y, int component) {
+  const std::size_t line =
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(bytes_of(storage_));
+  const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(comp) +
+                  static_cast<std::size_t>(component);
+  return bytes.data() + at * line;
+}
+
+float Picture::number(int x, int y, int component) {
+  const unsigned char* at = row(y, component) + static_cast<std::ptrdiff_t>(x) * bytes_of(storage_);
+  switch (storage_) {
+    case Storage::U16:
+      return static_cast<float>(load<std::uint16_t>(at)) / 65535;
+    case Storage::Half:
+      return load<half>(at);
+    case Storage::Float:
+      return load<float>(at);
+    case Storage::Label:
+      return static_cast<float>(load<miUint>(at));
+    default:
+      return static_cast<float>(*at) / 255;
+  }
+}
+
+void Picture::set_number(int x, int y, int component, float value) {
+  unsigned char* at = row(y, component) + static_cast<std::ptrdiff_t>(x) * bytes_of(storage_);
+  switch (storage_) {
+    case Storage::U16:
+      return store(at, quantized<std::uint16_t>(value, 65535));
+    case Storage::Half:
+      return store(at, half(value));
+    case Storage::Float:
+      return store(at, value);
+    case Storage::Label:
+      return store(at, value > 0 ? static_cast<miUint>(std::min(value, 4e9f)) : 0u);
+    default:
+      return store(at, quantized<std::uint8_t>(value, 255));
+  }
+}
+
+Rgba Picture::colour(int x, int y) {
+  if (storage_ == Storage::SharedExponent) {
+    const int exponent = *(row(y, 3) + x);
+    // Ward's format: mantissas of 8 bits, half a step up, and 128 for an exponent of 0.
+    const auto channel = [&](int k) {
+      return exponent == 0
+                 ? 0
+                 : std::ldexp(static_cast<float>(*(row(y, k) + x)) + 0.5f, exponent - 136);
+    };
+    return Rgba(channel(0), channel(1), channel(2), 1);
+  }
+  const float first = number(x, y, 0);
+  if (comp == 1) return Rgba(first, first, first, is_alpha(type) ? first : 1);
+  return Rgba(first, number(x, y, 1), comp > 2 ? number(x, y, 2) : 0,
+              comp > 3 ? number(x, y, 3) : 1);
+}
+
+void Picture::set_colour(int x, int y, const Rgba& v) {
+  if (storage_ == Storage::SharedExponent) {
+    int exponent = 0;
+    const float largest = std::max({v.r, v.g, v.b, 0.0f});
+    std::frexp(std::min(largest, 1e38f), &exponent);
+    exponent = largest < 1e-38f ? -128 : exponent;
+    for (int k = 0; k < 3; ++k)
+      row(y, k)[x] = static_cast<unsigned char>(
+          clamp(std::floor(std::ldexp(std::max(v[k], 0.0f), 8 - exponent)), 0, 255));
+    row(y, 3)[x] = static_cast<unsigned char>(exponent + 128);
+    return;
+  }
+  if (comp == 1) return set_number(x, y, 0, is_alpha(type) ? v.a : (v.r + v.g + v.b) * (1.0f / 3));
+  for (int k = 0; k < comp; ++k) set_number(x, y, k, v[k]);
+}
+
+Vec3 Picture::vector(int x, int y) {
+  if (storage_ != Storage::SharedExponent && comp < 3)
+    return Vec3(number(x, y, 0), comp > 1 ? number(x, y, 1) : 0, 0);
+  const Rgba pixel = colour(x, y);
+  return Vec3(pixel.r, pixel.g, pixel.b);
+}
+
+void Picture::set_vector(int x, int y, const Vec3& v) {
+  if (comp == 1) return set_number(x, y, 0, v.x);
+  set_colour(x, y, Rgba(v.x, v.y, v.z, 1));
+}
+
+Image to_image(Picture& picture) {
+  const bool shared = traits_of(picture.type).storage == Storage::SharedExponent;
+  const int channels = shared ? 3 : picture.comp;
+  Image image(picture.width, picture.height, channels);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      float* pixel = image.at(x, picture.height - 1 - y);
+      const Rgba c = shared ? picture.colour(x, y) : Rgba(0);
+      for (int k = 0; k < channels; ++k) pixel[k] = shared ? c[k] : picture.number(x, y, k);
+    }
+  return image;
+}
+
+void fill(Picture& picture, const Image& image) {
+  const int width = std::min(picture.width, image.width);
+  const int height = std::min(picture.height, image.height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float* p = image.at(x, image.height - 1 - y);
+      const bool grey = image.channels < 3;
+      const float alpha = image.channels % 2 == 0 ? p[image.channels - 1] : 1;
+      picture.set_colour(x, y,
+                         grey ? Rgba(p[0], p[0], p[0], alpha) : Rgba(p[0], p[1], p[2], alpha));
+    }
+}
+
+}  // namespace oriel::sdk
