@@ -30,3 +30,20 @@ install(FILES ${declarations} DESTINATION ${CMAKE_INSTALL_DATADIR}/oriel/mi)
 install(FILES ${CMAKE_SOURCE_DIR}/data/templates.mi DESTINATION share/oriel)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/data/textures DESTINATION share/oriel
         FILES_MATCHING PATTERN "*.exr" PATTERN "__pycache__" EXCLUDE)
+
+# For those who write shaders: headers, and how CMake and pkg-config find them. Their places below
+# the prefix are by name, as the program and the package look there. `cmake --install BUILD
+# --component shaders` puts only these.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/oriel/sdk DESTINATION include/oriel
+        COMPONENT shaders)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/shaders/OrielShadersConfigVersion.cmake.in
+               ${CMAKE_BINARY_DIR}/shaders/OrielShadersConfigVersion.cmake @ONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/shaders/oriel-shaders.pc.in
+               ${CMAKE_BINARY_DIR}/shaders/oriel-shaders.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/shaders/OrielShadersConfig.cmake
+              ${CMAKE_BINARY_DIR}/shaders/OrielShadersConfigVersion.cmake
+        DESTINATION lib/cmake/OrielShaders COMPONENT shaders)
+install(FILES ${CMAKE_BINARY_DIR}/shaders/oriel-shaders.pc DESTINATION lib/pkgconfig
+        COMPONENT shaders)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/shaders DESTINATION share/oriel/examples
+        COMPONENT shaders)

@@ -38,5 +38,6 @@ Command add_sun_command(CLI::App& program);
 Command add_profile_command(CLI::App& program);
 Command add_measure_command(CLI::App& program);
 Command add_falsecolor_command(CLI::App& program);
+Command add_shader_build_command(CLI::App& program);
 
 }  // namespace oriel::app

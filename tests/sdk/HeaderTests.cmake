@@ -18,3 +18,7 @@ foreach(pair gcc:c99 gcc:c17 g++:c++98 g++:c++11 g++:c++17 g++:c++20
   set_tests_properties(sdk.headers.${compiler}.${standard} PROPERTIES SKIP_REGULAR_EXPRESSION
                                                                       "SKIPPED:")
 endforeach()
+
+add_test(NAME sdk.package
+         COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_BINARY_DIR} -DWORK=${CMAKE_BINARY_DIR}/sdk_package
+                 -P ${CMAKE_SOURCE_DIR}/tests/sdk/use_package.cmake)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a compiler: without a shell, its messages where the user sees them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace oriel::app {
+
+/// What compiles: a program and the words that stand before its own arguments ("ccache", "gcc").
+using CompilerCommand = std::vector<std::string>;
+
+/// The compiler of a language, and how it came to be chosen.
+class Compiler {
+ public:
+  /// `asked`: what the user wrote, or empty; `variable`: of the environment, asked next; then the
+  /// names in `usual`, as far as they are installed.
+  Compiler(std::string language, std::string option, const std::string& asked, const char* variable,
+           const std::vector<std::string>& usual);
+
+  /// Runs it; false: it ended with an error, and has said so.
+  ///
+  /// Errors: UserError when no such program is installed.
+  bool run(const std::vector<std::string>& arguments);
+
+ private:
+  std::string language_, option_;
+  std::vector<CompilerCommand> candidates_;
+};
+
+}  // namespace oriel::app
