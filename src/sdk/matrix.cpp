@@ -15,15 +15,20 @@ using Rows = double[kSide][kSide];
 /// Brings `a` to the identity by rows and does the same to the `columns` of each row of b; false
 /// where a is singular.
 bool eliminate(Rows& a, double* b, int columns) {
-  double largest = 0;
-  for (const auto& row : a)
-    for (const double v : row) largest = std::max(largest, std::abs(v));
+  // Rows of one size first: a small scale beside a far place is not singular.
+  for (int i = 0; i < kSide; ++i) {
+    double largest = 0;
+    for (const double v : a[i]) largest = std::max(largest, std::abs(v));
+    if (!(largest > 0)) return false;
+    for (double& v : a[i]) v /= largest;
+    for (int j = 0; j < columns; ++j) b[i * columns + j] /= largest;
+  }
   for (int k = 0; k < kSide; ++k) {
     int pivot = k;
     for (int i = k + 1; i < kSide; ++i)
       if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    // Not even a scale of 1e-6 in a scene a million units wide comes near this.
-    if (!(std::abs(a[pivot][k]) > 1e-18 * largest)) return false;
+    // What a scale leaves that is smaller by this than how far away it stands is no number.
+    if (!(std::abs(a[pivot][k]) > 1e-13)) return false;
     if (pivot != k) {
       std::swap_ranges(a[k], a[k] + kSide, a[pivot]);
       std::swap_ranges(b + k * columns, b + (k + 1) * columns, b + pivot * columns);

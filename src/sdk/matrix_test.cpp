@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oriel/sdk/shader/texture.h"
+#include "oriel/sdk/shader/vector.h"
+
+namespace {
+
+constexpr miMatrix kPlaced = {2, 0, 0, 0, 0, .5f, .25f, 0, .5f, -1, 3, 0, 7, -2, 1, 1};
+
+void expect_near(const miVector& v, float x, float y, float z, float tolerance = 1e-6f) {
+  EXPECT_NEAR(v.x, x, tolerance);
+  EXPECT_NEAR(v.y, y, tolerance);
+  EXPECT_NEAR(v.z, z, tolerance);
+}
+
+}  // namespace
+
+TEST(Matrix, TimesItsInverseIsTheIdentity) {
+  miMatrix inverse, product;
+  ASSERT_TRUE(mi_matrix_invert(inverse, kPlaced));
+  mi_matrix_prod(product, kPlaced, inverse);
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(product[i], i % 5 == 0 ? 1 : 0, 1e-6f) << i;
+}
+
+TEST(Matrix, MayBeItsOwnResult) {
+  miMatrix m, there_and_back;
+  mi_matrix_copy(m, kPlaced);
+  ASSERT_TRUE(mi_matrix_invert(m, m));
+  mi_matrix_prod(m, m, kPlaced);
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(m[i], i % 5 == 0 ? 1 : 0, 1e-6f) << i;
+  mi_matrix_ident(there_and_back);
+  EXPECT_TRUE(mi_matrix_isident(there_and_back));
+  mi_matrix_null(there_and_back);
+  EXPECT_TRUE(mi_matrix_isnull(there_and_back));
+  EXPECT_FALSE(mi_matrix_isident(kPlaced));
+}
+
+TEST(Matrix, OfSmallScalesHasAnInverse) {
+  miMatrix m = {1e-6f, 0, 0, 0, 0, 1e-6f, 0, 0, 0, 0, 1e-6f, 0, 1e6f, 0, 0, 1}, inverse;
+  ASSERT_TRUE(mi_matrix_invert(inverse, m));
+  EXPECT_NEAR(inverse[0], 1e6f, 1);
+}
+
+TEST(Matrix, ThatFlattensHasNone) {
+  const miMatrix flat = {1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1};
+  miMatrix inverse;
+  EXPECT_FALSE(mi_matrix_invert(inverse, flat));
+  EXPECT_EQ(mi_matrix_rot_det(flat), 0);
+  // 2 (1.5 + .25) by hand.
+  EXPECT_NEAR(mi_matrix_rot_det(kPlaced), 3.5f, 1e-6f);
+}
+
+TEST(Matrix, RotatesRowVectorsRightHanded) {
+  miMatrix m;
+  const miVector x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 3};
+  miVector r;
+  mi_matrix_rotate_axis(m, &z, static_cast<float>(M_PI_2));
+  mi_vector_transform(&r, &x, m);
+  expect_near(r, 0, 1, 0);
+  mi_matrix_rotate(m, static_cast<float>(M_PI_2), 0, static_cast<float>(M_PI_2));
+  mi_vector_transform(&r, &y, m);  // to z by the first turn, which the last one leaves
+  expect_near(r, 0, 0, 1);
+}
+
+TEST(Matrix, MovesPointsNotVectors) {
+  const miVector v = {1, 2, 3};
+  miVector p = v;
+  mi_point_transform(&p, &p, kPlaced);
+  expect_near(p, 10.5f, -4, 10.5f);
+  mi_vector_transform(&p, &v, kPlaced);
+  expect_near(p, 3.5f, -2, 9.5f);
+}
+
+TEST(Matrix, DividesByWhatAProjectionLeaves) {
+  const miMatrix projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -1, 0, 0, 0, 0};
+  const miVector p = {2, 4, -2};
+  miVector r;
+  mi_point_transform(&r, &p, projection);
+  expect_near(r, 1, 2, -1);
+}
+
+TEST(Matrix, TransposedInverseKeepsNormalsSquare) {
+  const miVector tangent = {1, 2, -1}, normal = {1, 0, 1};
+  miMatrix inverse;
+  ASSERT_TRUE(mi_matrix_invert(inverse, kPlaced));
+  miVector t, n;
+  mi_vector_transform(&t, &tangent, kPlaced);
+  mi_vector_transform_T(&n, &normal, inverse);
+  EXPECT_NEAR(mi_vector_dot(&t, &n), 0, 1e-5f);
+}
+
+TEST(MatrixSolve, FindsWhatSolvesTheSystem) {
+  const miMatrix a = {0, 2, 1, 0, 1, -1, 0, 3, 2, 0, 5, 1, 1, 1, 1, 1};
+  const miScalar expected[4] = {1, -2, 3, .5f};
+  miScalar b[4], x[4];
+  for (int i = 0; i < 4; ++i) {
+    b[i] = 0;
+    for (int j = 0; j < 4; ++j) b[i] += a[i * 4 + j] * expected[j];
+  }
+  ASSERT_TRUE(mi_matrix_solve(x, a, b, 1));
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(x[i], expected[i], 1e-5f);
+}
+
+TEST(MatrixSolve, OfTheIdentityIsTheInverse) {
+  miMatrix identity, inverse, solved;
+  mi_matrix_ident(identity);
+  ASSERT_TRUE(mi_matrix_invert(inverse, kPlaced));
+  ASSERT_TRUE(mi_matrix_solve(solved, kPlaced, identity, 4));
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(solved[i], inverse[i], 1e-6f);
+}
+
+TEST(TextureFilter, TransformTakesThreePointsToTheirCoordinates) {
+  miVector p[3] = {{100, 50, 0}, {101, 50, 0}, {100, 51.5f, 0}};
+  miVector t[3] = {{.2f, .4f, 0}, {.21f, .405f, 0}, {.19f, .43f, 0}};
+  miMatrix st;
+  ASSERT_TRUE(mi_texture_filter_transform(st, p, t));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(p[i].x * st[0] + p[i].y * st[4] + st[8], t[i].x, 1e-5f);
+    EXPECT_NEAR(p[i].x * st[1] + p[i].y * st[5] + st[9], t[i].y, 1e-5f);
+    EXPECT_NEAR(p[i].x * st[2] + p[i].y * st[6] + st[10], 1, 1e-5f);
+  }
+  p[2] = {102, 50, 0};
+  EXPECT_FALSE(mi_texture_filter_transform(st, p, t));
+}
