@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compiles each header for shaders alone, twice, in one standard, without a warning; with -DWHICH=top
-# only those that shaders name.
-#   cmake -DCOMPILER=gcc -DSTANDARD=c99 -DFOLDER=.../include/oriel/sdk -DWORK=... -P this file
+# only those that shaders name. In C++ the source of TRAPS follows, as old sources are compiled.
+#   cmake -DCOMPILER=gcc -DSTANDARD=c99 -DFOLDER=.../include/oriel/sdk -DTRAPS=... -DWORK=...
+#         -P this file
 cmake_minimum_required(VERSION 3.25)
 find_program(program NAMES ${COMPILER} NO_CACHE)
 if(NOT program)
@@ -32,4 +33,14 @@ execute_process(
   RESULT_VARIABLE result ERROR_VARIABLE messages)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${COMPILER} -std=${STANDARD}:\n${messages}")
+endif()
+if(is_cpp)
+  string(REPLACE "c++" "gnu++" dialect ${STANDARD})
+  execute_process(
+    COMMAND ${program} -std=${dialect} -fpermissive -w -fsyntax-only -I${FOLDER}
+            ${TRAPS}/old_style.cpp
+    RESULT_VARIABLE result ERROR_VARIABLE messages)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${COMPILER} -std=${dialect}:\n${messages}")
+  endif()
 endif()
