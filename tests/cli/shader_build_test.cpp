@@ -2,6 +2,7 @@
 // oriel shader-build: sources in, a library with the shaders out, or a message that helps.
 #include <dlfcn.h>
 
+#include "mi/reader.h"
 #include "program.h"
 
 namespace oriel {
@@ -14,13 +15,13 @@ const fs::path kSource = ORIEL_SOURCE_DIR;
 class ShaderBuildProgram : public ProgramTest {
  protected:
   /// Whether the library has a function of that name. Functions of the renderer stay unbound.
-  bool offers(const std::string& library, const char* name) const {
+  bool offers(const std::string& library, const std::string& name) const {
     void* const handle = dlopen(file(library).c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (handle == nullptr) {
       ADD_FAILURE() << dlerror();
       return false;
     }
-    const bool found = dlsym(handle, name) != nullptr;
+    const bool found = dlsym(handle, name.c_str()) != nullptr;
     dlclose(handle);
     return found;
   }
@@ -60,13 +61,13 @@ TEST_F(ShaderBuildProgram, TheExamplesBuildWithoutAWarning) {
     // Every shader that the folder declares is there.
     for (const auto& part : fs::directory_iterator(entry.path())) {
       if (part.path().extension() != ".mi") continue;
-      const std::string text = text_of(part.path().string());
-      for (std::size_t at = 0; (at = text.find("\ndeclare shader", at)) != std::string::npos;) {
-        const std::size_t open = text.find('"', at), close = text.find('"', open + 1);
-        const std::string name = text.substr(open + 1, close - open - 1);
-        EXPECT_TRUE(offers(library, name.c_str())) << name;
-        EXPECT_TRUE(offers(library, (name + "_version").c_str())) << name;
-        at = close;
+      Diagnostics diagnostics;
+      const scene::Scene scene = mi::read_scene(part.path().string(), {}, diagnostics);
+      EXPECT_TRUE(diagnostics.all().empty()) << part.path();
+      EXPECT_FALSE(scene.declarations.empty()) << part.path();
+      for (const scene::ShaderDeclaration& declaration : scene.declarations) {
+        EXPECT_TRUE(offers(library, declaration.name)) << declaration.name;
+        EXPECT_TRUE(offers(library, declaration.name + "_version")) << declaration.name;
       }
     }
   }
