@@ -53,6 +53,15 @@ function(oriel_folder name)
   endif()
 endfunction()
 
+# A program whose users' shared libraries call the C interface of src/sdk: all of it is linked in
+# and its functions are visible to them.
+function(oriel_hosts_shaders target)
+  target_link_libraries(${target} PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,oriel_sdk>)
+  foreach(names mi_* mayabase_* oriel_light_* oriel_spectrum_* oriel_options_* oriel_framebuffers_*)
+    target_link_options(${target} PRIVATE "LINKER:--export-dynamic-symbol=${names}")
+  endforeach()
+endfunction()
+
 # oriel_test(NAME SOURCES files... DEPS folders...): a GoogleTest program known to ctest.
 function(oriel_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS" ${ARGN})

@@ -10,6 +10,7 @@
 #include "render/prepare.h"
 #include "render/session.h"
 #include "scene_file.h"
+#include "sdk/host.h"
 #include "shaders/registry.h"
 
 namespace oriel::app {
@@ -78,7 +79,9 @@ json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
     for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, registry);
     result["frames"] = result["frames"].get<int>() + 1;
     PrepareReport report;
-    const auto world = prepare(scene, scene.renders.back(), registry, {}, diagnostics, report);
+    sdk::Host host(scene, registry, sdk::trusted_folders(a.scene.shader_path), diagnostics);
+    const auto world =
+        prepare(scene, scene.renders.back(), host.registry(), {}, diagnostics, report);
     if (!world) {
       renders = false;
       break;
@@ -87,14 +90,18 @@ json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
     if (const scene::Camera* camera = find_camera(scene, scene.renders.back())) {
       const std::string folder = std::filesystem::path(a.scene.path).parent_path().string();
       for (const PictureFile& f :
-           camera_outputs(*camera, {folder, {folder}}, scene, registry, *world, diagnostics))
+           camera_outputs(*camera, {folder, {folder}}, scene, host.registry(), *world,
+                          diagnostics))
         outputs.push_back(f.path);
     }
+    host.end_frame();
     result["picture"] = picture_json(*world);
     result["outputs"] = outputs;
     result["shaders"] = report.binding.shaders;
     result["parameters"] = {{"approximated", report.binding.approximated},
                             {"ignored", report.binding.ignored}};
+    result["stand_ins"] = report.binding.stand_ins;
+    result["guessed"] = report.binding.guessed;
     result["missing"] = {{"shaders", report.binding.missing_shaders},
                          {"textures", report.binding.missing_textures}};
     result["options"] = options_json(world->options, diagnostics);
@@ -149,7 +156,11 @@ void print_text(const json& r) {
                p["noise_target"].get<double>());
     print_names("outputs", r["outputs"]);
     print_counts("shaders, calls of each", r["shaders"]);
+    print_counts("shaders of other programs, approximated by stand-ins", r["stand_ins"]);
     print_names("missing shaders, shown magenta", r["missing"]["shaders"]);
+    if (!r["guessed"].empty()) fmt::print("missing shaders, guessed from their parameters\n");
+    for (const auto& [type, guess] : r["guessed"].items())
+      fmt::print("  {:<32} {}\n", type, guess.get<std::string>());
     print_names("missing textures", r["missing"]["textures"]);
     print_counts("parameters that are approximated", r["parameters"]["approximated"]);
     print_counts("parameters that are ignored", r["parameters"]["ignored"]);

@@ -3,6 +3,8 @@
 
 #include <csignal>
 
+#include "sdk/call.h"
+
 namespace oriel::app {
 namespace {
 
@@ -14,13 +16,28 @@ void on_signal(int number) {
   std::signal(number, SIG_DFL);
 }
 
+void on_crash(int number) {
+  sdk::leave_crashed_shader();  // returns only where no shader was running
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
 }  // namespace
 
-const std::atomic<bool>& interrupted() { return flag; }
+std::atomic<bool>& interrupted() { return flag; }
 
 void catch_interrupts() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+}
+
+void catch_crashes() {
+  struct sigaction action = {};
+  action.sa_handler = on_crash;
+  // The handler jumps back into the program: the signal must not stay blocked.
+  action.sa_flags = SA_NODEFER;
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    sigaction(number, &action, nullptr);
 }
 
 }  // namespace oriel::app

@@ -15,6 +15,7 @@
 #include "render/prepare.h"
 #include "render/unit_luminance.h"
 #include "scene_file.h"
+#include "sdk/host.h"
 #include "shaders/registry.h"
 #include "sun_scene.h"
 
@@ -275,7 +276,8 @@ std::unique_ptr<World> load(const MeasureArguments& a, scene::Scene& scene,
   PrepareOptions options;
   options.camera = a.camera;
   PrepareReport report;
-  auto world = prepare(scene, command, builtin_shaders(), options, diagnostics, report);
+  sdk::Host host(scene, builtin_shaders(), sdk::trusted_folders(a.scene.shader_path), diagnostics);
+  auto world = prepare(scene, command, host.registry(), options, diagnostics, report);
   if (!world) return nullptr;
   world->options.indirect = scene::IndirectMethod::Path;
   if (a.unit_luminance) {
@@ -284,7 +286,7 @@ std::unique_ptr<World> load(const MeasureArguments& a, scene::Scene& scene,
   }
   NodeList outputs;
   if (const scene::Camera* camera = find_camera(scene, command, a.camera))
-    outputs = camera_output_shaders(*camera, scene, builtin_shaders(), *world, diagnostics);
+    outputs = camera_output_shaders(*camera, scene, host.registry(), *world, diagnostics);
   unit = unit_luminance(*world, outputs, diagnostics);
   return world;
 }

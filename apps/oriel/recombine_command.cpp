@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel recombine: puts the outputs of a render together again and holds the sum against the
-// beauty.
+// oriel recombine: puts the layers of a render together again and holds the sum against the
+// beauty; or with lights stronger, weaker and of other colours.
 #include "image/recombine.h"
 
 #include <fmt/format.h>
 #include <half.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "command.h"
 #include "image/exr.h"
+#include "image/relight.h"
 #include "pictures.h"
 #include "scene_file.h"
 
@@ -23,17 +25,22 @@ constexpr float kRecombineThreshold = 1e-4f;
 
 struct RecombineArguments {
   std::string input, output;
+  std::vector<std::string> lights;
   float threshold = kRecombineThreshold;
   bool json = false;
 };
 
-std::vector<Layer> read_outputs(const std::string& path) {
+ExrFile read_picture(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw UserError(fmt::format("cannot read '{}': there is no such file", path));
-  std::vector<Layer> layers = read_exr(path).layers;
+  return read_exr(path);
+}
+
+/// Refuses layers that are not all there.
+void check_outputs(const std::string& path, const std::vector<Layer>& layers) {
   const std::vector<std::string> wrong = unusable_outputs(layers);
-  if (wrong.empty()) return layers;
+  if (wrong.empty()) return;
   std::string list;
   for (const std::string& phrase : wrong) list += (list.empty() ? "" : ", ") + phrase;
   throw UsageError(fmt::format(
@@ -74,10 +81,89 @@ Image larger_difference(const Recombination& r, const Image& beauty) {
   return out;
 }
 
+/// "key=1.5", "key=1.5,0.2" or "key=1,.9,.7".
+LightGain parse_gain(const std::string& text) {
+  const auto refuse = [&] {
+    return UsageError(fmt::format(
+        "--light {}: write NAME=FACTOR, NAME=FACTOR,WARMTH or NAME=RED,GREEN,BLUE", text));
+  };
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || equals == 0) throw refuse();
+  std::vector<float> numbers;
+  for (std::size_t at = equals + 1; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    float value = 0;
+    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + end, value);
+    if (error != std::errc() || rest != text.data() + end || !std::isfinite(value)) throw refuse();
+    numbers.push_back(value);
+    at = end + 1;
+  }
+  LightGain gain{text.substr(0, equals), Rgb(0)};
+  switch (numbers.size()) {
+    case 1:
+      gain.factor = Rgb(numbers[0]);
+      break;
+    case 2:
+      gain.factor = tinted(numbers[0], numbers[1]);
+      break;
+    case 3:
+      gain.factor = Rgb(numbers[0], numbers[1], numbers[2]);
+      break;
+    default:
+      throw refuse();
+  }
+  return gain;
+}
+
+/// The picture under other strengths of its lights.
+int run_relight(const RecombineArguments& a, const ExrFile& picture) {
+  if (a.output.empty()) throw UsageError("--light: name the file to write with -o FILE.exr");
+  std::vector<LightGain> gains;
+  for (const std::string& text : a.lights) gains.push_back(parse_gain(text));
+  std::vector<Layer> layers;
+  try {
+    layers = relight(picture.layers, gains);
+  } catch (const std::runtime_error& e) {
+    throw UsageError(fmt::format("{}: {}", a.input, e.what()));
+  }
+  ExrOptions options;
+  options.metadata = picture.metadata;
+  write_exr(a.output, layers, options);
+  return kExitDone;
+}
+
+/// Whether layers of lights sum to the beauty.
+int compare_lights(const RecombineArguments& a, const std::vector<Layer>& layers) {
+  const Layer* beauty = find_layer(layers, "");
+  const std::vector<Layer> sum = relight(layers, {});
+  Image rgb(beauty->image.width, beauty->image.height, 3);
+  for (std::size_t i = 0; i < rgb.pixel_count(); ++i)
+    std::copy_n(sum.front().image.at(0, 0) + i * static_cast<std::size_t>(beauty->image.channels), 3,
+                &rgb.pixels[3 * i]);
+  const RebuiltDifference d = compare_rebuilt(rgb, beauty->image, a.threshold);
+  if (a.json)
+    print_json({{"agrees", d.above == 0},
+                {"threshold", a.threshold},
+                {"floor", d.floor},
+                {"pixels", rgb.pixel_count()},
+                {"groups", light_layer_names(layers)},
+                {"lights", json_of(d)}});
+  else
+    print_difference("lights", d, rgb.pixel_count(), a.threshold);
+  return d.above == 0 ? kExitDone : kExitFailed;
+}
+
 int run_recombine(const RecombineArguments& a) {
   if (!a.output.empty() && std::filesystem::path(a.output).extension() != ".exr")
     throw UsageError(fmt::format("-o {}: the layers go into an .exr file", a.output));
-  const std::vector<Layer> layers = read_outputs(a.input);
+  const ExrFile picture = read_picture(a.input);
+  if (!a.lights.empty()) return run_relight(a, picture);
+  const std::vector<Layer>& layers = picture.layers;
+  const bool has_lights = find_layer(layers, "") && !light_layer_names(layers).empty();
+  // Of a picture with layers of lights alone these are compared.
+  if (has_lights && !find_layer(layers, "diffuse_result") && a.output.empty())
+    return compare_lights(a, layers);
+  check_outputs(a.input, layers);
   const Image& beauty = find_layer(layers, "")->image;
   Recombination r = recombine(layers);
   const RebuiltDifference simple = compare_rebuilt(r.simple, beauty, a.threshold);
@@ -111,11 +197,22 @@ int run_recombine(const RecombineArguments& a) {
 
 Command add_recombine_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "recombine", "Rebuilds a render from the outputs of its materials and compares");
+      "recombine",
+      "Rebuilds a render from its layers and compares: from the outputs of its materials, or, where "
+      "these are not there, from its light groups. With --light: the picture under other strengths "
+      "of its light groups");
   auto a = std::make_shared<RecombineArguments>();
-  app->add_option("IN", a->input, "EXR file of oriel render --layers outputs")->required();
+  app->add_option("IN", a->input, "EXR file of oriel render --layers outputs or --light-group")
+      ->required();
   app->add_option("-o,--output", a->output,
-                  "EXR file to write: layers simple, complex and difference (relative)");
+                  "EXR file to write: layers simple, complex and difference (relative); with "
+                  "--light the new picture and its light groups");
+  app->add_option("--light", a->lights,
+                  "Multiplies a light group: by a factor; by a factor and warmer (1: red against "
+                  "blue by 4 for 1, of the same luminance; negative: cooler); or by red, green and "
+                  "blue. Repeat for more groups; rest is what no group has")
+      ->allow_extra_args(false)
+      ->type_name("NAME=FACTOR[,WARMTH]|R,G,B");
   app->add_option("--threshold", a->threshold,
                   "Exit code 1 when a pixel differs by more than this share")
       ->check(CLI::NonNegativeNumber)

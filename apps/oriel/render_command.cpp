@@ -18,6 +18,9 @@
 #include "render/session.h"
 #include "render/unit_luminance.h"
 #include "scene_file.h"
+#include "sdk/call.h"
+#include "sdk/current.h"
+#include "sdk/host.h"
 #include "shaders/registry.h"
 #include "sun_scene.h"
 
@@ -38,6 +41,7 @@ struct RenderArguments {
   std::optional<float> noise;
   std::optional<double> time;
   std::string gi, size, crop, camera, layers, sun;
+  std::vector<std::string> light_groups;
   std::optional<double> north;
   std::optional<float> unit_luminance;
   std::uint32_t seed = 0;
@@ -101,6 +105,18 @@ LayerSet parse_layers(const std::string& text) {
   return layers;
 }
 
+/// "key=lamp*,spot_??".
+scene::LightGroup parse_light_group(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  scene::LightGroup group{text.substr(0, equals), {}};
+  if (equals != text.npos) group.patterns = scene::split_patterns(text.substr(equals + 1));
+  const std::string complaint = scene::light_group_complaint(group);
+  if (!complaint.empty())
+    throw UsageError(
+        fmt::format("--light-group {}: {}; write NAME=PATTERN,PATTERN,...", text, complaint));
+  return group;
+}
+
 RenderPlan plan_of(const RenderArguments& a) {
   RenderPlan plan;
   plan.gi = parse_gi(a.gi);
@@ -118,6 +134,10 @@ RenderPlan plan_of(const RenderArguments& a) {
           "--crop {}: write XL,YL,XH,YH in pixels from the lower left, ends included", a.crop));
     plan.session.crop = Window{crop[0], crop[1], crop[2] + 1, crop[3] + 1};
   }
+  for (const std::string& text : a.light_groups)
+    scene::set_light_group(plan.prepare.light_groups, parse_light_group(text));
+  if (plan.prepare.light_groups.size() > scene::kMostLightGroups)
+    throw UsageError(fmt::format("--light-group: at most {} groups", scene::kMostLightGroups));
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
   if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
@@ -168,7 +188,12 @@ class FrameRenderer {
     session_.reset();  // it refers to the world before
     denoised_ = {};
     PrepareReport report;
-    world_ = prepare(scene_, command, builtin_shaders(), plan_.prepare, diagnostics_, report);
+    world_.reset();
+    host_.emplace(scene_, builtin_shaders(), sdk::trusted_folders(a_.scene.shader_path),
+                  diagnostics_, &interrupted());
+    const std::string folder = fs::path(a_.scene.path).parent_path().string();
+    sdk::set_output_roots({folder, {folder}});
+    world_ = prepare(scene_, command, host_->registry(), plan_.prepare, diagnostics_, report);
     if (!world_) return false;
     if (plan_.gi) world_->options.indirect = *plan_.gi;
     choose_files(command, frame);
@@ -177,6 +202,7 @@ class FrameRenderer {
 
     SessionSettings settings = plan_.session;
     settings.outputs = keeps_outputs();
+    settings.lights = keeps_lights();
     settings.irradiance = std::any_of(files_.begin(), files_.end(), needs_irradiance);
     settings.unit_luminance = unit_of_pixels();
     settings.map_files = map_files();
@@ -187,7 +213,14 @@ class FrameRenderer {
         {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
         &interrupted());
     line_.clear();
+    report_crash();
+    host_->end_frame();
     if (reason == StopReason::MapsOnly) return finish(reason), true;
+    if (session_->film().light_layers() > 0 && session_->has_unknown_light())
+      diagnostics_.note("OR-RN-060", {},
+                        "light from maps in files, of interpolated reflections and of shaders that "
+                        "bring finished colours does not know its light group: it is layer "
+                        "light.indirect");
     if (a_.denoise && !world_->preview) denoised_ = denoised_beauty(*session_);
     write_files();
     finish(reason);
@@ -195,20 +228,28 @@ class FrameRenderer {
   }
 
  private:
+  void report_crash() {
+    const std::string& shader = sdk::crashed_shader();
+    if (!shader.empty())
+      diagnostics_.error("OR-SDK-005", {}, fmt::format("shader \"{}\" crashed", shader),
+                         "the picture so far is saved; run the program in a debugger to see where: "
+                         "gdb --args oriel render ...");
+  }
+
   void choose_files(const scene::RenderCommand& command, int frame) {
     files_.clear();
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
     if (!a_.outputs.empty()) {
       NodeList shaders;
       if (camera)
-        shaders = camera_output_shaders(*camera, scene_, builtin_shaders(), *world_, diagnostics_);
+        shaders = camera_output_shaders(*camera, scene_, host_->registry(), *world_, diagnostics_);
       for (const std::string& output : a_.outputs) {
         files_.push_back(picture_file(frame_path(output, frame)));
         files_.back().shaders = shaders;
       }
     } else if (camera) {
       const std::string folder = fs::path(a_.scene.path).parent_path().string();
-      files_ = camera_outputs(*camera, {folder, {folder}}, scene_, builtin_shaders(), *world_,
+      files_ = camera_outputs(*camera, {folder, {folder}}, scene_, host_->registry(), *world_,
                               diagnostics_);
     }
     if (files_.empty())
@@ -267,6 +308,16 @@ class FrameRenderer {
     return false;
   }
 
+  /// Whether a file can hold layers of lights, where there are some.
+  bool keeps_lights() {
+    if (!world_->light_layers.asked()) return false;
+    if (std::any_of(files_.begin(), files_.end(), holds_light_layers)) return true;
+    diagnostics_.warning("OR-RN-059", {},
+                         "light groups are layers of EXR files, and none is written",
+                         "name one with -o FILE.exr");
+    return false;
+  }
+
   void on_pass(const Progress& p) {
     line_.update(p);
     const double since = seconds_since(last_write_);
@@ -304,6 +355,8 @@ class FrameRenderer {
           fmt::format("{:.9g}", 2 * std::atan(c.aperture / (2 * c.focal)) * 180 / kPi);
     if (has_photometric_layers())
       m[kUnitLuminanceKey] = fmt::format("{:.9g}", session_->unit_luminance());
+    if (session_->film().light_layers() > 0)
+      m["oriel.lightGroups"] = fmt::format("{}", fmt::join(world_->light_layers.names, " "));
     if (p.noise) m["oriel.noise"] = fmt::format("{:.6g}", *p.noise);
     if (!a_.scene.edits.empty())
       m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
@@ -347,6 +400,7 @@ class FrameRenderer {
   Diagnostics& diagnostics_;
   DiagnosticPrinter& printer_;
   ProgressLine line_;
+  std::optional<sdk::Host> host_;  // outlives what was bound with its registry
   std::unique_ptr<World> world_;
   std::optional<RenderSession> session_;
   Image denoised_;  ///< empty until the render is done, or without --denoise
@@ -368,6 +422,7 @@ int run_render(const RenderArguments& a) {
     return kExitFailed;
   }
   catch_interrupts();
+  catch_crashes();
   FrameRenderer renderer(a, plan, scene, diagnostics, printer);
   int frames = 0;
   while (!interrupted() && reader.next_frame(scene)) {
@@ -413,6 +468,15 @@ Command add_render_command(CLI::App& program) {
       "--layers", a->layers,
       "Layers of EXR files, comma between: beauty, depth, ..., illuminance (lux), luminance "
       "(cd/m2), outputs (of materials) or all");
+  app->add_option("--light-group", a->light_groups,
+                  "Lights of such names (* and ? stand for others, comma between; instances, "
+                  "instgroups, glowing objects, or environment) become layer light.NAME of EXR "
+                  "files: all their light, bounces included. The rest is light.rest, and the "
+                  "layers sum to the beauty; light.indirect is there where maps from files, "
+                  "interpolated reflections or users' shaders do not know. Repeat for more; the first that matches "
+                  "has the light. In scenes: option \"light group NAME\" \"PATTERN,...\"")
+      ->allow_extra_args(false)
+      ->type_name("NAME=PATTERN,...");
   app->add_option("--unit-luminance", a->unit_luminance,
                   "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
   app->add_flag("--denoise", a->denoise,

@@ -134,6 +134,11 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                   "Changes a parameter of a shader, material, light or options block")
       ->allow_extra_args(false)
       ->type_name("ELEMENT.PARAM=VALUE");
+  command
+      .add_option("--shader-path", arguments.shader_path,
+                  "Folders of shader libraries that `link` may load, separated by colons; those of "
+                  "ORIEL_SHADER_PATH follow")
+      ->type_name("DIRS");
 }
 
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry) {

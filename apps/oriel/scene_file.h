@@ -17,9 +17,10 @@ struct SceneArguments {
   std::string path;
   std::vector<std::string> include_paths;
   std::vector<std::string> edits;  ///< element.parameter=value
+  std::string shader_path;         ///< folders whose native shaders may run
 };
 
-/// SCENE, -I and --set.
+/// SCENE, -I, --set and --shader-path.
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments);
 
 /// How .mi files are read by the program. Includes are looked for in the program's own data folder

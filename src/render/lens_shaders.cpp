@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace oriel {
 namespace {
@@ -37,6 +38,90 @@ std::optional<Rgb> side_value(const World& world, Vec2 raster, const Rgb& film,
   return std::nullopt;
 }
 
+/// The lens shaders from `lens` on, and behind the last of them the scene. Lenses that ask for rays
+/// themselves may ask for several: the first path of a sample brings what is no colour.
+class LensChain final : public LensNext {
+ public:
+  /// What all lenses of a sample share.
+  struct Shared {
+    const World& world;
+    Vec2 raster;
+    const PathSettings& settings;
+    sampling::Sampler& sampler;
+    RayCounts& counts;
+    std::optional<PathResult> first = std::nullopt;
+  };
+  LensChain(Shared& shared, std::size_t lens) : s_(shared), lens_(lens) {}
+
+  Seen trace(const Vec3& origin, const Vec3& direction) override {
+    Camera::Ray ray = s_.world.camera.ray(s_.raster);
+    ray.origin = origin;
+    ray.direction = direction;
+    return trace(ray);
+  }
+  Vec2 next() override { return s_.sampler.next_2d(); }
+
+  Seen trace(const Camera::Ray& ray) {
+    const Seen seen = lens_ == s_.world.lens_rays.size() ? trace_scene(ray) : trace_lens(ray);
+    if (!first_) first_ = seen;
+    return seen;
+  }
+
+ private:
+  Seen trace_lens(Camera::Ray ray) {
+    const ShaderNode& node = *s_.world.lens_rays[lens_];
+    LensChain behind(s_, lens_ + 1);
+    ShadingPoint point;
+    point.raster = s_.raster;
+    point.world = &s_.world;
+    point.ray_origin = ray.origin;
+    point.ray_direction = ray.direction;
+    if (node.spec().lens_eye) {
+      const Rgba colour = node.with_params(
+          point, [&](const Call& call) { return node.spec().lens_eye(call, behind); });
+      const Seen first = behind.first_.value_or(Seen{});
+      return {colour, first.distance, first.normal};
+    }
+    const Vec2 u = s_.sampler.next_2d();
+    const Rgb weight = node.with_params(point, [&](const Call& call) {
+      return node.spec().lens_ray(call, s_.world.camera, u, ray);
+    });
+    Seen seen = behind.trace(ray);
+    seen.colour *= Rgba(weight.x, weight.y, weight.z, 1);
+    return seen;
+  }
+
+  Seen trace_scene(const Camera::Ray& ray) {
+    // Every path of a sample needs numbers of its own.
+    constexpr std::uint32_t kBranch = 5000;
+    sampling::Sampler own = s_.sampler.split(0, 1, kBranch + s_.sampler.dimension());
+    s_.sampler.skip();
+    PathSettings settings = s_.settings;
+    if (s_.first) settings.outputs = nullptr, settings.by_light = nullptr;
+    const PathResult path = trace_path(s_.world, ray, s_.raster, settings, own, s_.counts);
+    if (!s_.first) s_.first = path;
+    return {Rgba(path.radiance.x, path.radiance.y, path.radiance.z, path.alpha), path.depth,
+            path.normal};
+  }
+
+  Shared& s_;
+  std::size_t lens_;
+  std::optional<Seen> first_;
+};
+
+bool asks_for_rays(const ShaderNode* node) { return node->spec().lens_eye != nullptr; }
+
+/// A sample through lenses some of which make its colour themselves.
+PathResult trace_chain(const World& world, Vec2 raster, const PathSettings& settings,
+                       sampling::Sampler& sampler, RayCounts& counts) {
+  LensChain::Shared shared{world, raster, settings, sampler, counts};
+  const LensNext::Seen seen = LensChain(shared, 0).trace(world.camera.ray(raster));
+  PathResult result = shared.first.value_or(PathResult{});
+  result.radiance = rgb(seen.colour);
+  result.alpha = clamp01(seen.colour.a);
+  return result;
+}
+
 /// A path through the lens, and its weight.
 PathResult trace_through_lens(const World& world, Vec2 raster, const PathSettings& settings,
                               sampling::Sampler& sampler, RayCounts& counts, Rgb& weight) {
@@ -68,6 +153,8 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
   if (world.lens_rays.empty())
     return trace_path(world, world.camera.ray(raster), raster, settings, sampler, counts);
 
+  if (std::any_of(world.lens_rays.begin(), world.lens_rays.end(), asks_for_rays))
+    return trace_chain(world, raster, settings, sampler, counts);
   int rays = 1;
   for (const ShaderNode* node : world.lens_rays)
     rays = std::clamp(rays * std::clamp(node->spec().lens_rays(*node), 1, kMostLensRays), 1,
@@ -79,11 +166,15 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
   PathResult sum;
   Outputs parts;
   parts.occlusion = Rgb(0), parts.opacity = 0;
+  LightParts own_lights;
+  const std::size_t layers = settings.by_light ? world.light_layers.count() : 0;
   float hits = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     sampling::Sampler own = sampler.split(i, n, 0);
     Outputs part;
     if (settings.outputs) each.outputs = &part;
+    own_lights.clear(layers);
+    if (layers > 0) each.by_light = own_lights.data();
     Rgb weight(1);
     const PathResult path = trace_through_lens(world, raster, each, own, counts, weight);
     sum.radiance += path.radiance * weight * share;
@@ -92,6 +183,8 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
     sum.albedo += path.albedo * share;
     if (path.depth > 0) sum.depth += path.depth, sum.irradiance += path.irradiance, ++hits;
     if (settings.outputs) add_outputs(parts, part, weight, share);
+    for (std::size_t k = 0; k < layers; ++k)
+      settings.by_light[k] += own_lights.of[k] * weight * share;
   }
   if (hits > 0) sum.depth /= hits, sum.irradiance /= hits;
   if (settings.outputs) *settings.outputs = parts;

@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "render/lens_shaders.h"
+#include "render/prepare_light_layers.h"
 #include "render/prepare_parts.h"
 #include "scene/render_options.h"
+#include "transport/glow.h"
 
 namespace oriel {
 namespace {
@@ -15,7 +19,9 @@ void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
                Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.lens)) {
     const ShaderSpec& spec = node->spec();
-    if (spec.lens) {
+    if (spec.lens_eye) {
+      world.lens_rays.push_back(node);
+    } else if (spec.lens) {
       // Each lens shader asks the next for the ray's colour and maps what comes back.
       world.lens.insert(world.lens.begin(), node);
       note_preview(*node, world);
@@ -42,6 +48,27 @@ void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
   }
 }
 
+/// `rgba`, `s_fp`, `n`...: of how many numbers a value is.
+UserBuffer::Kind kind_of_buffer(std::string_view type) {
+  const std::string_view stem = type.substr(0, type.find('_'));
+  if (stem == "s" || stem == "z" || stem == "a" || stem == "depth") return UserBuffer::Kind::Scalar;
+  if (stem == "n" || stem == "m" || stem == "normal" || stem == "motion")
+    return UserBuffer::Kind::Vector;
+  return UserBuffer::Kind::Color;
+}
+
+/// Buffers by number of the options, buffers by name of the camera.
+std::vector<UserBuffer> user_buffers(const scene::RenderOptions& options,
+                                     const scene::Camera& camera) {
+  std::vector<UserBuffer> buffers;
+  for (const scene::UserFrameBuffer& b : options.frame_buffers)
+    buffers.push_back({b.index, {}, kind_of_buffer(b.type), b.interpolate});
+  int number = kFirstNamedBuffer;
+  for (const scene::FrameBuffer& b : camera.frame_buffers)
+    buffers.push_back({number++, b.name, kind_of_buffer(b.datatype), b.filtering.value_or(true)});
+  return buffers;
+}
+
 }  // namespace
 
 std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& command,
@@ -64,6 +91,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   if (!place_camera(scene, leaves, camera_name, options, *world, camera, diagnostics))
     return nullptr;
 
+  world->user_buffers = user_buffers(world->options, *camera);
   const LightNames light_names = place_lights(leaves, *world, diagnostics);
   Binder binder(scene, registry, *world, light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);
@@ -74,6 +102,16 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
   open_portals(*world);
   world->light_groups = group_lights(*world);
+  const std::vector<GlowKind> glowing = glowing_materials(*world);
+  world->mesh_lights = mesh_lights_of(*world, glowing);
+  std::vector<scene::LightGroup> groups = options.light_groups;
+  for (const scene::LightGroup& g : world->options.light_groups)
+    if (std::none_of(groups.begin(), groups.end(), [&](auto& o) { return o.name == g.name; }))
+      groups.push_back(g);
+  if (!groups.empty()) {
+    const std::vector<GlowKind> emits = glowing_instances(*world, glowing);
+    world->light_layers = resolve_light_layers(leaves, groups, *world, emits, diagnostics);
+  }
 
   report.binding = binder.report();
   report.lights = world->lights.size();

@@ -114,6 +114,15 @@ Binder::Resolved Binder::resolve(const std::string& dotted, SourceLocation where
   };
   if (const ShaderNode* node = find_named(dotted, scope)) return main_result(node);
   const std::size_t dot = dotted.rfind('.');
+  if (dot != std::string::npos && dotted.size() == dot + 2 && dotted.find('.') < dot) {
+    // One component of a member: "file1.outColor.r".
+    Resolved whole = resolve(dotted.substr(0, dot), where, scope);
+    const bool color = whole.type == ParamType::Color;
+    const std::size_t i = std::string_view(color ? "rgba" : "xyz").find(dotted[dot + 1]);
+    if (whole.node && (color || whole.type == ParamType::Vector) && i != std::string_view::npos)
+      return {whole.node, ParamType::Scalar, whole.offset + i * sizeof(float)};
+    return whole;
+  }
   if (dot != std::string::npos) {
     if (const ShaderNode* node = find_named(dotted.substr(0, dot), scope)) {
       const std::string member = dotted.substr(dot + 1);
@@ -166,20 +175,20 @@ const ShaderNode* Binder::bind_call(const std::string& type,
   if (const scene::Phenomenon* phenomenon = scene_.find_phenomenon(type))
     return bind_phenomenon(*phenomenon, args, where, scope);
   const ShaderSpec* spec = registry_.find(type);
-  if (!spec) {
-    if (reported_[type]++ == 0) {
-      report_.missing_shaders.push_back(type);
-      diagnostics_.warning(
-          "OR-RT-001", where, fmt::format("shader \"{}\" is not available", type),
-          did_you_mean(type, names_of(registry_.all(), [](auto* s) { return s->name; })));
-    }
-    return stand_in();
-  }
+  if (!spec) return bind_unknown(type, args, where, scope);
   ++report_.shaders[type];
   ShaderNode* node = make_node(*spec);
+  if (spec->stands_in) {
+    ++report_.stand_ins[type];
+    if (const auto* own = scene_.find_declaration(type)) bind_declared(*node, own->parameters);
+  }
   for (const scene::Argument& argument : args) bind_argument(*node, argument, scope);
   count_lobes(*node, where);
+  if (spec->deferred) node->deferred_.swap(node->connections_);
   if (spec->prepare) node->state_ = spec->prepare(node->constants_.data(), world_);
+  if (spec->prepare_call)
+    node->state_ = spec->prepare_call({node->constants_.data(), nullptr, constant_point_, node},
+                                      world_);
   return node;
 }
 
@@ -241,7 +250,18 @@ void Binder::bind_shadow(const scene::ShaderList& list, Scope* scope, Material& 
     const ShaderSpec& spec = node->spec();
     // The surface itself; a call of its shader without arguments takes over the surface's.
     const bool bare = use.reference.empty() && !use.interface && use.arguments.empty();
-    if (in_surface([&](const ShaderNode* n) {
+    const auto itself = std::find_if(
+        bound.surface.begin(), bound.surface.end(),
+        [&](const ShaderNode* n) { return n == node || (bare && &n->spec() == &spec); });
+    if (spec.shadow && itself != bound.surface.end()) {
+      // One function for both, with one set of parameters.
+      slot.shadow.push_back(*itself);
+      others = true;
+      continue;
+    }
+    // A stand-in without a function of its own leaves shadows to the surface.
+    const bool none = spec.stands_in && !spec.shadow && !spec.material;
+    if (none || in_surface([&](const ShaderNode* n) {
           return n == node || (bare && !spec.shadow && &n->spec() == &spec);
         })) {
       slot.shadow_surface = bound.surface;
@@ -295,6 +315,9 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("displace"))
     bound.displace = bind_displacement(*list, scope);
   if (const auto* list = material.slot("shadow")) bind_shadow(*list, scope, bound);
+  if (const auto* list = material.slot("photon"))
+    for (const ShaderNode* node : bind_list(*list, scope))
+      if (node->spec().photon) bound.photon.push_back(node);
   const auto transmits = [](const ShaderNode* node) {
     return node->spec().may_transmit && node->spec().may_transmit(*node);
   };

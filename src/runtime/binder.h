@@ -20,13 +20,16 @@ struct BindingReport {
   std::map<std::string, int> shaders;
   /// "shader.parameter" set by the scene but not followed exactly -> places
   std::map<std::string, int> approximated, ignored;
+  /// Types of shaders nobody has; those of which something could be guessed stand in `guessed`.
   std::vector<std::string> missing_shaders, missing_textures;
+  std::map<std::string, int> stand_ins;        ///< shader type of a host -> how many calls
+  std::map<std::string, std::string> guessed;  ///< shader type -> what was taken for what
 };
 
 /// Binds shader lists into `world`. Keep one per World: named shaders are shared.
 ///
-/// Errors: OR-RT-nnn diagnostics; an unknown shader becomes a visible stand-in (magenta), a
-///         parameter that is unknown or of the wrong type is skipped.
+/// Errors: OR-RT-nnn diagnostics; an unknown shader becomes what its parameters' names say, or a
+///         visible stand-in (magenta); a parameter that is unknown or of the wrong type is skipped.
 class Binder {
  public:
   /// `lights_by_name` maps light instances and groups of them to indices into World::lights.
@@ -82,6 +85,15 @@ class Binder {
   const ShaderNode* interface_shader(const std::string& name, SourceLocation where, Scope* scope);
   Resolved resolve(const std::string& dotted, SourceLocation where, Scope* scope);
   const scene::Value* interface_value(const std::string& name, const Scope& scope) const;
+
+  // Shaders of other programs (binder_stand_ins.cpp):
+  /// A shader that is not there, by the names of its parameters where they say something.
+  const ShaderNode* bind_unknown(const std::string& type, const std::vector<scene::Argument>& args,
+                                 SourceLocation where, Scope* scope);
+  /// Applies the defaults of the scene's own declaration to a stand-in.
+  void bind_declared(ShaderNode& node, const std::vector<scene::ParamDecl>& declared);
+  /// An argument of a stand-in that has no such parameter: binds what it is made of, or notes it.
+  void bind_parts(ShaderNode& node, const scene::Argument& argument, Scope* scope);
 
   void set_defaults(ShaderNode& node);
   void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);

@@ -131,8 +131,16 @@ void Binder::set_defaults(ShaderNode& node) {
 void Binder::bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope) {
   const ShaderSpec& spec = node.spec();
   const auto found = std::find_if(spec.params.begin(), spec.params.end(), [&](const ParamSpec& p) {
-    return argument.name == p.name || (p.alias && argument.name == p.alias);
+    if (argument.name == p.name || (p.alias && argument.name == p.alias)) return true;
+    return spec.stands_in && same_but_for_case(argument.name, p.name);
   });
+  if (found == spec.params.end() && spec.stands_in) return bind_parts(node, argument, scope);
+  if (found == spec.params.end() && argument.value.kind == Value::Kind::Struct) {
+    // Members of a struct are parameters of their own, "outer.inner".
+    for (const scene::Argument& member : argument.value.members)
+      bind_argument(node, {argument.name + "." + member.name, member.value, member.where}, scope);
+    return;
+  }
   if (found == spec.params.end()) {
     std::vector<std::string> names;
     for (const ParamSpec& p : spec.params) names.emplace_back(p.name);
@@ -195,7 +203,8 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
       const bool again = !node.connections_.empty() &&
                          node.connections_.back().source == source.node &&
                          node.connections_.back().unfiltered == param.unfiltered;
-      if (!again && !afford(node, source.node->cost_, value.where)) return;
+      const float cost = source.node->cost_ * node.spec().evaluations;
+      if (!again && !afford(node, cost, value.where)) return;
       node.connections_.push_back(
           {offset, type, source.node, source.type, source.offset, param.unfiltered});
       return;
@@ -363,8 +372,18 @@ void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& v
       append(&item.boolean);
     } else if ((item.kind == Value::Kind::Text || item.kind == Value::Kind::Connection) &&
                param.element == ParamType::Shader) {
-      const ShaderRef ref{resolve(item.text, item.where, scope).node};
+      const ShaderRef ref{item.text.empty() ? nullptr : resolve(item.text, item.where, scope).node};
       append(&ref);
+    } else if (item.kind == Value::Kind::Text && param.element == ParamType::String) {
+      world_.strings.push_back(item.text);
+      const std::string_view text = world_.strings.back();
+      append(&text);
+    } else if (item.kind == Value::Kind::Text && param.element == ParamType::ColorTexture) {
+      const ColorTextureRef ref{texture(item.text, item.where, scope)};
+      append(&ref);
+    } else if (item.kind == Value::Kind::Null && param.element == ParamType::Shader) {
+      const ShaderRef none;
+      append(&none);
     } else if (item.kind != Value::Kind::Null) {
       mismatch(node, param, item);
     }

@@ -54,18 +54,6 @@ float seen_through(const Opening& o, const Vec3& from) {
                                                      (o.y0 - y) * inverse, (o.y1 - y) * inverse));
 }
 
-LightBounds joined(const LightBounds& a, const LightBounds& b) {
-  LightBounds r;
-  r.box = a.box;
-  r.box.extendBy(b.box);
-  r.normals = joined(a.normals, b.normals);
-  r.cos_reach = std::min(a.cos_reach, b.cos_reach);
-  r.even = a.even + b.even;
-  r.falling = a.falling + b.falling;
-  r.opening = joined(a.opening, b.opening);
-  return r;
-}
-
 /// Solid angle that the cone shines to, weighed by the cosine beyond its normals.
 float orientation_of(const LightBounds& b) {
   const float spread = std::acos(clamp(b.normals.cosine, -1, 1));
@@ -91,6 +79,18 @@ DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
   const float turn = angle - angle_a;
   const Vec3 axis = a.axis * std::cos(turn) + normalize(across) * std::sin(turn);
   return {normalize(axis), std::cos(angle)};
+}
+
+LightBounds joined(const LightBounds& a, const LightBounds& b) {
+  LightBounds r;
+  r.box = a.box;
+  r.box.extendBy(b.box);
+  r.normals = joined(a.normals, b.normals);
+  r.cos_reach = std::min(a.cos_reach, b.cos_reach);
+  r.even = a.even + b.even;
+  r.falling = a.falling + b.falling;
+  r.opening = joined(a.opening, b.opening);
+  return r;
 }
 
 float importance(const LightBounds& bounds, const LitPoint& lit) {

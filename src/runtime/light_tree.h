@@ -44,6 +44,9 @@ struct LightBounds {
   Opening opening;
 };
 
+/// Of two lights taken for one.
+LightBounds joined(const LightBounds& a, const LightBounds& b);
+
 /// Where light is asked for.
 struct LitPoint {
   Vec3 position{0};

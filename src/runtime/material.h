@@ -13,6 +13,7 @@ struct Material {
   std::string name;
   NodeList surface;
   NodeList environment;
+  NodeList photon;    ///< what becomes of photons, in place of the surface's closure
   NodeList displace;  ///< added up, they move the vertices of the surface along their normals
   // What decides in place of the surface's closure how much light passes. Both are empty where the
   // surface stands in its own slot `shadow`.

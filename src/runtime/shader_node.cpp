@@ -9,9 +9,17 @@
 namespace oriel {
 
 const ShaderSpec* Registry::find(std::string_view name) const {
-  const auto found = std::find_if(specs_.begin(), specs_.end(),
-                                  [&](const ShaderSpec* s) { return s->name == name; });
-  return found == specs_.end() ? nullptr : *found;
+  for (const ShaderSpec* s : specs_)
+    if (s->name == name) return s;
+  for (const ShaderSpec* s : specs_)
+    if (s->stands_in && same_but_for_case(s->name, name)) return s;
+  return nullptr;
+}
+
+bool same_but_for_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
+                                            [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::size_t size_of(ParamType type) {

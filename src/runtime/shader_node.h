@@ -50,6 +50,8 @@ class ShaderNode {
   /// The material that stands for the parameter at `offset`; null when there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }
+  /// Connections that nobody asks but the shader itself (ShaderSpec::deferred).
+  const std::vector<Connection>& connections() const { return deferred_; }
   /// Whether light may pass one of these materials straight.
   bool inputs_may_transmit() const;
 
@@ -77,7 +79,7 @@ class ShaderNode {
   const ShaderSpec* spec_;
   std::vector<std::max_align_t> storage_;
   std::span<std::byte> constants_;
-  std::vector<Connection> connections_;
+  std::vector<Connection> connections_, deferred_;
   std::vector<MaterialInput> material_inputs_;
   std::unique_ptr<ShaderState> state_;
   /// Shaders that run for one evaluation, itself included. A shader that several others use runs

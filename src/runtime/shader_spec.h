@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,9 @@
 
 namespace oriel {
 
+namespace scene {
+class Scene;
+}
 struct Closure;
 struct Light;
 struct PortalTraits;
@@ -84,6 +88,45 @@ struct LensTraits {
   float gamma = 1;
 };
 
+/// What lies behind a lens shader that asks for rays itself: the next one, at last the scene.
+class LensNext {
+ public:
+  virtual ~LensNext() = default;
+  struct Seen {
+    Rgba colour{0, 0, 0, 0};
+    float distance = 0;  ///< to the first surface; 0 = none
+    Vec3 normal{0};      ///< of that surface
+  };
+  /// World space, direction unit.
+  virtual Seen trace(const Vec3& origin, const Vec3& direction) = 0;
+  /// Two independent numbers in [0,1), evenly spread over the samples of a pixel.
+  virtual Vec2 next() = 0;
+};
+
+/// What a photon shader may do with the photon that met its surface.
+class PhotonNext {
+ public:
+  virtual ~PhotonNext() = default;
+  /// Leaves it in the map with that energy.
+  virtual void store(const Rgb& energy) = 0;
+  /// Sends it on; of several calls one is followed. False where its kind goes no further.
+  virtual bool send(RayKind kind, const Rgb& energy, const Vec3& direction) = 0;
+  /// Two independent numbers in [0,1), another pair for each photon and call.
+  virtual Vec2 next() = 0;
+};
+
+/// Where a photon emitter sends the photons of its light.
+class PhotonEmission {
+ public:
+  virtual ~PhotonEmission() = default;
+  /// World space, direction unit.
+  virtual void send(const Rgb& energy, const Vec3& origin, const Vec3& direction) = 0;
+  virtual Vec2 next() = 0;
+};
+
+/// The finished picture in the hands of an output shader.
+class OutputPicture;
+
 /// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
 /// arrives, and `added` comes on top.
 struct AirValue {
@@ -133,12 +176,29 @@ struct ShaderSpec {
   Rgb (*lens_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
   /// How many rays each eye ray becomes, by constant parameters; 0 = the lens is off.
   int (*lens_rays)(const ShaderNode&) = nullptr;
+  /// Makes the colour of an eye ray of what it asks for behind itself, by any number of rays.
+  Rgba (*lens_eye)(const Call&, LensNext&) = nullptr;
+  /// Stands in a material's slot `photon`: what becomes of a photon of that energy.
+  void (*photon)(const Call&, const Rgb& energy, PhotonNext&) = nullptr;
+  /// Stands in a light's list `emitter`: sends one photon.
+  void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;
+  /// Makes geometry: adds elements to the scene and returns the name of what it made; empty: none.
+  std::string (*geometry)(const Call&, scene::Scene&) = nullptr;
+  /// Works on the finished picture.
+  void (*output)(const Call&, OutputPicture&) = nullptr;
   /// Acts as a volume: between call.point's ray origin and the surface at its ray_length.
   AirValue (*volume)(const Call&) = nullptr;
   /// Built once from the constant parameters.
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
+  /// Built once from the call: its node and constant parameters, no point. For shaders that keep
+  /// something of their own for each call.
+  std::unique_ptr<ShaderState> (*prepare_call)(const Call&, const World&) = nullptr;
+  /// It asks for connected parameters itself, one by one (ShaderNode::connections).
+  bool deferred = false;
   /// False when constant parameters rule out that light passes (cut-out, transparency).
   bool (*may_transmit)(const ShaderNode&) = nullptr;
+  /// Materials: false where they emit nothing anywhere. Null: that is not known.
+  bool (*may_emit)(const ShaderNode&) = nullptr;
   /// Most lobes it adds itself, by constant parameters. Null: one.
   int (*most_lobes)(const ShaderNode&) = nullptr;
   /// Of the materials it is connected to only one is asked at a point.
@@ -147,12 +207,21 @@ struct ShaderSpec {
   bool (*has_outputs)(const ShaderNode&) = nullptr;
   /// Densities of the grids it interpolates over, a bit each. Null: none.
   unsigned (*grids)(const ShaderNode&) = nullptr;
+  /// It takes the place of another program's shader of that name, known by what is public of it:
+  /// see runtime/binder_stand_ins.cpp.
+  bool stands_in = false;
+  /// How often one evaluation asks what is connected to it.
+  float evaluations = 1;
 };
+
+/// Whether two names are the same but for upper and lower case of ASCII letters.
+bool same_but_for_case(std::string_view a, std::string_view b);
 
 /// The built-in shaders by name; a plain list, no registration by side effect.
 class Registry {
  public:
   explicit Registry(std::vector<const ShaderSpec*> specs) : specs_(std::move(specs)) {}
+  /// Names of stand-ins match whatever their case.
   const ShaderSpec* find(std::string_view name) const;
   const std::vector<const ShaderSpec*>& all() const { return specs_; }
 

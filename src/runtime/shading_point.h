@@ -108,6 +108,7 @@ struct ShadingPoint {
 
   float ray_offset = 0;  ///< rays may start this far along the geometric normal
   int instance = -1;     ///< index into World::instances
+  std::uint32_t primitive = 0;  ///< triangle of the instance's mesh
   int light = -1;        ///< for shadow shaders, index into World::lights; -1 = none of these
   const Mat4* to_object = nullptr;  ///< world to object space, null means identity
   const Mat4* to_world = nullptr;
@@ -115,6 +116,9 @@ struct ShadingPoint {
   const World* world = nullptr;
   const Material* material = nullptr;  ///< whose surface shaders are running
   Tracer* tracer = nullptr;            ///< see runtime/tracer.h
+  // For light shaders, of the surface that is lit.
+  float glossiness = 0;  ///< of its reflections as the material writes it; 1 = a mirror
+  float importance = 1;  ///< share of the pixel that light there decides, at most 1
 
   Vec3 wo() const { return -ray_direction; }
 };

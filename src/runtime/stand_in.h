@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// The visible stand-in for a shader nobody has: magenta, as material and as value.
+// What takes the place of a shader nobody has: a guess from the names of its parameters, or magenta
+// as material and as value.
 #pragma once
 
 #include "runtime/shader_spec.h"
+#include "scene/value.h"
 
 namespace oriel {
 
 extern const ShaderSpec kStandIn;
+
+/// A material, a light, a texture or an environment, whichever it is asked for: a colour, looked up
+/// in a texture where there is one; as a material with transparency, highlight, mirror and glow, or
+/// what lies under it.
+/// Checked: GuessedShaders.* in tests/binding.
+extern const ShaderSpec kGuess;
+
+/// The parameter of kGuess that one of this name stands for; null where it says nothing.
+///
+/// Inputs:  declared: its type, null where the scene does not say. names_texture: the value is the
+///          name of a texture element.
+const char* familiar_parameter(std::string_view name, const scene::Value& value,
+                               const ParamType* declared, bool names_texture);
 
 }  // namespace oriel

@@ -77,6 +77,11 @@ class Tracer {
   /// The colour of materials at the point, each shader on what the one before left, and the parts
   /// of it where `outputs` is not null. Alpha 1.
   virtual Rgba shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) = 0;
+
+  /// Leaves a value for World::user_buffers[slot] of this sample, and what was left there; false
+  /// and nothing where the point is not what the eye or its mirrors see.
+  virtual bool write_buffer(std::size_t slot, const Rgba& value) = 0;
+  virtual std::optional<Rgba> read_buffer(std::size_t slot) const = 0;
 };
 
 }  // namespace oriel

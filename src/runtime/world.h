@@ -12,8 +12,10 @@
 #include "runtime/camera.h"
 #include "runtime/environment.h"
 #include "runtime/light.h"
+#include "runtime/light_layers.h"
 #include "runtime/light_tree.h"
 #include "runtime/material.h"
+#include "runtime/mesh_lights.h"
 #include "runtime/shader_node.h"
 #include "runtime/texture_node.h"
 #include "scene/render_options.h"
@@ -52,7 +54,18 @@ struct InstanceData {
   std::uint16_t takes = kTakesAll;  ///< see Takes
 };
 
+/// A frame buffer that shaders write to (`frame buffer N "type"`, `framebuffer` of the camera).
+struct UserBuffer {
+  int number = 0;
+  std::string name;  ///< empty for those that have a number alone
+  enum class Kind : std::uint8_t { Color, Scalar, Vector } kind = Kind::Color;
+  bool interpolate = true;  ///< the mean over the pixel, else its first sample
+};
+/// Numbers of buffers with a name count from here.
+inline constexpr int kFirstNamedBuffer = 4096;
+
 struct World {
+  std::vector<UserBuffer> user_buffers;
   scene::RenderOptions options;
   Camera camera;
   std::unique_ptr<geom::Accel> accel;
@@ -60,6 +73,8 @@ struct World {
   std::vector<Material> materials;
   std::vector<Light> lights;
   LightGroups light_groups;      ///< indices into lights
+  LightLayers light_layers;      ///< whose light is kept apart
+  MeshLights mesh_lights;        ///< surfaces that glow
   bool has_gels = false;         ///< some portal dims what is seen through it
   bool has_area_lights = false;  ///< some light has a shape that rays can meet
   EnvironmentLight environment;

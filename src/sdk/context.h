@@ -50,6 +50,7 @@ struct Context {
 
 inline Context& context(const miState* state) { return *static_cast<Context*>(state->cache); }
 
+using oriel::rgb;
 inline Vec3 vec(const miVector& v) { return Vec3(v.x, v.y, v.z); }
 inline miVector mi(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline Rgb rgb(const miColor& c) { return Rgb(c.r, c.g, c.b); }

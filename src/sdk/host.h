@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <shared_mutex>
 #include <string>
 #include <unordered_map>
@@ -19,6 +20,7 @@
 #include "runtime/world.h"
 #include "scene/scene.h"
 #include "sdk/library.h"
+#include "sdk/tags.h"
 #include "sdk/user_spec.h"
 
 namespace oriel::sdk {
@@ -31,9 +33,12 @@ namespace oriel::sdk {
 /// Errors:  OR-SDK-nnn; libraries that cannot be used leave their shaders unknown.
 /// Checked: tests/sdk.
 class Host {
+  std::atomic<bool> own_stop_ = false;
+
  public:
+  /// Inputs:  stop: set when a shader ends the rendering (`stopped`); null = a flag of its own.
   Host(const scene::Scene& scene, const Registry& builtin, const TrustedFolders& folders,
-       Diagnostics& diagnostics);
+       Diagnostics& diagnostics, std::atomic<bool>* stop = nullptr);
   ~Host();
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
@@ -46,7 +51,8 @@ class Host {
   void attach(const World& world) { world_ = &world; }
   Diagnostics& diagnostics() { return diagnostics_; }
   const std::vector<std::unique_ptr<Library>>& libraries() const { return libraries_; }
-  /// Calls the exit functions of the shaders that were initialised; before the world goes.
+  /// Calls the exit functions of the shaders that were initialised, and forgets the world; to be
+  /// called before it goes.
   void end_frame();
 
   // Tags; 0 for null.
@@ -60,6 +66,7 @@ class Host {
   const ShaderNode* node(miTag tag) const;
   const TextureNode* texture(miTag tag) const;
   const Material* material(miTag tag) const;
+  const photometry::LightProfile* profile(miTag tag) const;
   const UserSpec* declaration(miTag tag) const;
   /// Index into World::lights of a light's instance or of the light; -1.
   int light(miTag tag) const;
@@ -68,24 +75,41 @@ class Host {
   /// The C structure behind a tag (mi_db_access), made when first asked for; null when unknown.
   void* access(miTag tag);
   miScene_types type_of(miTag tag) const;
+  std::size_t size_of_record(miTag tag);  ///< bytes
 
   const miCamera* camera();
   const miOptions* options();
   const std::vector<miTag>& lights();  ///< instances of all lights
   std::string_view text(miTag tag) const;
 
-  std::mutex& shader_lock() { return shader_lock_; }
+  /// Init and exit functions run under it; they may make other shaders ready.
+  std::recursive_mutex& shader_lock() { return shader_lock_; }
   miLock global_lock() const { return global_lock_; }
 
   void say(Severity severity, std::string text);
   /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
-  std::atomic<bool> stopped = false;
+  std::atomic<bool>& stopped;
 
  private:
-  void* make(miTag tag);
+
+  void link(const std::string& written, SourceLocation where, const TrustedFolders& folders);
+  const UserSpec* declare(const scene::ShaderDeclaration& declaration, const Library& library,
+                          void* function);
+  template <class T>
+  miTag remember(TagKind kind, const T* thing, std::vector<const T*>& list);
+  template <class T>
+  const T* recall(TagKind kind, miTag tag, const std::vector<const T*>& list) const;
+
+  /// A structure of C, and what it points to.
+  struct Record {
+    std::unique_ptr<std::byte[]> bytes;
+    std::size_t size = 0;
+  };
+  Record make(miTag tag);
 
   const scene::Scene& scene_;
   Diagnostics& diagnostics_;
+  std::set<std::string> linked_;  ///< libraries that were looked for, by stem
   std::vector<std::unique_ptr<Library>> libraries_;
   std::vector<std::unique_ptr<UserSpec>> specs_;
   std::unique_ptr<Registry> registry_;
@@ -98,9 +122,11 @@ class Host {
   std::deque<std::string> texts_;
   std::unordered_map<const void*, miTag> known_;
   std::unordered_map<std::string, miTag> known_texts_;
-  std::unordered_map<miTag, std::unique_ptr<std::byte[]>> records_;
+  std::unordered_map<miTag, Record> records_;
   std::vector<miTag> lights_;
-  std::mutex shader_lock_;
+  std::atomic<const miCamera*> camera_ = nullptr;
+  std::atomic<const miOptions*> options_ = nullptr;
+  std::recursive_mutex shader_lock_;
   miLock global_lock_;
 };
 

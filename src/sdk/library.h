@@ -18,6 +18,9 @@ using TrustedFolders = std::vector<std::filesystem::path>;
 /// by colons.
 TrustedFolders trusted_folders(const std::string& told);
 
+/// File name of a path of any system, without the suffix of a shared library.
+std::string library_stem(const std::string& written);
+
 class Library {
  public:
   /// Loads what a `link` statement names: its file name alone, with any system's suffix, is looked

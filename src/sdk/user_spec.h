@@ -27,6 +27,7 @@ struct CMember {
 
 /// Bytes of a value in C structs: 4-byte units, tags for names.
 std::size_t c_size(ParamType type);
+miParam_type c_type(ParamType type);
 
 /// Errors: OR-SDK-010 for parameters that no C struct can be made of (they are left out).
 struct UserSpec : ShaderSpec {
@@ -70,6 +71,9 @@ struct UserInstance final : ShaderState {
 
   /// Makes the block and calls the shader's init functions, once.
   void make_ready(const ShaderNode& of);
+
+ private:
+  void initialise(Host& host);
 };
 
 /// The call behind a node; null when it is no user's shader.

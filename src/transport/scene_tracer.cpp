@@ -44,6 +44,19 @@ Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, Outputs* o
   return path_ ? path_->shade_for_shader(surface, point, outputs, next_stream()) : Rgba(0);
 }
 
+bool SceneTracer::write_buffer(std::size_t slot, const Rgba& value) {
+  Rgba* buffers = path_ ? path_->user_buffers() : nullptr;
+  if (!buffers || slot >= world_.user_buffers.size()) return false;
+  buffers[slot] = value;
+  return true;
+}
+
+std::optional<Rgba> SceneTracer::read_buffer(std::size_t slot) const {
+  const Rgba* buffers = path_ ? path_->user_buffers() : nullptr;
+  if (!buffers || slot >= world_.user_buffers.size()) return std::nullopt;
+  return buffers[slot];
+}
+
 std::optional<Tracer::Met> SceneTracer::follow(geom::Ray ray, float reach) {
   float passed = 0;
   for (int i = 0; i < kMostHoles; ++i) {

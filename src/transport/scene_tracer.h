@@ -30,6 +30,8 @@ class SceneTracer final : public Tracer {
   Seen trace(const ShadingPoint& from, const SubRay& ray) override;
   Rgb irradiance(const ShadingPoint& point, const Vec3& normal) override;
   Rgba shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) override;
+  bool write_buffer(std::size_t slot, const Rgba& value) override;
+  std::optional<Rgba> read_buffer(std::size_t slot) const override;
 
  private:
   std::optional<Met> follow(geom::Ray ray, float reach);

@@ -54,6 +54,7 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
   point.normal = facing_viewer(surface.ns * side, point);
   point.ray_offset = surface.offset;
   point.instance = static_cast<int>(surface.user);
+  point.primitive = hit.primitive;
   point.to_object = &instance.to_object;
   point.to_world = &instance.to_world;
   point.world = &world;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles that glow, as lights: which of many matters at a point.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/light_tree.h"
+
+namespace oriel {
+
+/// A triangle of an instance of the world's accel.
+struct GlowingTriangle {
+  std::uint32_t instance = 0, primitive = 0;
+  float power = 0;  ///< luminance times area, of both sides; above 0
+};
+
+/// A tree over clusters of neighbouring triangles, each of which is chosen by its power within its
+/// cluster. Few triangles have clusters of their own.
+///
+/// Model:   12 bytes for each triangle, 4 more for each of an instance that glows somewhere, and
+///          about 230 for each of at most kMostClusters clusters.
+/// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/glow_test.cpp
+class MeshLights {
+ public:
+  static constexpr std::size_t kMostClusters = 16384;
+
+  MeshLights() = default;
+  /// Inputs:  bounds: of each triangle; instances: how many the accel has, and for those with
+  ///          triangles here how many triangles their mesh has, else 0.
+  MeshLights(std::vector<GlowingTriangle> triangles, std::span<const LightBounds> bounds,
+             std::span<const std::uint32_t> triangles_of_instance);
+
+  bool empty() const { return shares_.empty(); }
+  std::size_t size() const { return shares_.size(); }
+  std::size_t clusters() const { return starts_.empty() ? 0 : starts_.size() - 1; }
+
+  struct Choice {
+    std::uint32_t instance, primitive;
+    float probability;
+  };
+  /// Inputs:  u: uniform in [0,1)^2.
+  std::optional<Choice> choose(const LitPoint& lit, Vec2 u) const;
+  /// With which choose() finds that triangle; 0 for those that are no lights.
+  float probability(const LitPoint& lit, std::uint32_t instance, std::uint32_t primitive) const;
+
+ private:
+  static constexpr std::uint32_t kNone = ~0u;
+  struct Share {
+    std::uint32_t instance, primitive;
+    float until;  ///< of the cluster's power: of the triangles so far, this one included
+  };
+  float share_of(std::size_t triangle, std::size_t cluster) const;
+
+  LightTree tree_;  ///< of clusters
+  std::vector<Share> shares_;
+  std::vector<std::uint32_t> starts_;     ///< by cluster: its first triangle; and the end
+  std::vector<std::uint32_t> first_;      ///< by instance: where its numbers begin
+  std::vector<std::uint32_t> number_of_;  ///< by triangle of such an instance: index into shares_
+};
+
+}  // namespace oriel

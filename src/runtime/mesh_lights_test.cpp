@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/mesh_lights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace oriel {
+namespace {
+
+struct Triangles {
+  std::vector<GlowingTriangle> list;
+  std::vector<LightBounds> bounds;
+};
+
+/// Of two instances, every second primitive of the second one glows.
+Triangles random_triangles(std::uint32_t n, std::uint32_t seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<float> u;
+  Triangles t;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Vec3 centre(10 * u(engine), 10 * u(engine), 3 * u(engine));
+    LightBounds b;
+    b.box = {centre - Vec3(.01f), centre + Vec3(.01f)};
+    b.falling = .1f + u(engine);
+    if (i % 3 == 0) {
+      b.normals = {normalize(Vec3(u(engine) - .5f, u(engine) - .5f, u(engine) - .5f)), 1};
+      b.cos_reach = 0;
+    }
+    t.bounds.push_back(b);
+    t.list.push_back({i % 2, i % 2 ? 2 * (i / 2) : i / 2, b.falling});
+  }
+  return t;
+}
+
+MeshLights lights_of(const Triangles& t) {
+  const auto n = static_cast<std::uint32_t>(t.list.size());
+  const std::vector<std::uint32_t> counts = {n, 2 * n};
+  return {t.list, t.bounds, counts};
+}
+
+TEST(MeshLights, ChancesSumToOneAndAreThoseOfTheChoices) {
+  // In clusters of one, and of several.
+  for (const std::uint32_t n : {1u, 2u, 700u, 60000u}) {
+    const Triangles t = random_triangles(n, n);
+    const MeshLights lights = lights_of(t);
+    ASSERT_EQ(lights.size(), n);
+    EXPECT_LE(lights.clusters(), MeshLights::kMostClusters);
+    std::mt19937 engine(7);
+    std::uniform_real_distribution<float> u;
+    for (int place = 0; place < 3; ++place) {
+      const LitPoint lit{Vec3(10 * u(engine), 10 * u(engine), -1), Vec3(0, 0, 1)};
+      double sum = 0;  // double: thousands of terms
+      for (const GlowingTriangle& g : t.list)
+        sum += static_cast<double>(lights.probability(lit, g.instance, g.primitive));
+      if (n > 1) EXPECT_NEAR(sum, 1, 1e-3) << n;
+      for (int i = 0; i < 200; ++i) {
+        const auto chosen = lights.choose(lit, Vec2(u(engine), u(engine)));
+        if (!chosen) continue;
+        EXPECT_NEAR(chosen->probability,
+                    lights.probability(lit, chosen->instance, chosen->primitive),
+                    1e-4f * chosen->probability);
+      }
+    }
+  }
+}
+
+TEST(MeshLights, WhatIsNoLightHasNoChance) {
+  const Triangles t = random_triangles(100, 3);
+  const MeshLights lights = lights_of(t);
+  const LitPoint lit{Vec3(5, 5, -1), Vec3(0)};
+  EXPECT_GT(lights.probability(lit, 1, 0), 0);
+  EXPECT_EQ(lights.probability(lit, 1, 1), 0) << "a triangle between";
+  EXPECT_EQ(lights.probability(lit, 2, 0), 0) << "an instance that does not glow";
+  EXPECT_FALSE(MeshLights().choose(lit, Vec2(.5f)));
+  EXPECT_EQ(MeshLights().probability(lit, 0, 0), 0);
+}
+
+TEST(MeshLights, ClustersKeepApartWhatLiesApart) {
+  // Two patches of many triangles: at one of them the other hardly counts.
+  Triangles t;
+  for (std::uint32_t i = 0; i < 40000; ++i) {
+    LightBounds b;
+    const float along = static_cast<float>(i / 2) * 1e-5f;
+    const Vec3 centre(i % 2 ? 100 : 0, along, 0);
+    b.box = {centre - Vec3(1e-6f), centre + Vec3(1e-6f)};
+    b.falling = 1;
+    t.bounds.push_back(b);
+    t.list.push_back({i % 2, i % 2 ? 2 * (i / 2) : i / 2, 1});
+  }
+  const MeshLights lights = lights_of(t);
+  double near = 0;  // double: thousands of terms
+  for (std::uint32_t i = 0; i < 20000; ++i)
+    near += static_cast<double>(lights.probability({Vec3(0, 0, 1), Vec3(0)}, 0, i));
+  EXPECT_GT(near, .999);
+}
+
+}  // namespace
+}  // namespace oriel

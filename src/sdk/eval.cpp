@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of parameters (mi_eval) and shaders that shaders call.
+#include <algorithm>
+#include <cstring>
+
+#include "oriel/sdk/mia_material_api.h"
+#include "sdk/call.h"
+#include "sdk/host.h"
+#include "sdk/material_api.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// Room for results of the renderer's shaders.
+struct alignas(16) Result {
+  std::byte bytes[kMostParamBytes] = {};
+};
+
+const CConnection* connection_of(const UserInstance& shader, const void* parameter) {
+  const auto offset = static_cast<std::size_t>(static_cast<const std::byte*>(parameter) -
+                                               static_cast<const std::byte*>(shader.parameters));
+  for (const CConnection& c : shader.connections)
+    if (c.c_offset == offset) return &c;
+  return nullptr;
+}
+
+/// Asks what is connected and converts it to the parameter's type, as C has it.
+void evaluate(const Connection& source, ParamType type, miState* state, std::byte* value) {
+  ShadingPoint point = point_of(state);
+  const ShadingPoint before = point;
+  Result result;
+  if (UserInstance* user = user_instance(*source.source)) {
+    // The same state: a bump shader moves the normal for the shader that asks.
+    Result c;
+    run(*user, *state, c.bytes, miSHADER_TEXTURE);
+    for (const CMember& m : user->spec->result_members)
+      from_c(m.type, c.bytes + m.c_offset, result.bytes + m.offset);
+  } else {
+    source.source->value(point, result.bytes);
+    // A vector is for who asks for it.
+    if (type != ParamType::Vector) take_over(point, before, state);
+  }
+  Result own;
+  convert_value(source.source_type, result.bytes + source.source_offset, type, own.bytes);
+  to_c(type, own.bytes, value);
+}
+
+void* value_of(miState* state, void* parameter, bool again) {
+  Context& c = context(state);
+  if (!c.shader || c.shader->connections.empty()) return parameter;
+  const CConnection* connection = connection_of(*c.shader, parameter);
+  if (!connection) return parameter;
+  if (!again)
+    for (const Evaluated* e = c.evaluated; e; e = e->next)
+      if (e->parameter == parameter) return e->value;
+  // Behind it, what is asked for now: neither moves while the shader runs.
+  auto* entry = static_cast<Evaluated*>(allocate_for_call(sizeof(Evaluated)));
+  auto* value = static_cast<std::byte*>(allocate_for_call(std::max<std::size_t>(
+      c_size(connection->type), sizeof(miColor))));
+  evaluate(*connection->source, connection->type, state, value);
+  *entry = {parameter, value, c.evaluated};
+  c.evaluated = entry;
+  return value;
+}
+
+/// The first shader of a material's slot for a kind of call.
+const ShaderNode* shader_of(const Material& material, miShader_type type) {
+  const auto first = [](const NodeList& list) { return list.empty() ? nullptr : list.front(); };
+  switch (type) {
+    case miSHADER_SHADOW:
+      return first(material.shadow);
+    case miSHADER_ENVIRONMENT:
+      return first(material.environment);
+    case miSHADER_DISPLACE:
+      return first(material.displace);
+    default:
+      return first(material.surface);
+  }
+}
+
+}  // namespace
+
+bool run_node(const ShaderNode& node, miState& state, void* result, miShader_type type,
+              void* argument) {
+  if (UserInstance* user = user_instance(node)) return run(*user, state, result, type, argument);
+  ShadingPoint point = point_of(&state);
+  const ShadingPoint before = point;
+  if (node.spec().material) return shade_material(node, point, state, result);
+  if (!node.spec().value) return false;
+  Result own;
+  node.value(point, own.bytes);
+  take_over(point, before, &state);
+  const ShaderSpec& spec = node.spec();
+  if (spec.result != ParamType::Struct) {
+    to_c(spec.result, own.bytes, result);
+    return true;
+  }
+  auto* c = static_cast<std::byte*>(result);
+  for (const ParamSpec& member : spec.results) {
+    to_c(member.type, own.bytes + member.offset, c);
+    c += c_size(member.type);
+  }
+  return true;
+}
+
+}  // namespace oriel::sdk
+
+using namespace oriel::sdk;
+
+extern "C" {
+
+void* mi_phen_eval(miState* state, void* parameter) { return value_of(state, parameter, false); }
+void* mi_phen_call(miState* state, void* parameter) { return value_of(state, parameter, true); }
+
+void mi_flush_cache(miState* state) { context(state).evaluated = nullptr; }
+
+miBoolean mi_call_shader_x(miColor* result, miShader_type type, miState* state, miTag tag,
+                           void* argument) {
+  Host& host = *context(state).host;
+  const oriel::ShaderNode* node = host.node(tag);
+  if (const oriel::Material* material = host.material(tag)) node = shader_of(*material, type);
+  return node && run_node(*node, *state, result, type, argument) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_call_shader(miColor* result, miShader_type type, miState* state, miTag tag) {
+  return mi_call_shader_x(result, type, state, tag, nullptr);
+}
+
+// Bound calls never change: the copy is the call itself.
+miTag mi_phen_clone(miState*, miTag tag) { return tag; }
+void mi_phen_unclone(miState*, miTag) {}
+
+miBoolean mi_call_material(miColor* result, miState* state) {
+  return mi_call_shader_x(result, miSHADER_MATERIAL, state, state->material, nullptr);
+}
+miBoolean mi_call_shadow_material(miColor* result, miState* state) {
+  return mi_call_shader_x(result, miSHADER_SHADOW, state, state->material, nullptr);
+}
+miBoolean mi_call_environment_material(miColor* result, miState* state) {
+  return mi_call_shader_x(result, miSHADER_ENVIRONMENT, state, state->material, nullptr);
+}
+
+}  // extern "C"

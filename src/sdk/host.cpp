@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Libraries, specs, tags. The C structures behind tags are in records.cpp.
+#include "sdk/host.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sdk/call.h"
+#include "shaders/registry.h"
+#include "sdk/current.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// What a library says of the version of a shader; 0 when it says nothing.
+int version_of(const Library& library, const std::string& name) {
+  void* function = library.find(name + "_version");
+  return function ? reinterpret_cast<int (*)()>(function)() : 0;
+}
+
+}  // namespace
+
+Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFolders& folders,
+           Diagnostics& diagnostics, std::atomic<bool>* stop)
+    : stopped(stop ? *stop : own_stop_), scene_(scene), diagnostics_(diagnostics) {
+  mi_init_lock(&global_lock_);
+  for (const scene::Statement& command : scene.commands) {
+    if (command.keyword != "link") continue;
+    for (const scene::Value& value : command.values) link(value.text, command.where, folders);
+  }
+  std::vector<const ShaderSpec*> all = builtin.all();
+  for (const scene::ShaderDeclaration& declaration : scene.declarations) {
+    if (builtin.find(declaration.name)) continue;
+    for (const auto& library : libraries_)
+      if (void* function = library->find(declaration.name)) {
+        all.push_back(declare(declaration, *library, function));
+        break;
+      }
+  }
+  registry_ = std::make_unique<Registry>(std::move(all));
+}
+
+void Host::link(const std::string& written, SourceLocation where, const TrustedFolders& folders) {
+  const std::string stem = library_stem(written);
+  const auto& own = builtin_packages();
+  if (std::find(own.begin(), own.end(), stem) != own.end()) return;
+  if (!linked_.insert(stem).second) return;
+  auto library = Library::open(written, where, folders, diagnostics_);
+  if (!library) return;
+  if (void* init = library->find("module_init")) reinterpret_cast<void (*)()>(init)();
+  libraries_.push_back(std::move(library));
+}
+
+const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const Library& library,
+                              void* function) {
+  auto spec = std::make_unique<UserSpec>(declaration, *this, diagnostics_);
+  spec->index = specs_.size();
+  spec->library_of = &library;
+  spec->function = function;
+  spec->init = library.find(declaration.name + "_init");
+  spec->exit = library.find(declaration.name + "_exit");
+  const int built = version_of(library, declaration.name);
+  if (spec->version > 0 && built > 0 && built != spec->version)
+    diagnostics_.error("OR-SDK-004", declaration.where,
+                       fmt::format("shader \"{}\" is declared with version {}, its library has "
+                                   "version {}",
+                                   declaration.name, spec->version, built),
+                       "its parameters may have changed: take the declaration that belongs to it");
+  specs_.push_back(std::move(spec));
+  return specs_.back().get();
+}
+
+void Host::end_frame() {
+  const std::lock_guard guard(shader_lock_);
+  if (!world_) return;
+  set_current_host(this);
+  ShadingPoint nowhere;
+  nowhere.world = world_;
+  using Exit = miBoolean (*)(miState*, void*);
+  for (const auto& node : world_->nodes) {
+    UserInstance* instance = user_instance(*node);
+    if (!instance || !instance->initialised || !instance->spec->exit) continue;
+    StateFrame frame(*this, nowhere, nullptr);
+    frame.state.shader = instance->function;
+    frame.context.shader = instance;
+    reinterpret_cast<Exit>(instance->spec->exit)(&frame.state, instance->parameters);
+    instance->initialised = false;
+  }
+  for (const auto& spec : specs_) {
+    if (!spec->initialised) continue;
+    spec->initialised = false;
+    if (!spec->exit) continue;
+    StateFrame frame(*this, nowhere, nullptr);
+    reinterpret_cast<Exit>(spec->exit)(&frame.state, nullptr);
+  }
+  world_ = nullptr;
+  const std::unique_lock lock(mutex_);
+  nodes_.clear(), textures_.clear(), profiles_.clear(), texts_.clear(), known_.clear();
+  known_texts_.clear(), records_.clear(), lights_.clear();
+}
+
+Host::~Host() {
+  forget_host(this);
+  mi_delete_lock(&global_lock_);
+}
+
+template <class T>
+miTag Host::remember(TagKind kind, const T* thing, std::vector<const T*>& list) {
+  if (!thing) return miNULLTAG;
+  {
+    const std::shared_lock lock(mutex_);
+    if (const auto found = known_.find(thing); found != known_.end()) return found->second;
+  }
+  const std::unique_lock lock(mutex_);
+  miTag& tag = known_[thing];
+  if (tag == miNULLTAG && list.size() < kMostIndex) {
+    tag = make_tag(kind, list.size());
+    list.push_back(thing);
+  }
+  return tag;
+}
+
+miTag Host::tag_of(const ShaderNode* node) { return remember(TagKind::Function, node, nodes_); }
+miTag Host::tag_of(const TextureNode* texture) {
+  return remember(TagKind::Texture, texture, textures_);
+}
+miTag Host::tag_of(const photometry::LightProfile* profile) {
+  return remember(TagKind::Profile, profile, profiles_);
+}
+
+miTag Host::tag_of_text(std::string_view text) {
+  if (text.empty()) return miNULLTAG;
+  const std::unique_lock lock(mutex_);
+  miTag& tag = known_texts_[std::string(text)];
+  if (tag == miNULLTAG) {
+    tag = make_tag(TagKind::Text, texts_.size());
+    texts_.emplace_back(text);
+  }
+  return tag;
+}
+
+miTag Host::tag_of(const Material* material) const {
+  if (!material || !world_ || world_->materials.empty()) return miNULLTAG;
+  const std::ptrdiff_t index = material - world_->materials.data();
+  if (index < 0 || index >= static_cast<std::ptrdiff_t>(world_->materials.size())) return miNULLTAG;
+  return make_tag(TagKind::Material, static_cast<std::size_t>(index));
+}
+
+miTag Host::tag_of(const UserSpec& declaration) const {
+  return make_tag(TagKind::Declaration, declaration.index);
+}
+
+template <class T>
+const T* Host::recall(TagKind kind, miTag tag, const std::vector<const T*>& list) const {
+  if (kind_of(tag) != kind) return nullptr;
+  const std::shared_lock lock(mutex_);
+  return index_of(tag) < list.size() ? list[index_of(tag)] : nullptr;
+}
+
+const ShaderNode* Host::node(miTag tag) const { return recall(TagKind::Function, tag, nodes_); }
+const TextureNode* Host::texture(miTag tag) const {
+  return recall(TagKind::Texture, tag, textures_);
+}
+const photometry::LightProfile* Host::profile(miTag tag) const {
+  return recall(TagKind::Profile, tag, profiles_);
+}
+
+const Material* Host::material(miTag tag) const {
+  if (kind_of(tag) != TagKind::Material || !world_) return nullptr;
+  return index_of(tag) < world_->materials.size() ? &world_->materials[index_of(tag)] : nullptr;
+}
+
+const UserSpec* Host::declaration(miTag tag) const {
+  if (kind_of(tag) != TagKind::Declaration || index_of(tag) >= specs_.size()) return nullptr;
+  return specs_[index_of(tag)].get();
+}
+
+int Host::light(miTag tag) const {
+  const TagKind kind = kind_of(tag);
+  if (!world_ || (kind != TagKind::LightInstance && kind != TagKind::Light)) return -1;
+  return index_of(tag) < world_->lights.size() ? static_cast<int>(index_of(tag)) : -1;
+}
+
+const InstanceData* Host::instance(miTag tag) const {
+  const TagKind kind = kind_of(tag);
+  if (!world_ || (kind != TagKind::Instance && kind != TagKind::Object)) return nullptr;
+  return index_of(tag) < world_->instances.size() ? &world_->instances[index_of(tag)] : nullptr;
+}
+
+std::string_view Host::text(miTag tag) const {
+  if (kind_of(tag) != TagKind::Text) return {};
+  const std::shared_lock lock(mutex_);
+  return index_of(tag) < texts_.size() ? std::string_view(texts_[index_of(tag)])
+                                       : std::string_view();
+}
+
+void Host::say(Severity severity, std::string text) {
+  diagnostics_.report(severity, "OR-SDK-020", {}, std::move(text));
+}
+
+}  // namespace oriel::sdk

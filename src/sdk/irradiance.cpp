@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Indirect light and occlusion at the point.
+#include <algorithm>
+#include <cmath>
+
+#include "base/frame.h"
+#include "sdk/call.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// Rays of one call where the caller does not say: further samples of the pixel bring the rest.
+constexpr int kOcclusionRays = 1;
+
+bool irradiance(miColor* result, miState* state, bool back) {
+  Context& c = context(state);
+  *result = {0, 0, 0, 0};
+  if (!c.tracer()) return false;
+  const ShadingPoint point = point_of(state);
+  miState* const outer = std::exchange(StateFrame::current_parent(), state);
+  const Rgb found = c.tracer()->irradiance(point, back ? -point.normal : point.normal);
+  StateFrame::current_parent() = outer;
+  *result = mi(found, 1);
+  return true;
+}
+
+}  // namespace
+}  // namespace oriel::sdk
+
+using namespace oriel;
+using namespace oriel::sdk;
+
+extern "C" {
+
+miBoolean mi_compute_irradiance(miColor* result, miState* state) {
+  return irradiance(result, state, false) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_compute_irradiance_backside(miColor* result, miState* state) {
+  return irradiance(result, state, true) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_compute_avg_radiance(miColor* result, miState* state, miUchar face,
+                                  struct miIrrad_options*) {
+  if (!irradiance(result, state, face == 'b')) return miFALSE;
+  result->r *= kInvPi, result->g *= kInvPi, result->b *= kInvPi;
+  return miTRUE;
+}
+
+// Volumes are lit by their own shaders: there are no photons in them to ask for.
+miBoolean mi_compute_volume_irradiance(miColor* result, miState*) {
+  *result = {0, 0, 0, 0};
+  return miFALSE;
+}
+miBoolean mi_compute_directional_irradiance(miColor* result, miState*, miScalar, miScalar,
+                                            miScalar) {
+  *result = {0, 0, 0, 0};
+  return miFALSE;
+}
+
+// Gather points are placed where shaders ask for irradiance.
+miBoolean mi_finalgather_store(miColor* result, miState* state, int mode) {
+  return mode == miFG_STORE_COMPUTE ? mi_compute_irradiance(result, state) : miFALSE;
+}
+
+miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options, miVector* bent) {
+  Context& c = context(state);
+  if (bent) *bent = state->normal;
+  if (!c.tracer()) return 0;
+  const ShadingPoint point = point_of(state);
+  const Vec3 axis = options ? vec(options->axis) : point.normal;
+  const Frame frame(normalize(axis));
+  const int rays = options && options->rays > 0 ? options->rays : kOcclusionRays;
+  const float reach = options && options->maxdist > 0 ? options->maxdist
+                                                      : std::numeric_limits<float>::infinity();
+  // Cosine-distributed up to the spread: without one, over the half-space.
+  const float least = options && options->spread > -1 ? std::clamp(options->spread, 0.0f, 1.0f) : 0;
+  int met = 0;
+  Vec3 open(0);
+  for (int i = 0; i < rays; ++i) {
+    const Vec2 u = next(state);
+    const float sine2 = u.x * (1 - least * least), phi = kTwoPi * u.y;
+    const float sine = std::sqrt(sine2);
+    const Vec3 w = frame.to_world(
+        Vec3(sine * std::cos(phi), sine * std::sin(phi), std::sqrt(std::max(0.0f, 1 - sine2))));
+    if (dot(w, point.geometric_normal) <= 0 || c.tracer()->probe_from(point, w, reach))
+      ++met;
+    else
+      open += w;
+  }
+  if (bent && length(open) > 0) *bent = mi(normalize(open));
+  return static_cast<float>(met) / static_cast<float>(rays);
+}
+
+}  // extern "C"

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a user's shader plays each role of a ShaderSpec.
+#include <algorithm>
+
+#include "color/luminance.h"
+#include "oriel/sdk/mia_material_api.h"
+#include "runtime/closure.h"
+#include "runtime/light.h"
+#include "sdk/call.h"
+#include "sdk/host.h"
+#include "sdk/lens.h"
+#include "sdk/shader_state.h"
+#include "sdk/tags.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// Room for a result in C layout.
+struct alignas(16) CResult {
+  std::byte bytes[kMostParamBytes] = {};
+  miColor& color() { return *reinterpret_cast<miColor*>(bytes); }
+};
+
+UserInstance& instance_of(const Call& call) {
+  return *static_cast<UserInstance*>(const_cast<ShaderState*>(call.state));
+}
+
+std::unique_ptr<ShaderState> prepare_call(const Call& call, const World& world) {
+  auto instance = std::make_unique<UserInstance>();
+  instance->spec = static_cast<const UserSpec*>(&call.node->spec());
+  instance->node = call.node;
+  instance->spec->host->attach(world);
+  return instance;
+}
+
+miShader_type texture_type(const ShadingPoint& point) {
+  if (point.environment) return miSHADER_ENVIRONMENT;
+  return point.ray_kind == RayKind::Displace ? miSHADER_DISPLACE : miSHADER_TEXTURE;
+}
+
+void value(const Call& call, void* result) {
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point);
+  CResult c;
+  run(shader, frame.state, c.bytes, texture_type(call.point));
+  for (const CMember& m : shader.spec->result_members)
+    from_c(m.type, c.bytes + m.c_offset, static_cast<std::byte*>(result) + m.offset);
+  call.point.normal = vec(frame.state.normal);
+  // Displacement may move the point as well; along the normal is what surfaces are moved.
+  if (call.point.ray_kind == RayKind::Displace && shader.spec->result == ParamType::Scalar)
+    *static_cast<float*>(result) +=
+        dot(vec(frame.state.point) - call.point.position, call.point.normal);
+}
+
+/// What the shader returns is what is seen. Photons and shadow rays know other shaders.
+void material(const Call& call, Closure& closure) {
+  if (!call.point.tracer) return;
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point);
+  CResult c;
+  c.color() = mi(closure.emission, closure.alpha);
+  const bool answer = run(shader, frame.state, c.bytes, miSHADER_MATERIAL);
+  closure.emission = answer ? rgb(c.color()) : Rgb(0);
+  closure.alpha = answer ? clamp01(c.color().a) : 0;
+  closure.outputs = false;
+}
+
+Rgb shadow(const Call& call, const Rgb& light) {
+  UserInstance& shader = instance_of(call);
+  ShadingPoint& point = call.point;
+  StateFrame frame(*shader.spec->host, point);
+  miState& state = frame.state;
+  state.type = miRAY_SHADOW;
+  // The renderer's shadow rays go from the lit point to the light; a shader's come from the light.
+  state.dir = mi(-point.ray_direction);
+  if (point.light >= 0)
+    state.org = mi(frame.context.world->lights[static_cast<std::size_t>(point.light)].position);
+  state.dist = length(point.position - vec(state.org));
+  CResult c;
+  c.color() = mi(light, 1);
+  return run(shader, state, c.bytes, miSHADER_SHADOW) ? rgb(c.color()) : Rgb(0);
+}
+
+/// One call of a light shader.
+Rgb ask_light(UserInstance& shader, const LightCall& light, StateFrame& frame, bool black,
+              mia_material_api_lightdata& data) {
+  leave_value(miA_MATERIAL_API_LIGHTDATA, &data, sizeof data, miSS_LIFETIME_SUBRAYS);
+  frame.context.shadow_is_black = black;
+  CResult c;
+  const bool answer = run(shader, frame.state, c.bytes, miSHADER_LIGHT);
+  int size = 0;
+  if (const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size); left && size == sizeof data)
+    data = *static_cast<const mia_material_api_lightdata*>(left);
+  leave_value(miA_MATERIAL_API_LIGHTDATA, nullptr, 0, 0);
+  (void)light;
+  return answer ? rgb(c.color()) : Rgb(0);
+}
+
+LightValue light(const Call& call, const LightCall& light) {
+  UserInstance& shader = instance_of(call);
+  ShadingPoint& point = call.point;
+  StateFrame lit(*shader.spec->host, point);
+  StateFrame frame(*shader.spec->host, point, &lit.state);
+  miState& state = frame.state;
+  const World& world = *frame.context.world;
+  state.type = miRAY_LIGHT;
+  state.parent = &lit.state;
+  state.org = mi(light.position);
+  state.dir = mi(light.direction);
+  state.dist = std::isinf(light.distance) ? 0 : light.distance;
+  state.dot_nd = dot(point.normal, light.direction);
+  state.light_instance = make_tag(TagKind::LightInstance,
+                                  static_cast<std::size_t>(&light.light - world.lights.data()));
+  mia_material_api_lightdata data = {sizeof data, point.glossiness, point.importance,
+                                     1,           1,                miFALSE,
+                                     miFALSE};
+  LightValue value;
+  value.colour = ask_light(shader, light, frame, false, data);
+  value.shadow = frame.context.shadow_asked;
+  value.affects_diffuse = data.affect_diffuse;
+  value.affects_specular = data.affect_specular;
+  if (value.shadow) {
+    const Rgb behind = ask_light(shader, light, frame, true, data);
+    const float open = luminance(value.colour);
+    value.shadow_factor = open > 0 ? clamp01(luminance(behind) / open) : 0;
+  }
+  return value;
+}
+
+/// What a volume does is affine in the light that comes to it: two calls tell it.
+AirValue volume(const Call& call) {
+  UserInstance& shader = instance_of(call);
+  const auto pass = [&](float behind) {
+    StateFrame frame(*shader.spec->host, call.point);
+    CResult c;
+    c.color() = {behind, behind, behind, 1};
+    run(shader, frame.state, c.bytes, miSHADER_VOLUME);
+    return rgb(c.color());
+  };
+  const Rgb added = pass(0);
+  return {pass(1) - added, added};
+}
+
+Rgba lens(const Call& call, LensNext& next) {
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  LensWork work{&next};
+  frame.context.lens = &work;
+  CResult c;
+  if (!run(shader, frame.state, c.bytes, miSHADER_LENS)) return Rgba(0, 0, 0, 0);
+  const miColor& color = c.color();
+  return Rgba(color.r, color.g, color.b, color.a);
+}
+
+bool always(const ShaderNode&) { return true; }
+int no_lobes(const ShaderNode&) { return 0; }
+
+}  // namespace
+
+bool trace_next_lens(LensWork& work, miState& state, miColor& result) {
+  LensNext::Seen seen = work.next->trace(vec(state.org), normalize(vec(state.dir)));
+  result = mi(seen.colour);
+  state.dist = seen.distance;
+  state.point = mi(vec(state.org) + normalize(vec(state.dir)) * seen.distance);
+  state.normal = mi(seen.normal);
+  return seen.distance > 0 || seen.colour != Rgba(0, 0, 0, 0);
+}
+
+void set_roles(UserSpec& spec) {
+  const auto acts_as = [&](unsigned bit) { return spec.apply == 0 || (spec.apply & bit) != 0; };
+  spec.deferred = true;
+  spec.prepare_call = prepare_call;
+  spec.value = value;
+  spec.most_lobes = no_lobes;
+  if (acts_as(kApplyMaterial)) spec.material = material;
+  if (acts_as(kApplyShadow)) {
+    spec.shadow = shadow;
+    spec.may_transmit = always;
+  }
+  if (acts_as(kApplyLight)) spec.light = light;
+  if (acts_as(kApplyVolume)) spec.volume = volume;
+  if (acts_as(kApplyLens)) spec.lens_eye = lens;
+}
+
+UserInstance* user_instance(const ShaderNode& node) {
+  if (node.spec().prepare_call != prepare_call) return nullptr;
+  return static_cast<UserInstance*>(const_cast<ShaderState*>(node.state()));
+}
+
+}  // namespace oriel::sdk

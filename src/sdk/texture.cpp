@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures by tag: images, shaders that stand for them, and shaders.
+#include <cmath>
+#include <cstring>
+
+#include "runtime/texture_node.h"
+#include "sdk/call.h"
+#include "sdk/host.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// The colour of a texture element at a coordinate.
+bool look_up(const TextureNode& texture, miState* state, const miVector& coord, miColor& color) {
+  if (texture.missing()) return false;
+  ShadingPoint point = point_of(state);
+  // Coordinates repeat.
+  const Vec2 uv(coord.x - std::floor(coord.x), coord.y - std::floor(coord.y));
+  point.tex[0] = vec(coord);
+  color = mi(texture.lookup(uv, point, {}));
+  return true;
+}
+
+/// Runs a shader with the coordinate in state->tex; its result in C layout.
+bool run_texture(const ShaderNode& node, miState* state, const miVector& coord, void* result) {
+  const miVector tex = std::exchange(state->tex, coord);
+  Context& c = context(state);
+  const Vec3 first = std::exchange(c.point->tex[0], vec(coord));
+  const bool answer = run_node(node, *state, result, miSHADER_TEXTURE);
+  c.point->tex[0] = first;
+  state->tex = tex;
+  return answer;
+}
+
+struct alignas(16) CResult {
+  std::byte bytes[kMostParamBytes] = {};
+};
+
+ParamType first_result(const ShaderSpec& spec) {
+  return spec.result == ParamType::Struct ? spec.results[0].type : spec.result;
+}
+
+/// The value of a texture converted to a type of the renderer.
+bool value_of(miTag tag, miState* state, const miVector* coord, ParamType type, void* value) {
+  const Host& host = *context(state).host;
+  if (const TextureNode* texture = host.texture(tag)) {
+    miColor color;
+    if (!look_up(*texture, state, *coord, color)) return false;
+    convert_value(ParamType::Color, &color, type, value);
+    return true;
+  }
+  const ShaderNode* node = host.node(tag);
+  if (!node) return false;
+  CResult result;
+  if (!run_texture(*node, state, *coord, result.bytes)) return false;
+  CResult own;
+  from_c(first_result(node->spec()), result.bytes, own.bytes);
+  convert_value(first_result(node->spec()), own.bytes, type, value);
+  return true;
+}
+
+}  // namespace
+}  // namespace oriel::sdk
+
+using namespace oriel;
+using namespace oriel::sdk;
+
+extern "C" {
+
+miBoolean mi_lookup_color_texture(miColor* result, miState* state, miTag tag,
+                                  const miVector* coord) {
+  return value_of(tag, state, coord, ParamType::Color, result) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_lookup_scalar_texture(miScalar* result, miState* state, miTag tag,
+                                   const miVector* coord) {
+  return value_of(tag, state, coord, ParamType::Scalar, result) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_lookup_vector_texture(miVector* result, miState* state, miTag tag,
+                                   const miVector* coord) {
+  return value_of(tag, state, coord, ParamType::Vector, result) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_lookup_filter_color_texture(miColor* result, miState* state, miTag tag,
+                                         const miTexfilter* filter, miMatrix ST) {
+  const TextureNode* texture = context(state).host->texture(tag);
+  // The disc's centre is the middle of the screen; its image is the ellipse.
+  const miVector centre = {ST[12], ST[13], 0};
+  if (!texture) return mi_lookup_color_texture(result, state, tag, &centre);
+  if (texture->missing()) return miFALSE;
+  const float radius = filter && filter->circle_radius > 0 ? filter->circle_radius : 0.5f;
+  TextureFootprint footprint;
+  footprint.dx = Vec2(ST[0], ST[1]) * (2 * radius);
+  footprint.dy = Vec2(ST[4], ST[5]) * (2 * radius);
+  ShadingPoint point = point_of(state);
+  const Vec2 uv(centre.x - std::floor(centre.x), centre.y - std::floor(centre.y));
+  *result = mi(texture->lookup(uv, footprint, point, {}));
+  return miTRUE;
+}
+
+void mi_texture_info(miTag tag, int* xres, int* yres, void** paras) {
+  Host* host = current_host();
+  const TextureNode* texture = host ? host->texture(tag) : nullptr;
+  if (xres) *xres = texture ? texture->width() : 0;
+  if (yres) *yres = texture ? texture->height() : 0;
+  if (!paras) return;
+  auto* function = host && host->node(tag) ? static_cast<miFunction*>(host->access(tag)) : nullptr;
+  *paras = function ? function->parameters : nullptr;
+}
+
+miBoolean mi_texture_interpolate(miState* state, miUint space, miScalar* result) {
+  const ShadingPoint& point = *context(state).point;
+  if (space >= point.texture_spaces) return miFALSE;
+  std::memcpy(result, &point.tex[space], sizeof(miVector));
+  return miTRUE;
+}
+
+}  // extern "C"

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays that users' shaders cast.
+#include <algorithm>
+#include <utility>
+
+#include "runtime/environment.h"
+#include "sdk/call.h"
+#include "sdk/host.h"
+#include "sdk/lens.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// Whether one more reflection or refraction is within the depths of the options.
+bool within_depth(const miState& state, bool reflection) {
+  const miOptions& o = *state.options;
+  if (!o.trace || state.reflection_level + state.refraction_level >= o.trace_depth) return false;
+  return reflection ? state.reflection_level < o.reflection_depth
+                    : state.refraction_level < o.refraction_depth;
+}
+
+/// What the ray leaves behind in the state that cast it.
+void keep_child(miState* state, const miState& child) {
+  thread_local miState last;
+  last = child;
+  last.child = nullptr;
+  last.parent = state;
+  state->child = &last;
+}
+
+void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& child) {
+  child.dist = met ? met->distance : 0;
+  child.pri = met ? child.pri : nullptr;
+  child.material = met ? host.tag_of(met->material) : miNULLTAG;
+  child.instance = met && met->instance >= 0
+                       ? make_tag(TagKind::Instance, static_cast<std::size_t>(met->instance))
+                       : miNULLTAG;
+  if (!met) return;
+  child.point = mi(met->position);
+  child.normal = mi(met->normal);
+  child.normal_geom = mi(met->geometric_normal);
+  child.inv_normal = met->back_side;
+  child.dot_nd = dot(met->normal, vec(child.dir));
+}
+
+/// Sends a ray; `reach`: beyond it there is the environment alone.
+bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
+          const Tracer::Levels& levels) {
+  Context& c = context(state);
+  *result = {0, 0, 0, 0};
+  if (!c.tracer()) return false;
+  const ShadingPoint point = point_of(state);
+  Tracer::SubRay ray{kind, normalize(direction), state->pri != nullptr, point.position, levels};
+  if (c.falloff_stop > 0) ray.reach = static_cast<float>(c.falloff_stop);
+  if (c.ray_offset > 0) {
+    ray.origin = point.position + ray.direction * static_cast<float>(c.ray_offset);
+    ray.from_surface = false;
+  }
+  miState* const outer = std::exchange(StateFrame::current_parent(), state);
+  const Tracer::Seen seen = c.tracer()->trace(point, ray);
+  StateFrame::current_parent() = outer;
+
+  miState child = *state;
+  child.type = static_cast<miRay_type>(kind);
+  child.org = mi(ray.from_surface ? point.position : ray.origin);
+  child.dir = mi(ray.direction);
+  child.reflection_level = levels.reflections;
+  child.refraction_level = levels.refractions;
+  child.volume = kind == RayKind::Reflect ? state->volume : state->refraction_volume;
+  describe_hit(seen.met, *c.host, child);
+  keep_child(state, child);
+  *result = mi(seen.colour);
+  return seen.met || seen.colour != Rgba(0, 0, 0, 0);
+}
+
+Tracer::Levels deeper(const miState& state, bool reflection) {
+  return {state.reflection_level + (reflection ? 1 : 0),
+          state.refraction_level + (reflection ? 0 : 1), state.importance};
+}
+
+}  // namespace
+}  // namespace oriel::sdk
+
+using namespace oriel;
+using namespace oriel::sdk;
+
+extern "C" {
+
+miBoolean mi_trace_environment(miColor* result, miState* state, const miVector* direction) {
+  Context& c = context(state);
+  *result = {0, 0, 0, 0};
+  const Material* material = c.host->material(state->material);
+  const NodeList& shaders = material && !material->environment.empty()
+                                ? material->environment
+                                : c.world->environment.shaders();
+  if (shaders.empty()) return miFALSE;
+  *result = mi(environment_radiance(shaders, *c.world, vec(state->point),
+                                    normalize(vec(*direction)), RayKind::Environment));
+  return miTRUE;
+}
+
+miBoolean mi_trace_reflection(miColor* result, miState* state, const miVector* direction) {
+  if (!within_depth(*state, true)) {
+    *result = {0, 0, 0, 0};
+    return miFALSE;
+  }
+  return cast(result, state, RayKind::Reflect, vec(*direction), deeper(*state, true)) ? miTRUE
+                                                                                      : miFALSE;
+}
+
+miBoolean mi_trace_transparent(miColor* result, miState* state) {
+  miOptions ignoring_trace = *state->options;
+  ignoring_trace.trace = miTRUE;
+  miState straight = *state;
+  straight.options = &ignoring_trace;
+  if (!within_depth(straight, false)) {
+    *result = {0, 0, 0, 0};
+    return miFALSE;
+  }
+  return cast(result, state, RayKind::Transparent, vec(state->dir), deeper(*state, false))
+             ? miTRUE
+             : miFALSE;
+}
+
+miBoolean mi_trace_refraction(miColor* result, miState* state, const miVector* direction) {
+  if (!state->options->trace) return mi_trace_transparent(result, state);
+  if (!within_depth(*state, false)) {
+    *result = {0, 0, 0, 0};
+    return miFALSE;
+  }
+  return cast(result, state, RayKind::Refract, vec(*direction), deeper(*state, false)) ? miTRUE
+                                                                                       : miFALSE;
+}
+
+miBoolean mi_trace_continue(miColor* result, miState* state) {
+  return cast(result, state, context(state).point->ray_kind, vec(state->dir),
+              {state->reflection_level, state->refraction_level, state->importance})
+             ? miTRUE
+             : miFALSE;
+}
+
+miBoolean mi_trace_eye(miColor* result, miState* state, const miVector* origin,
+                       const miVector* direction) {
+  Context& c = context(state);
+  state->org = *origin;
+  state->dir = *direction;
+  *result = {0, 0, 0, 0};
+  if (!c.lens) return miFALSE;
+  return trace_next_lens(*c.lens, *state, *result) ? miTRUE : miFALSE;
+}
+
+miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVector* origin) {
+  Context& c = context(state);
+  if (!c.tracer()) return miFALSE;
+  const Vec3 d = normalize(vec(*direction));
+  const ShadingPoint point = point_of(state);
+  const float reach = std::numeric_limits<float>::infinity();
+  // From the point itself the ray must clear its surface.
+  const bool here = vec(*origin) == point.position && state->pri;
+  const auto met = here ? c.tracer()->probe_from(point, d, reach)
+                        : c.tracer()->probe(vec(*origin), d, reach);
+  miState child = *state;
+  child.type = miRAY_PROBE;
+  child.org = *origin;
+  child.dir = mi(d);
+  describe_hit(met, *c.host, child);
+  keep_child(state, child);
+  return met ? miTRUE : miFALSE;
+}
+
+miBoolean mi_trace_shadow(miColor* result, miState* state) {
+  // The renderer casts the shadow ray itself, for all lights alike: here it only learns that the
+  // light has shadows, and from a second call with black ones what of the light passes all the same.
+  Context& c = context(state);
+  c.shadow_asked = true;
+  if (!c.shadow_is_black) return miTRUE;
+  *result = {0, 0, 0, result->a};
+  return miFALSE;
+}
+
+// Segments are what the renderer walks for shadow shaders of any mode: each sees the light that is
+// left, so that nothing is left to do.
+miBoolean mi_trace_shadow_seg(miColor*, miState*) { return miTRUE; }
+miBoolean mi_continue_shadow_seg(miColor*, miState*) { return miTRUE; }
+
+void mi_ray_offset(const miState* state, double* offset) {
+  std::swap(context(state).ray_offset, *offset);
+}
+
+void mi_ray_falloff(const miState* state, double* start, double* stop) {
+  std::swap(context(state).falloff_start, *start);
+  std::swap(context(state).falloff_stop, *stop);
+}
+
+miBoolean mi_opacity_set(miState* state, const miColor* opacity) {
+  Context& c = context(state);
+  c.opacity = *opacity;
+  c.opacity_known = true;
+  return miTRUE;
+}
+
+miBoolean mi_opacity_get(miState* state, miColor* opacity) {
+  const Context& c = context(state);
+  if (!c.opacity_known) return miFALSE;
+  *opacity = c.opacity;
+  return miTRUE;
+}
+
+void mi_ray_differential_transform(const miState*, ...) {}
+
+}  // extern "C"

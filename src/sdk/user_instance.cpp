@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The C parameter block of a call, and the life cycle of its shader.
+#include <algorithm>
+#include <cstring>
+
+#include "sdk/call.h"
+#include "sdk/host.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// A value that names something, as a tag.
+miTag tag_of_value(Host& host, ParamType type, const void* own) {
+  const auto read = [&]<class T>(T ref) {
+    std::memcpy(&ref, own, sizeof ref);
+    return ref;
+  };
+  switch (type) {
+    case ParamType::String:
+      return host.tag_of_text(read(std::string_view()));
+    case ParamType::Shader:
+      return host.tag_of(read(ShaderRef()).node);
+    case ParamType::ColorTexture:
+    case ParamType::ScalarTexture:
+    case ParamType::VectorTexture:
+      return host.tag_of(read(ColorTextureRef()).texture);
+    case ParamType::LightProfile:
+      return host.tag_of(read(LightProfileRef()).profile);
+    case ParamType::Light: {
+      const int index = read(LightRef()).index;
+      return index < 0 ? miNULLTAG
+                       : make_tag(TagKind::LightInstance, static_cast<std::size_t>(index));
+    }
+    default:
+      return miNULLTAG;
+  }
+}
+
+void store_value(Host& host, ParamType type, const void* own, std::byte* c) {
+  switch (type) {
+    case ParamType::Boolean:
+    case ParamType::Integer:
+    case ParamType::Scalar:
+    case ParamType::Color:
+    case ParamType::Vector:
+    case ParamType::Transform:
+      return to_c(type, own, c);
+    case ParamType::Spectrum:
+      std::memset(c, 0, sizeof(miSpectrum_para));
+      return;
+    default: {
+      const miTag tag = tag_of_value(host, type, own);
+      std::memcpy(c, &tag, sizeof tag);
+    }
+  }
+}
+
+/// Bytes of the elements behind the struct, each array's from a multiple of its element's size.
+std::size_t end_of_array(const CMember& m, int count, std::size_t end) {
+  const std::size_t size = c_size(m.element), first = m.c_offset + 8;
+  const std::size_t steps = (std::max(end, first) - first + size - 1) / size;
+  return first + (steps + static_cast<std::size_t>(count)) * size;
+}
+
+}  // namespace
+
+void UserInstance::make_ready(const ShaderNode& of) {
+  const std::lock_guard guard(spec->host->shader_lock());
+  // Its own init functions may ask for its parameters before they have returned.
+  if (function || ready.load(std::memory_order_relaxed)) return;
+  Host& host = *spec->host;
+  const auto* own = &of.constants<std::byte>();
+
+  std::size_t size = spec->c_params_size;
+  for (const CMember& m : spec->members)
+    if (m.type == ParamType::Array) {
+      ArrayView<std::byte> view;
+      std::memcpy(&view, own + m.offset, sizeof view);
+      if (view.size > 0) size = end_of_array(m, view.size, size);
+    }
+  size = (size + 15) / 16 * 16;
+  constexpr std::size_t kHead = (offsetof(miFunction, parameters) + 15) / 16 * 16;
+  // Header, parameters, and as many bytes of tags of what is connected; the header ends where the
+  // parameters begin.
+  block = std::make_unique<std::byte[]>(kHead + 2 * size + 16);
+  std::byte* start = block.get();
+  start += (16 - reinterpret_cast<std::uintptr_t>(start) % 16) % 16;
+  std::byte* values = start + kHead;
+  parameters = values;
+  function = reinterpret_cast<miFunction*>(values - offsetof(miFunction, parameters));
+  function->type = miFUNCTION_C;
+  function->function_decl = host.tag_of(*spec);
+  function->parameter_size = static_cast<int>(spec->c_params_size);
+  function->result_size = static_cast<int>(spec->c_result_size);
+
+  std::size_t end = spec->c_params_size;
+  for (const CMember& m : spec->members) {
+    if (m.type != ParamType::Array) {
+      store_value(host, m.type, own + m.offset, values + m.c_offset);
+      continue;
+    }
+    ArrayView<std::byte> view;
+    std::memcpy(&view, own + m.offset, sizeof view);
+    const std::size_t element = c_size(m.element), first = m.c_offset + 8;
+    int head[2] = {0, view.size};
+    if (view.size > 0) {
+      const std::size_t behind = end_of_array(m, view.size, end);
+      const std::size_t begin = behind - static_cast<std::size_t>(view.size) * element;
+      head[0] = static_cast<int>((begin - first) / element);
+      for (int i = 0; i < view.size; ++i)
+        store_value(host, m.element, view.data + static_cast<std::size_t>(i) * size_of(m.element),
+                    values + begin + static_cast<std::size_t>(i) * element);
+      end = behind;
+    }
+    std::memcpy(values + m.c_offset, head, sizeof head);
+  }
+  for (const Connection& c : of.connections())
+    for (const CMember& m : spec->members)
+      if (m.offset == c.offset) {
+        connections.push_back({m.c_offset, m.type, &c});
+        const miTag tag = host.tag_of(c.source);
+        std::memcpy(values + size + m.c_offset, &tag, sizeof tag);
+      }
+  function->ghost_offs = connections.empty() ? 0 : static_cast<int>(size);
+
+  initialise(host);
+  ready.store(true, std::memory_order_release);
+}
+
+/// NAME_init without parameters once, with them for each call when it asks so.
+void UserInstance::initialise(Host& host) {
+  mi_init_lock(&lock);
+  auto* shader = const_cast<UserSpec*>(spec);
+  if (!shader->init) return;
+  using Init = miBoolean (*)(miState*, void*, miBoolean*);
+  const auto init = reinterpret_cast<Init>(shader->init);
+  ShadingPoint nowhere;
+  nowhere.world = host.world();
+  StateFrame frame(host, nowhere, nullptr);
+  frame.state.type = miRAY_NONE;
+  frame.state.shader = function;
+  frame.context.shader = this;
+  if (!shader->initialised) {
+    shader->initialised = true;
+    miBoolean each = miFALSE;
+    init(&frame.state, nullptr, &each);
+    shader->each_instance = each != miFALSE;
+  }
+  if (shader->each_instance) {
+    miBoolean again = miFALSE;
+    init(&frame.state, parameters, &again);
+    initialised = true;
+  }
+}
+
+}  // namespace oriel::sdk

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sdk/user_spec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sdk/call.h"
+#include "sdk/host.h"
+
+namespace oriel::sdk {
+namespace {
+
+constexpr struct {
+  const char* word;
+  unsigned bits;
+} kApplyWords[] = {{"material", kApplyMaterial},       {"texture", kApplyTexture},
+                   {"light", kApplyLight},             {"environment", kApplyEnvironment},
+                   {"lens", kApplyLens},               {"output", kApplyOutput},
+                   {"shadow", kApplyShadow},           {"photon", kApplyPhoton},
+                   {"volume", kApplyVolume},           {"emitter", kApplyEmitter}};
+
+unsigned apply_of(const scene::ShaderDeclaration& declaration) {
+  unsigned bits = 0;
+  for (const scene::Statement& s : declaration.requirements) {
+    if (s.keyword != "apply") continue;
+    for (const scene::Value& word : s.values)
+      for (const auto& known : kApplyWords)
+        if (word.text == known.word) bits |= known.bits;
+  }
+  return bits;
+}
+
+int version_of(const scene::ShaderDeclaration& declaration) {
+  const scene::Statement* s = scene::find_last(declaration.requirements, "version");
+  return s && !s->values.empty() && !s->values[0].numbers.empty()
+             ? static_cast<int>(s->values[0].numbers[0])
+             : 0;
+}
+
+std::size_t aligned(std::size_t offset, std::size_t alignment) {
+  return (offset + alignment - 1) / alignment * alignment;
+}
+
+/// Lays members out one after the other, in C and in the renderer's own way; structs within
+/// structs become members of their own, "outer.inner".
+struct Layout {
+  std::deque<std::string>& texts;
+  std::vector<ParamSpec>& rows;
+  std::vector<CMember>& members;
+  Diagnostics& diagnostics;
+  const std::string& shader;
+  std::size_t c_offset = 0, offset = 0;
+
+  void add(const scene::ParamDecl& param, const std::string& prefix) {
+    const std::string name = prefix + param.name;
+    if (param.type == ParamType::Struct) {
+      for (const scene::ParamDecl& member : param.members) add(member, name + ".");
+      return;
+    }
+    ParamType element = param.type;
+    std::size_t c_bytes = c_size(param.type);
+    if (param.type == ParamType::Array) {
+      element = param.members.empty() ? ParamType::Scalar : param.members[0].type;
+      c_bytes = 8 + c_size(element);
+      if (element == ParamType::Struct || element == ParamType::Array) {
+        std::size_t bytes = 0;
+        for (const scene::ParamDecl& member : param.members[0].members) bytes += c_size(member.type);
+        diagnostics.warning("OR-SDK-010", param.where,
+                            fmt::format("parameter \"{}\" of \"{}\" is an array of structs, which "
+                                        "reaches the shader empty",
+                                        name, shader));
+        c_offset += 8 + bytes;
+        return;
+      }
+    }
+    texts.push_back(name);
+    offset = aligned(offset, alignof(void*));
+    ParamSpec row{.name = texts.back().c_str(),
+                  .type = param.type,
+                  .element = element,
+                  .offset = offset,
+                  .declared_default = param.default_value.has_value()};
+    if (param.default_value) {
+      const scene::Value& value = *param.default_value;
+      if (value.kind == scene::Value::Kind::Boolean) row.fallback[0] = value.boolean ? 1 : 0;
+      for (std::size_t i = 0; i < value.numbers.size() && i < row.fallback.size(); ++i)
+        row.fallback[i] = static_cast<float>(value.numbers[i]);
+    }
+    rows.push_back(row);
+    members.push_back({param.type, element, c_offset, offset});
+    c_offset += c_bytes;
+    offset += size_of(param.type);
+  }
+};
+
+}  // namespace
+
+std::size_t c_size(ParamType type) {
+  switch (type) {
+    case ParamType::Color:
+      return sizeof(miColor);
+    case ParamType::Vector:
+      return sizeof(miVector);
+    case ParamType::Transform:
+      return sizeof(miMatrix);
+    case ParamType::Spectrum:
+      return sizeof(miSpectrum_para);
+    case ParamType::Struct:
+      return 0;
+    default:
+      return 4;
+  }
+}
+
+miParam_type c_type(ParamType type) {
+  switch (type) {
+    case ParamType::Boolean:
+      return miTYPE_BOOLEAN;
+    case ParamType::Integer:
+      return miTYPE_INTEGER;
+    case ParamType::Scalar:
+      return miTYPE_SCALAR;
+    case ParamType::String:
+      return miTYPE_STRING;
+    case ParamType::Color:
+      return miTYPE_COLOR;
+    case ParamType::Vector:
+      return miTYPE_VECTOR;
+    case ParamType::Transform:
+      return miTYPE_TRANSFORM;
+    case ParamType::Shader:
+      return miTYPE_SHADER;
+    case ParamType::ScalarTexture:
+      return miTYPE_SCALAR_TEX;
+    case ParamType::ColorTexture:
+      return miTYPE_COLOR_TEX;
+    case ParamType::VectorTexture:
+      return miTYPE_VECTOR_TEX;
+    case ParamType::Light:
+      return miTYPE_LIGHT;
+    case ParamType::Struct:
+      return miTYPE_STRUCT;
+    case ParamType::Array:
+      return miTYPE_ARRAY;
+    case ParamType::Material:
+      return miTYPE_MATERIAL;
+    case ParamType::Geometry:
+      return miTYPE_GEOMETRY;
+    case ParamType::LightProfile:
+      return miTYPE_LIGHTPROFILE;
+    case ParamType::Data:
+      return miTYPE_DATA;
+    case ParamType::Spectrum:
+      return miTYPE_SPECTRUM;
+  }
+  return miTYPE_INVALID;
+}
+
+UserSpec::UserSpec(const scene::ShaderDeclaration& declaration, Host& owner,
+                   Diagnostics& diagnostics)
+    : host(&owner), own_name(declaration.name) {
+  name = own_name.c_str();
+  library = "user";
+  doc = "A user's shader.";
+  version = version_of(declaration);
+  apply = apply_of(declaration);
+
+  Layout in{texts, rows, members, diagnostics, own_name};
+  for (const scene::ParamDecl& param : declaration.parameters) in.add(param, "");
+  params = rows;
+  params_size = aligned(in.offset, alignof(std::max_align_t));
+  c_params_size = in.c_offset;
+
+  Layout out{texts, result_rows, result_members, diagnostics, own_name};
+  for (const scene::ParamDecl& param : declaration.results) out.add(param, "");
+  if (result_rows.empty()) {
+    // No declared result means a colour.
+    scene::ParamDecl color;
+    color.type = ParamType::Color;
+    out.add(color, "");
+  }
+  c_result_size = std::max(out.c_offset, sizeof(miColor));
+  const bool single = result_rows.size() == 1 && *result_rows[0].name == 0;
+  result = single ? result_rows[0].type : ParamType::Struct;
+  if (!single) results = result_rows;
+  result_size = std::max(aligned(out.offset, alignof(std::max_align_t)), sizeof(Rgba));
+  set_roles(*this);
+}
+
+}  // namespace oriel::sdk
