@@ -99,6 +99,7 @@ constexpr PlainInterface kBase[] = {
     {"mib_lens_stencil", 1, "floor s, ceiling s, floor_color c, ceil_color c, stencil stex"},
     {"mib_lens_clamp", 1, "floor s, ceiling s, luminance b, floor_color c, ceil_color c"},
     {"mib_volume", 1, "color c, max s, lightrays b"},
+    {"mib_ray_marcher", 1, "shader sh, distance s, num i, subdiv i, contrast c"},
     {"oversampling_lens", 1, "samples i"},
     {"dgs_material", 3,
      "diffuse c, glossy c, specular c, shiny s, shiny_u s, shiny_v s, transp s, ior s, lights L, "

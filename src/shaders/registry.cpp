@@ -25,6 +25,7 @@
 #include "shaders/base/mib_lookup_cube.h"
 #include "shaders/base/mib_occlusion.h"
 #include "shaders/base/mib_ray.h"
+#include "shaders/base/mib_ray_marcher.h"
 #include "shaders/base/mib_shadow.h"
 #include "shaders/base/mib_texture.h"
 #include "shaders/base/mib_texture_filter.h"
@@ -94,6 +95,7 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kMibOpacity,
     &kMibPassthroughBumpMap,
     &kMibPhotonBasic,
+    &kMibRayMarcher,
     &kMibReflect,
     &kMibRefract,
     &kMibRefractionIndex,

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/base/mib_ray_marcher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/shader_node.h"
+
+namespace oriel {
+namespace {
+
+struct P {
+  ShaderRef shader;
+  float distance;
+  int num, subdiv;
+  Rgba contrast;
+};
+
+constexpr int kPlacesUnsaid = 4;
+/// Places before any are added: a scene must not make a ray endless.
+constexpr int kMostPlaces = 4096;
+constexpr int kMostSubdivisions = 16;
+/// Places of one ray in all.
+constexpr int kMostAsked = 1 << 16;
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(P, shader), .doc = "Asked at each place.", .declared_default = false},
+    {ORIEL_PARAM(P, distance), .min = 0, .unit = "scene units",
+     .doc = "Most between two places; 0 = any.", .declared_default = false},
+    {ORIEL_PARAM(P, num), .min = 0,
+     .doc = "Places at first, the ends among them; 0 = by distance, or 4.",
+     .declared_default = false},
+    {ORIEL_PARAM(P, subdiv), .min = 0, .max = kMostSubdivisions,
+     .doc = "How often a stretch is halved.", .declared_default = false},
+    {ORIEL_PARAM(P, contrast), .doc = "Difference of neighbours from which it is.",
+     .declared_default = false},
+};
+
+class March {
+ public:
+  March(const P& p, const ShadingPoint& end)
+      : p_(p), place_(end), subdiv_(std::clamp(p.subdiv, 0, kMostSubdivisions)) {
+    place_.normal = place_.geometric_normal = -end.ray_direction;
+    place_.texture_spaces = 0;
+    place_.dpdx = place_.dpdy = place_.dpdu = place_.dpdv = Vec3(0);
+    place_.ray_offset = 0;
+    place_.instance = -1;
+  }
+
+  Rgb sum(float length) {
+    int places = p_.num > 0 ? std::max(2, p_.num) : p_.distance > 0 ? 2 : kPlacesUnsaid;
+    if (p_.distance > 0) {
+      const float steps = std::ceil(std::min(length / p_.distance, float{kMostPlaces}));
+      places = std::max(places, static_cast<int>(steps) + 1);
+    }
+    places = std::min(places, kMostPlaces);
+    const float step = length / static_cast<float>(places - 1);
+    Rgb total(0), before = at(0);
+    for (int i = 1; i < places; ++i) {
+      const float t = step * static_cast<float>(i);
+      const Rgb here = at(t);
+      total += between(t - step, before, t, here, subdiv_);
+      before = here;
+    }
+    return total;
+  }
+
+ private:
+  Rgb at(float t) {
+    place_.position = place_.ray_origin + place_.ray_direction * t;
+    place_.ray_length = t;
+    ++asked_;
+    return rgb(p_.shader.node->color(place_));
+  }
+  bool differ(const Rgb& a, const Rgb& b) const {
+    const Rgb limit = rgb(p_.contrast);
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(a[k] - b[k]) > limit[k]) return true;
+    return false;
+  }
+  Rgb between(float t0, const Rgb& c0, float t1, const Rgb& c1, int left) {
+    if (left == 0 || asked_ >= kMostAsked || !differ(c0, c1)) return (c0 + c1) * ((t1 - t0) / 2);
+    const float t = (t0 + t1) / 2;
+    const Rgb c = at(t);
+    return between(t0, c0, t, c, left - 1) + between(t, c, t1, c1, left - 1);
+  }
+
+  const P& p_;
+  ShadingPoint place_;
+  int subdiv_;
+  int asked_ = 0;
+};
+
+Rgb march(const Call& call) {
+  const auto& p = call.as<P>();
+  const float length = call.point.ray_length;
+  if (!p.shader.node || !(length > 0) || std::isinf(length)) return Rgb(0);
+  return March(p, call.point).sum(length);
+}
+
+}  // namespace
+
+const ShaderSpec kMibRayMarcher = {
+    .name = "mib_ray_marcher",
+    .library = "base",
+    .apply = kApplyMaterial | kApplyTexture | kApplyVolume,
+    .doc = "What a shader says along a ray, added up.",
+    .params = kRows,
+    .params_size = sizeof(P),
+    .value =
+        [](const Call& call, void* result) {
+          const Rgb c = march(call);
+          *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
+        },
+    .volume =
+        [](const Call& call) {
+          return AirValue{Rgb(1), march(call)};
+        },
+};
+
+}  // namespace oriel
