@@ -39,12 +39,15 @@ void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
 void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
                  Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.volume)) {
-    if (node->spec().volume)
+    const ShaderSpec& spec = node->spec();
+    if (spec.volume) {
       world.air.push_back(node);
-    else
+      if (spec.dims_light && spec.dims_light(*node)) world.air_on_light.push_back(node);
+    } else {
       diagnostics.warning(
           "OR-RN-011", camera.where,
-          fmt::format("volume shader \"{}\" does not act as a volume; skipped", node->spec().name));
+          fmt::format("volume shader \"{}\" does not act as a volume; skipped", spec.name));
+    }
   }
 }
 

@@ -2,11 +2,13 @@
 #include "runtime/light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "color/luminance.h"
 #include "geom/shapes.h"
+#include "runtime/world.h"
 #include "sampling/rectangle.h"
 #include "sampling/sphere.h"
 #include "sampling/warp.h"
@@ -124,6 +126,24 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
   return value;
 }
 
+Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi,
+                     float distance) {
+  Rgb kept(1);
+  if (world.air_on_light.empty()) return kept;
+  ShadingPoint way;
+  way.ray_kind = RayKind::Light;
+  way.position = point.position;
+  way.normal = way.geometric_normal = wi;
+  way.ray_origin = std::isinf(distance) ? point.position : point.position + wi * distance;
+  way.ray_direction = -wi;
+  way.ray_length = distance;
+  way.world = &world;
+  for (const ShaderNode* node : world.air_on_light)
+    kept *=
+        node->with_params(way, [&](const Call& call) { return node->spec().volume(call); }).kept;
+  return kept;
+}
+
 bool has_square_corners(const Light& light) {
   const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
   return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
@@ -171,6 +191,8 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     sample.affects_specular = value.affects_specular;
   }
   if (is_black(sample.irradiance)) return std::nullopt;
+  if (kind == RayKind::Light && point.world)
+    sample.irradiance *= air_before_light(*point.world, point, sample.wi, sample.distance);
   sample.reach = sample.distance;
   return sample;
 }
@@ -236,6 +258,8 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
   const LightValue value =
       ask_light_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine, kind);
   result.radiance = radiance_of(light, value.colour, direction, hit->t, cosine);
+  if (kind == RayKind::Light && from.world)
+    result.radiance *= air_before_light(*from.world, from, direction, hit->t);
   result.shadow = value.shadow;
   result.affects_diffuse = value.affects_diffuse;
   result.affects_specular = value.affects_specular;

@@ -94,6 +94,11 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
                             const Vec3& direction, float distance, float emitter_cos,
                             RayKind kind = RayKind::Light);
 
+/// Share of a light's colour that the air leaves on its way to a point: from there along wi, as
+/// long, infinity for what is endlessly far. sample_light and intersect_light have it in what they
+/// return for kind Light; the environment's light does not.
+Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi, float distance);
+
 /// Rectangles and discs: they shine to one side.
 inline bool is_flat(LightShape shape) {
   return shape == LightShape::Rectangle || shape == LightShape::Disc;

@@ -49,6 +49,7 @@ class PhotonSource {
   /// Whether first hits are stored, for direct light does not bring them.
   bool direct() const { return light_ && light_->portal && light_->portal->photons_only; }
   bool is_environment() const { return !light_; }
+  bool is_endless() const { return !light_ || light_->shape == LightShape::Directional; }
   /// Mean of power_unmet over `samples` photons.
   Rgb estimate_flux(int samples) const;
 

@@ -128,9 +128,12 @@ class PhotonEmission {
 class OutputPicture;
 
 /// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
-/// arrives, and `added` comes on top.
+/// arrives, and `added` comes on top. `scattered` is the weight of the light that comes to `place`,
+/// on the way, from where `onward` (unit) points, and is turned to the ray there: one example of
+/// many, drawn by chance; not in `added`, black where there is none.
 struct AirValue {
-  Rgb kept{1}, added{0};
+  Rgb kept{1}, added{0}, scattered{0};
+  Vec3 place{0}, onward{0};
 };
 
 /// A built-in shader. Functions are null where the shader has no such role.
@@ -186,8 +189,14 @@ struct ShaderSpec {
   std::string (*geometry)(const Call&, scene::Scene&) = nullptr;
   /// Works on the finished picture.
   void (*output)(const Call&, OutputPicture&) = nullptr;
-  /// Acts as a volume: between call.point's ray origin and the surface at its ray_length.
+  /// Acts as a volume: between call.point's ray origin and the surface at its ray_length. Rays of
+  /// kind Light end at what is lit and begin at the light, or endlessly far: only `kept` counts. Of
+  /// photons' rays, turned as all rays are, `added` does not.
   AirValue (*volume)(const Call&) = nullptr;
+  /// Whether rays of kind Light ask it, by constant parameters. Null: they do not.
+  bool (*dims_light)(const ShaderNode&) = nullptr;
+  /// It may act on rays that meet nothing as well, which have a ray_length without end.
+  bool acts_on_endless_rays = false;
   /// Built once from the constant parameters.
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
   /// Built once from the call: its node and constant parameters, no point. For shaders that keep

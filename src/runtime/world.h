@@ -82,6 +82,7 @@ struct World {
   NodeList lens_rays;  ///< lens shaders that bend eye rays, in order
   const TextureNode* preview = nullptr;   ///< shown in place of a rendering; null = none
   NodeList air;                           ///< volume shaders of the camera: around all rays
+  NodeList air_on_light;                  ///< those of them that dim light on its way
   NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
   bool has_transparent_blockers = false;  ///< some material may let light pass
   bool photons_part_ways = false;         ///< some instance treats caustic and global photons apart

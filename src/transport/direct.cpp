@@ -191,8 +191,10 @@ void DirectSum::add_environment(const Vec2& u) {
       shadow_transmittance(world_, point_, s.wi, std::numeric_limits<float>::infinity(), counts_);
   if (is_black(open.all)) return;
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
-  const Rgb radiance = rgb(environment_radiance(world_.environment.shaders(), world_,
-                                                point_.position, s.wi, RayKind::FinalGather));
+  const Rgb radiance =
+      rgb(environment_radiance(world_.environment.shaders(), world_, point_.position, s.wi,
+                               RayKind::FinalGather)) *
+      air_before_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
   const auto found = [&](const Rgb& value, float pdf, const Rgb& passes) {
     return value * passes * radiance *

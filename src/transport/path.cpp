@@ -201,11 +201,14 @@ bool Path::arrive(const geom::Hit& hit) {
     return false;
   }
 
-  pass_air(point, from_.passed + hit.t);
-  darken_near(from_.passed + hit.t);
-  fade(from_.passed + hit.t);
-  from_first_ = false;
-  if (!parted_) meet_first(closure);
+  const bool parted = parted_;
+  const bool turned = pass_air(point, from_.passed + hit.t);
+  if (!turned) {
+    darken_near(from_.passed + hit.t);
+    fade(from_.passed + hit.t);
+    from_first_ = false;
+  }
+  if (!parted) meet_first(closure);
   if (first_) {
     first_ = false;
     result_->alpha = 1;
@@ -214,6 +217,10 @@ bool Path::arrive(const geom::Hit& hit) {
     result_->albedo = closure.albedo;
     alpha_open_ = true;
     if (settings_.meters) meter(closure, point);
+  }
+  if (turned) {
+    at_first_ = alpha_open_ = false;
+    return survive();
   }
   add(at_vertex(Component::Added), throughput_ * closure.emission);
   return closure.count > 0 && gather(closure, material, point);
@@ -228,6 +235,11 @@ void Path::walk() {
     bool ended = false;
     if (world_.has_area_lights) meet_lights(found ? hit.t : ray_.tfar, ended);
     if (ended) return;
+    if (!found && pass_air_beyond()) {
+      first_ = false;
+      if (!survive()) return;
+      continue;
+    }
     if (!found) {
       // Nothing within the reach of a medium that turns black is black.
       if (std::isinf(ray_.tfar) || kind_ == RayKind::Eye || fading_.distance > 0 ||

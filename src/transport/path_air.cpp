@@ -1,38 +1,98 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the air before a surface does to its light.
+// What the air on the way of a ray does to its light, and paths that are scattered there.
 #include "transport/path_walk.h"
 #include "transport/scene_tracer.h"
 
 namespace oriel {
 
-/// At a surface, t from where the ray began. Rays in a medium, and those that find no surface, are
-/// left alone: an environment knows its own air.
-void Path::pass_air(const ShadingPoint& end, float t) {
-  if (world_.air.empty() && world_.air_of_eye.empty()) return;
-  if (!medium_.medium.clear()) return;
-  ShadingPoint point;
-  point.raster = raster_;
-  point.ray_kind = kind_;
-  point.blurred = blurred_;
-  point.position = end.position;
-  point.normal = point.geometric_normal = -ray_.dir;
-  point.ray_origin = end.position - ray_.dir * t;
-  point.ray_direction = ray_.dir;
-  point.ray_length = t;
-  point.world = &world_;
-  SceneTracer tracer(world_, sampler_, counts_);
-  point.tracer = &tracer;
+/// Air of some shaders. True: the path goes on from a place in the air and not to where it went.
+/// Both ways on are weighed by their chance; what light sources bring to the place is in `added`.
+bool Path::pass_air(const NodeList& nodes, ShadingPoint& way, bool endless) {
+  const bool scatters = settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
   // The last shader of a list takes what the ones before it left: it is the nearest to the eye.
-  const auto pass = [&](const NodeList& nodes) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-      const AirValue air = (*node)->with_params(
-          point, [&](const Call& call) { return (*node)->spec().volume(call); });
-      add(component_, throughput_ * air.added);
+  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
+    const ShaderSpec& spec = (*node)->spec();
+    if (endless && !spec.acts_on_endless_rays) continue;
+    const AirValue air =
+        (*node)->with_params(way, [&](const Call& call) { return spec.volume(call); });
+    add(component_, throughput_ * air.added);
+    const float turned = scatters ? max_component(air.scattered) : 0;
+    if (!(turned > 0)) {
       dim(air.kept);
+      continue;
     }
-  };
-  if (kind_ == RayKind::Eye) pass(world_.air_of_eye);
-  pass(world_.air);
+    const float p = turned / (turned + max_component(air.kept));
+    if (way.tracer->next().x >= p) {
+      dim(air.kept / (1 - p));
+      continue;
+    }
+    throughput_ *= air.scattered * indirect_factor() / p;
+    lights_ = throughput_;
+    kind_ = RayKind::FinalGather;
+    after_diffuse_ = parted_ = true;
+    blurred_ = false;
+    at_first_ = from_first_ = alpha_open_ = false;
+    reflections_ = refractions_ = 0;
+    ++bounces_;
+    ++diffuse_bounces_;
+    cone_.spread = std::max(cone_.spread, kDiffuseSpread);
+    occlusion_ = Rgb(1);
+    near_distance_ = 0;
+    environment_ = nullptr;
+    fading_ = {};
+    reach_ = kInfinity;
+    // Against no lights: it passes through them unseen.
+    from_.weighed = true;
+    std::construct_at(&from_.lights);
+    from_.environment_sampled = false;
+    from_.group = LobeGroup::Diffuse;
+    from_.passed = 0;
+    ray_ = {};
+    ray_.org = left_ = air.place;
+    ray_.dir = air.onward;
+    ray_.mask = mask();
+    return true;
+  }
+  return false;
+}
+
+/// At a surface, t from where the ray began. Rays in a medium are left alone.
+bool Path::pass_air(const ShadingPoint& end, float t) {
+  if (world_.air.empty() && world_.air_of_eye.empty()) return false;
+  if (!medium_.medium.clear()) return false;
+  ShadingPoint way;
+  way.raster = raster_;
+  way.ray_kind = kind_;
+  way.blurred = blurred_;
+  way.position = end.position;
+  way.normal = way.geometric_normal = -ray_.dir;
+  way.ray_origin = end.position - ray_.dir * t;
+  way.ray_direction = ray_.dir;
+  way.ray_length = t;
+  way.world = &world_;
+  SceneTracer tracer(world_, sampler_, counts_);
+  way.tracer = &tracer;
+  return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, false)) ||
+         pass_air(world_.air, way, false);
+}
+
+/// Before what lies beyond all surfaces. An environment knows its own air, but for what has an end.
+bool Path::pass_air_beyond() {
+  if (world_.air.empty() && world_.air_of_eye.empty()) return false;
+  if (!medium_.medium.clear() || fading_.distance > 0 || !std::isinf(reach_)) return false;
+  ShadingPoint way;
+  way.raster = raster_;
+  way.ray_kind = kind_;
+  way.blurred = blurred_;
+  way.normal = way.geometric_normal = -ray_.dir;
+  way.ray_origin = way.position = ray_.org - ray_.dir * from_.passed;
+  way.ray_direction = ray_.dir;
+  way.ray_length = kInfinity;
+  way.world = &world_;
+  SceneTracer tracer(world_, sampler_, counts_);
+  way.tracer = &tracer;
+  return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, true)) ||
+         pass_air(world_.air, way, true);
 }
 
 }  // namespace oriel

@@ -95,7 +95,9 @@ class Path {
   void meter(const Closure& closure, const ShadingPoint& point);
 
   // path_air.cpp
-  void pass_air(const ShadingPoint& end, float t);
+  bool pass_air(const ShadingPoint& end, float t);
+  bool pass_air_beyond();
+  bool pass_air(const NodeList& nodes, ShadingPoint& way, bool endless);
 
   // path_light.cpp
   void meet_lights(float t_surface, bool& ended);

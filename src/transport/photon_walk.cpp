@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "runtime/bump.h"
 #include "transport/lobes.h"
 #include "transport/medium.h"
+#include "transport/scene_tracer.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
 
@@ -23,6 +25,8 @@ constexpr int kStreamRow = 0x70686f74;
 /// Near end of the first segment, as share of the scene's radius: what lies in the plane of an
 /// area light does not stop its photons.
 constexpr float kOffTheLight = 1e-5f;
+
+constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// Photons that graze a surface whose shading normal faces them would gain without bound.
 constexpr float kLeastCosine = 1e-3f;
@@ -58,6 +62,7 @@ class PhotonWalk {
                        !settings_.globillum);
   }
   void pass_medium(const Medium& medium, float distance);
+  bool pass_air(const Vec3& end, float length);
   void store(const ShadingPoint& point);
   float choose_lobes(const Closure& closure, LobeChoice& choice) const;
   bool go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
@@ -109,6 +114,60 @@ void PhotonWalk::pass_medium(const Medium& medium, float distance) {
     absorb();
   else
     lose(factor_ * t / kept);
+}
+
+/// The air on the way to `end`. True: the photon goes on from there, scattered; else what is left
+/// of it arrives. Photons and light of kind Light are dimmed by the same.
+bool PhotonWalk::pass_air(const Vec3& end, float length) {
+  if (world_.air_on_light.empty() || !medium_.medium.clear()) return false;
+  const bool endless = std::isinf(length);
+  ShadingPoint way;
+  way.ray_kind = kind_;
+  way.position = end;
+  way.normal = way.geometric_normal = -ray_.dir;
+  way.ray_origin = left_;
+  way.ray_direction = ray_.dir;
+  way.ray_length = length;
+  way.world = &world_;
+  SceneTracer tracer(world_, sampler_, log_.counts);
+  way.tracer = &tracer;
+  // Where light from endlessly far is left alone by air without end, so are its photons.
+  if (!scattered_ && source_.is_endless() && !endless &&
+      air_before_light(world_, way, -ray_.dir, kEndless) == Rgb(1))
+    return false;
+  for (const ShaderNode* node : world_.air_on_light) {
+    const ShaderSpec& spec = node->spec();
+    if (endless && !spec.acts_on_endless_rays) continue;
+    const AirValue air =
+        node->with_params(way, [&](const Call& call) { return spec.volume(call); });
+    const Rgb now = power();
+    const float most = max_component(now);
+    if (!(most > 0)) return false;
+    float turned = max_component(air.scattered * now) / most;
+    float kept = max_component(air.kept * now) / most;
+    if (turned == 0 && kept == 1) continue;
+    const float all = std::max(1.0f, turned + kept);
+    turned /= all, kept /= all;
+    const float u = tracer.next().x;
+    if (u >= turned + kept) return absorb(), false;
+    if (u >= turned) {
+      lose(factor_ * air.kept / kept);
+      continue;
+    }
+    lose(factor_ * air.scattered / turned);
+    kind_ = RayKind::PhotonScatterVolume;
+    scattered_ = diffuse_ = true;
+    if (!settings_.globillum) {
+      log_.balance.stopped += precise(power());
+      factor_ = Rgb(0);
+    }
+    ray_ = {};
+    ray_.org = left_ = air.place;
+    ray_.dir = air.onward;
+    ray_.mask = geom::RayMask::FinalGather;
+    return true;
+  }
+  return false;
 }
 
 void PhotonWalk::store(const ShadingPoint& point) {
@@ -288,7 +347,9 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
     sampler_.skip();
   else
     pass_medium(medium_.medium, length(point.position - left_));
+  const bool turned = pass_air(point.position, length(point.position - left_));
   if (max_component(factor_) <= 0) return false;
+  if (turned) return true;
   const bool filtered = material.may_transmit && material.filters_shadows();
   if (filtered && pass_filter(closure, material, point)) return true;
   if (sampler_.next_1d() >= closure.opacity) {
@@ -325,6 +386,11 @@ void PhotonWalk::run() {
     ++log_.counts.gather;
     if (!world_.accel->intersect(ray_, hit)) {
       if (!scattered_) emitted_ = source_.power_unmet(photon_);
+      if (std::isinf(ray_.tfar)) {
+        const bool turned = pass_air(ray_.org, kEndless);
+        if (max_component(factor_) <= 0) break;
+        if (turned) continue;
+      }
       // Nothing within the reach of a medium that turns black is black.
       if (std::isinf(ray_.tfar))
         log_.balance.escaped += precise(power());

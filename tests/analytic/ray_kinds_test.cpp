@@ -46,6 +46,7 @@ constexpr ShaderSpec kTestKind = {
         [](const Call& call) {
           return AirValue{rgb(note(call)), Rgb(0)};
         },
+    .dims_light = [](const ShaderNode&) { return true; },
     .may_transmit = [](const ShaderNode&) { return true; },
 };
 
@@ -348,6 +349,29 @@ TEST(RayKinds, PhotonsAreOfTheirLastScattering) {
   RayCounts counts;
   trace_photons(probe.world(), settings, counts);
   EXPECT_TRUE(was_asked_by(0, {RayKind::PhotonLight}));
+}
+
+// acceptance: H5
+TEST(RayKinds, AirIsAskedByLightAndScattersPhotons) {
+  const char* const camera = "focal 1 aperture 1 aspect 1 resolution 8 8 volume ";
+  SceneText lit;
+  lit.lambert("plate", .5f)
+      .square("plate", Vec3(0), 2, kUp)
+      .light("lamp", "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 1")
+      .camera(std::string(camera) + "\"test_kind\" ( )");
+  probe_of(lit).direct_only().onto(Vec3(0), kUp, 20, 64);
+  EXPECT_TRUE(was_asked_by(0, {RayKind::Eye, RayKind::Light}));
+
+  SceneText scene = with_target();
+  scene.box("seen", Vec3(-3), Vec3(3), true)
+      .light("lamp", "\"mib_light_point\" ( \"color\" 1 1 1 )")
+      .camera(std::string(camera) + "\"parti_volume\" ( \"extinction\" .3, \"scatter\" 1 1 1 )");
+  const Probe probe = probe_of(scene);
+  PhotonSettings settings;
+  settings.each.global.emit = 2048;
+  RayCounts counts;
+  trace_photons(probe.world(), settings, counts);
+  EXPECT_TRUE(was_asked_by(0, {RayKind::PhotonLight, RayKind::PhotonScatterVolume}));
 }
 
 // acceptance: H5

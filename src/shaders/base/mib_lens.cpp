@@ -2,8 +2,10 @@
 #include "shaders/base/mib_lens.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "color/luminance.h"
+#include "runtime/shader_node.h"
 #include "runtime/texture_node.h"
 #include "runtime/world.h"
 
@@ -57,7 +59,7 @@ constexpr ParamSpec kVolumeRows[] = {
     {ORIEL_PARAM(Volume, max), .unit = "scene units",
      .doc = "Distance where nothing else is seen; 0 = no fog.", .declared_default = false},
     {ORIEL_PARAM(Volume, lightrays), .doc = "Fade light on its way as well.",
-     .support = Support::Ignored, .declared_default = false},
+     .declared_default = false},
 };
 constexpr ParamSpec kOversamplingRows[] = {
     {ORIEL_PARAM(Oversampling, samples), .doc = "Eye rays for each sample.",
@@ -108,6 +110,7 @@ Rgb clamp_lens(const Call& call, const LensCall&, const Rgb& film) {
 AirValue fog(const Call& call) {
   const auto& p = call.as<Volume>();
   if (!(p.max > 0)) return {};
+  if (std::isinf(call.point.ray_length)) return {};
   const float dense = clamp01(call.point.ray_length / p.max);
   return {Rgb(1 - dense), rgb(p.color) * dense};
 }
@@ -142,6 +145,10 @@ const ShaderSpec kMibVolume = {
     .params = kVolumeRows,
     .params_size = sizeof(Volume),
     .volume = fog,
+    .dims_light =
+        [](const ShaderNode& node) {
+          return node.constants<Volume>().lightrays || node.connected(offsetof(Volume, lightrays));
+        },
 };
 
 const ShaderSpec kOversamplingLens = {

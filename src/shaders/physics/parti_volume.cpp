@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/frame.h"
+#include "runtime/shader_node.h"
 #include "runtime/tracer.h"
 #include "runtime/world.h"
 
@@ -67,6 +69,7 @@ struct Stretch {
 
 Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) {
   Stretch s{0, length};
+  if (std::isinf(length) && p.mode != 1) return {};  // air without end would leave nothing
   if (p.mode != 1) return s;
   const float below = p.height - origin.y;
   if (way.y == 0) return below > 0 ? s : Stretch{};
@@ -78,7 +81,7 @@ Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) 
   return s;
 }
 
-/// Share of a light's colour that is left at a place.
+/// Share of a light's colour that is left at a place, where light on its way does not ask.
 float dimmed(const Air& p, const Light& light, const Vec3& place, const Vec3& wi) {
   if (light.shape != LightShape::Directional) {
     const float way = length(light.position - place);
@@ -90,7 +93,7 @@ float dimmed(const Air& p, const Light& light, const Vec3& place, const Vec3& wi
 }
 
 /// Light of one source scattered toward the eye at a place, per unit of scattering.
-Rgb scattered(const Air& p, int index, ShadingPoint& point) {
+Rgb scattered(const Air& p, int index, bool dims, ShadingPoint& point) {
   const auto arriving = point.tracer->light(index, point);
   if (!arriving) return Rgb(0);
   // Forward is on along the light's way, which is toward the eye where that is behind.
@@ -99,28 +102,55 @@ Rgb scattered(const Air& p, int index, ShadingPoint& point) {
   const float phase = share * lobe(cosine, p.g1) + (1 - share) * lobe(cosine, p.g2);
   const Light& light = point.world->lights[static_cast<std::size_t>(index)];
   // A colour is irradiance over pi.
-  return arriving->colour * (kPi * phase * dimmed(p, light, point.position, arriving->wi));
+  const Rgb irradiance = arriving->colour * kPi;
+  return irradiance * (dims ? phase * dimmed(p, light, point.position, arriving->wi) : phase);
+}
+
+/// A direction about `forward`, as likely as light from there is turned to it.
+Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
+  constexpr float kMost = 0.99f;
+  const float g = clamp(u_lobe < clamp01(p.r) ? p.g1 : p.g2, -kMost, kMost);
+  float cosine = 1 - 2 * u.x;
+  if (std::abs(g) > 1e-3f) {
+    // Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 3rd ed., eq. 15.13.
+    const float a = (1 - g * g) / (1 - g + 2 * g * u.x);
+    cosine = (1 + g * g - a * a) / (2 * g);
+  }
+  cosine = clamp(cosine, -1, 1);
+  const float sine = std::sqrt(1 - cosine * cosine), phi = kTwoPi * u.y;
+  return Frame(forward).to_world(Vec3(sine * std::cos(phi), sine * std::sin(phi), cosine));
 }
 
 AirValue air(const Call& call) {
   const auto& p = call.as<Air>();
   const ShadingPoint& eye = call.point;
-  const Stretch s = within(p, eye.ray_origin, eye.ray_direction, eye.ray_length);
+  const bool light = eye.ray_kind == RayKind::Light;
+  // Rays of light have no beginning where the light is endlessly far.
+  const Stretch s = light ? within(p, eye.position, -eye.ray_direction, eye.ray_length)
+                          : within(p, eye.ray_origin, eye.ray_direction, eye.ray_length);
   const float depth = p.extinction * s.length();
   if (!(depth > 0)) return {};
-  AirValue out{Rgb(std::exp(-depth)), Rgb(0)};
-  if (!eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
+  AirValue out;
+  out.kept = Rgb(std::exp(-depth));
+  if (light || !eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
   // A place on the stretch, as likely as light from there gets through.
   const float taken = -std::expm1(-depth);
   const float t = -std::log1p(-eye.tracer->next().x * taken) / p.extinction;
   ShadingPoint place = eye;
   place.position = eye.ray_origin + eye.ray_direction * (s.begin + std::min(t, s.length()));
+  const Vec2 choice = eye.tracer->next();
+  out.scattered = rgb(p.scatter) * taken;
+  out.place = place.position;
+  out.onward = turned(p, eye.ray_direction, eye.tracer->next(), choice.x);
+  if (is_photon(eye.ray_kind)) return out;
+  const NodeList& dimming = eye.world->air_on_light;
+  const bool dims = std::find(dimming.begin(), dimming.end(), call.node) == dimming.end();
   if (p.lights.size > 0) {
-    for (const LightRef light : p.lights)
-      if (light.index >= 0) out.added += scattered(p, light.index, place);
+    for (const LightRef ref : p.lights)
+      if (ref.index >= 0) out.added += scattered(p, ref.index, dims, place);
   } else {
     for (std::size_t i = 0; i < eye.world->lights.size(); ++i)
-      out.added += scattered(p, static_cast<int>(i), place);
+      out.added += scattered(p, static_cast<int>(i), dims, place);
   }
   out.added *= rgb(p.scatter) * taken;
   return out;
@@ -137,6 +167,8 @@ const ShaderSpec kPartiVolume = {
     .params = kRows,
     .params_size = sizeof(Air),
     .volume = air,
+    .dims_light = [](const ShaderNode&) { return true; },
+    .acts_on_endless_rays = true,
 };
 
 const ShaderSpec kPartiVolumePhoton = {
@@ -144,7 +176,7 @@ const ShaderSpec kPartiVolumePhoton = {
     .library = "physics",
     .version = 3,
     .apply = kApplyPhoton,
-    .doc = "Accepted; photons are not scattered by air.",
+    .doc = "Accepted; photons are scattered as the camera's own volume says.",
     .params = kRows,
     .params_size = sizeof(Air),
     .volume = air,
