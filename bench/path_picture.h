@@ -15,7 +15,8 @@ namespace oriel::bench {
 /// Radiance, row after row of the camera's picture.
 using Picture = std::vector<Rgb>;
 
-inline Picture path_picture(const World& world, int samples, std::uint32_t seed) {
+inline Picture path_picture(const World& world, int samples, std::uint32_t seed,
+                            const PathSettings& settings = {}) {
   const int width = world.camera.width, height = world.camera.height;
   Picture picture(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), Rgb(0));
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t line) {
@@ -26,7 +27,8 @@ inline Picture path_picture(const World& world, int samples, std::uint32_t seed)
         sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(s), seed);
         const Vec2 raster = Vec2(static_cast<float>(x), static_cast<float>(y)) + sampler.next_2d();
         picture[line * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] +=
-            trace_path(world, world.camera.ray(raster), raster, {}, sampler, counts).radiance /
+            trace_path(world, world.camera.ray(raster), raster, settings, sampler, counts)
+                .radiance /
             static_cast<float>(samples);
       }
   });

@@ -86,7 +86,8 @@ void OutputMeans::add(const Outputs* outputs) {
   mean.opacity += (finite_or_zero(o.opacity) - mean.opacity) * share;
 }
 
-Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, bool keeps_outputs)
+Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, bool keeps_outputs,
+           std::size_t light_layers)
     : width_(width),
       height_(height),
       clips_(filter.clips()),
@@ -97,6 +98,9 @@ Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, b
       map_(std::move(map)),
       outputs_(keeps_outputs ? plain_.size() : 0),
       marked_outputs_(keeps_outputs ? marked_.size() : 0),
+      light_layers_(light_layers),
+      lights_(light_layers * plain_.size(), Rgb(0)),
+      marked_lights_(light_layers * marked_.size(), Rgb(0)),
       plain_parts_(map_ ? plain_.size() : 0),
       marked_parts_(map_ ? marked_.size() : 0) {}
 
@@ -108,6 +112,12 @@ void Film::add(int x, int y, const FilmSample& sample) {
     (marked ? marked_outputs_ : outputs_)[i].add(is_finite(sample.beauty) ? sample.outputs
                                                                           : nullptr);
   if (map_) (marked ? marked_parts_ : plain_parts_)[i].add(sample);
+  if (light_layers_ == 0) return;
+  Rgb* means = &(marked ? marked_lights_ : lights_)[i * light_layers_];
+  const float share = 1 / static_cast<float>((marked ? marked_ : plain_)[i].samples);
+  const bool known = sample.by_light && is_finite(sample.beauty);
+  for (std::size_t k = 0; k < light_layers_; ++k)
+    means[k] += ((known ? finite_or_black(sample.by_light[k]) : Rgb(0)) - means[k]) * share;
 }
 
 void Film::clear() {
@@ -116,6 +126,8 @@ void Film::clear() {
   };
   reset(plain_), reset(marked_), reset(outputs_), reset(marked_outputs_);
   reset(plain_parts_), reset(marked_parts_);
+  std::fill(lights_.begin(), lights_.end(), Rgb(0));
+  std::fill(marked_lights_.begin(), marked_lights_.end(), Rgb(0));
 }
 
 double Film::mean_samples() const {
@@ -194,6 +206,19 @@ Outputs Film::outputs(int x, int y) const {
     for (Rgb& part : out.result)
       for (int k = 0; k < 3; ++k)
         if (whole[k] <= 0) part[k] = 0;
+  }
+  return out;
+}
+
+Rgb Film::light(int x, int y, std::size_t layer) const {
+  const std::size_t i = index(x, y), at = i * light_layers_ + layer;
+  const Shares s = shares(i);
+  Rgb out =
+      weigh(s.plain, lights_[at], s.marked, marked_lights_.empty() ? nullptr : &marked_lights_[at]);
+  if (clips_) {
+    const Rgb whole = color(i);
+    for (int k = 0; k < 3; ++k)
+      if (whole[k] <= 0) out[k] = 0;
   }
   return out;
 }

@@ -31,6 +31,7 @@ struct FilmSample {
   std::uint8_t sub_pixel = 0;        ///< quadrant of the pixel it fell into
   bool negative = false;             ///< fell where the pixel filter is negative
   const Outputs* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
+  const Rgb* by_light = nullptr;     ///< the beauty by layers of lights, where the film keeps them
 };
 
 /// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
@@ -79,13 +80,15 @@ using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 class Film {
  public:
   /// Inputs:  filter: its shares weigh the samples; map: empty = colours are shown as they are.
-  /// keeps_outputs: the parts of the beauty are kept as well.
+  /// keeps_outputs: the parts of the beauty are kept as well. light_layers: so many layers of
+  /// lights are.
   Film(int width, int height, const FilterSampler& filter, DisplayMap map = {},
-       bool keeps_outputs = false);
+       bool keeps_outputs = false, std::size_t light_layers = 0);
 
   int width() const { return width_; }
   int height() const { return height_; }
   bool keeps_outputs() const { return !outputs_.empty(); }
+  std::size_t light_layers() const { return light_layers_; }
   bool mapped() const { return static_cast<bool>(map_); }
   std::size_t pixel_count() const { return plain_.size(); }
 
@@ -113,6 +116,8 @@ class Film {
   Pixel pixel(int x, int y) const;
   /// Its parts, filtered as the beauty is; their results sum to it.
   Outputs outputs(int x, int y) const;
+  /// The beauty by a layer of lights, filtered as the beauty is; all layers sum to it.
+  Rgb light(int x, int y, std::size_t layer) const;
 
   /// The colour that is looked at: mapped, where there is a map; else the beauty.
   Rgb shown(int x, int y) const;
@@ -159,7 +164,9 @@ class Film {
   std::vector<PixelMeans> plain_;
   std::vector<PixelMeans> marked_;  ///< empty unless the filter has negative lobes
   DisplayMap map_;
-  std::vector<OutputMeans> outputs_, marked_outputs_;      ///< empty unless kept
+  std::vector<OutputMeans> outputs_, marked_outputs_;  ///< empty unless kept
+  std::size_t light_layers_;
+  std::vector<Rgb> lights_, marked_lights_;                ///< means, one after the other
   std::vector<SubPixelMeans> plain_parts_, marked_parts_;  ///< empty without a map
 };
 

@@ -156,6 +156,14 @@ class BounceSolver {
     for (std::size_t i = 0; i < records_.size(); ++i) {
       Rgb& e = records_[i].irradiance;
       const Rgb grown = e - before[i].irradiance;
+      std::vector<Rgb>& shares = records_[i].shares;
+      for (std::size_t k = 0; k < shares.size() && before[i].shares.size() == shares.size(); ++k)
+        for (int c = 0; c < 3; ++c) {
+          const float own = e[c] * shares[k][c];
+          const float own_grown = own - before[i].irradiance[c] * before[i].shares[k][c];
+          shares[k][c] = own + std::max(0.0f, own_grown) * tail;
+        }
+      if (!shares.empty()) normalise_shares(shares);
       for (int c = 0; c < 3; ++c) e[c] += std::max(0.0f, grown[c]) * tail;
     }
   }

@@ -96,6 +96,7 @@ void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& co
   const std::string& file = files.photons;
   const bool read = !file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file) &&
                     tried([&] { photons_ = load_photon_maps(file); }, diagnostics);
+  read_files_ |= read;
   if (!read) {
     photons_ = trace_photons(world, photon_settings(world, plan_, seed), counts, nullptr, watch);
     if (!file.empty() && !watch.cancelled())
@@ -139,7 +140,8 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   if (options.rebuild != Rebuild::On)
     for (const std::string& file : files.gather)
       if (std::filesystem::exists(file))
-        if (const auto records = load_gather_map(file, diagnostics)) cache_.insert(*records);
+        if (const auto records = load_gather_map(file, diagnostics))
+          read_files_ |= cache_.insert(*records) > 0;
   cache_.settle_radii();
 
   maps_.gather = &cache_;

@@ -66,6 +66,8 @@ class IndirectPasses {
   /// What paths of the picture go by.
   PathSettings path_settings() const;
   std::size_t gather_points() const { return cache_.records().size(); }
+  /// Whether some of it was read from files.
+  bool read_files() const { return read_files_; }
 
  private:
   void shoot(const World& world, std::uint32_t seed, RayCounts& counts, const MapFiles& files,
@@ -80,6 +82,7 @@ class IndirectPasses {
   PhotonMaps photons_;
   Bounces bounces_;
   GatherCache cache_;
+  bool read_files_ = false;
 };
 
 }  // namespace oriel

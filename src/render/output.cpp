@@ -11,6 +11,7 @@
 #include "color/luminance.h"
 #include "image/denoise.h"
 #include "image/exr.h"
+#include "image/relight.h"
 #include "render/lens_shaders.h"
 #include "render/output_names.h"
 
@@ -144,6 +145,10 @@ bool needs_outputs(const PictureFile& file) {
 
 bool needs_irradiance(const PictureFile& file) { return (file.layers & kLayerIlluminance) != 0; }
 
+bool holds_light_layers(const PictureFile& file) {
+  return file_type(file) == "exr" && file.shown_layer.empty();
+}
+
 PictureFile picture_file(const std::string& path) {
   PictureFile file{.path = path};
   const std::string type = file_type(file);
@@ -199,6 +204,18 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
             image.channels == 1 ? std::vector<std::string>{""} : kRgbNames;
         out.push_back({material_output_names()[i], std::move(channels), std::move(image)});
       }
+  if (layers & kLayerLights)
+    for (std::size_t i = 0; i < film.light_layers(); ++i) {
+      const LightLayers& lights = session.world().light_layers;
+      const bool unknown = i == lights.unknown();
+      if (unknown && !session.has_unknown_light()) continue;
+      const std::string name{unknown              ? scene::kIndirectGroup
+                             : i == lights.rest() ? scene::kRestGroup
+                                                  : std::string_view(lights.names[i])};
+      out.push_back(
+          {std::string(kLightLayerPrefix) + name, kRgbNames,
+           collect(session, 3, [&](int x, int y, float* to) { put(to, film.light(x, y, i)); })});
+    }
   return out;
 }
 
@@ -254,7 +271,7 @@ void write_picture(const PictureFile& file, const RenderSession& session,
           {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
       return write_exr(file.path, layers, exr);
     }
-    layers = film_layers(session, file.layers);
+    layers = film_layers(session, file.layers | kLayerLights);
     if (denoised) layers.push_back({"denoised", kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);
   }

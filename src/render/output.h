@@ -33,7 +33,8 @@ enum LayerBit : LayerSet {
   kFilmLayers = (1u << 7) - 1,
   kLayerLuminance = 1u << 7,    ///< of the beauty, cd/m2
   kLayerIlluminance = 1u << 8,  ///< lux of the first surface; only where the session keeps it
-  kPhotometricLayers = kLayerLuminance | kLayerIlluminance
+  kPhotometricLayers = kLayerLuminance | kLayerIlluminance,
+  kLayerLights = 1u << 9  ///< `light.NAME` for each layer of lights that the session keeps
 };
 /// The outputs of materials follow, one bit each in the order of material_output_names().
 inline constexpr int kFirstOutputBit = 16;
@@ -67,6 +68,8 @@ PictureFile picture_file(const std::string& path);
 /// Beauty (R, G, B, A) first, then the layers asked for: Z, normal.X ... albedo.R ... variance.R
 /// ... samples, display.R ..., halves.R ...
 /// ... then the outputs by their names, which are left out when the film does not keep them.
+/// ... then light.NAME.R ... of the groups of lights and of light.rest, which sum to the beauty;
+/// light.indirect where some light does not know its group.
 std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers);
 
 /// The beauty without noise, RGB: what the film knows goes through denoise() (image/denoise.h).
@@ -82,13 +85,16 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
 /// Whether the file shows anything that the film must keep outputs or irradiance for.
 bool needs_outputs(const PictureFile& file);
 bool needs_irradiance(const PictureFile& file);
+/// Whether layers of lights stand in it: in EXR files of the beauty.
+bool holds_light_layers(const PictureFile& file);
 
 /// How the options make integers of it.
 ViewOptions view_options(const scene::RenderOptions& options);
 
 /// Writes one file.
 ///
-/// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it.
+/// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it. Layers of
+///          lights are in all EXR files of the beauty.
 /// Inputs:  metadata: goes into the header of EXR files. denoised: what other files than EXR show;
 ///          EXR has it as the layer `denoised` beside the noisy beauty, which stays the truth.
 /// Errors:  std::runtime_error with path and reason.

@@ -25,6 +25,8 @@ struct PrepareOptions {
   int width = 0, height = 0;
   /// Camera instance to use instead of the render command's.
   std::string camera;
+  /// Beside those of the options, and before them.
+  std::vector<scene::LightGroup> light_groups;
 };
 
 /// Builds the world of one render command.

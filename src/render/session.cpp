@@ -45,7 +45,8 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
-            settings.outputs),
+            settings.outputs,
+            settings.lights && world.light_layers.asked() ? world.light_layers.count() : 0),
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
@@ -57,8 +58,7 @@ PathSettings RenderSession::path_settings() const {
   settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
   settings.meters = irradiance_;
   // The grid's points were found through the camera's middle: a lens sees others at a pixel.
-  const bool has_grid = grid_ && !grid_->empty() && world_.lens_rays.empty();
-  settings.grid = has_grid ? &*grid_ : nullptr;
+  settings.grid = has_grid() ? &*grid_ : nullptr;
   return settings;
 }
 
@@ -79,6 +79,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   s.albedo = path.albedo;
   s.irradiance = luminance(path.irradiance);
   s.outputs = settings.outputs;
+  s.by_light = settings.by_light;
   s.negative = offset.negative;
   s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));
   return s;
@@ -90,6 +91,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     PathSettings paths;
     RayCounts counts = {};
     Outputs outputs = {};  // of the sample under way, until the film has it
+    LightParts by_light;
   };
   tbb::enumerable_thread_specific<PerThread> threads(PerThread{path_settings()});
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
@@ -97,6 +99,10 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     if (film_.keeps_outputs()) {
       mine.outputs = {};
       mine.paths.outputs = &mine.outputs;
+    }
+    if (film_.light_layers() > 0) {
+      mine.by_light.clear(film_.light_layers());
+      mine.paths.by_light = mine.by_light.data();
     }
     s = sample(x, y, index, mine.paths, mine.counts);
   };

@@ -22,6 +22,7 @@ struct SessionSettings {
   std::uint32_t seed = 0;
   bool outputs = false;             ///< keep the outputs of materials
   bool irradiance = false;          ///< and that of the first surfaces: a second path for each
+  bool lights = true;               ///< keep the layers of lights that the world has
   float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
   MapFiles map_files = {};
@@ -55,8 +56,14 @@ class RenderSession {
   const RayCounts& rays() const { return rays_; }
   bool keeps_irradiance() const { return irradiance_; }
   float unit_luminance() const { return unit_luminance_; }
+  /// Whether some light of the picture may not know its layer: it comes from maps in files, from
+  /// grids of interpolated reflections or from shaders that bring finished colours.
+  bool has_unknown_light() const {
+    return passes_.read_files() || has_grid() || world_.light_layers.some_unknown;
+  }
 
  private:
+  bool has_grid() const { return grid_ && !grid_->empty() && world_.lens_rays.empty(); }
   PathSettings path_settings() const;
   FilmSample sample(int x, int y, std::uint32_t index, const PathSettings& settings,
                     RayCounts& counts) const;

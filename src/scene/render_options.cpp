@@ -90,6 +90,7 @@ class Interpreter {
       : options_(options), diagnostics_(diagnostics) {}
 
   void read(const Statement& s) {
+    if (s.quoted && s.keyword.starts_with(kLightGroup)) return read_light_group(s);
     std::vector<OptionItem> items = items_of(s);
     const Match match =
         s.quoted ? Match{find_row(fmt::format("\"{}\"", s.keyword)), 0} : find_longest(items);
@@ -106,6 +107,19 @@ class Interpreter {
   }
 
  private:
+  static constexpr std::string_view kLightGroup = "light group ";
+
+  /// The only string option whose keyword holds a name.
+  void read_light_group(const Statement& s) {
+    LightGroup group{s.keyword.substr(kLightGroup.size()), {}};
+    if (s.values.size() == 1) group.patterns = split_patterns(s.values[0].text);
+    const std::string complaint = light_group_complaint(group);
+    if (complaint.empty()) return set_light_group(options_.light_groups, std::move(group));
+    diagnostics_.warning("OR-SC-104", s.where,
+                         fmt::format("\"{}\" is ignored: {}", s.keyword, complaint),
+                         "expected: \"light group NAME\" \"PATTERN,PATTERN,...\"");
+  }
+
   /// Lists a statement that does not act. One that asks for what holds anyway (`caustic off`) loses
   /// nothing and is not listed.
   void note_effect(const OptionRow& row, const OptionValues& values, SourceLocation where) {

@@ -9,6 +9,7 @@
 
 #include "base/vec.h"
 #include "scene/elements.h"
+#include "scene/light_group.h"
 
 namespace oriel::scene {
 
@@ -159,6 +160,8 @@ struct RenderOptions {
   ColorClip colorclip = ColorClip::Raw;
   std::array<float, 3> luminance_weight = kLuminance709;
   std::vector<UserFrameBuffer> frame_buffers;
+  std::vector<LightGroup>
+      light_groups;  ///< `"light group NAME" "PATTERN,..."`; layers of EXR files
 
   std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
   std::vector<std::string> unknown_strings;   ///< string options nobody here knows, each once
@@ -169,7 +172,8 @@ struct RenderOptions {
 /// Reads the statements in order; later ones override earlier ones.
 ///
 /// Errors:  OR-SC-101 values that do not fit (the statement is skipped), OR-SC-102 unknown
-///          statement, OR-SC-103 a known string option with other values than it takes.
+///          statement, OR-SC-103 a known string option with other values than it takes, OR-SC-104 a
+///          group of lights that cannot be.
 /// Source:  reference of the language, section Options; the table is in option_table.cpp.
 /// Checked: render_options_test.cpp
 RenderOptions interpret_options(const Options& options, Diagnostics& diagnostics);

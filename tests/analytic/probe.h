@@ -125,6 +125,11 @@ class Probe {
     settings_.estimator = estimator;
     return *this;
   }
+  /// Whether what glows is sampled as a light.
+  Probe& mesh_lights(bool on) {
+    settings_.mesh_lights = on;
+    return *this;
+  }
 
   /// Paths that share the sample counts of the materials; unless told, each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {

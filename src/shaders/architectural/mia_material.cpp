@@ -255,6 +255,11 @@ bool mia_may_transmit(const ShaderNode& node) {
          node.connected(offsetof(P, cutout_opacity));
 }
 
+bool mia_may_emit(const ShaderNode& node) {
+  return !is_black(rgb(node.constants<P>().additional_color)) ||
+         node.connected(offsetof(P, additional_color)) || !node.material_inputs().empty();
+}
+
 bool mia_has_outputs(const ShaderNode& node) {
   return node.constants<P>().multiple_outputs || node.connected(offsetof(P, multiple_outputs));
 }
@@ -343,6 +348,7 @@ const ShaderSpec kMiaMaterial = {
     .params_size = sizeof(P),
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, false); },
     .may_transmit = mia_may_transmit,
+    .may_emit = mia_may_emit,
     .most_lobes = mia_most_lobes,
     .grids = mia_grids,
 };
@@ -359,6 +365,7 @@ const ShaderSpec kMiaMaterialX = {
     .results = kResults,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
+    .may_emit = mia_may_emit,
     .most_lobes = mia_most_lobes,
     .has_outputs = mia_has_outputs,
     .grids = mia_grids,
@@ -376,6 +383,7 @@ const ShaderSpec kMiaMaterialXPasses = {
     .results = kResults,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
+    .may_emit = mia_may_emit,
     .most_lobes = mia_most_lobes,
     .has_outputs = mia_has_outputs,
     .grids = mia_grids,
