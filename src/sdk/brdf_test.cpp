@@ -90,7 +90,9 @@ TEST(Highlights, OfWardReflectNoMoreThanArrives) {
                                 0, 1, -M_PI, M_PI, 1e-4, 10) /
                             M_PI;
       EXPECT_LE(albedo, 1.001) << shiny << " " << cosine;
-      if (shiny == 15 && cosine == 1) EXPECT_GT(albedo, .97);
+      if (shiny == 15 && cosine == 1) {
+        EXPECT_GT(albedo, .97);
+      }
     }
 }
 

@@ -26,9 +26,15 @@ Roots& shared_roots() {
 Host* current_host() { return of_thread ? of_thread : of_process.load(std::memory_order_relaxed); }
 
 void set_current_host(Host* host) {
-  if (host && of_thread == host) return;
+  if (of_thread == host) return;
   of_thread = host;
   of_process.store(host, std::memory_order_relaxed);
+}
+
+void forget_host(const Host* host) {
+  if (of_thread == host) of_thread = nullptr;
+  auto* expected = const_cast<Host*>(host);
+  of_process.compare_exchange_strong(expected, nullptr);
 }
 
 void set_output_roots(const OutputRoots& roots) {

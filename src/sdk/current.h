@@ -13,8 +13,10 @@ class Host;
 /// The host whose shader ran last in this thread; in threads that never ran one, in the process.
 /// Null where none has.
 Host* current_host();
-/// To be called before a shader runs, and with null before a host goes.
+/// To be called before a shader runs.
 void set_current_host(Host* host);
+/// To be called before a host goes, by the thread it goes in.
+void forget_host(const Host* host);
 
 /// Where shaders may write pictures and where the names they read and write begin. Nothing may be
 /// written until it is set.

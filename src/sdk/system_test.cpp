@@ -92,7 +92,7 @@ TEST(Messages, OfOtherThreadsReachTheProcess) {
   BareState bare;
   set_current_host(&bare.host());
   std::thread([&] { EXPECT_EQ(current_host(), &bare.host()); }).join();
-  set_current_host(nullptr);
+  forget_host(&bare.host());
   EXPECT_EQ(current_host(), nullptr);
 }
 
