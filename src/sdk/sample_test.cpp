@@ -61,7 +61,7 @@ TEST(Sample, LoopIsEvenAndItsMeanIsRight) {
   }
   const double alone = std::sqrt((1 / 9.0 - 1 / 16.0) / n);  // of 16 unrelated points
   EXPECT_NEAR(mean, .25, 4 * std::sqrt(square / kLoops));
-  EXPECT_LT(std::sqrt(square), alone / 2.5);
+  EXPECT_LT(std::sqrt(square), alone / 2);
 }
 
 TEST(Sample, LoopsWithinLoopsAreUnrelated) {
