@@ -3,7 +3,6 @@
 // same time; and how long a million glowing triangles take to prepare.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -17,7 +16,7 @@ namespace {
 
 using namespace oriel;
 
-constexpr int kWidth = 60, kHeight = 45, kSamples = 16, kRounds = 5, kReferenceSamples = 4096;
+constexpr int kWidth = 60, kHeight = 45, kSamples = 16, kRounds = 5, kReferenceSamples = 1024;
 
 std::string object(const std::string& name, const std::string& material,
                    const std::vector<Vec3>& points, const std::vector<std::vector<int>>& faces) {
@@ -135,7 +134,7 @@ int main() {
     std::fflush(stdout);
   }
   const oriel::testing::PreparedScene many(scene_text(bulb("lamp", Vec3(0, 0, 2.5f), .06f, 512)));
-  std::vector<bool> glowing;
+  std::vector<GlowKind> glowing;
   MeshLights lights;
   const double asked = bench::timed([&] { glowing = glowing_materials(*many.world); }).wall;
   const double built = bench::timed([&] { lights = mesh_lights_of(*many.world, glowing); }).wall;

@@ -138,8 +138,8 @@ int compare_lights(const RecombineArguments& a, const std::vector<Layer>& layers
   const std::vector<Layer> sum = relight(layers, {});
   Image rgb(beauty->image.width, beauty->image.height, 3);
   for (std::size_t i = 0; i < rgb.pixel_count(); ++i)
-    std::copy_n(sum.front().image.at(0, 0) + i * static_cast<std::size_t>(beauty->image.channels), 3,
-                &rgb.pixels[3 * i]);
+    std::copy_n(sum.front().image.at(0, 0) + i * static_cast<std::size_t>(beauty->image.channels),
+                3, &rgb.pixels[3 * i]);
   const RebuiltDifference d = compare_rebuilt(rgb, beauty->image, a.threshold);
   if (a.json)
     print_json({{"agrees", d.above == 0},
@@ -198,7 +198,8 @@ int run_recombine(const RecombineArguments& a) {
 Command add_recombine_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "recombine",
-      "Rebuilds a render from its layers and compares: from the outputs of its materials, or, where "
+      "Rebuilds a render from its layers and compares: from the outputs of its materials, or, "
+      "where "
       "these are not there, from its light groups. With --light: the picture under other strengths "
       "of its light groups");
   auto a = std::make_shared<RecombineArguments>();

@@ -473,7 +473,8 @@ Command add_render_command(CLI::App& program) {
                   "instgroups, glowing objects, or environment) become layer light.NAME of EXR "
                   "files: all their light, bounces included. The rest is light.rest, and the "
                   "layers sum to the beauty; light.indirect is there where maps from files, "
-                  "interpolated reflections or users' shaders do not know. Repeat for more; the first that matches "
+                  "interpolated reflections or users' shaders do not know. Repeat for more; the "
+                  "first that matches "
                   "has the light. In scenes: option \"light group NAME\" \"PATTERN,...\"")
       ->allow_extra_args(false)
       ->type_name("NAME=PATTERN,...");

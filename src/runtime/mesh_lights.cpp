@@ -39,8 +39,8 @@ class Clustering {
     auto middle = first;
     if (depth < kDeepestByPlace) {
       const float half = box.center()[axis];
-      middle = std::stable_partition(
-          first, last, [&](std::uint32_t i) { return centre(i)[axis] < half; });
+      middle = std::stable_partition(first, last,
+                                     [&](std::uint32_t i) { return centre(i)[axis] < half; });
     }
     if (middle == first || middle == last) middle = first + (last - first) / 2;
     const auto cut = static_cast<std::size_t>(middle - order.begin());
@@ -101,7 +101,8 @@ std::optional<MeshLights::Choice> MeshLights::choose(const LitPoint& lit, Vec2 u
   const auto found = tree_.choose(lit, u.x);
   if (!found) return std::nullopt;
   const auto cluster = static_cast<std::size_t>(found->light);
-  const auto begin = shares_.begin() + starts_[cluster], end = shares_.begin() + starts_[cluster + 1];
+  const auto begin = shares_.begin() + starts_[cluster],
+             end = shares_.begin() + starts_[cluster + 1];
   const auto at =
       std::find_if(begin, end - 1, [&](const Share& share) { return u.y < share.until; });
   const auto triangle = static_cast<std::size_t>(at - shares_.begin());

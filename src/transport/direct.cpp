@@ -89,13 +89,15 @@ namespace {
 class DirectSum {
  public:
   DirectSum(const World& world, ShadingPoint& point, const Closure& closure,
-            const LobeChoice& lobes, const DirectRequest& request, RayCounts& counts)
+            const LobeChoice& lobes, const DirectRequest& request, RayCounts& counts,
+            DirectShares* shares)
       : world_(world),
         point_(point),
         closure_(closure),
         lobes_(lobes),
         request_(request),
         counts_(counts),
+        shares_(shares),
         wo_(point.wo()),
         shadows_(takes_shadows(world, point)) {}
 
@@ -112,6 +114,7 @@ class DirectSum {
   const LobeChoice& lobes_;
   const DirectRequest& request_;
   RayCounts& counts_;
+  DirectShares* shares_;
   Vec3 wo_;
   bool shadows_;
   DirectLight sum_;
@@ -135,6 +138,8 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
     return;
   const float kept = linear_fade(s->distance, request_.falloff_distance);
+  DirectLight& sum =
+      shares_ ? shares_->next(world_.light_layers.of_light[static_cast<std::size_t>(index)]) : sum_;
   const Rgb arriving = s->irradiance / rate;
   // What portals on the way, and its own, leave of it for the eye.
   Rgb view(1);
@@ -146,12 +151,11 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
                        const Rgb& highlights) {
     const bool behind = dot(s->wi, point_.geometric_normal) < 0;
-    (behind ? sum_.translucency : sum_.diffuse) += r.diffuse.value * diffuse * arriving;
-    sum_.reflection +=
-        r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
-    sum_.specular +=
+    (behind ? sum.translucency : sum.diffuse) += r.diffuse.value * diffuse * arriving;
+    sum.reflection += r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
+    sum.specular +=
         (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
-    sum_.refraction += r.refraction.value * refraction * arriving * view;
+    sum.refraction += r.refraction.value * refraction * arriving * view;
   };
   if (!shadows_ || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
 
@@ -201,10 +205,11 @@ void DirectSum::add_environment(const Vec2& u) {
            (light_sample_weight(request_.estimator, s.pdf, pdf) / s.pdf);
   };
   const bool behind = dot(s.wi, point_.geometric_normal) < 0;
-  (behind ? sum_.environment_translucency : sum_.environment) +=
+  DirectLight& sum = shares_ ? shares_->next(world_.light_layers.environment) : sum_;
+  (behind ? sum.environment_translucency : sum.environment) +=
       found(r.diffuse.value, r.diffuse.pdf, open.all);
-  sum_.reflection += found(reflection, r.reflection.pdf, straight);
-  sum_.refraction += found(r.refraction.value, r.refraction.pdf, straight);
+  sum.reflection += found(reflection, r.reflection.pdf, straight);
+  sum.refraction += found(r.refraction.value, r.refraction.pdf, straight);
 }
 
 }  // namespace
@@ -212,8 +217,8 @@ void DirectSum::add_environment(const Vec2& u) {
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                          const LobeChoice& lobes, const LightChoice& lights,
                          const DirectRequest& request, sampling::Sampler& sampler,
-                         RayCounts& counts) {
-  DirectSum direct(world, point, closure, lobes, request, counts);
+                         RayCounts& counts, DirectShares* shares) {
+  DirectSum direct(world, point, closure, lobes, request, counts, shares);
   float u_light = 0;
   if (lights.draws())
     u_light = sampler.next_1d();

@@ -2,6 +2,9 @@
 // Direct light: which lights to ask at a vertex, and what they bring.
 #pragma once
 
+#include <array>
+
+#include "base/assert.h"
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 #include "transport/counts.h"
@@ -72,17 +75,37 @@ struct DirectLight {
   Rgb environment{0}, environment_translucency{0};
 };
 
+/// The same apart by samples, each of one layer of lights.
+struct DirectShares {
+  /// All lights that may be asked at a vertex (LightChoice), and the environment.
+  static constexpr int kMost = 16;
+  struct Share {
+    std::size_t layer = 0;
+    DirectLight light;
+  };
+  std::array<Share, kMost> of;
+  int count = 0;
+
+  DirectLight& next(std::size_t layer) {
+    ORIEL_ASSERT(count < kMost);
+    Share& share = of[static_cast<std::size_t>(count++)];
+    share.layer = layer;
+    return share.light;
+  }
+};
+
 /// Everything direct at a vertex: lights and, when asked, the environment.
 ///
 /// Model:   each light sample weighs against the directions sample_lobe would have chosen (power
 ///          heuristic), apart for the groups of lobes; lights without extent stand alone, and so do
 ///          lights without shadows, since rays would be blocked, and highlights, which no ray
 ///          finds.
+/// Inputs:  shares: where given, samples are left there and the sum is black.
 /// Checked: tests/analytic (one scene by three estimators, furnaces of rough glass).
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
                          const LobeChoice& lobes, const LightChoice& lights,
                          const DirectRequest& request, sampling::Sampler& sampler,
-                         RayCounts& counts);
+                         RayCounts& counts, DirectShares* shares = nullptr);
 
 /// How a light shows in reflecting lobes, of which rays and highlights can both show it.
 struct LightInReflection {

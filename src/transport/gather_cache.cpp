@@ -39,16 +39,27 @@ struct GatherCache::Sum {
   float weight = 0;
 
   void add(const GatherRecord& record, const GatherQuery& q, float w) {
-    result.irradiance +=
-        (q.gradients ? extrapolate(record, q.position, q.normal) : record.irradiance) * w;
+    const Rgb e = (q.gradients ? extrapolate(record, q.position, q.normal) : record.irradiance) * w;
+    result.irradiance += e;
+    if (q.by_light) part(record, q, e);
     if (q.directional) result.incoming.add(record.incoming, w);
     weight += w;
     ++result.records;
   }
-  std::optional<Gathered> finished(bool directional) {
+  /// The irradiance changes along the surface as a whole, its layers with it.
+  static void part(const GatherRecord& record, const GatherQuery& q, const Rgb& e) {
+    if (record.shares.size() != q.layers) {
+      q.by_light[q.layers - 1] += e;
+      return;
+    }
+    for (std::size_t i = 0; i < q.layers; ++i) q.by_light[i] += e * record.shares[i];
+  }
+  std::optional<Gathered> finished(const GatherQuery& q) {
     if (!(weight > 0)) return std::nullopt;
     result.irradiance *= 1 / weight;
-    if (directional) {
+    if (q.by_light)
+      for (std::size_t i = 0; i < q.layers; ++i) q.by_light[i] *= 1 / weight;
+    if (q.directional) {
       IncomingLight mean;
       mean.add(result.incoming, 1 / weight);
       result.incoming = mean;
@@ -157,7 +168,7 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   Sum sum;
   if (q.points <= 0) {
     bounded(0, q, sum);
-    return sum.finished(q.directional);
+    return sum.finished(q);
   }
   Nearest found;
   found.most = static_cast<std::size_t>(std::min(q.points, kMostPoints)) + 1;
@@ -177,7 +188,7 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   }
   if (!q.by_error && q.radii.max > 0)
     sum.result.fade = falling(0.5f, 1, found.heap[0].error / q.radii.max);
-  return sum.finished(q.directional);
+  return sum.finished(q);
 }
 
 }  // namespace oriel

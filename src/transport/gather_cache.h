@@ -23,7 +23,11 @@ struct GatherQuery {
   /// with where narrower or wider. Nearest: records farther than max are not used.
   GatherRadii radii;
   bool gradients = true;
-  bool directional = false;    ///< fill Gathered::incoming
+  bool directional = false;  ///< fill Gathered::incoming
+  /// Where to add the irradiance by layers of lights, `layers` of them, the last for what does not
+  /// know its own; null = nowhere.
+  Rgb* by_light = nullptr;
+  std::size_t layers = 0;
   bool through_walls = false;  ///< last resort: leave out the tests against leaking
 
   /// Whether there is nothing but black far from records.

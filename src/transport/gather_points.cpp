@@ -78,18 +78,21 @@ GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherR
 
 namespace {
 
-/// What a ray of limited reach brings from what it met, or did not meet.
-Rgb faded(const World& world, const GatherSettings& settings, const Vec3& origin,
-          const Vec3& direction, const PathResult& found, RayCounts& counts) {
-  if (!(settings.reach > 0) || found.depth <= settings.fades_from) return found.radiance;
-  Rgb open(0);
-  if (const NodeList& sky = world.environment.shaders(); !sky.empty()) {
-    ++counts.environment;
-    open = rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));
-  }
-  const float share =
-      linear_fade(found.depth - settings.fades_from, settings.reach - settings.fades_from);
-  return open + (found.radiance - open) * share;
+/// What a ray of limited reach keeps of what it met; the rest is the environment's.
+float kept_of(const GatherSettings& settings, const PathResult& found) {
+  if (!(settings.reach > 0) || found.depth <= settings.fades_from) return 1;
+  return linear_fade(found.depth - settings.fades_from, settings.reach - settings.fades_from);
+}
+
+Rgb open_sky(const World& world, const Vec3& origin, const Vec3& direction, RayCounts& counts) {
+  const NodeList& sky = world.environment.shaders();
+  if (sky.empty()) return Rgb(0);
+  ++counts.environment;
+  return rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));
+}
+
+Rgb not_negative(const Rgb& c) {
+  return Rgb(std::max(0.0f, c.x), std::max(0.0f, c.y), std::max(0.0f, c.z));
 }
 
 }  // namespace
@@ -97,19 +100,32 @@ Rgb faded(const World& world, const GatherSettings& settings, const Vec3& origin
 GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,
                        const sampling::Sampler& sampler, RayCounts& counts) {
   sampling::Sampler turn = sampler;
+  const std::size_t layers = world.light_layers.asked() ? world.light_layers.count() : 0;
   const int rays =
       std::max(4, static_cast<int>(std::lround(static_cast<float>(settings.rays) * at.quality)));
   const int spread = std::max(4, static_cast<int>(static_cast<float>(rays) * kSpreadShare));
   const auto hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
   const float side = dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f;
+  // By layers of lights: of the ray under way, and of each stratum.
+  LightParts by_light;
+  PathSettings path = settings.path;
+  if (layers > 0) path.by_light = by_light.data();
   const auto trace = [&](int stratum, sampling::Sampler& stream) {
+    by_light.clear(layers);
     GatherSample s;
     s.direction = hemisphere.direction(stratum, stream.next_2d());
     if (side * dot(s.direction, at.point.geometric_normal) <= 0) return s;
     const float reach = settings.reach > 0 ? settings.reach : kInfinity;
     const PathResult r =
-        trace_gather_ray(world, at.point, s.direction, reach, settings.path, stream, counts);
-    s.radiance = faded(world, settings, at.point.position, s.direction, r, counts);
+        trace_gather_ray(world, at.point, s.direction, reach, path, stream, counts);
+    const float kept = kept_of(settings, r);
+    s.radiance = r.radiance;
+    if (kept < 1) {
+      const Rgb open = open_sky(world, at.point.position, s.direction, counts) * (1 - kept);
+      s.radiance = s.radiance * kept + open;
+      for (std::size_t i = 0; i < layers; ++i) by_light.of[i] *= kept;
+      if (layers > 0) by_light.of[world.light_layers.environment] += open;
+    }
     if (r.depth > 0) {
       s.distance = r.depth;
       s.normal = r.normal;
@@ -118,10 +134,17 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
   };
   const int strata = hemisphere.count();
   std::vector<GatherSample> samples(static_cast<std::size_t>(strata));
+  std::vector<Rgb> shares(static_cast<std::size_t>(strata) * layers, Rgb(0));
+  const auto take_layers = [&](int stratum) {
+    for (std::size_t i = 0; i < layers; ++i)
+      if (is_finite(by_light.of[i]))
+        shares[static_cast<std::size_t>(stratum) * layers + i] += not_negative(by_light.of[i]);
+  };
   for (int i = 0; i < strata; ++i) {
     auto stream =
         sampler.split(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(strata), 0);
     samples[static_cast<std::size_t>(i)] = trace(i, stream);
+    take_layers(i);
   }
   const std::vector<int> more =
       share_rays(samples, hemisphere.rings, hemisphere.sectors, std::max(0, rays - strata));
@@ -132,11 +155,25 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
       auto stream = sampler.split(static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(n),
                                   static_cast<std::uint32_t>(i + 1));
       s.radiance += trace(i, stream).radiance;
+      take_layers(i);
     }
     s.radiance /= static_cast<float>(n + 1);
+    const std::size_t own = static_cast<std::size_t>(i) * layers;
+    for (std::size_t k = 0; k < layers; ++k) {
+      const Rgb mean = shares[own + k] / static_cast<float>(n + 1);
+      if (i > 0)
+        shares[k] += mean;
+      else
+        shares[k] = mean;
+    }
   }
-  return make_gather_record(at.point.position, hemisphere, samples,
-                            settings.radii.in_scene(pixel_width(at.point)), settings.filter);
+  GatherRecord record =
+      make_gather_record(at.point.position, hemisphere, samples,
+                         settings.radii.in_scene(pixel_width(at.point)), settings.filter);
+  shares.resize(layers);
+  normalise_shares(shares);
+  record.shares = {shares.begin(), shares.end()};
+  return record;
 }
 
 }  // namespace oriel

@@ -236,6 +236,15 @@ GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& he
   return r;
 }
 
+void normalise_shares(std::span<Rgb> parts) {
+  Rgb whole(0);
+  for (const Rgb& part : parts) whole += part;
+  for (int c = 0; c < 3 && !parts.empty(); ++c) {
+    for (Rgb& part : parts) part[c] = whole[c] > 0 ? part[c] / whole[c] : 0;
+    if (!(whole[c] > 0)) parts.back()[c] = 1;
+  }
+}
+
 Rgb extrapolate(const GatherRecord& r, const Vec3& position, const Vec3& normal) {
   const Vec3 moved = position - r.position;
   Rgb e(0);

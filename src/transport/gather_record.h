@@ -69,6 +69,9 @@ struct GatherRecord {
   /// Frame(normal), the first along s.
   std::array<float, 8> free = all_free();
   IncomingLight incoming;
+  /// Shares of the irradiance by layers of lights, by channel, sums 1 where there is light; empty =
+  /// not known.
+  std::vector<Rgb> shares;
 
   static constexpr std::array<float, 8> all_free() {
     std::array<float, 8> f{};
@@ -115,6 +118,9 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
 GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& hemisphere,
                                 std::span<const GatherSample> samples, const GatherRadii& radii,
                                 int filter = 0);
+
+/// Divides parts of light by their sum, by channel; where there is none the last has all.
+void normalise_shares(std::span<Rgb> parts);
 
 /// Irradiance at another point and normal, by the gradients.
 ///

@@ -185,7 +185,7 @@ bool Path::arrive(const geom::Hit& hit) {
   cone_.width = cone_.width_at(hit.t);
   const Material& material = material_of(world_, hit);
   Closure closure;
-  SceneTracer tracer(world_, sampler_, counts_);
+  SceneTracer tracer(world_, sampler_, counts_, this);
   point.tracer = &tracer;
   shade(material, point, closure);
   point.tracer = nullptr;
@@ -211,18 +211,23 @@ bool Path::arrive(const geom::Hit& hit) {
   if (!parted) meet_first(closure);
   if (first_) {
     first_ = false;
-    result_->alpha = 1;
+    result_->alpha = closure.alpha;
     result_->depth = length(point.position - eye_);
     result_->normal = point.normal;
     result_->albedo = closure.albedo;
     alpha_open_ = true;
+    if (met_)
+      *met_ = Tracer::Met{result_->depth,  point.position, point.normal,  point.geometric_normal,
+                          point.back_side, &material,      point.instance};
     if (settings_.meters) meter(closure, point);
   }
   if (turned) {
     at_first_ = alpha_open_ = false;
     return survive();
   }
-  add(at_vertex(Component::Added), throughput_ * closure.emission);
+  if (!is_black(closure.emission))
+    add(at_vertex(Component::Added), throughput_ * closure.emission * glow_weight(hit, point),
+        layer_of_instance(point.instance));
   return closure.count > 0 && gather(closure, material, point);
 }
 

@@ -39,13 +39,18 @@ struct PathSettings {
   std::optional<scene::TraceDepth> depth_behind = std::nullopt;
   bool lamps = true;  ///< false: light elements give nothing, the sky and what glows are left
   Estimator estimator = Estimator::Mis;
+  bool mesh_lights = true;  ///< false: what glows is found by rays alone; the mean is the same
   /// Paths that the pixel gets in all. The more, the fewer rays each splits into at its first
   /// surface: a material's sample counts are for the pixel.
   float paths_of_pixel = 1e6f;
   const IndirectMaps* maps = nullptr;  ///< indirect light made before; null = rays find it all
   const GlossyGrid* grid = nullptr;    ///< for materials that interpolate; null = they do not
   Outputs* outputs = nullptr;          ///< where to leave the parts of the radiance; null = nowhere
-  bool meters = false;  ///< the irradiance of the first surface is wanted: a second path
+  /// Where to add the radiance by layers of lights, World::light_layers.count() of them; null =
+  /// nowhere.
+  Rgb* by_light = nullptr;
+  Rgba* buffers = nullptr;  ///< World::user_buffers.size() values that shaders leave; null = none
+  bool meters = false;      ///< the irradiance of the first surface is wanted: a second path
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.

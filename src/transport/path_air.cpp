@@ -15,7 +15,7 @@ bool Path::pass_air(const NodeList& nodes, ShadingPoint& way, bool endless) {
     if (endless && !spec.acts_on_endless_rays) continue;
     const AirValue air =
         (*node)->with_params(way, [&](const Call& call) { return spec.volume(call); });
-    add(component_, throughput_ * air.added);
+    add(component_, throughput_ * air.added, layer_of_rest());
     const float turned = scatters ? max_component(air.scattered) : 0;
     if (!(turned > 0)) {
       dim(air.kept);
@@ -70,7 +70,7 @@ bool Path::pass_air(const ShadingPoint& end, float t) {
   way.ray_direction = ray_.dir;
   way.ray_length = t;
   way.world = &world_;
-  SceneTracer tracer(world_, sampler_, counts_);
+  SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, false)) ||
          pass_air(world_.air, way, false);
@@ -89,7 +89,7 @@ bool Path::pass_air_beyond() {
   way.ray_direction = ray_.dir;
   way.ray_length = kInfinity;
   way.world = &world_;
-  SceneTracer tracer(world_, sampler_, counts_);
+  SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, true)) ||
          pass_air(world_.air, way, true);

@@ -85,7 +85,7 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
         controls.falloff_color = *smooth;
       } else if (smooth) {
         add(at_vertex(refracts ? Component::Refraction : Component::Reflection),
-            throughput_ * lobe.level * *smooth);
+            throughput_ * lobe.level * *smooth, world_.light_layers.unknown());
         choice.rays[i] = 0;
         // Visible lights are in the grid.
         controls.highlights_only = controls.mirrored = true;

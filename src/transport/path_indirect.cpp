@@ -27,33 +27,45 @@ Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
 
 /// What was gathered about a point, where the eye sees it.
 std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
-                                       bool directional) const {
+                                       bool directional, Rgb* by_light) const {
   const IndirectMaps& maps = *settings_.maps;
   if (after_diffuse_ || !maps.gather || !takes_all(kSendsGatherRays)) return std::nullopt;
   GatherQuery query = query_at(maps.query, point, normal);
   query.directional = directional;
+  query.by_light = by_light;
+  query.layers = world_.light_layers.count();
   return maps.gather->interpolate(query);
 }
 
 /// Irradiance of one side as the maps know it; nothing where they do not.
-std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const {
+std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
+                                           LightParts& parts) const {
   const IndirectMaps& maps = *settings_.maps;
+  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  parts.clear(layers);
+  Rgb* by_light = layers > 0 ? parts.data() : nullptr;
   if (!after_diffuse_ && maps.gather) {
-    const auto found = gathered(point, normal, false);
+    const auto found = gathered(point, normal, false, by_light);
     if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
-    return found->irradiance * maps.gather_scale * found->fade;
+    const Rgb scale = maps.gather_scale * found->fade;
+    for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= scale;
+    return found->irradiance * scale;
   }
   const bool coarse = reads_bounces();
   if (!coarse && !maps.global) return std::nullopt;
   Rgb sum(0);
   if (coarse && takes_all(kSendsGatherRays)) {
-    const auto found = maps.bounces->interpolate(query_at(maps.bounces_query, point, normal));
+    GatherQuery query = query_at(maps.bounces_query, point, normal);
+    query.by_light = by_light;
+    query.layers = layers;
+    const auto found = maps.bounces->interpolate(query);
     if (!found) return std::nullopt;
     sum += found->irradiance * settings_.further_bounces;
+    for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= settings_.further_bounces;
   }
   if (maps.global && takes_all(kReceivesGlobillum))
     sum += maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
-                                   maps.global_lookup);
+                                   maps.global_lookup, by_light, world_.light_layers.unknown());
   return sum;
 }
 
@@ -63,13 +75,23 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
     const Lobe& lobe = closure.lobes[i];
     if (!lobe.controls.emulated || !lobe.controls.highlights_only || lobe.controls.mirrored)
       continue;
-    const auto found = gathered(point, lobe.frame.n, true);
+    LightParts parts;
+    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+    parts.clear(layers);
+    const auto found = gathered(point, lobe.frame.n, true, layers > 0 ? parts.data() : nullptr);
     if (!found) continue;
     const Vec3 mirrored = bsdf::reflect(point.wo(), lobe.frame.n);
     const float roughness = std::sqrt(lobe.alpha_x * lobe.alpha_y);
-    add(at_vertex(Component::Reflection),
-        throughput_ * lobe.level * settings_.maps->gather_scale *
-            blurred_radiance(found->incoming, mirrored, roughness));
+    const Rgb blurred = blurred_radiance(found->incoming, mirrored, roughness);
+    // From which direction a layer's light comes is not kept: each has its share of the whole.
+    for (int c = 0; c < 3; ++c) {
+      const float whole = found->irradiance[c];
+      for (std::size_t k = 0; k < layers; ++k)
+        parts.of[k][c] = whole > 0 ? blurred[c] * parts.of[k][c] / whole : 0;
+      if (layers > 0 && !(whole > 0)) parts.of[world_.light_layers.unknown()][c] = blurred[c];
+    }
+    add(at_vertex(Component::Reflection), throughput_ * lobe.level * settings_.maps->gather_scale,
+        blurred, parts);
   }
 }
 
@@ -77,6 +99,15 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
 bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
   const IndirectMaps& maps = *settings_.maps;
   Rgb on_side(0), through(0), caustic(0), caustic_through(0);
+  // Their layers, where somebody asks.
+  LightParts parts, on_side_parts, through_parts, caustic_parts, caustic_through_parts;
+  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  for (LightParts* p : {&on_side_parts, &through_parts, &caustic_parts, &caustic_through_parts})
+    p->clear(layers);
+  const auto add_to = [&](Rgb& sum, LightParts& sums, const Rgb& factor, const Rgb& light) {
+    sum += factor * light;
+    for (std::size_t i = 0; i < layers; ++i) sums.of[i] += factor * parts.of[i];
+  };
   bool complete = true;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
@@ -84,28 +115,33 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
     const bool passes = lobe.kind == LobeKind::Translucency;
     const Vec3 normal = lit_side(lobe);
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
-    if (maps.caustic && takes_all(kReceivesCaustics))
-      (passes ? caustic_through : caustic) +=
-          albedo * maps.caustic->irradiance(point.position, facing(point.geometric_normal, normal),
-                                            maps.caustic_lookup);
-    const auto irradiance = mapped_irradiance(point, normal);
-    if (irradiance)
-      (passes ? through : on_side) += albedo * *irradiance;
+    if (maps.caustic && takes_all(kReceivesCaustics)) {
+      parts.clear(layers);
+      const Rgb light = maps.caustic->irradiance(
+          point.position, facing(point.geometric_normal, normal), maps.caustic_lookup,
+          layers > 0 ? parts.data() : nullptr, world_.light_layers.unknown());
+      add_to(passes ? caustic_through : caustic, passes ? caustic_through_parts : caustic_parts,
+             albedo, light);
+    }
+    if (const auto irradiance = mapped_irradiance(point, normal, parts))
+      add_to(passes ? through : on_side, passes ? through_parts : on_side_parts, albedo,
+             *irradiance);
     else
       complete = false;
   }
   const Rgb scale = throughput_ * closure.indirect_scale;
-  add(at_vertex(Component::Indirect), scale * occlusion_ * caustic);
-  add(at_vertex(Component::Translucency), scale * caustic_through);
+  add(at_vertex(Component::Indirect), scale * occlusion_, caustic, caustic_parts);
+  add(at_vertex(Component::Translucency), scale, caustic_through, caustic_through_parts);
   if (!complete) return false;
-  if (near_distance_ > 0) on_side = with_neighbours(closure, point, on_side);
-  add(at_vertex(Component::Indirect), scale * occlusion_ * on_side);
-  add(at_vertex(Component::Translucency), scale * through);
+  if (near_distance_ > 0) with_neighbours(closure, point, on_side, on_side_parts);
+  add(at_vertex(Component::Indirect), scale * occlusion_, on_side, on_side_parts);
+  add(at_vertex(Component::Translucency), scale, through, through_parts);
   return true;
 }
 
 /// Occlusion with colours on smoothed light: what is near hides its share of it and shows itself.
-Rgb Path::with_neighbours(const Closure& closure, const ShadingPoint& point, const Rgb& smooth) {
+void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
+                           LightParts& parts) {
   /// Tells this stream from those of lobes, which number from 0.
   constexpr std::uint32_t kBranch = 2000;
   for (int i = 0; i < closure.count; ++i) {
@@ -113,17 +149,23 @@ Rgb Path::with_neighbours(const Closure& closure, const ShadingPoint& point, con
     if (lobe.kind != LobeKind::Diffuse) continue;
     auto stream = sampler_.split(0, 1, kBranch);
     const Vec3 w = lobe.frame.to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
-    if (dot(w, point.geometric_normal) <= 0) return smooth;
+    if (dot(w, point.geometric_normal) <= 0) return;
     PathSettings settings = settings_;
     settings.outputs = nullptr;
+    LightParts near_parts;
+    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+    near_parts.clear(layers);
+    if (layers > 0) settings.by_light = near_parts.data();
     const PathResult near =
         trace_gather_ray(world_, point, w, near_distance_, settings, stream, counts_);
-    if (near.depth <= 0) return smooth;
+    if (near.depth <= 0) return;
     const float share = linear_fade(near.depth, near_distance_);
-    return smooth * (1 - share) +
-           albedo_of(lobe, point.wo()) * near.radiance * (Rgb(1) - near_dark_) * share;
+    const Rgb shown = albedo_of(lobe, point.wo()) * (Rgb(1) - near_dark_) * share;
+    smooth = smooth * (1 - share) + shown * near.radiance;
+    for (std::size_t k = 0; k < layers; ++k)
+      parts.of[k] = parts.of[k] * (1 - share) + shown * near_parts.of[k];
+    return;
   }
-  return smooth;
 }
 
 void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {

@@ -29,6 +29,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   origin.position = ray_.org;
   origin.world = &world_;
   Rgb seen(0);
+  int seen_light = -1;
   // What visible portals show the eye of themselves, hidden ones of what is behind them.
   const bool dims = kind_ != RayKind::FinalGather && !after_diffuse_;
   const auto own_view = [&](const Light& light) {
@@ -51,6 +52,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
       if (hit) {
         nearest = hit->t;
         seen = sees ? hit->radiance * own_view(light) : Rgb(0);
+        seen_light = index;
         ended = true;
       }
       if (sees) return;
@@ -70,17 +72,18 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const Rgb arriving = lights_ * hit->radiance * affects *
                          transmittance(medium_.medium, hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
+    const std::size_t layer = layer_of_light(index);
     if (from_.group == LobeGroup::Reflection) {
       const LightInReflection& in = looked_through  ? from_.hidden_portal
                                     : light.visible ? from_.visible
                                                     : from_.invisible;
       add(after_vertex(Component::Reflection),
-          arriving * view * (in.as_reflection * fading_.kept(hit->t)));
-      add(after_vertex(Component::Specular), arriving * in.as_highlight);
+          arriving * view * (in.as_reflection * fading_.kept(hit->t)), layer);
+      add(after_vertex(Component::Specular), arriving * in.as_highlight, layer);
     } else {
       // Light sources on diffuse lobes are direct light, however they are found.
       add(after_vertex(component_ == Component::Indirect ? Component::Diffuse : component_),
-          arriving * view);
+          arriving * view, layer);
     }
   };
   world_.light_groups.lamps.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
@@ -88,9 +91,9 @@ void Path::meet_lights(float t_surface, bool& ended) {
   const Rgb view = view_to(nearest);
   if (!ended) return dim(view);
   const float kept = fading_.kept(nearest);
-  Rgb radiance = seen * view * transmittance(medium_.medium, nearest) * kept;
-  if (kept < 1) radiance += faded_to() * (1 - kept);
-  add(component_, throughput_ * radiance);
+  add(component_, throughput_ * (seen * view * transmittance(medium_.medium, nearest) * kept),
+      layer_of_light(seen_light));
+  if (kept < 1) add(component_, throughput_ * faded_to() * (1 - kept), layer_of_faded());
   if (!first_) return;
   result_->alpha = 1;
   // To gather rays a portal is a black wall.
@@ -115,6 +118,11 @@ Rgb Path::faded_to() {
   return found;
 }
 
+std::size_t Path::layer_of_faded() const {
+  if (!fading_.to_color) return layer_of_environment();
+  return fading_.of_grid ? world_.light_layers.unknown() : layer_of_rest();
+}
+
 /// Diffuse rays of occlusion with colours: what is near loses a share, its light goes with it.
 void Path::darken_near(float t) {
   if (near_distance_ > 0) throughput_ *= Rgb(1) - near_dark_ * linear_fade(t, near_distance_);
@@ -125,7 +133,7 @@ void Path::darken_near(float t) {
 void Path::fade(float t) {
   if (fading_.distance > 0) {
     const float kept = fading_.kept(t);
-    add(component_, throughput_ * (1 - kept) * faded_to());
+    add(component_, throughput_ * (1 - kept) * faded_to(), layer_of_faded());
     dim(Rgb(kept));
   }
   fading_ = {};
@@ -134,7 +142,7 @@ void Path::fade(float t) {
 void Path::meet_environment() {
   if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   if (fading_.distance > 0 || fading_.single_environment)
-    return add(component_, throughput_ * faded_to());
+    return add(component_, throughput_ * faded_to(), layer_of_faded());
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
   if (!shaders.empty()) ++counts_.environment;
   const Vec3 origin = ray_.org, direction = ray_.dir;
@@ -160,7 +168,7 @@ void Path::meet_environment() {
       radiance = radiance - even * (1 - weight);
     }
   }
-  add(component_, throughput_ * radiance);
+  add(component_, throughput_ * radiance, layer_of_environment());
 }
 
 }  // namespace oriel

@@ -34,6 +34,7 @@ void Path::receive(ShadingPoint& point, bool mapped) {
 void Path::meter(const Closure& closure, const ShadingPoint& point) {
   PathSettings settings = settings_;
   settings.outputs = nullptr;
+  settings.by_light = nullptr;
   settings.meters = false;
   sampling::Sampler stream = sampler_.split(0, 1, kBranch);
   ShadingPoint above = point;

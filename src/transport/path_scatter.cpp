@@ -140,7 +140,7 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   const int rays = at_eye_surface() ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
   const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
   const Rgb open = Rgb(free) + o.dark * (1 - free);
-  add(at_vertex(Component::Indirect), throughput_ * level * o.ambient * open);
+  add(at_vertex(Component::Indirect), throughput_ * level * o.ambient * open, layer_of_rest());
   if (dims && o.details == 1) occlusion_ = open;
   // Where indirect light is not dimmed, its factor is 1, whatever the ambient light does.
   if (tells && (dims || !indirect()))
@@ -150,29 +150,37 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
 /// What lights and environment bring to this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                        bool environment, bool diffuse) {
-  const DirectLight light =
-      direct_light(world_, point, closure, choice, from_.lights,
-                   {.environment = environment,
-                    .environment_on_diffuse = diffuse,
-                    .environment_in_reflections = !limits_reflections(closure),
-                    .rays_bend = !after_diffuse_,
-                    .for_the_eye = !after_diffuse_,
-                    .portals_mapped = reads_photons(),
-                    .falloff_distance = falloff_distance(closure),
-                    .estimator = settings_.estimator},
-                   sampler_, counts_);
-  const auto bring = [&](Component c, const Rgb& radiance) {
-    if (!is_black(radiance)) add(at_vertex(c), throughput_ * radiance);
-  };
-  bring(Component::Diffuse, light.diffuse);
-  if (!caustics_are_mapped()) {
-    bring(Component::Specular, light.specular);
-    bring(Component::Reflection, light.reflection);
-    bring(Component::Refraction, light.refraction);
-  }
+  std::optional<DirectShares> shares;
+  if (settings_.by_light) shares.emplace();
+  const DirectLight sum = direct_light(world_, point, closure, choice, from_.lights,
+                                       {.environment = environment,
+                                        .environment_on_diffuse = diffuse,
+                                        .environment_in_reflections = !limits_reflections(closure),
+                                        .rays_bend = !after_diffuse_,
+                                        .for_the_eye = !after_diffuse_,
+                                        .portals_mapped = reads_photons(),
+                                        .falloff_distance = falloff_distance(closure),
+                                        .estimator = settings_.estimator},
+                                       sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
-  bring(Component::Translucency, light.translucency + light.environment_translucency * indirect);
-  bring(Component::Indirect, light.environment * occlusion_ * indirect);
+  const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
+    const auto bring = [&](Component c, const Rgb& radiance) {
+      if (!is_black(radiance)) add(at_vertex(c), throughput_ * radiance, layer);
+    };
+    bring(Component::Diffuse, light.diffuse);
+    if (!caustics_are_mapped()) {
+      bring(Component::Specular, light.specular);
+      bring(Component::Reflection, light.reflection);
+      bring(Component::Refraction, light.refraction);
+    }
+    bring(Component::Translucency, light.translucency + light.environment_translucency * indirect);
+    bring(Component::Indirect, light.environment * occlusion_ * indirect);
+  };
+  if (!shares) return bring_all(sum, 0);
+  for (int i = 0; i < shares->count; ++i) {
+    const DirectShares::Share& share = shares->of[static_cast<std::size_t>(i)];
+    bring_all(share.light, share.layer);
+  }
 }
 
 void Path::scatter(const Closure& closure, const Material& material, ShadingPoint& point,
@@ -246,6 +254,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   fading_ = {controls.falloff_distance,
              controls.falloff_to_color,
              controls.single_environment,
+             settings_.grid && controls.interpolate && controls.detail_distance > 0,
              controls.falloff_color,
              Vec3(0),
              nullptr};
@@ -316,6 +325,10 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   if (scatters_light && (!from_.lights.empty() || environment))
     take_direct(closure, choice, point, environment,
                 diffuse || (reads_photons() && !reads_bounces()));
+  from_.glow_on_diffuse = from_.glow_in_reflections = false;
+  if (scatters_light && choice.any && !world_.mesh_lights.empty())
+    take_glow(closure, choice, point, diffuse,
+              !limits_reflections(closure) && !caustics_are_mapped());
   if (!choice.any) return false;
 
   if (world_.has_area_lights) from_.point = point;

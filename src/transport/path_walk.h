@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/tracer.h"
 #include "transport/direct.h"
 #include "transport/indirect_maps.h"
 #include "transport/lobes.h"
@@ -48,6 +49,17 @@ class Path {
   /// `mapped`: maps of indirect light know the place; others gather by rays.
   void receive(ShadingPoint& point, bool mapped);
 
+  // path_for_shaders.cpp: see runtime/tracer.h
+  Tracer::Levels levels() const;
+  Tracer::Seen trace_for_shader(const ShadingPoint& point, const Tracer::SubRay& ray,
+                                const sampling::Sampler& stream) const;
+  Rgb irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
+                            sampling::Sampler stream) const;
+  /// Those of the sample, where the path is still what the eye or its mirrors see; else null.
+  Rgba* user_buffers() const { return after_diffuse_ ? nullptr : settings_.buffers; }
+  Rgba shade_for_shader(const NodeList& surface, ShadingPoint& point, Outputs* outputs,
+                        const sampling::Sampler& stream) const;
+
  private:
   /// Where the ray came from, to weigh lights and environment it meets.
   struct Vertex {
@@ -59,6 +71,9 @@ class Path {
     LobeGroup group = LobeGroup::Diffuse;
     LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
     bool shadows = true;
+    // Surfaces that glow were sampled for rays of diffuse lobes, of glossy reflections.
+    bool glow_on_diffuse = false, glow_in_reflections = false;
+    LitPoint lit;      ///< for what was sampled of them
     float passed = 0;  ///< way of the ray since, through what let it pass straight
   };
   /// How the ray's way ends where its lobe limits it.
@@ -66,6 +81,7 @@ class Path {
     float distance = 0;  ///< 0 = not limited
     bool to_color = false;
     bool single_environment = false;
+    bool of_grid = false;  ///< the colour is what a grid of interpolated reflections shows
     Rgb color{0};
     Vec3 mirrored{0};                         ///< the direction looked up for all rays of the lobe
     std::optional<Rgb>* looked_up = nullptr;  ///< found there once for all rays of the lobe
@@ -82,14 +98,36 @@ class Path {
   void count_ray();
   void follow(const ShadingPoint& point, const Vec3& direction);
   void meet_first(const Closure& closure);
-  void add(Component component, const Rgb& radiance) {
+  void add(Component component, const Rgb& radiance, std::size_t layer) {
     result_->radiance += radiance;
     if (settings_.outputs) (*settings_.outputs)[component] += radiance;
+    if (settings_.by_light) settings_.by_light[layer] += radiance;
   }
+  /// The same of light that is known by layers.
+  void add(Component component, const Rgb& factor, const Rgb& light, const LightParts& parts) {
+    result_->radiance += factor * light;
+    if (settings_.outputs) (*settings_.outputs)[component] += factor * light;
+    if (!settings_.by_light) return;
+    for (std::size_t i = 0; i < world_.light_layers.count(); ++i)
+      settings_.by_light[i] += factor * parts.of[i];
+  }
+  // Layers of lights; any number where nobody asks.
+  std::size_t layer_of_light(int light) const {
+    return settings_.by_light ? world_.light_layers.of_light[static_cast<std::size_t>(light)] : 0;
+  }
+  std::size_t layer_of_instance(int instance) const {
+    return settings_.by_light ? world_.light_layers.of_instance[static_cast<std::size_t>(instance)]
+                              : 0;
+  }
+  std::size_t layer_of_environment() const { return world_.light_layers.environment; }
+  std::size_t layer_of_rest() const { return world_.light_layers.rest(); }
   /// The part that light of this kind belongs to: behind the first surface everything belongs to
   /// the part that it is seen through.
   Component at_vertex(Component c) const { return at_first_ ? c : component_; }
   Component after_vertex(Component c) const { return from_first_ ? c : component_; }
+
+  Path sub_path(const PathSettings& settings, const sampling::Sampler& stream,
+                PathResult& result) const;
 
   // path_meter.cpp
   void meter(const Closure& closure, const ShadingPoint& point);
@@ -106,7 +144,15 @@ class Path {
   void darken_near(float t);
   void fade(float t);
   Rgb faded_to();
+  std::size_t layer_of_faded() const;
   Rgb reflected_environment(const Vec3& direction);
+
+  // path_glow.cpp
+  void take_glow(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
+                 bool on_diffuse, bool in_reflections);
+  Rgb glow_seen(const Closure& closure, const ShadingPoint& point, const MeshLights::Choice& target,
+                const Vec3& wi, float distance, RayKind kind);
+  float glow_weight(const geom::Hit& hit, const ShadingPoint& point) const;
 
   // path_scatter.cpp
   void choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const;
@@ -157,12 +203,14 @@ class Path {
     return after_diffuse_ ? RayKind::FinalGather : kind;
   }
   // path_indirect.cpp
-  std::optional<Rgb> mapped_irradiance(const ShadingPoint& point, const Vec3& normal) const;
-  std::optional<Gathered> gathered(const ShadingPoint& point, const Vec3& normal,
-                                   bool directional) const;
+  std::optional<Rgb> mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
+                                       LightParts& parts) const;
+  std::optional<Gathered> gathered(const ShadingPoint& point, const Vec3& normal, bool directional,
+                                   Rgb* by_light) const;
   void emulate(const Closure& closure, const ShadingPoint& point);
   bool take_mapped(const Closure& closure, ShadingPoint& point);
-  Rgb with_neighbours(const Closure& closure, const ShadingPoint& point, const Rgb& smooth);
+  void with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
+                       LightParts& parts);
   bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);
   static Vec3 facing(const Vec3& n, const Vec3& side) { return dot(n, side) < 0 ? -n : n; }
 
@@ -183,7 +231,9 @@ class Path {
 
   Vec3 eye_{0};
   int vertex_ = 0;
-  GridPoint* grid_point_ = nullptr;  ///< set: the path is only here to fill it
+  int nested_ = 0;                             ///< paths of shaders that this one was asked from
+  std::optional<Tracer::Met>* met_ = nullptr;  ///< set: a shader asks for the first surface
+  GridPoint* grid_point_ = nullptr;            ///< set: the path is only here to fill it
   int grid_density_ = 0;
   std::vector<GatherPoint>* visited_ = nullptr;  ///< set: the path is only here to note points
   geom::Ray ray_;

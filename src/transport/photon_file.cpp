@@ -2,6 +2,7 @@
 #include "transport/photon_file.h"
 
 #include <bit>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -12,12 +13,14 @@ namespace oriel {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "photon files are little endian");
-static_assert(sizeof(Photon) == 12 * sizeof(float));
 
 constexpr char kMagic[8] = {'O', 'R', 'I', 'E', 'L', 'P', 'H', 'O'};
 constexpr std::uint32_t kVersion = 1, kByteOrder = 0x01020304;
 /// Unit vectors may be this much off after rounding.
 constexpr float kUnitTolerance = 1e-2f;
+/// What a file holds of each photon: its vectors, which stand first.
+constexpr std::size_t kBytesInFile = 12 * sizeof(float);
+static_assert(offsetof(Photon, layer) == kBytesInFile);
 
 struct Header {
   char magic[8];
@@ -34,8 +37,8 @@ bool is_unit(const Vec3& v) { return std::abs(dot(v, v) - 1) < kUnitTolerance; }
 
 std::vector<Photon> read_photons(std::ifstream& in, std::uint64_t count, const std::string& path) {
   std::vector<Photon> photons(count);
-  in.read(reinterpret_cast<char*>(photons.data()),
-          static_cast<std::streamsize>(count * sizeof(Photon)));
+  for (Photon& p : photons)
+    in.read(reinterpret_cast<char*>(&p), static_cast<std::streamsize>(kBytesInFile));
   if (!in) refuse(path, "it ends early");
   for (const Photon& p : photons)
     if (!is_finite(p.position) || !is_finite(p.power) || !is_unit(p.direction) ||
@@ -53,8 +56,8 @@ void save_photon_maps(const std::string& path, const PhotonMaps& maps) {
     std::memcpy(header.magic, kMagic, sizeof(kMagic));
     out.write(reinterpret_cast<const char*>(&header), sizeof(header));
     for (const PhotonMap* map : {&maps.global, &maps.caustic})
-      out.write(reinterpret_cast<const char*>(map->photons().data()),
-                static_cast<std::streamsize>(map->size() * sizeof(Photon)));
+      for (const Photon& p : map->photons())
+        out.write(reinterpret_cast<const char*>(&p), static_cast<std::streamsize>(kBytesInFile));
     out.close();
     if (!out) throw std::runtime_error("cannot write the photon map '" + path + "'");
   });
@@ -76,7 +79,7 @@ PhotonMaps load_photon_maps(const std::string& path) {
                      std::to_string(kVersion));
   if (header.global > kMostPhotonsInFile || header.caustic > kMostPhotonsInFile - header.global)
     refuse(path, "it claims more photons than a map may hold");
-  if (bytes != sizeof(Header) + (header.global + header.caustic) * sizeof(Photon))
+  if (bytes != sizeof(Header) + (header.global + header.caustic) * kBytesInFile)
     refuse(path, "its size does not fit the number of its photons");
   PhotonMaps maps;
   maps.global = PhotonMap(read_photons(in, header.global, path));

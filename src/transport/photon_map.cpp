@@ -18,8 +18,9 @@ using Filter = scene::PhotonOptions::Filter;
 constexpr std::size_t kLeaf = 4;
 
 /// The numbers of a photon as bits, since floats have two zeros.
-std::array<std::uint32_t, 12> bits(const Photon& p) {
-  std::array<std::uint32_t, 12> out{};
+std::array<std::uint32_t, 13> bits(const Photon& p) {
+  std::array<std::uint32_t, 13> out{};
+  out[12] = p.layer;
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
     out[at] = std::bit_cast<std::uint32_t>(p.position[i]);
@@ -140,8 +141,8 @@ void PhotonMap::balance(std::size_t begin, std::size_t end) {
   }
 }
 
-Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal,
-                          const PhotonLookup& lookup) const {
+Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
+                          Rgb* by_light, std::size_t unknown) const {
   if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
   Nearest nearest(std::clamp(lookup.count, 1, kMostCount) + 1, lookup.radius);
   const auto visit = [&](std::size_t i) {
@@ -183,9 +184,14 @@ Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal,
   const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
   if (!(radius2 > 0)) return Rgb(0);
   const FilterWeight weight(lookup);
+  const Rgb scale = lookup.scale * (1 / (kPi * radius2));
   Rgb sum(0);
-  for (int i = nearest.is_full() ? 1 : 0; i < nearest.count(); ++i)
-    sum += photons_[nearest[i].index].power * weight(nearest[i].distance2 / radius2);
+  for (int i = nearest.is_full() ? 1 : 0; i < nearest.count(); ++i) {
+    const Photon& photon = photons_[nearest[i].index];
+    const Rgb power = photon.power * weight(nearest[i].distance2 / radius2);
+    sum += power;
+    if (by_light) by_light[std::min<std::size_t>(photon.layer, unknown)] += power * scale;
+  }
   return lookup.scale * sum * (1 / (kPi * radius2));
 }
 

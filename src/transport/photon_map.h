@@ -19,7 +19,10 @@ struct Photon {
   Vec3 position{0};
   Vec3 direction{0, 0, -1};  ///< unit, the way it travelled
   Rgb power{0};
-  Vec3 normal{0, 0, 1};  ///< unit, geometric, on the side it came from
+  Vec3 normal{0, 0, 1};                 ///< unit, geometric, on the side it came from
+  std::uint32_t layer = kUnknownLayer;  ///< of its light, see LightLayers
+
+  static constexpr std::uint32_t kUnknownLayer = ~0u;
 };
 
 /// How an estimate is made.
@@ -71,7 +74,10 @@ class PhotonMap {
   const std::vector<Photon>& photons() const { return photons_; }
 
   /// Irradiance of the side of the surface that `normal` points to. No allocation.
-  Rgb irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup) const;
+  /// Inputs:  by_light: where to add it by layers of lights, `unknown` that of photons that do not
+  ///          know theirs; null = nowhere.
+  Rgb irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
+                 Rgb* by_light = nullptr, std::size_t unknown = 0) const;
 
  private:
   void balance(std::size_t begin, std::size_t end);

@@ -58,7 +58,9 @@ std::vector<Photon> merge_photons(const std::vector<Photon>& photons, float dist
            k = kept[static_cast<std::size_t>(k)].next) {
         const Photon& other = kept[static_cast<std::size_t>(k)].first;
         const Vec3 d = other.position - photon.position;
-        if (dot(d, d) >= nearest2 || dot(other.normal, photon.normal) < agreement) continue;
+        if (dot(d, d) >= nearest2 || dot(other.normal, photon.normal) < agreement ||
+            other.layer != photon.layer)
+          continue;
         nearest2 = dot(d, d);
         nearest = k;
       }

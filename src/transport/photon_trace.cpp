@@ -46,7 +46,7 @@ struct Harvest {
   }
 
   /// Drops what came past the limits and appends the rest, each its share of the power.
-  void take_to(std::vector<Photon>& map, std::uint64_t sent) const {
+  void take_to(std::vector<Photon>& map, std::uint64_t sent, std::uint32_t layer) const {
     std::uint64_t emitted = std::min(sent, most());
     if (count.store > 0 && photons.size() >= count.store)
       emitted = std::min(emitted, std::uint64_t{photons[count.store - 1].index} + 1);
@@ -55,6 +55,7 @@ struct Harvest {
       if (s.index >= emitted) break;
       map.push_back(s.photon);
       map.back().power *= share;
+      map.back().layer = layer;
     }
   }
 };
@@ -65,7 +66,7 @@ class MapTracer {
       : world_(world), settings_(settings), watch_(watch) {}
 
   /// `share`: of all lights, how many were traced before and are when this one is.
-  void trace(const PhotonSource& source, const LightPhotons& asked, int stream,
+  void trace(const PhotonSource& source, const LightPhotons& asked, int stream, std::uint32_t layer,
              const std::array<double, 2>& share) {
     Harvest global{asked.global, settings_.globillum && asked.global.any(), {}};
     Harvest caustic{asked.caustic, settings_.caustics && asked.caustic.any(), {}};
@@ -97,8 +98,8 @@ class MapTracer {
       watch_.tell("photons", std::lerp(share[0], share[1], done));
     }
     if (sent == 0) return;
-    global.take_to(global_, sent);
-    caustic.take_to(caustic_, sent);
+    global.take_to(global_, sent, layer);
+    caustic.take_to(caustic_, sent, layer);
     const double each = 1 / static_cast<double>(sent);
     for (auto* sum : {&balance.emitted, &balance.absorbed, &balance.escaped, &balance.stopped})
       *sum *= each;
@@ -136,17 +137,19 @@ PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, Ray
                          PhotonBalance* balance, const Watch& watch) {
   MapTracer tracer(world, settings, watch);
   const double sources = static_cast<double>(world.lights.size()) + 1;
+  const LightLayers& layers = world.light_layers;
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     const LightPhotons& own = world.lights[i].photons;
     const LightPhotons& asked = own.any() ? own : settings.each;
     if (!asked.any()) continue;
     const double done = static_cast<double>(i);
     tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked, static_cast<int>(i) + 1,
+                 layers.asked() ? layers.of_light[i] : Photon::kUnknownLayer,
                  {done / sources, (done + 1) / sources});
   }
   if (world.environment.lights())
     tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0,
-                 {1 - 1 / sources, 1});
+                 layers.asked() ? layers.environment : Photon::kUnknownLayer, {1 - 1 / sources, 1});
   counts += tracer.counts();
   if (balance) *balance += tracer.balance();
   return tracer.maps();
