@@ -31,7 +31,9 @@ class ShaderReader {
         nodes.push_back(node);
         note_preview(*node, world_);
         warn_missing_channel(*node, output);
-      } else
+      } else if (node->spec().output) {
+        nodes.push_back(node);
+      } else if (!node->spec().stands_in)  // the host's own buffers and glow
         diagnostics_.warning("OR-RN-052", output.where,
                              fmt::format("shader \"{}\" does not act as an output shader; skipped",
                                          node->spec().name));

@@ -187,8 +187,8 @@ const ShaderNode* Binder::bind_call(const std::string& type,
   if (spec->deferred) node->deferred_.swap(node->connections_);
   if (spec->prepare) node->state_ = spec->prepare(node->constants_.data(), world_);
   if (spec->prepare_call)
-    node->state_ = spec->prepare_call({node->constants_.data(), nullptr, constant_point_, node},
-                                      world_);
+    node->state_ =
+        spec->prepare_call({node->constants_.data(), nullptr, constant_point_, node}, world_);
   return node;
 }
 

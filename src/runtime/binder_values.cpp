@@ -134,7 +134,9 @@ void Binder::bind_argument(ShaderNode& node, const scene::Argument& argument, Sc
     if (argument.name == p.name || (p.alias && argument.name == p.alias)) return true;
     return spec.stands_in && same_but_for_case(argument.name, p.name);
   });
-  if (found == spec.params.end() && spec.stands_in) return bind_parts(node, argument, scope);
+  const bool grouped = argument.value.kind == Value::Kind::Struct;
+  if (spec.stands_in && (found == spec.params.end() || grouped))
+    return bind_parts(node, argument, scope);
   if (found == spec.params.end() && argument.value.kind == Value::Kind::Struct) {
     // Members of a struct are parameters of their own, "outer.inner".
     for (const scene::Argument& member : argument.value.members)

@@ -30,8 +30,7 @@
 #include "shaders/base/mib_texture.h"
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
-#include "shaders/hosts/maya_light.h"
-#include "shaders/hosts/maya_surface.h"
+#include "shaders/hosts/host_shaders.h"
 #include "shaders/physics/dgs_material.h"
 #include "shaders/physics/parti_volume.h"
 
@@ -125,15 +124,6 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kPhysicalLight,
     &kTransmat,
     &kTransmatPhoton,
-    &kMayaBlinn,
-    &kMayaDirectionallight,
-    &kMayaLambert,
-    &kMayaPhong,
-    &kMayaPointlight,
-    &kMayaShadingengine,
-    &kMayaShadow,
-    &kMayaSpotlight,
-    &kMayaSurfaceshader,
 };
 
 std::string declared_default(const ParamSpec& param) {
@@ -166,7 +156,12 @@ std::string apply_words(unsigned apply) {
 }  // namespace
 
 const Registry& builtin_shaders() {
-  static const Registry registry({std::begin(kBuiltin), std::end(kBuiltin)});
+  static const Registry registry([] {
+    std::vector<const ShaderSpec*> all(std::begin(kBuiltin), std::end(kBuiltin));
+    const std::vector<const ShaderSpec*> hosts = host_shaders();
+    all.insert(all.end(), hosts.begin(), hosts.end());
+    return all;
+  }());
   return registry;
 }
 

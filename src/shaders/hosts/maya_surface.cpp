@@ -2,11 +2,11 @@
 #include "shaders/hosts/maya_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "runtime/bump.h"
 #include "runtime/shade_input.h"
+#include "shaders/hosts/host_rows.h"
 
 namespace oriel {
 namespace {
@@ -19,85 +19,80 @@ struct Surface {
   float refractiveIndex;
   Rgba specularColor;
   float reflectivity, cosinePower, eccentricity, specularRollOff;
+  float roughness, highlightSize;
+  Rgba whiteness;
+  float angle, spreadX, spreadY, fresnelRefractiveIndex;
+};
+/// What a surface gives where a value is asked for.
+struct Shown {
+  Rgba outColor, outTransparency;
 };
 struct Plain {
   Rgba outColor;
   Rgba outTransparency;
 };
-struct Engine {
-  Rgba surfaceShader;
-  float cutAwayOpacity;
-};
-struct Shadow {
-  Rgba transparency;
-};
 
-constexpr Support kAbout = Support::Approximated;
-
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(Surface, color), .fallback = {.5f, .5f, .5f}, .doc = "Colour.", .support = kAbout},
-    {ORIEL_PARAM(Surface, transparency), .doc = "Share that is seen through.", .support = kAbout},
-    {ORIEL_PARAM(Surface, ambientColor), .doc = "Light of its own, times the colour.",
-     .support = kAbout},
-    {ORIEL_PARAM(Surface, incandescence), .doc = "Light that is added.", .support = kAbout},
+constexpr auto kRows = about({
+    {ORIEL_PARAM(Surface, color), .fallback = {.5f, .5f, .5f}, .doc = "Colour."},
+    {ORIEL_PARAM(Surface, transparency), .doc = "Share that is seen through."},
+    {ORIEL_PARAM(Surface, ambientColor), .doc = "Light of its own, times the colour."},
+    {ORIEL_PARAM(Surface, incandescence), .doc = "Light that is added."},
     {ORIEL_PARAM(Surface, diffuse), .fallback = {.8f}, .min = 0, .max = 1,
-     .doc = "Factor of the colour.", .support = kAbout},
+     .doc = "Factor of the colour."},
     {ORIEL_PARAM(Surface, translucence), .min = 0, .max = 1,
-     .doc = "Share of the diffuse light that comes from behind.", .support = kAbout},
-    {ORIEL_PARAM(Surface, normalCamera), .doc = "Normal of a bump node, in camera space.",
-     .support = kAbout},
-    {ORIEL_PARAM(Surface, refractions), .doc = "Bend what is seen through.", .support = kAbout},
+     .doc = "Share of the diffuse light that comes from behind."},
+    {ORIEL_PARAM(Surface, normalCamera), .doc = "Normal of a bump node, in camera space."},
+    {ORIEL_PARAM(Surface, refractions), .doc = "Bend what is seen through."},
     {ORIEL_PARAM(Surface, refractiveIndex), .fallback = {1}, .min = 0,
-     .doc = "Index of refraction.", .support = kAbout},
+     .doc = "Index of refraction."},
+});
+/// Of those that mirror.
+constexpr auto kMirrorRows = joined(
+    kRows,
+    about({
+        {ORIEL_PARAM(Surface, specularColor), .fallback = {.5f, .5f, .5f},
+         .doc = "Colour of highlight and mirror."},
+        {ORIEL_PARAM(Surface, reflectivity), .min = 0, .max = 1, .doc = "Share of the mirror."},
+    }));
+constexpr auto kPhongRows =
+    joined(kMirrorRows, about({{ORIEL_PARAM(Surface, cosinePower), .fallback = {20}, .min = 0,
+                                .doc = "Narrowness of the highlight."}}));
+constexpr auto kPhongERows = joined(
+    kMirrorRows, about({
+                     {ORIEL_PARAM(Surface, roughness), .fallback = {.7f}, .min = 0,
+                      .doc = "Width of the highlight's fall."},
+                     {ORIEL_PARAM(Surface, highlightSize), .fallback = {.5f}, .min = 0,
+                      .doc = "Size of the highlight."},
+                     {ORIEL_PARAM(Surface, whiteness), .fallback = {.5f, .5f, .5f},
+                      .doc = "Colour of the highlight's middle.", .support = Support::Ignored},
+                 }));
+constexpr auto kBlinnRows =
+    joined(kMirrorRows, about({
+                            {ORIEL_PARAM(Surface, eccentricity), .fallback = {.3f}, .min = 0,
+                             .max = 1, .doc = "Width of the highlight."},
+                            {ORIEL_PARAM(Surface, specularRollOff), .fallback = {.7f}, .min = 0,
+                             .max = 1, .doc = "Strength of the highlight."},
+                        }));
+constexpr auto kAnisotropicRows = joined(
+    kMirrorRows,
+    about({
+        {ORIEL_PARAM(Surface, angle), .unit = "radians", .doc = "Turn of the highlight's axes."},
+        {ORIEL_PARAM(Surface, spreadX), .fallback = {13}, .min = 0,
+         .doc = "Narrowness along the first axis."},
+        {ORIEL_PARAM(Surface, spreadY), .fallback = {3}, .min = 0,
+         .doc = "Narrowness along the second."},
+        {ORIEL_PARAM(Surface, roughness), .fallback = {.7f}, .min = 0, .doc = "Width along both."},
+        {ORIEL_PARAM(Surface, fresnelRefractiveIndex), .fallback = {1.45f},
+         .doc = "Index that dims the highlight.", .support = Support::Ignored},
+    }));
+constexpr ParamSpec kShownResults[] = {
+    {ORIEL_PARAM(Shown, outColor), .doc = "Colour without light."},
+    {ORIEL_PARAM(Shown, outTransparency), .doc = "Share that is seen through."},
 };
-/// Rows of those that mirror.
-constexpr ParamSpec kSpecularRow = {ORIEL_PARAM(Surface, specularColor),
-                                    .fallback = {.5f, .5f, .5f},
-                                    .doc = "Colour of highlight and mirror.", .support = kAbout};
-constexpr ParamSpec kReflectivityRow = {ORIEL_PARAM(Surface, reflectivity), .min = 0, .max = 1,
-                                        .doc = "Share of the mirror.", .support = kAbout};
-constexpr ParamSpec kPhongTail[] = {
-    kSpecularRow,
-    kReflectivityRow,
-    {ORIEL_PARAM(Surface, cosinePower), .fallback = {20}, .min = 0,
-     .doc = "Narrowness of the highlight.", .support = kAbout},
-};
-constexpr ParamSpec kBlinnTail[] = {
-    kSpecularRow,
-    kReflectivityRow,
-    {ORIEL_PARAM(Surface, eccentricity), .fallback = {.3f}, .min = 0, .max = 1,
-     .doc = "Width of the highlight.", .support = kAbout},
-    {ORIEL_PARAM(Surface, specularRollOff), .fallback = {.7f}, .min = 0, .max = 1,
-     .doc = "Strength of the highlight.", .support = kAbout},
-};
-
-template <std::size_t N, std::size_t M>
-constexpr std::array<ParamSpec, N + M> joined(const ParamSpec (&head)[N],
-                                              const ParamSpec (&tail)[M]) {
-  std::array<ParamSpec, N + M> all{};
-  for (std::size_t i = 0; i < N; ++i) all[i] = head[i];
-  for (std::size_t i = 0; i < M; ++i) all[N + i] = tail[i];
-  return all;
-}
-constexpr auto kPhongRows = joined(kRows, kPhongTail);
-constexpr auto kBlinnRows = joined(kRows, kBlinnTail);
-
-constexpr ParamSpec kPlainRows[] = {
-    {ORIEL_PARAM(Plain, outColor), .doc = "What is seen.", .support = kAbout},
-    {ORIEL_PARAM(Plain, outTransparency), .doc = "Share that is seen through.", .support = kAbout},
-};
-constexpr ParamSpec kEngineRows[] = {
-    {ORIEL_PARAM(Engine, surfaceShader), .doc = "The surface.", .declared_default = false,
-     .takes_material = true},
-    {ORIEL_PARAM(Engine, cutAwayOpacity), .doc = "Alpha of what is transparent.",
-     .support = Support::Ignored},
-};
-constexpr ParamSpec kShadowRows[] = {
-    {ORIEL_PARAM(Shadow, transparency), .doc = "Share of the light that passes.",
-     .support = kAbout},
-};
-
-Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)); }
+constexpr auto kPlainRows = about({
+    {ORIEL_PARAM(Plain, outColor), .doc = "What is seen."},
+    {ORIEL_PARAM(Plain, outTransparency), .doc = "Share that is seen through."},
+});
 
 void add(LobeKind kind, Channel channel, const Rgb& level, const Vec3& normal, Closure& closure) {
   if (is_black(level)) return;
@@ -105,7 +100,7 @@ void add(LobeKind kind, Channel channel, const Rgb& level, const Vec3& normal, C
   closure.albedo += level;
 }
 
-/// What lambert, phong and blinn share; `left` is what a mirror leaves.
+/// What all of them share; `left` is what a mirror leaves.
 Vec3 body(const Surface& p, const ShadingPoint& point, const Rgb& left, Closure& closure) {
   constexpr int kSetInCameraSpace = 8;
   const Vec3 normal =
@@ -128,8 +123,8 @@ Vec3 body(const Surface& p, const ShadingPoint& point, const Rgb& left, Closure&
   return normal;
 }
 
-Lobe& shine(LobeKind kind, const Rgb& level, const Vec3& normal, Closure& closure) {
-  Lobe& lobe = closure.add(kind, Channel::Reflection, level, Frame(normal));
+Lobe& shine(LobeKind kind, const Rgb& level, const Frame& frame, Closure& closure) {
+  Lobe& lobe = closure.add(kind, Channel::Reflection, level, frame);
   lobe.controls.highlights_only = true;
   return lobe;
 }
@@ -144,18 +139,44 @@ Vec3 coated(const Surface& p, const ShadingPoint& point, Closure& closure) {
 
 void phong(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
-  const Vec3 normal = coated(p, call.point, closure);
-  shine(LobeKind::PhongHighlight, rgb(p.specularColor), normal, closure).roughness =
+  const Frame frame(coated(p, call.point, closure));
+  shine(LobeKind::PhongHighlight, rgb(p.specularColor), frame, closure).roughness =
       std::max(0.0f, p.cosinePower);
+}
+
+void phong_e(const Call& call, Closure& closure) {
+  const auto& p = call.as<Surface>();
+  const Frame frame(coated(p, call.point, closure));
+  const float width = std::max(.02f, p.roughness * p.highlightSize);
+  shine(LobeKind::PhongHighlight, rgb(p.specularColor), frame, closure).roughness = 1 / sqr(width);
 }
 
 void blinn(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
-  const Vec3 normal = coated(p, call.point, closure);
-  Lobe& lobe = shine(LobeKind::TorranceHighlight, rgb(p.specularColor), normal, closure);
+  const Frame frame(coated(p, call.point, closure));
+  Lobe& lobe = shine(LobeKind::TorranceHighlight, rgb(p.specularColor), frame, closure);
   lobe.roughness = std::max(0.01f, p.eccentricity);
   // A strength of 0.7 is about the index of plastic.
   lobe.eta = 1 + 0.7f * clamp01(p.specularRollOff);
+}
+
+void anisotropic(const Call& call, Closure& closure) {
+  const auto& p = call.as<Surface>();
+  const Vec3 normal = coated(p, call.point, closure);
+  const Frame frame = Frame::along(normal, call.point.dpdu);
+  const float angle = angle_of(p.angle), c = std::cos(angle), s = std::sin(angle);
+  Lobe& lobe = shine(LobeKind::WardHighlight, rgb(p.specularColor),
+                     Frame::along(normal, frame.s * c + frame.t * s), closure);
+  lobe.alpha_x = clamp(p.roughness / std::max(.1f, p.spreadX), .01f, 1);
+  lobe.alpha_y = clamp(p.roughness / std::max(.1f, p.spreadY), .01f, 1);
+}
+
+void show(const Call& call, void* result) {
+  const auto& p = call.as<Surface>();
+  const Rgb seen = rgb(p.color) * p.diffuse + rgb(p.incandescence);
+  auto& out = *static_cast<Shown*>(result);
+  out.outColor = Rgba(seen.x, seen.y, seen.z, 1);
+  out.outTransparency = p.transparency;
 }
 
 bool body_passes(const ShaderNode& node) {
@@ -168,56 +189,63 @@ bool plain_passes(const ShaderNode& node) {
          node.connected(offsetof(Plain, outTransparency));
 }
 
-constexpr unsigned kApplySurface = kApplyMaterial | kApplyShadow | kApplyPhoton;
+int most_coated(const ShaderNode&) { return 5; }
+
+constexpr ShaderSpec surface(const char* name, const char* doc, std::span<const ParamSpec> rows,
+                             void (*material)(const Call&, Closure&)) {
+  return {
+      .name = name,
+      .library = "hosts",
+      .apply = kApplyMaterial | kApplyShadow | kApplyPhoton,
+      .doc = doc,
+      .params = rows,
+      .params_size = sizeof(Surface),
+      .result = ParamType::Struct,
+      .results = kShownResults,
+      .result_size = sizeof(Shown),
+      .value = show,
+      .material = material,
+      .may_transmit = body_passes,
+      .most_lobes = most_coated,
+      .stands_in = true,
+  };
+}
+
+void lambert(const Call& call, Closure& closure) {
+  body(call.as<Surface>(), call.point, Rgb(1), closure);
+}
 
 }  // namespace
 
-const ShaderSpec kMayaLambert = {
-    .name = "maya_lambert",
-    .library = "hosts",
-    .apply = kApplySurface,
-    .doc = "Stand-in for the host's lambert.",
-    .params = kRows,
-    .params_size = sizeof(Surface),
-    .material = [](const Call& call,
-                   Closure& closure) { body(call.as<Surface>(), call.point, Rgb(1), closure); },
-    .may_transmit = body_passes,
-    .most_lobes = [](const ShaderNode&) { return 3; },
-};
-
-const ShaderSpec kMayaPhong = {
-    .name = "maya_phong",
-    .library = "hosts",
-    .apply = kApplySurface,
-    .doc = "Stand-in for the host's phong.",
-    .params = kPhongRows,
-    .params_size = sizeof(Surface),
-    .material = phong,
-    .may_transmit = body_passes,
-    .most_lobes = [](const ShaderNode&) { return 5; },
-};
-
-const ShaderSpec kMayaBlinn = {
-    .name = "maya_blinn",
-    .library = "hosts",
-    .apply = kApplySurface,
-    .doc = "Stand-in for the host's blinn.",
-    .params = kBlinnRows,
-    .params_size = sizeof(Surface),
-    .material = blinn,
-    .may_transmit = body_passes,
-    .most_lobes = [](const ShaderNode&) { return 5; },
-};
+const ShaderSpec kMayaLambert = [] {
+  ShaderSpec spec = surface("maya_lambert", "Stand-in for the host's lambert.", kRows, lambert);
+  spec.most_lobes = [](const ShaderNode&) { return 3; };
+  return spec;
+}();
+const ShaderSpec kMayaPhong =
+    surface("maya_phong", "Stand-in for the host's phong.", kPhongRows, phong);
+const ShaderSpec kMayaPhongE =
+    surface("maya_phongE", "Stand-in for the host's phongE.", kPhongERows, phong_e);
+const ShaderSpec kMayaBlinn =
+    surface("maya_blinn", "Stand-in for the host's blinn.", kBlinnRows, blinn);
+const ShaderSpec kMayaAnisotropic = surface(
+    "maya_anisotropic", "Stand-in for the host's anisotropic.", kAnisotropicRows, anisotropic);
 
 const ShaderSpec kMayaSurfaceshader = {
     .name = "maya_surfaceshader",
     .library = "hosts",
-    .apply = kApplySurface,
+    .apply = kApplyMaterial | kApplyShadow | kApplyPhoton,
     .doc = "Stand-in for the host's surface shader: a colour as it stands.",
     .params = kPlainRows,
     .params_size = sizeof(Plain),
-    .value = [](const Call& call,
-                void* result) { *static_cast<Rgba*>(result) = call.as<Plain>().outColor; },
+    .result = ParamType::Struct,
+    .results = kShownResults,
+    .result_size = sizeof(Shown),
+    .value =
+        [](const Call& call, void* result) {
+          const auto& p = call.as<Plain>();
+          *static_cast<Shown*>(result) = {p.outColor, p.outTransparency};
+        },
     .material =
         [](const Call& call, Closure& closure) {
           const auto& p = call.as<Plain>();
@@ -226,38 +254,7 @@ const ShaderSpec kMayaSurfaceshader = {
               facing_viewer(call.point.normal, call.point), closure);
         },
     .may_transmit = plain_passes,
-};
-
-const ShaderSpec kMayaShadingengine = {
-    .name = "maya_shadingengine",
-    .library = "hosts",
-    .apply = kApplySurface,
-    .doc = "Stand-in for the host's shading engine: the surface it is connected to.",
-    .params = kEngineRows,
-    .params_size = sizeof(Engine),
-    .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Engine>();
-          shade_input(call, offsetof(Engine, surfaceShader), p.surfaceShader, Rgb(1), closure);
-        },
-    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
-    .most_lobes = [](const ShaderNode&) { return 0; },
-};
-
-const ShaderSpec kMayaShadow = {
-    .name = "maya_shadow",
-    .library = "hosts",
-    .apply = kApplyShadow,
-    .doc = "Stand-in for the host's shadows.",
-    .params = kShadowRows,
-    .params_size = sizeof(Shadow),
-    .shadow = [](const Call& call,
-                 const Rgb& light) { return light * clamped(call.as<Shadow>().transparency); },
-    .may_transmit =
-        [](const ShaderNode& node) {
-          return !is_black(rgb(node.constants<Shadow>().transparency)) ||
-                 node.connected(offsetof(Shadow, transparency));
-        },
+    .stands_in = true,
 };
 
 }  // namespace oriel

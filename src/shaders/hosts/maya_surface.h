@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for surfaces that Maya's translator writes: maya_lambert, maya_phong, maya_blinn,
-// maya_surfaceshader, maya_shadingengine, maya_shadow.
+// Stand-ins for surfaces that Maya's translator writes.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -8,22 +7,23 @@
 namespace oriel {
 
 // Conventions
-//   Scenes declare these shaders themselves, by files that come with the host. Parameters are the
-//   attributes of the host's nodes by their public names; those not listed are reported and
-//   skipped. All is approximated and `oriel check` says so. Names and models are recalled, not
-//   published. Any member of their results ("phong1.outColor") stands for the shader itself.
+//   Scenes declare these shaders themselves, by files that come with the host. Names are those the
+//   translator gives them, parameters the public attributes of the host's nodes; those not listed
+//   are noted and skipped (runtime/binder_stand_ins.cpp). All is approximated and `oriel check`
+//   says so: the models are ours. Connected to a value, a surface gives its colour without light.
+//   Checked: HostShaders.* and HostScenes.* in tests/binding.
 
 /// Diffuse colour x diffuse, seen through by transparency; incandescence and ambient light glow.
 extern const ShaderSpec kMayaLambert;
 /// With a mirror of reflectivity x specularColor, and the cosine's highlight.
 extern const ShaderSpec kMayaPhong;
+/// The same; the exponent is 1 / (roughness x highlightSize)^2.
+extern const ShaderSpec kMayaPhongE;
 /// The same with a highlight of facets.
 extern const ShaderSpec kMayaBlinn;
+/// The same with Ward's highlight: slopes are roughness / spread.
+extern const ShaderSpec kMayaAnisotropic;
 /// A colour as it stands.
 extern const ShaderSpec kMayaSurfaceshader;
-/// Hands on the surface it is connected to.
-extern const ShaderSpec kMayaShadingengine;
-/// Light passes by transparency.
-extern const ShaderSpec kMayaShadow;
 
 }  // namespace oriel

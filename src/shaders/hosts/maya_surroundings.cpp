@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/hosts/host_rows.h"
+#include "shaders/hosts/maya_utility.h"
+
+namespace oriel {
+namespace {
+
+struct Displacement {
+  float displacement, scale;
+};
+struct Background {
+  Rgba color;
+};
+
+constexpr auto kDisplacementRows = about({
+    {ORIEL_PARAM(Displacement, displacement), .unit = "scene units", .doc = "Height."},
+    {ORIEL_PARAM(Displacement, scale), .fallback = {1}, .doc = "Factor of the height."},
+});
+constexpr auto kBackgroundRows =
+    about({{ORIEL_PARAM(Background, color), .doc = "Colour all around."}});
+
+constexpr ShaderSpec displacing(const char* name) {
+  return {.name = name,
+          .library = "hosts",
+          .apply = kApplyTexture,
+          .doc = "Stand-in for the host's displacement.",
+          .params = kDisplacementRows,
+          .params_size = sizeof(Displacement),
+          .result = ParamType::Scalar,
+          .result_size = sizeof(float),
+          .value =
+              [](const Call& call, void* result) {
+                const auto& p = call.as<Displacement>();
+                *static_cast<float*>(result) = p.displacement * p.scale;
+              },
+          .stands_in = true};
+}
+
+/// What has no part in a picture of Oriel's: passed over wherever it stands.
+constexpr ShaderSpec passed_over(const char* name, unsigned apply, const char* doc) {
+  return {.name = name, .library = "hosts", .apply = apply, .doc = doc, .stands_in = true};
+}
+
+constexpr ShaderSpec kNodes[] = {
+    displacing("maya_displace"),
+    displacing("maya_material_displace"),
+    {.name = "maya_envcolor",
+     .library = "hosts",
+     .apply = kApplyEnvironment,
+     .doc = "Stand-in for the host's background colour.",
+     .params = kBackgroundRows,
+     .params_size = sizeof(Background),
+     .value = [](const Call& call,
+                 void* result) { *static_cast<Rgba*>(result) = call.as<Background>().color; },
+     .stands_in = true},
+    passed_over("maya_shaderglow", kApplyOutput, "The host's glow: without effect."),
+    passed_over("maya_volumesampler", kApplyVolume, "The host's volumes: without effect."),
+    passed_over("maya_volumeengine", kApplyVolume, "The host's volumes: without effect."),
+    passed_over("maya_colormanagement", kApplyOutput, "The host's colours: without effect."),
+    passed_over("maya_options", kApplyOutput, "The host's options: without effect."),
+    passed_over("maya_state", kApplyOutput, "The host's state: without effect."),
+    passed_over("maya_lightlink", kApplyLight, "The host's links of lights: without effect."),
+};
+
+}  // namespace
+
+std::span<const ShaderSpec> maya_surroundings() { return kNodes; }
+
+}  // namespace oriel
