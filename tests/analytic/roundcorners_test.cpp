@@ -117,6 +117,57 @@ TEST(RoundCorners, FlatterAndSteeperEdgesTurnByHalfTheirAngleToo) {
     }
 }
 
+TEST(RoundCorners, OneKindOfEdgesIsLeftSharpOnRequest) {
+  // A step: a floor up to x = 0, a wall up to z = 1, and a shelf from there.
+  const char* kNames[] = {"all", "standing out", "turning in"};
+  for (const int edges : {0, 1, 2}) {
+    SceneText scene = rounded(fmt::format("\"radius\" .1, \"bump_mode\" 6, \"edges\" {}", edges));
+    scene.polygon("m", {Vec3(-1, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(-1, 1, 0)})
+        .polygon("m", {Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(0, 1, 0)})
+        .polygon("m", {Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(1, 1, 1), Vec3(0, 1, 1)});
+    const Shown shown(scene);
+    const Vec3 x(1, 0, 0);
+    for (const float d : {.01f, .04f, .08f}) {
+      const auto expected = [&](const Vec3& n, const Vec3& across, bool acts) {
+        return acts ? fillet(n, across, d, .1f, kPi / 2) : n;
+      };
+      const std::string where = fmt::format("{}, at {}", kNames[edges], d);
+      expect_vector(shown.at(Vec3(-d, .5f, 0), kUp), expected(kUp, -x, edges != 1),
+                    "floor, " + where);
+      expect_vector(shown.at(Vec3(0, .5f, d), -x), expected(-x, kUp, edges != 1),
+                    "wall's foot, " + where);
+      expect_vector(shown.at(Vec3(0, .5f, 1 - d), -x), expected(-x, kUp, edges != 2),
+                    "wall's top, " + where);
+      expect_vector(shown.at(Vec3(d, .5f, 1), kUp), expected(kUp, -x, edges != 2),
+                    "shelf, " + where);
+    }
+    // Half of the rays are spared.
+    shown.at(Vec3(-.5f, .5f, 0), kUp);
+    EXPECT_LE(shown.probes, edges == 0 ? 9 : 5) << kNames[edges];
+  }
+}
+
+TEST(RoundCorners, TexturesMakeTheRadius) {
+  // Left half 26 / 255, right half 51 / 255.
+  const std::string picture =
+      "color texture \"width\" [2 1 1] '1a33'\n"
+      "shader \"place\" \"mib_texture_vector\" ( \"select\" -1, \"selspace\" 2 )\n"
+      "shader \"map\" \"mib_texture_lookup\" ( \"tex\" \"width\", \"coord\" = \"place\" )";
+  SceneText scene = rounded("\"radius\" = \"map\", \"bump_mode\" 6", picture);
+  // The plate's own x, 0..1, is the picture's u; its edge runs along x at y = 0.
+  scene.polygon("m", {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)})
+      .polygon("m", {Vec3(0, 0, 0), Vec3(0, 0, -1), Vec3(1, 0, -1), Vec3(1, 0, 0)});
+  const Shown shown(scene);
+  const float narrow = 26.0f / 255, wide = 51.0f / 255;
+  for (const float d : {.02f, .06f, .09f, .15f, .25f}) {
+    // Far from the middle and the ends, where the two are mixed.
+    expect_vector(shown.at(Vec3(.25f, d, 0), kUp), fillet(kUp, Vec3(0, -1, 0), d, narrow, kPi / 2),
+                  fmt::format("narrow, at {}", d), 2e-3f);
+    expect_vector(shown.at(Vec3(.75f, d, 0), kUp), fillet(kUp, Vec3(0, -1, 0), d, wide, kPi / 2),
+                  fmt::format("wide, at {}", d), 2e-3f);
+  }
+}
+
 // acceptance: C1
 TEST(RoundCorners, InstancesAndTessellationDoNotMatter) {
   // The cube of twelve triangles as 6 x 16 x 16 x 2, then turned, moved and half as large.

@@ -19,6 +19,7 @@ struct P {
   ShaderRef bump;
   int bump_mode;
   Vec3 bump_vector;
+  int edges;
 };
 
 constexpr ParamSpec kRows[] = {
@@ -34,6 +35,10 @@ constexpr ParamSpec kRows[] = {
             "camera space, for bump_vector and for the result.",
      .declared_default = false},
     {ORIEL_PARAM(P, bump_vector), .doc = "Normal or change of it before (bump_mode 1-8).",
+     .declared_default = false},
+    {ORIEL_PARAM(P, edges), .min = 0, .max = 2,
+     .doc = "Oriel's own: which edges are rounded; 0 all, 1 those that stand out, 2 those that "
+            "turn in.",
      .declared_default = false},
 };
 
@@ -61,17 +66,19 @@ struct Edge {
 /// Looks for edges around one point.
 class EdgeSearch {
  public:
-  EdgeSearch(const ShadingPoint& point, float radius, bool any_material)
+  EdgeSearch(const ShadingPoint& point, float radius, bool any_material, Edges edges)
       : point_(point),
         radius_(radius),
         depth_(std::max(kDepth * radius, 4 * point.ray_offset)),
         any_material_(any_material),
+        wanted_(edges),
         // Along the object's axes, where most edges are.
         frame_(Frame::along(point.geometric_normal, object_axis(point))) {}
 
   Vec3 move() {
     // Edges that turn away lie on a way below the surface, those that turn in on one above.
     for (const float side : {-1.0f, 1.0f}) {
+      if (wanted_ == (side < 0 ? Edges::TurningIn : Edges::StandingOut)) continue;
       bool any = false;
       for (int i = 0; i < 4; ++i) any |= look(side, i * 2);
       // Between the axes, only where there is something.
@@ -154,6 +161,7 @@ class EdgeSearch {
   const ShadingPoint& point_;
   float radius_, depth_;
   bool any_material_;
+  Edges wanted_;
   Frame frame_;
   std::array<Edge, 16> edges_;
   int count_ = 0;
@@ -165,7 +173,10 @@ void round_corners(const Call& call, void* result) {
   auto& out = *static_cast<Vec3*>(result);
   out = Vec3(0);
   const Vec3 before = point.normal;
-  const Vec3 move = rounding_of(point, p.radius, p.allow_different_materials);
+  const Edges edges = p.edges == 1   ? Edges::StandingOut
+                      : p.edges == 2 ? Edges::TurningIn
+                                     : Edges::All;
+  const Vec3 move = rounding_of(point, p.radius, p.allow_different_materials, edges);
   const auto rounded = [&](const Vec3& n) { return move == Vec3(0) ? n : normalize(n + move); };
   if (p.bump_mode < 1 || p.bump_mode > 8) {
     if (p.bump.node && p.bump.node->spec().value) p.bump.node->vector(point);
@@ -178,9 +189,9 @@ void round_corners(const Call& call, void* result) {
 
 }  // namespace
 
-Vec3 rounding_of(const ShadingPoint& point, float radius, bool any_material) {
+Vec3 rounding_of(const ShadingPoint& point, float radius, bool any_material, Edges edges) {
   if (!point.tracer || !(radius > 0) || point.environment) return Vec3(0);
-  return EdgeSearch(point, radius, any_material).move();
+  return EdgeSearch(point, radius, any_material, edges).move();
 }
 
 const ShaderSpec kMiaRoundCorners = {

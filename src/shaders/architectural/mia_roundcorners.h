@@ -2,6 +2,8 @@
 // mia_roundcorners: edges that shade as if they were rounded.
 #pragma once
 
+#include <cstdint>
+
 #include "runtime/shader_spec.h"
 
 namespace oriel {
@@ -14,8 +16,12 @@ class Tracer;
 //   outlines, shadows and what shadow rays and photons meet keep the sharp edge.
 // What it does
 //   Within `radius` of an edge the normal is that of the nearest point of a cylinder that touches
-//   both faces at that distance; edges may stand out or turn in. Near corners the edges act
-//   together. Smooth surfaces keep their normals, only creases act.
+//   both faces at that distance; edges may stand out or turn in, and `edges`, a parameter that the
+//   manual does not have, leaves it to one of the two. Near corners the edges act together. Smooth
+//   surfaces keep their normals, only creases act.
+
+/// Edges that are rounded: of corners of boxes seen from outside, from inside, or both.
+enum class Edges : std::uint8_t { All, StandingOut, TurningIn };
 
 /// What to add to the normal n of a point for it to be rounded.
 ///
@@ -28,9 +34,11 @@ class Tracer;
 ///          which leaves corners of boxes continuous. Faces are found by 8 to 16 rays along the
 ///          surface, just below it and just above, in fixed directions: there is no noise.
 /// Inputs:  radius: scene units. any_material: faces of other materials than the point's act too.
+///          edges: the others keep the point's normal, and cost no rays.
 /// Returns: world space, across n; null far from edges and where the point has no tracer.
 /// Checked: RoundCorners.* in tests/analytic.
-Vec3 rounding_of(const ShadingPoint& point, float radius, bool any_material);
+Vec3 rounding_of(const ShadingPoint& point, float radius, bool any_material,
+                 Edges edges = Edges::All);
 
 extern const ShaderSpec kMiaRoundCorners;
 
