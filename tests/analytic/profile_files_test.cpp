@@ -62,7 +62,7 @@ TEST(ProfileFiles, AQuadrantIsMirroredIntoTheOthers) {
   EXPECT_NEAR(profile.peak(), 1730 * .025f, 1e-3f);
   EXPECT_NEAR(profile.evaluate(direction(50, 0)), 670 * .025f, 5e-3f);
   EXPECT_NEAR(profile.evaluate(direction(50, 90)), 825 * .025f, 5e-3f);
-  EXPECT_NEAR(profile.evaluate(direction(110, 45)), 80 * .025f, 5e-3f);
+  EXPECT_NEAR(profile.evaluate(direction(110, 45)), 190 * .025f, 5e-3f);
   EXPECT_NEAR(profile.evaluate(direction(180, 0)), 935 * .025f, 5e-3f);
   for (float v = 5; v < 180; v += 12.5f)
     for (float h = 0; h <= 90; h += 15)
