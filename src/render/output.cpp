@@ -14,6 +14,7 @@
 #include "image/relight.h"
 #include "render/lens_shaders.h"
 #include "render/output_names.h"
+#include "render/output_picture.h"
 
 namespace oriel {
 namespace {
@@ -227,15 +228,20 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised) {
   const Film& film = session.film();
   const Window& w = session.window();
-  return collect(session, 4, [&](int x, int y, float* to) {
+  NodeList mapping, whole;
+  for (const ShaderNode* node : output_shaders)
+    (node->spec().output ? whole : mapping).push_back(node);
+  Image shown = collect(session, 4, [&](int x, int y, float* to) {
     const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
     Rgb c = clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y);
-    if (!output_shaders.empty())
-      c = map_output(output_shaders, session.world(), w.pixel_centre(x, y), c,
+    if (!mapping.empty())
+      c = map_output(mapping, session.world(), w.pixel_centre(x, y), c,
                      clean ? Rgb(clean[0], clean[1], clean[2]) : rgb(film.pixel(x, y).beauty));
     put(to, c);
     to[3] = film.pixel(x, y).beauty.a;
   });
+  if (!whole.empty()) run_output_shaders(whole, session, shown);
+  return shown;
 }
 
 ViewOptions view_options(const scene::RenderOptions& options) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "render/generated_geometry.h"
 #include "render/lens_shaders.h"
 #include "render/prepare_light_layers.h"
 #include "render/prepare_parts.h"
@@ -85,6 +86,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
         "OR-RN-002", command.where,
         fmt::format("there are no options \"{}\"; defaults are used", command.options));
 
+  if (world->options.geometry) make_geometry(scene, world->options, registry, diagnostics);
   const std::vector<scene::Leaf> leaves =
       scene::flatten(scene, command.root, diagnostics, {},
                      scene::photon_flags(world->options.caustic.object_flags,

@@ -10,6 +10,8 @@
 #include "sampling/sampler.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
+#include "sdk/lens.h"
+#include "sdk/photon_work.h"
 #include "sdk/shader_state.h"
 #include "sdk/tags.h"
 
@@ -116,8 +118,8 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   } else {
     state.importance = 1;
   }
-  state.org = mi(point.ray_origin);
-  state.dir = mi(point.ray_direction);
+  state.org = as_c(point.ray_origin);
+  state.dir = as_c(point.ray_direction);
   state.dist = point.environment ? 0 : point.ray_length;
   state.ior = state.ior_in = 1;
   state.material = point.environment ? 0 : host.tag_of(point.material);
@@ -128,9 +130,9 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   if (point.light >= 0)
     state.light_instance = make_tag(TagKind::LightInstance, static_cast<std::size_t>(point.light));
   if (!point.environment) state.pri = reinterpret_cast<miRc_intersection*>(&point);
-  state.point = mi(point.position);
-  state.normal = mi(point.normal);
-  state.normal_geom = mi(point.geometric_normal);
+  state.point = as_c(point.position);
+  state.normal = as_c(point.normal);
+  state.normal_geom = as_c(point.geometric_normal);
   state.dot_nd = dot(point.normal, point.ray_direction);
   state.shadow_tol = point.ray_offset;
   // The same numbers: shaders may move the coordinates for those that run after them.
@@ -138,18 +140,18 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   state.tex_list = reinterpret_cast<miVector*>(point.tex);
   for (int i = 0; i < point.texture_spaces; ++i) {
     const auto in_object = [&](const Vec3& v) {
-      return mi(point.to_object ? transform_vector(v, *point.to_object) : v);
+      return as_c(point.to_object ? transform_vector(v, *point.to_object) : v);
     };
     bump_x_[i] = in_object(point.bump_u[i]);
     bump_y_[i] = in_object(point.bump_v[i]);
   }
   state.bump_x_list = bump_x_;
   state.bump_y_list = bump_y_;
-  derivs_[0] = mi(point.dpdu);
-  derivs_[1] = mi(point.dpdv);
+  derivs_[0] = as_c(point.dpdu);
+  derivs_[1] = as_c(point.dpdv);
   derivs_[2] = derivs_[3] = derivs_[4] = miVector{0, 0, 0};
   state.derivs = derivs_;
-  if (point.texture_spaces > 0) state.tex = mi(point.tex[0]);
+  if (point.texture_spaces > 0) state.tex = as_c(point.tex[0]);
 }
 
 bool run(UserInstance& shader, miState& state, void* result, miShader_type type, void* argument) {
@@ -207,6 +209,8 @@ void from_c(ParamType type, const void* c, void* own) {
 Vec2 next(const miState* state) {
   Context& c = context(state);
   if (c.tracer()) return c.tracer()->next();
+  if (c.lens) return c.lens->next->next();
+  if (c.photon) return c.photon->next ? c.photon->next->next() : c.photon->emission->next();
   // Keyed by the place: the same in every rendering, another at each point.
   std::uint32_t bits[3];
   std::memcpy(bits, &c.point->position, sizeof bits);
@@ -235,8 +239,8 @@ ShadingPoint point_of(const miState* state) {
 }
 
 void take_over(const ShadingPoint& point, const ShadingPoint& before, miState* state) {
-  if (point.normal != before.normal) state->normal = mi(point.normal);
-  if (point.position != before.position) state->point = mi(point.position);
+  if (point.normal != before.normal) state->normal = as_c(point.normal);
+  if (point.position != before.position) state->point = as_c(point.position);
   std::copy(std::begin(point.tex), std::end(point.tex), context(state).point->tex);
 }
 

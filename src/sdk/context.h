@@ -14,7 +14,7 @@ class Host;
 struct UserInstance;
 struct PhotonWork;
 struct LensWork;
-struct LeftValue;
+struct OutputWork;
 
 /// A value of a connected parameter that was asked for, kept while the shader runs.
 struct Evaluated {
@@ -39,11 +39,12 @@ struct Context {
   bool opacity_known = false;
 
   // Light shaders.
-  bool shadow_asked = false;      ///< mi_trace_shadow was called
-  bool shadow_is_black = false;   ///< ... and answers as behind an opaque blocker
+  bool shadow_asked = false;     ///< mi_trace_shadow was called
+  bool shadow_is_black = false;  ///< ... and answers as behind an opaque blocker
   // Lens and photon shaders: what continues the ray or the photon.
   LensWork* lens = nullptr;
   PhotonWork* photon = nullptr;
+  OutputWork* output = nullptr;  ///< output shaders: the buffers that are open
 
   Tracer* tracer() const { return point->tracer; }
 };
@@ -52,10 +53,10 @@ inline Context& context(const miState* state) { return *static_cast<Context*>(st
 
 using oriel::rgb;
 inline Vec3 vec(const miVector& v) { return Vec3(v.x, v.y, v.z); }
-inline miVector mi(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline miVector as_c(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline Rgb rgb(const miColor& c) { return Rgb(c.r, c.g, c.b); }
-inline miColor mi(const Rgb& c, float alpha) { return {c.x, c.y, c.z, alpha}; }
-inline miColor mi(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
+inline miColor as_c(const Rgb& c, float alpha) { return {c.x, c.y, c.z, alpha}; }
+inline miColor as_c(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
 
 /// Two independent numbers in [0,1): the path's where there is one, else from the point and how
 /// many were drawn there before.

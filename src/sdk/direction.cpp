@@ -59,19 +59,19 @@ miBoolean spread_through(miVector* dir, miState* state, miScalar ior_in, miScala
   if (!mi_refraction_dir(dir, state, ior_in, ior_out)) return miFALSE;
   const Vec3 n = facing_normal(state);
   const Vec3 image = spread(vec(*dir), n, along, lobe, u);
-  *dir = oriel::sdk::mi(normalize(image - n * (2 * dot(image, n))));
+  *dir = oriel::sdk::as_c(normalize(image - n * (2 * dot(image, n))));
   return miTRUE;
 }
 
 }  // namespace
 
-void mi_reflection_dir(miVector* dir, miState* state) { *dir = oriel::sdk::mi(mirrored(state)); }
+void mi_reflection_dir(miVector* dir, miState* state) { *dir = oriel::sdk::as_c(mirrored(state)); }
 
 void mi_reflection_dir_specular(miVector* dir, miState* state) { mi_reflection_dir(dir, state); }
 
 void mi_reflection_dir_glossy_x(miVector* dir, miState* state, miScalar shiny,
                                 const double sample[2]) {
-  *dir = oriel::sdk::mi(
+  *dir = oriel::sdk::as_c(
       spread(vec(state->dir), facing_normal(state), Vec3(0), WardLobe(shiny, shiny), pair(sample)));
 }
 
@@ -85,7 +85,7 @@ void mi_reflection_dir_anisglossy_x(miVector* dir, miState* state, const miVecto
                                     const miVector* v, miScalar shiny_u, miScalar shiny_v,
                                     const double sample[2]) {
   const Vec3 n = facing_normal(state);
-  *dir = oriel::sdk::mi(
+  *dir = oriel::sdk::as_c(
       spread(vec(state->dir), n, brushed(u, v, n), WardLobe(shiny_u, shiny_v), pair(sample)));
 }
 
@@ -98,7 +98,7 @@ void mi_reflection_dir_anisglossy(miVector* dir, miState* state, const miVector*
 
 void mi_reflection_dir_diffuse_x(miVector* dir, miState* state, const double sample[2]) {
   const Frame frame(facing_normal(state));
-  *dir = oriel::sdk::mi(
+  *dir = oriel::sdk::as_c(
       normalize(frame.to_world(oriel::sampling::sample_cosine_hemisphere(pair(sample)))));
 }
 
@@ -114,7 +114,7 @@ miBoolean mi_refraction_dir(miVector* dir, miState* state, miScalar ior_in, miSc
   const auto through = oriel::bsdf::refract(-vec(state->dir), facing_normal(state),
                                             sensible ? ior_out / ior_in : 1.0f);
   // What shaders that do not look at the answer go on with.
-  *dir = oriel::sdk::mi(through ? normalize(*through) : mirrored(state));
+  *dir = oriel::sdk::as_c(through ? normalize(*through) : mirrored(state));
   return through ? miTRUE : miFALSE;
 }
 
@@ -151,7 +151,7 @@ miBoolean mi_transmission_dir_anisglossy(miVector* dir, miState* state, miScalar
 
 void mi_transmission_dir_diffuse_x(miVector* dir, miState* state, const double sample[2]) {
   const Frame frame(-facing_normal(state));
-  *dir = oriel::sdk::mi(
+  *dir = oriel::sdk::as_c(
       normalize(frame.to_world(oriel::sampling::sample_cosine_hemisphere(pair(sample)))));
 }
 
@@ -162,7 +162,7 @@ void mi_transmission_dir_diffuse(miVector* dir, miState* state) {
 }
 
 void mi_scattering_dir_diffuse(miVector* dir, miState* state) {
-  *dir = oriel::sdk::mi(oriel::sampling::sample_uniform_sphere(oriel::sdk::next(state)));
+  *dir = oriel::sdk::as_c(oriel::sampling::sample_uniform_sphere(oriel::sdk::next(state)));
 }
 
 // Inverts the integral of Schlick's phase function, see mi_schlick_scatter.
@@ -172,7 +172,7 @@ void mi_scattering_dir_directional(miVector* dir, miState* state, miScalar direc
   const float c = oriel::clamp((2 * u.x - 1 + k) / (1 + k * (2 * u.x - 1)), -1, 1);
   const float s = std::sqrt(1 - c * c);
   const oriel::sampling::SinCos turn = oriel::sampling::sincos_turns(u.y);
-  *dir = oriel::sdk::mi(
+  *dir = oriel::sdk::as_c(
       normalize(Frame(normalize(vec(state->dir))).to_world(Vec3(s * turn.cos, s * turn.sin, c))));
 }
 

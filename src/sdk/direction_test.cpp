@@ -155,7 +155,7 @@ TEST(Directions, ScatteredOnesMatchThePhaseFunction) {
           return vec(dir);
         },
         [&](const Vec3& w) {
-          const miVector wi = mi(w);
+          const miVector wi = as_c(w);
           return mi_schlick_scatter(&bare.state().dir, &wi, k);
         },
         kDraws, 15));

@@ -55,8 +55,8 @@ void* value_of(miState* state, void* parameter, bool again) {
       if (e->parameter == parameter) return e->value;
   // Behind it, what is asked for now: neither moves while the shader runs.
   auto* entry = static_cast<Evaluated*>(allocate_for_call(sizeof(Evaluated)));
-  auto* value = static_cast<std::byte*>(allocate_for_call(std::max<std::size_t>(
-      c_size(connection->type), sizeof(miColor))));
+  auto* value = static_cast<std::byte*>(
+      allocate_for_call(std::max<std::size_t>(c_size(connection->type), sizeof(miColor))));
   evaluate(*connection->source, connection->type, state, value);
   *entry = {parameter, value, c.evaluated};
   c.evaluated = entry;

@@ -47,7 +47,7 @@ miBoolean mi_fb_put(miState* state, int fb, const void* data) {
   Rgba value(0, 0, 0, 1);
   switch (buffer->kind) {
     case UserBuffer::Kind::Color:
-      std::memcpy(&value, data, sizeof(miColor));
+      std::memcpy(&value.r, data, sizeof(miColor));
       break;
     case UserBuffer::Kind::Vector: {
       miVector v;

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "sdk/call.h"
-#include "shaders/registry.h"
 #include "sdk/current.h"
+#include "shaders/registry.h"
 
 namespace oriel::sdk {
 namespace {
@@ -71,6 +71,21 @@ const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const
   return specs_.back().get();
 }
 
+void Host::attach(const World& world) {
+  if (world_ == &world) return;
+  forget();
+  world_ = &world;
+}
+
+/// What was made for a world means nothing to the next.
+void Host::forget() {
+  const std::unique_lock lock(mutex_);
+  nodes_.clear(), textures_.clear(), profiles_.clear(), texts_.clear(), known_.clear();
+  known_texts_.clear(), records_.clear(), lights_.clear();
+  camera_ = nullptr, options_ = nullptr;
+  world_ = nullptr;
+}
+
 void Host::end_frame() {
   const std::lock_guard guard(shader_lock_);
   if (!world_) return;
@@ -94,10 +109,7 @@ void Host::end_frame() {
     StateFrame frame(*this, nowhere, nullptr);
     reinterpret_cast<Exit>(spec->exit)(&frame.state, nullptr);
   }
-  world_ = nullptr;
-  const std::unique_lock lock(mutex_);
-  nodes_.clear(), textures_.clear(), profiles_.clear(), texts_.clear(), known_.clear();
-  known_texts_.clear(), records_.clear(), lights_.clear();
+  forget();
 }
 
 Host::~Host() {

@@ -48,7 +48,7 @@ class Host {
   const scene::Scene& scene() const { return scene_; }
   /// The world under way: known from when its first user's shader is bound.
   const World* world() const { return world_; }
-  void attach(const World& world) { world_ = &world; }
+  void attach(const World& world);
   Diagnostics& diagnostics() { return diagnostics_; }
   const std::vector<std::unique_ptr<Library>>& libraries() const { return libraries_; }
   /// Calls the exit functions of the shaders that were initialised, and forgets the world; to be
@@ -91,7 +91,7 @@ class Host {
   std::atomic<bool>& stopped;
 
  private:
-
+  void forget();
   void link(const std::string& written, SourceLocation where, const TrustedFolders& folders);
   const UserSpec* declare(const scene::ShaderDeclaration& declaration, const Library& library,
                           void* function);

@@ -65,8 +65,7 @@ void oriel_spectrum_from_color(miSpectrum* result, miState*, const miColor* colo
 oriel_string_options* oriel_options_open(miTag tag) {
   Host* host = current_host();
   if (!host || kind_of(tag) != TagKind::Options || host->scene().renders.empty()) return nullptr;
-  const auto* block =
-      host->scene().get<scene::Options>(host->scene().renders.back().options);
+  const auto* block = host->scene().get<scene::Options>(host->scene().renders.back().options);
   return block ? new oriel_string_options{block} : nullptr;
 }
 void oriel_options_close(oriel_string_options* options) { delete options; }
@@ -103,8 +102,7 @@ miBoolean oriel_options_get_integer(const oriel_string_options* options, const c
 miBoolean oriel_options_get_scalars(const oriel_string_options* options, const char* name,
                                     float* values, int n) {
   const scene::Value* v = option(options, name);
-  if (!v || v->kind != scene::Value::Kind::Numbers ||
-      static_cast<int>(v->numbers.size()) != n)
+  if (!v || v->kind != scene::Value::Kind::Numbers || static_cast<int>(v->numbers.size()) != n)
     return miFALSE;
   std::transform(v->numbers.begin(), v->numbers.end(), values,
                  [](double number) { return static_cast<float>(number); });
@@ -139,8 +137,7 @@ miBoolean oriel_framebuffers_index(const oriel_framebuffers* buffers, const char
   return miTRUE;
 }
 
-miBoolean oriel_framebuffers_set_boolean(oriel_framebuffers*, const char*, const char*,
-                                         miBoolean) {
+miBoolean oriel_framebuffers_set_boolean(oriel_framebuffers*, const char*, const char*, miBoolean) {
   return miFALSE;
 }
 miBoolean oriel_framebuffers_set_integer(oriel_framebuffers*, const char*, const char*, int) {

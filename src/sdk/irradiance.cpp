@@ -2,6 +2,8 @@
 // Indirect light and occlusion at the point.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/frame.h"
 #include "sdk/call.h"
@@ -20,7 +22,7 @@ bool irradiance(miColor* result, miState* state, bool back) {
   miState* const outer = std::exchange(StateFrame::current_parent(), state);
   const Rgb found = c.tracer()->irradiance(point, back ? -point.normal : point.normal);
   StateFrame::current_parent() = outer;
-  *result = mi(found, 1);
+  *result = as_c(found, 1);
   return true;
 }
 
@@ -71,8 +73,8 @@ miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options,
   const Vec3 axis = options ? vec(options->axis) : point.normal;
   const Frame frame(normalize(axis));
   const int rays = options && options->rays > 0 ? options->rays : kOcclusionRays;
-  const float reach = options && options->maxdist > 0 ? options->maxdist
-                                                      : std::numeric_limits<float>::infinity();
+  const float reach =
+      options && options->maxdist > 0 ? options->maxdist : std::numeric_limits<float>::infinity();
   // Cosine-distributed up to the spread: without one, over the half-space.
   const float least = options && options->spread > -1 ? std::clamp(options->spread, 0.0f, 1.0f) : 0;
   int met = 0;
@@ -88,7 +90,7 @@ miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options,
     else
       open += w;
   }
-  if (bent && length(open) > 0) *bent = mi(normalize(open));
+  if (bent && length(open) > 0) *bent = as_c(normalize(open));
   return static_cast<float>(met) / static_cast<float>(rays);
 }
 

@@ -6,8 +6,8 @@
 
 #include "photometry/light_profile.h"
 #include "runtime/luminaire.h"
-#include "sdk/current.h"
 #include "sdk/call.h"
+#include "sdk/current.h"
 #include "sdk/host.h"
 
 namespace oriel::sdk {
@@ -44,8 +44,8 @@ bool sample(miColor* result, miVector* dir, float* dot_nl, miState* state, miTag
   } else if (cosine <= 0 && state->pri && point.normal != Vec3(0)) {
     return false;
   }
-  *result = mi(arriving->colour, 1);
-  if (dir) *dir = mi(arriving->wi);
+  *result = as_c(arriving->colour, 1);
+  if (dir) *dir = as_c(arriving->wi);
   if (dot_nl) *dot_nl = cosine;
   return true;
 }
@@ -145,8 +145,8 @@ miScalar mi_lightprofile_value(const void* profile, miScalar phi, miScalar costh
   if (!profile) return 0;
   const float sine = std::sqrt(std::max(0.0f, 1 - costheta * costheta));
   // The profile's axis is -z: theta counts from straight down.
-  const Vec3 direction = pos ? normalize(vec(*pos))
-                             : Vec3(sine * std::cos(phi), sine * std::sin(phi), -costheta);
+  const Vec3 direction =
+      pos ? normalize(vec(*pos)) : Vec3(sine * std::cos(phi), sine * std::sin(phi), -costheta);
   return profile_value(*static_cast<const photometry::LightProfile*>(profile), direction,
                        rel != miFALSE);
 }

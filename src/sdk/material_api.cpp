@@ -12,14 +12,13 @@ namespace {
 void store_outputs(const std::array<Rgb, kOutputs>& outputs, float alpha,
                    mia_material_x_return& to) {
   miColor* const targets[] = {
-      &to.result,          &to.diffuse_result, &to.diffuse_raw,     &to.diffuse_level,
-      &to.spec_result,     &to.spec_raw,       &to.spec_level,      &to.refl_result,
-      &to.refl_raw,        &to.refl_level,     &to.refr_result,     &to.refr_raw,
-      &to.refr_level,      &to.tran_result,    &to.tran_raw,        &to.tran_level,
-      &to.indirect_result, &to.indirect_raw,   &to.indirect_cooked, &to.ao_raw,
-      &to.add_result,      &to.opacity_result, &to.opacity_raw};
+      &to.result,      &to.diffuse_result,  &to.diffuse_raw,  &to.diffuse_level,   &to.spec_result,
+      &to.spec_raw,    &to.spec_level,      &to.refl_result,  &to.refl_raw,        &to.refl_level,
+      &to.refr_result, &to.refr_raw,        &to.refr_level,   &to.tran_result,     &to.tran_raw,
+      &to.tran_level,  &to.indirect_result, &to.indirect_raw, &to.indirect_cooked, &to.ao_raw,
+      &to.add_result,  &to.opacity_result,  &to.opacity_raw};
   std::size_t i = 0;
-  for (miColor* target : targets) *target = mi(outputs[i++], alpha);
+  for (miColor* target : targets) *target = as_c(outputs[i++], alpha);
   to.opacity = outputs[i].x;
 }
 
@@ -49,7 +48,7 @@ bool shade_material(const ShaderNode& node, ShadingPoint& point, miState& state,
   const NodeList surface{&node};
   const Rgba colour = point.tracer->shade(surface, point, storage ? &parts : nullptr);
   // The colour alone: callers hand the address of a miColor to materials of many results.
-  *static_cast<miColor*>(result) = mi(colour);
+  *static_cast<miColor*>(result) = as_c(colour);
   if (!storage) return true;
   mia_material_x_return outputs = {};
   store_outputs(resolve_outputs(parts, rgb(colour)), colour.a, outputs);

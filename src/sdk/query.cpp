@@ -3,6 +3,8 @@
 #include <cstdarg>
 #include <cstring>
 #include <map>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 #include "sdk/call.h"
@@ -277,8 +279,7 @@ bool ask_transform(miQ_type query, const miState* state, void* result) {
 }
 
 bool ask_hit(miQ_type query, Host& host, const miState* state, void* result, int extra) {
-  if (query == miQ_NUM_GLOBAL_LIGHTS)
-    return tell(result, static_cast<int>(host.lights().size()));
+  if (query == miQ_NUM_GLOBAL_LIGHTS) return tell(result, static_cast<int>(host.lights().size()));
   if (query == miQ_GLOBAL_LIGHTS) return tell(result, host.lights().data());
   if (!state) return false;
   const ShadingPoint& point = *context(state).point;
@@ -323,7 +324,7 @@ bool ask_rendering(miQ_type query, Host& host, const miState* state, void* resul
     case miQ_SCENE_BBOX_CAUSTIC_G:
     case miQ_SCENE_BBOX_CAUSTIC_R: {
       const geom::Box3 box = host.world()->accel->bounds();
-      const miVector corners[2] = {mi(box.min), mi(box.max)};
+      const miVector corners[2] = {as_c(box.min), as_c(box.max)};
       return tell(result, corners);
     }
     case miQ_SCENE_ROOT_GROUP:
@@ -363,8 +364,7 @@ bool ask_image(miQ_type query, Host& host, miTag tag, void* result) {
 
 using namespace oriel::sdk;
 
-extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, void* result,
-                              ...) {
+extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, void* result, ...) {
   Host* host = state && state->cache ? context(state).host : current_host();
   if (!host || !host->world() || !result) return miFALSE;
   va_list list;
@@ -374,7 +374,9 @@ extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, 
   if (query == miQ_TEXTURE_DIM || query == miQ_GROUP_KID) extra = va_arg(list, int);
   if (query == miQ_FUNC_TLS_GETALL) count = va_arg(list, int*);
   va_end(list);
-  const auto within = [&](miQ_type first, miQ_type last) { return query >= first && query <= last; };
+  const auto within = [&](miQ_type first, miQ_type last) {
+    return query >= first && query <= last;
+  };
   bool answer = false;
   if (within(miQ_FUNC_USERPTR, miQ_DECL_LOCK))
     answer = ask_function(query, *host, state, tag, result, count);

@@ -120,7 +120,7 @@ miOptions options_of(const World& world) {
 }
 
 void store_shape(const Light& light, miLight& out) {
-  const auto local = [&](const Vec3& v) { return mi(transform_vector(v, light.to_local)); };
+  const auto local = [&](const Vec3& v) { return as_c(transform_vector(v, light.to_local)); };
   switch (light.shape) {
     case LightShape::Rectangle:
       out.area = miLIGHT_RECTANGLE;
@@ -161,10 +161,10 @@ miLight light_of(const Light& light, Host& host) {
   out.caustic_store_photons = limited(light.photons.caustic.store);
   out.caustic_emit_photons = limited(light.photons.caustic.emit);
   out.photons_only = light.photons.only;
-  if (light.photons.emission.energy) out.energy = mi(*light.photons.emission.energy, 1);
+  if (light.photons.emission.energy) out.energy = as_c(*light.photons.emission.energy, 1);
   out.shader = host.tag_of(light.shader);
-  out.origin = mi(transform_point(light.position, light.to_local));
-  out.direction = mi(normalize(transform_vector(light.direction, light.to_local)));
+  out.origin = as_c(transform_point(light.position, light.to_local));
+  out.direction = as_c(normalize(transform_vector(light.direction, light.to_local)));
   out.spread = light.spread;
   out.samples_u = out.samples_v = 1;
   out.visible = light.visible;
@@ -185,8 +185,8 @@ miInstance instance_of(const InstanceData& from, miTag object, Host& host) {
   out.item = object;
   out.parent = make_tag(TagKind::Root, 0);
   if (!from.materials.empty())
-    out.material = host.tag_of(
-        &host.world()->materials[static_cast<std::size_t>(from.materials.front())]);
+    out.material =
+        host.tag_of(&host.world()->materials[static_cast<std::size_t>(from.materials.front())]);
   out.mtl_array_size = static_cast<int>(from.materials.size());
   const unsigned t = from.takes;
   out.visible = miTRUE;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a user's shader plays each role of a ShaderSpec.
 #include <algorithm>
+#include <utility>
 
 #include "color/luminance.h"
 #include "oriel/sdk/mia_material_api.h"
 #include "runtime/closure.h"
 #include "runtime/light.h"
 #include "sdk/call.h"
+#include "sdk/geometry_work.h"
 #include "sdk/host.h"
 #include "sdk/lens.h"
+#include "sdk/output_work.h"
+#include "sdk/photon_work.h"
 #include "sdk/shader_state.h"
 #include "sdk/tags.h"
 
@@ -58,7 +62,7 @@ void material(const Call& call, Closure& closure) {
   UserInstance& shader = instance_of(call);
   StateFrame frame(*shader.spec->host, call.point);
   CResult c;
-  c.color() = mi(closure.emission, closure.alpha);
+  c.color() = as_c(closure.emission, closure.alpha);
   const bool answer = run(shader, frame.state, c.bytes, miSHADER_MATERIAL);
   closure.emission = answer ? rgb(c.color()) : Rgb(0);
   closure.alpha = answer ? clamp01(c.color().a) : 0;
@@ -72,12 +76,12 @@ Rgb shadow(const Call& call, const Rgb& light) {
   miState& state = frame.state;
   state.type = miRAY_SHADOW;
   // The renderer's shadow rays go from the lit point to the light; a shader's come from the light.
-  state.dir = mi(-point.ray_direction);
+  state.dir = as_c(-point.ray_direction);
   if (point.light >= 0)
-    state.org = mi(frame.context.world->lights[static_cast<std::size_t>(point.light)].position);
+    state.org = as_c(frame.context.world->lights[static_cast<std::size_t>(point.light)].position);
   state.dist = length(point.position - vec(state.org));
   CResult c;
-  c.color() = mi(light, 1);
+  c.color() = as_c(light, 1);
   return run(shader, state, c.bytes, miSHADER_SHADOW) ? rgb(c.color()) : Rgb(0);
 }
 
@@ -105,15 +109,14 @@ LightValue light(const Call& call, const LightCall& light) {
   const World& world = *frame.context.world;
   state.type = miRAY_LIGHT;
   state.parent = &lit.state;
-  state.org = mi(light.position);
-  state.dir = mi(light.direction);
+  state.org = as_c(light.position);
+  state.dir = as_c(light.direction);
   state.dist = std::isinf(light.distance) ? 0 : light.distance;
   state.dot_nd = dot(point.normal, light.direction);
   state.light_instance = make_tag(TagKind::LightInstance,
                                   static_cast<std::size_t>(&light.light - world.lights.data()));
-  mia_material_api_lightdata data = {sizeof data, point.glossiness, point.importance,
-                                     1,           1,                miFALSE,
-                                     miFALSE};
+  mia_material_api_lightdata data = {sizeof data, point.glossiness, point.importance, 1,
+                                     1,           miFALSE,          miFALSE};
   LightValue value;
   value.colour = ask_light(shader, light, frame, false, data);
   value.shadow = frame.context.shadow_asked;
@@ -152,6 +155,62 @@ Rgba lens(const Call& call, LensNext& next) {
   return Rgba(color.r, color.g, color.b, color.a);
 }
 
+void photon(const Call& call, const Rgb& energy, PhotonNext& next) {
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point);
+  PhotonWork work{&next, nullptr, false};
+  frame.context.photon = &work;
+  CResult c;
+  c.color() = as_c(energy, 1);
+  run(shader, frame.state, c.bytes, miSHADER_PHOTON);
+}
+
+void emit(const Call& call, const Light& light, PhotonEmission& emission) {
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  PhotonWork work{nullptr, &emission, false};
+  frame.context.photon = &work;
+  frame.state.type = static_cast<miRay_type>(call.point.ray_kind);
+  frame.state.org = as_c(light.position);
+  frame.state.dir = as_c(light.direction);
+  frame.state.light_instance =
+      make_tag(TagKind::LightInstance,
+               static_cast<std::size_t>(&light - frame.context.world->lights.data()));
+  CResult c;
+  const Rgb energy = light.photons.emission.energy.value_or(Rgb(1));
+  c.color() = as_c(energy, 1);
+  run(shader, frame.state, c.bytes, miSHADER_PHOTON_EMITTER);
+}
+
+void output(const Call& call, OutputPicture& picture) {
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  OutputWork work{&picture};
+  frame.context.output = &work;
+  CResult c;
+  run(shader, frame.state, c.bytes, miSHADER_OUTPUT);
+  // What the shader forgot to close counts as well.
+  while (!work.open.empty()) {
+    const int number = work.open.begin()->first;
+    work.close(number);
+    work.open.erase(number);
+  }
+}
+
+std::string geometry(const Call& call, scene::Scene& scene) {
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  GeometryWork work;
+  work.scene = &scene;
+  work.prefix = std::string(shader.spec->name) + ":";
+  GeometryWork* const outer = std::exchange(GeometryWork::current(), &work);
+  CResult c;
+  std::string made;
+  if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) made = finish(work);
+  GeometryWork::current() = outer;
+  return made;
+}
+
 bool always(const ShaderNode&) { return true; }
 int no_lobes(const ShaderNode&) { return 0; }
 
@@ -159,10 +218,10 @@ int no_lobes(const ShaderNode&) { return 0; }
 
 bool trace_next_lens(LensWork& work, miState& state, miColor& result) {
   LensNext::Seen seen = work.next->trace(vec(state.org), normalize(vec(state.dir)));
-  result = mi(seen.colour);
+  result = as_c(seen.colour);
   state.dist = seen.distance;
-  state.point = mi(vec(state.org) + normalize(vec(state.dir)) * seen.distance);
-  state.normal = mi(seen.normal);
+  state.point = as_c(vec(state.org) + normalize(vec(state.dir)) * seen.distance);
+  state.normal = as_c(seen.normal);
   return seen.distance > 0 || seen.colour != Rgba(0, 0, 0, 0);
 }
 
@@ -180,6 +239,10 @@ void set_roles(UserSpec& spec) {
   if (acts_as(kApplyLight)) spec.light = light;
   if (acts_as(kApplyVolume)) spec.volume = volume;
   if (acts_as(kApplyLens)) spec.lens_eye = lens;
+  if (acts_as(kApplyPhoton)) spec.photon = photon;
+  if (acts_as(kApplyEmitter)) spec.emit = emit;
+  if (acts_as(kApplyOutput)) spec.output = output;
+  spec.geometry = geometry;
 }
 
 UserInstance* user_instance(const ShaderNode& node) {

@@ -59,9 +59,7 @@ ShaderStateScope::~ShaderStateScope() {
   Store& s = store();
   s.depth = depth_;  // deeper scopes of a shader that crashed are gone as well
   if (!s.values.empty())
-    drop([&](const Value& v) {
-      return v.lifetime == miSS_LIFETIME_SUBRAYS && v.depth > depth_;
-    });
+    drop([&](const Value& v) { return v.lifetime == miSS_LIFETIME_SUBRAYS && v.depth > depth_; });
 }
 
 void* leave_value(const char* key, const void* value, int size, int lifetime) {
@@ -77,7 +75,8 @@ void* leave_value(const char* key, const void* value, int size, int lifetime) {
     s.values.push_back({key, nullptr, 0, lifetime, s.depth});
     target = &s.values.back();
   }
-  if (target->size != size) target->bytes = std::make_unique<std::byte[]>(static_cast<std::size_t>(size));
+  if (target->size != size)
+    target->bytes = std::make_unique<std::byte[]>(static_cast<std::size_t>(size));
   target->size = size;
   target->lifetime = lifetime;
   std::copy_n(static_cast<const std::byte*>(value), size, target->bytes.get());

@@ -48,13 +48,13 @@ Way to_light(const miState* state) {
 }
 
 void move_point(const Way& way, miVector* result, const miVector* in) {
-  *result = way.to ? oriel::sdk::mi(oriel::transform_point(vec(*in), *way.to)) : *in;
+  *result = way.to ? oriel::sdk::as_c(oriel::transform_point(vec(*in), *way.to)) : *in;
 }
 void move_vector(const Way& way, miVector* result, const miVector* in) {
-  *result = way.to ? oriel::sdk::mi(oriel::transform_vector(vec(*in), *way.to)) : *in;
+  *result = way.to ? oriel::sdk::as_c(oriel::transform_vector(vec(*in), *way.to)) : *in;
 }
 void move_normal(const Way& way, miVector* result, const miVector* in) {
-  *result = way.from ? oriel::sdk::mi(oriel::transform_normal(vec(*in), *way.from)) : *in;
+  *result = way.from ? oriel::sdk::as_c(oriel::transform_normal(vec(*in), *way.from)) : *in;
 }
 
 /// Depth below which a point is as good as in the camera's own plane.
@@ -109,7 +109,7 @@ void mi_point_to_raster(const miState* state, miVector* result, const miVector* 
     return;
   }
   const Vec3 p = oriel::transform_point(vec(*in), world->camera.to_camera);
-  *result = oriel::sdk::mi(raster_of(world->camera, p));
+  *result = oriel::sdk::as_c(raster_of(world->camera, p));
 }
 
 // Across the view at the depth of the hit, as long as one step of a pixel there.

@@ -74,9 +74,9 @@ TEST(Spaces, AreThoseOfTheScenesTransforms) {
 
 TEST(Spaces, RasterIsWhereTheEyeRayBegan) {
   BareState bare;
-  for (const Vec2 raster : {Vec2(.5f, .5f), Vec2(8, 6), Vec2(15.25f, 2.5f)}) {
+  for (const Vec2& raster : {Vec2(.5f, .5f), Vec2(8, 6), Vec2(15.25f, 2.5f)}) {
     const Camera::Ray ray = bare.world().camera.ray(raster);
-    const miVector p = mi(ray.origin + ray.direction * 7);
+    const miVector p = as_c(ray.origin + ray.direction * 7);
     miVector r;
     mi_point_to_raster(&bare.state(), &r, &p);
     EXPECT_NEAR(r.x, raster.x, 1e-4f);
@@ -87,7 +87,7 @@ TEST(Spaces, RasterIsWhereTheEyeRayBegan) {
 TEST(Spaces, RasterUnitIsOnePixelOnTheScreen) {
   BareState bare;
   const Camera::Ray ray = bare.world().camera.ray(Vec2(4, 9));
-  bare.state().point = mi(ray.origin + ray.direction * 7);
+  bare.state().point = as_c(ray.origin + ray.direction * 7);
   miVector x, y, at;
   ASSERT_TRUE(mi_raster_unit(&bare.state(), &x, &y));
   for (const bool along_y : {false, true}) {
@@ -97,7 +97,7 @@ TEST(Spaces, RasterUnitIsOnePixelOnTheScreen) {
     EXPECT_NEAR(at.x, along_y ? 4 : 5, 1e-3f);
     EXPECT_NEAR(at.y, along_y ? 10 : 9, 1e-3f);
   }
-  bare.state().point = mi(ray.origin - ray.direction);
+  bare.state().point = as_c(ray.origin - ray.direction);
   EXPECT_FALSE(mi_raster_unit(&bare.state(), &x, &y)) << "behind the camera";
 }
 

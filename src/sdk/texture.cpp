@@ -2,9 +2,11 @@
 // Textures by tag: images, shaders that stand for them, and shaders.
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "runtime/texture_node.h"
 #include "sdk/call.h"
+#include "sdk/current.h"
 #include "sdk/host.h"
 
 namespace oriel::sdk {
@@ -17,7 +19,7 @@ bool look_up(const TextureNode& texture, miState* state, const miVector& coord, 
   // Coordinates repeat.
   const Vec2 uv(coord.x - std::floor(coord.x), coord.y - std::floor(coord.y));
   point.tex[0] = vec(coord);
-  color = mi(texture.lookup(uv, point, {}));
+  color = as_c(texture.lookup(uv, point, {}));
   return true;
 }
 
@@ -95,7 +97,7 @@ miBoolean mi_lookup_filter_color_texture(miColor* result, miState* state, miTag 
   footprint.dy = Vec2(ST[4], ST[5]) * (2 * radius);
   ShadingPoint point = point_of(state);
   const Vec2 uv(centre.x - std::floor(centre.x), centre.y - std::floor(centre.y));
-  *result = mi(texture->lookup(uv, footprint, point, {}));
+  *result = as_c(texture->lookup(uv, footprint, point, {}));
   return miTRUE;
 }
 

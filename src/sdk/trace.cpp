@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays that users' shaders cast.
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "runtime/environment.h"
@@ -36,9 +37,9 @@ void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& ch
                        ? make_tag(TagKind::Instance, static_cast<std::size_t>(met->instance))
                        : miNULLTAG;
   if (!met) return;
-  child.point = mi(met->position);
-  child.normal = mi(met->normal);
-  child.normal_geom = mi(met->geometric_normal);
+  child.point = as_c(met->position);
+  child.normal = as_c(met->normal);
+  child.normal_geom = as_c(met->geometric_normal);
   child.inv_normal = met->back_side;
   child.dot_nd = dot(met->normal, vec(child.dir));
 }
@@ -62,14 +63,14 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
 
   miState child = *state;
   child.type = static_cast<miRay_type>(kind);
-  child.org = mi(ray.from_surface ? point.position : ray.origin);
-  child.dir = mi(ray.direction);
+  child.org = as_c(ray.from_surface ? point.position : ray.origin);
+  child.dir = as_c(ray.direction);
   child.reflection_level = levels.reflections;
   child.refraction_level = levels.refractions;
   child.volume = kind == RayKind::Reflect ? state->volume : state->refraction_volume;
   describe_hit(seen.met, *c.host, child);
   keep_child(state, child);
-  *result = mi(seen.colour);
+  *result = as_c(seen.colour);
   return seen.met || seen.colour != Rgba(0, 0, 0, 0);
 }
 
@@ -94,8 +95,8 @@ miBoolean mi_trace_environment(miColor* result, miState* state, const miVector* 
                                 ? material->environment
                                 : c.world->environment.shaders();
   if (shaders.empty()) return miFALSE;
-  *result = mi(environment_radiance(shaders, *c.world, vec(state->point),
-                                    normalize(vec(*direction)), RayKind::Environment));
+  *result = as_c(environment_radiance(shaders, *c.world, vec(state->point),
+                                      normalize(vec(*direction)), RayKind::Environment));
   return miTRUE;
 }
 
@@ -157,12 +158,12 @@ miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVect
   const float reach = std::numeric_limits<float>::infinity();
   // From the point itself the ray must clear its surface.
   const bool here = vec(*origin) == point.position && state->pri;
-  const auto met = here ? c.tracer()->probe_from(point, d, reach)
-                        : c.tracer()->probe(vec(*origin), d, reach);
+  const auto met =
+      here ? c.tracer()->probe_from(point, d, reach) : c.tracer()->probe(vec(*origin), d, reach);
   miState child = *state;
   child.type = miRAY_PROBE;
   child.org = *origin;
-  child.dir = mi(d);
+  child.dir = as_c(d);
   describe_hit(met, *c.host, child);
   keep_child(state, child);
   return met ? miTRUE : miFALSE;
@@ -170,7 +171,8 @@ miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVect
 
 miBoolean mi_trace_shadow(miColor* result, miState* state) {
   // The renderer casts the shadow ray itself, for all lights alike: here it only learns that the
-  // light has shadows, and from a second call with black ones what of the light passes all the same.
+  // light has shadows, and from a second call with black ones what of the light passes all the
+  // same.
   Context& c = context(state);
   c.shadow_asked = true;
   if (!c.shadow_is_black) return miTRUE;

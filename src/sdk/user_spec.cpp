@@ -14,11 +14,11 @@ namespace {
 constexpr struct {
   const char* word;
   unsigned bits;
-} kApplyWords[] = {{"material", kApplyMaterial},       {"texture", kApplyTexture},
-                   {"light", kApplyLight},             {"environment", kApplyEnvironment},
-                   {"lens", kApplyLens},               {"output", kApplyOutput},
-                   {"shadow", kApplyShadow},           {"photon", kApplyPhoton},
-                   {"volume", kApplyVolume},           {"emitter", kApplyEmitter}};
+} kApplyWords[] = {{"material", kApplyMaterial}, {"texture", kApplyTexture},
+                   {"light", kApplyLight},       {"environment", kApplyEnvironment},
+                   {"lens", kApplyLens},         {"output", kApplyOutput},
+                   {"shadow", kApplyShadow},     {"photon", kApplyPhoton},
+                   {"volume", kApplyVolume},     {"emitter", kApplyEmitter}};
 
 unsigned apply_of(const scene::ShaderDeclaration& declaration) {
   unsigned bits = 0;
@@ -65,7 +65,8 @@ struct Layout {
       c_bytes = 8 + c_size(element);
       if (element == ParamType::Struct || element == ParamType::Array) {
         std::size_t bytes = 0;
-        for (const scene::ParamDecl& member : param.members[0].members) bytes += c_size(member.type);
+        for (const scene::ParamDecl& member : param.members[0].members)
+          bytes += c_size(member.type);
         diagnostics.warning("OR-SDK-010", param.where,
                             fmt::format("parameter \"{}\" of \"{}\" is an array of structs, which "
                                         "reaches the shader empty",

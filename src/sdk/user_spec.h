@@ -39,7 +39,7 @@ struct UserSpec : ShaderSpec {
   std::vector<ParamSpec> rows, result_rows;
   std::vector<CMember> members, result_members;
   std::size_t c_params_size = 0, c_result_size = 0;
-  std::size_t index = 0;  ///< among the Host's
+  std::size_t index = 0;       ///< among the Host's
   std::string parameter_text;  ///< `.mi` form of the parameters, for miQ_DECL_PARAM
 
   const Library* library_of = nullptr;

@@ -42,6 +42,38 @@ RayKind scattered_as(LobeKind kind, bool crosses) {
 
 PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
 
+/// What a photon shader asks for: stores at once, and of the ways on one by even chance.
+class PhotonChoice final : public PhotonNext {
+ public:
+  PhotonChoice(sampling::Sampler& sampler, bool globillum)
+      : sampler_(sampler), globillum_(globillum) {}
+  void store(const Rgb& energy) override { stored = energy; }
+  bool send(RayKind kind, const Rgb& energy, const Vec3& direction) override {
+    // In the caustic pass nothing is scattered diffusely.
+    const bool diffuse =
+        kind == RayKind::PhotonReflectDiffuse || kind == RayKind::PhotonTransmitDiffuse;
+    if ((diffuse && !globillum_) || max_component(energy) <= 0) return false;
+    ++ways;
+    if (ways > 1 && sampler_.next_1d() * static_cast<float>(ways) >= 1) return true;
+    way = {kind, energy, normalize(direction)};
+    return true;
+  }
+  Vec2 next() override { return sampler_.next_2d(); }
+
+  struct Way {
+    RayKind kind = RayKind::PhotonAbsorb;
+    Rgb energy{0};
+    Vec3 direction{0, 0, 1};
+  };
+  std::optional<Rgb> stored;
+  Way way;
+  int ways = 0;
+
+ private:
+  sampling::Sampler& sampler_;
+  bool globillum_;
+};
+
 class PhotonWalk {
  public:
   PhotonWalk(const World& world, const PhotonSettings& settings, const PhotonSource& source,
@@ -63,12 +95,13 @@ class PhotonWalk {
   }
   void pass_medium(const Medium& medium, float distance);
   bool pass_air(const Vec3& end, float length);
-  void store(const ShadingPoint& point);
+  void store(const ShadingPoint& point, const Rgb& power);
   float choose_lobes(const Closure& closure, LobeChoice& choice) const;
   bool go_on(const Closure& closure, const Material& material, const ShadingPoint& point,
              bool seen);
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
-  bool count_bounce(LobeKind kind);
+  bool count_bounce(bool refracts);
+  bool ask_shaders(const Material& material, ShadingPoint& point, bool seen);
   void follow(const ShadingPoint& point, const Vec3& direction);
   /// The same, unbent.
   void pass(const ShadingPoint& point) {
@@ -170,13 +203,13 @@ bool PhotonWalk::pass_air(const Vec3& end, float length) {
   return false;
 }
 
-void PhotonWalk::store(const ShadingPoint& point) {
+void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
   const bool first = !diffuse_ && !specular_ && source_.direct();
   const bool global = (diffuse_ || first) && settings_.globillum;
   const bool caustic = !diffuse_ && specular_ && settings_.caustics;
   if (!global && !caustic) return;
   (global ? log_.global : log_.caustic)
-      .push_back({{point.position, ray_.dir, power(), point.geometric_normal}, index_});
+      .push_back({{point.position, ray_.dir, power, point.geometric_normal}, index_});
 }
 
 /// Chances of the lobes: the share of the power each would keep. Returns their sum, at most 1.
@@ -200,8 +233,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
 }
 
 /// False when the trace depth allows no more.
-bool PhotonWalk::count_bounce(LobeKind kind) {
-  const bool refracts = transmits(kind) || kind == LobeKind::Translucency;
+bool PhotonWalk::count_bounce(bool refracts) {
   const scene::TraceDepth& depth = settings_.depth;
   if (reflections_ + refractions_ >= depth.sum) return false;
   return refracts ? refractions_++ < depth.refraction : reflections_++ < depth.reflection;
@@ -270,7 +302,8 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
   if (!seen) return absorb(), false;
   const bool wanted = settings_.globillum || !is_diffuse(kind);
   const bool casts = takes(point) & kCastsCaustics;
-  if (!count_bounce(kind) || !wanted || !casts) {
+  const bool through = transmits(kind) || kind == LobeKind::Translucency;
+  if (!count_bounce(through) || !wanted || !casts) {
     log_.balance.stopped += precise(power());
     factor_ = Rgb(0);
     return false;
@@ -323,6 +356,42 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
   return true;
 }
 
+/// Where the material has photon shaders they decide. False: the photon ends here.
+bool PhotonWalk::ask_shaders(const Material& material, ShadingPoint& point, bool seen) {
+  const Rgb arriving = power();
+  PhotonChoice choice(sampler_, settings_.globillum);
+  for (const ShaderNode* node : material.photon)
+    node->with_params(point,
+                      [&](const Call& call) { node->spec().photon(call, arriving, choice); });
+  if (choice.stored && seen && takes(point) & kReceivesCaustics) store(point, *choice.stored);
+  const PhotonChoice::Way& way = choice.way;
+  if (choice.ways == 0) return absorb(), false;
+  const bool refracts =
+      way.kind >= RayKind::PhotonTransmitSpecular && way.kind <= RayKind::PhotonTransmitDiffuse;
+  const bool straight = way.kind == RayKind::PhotonTransparent;
+  const Rgb energy = way.energy * static_cast<float>(choice.ways);
+  Rgb left(0);
+  for (int i = 0; i < 3; ++i) left[i] = emitted_[i] > 0 ? energy[i] / emitted_[i] : 0;
+  lose(left);
+  if (straight) {
+    pass(point);
+    return true;
+  }
+  if (!count_bounce(refracts) || !(takes(point) & kCastsCaustics)) {
+    log_.balance.stopped += precise(power());
+    factor_ = Rgb(0);
+    return false;
+  }
+  scattered_ = true;
+  kind_ = way.kind;
+  const bool diffuse =
+      kind_ == RayKind::PhotonReflectDiffuse || kind_ == RayKind::PhotonTransmitDiffuse;
+  (diffuse ? diffuse_ : specular_) = true;
+  medium_.ignore();  // shaders dim what passes their solids themselves
+  follow(point, way.direction);
+  return max_component(factor_) > 0;
+}
+
 /// At a surface. False: the photon ends here.
 bool PhotonWalk::arrive(const geom::Hit& hit) {
   ShadingPoint point;
@@ -350,6 +419,10 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   const bool turned = pass_air(point.position, length(point.position - left_));
   if (max_component(factor_) <= 0) return false;
   if (turned) return true;
+  if (!material.photon.empty()) {
+    const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
+    return ask_shaders(material, point, seen);
+  }
   const bool filtered = material.may_transmit && material.filters_shadows();
   if (filtered && pass_filter(closure, material, point)) return true;
   if (sampler_.next_1d() >= closure.opacity) {
@@ -366,7 +439,7 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.kind != LobeKind::Diffuse && lobe.kind != LobeKind::Translucency) continue;
     if (max_component(lobe.level) <= 0) continue;
-    store(point);
+    store(point, power());
     break;
   }
   return go_on(closure, material, point, seen);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The finished picture for output shaders.
+#include "sdk/output_work.h"
+
+#include "sdk/call.h"
+
+using namespace oriel;
+using namespace oriel::sdk;
+
+extern "C" {
+
+miImg_image* mi_output_image_open(miState* state, miUint index) {
+  OutputWork* work = context(state).output;
+  if (!work) return nullptr;
+  const int number = static_cast<int>(index);
+  auto& open = work->open[number];
+  if (open) return open.get();
+  const Image* image = work->picture->buffer(number);
+  if (!image) return nullptr;
+  const miImg_type type = image->channels == 1   ? miIMG_TYPE_Z
+                          : image->channels == 3 ? miIMG_TYPE_N
+                                                 : miIMG_TYPE_RGBA_FP;
+  open = std::make_unique<Picture>(type, image->width, image->height);
+  fill(*open, *image);
+  open->writable = number == miRC_IMAGE_RGBA;
+  return open.get();
+}
+
+void mi_output_image_close(miState* state, miUint index) {
+  OutputWork* work = context(state).output;
+  if (work) work->close(static_cast<int>(index));
+}
+
+// There are no contours.
+miBoolean mi_get_contour_line(miContour_endpoint*, miContour_endpoint*) { return miFALSE; }
+void mi_add_contour_lines(miContour_endpoint[], miContour_endpoint[], int) {}
+
+}  // extern "C"

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Photons in the hands of users' shaders.
+#include <algorithm>
+
+#include "sdk/call.h"
+#include "sdk/photon_work.h"
+
+namespace oriel::sdk {
+namespace {
+
+bool send(RayKind kind, miColor* energy, miState* state, const Vec3& direction) {
+  const PhotonWork* work = context(state).photon;
+  if (!work || !work->next || !state->options->trace) return false;
+  return work->next->send(kind, rgb(*energy), direction);
+}
+
+float sum(const miColor& c) { return c.r + c.g + c.b; }
+void scale(miColor* c, float factor) { c->r *= factor, c->g *= factor, c->b *= factor; }
+
+/// One of several scatterings by Russian roulette.
+struct Scatter {
+  miRay_type type;
+  miColor* color;
+  float share;  ///< of what is scattered
+};
+
+/// Chooses with a probability of the largest channel of the sum of all; the colour chosen is
+/// divided by its chance, so that the mean stays.
+template <std::size_t N>
+miRay_type choose(miState* state, const Scatter (&kinds)[N]) {
+  float most = 0, all = 0;
+  for (float miColor::*channel : {&miColor::r, &miColor::g, &miColor::b}) {
+    float channel_sum = 0;
+    for (const Scatter& k : kinds) channel_sum += k.color->*channel * k.share;
+    most = std::max(most, channel_sum);
+  }
+  for (const Scatter& k : kinds) all += sum(*k.color) * k.share;
+  if (all <= 0) return miPHOTON_ABSORB;
+  most = std::min(most, 1.0f);
+  float u = next(state).x;
+  for (const Scatter& k : kinds) {
+    const float chance = most * sum(*k.color) * k.share / all;
+    if (u < chance) {
+      scale(k.color, k.share / chance);
+      return k.type;
+    }
+    u -= chance;
+  }
+  return miPHOTON_ABSORB;
+}
+
+/// No diffuse or glossy scattering while caustics are made.
+bool caustics_alone(const miState* state) {
+  const PhotonWork* work = context(state).photon;
+  return work && work->caustic;
+}
+
+}  // namespace
+}  // namespace oriel::sdk
+
+using namespace oriel;
+using namespace oriel::sdk;
+
+extern "C" {
+
+miBoolean mi_photon_light(miColor* energy, miState* state) {
+  const PhotonWork* work = context(state).photon;
+  if (!work || !work->emission) return miFALSE;
+  work->emission->send(rgb(*energy), vec(state->org), normalize(vec(state->dir)));
+  return miTRUE;
+}
+
+miBoolean mi_photon_reflection_specular(miColor* energy, miState* state, const miVector* dir) {
+  return send(RayKind::PhotonReflectSpecular, energy, state, vec(*dir)) ? miTRUE : miFALSE;
+}
+miBoolean mi_photon_reflection_glossy(miColor* energy, miState* state, const miVector* dir) {
+  return send(RayKind::PhotonReflectGlossy, energy, state, vec(*dir)) ? miTRUE : miFALSE;
+}
+miBoolean mi_photon_reflection_diffuse(miColor* energy, miState* state, const miVector* dir) {
+  return send(RayKind::PhotonReflectDiffuse, energy, state, vec(*dir)) ? miTRUE : miFALSE;
+}
+miBoolean mi_photon_transmission_specular(miColor* energy, miState* state, const miVector* dir) {
+  return send(RayKind::PhotonTransmitSpecular, energy, state, vec(*dir)) ? miTRUE : miFALSE;
+}
+miBoolean mi_photon_transmission_glossy(miColor* energy, miState* state, const miVector* dir) {
+  return send(RayKind::PhotonTransmitGlossy, energy, state, vec(*dir)) ? miTRUE : miFALSE;
+}
+miBoolean mi_photon_transmission_diffuse(miColor* energy, miState* state, const miVector* dir) {
+  return send(RayKind::PhotonTransmitDiffuse, energy, state, vec(*dir)) ? miTRUE : miFALSE;
+}
+miBoolean mi_photon_transparent(miColor* energy, miState* state) {
+  return send(RayKind::PhotonTransparent, energy, state, vec(state->dir)) ? miTRUE : miFALSE;
+}
+// There are no photons in volumes.
+miBoolean mi_photon_volume_scattering(miColor*, miState*, const miVector*) { return miFALSE; }
+miBoolean mi_store_volume_photon(miColor*, miState*) { return miFALSE; }
+
+miBoolean mi_store_photon(miColor* energy, miState* state) {
+  const PhotonWork* work = context(state).photon;
+  if (!work || !work->next) return miFALSE;
+  work->next->store(rgb(*energy));
+  return miTRUE;
+}
+
+miRay_type mi_choose_scatter_type(miState* state, miScalar transp, miColor* diffuse,
+                                  miColor* glossy, miColor* specular) {
+  const float through = std::clamp(transp, 0.0f, 1.0f), back = 1 - through;
+  if (caustics_alone(state)) {
+    const Scatter kinds[] = {{miPHOTON_REFLECT_SPECULAR, specular, back},
+                             {miPHOTON_TRANSMIT_SPECULAR, specular, through}};
+    return choose(state, kinds);
+  }
+  const Scatter kinds[] = {
+      {miPHOTON_REFLECT_DIFFUSE, diffuse, back},   {miPHOTON_REFLECT_GLOSSY, glossy, back},
+      {miPHOTON_REFLECT_SPECULAR, specular, back}, {miPHOTON_TRANSMIT_DIFFUSE, diffuse, through},
+      {miPHOTON_TRANSMIT_GLOSSY, glossy, through}, {miPHOTON_TRANSMIT_SPECULAR, specular, through}};
+  return choose(state, kinds);
+}
+
+miRay_type mi_choose_simple_scatter_type(miState* state, miColor* rdiff, miColor* rspec,
+                                         miColor* tdiff, miColor* tspec) {
+  if (caustics_alone(state)) {
+    const Scatter kinds[] = {{miPHOTON_REFLECT_SPECULAR, rspec, 1},
+                             {miPHOTON_TRANSMIT_SPECULAR, tspec, 1}};
+    return choose(state, kinds);
+  }
+  const Scatter kinds[] = {{miPHOTON_REFLECT_DIFFUSE, rdiff, 1},
+                           {miPHOTON_REFLECT_SPECULAR, rspec, 1},
+                           {miPHOTON_TRANSMIT_DIFFUSE, tdiff, 1},
+                           {miPHOTON_TRANSMIT_SPECULAR, tspec, 1}};
+  return choose(state, kinds);
+}
+
+}  // extern "C"
