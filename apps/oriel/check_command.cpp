@@ -90,8 +90,7 @@ json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
     if (const scene::Camera* camera = find_camera(scene, scene.renders.back())) {
       const std::string folder = std::filesystem::path(a.scene.path).parent_path().string();
       for (const PictureFile& f :
-           camera_outputs(*camera, {folder, {folder}}, scene, host.registry(), *world,
-                          diagnostics))
+           camera_outputs(*camera, {folder, {folder}}, scene, host.registry(), *world, diagnostics))
         outputs.push_back(f.path);
     }
     host.end_frame();

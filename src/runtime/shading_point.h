@@ -106,10 +106,10 @@ struct ShadingPoint {
   /// Half axes of the ray's footprint on the surface, world units; null when unknown.
   Vec3 dpdx{0}, dpdy{0};
 
-  float ray_offset = 0;  ///< rays may start this far along the geometric normal
-  int instance = -1;     ///< index into World::instances
+  float ray_offset = 0;         ///< rays may start this far along the geometric normal
+  int instance = -1;            ///< index into World::instances
   std::uint32_t primitive = 0;  ///< triangle of the instance's mesh
-  int light = -1;        ///< for shadow shaders, index into World::lights; -1 = none of these
+  int light = -1;  ///< for shadow shaders, index into World::lights; -1 = none of these
   const Mat4* to_object = nullptr;  ///< world to object space, null means identity
   const Mat4* to_world = nullptr;
   Vec2 raster{0};  ///< pixels, origin lower left, pixel centres at half steps
