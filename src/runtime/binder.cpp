@@ -318,6 +318,12 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("photon"))
     for (const ShaderNode* node : bind_list(*list, scope))
       if (node->spec().photon) bound.photon.push_back(node);
+  if (const auto* list = material.slot("lightmap");
+      list && !list->empty() && world_.options.lightmap != scene::MapMode::Off)
+    diagnostics_.warning(
+        "OR-RT-045", material.where,
+        fmt::format("material \"{}\" asks for a light map; none is made", material.name),
+        "the picture is lit as a whole and needs none; textures that were painted before are read");
   const auto transmits = [](const ShaderNode* node) {
     return node->spec().may_transmit && node->spec().may_transmit(*node);
   };

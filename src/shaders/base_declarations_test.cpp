@@ -99,6 +99,8 @@ constexpr PlainInterface kBase[] = {
     {"mib_lens_stencil", 1, "floor s, ceiling s, floor_color c, ceil_color c, stencil stex"},
     {"mib_lens_clamp", 1, "floor s, ceiling s, luminance b, floor_color c, ceil_color c"},
     {"mib_volume", 1, "color c, max s, lightrays b"},
+    {"mib_lightmap_sample", 1, "indirect b, flip i, lights L"},
+    {"mib_lightmap_write", 2, "texture tex, coord sh, input sh, fg_mode i"},
     {"mib_ray_marcher", 1, "shader sh, distance s, num i, subdiv i, contrast c"},
     {"oversampling_lens", 1, "samples i"},
     {"dgs_material", 3,

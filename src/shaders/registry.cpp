@@ -21,6 +21,7 @@
 #include "shaders/base/mib_lens.h"
 #include "shaders/base/mib_light.h"
 #include "shaders/base/mib_light_photometric.h"
+#include "shaders/base/mib_lightmap.h"
 #include "shaders/base/mib_lookup.h"
 #include "shaders/base/mib_lookup_cube.h"
 #include "shaders/base/mib_occlusion.h"
@@ -83,6 +84,8 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kMibLensClamp,
     &kMibLensStencil,
     &kMibLightInfinite,
+    &kMibLightmapSample,
+    &kMibLightmapWrite,
     &kMibLightPhotometric,
     &kMibLightPoint,
     &kMibLightSpot,
