@@ -214,12 +214,11 @@ TEST(RayKinds, BlockersAreAskedForTheirShadow) {
       .square("plate", Vec3(0), 2, kUp)
       .square("filter", Vec3(0, 0, 1), 50, kUp)
       .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
-  const Probe probe = probe_of(scene);
-  EXPECT_GT(Probe(scene.str(), registry()).direct_only().onto(Vec3(0), kUp, 20, 64).mean.x, .4f);
+  EXPECT_GT(probe_of(scene).direct_only().onto(Vec3(0), kUp, 20, 64).mean.x, .4f);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Shadow}));
   EXPECT_TRUE(was_asked_by(2, {RayKind::Shadow}));
   // Diffuse rays see the surface, and pass it as shadow rays do.
-  probe.onto(Vec3(0), kUp, 20, 256);
+  probe_of(scene).onto(Vec3(0), kUp, 20, 256);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Shadow}));
   EXPECT_TRUE(was_asked_by(2, {RayKind::Shadow}));
   EXPECT_EQ(asked[1] & ~(bit(RayKind::FinalGather) | bit(RayKind::Shadow)), 0u);
