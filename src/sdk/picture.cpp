@@ -151,12 +151,12 @@ Rgba Picture::colour(int x, int y) {
 void Picture::set_colour(int x, int y, const Rgba& v) {
   if (storage_ == Storage::SharedExponent) {
     int exponent = 0;
-    const float largest = std::max({v.r, v.g, v.b, 0.0f});
+    const float largest = std::max({0.0f, v.r, v.g, v.b});
     std::frexp(std::min(largest, 1e38f), &exponent);
     exponent = largest < 1e-38f ? -128 : exponent;
     for (int k = 0; k < 3; ++k)
       row(y, k)[x] = static_cast<unsigned char>(
-          clamp(std::floor(std::ldexp(std::max(v[k], 0.0f), 8 - exponent)), 0, 255));
+          clamp(std::floor(std::ldexp(std::max(0.0f, v[k]), 8 - exponent)), 0, 255));
     row(y, 3)[x] = static_cast<unsigned char>(exponent + 128);
     return;
   }
