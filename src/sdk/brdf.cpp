@@ -58,17 +58,10 @@ miScalar mi_blinn_specular(const miVector* di, const miVector* dr, const miVecto
   return torrance(Local(di, dr, vec(*n)), roughness, ior);
 }
 
-// The half vector's cosine to a power in place of facets that hide each other. The power is that
-// whose distribution is as wide as Beckmann's of this slope: Walter et al., "Microfacet Models for
-// Refraction through Rough Surfaces", EGSR 2007, section 5.2.
-miScalar mi_blong_specular(const miVector* di, const miVector* dr, const miVector* n,
-                           miScalar roughness, miScalar ior) {
-  const Local l(di, dr, vec(*n));
+miScalar mi_blong_specular(miScalar exponent, miState* state, const miVector* dir) {
+  const Local l(&state->dir, dir, vec(state->normal));
   if (l.wo.z <= 0 || l.wi.z <= 0) return 0;
-  const Vec3 h = normalize(l.wo + l.wi);
-  const float exponent = std::max(0.0f, 2 / oriel::sqr(std::max(roughness, 1e-3f)) - 2);
-  return std::pow(h.z, exponent) *
-         oriel::bsdf::fresnel_dielectric(dot(l.wo, h), std::max(ior, 1.0f));
+  return std::pow(std::max(0.0f, normalize(l.wo + l.wi).z), exponent);
 }
 
 miBoolean mi_cooktorr_specular(miColor* result, const miVector* di, const miVector* dr,

@@ -4,8 +4,8 @@
 #define ORIEL_SDK_BRDF_H
 
 // Conventions
-//   di points to the surface, dr and n away from it; all unit, internal space. Values leave the
-//   cosine out: callers multiply with dot_nl.
+//   di points to the surface, dr and n away from it; all unit, internal space. Ward's values leave
+//   the cosine out: callers multiply with dot_nl. The others have the light's cosine in them.
 
 #include "state.h"
 
@@ -18,9 +18,8 @@ miScalar mi_phong_specular(miScalar exponent, miState* state, const miVector* di
 /// Blinn's highlight with Torrance-Sparrow facets.
 miScalar mi_blinn_specular(const miVector* di, const miVector* dr, const miVector* n,
                            miScalar roughness, miScalar ior);
-/// Blinn's highlight in its cheaper form.
-miScalar mi_blong_specular(const miVector* di, const miVector* dr, const miVector* n,
-                           miScalar roughness, miScalar ior);
+/// As mi_phong_specular by the cosine between the normal and the half vector.
+miScalar mi_blong_specular(miScalar exponent, miState* state, const miVector* dir);
 /// Cook-Torrance; ior is relative and per channel, 1 or more. miFALSE: no highlight.
 miBoolean mi_cooktorr_specular(miColor* result, const miVector* di, const miVector* dr,
                                const miVector* n, miScalar roughness, const miColor* ior);

@@ -19,7 +19,7 @@ typedef struct miTexfilter {
   miScalar max_minor;      ///< minor axis at most, texels
   miScalar circle_radius;  ///< of the disc on the screen, pixels
   miBoolean bilinear;
-  int spare[10];
+  miScalar spare[10];
 } miTexfilter;
 
 /// Colour at a coordinate.

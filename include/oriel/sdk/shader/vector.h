@@ -109,7 +109,7 @@ miBoolean mi_matrix_invert(miMatrix r, const miMatrix m);
 void mi_matrix_rotate(miMatrix m, miScalar x, miScalar y, miScalar z);
 /// m = rotation by `angle` radians about `axis`, which need not be unit.
 void mi_matrix_rotate_axis(miMatrix m, const miVector* axis, miScalar angle);
-/// Solves a * x = b for n unknowns, a row by row; miFALSE where a is singular.
+/// Solves a * x = b: a is 4x4, x and b are 4 rows of n columns; miFALSE where a is singular.
 miBoolean mi_matrix_solve(miScalar* x, const miScalar* a, const miScalar* b, int n);
 /// r = point p through m; r may be p.
 void mi_point_transform(miVector* r, const miVector* p, const miMatrix m);
