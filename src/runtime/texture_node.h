@@ -22,6 +22,8 @@ class TextureNode {
                                            float gamma, Diagnostics& diagnostics);
 
   bool missing() const { return procedure_.empty() && !texture_; }
+  /// The shaders of a procedural texture; empty for pictures.
+  const NodeList& procedure() const { return procedure_; }
 
   /// Pixels of the picture; 0 where it is procedural or missing.
   int width() const { return texture_ ? texture_->width() : 0; }

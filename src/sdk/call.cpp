@@ -14,6 +14,7 @@
 #include "sdk/photon_work.h"
 #include "sdk/shader_state.h"
 #include "sdk/tags.h"
+#include "sdk/triangle.h"
 
 namespace oriel::sdk {
 namespace {
@@ -129,6 +130,10 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
     state.instance = make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
   if (point.light >= 0)
     state.light_instance = make_tag(TagKind::LightInstance, static_cast<std::size_t>(point.light));
+  if (const std::optional<HitTriangle> hit = hit_triangle(point)) {
+    const Vec3 weights = hit->weights(point.position);
+    for (int i = 0; i < 3; ++i) state.bary[i] = weights[i];
+  }
   if (!point.environment) state.pri = reinterpret_cast<miRc_intersection*>(&point);
   state.point = as_c(point.position);
   state.normal = as_c(point.normal);

@@ -73,6 +73,13 @@ const ShaderNode* shader_of(const Material& material, miShader_type type) {
       return first(material.environment);
     case miSHADER_DISPLACE:
       return first(material.displace);
+    case miSHADER_PHOTON:
+      return first(material.photon);
+    case miSHADER_VOLUME:
+    case miSHADER_PHOTONVOL:
+    case miSHADER_CONTOUR:
+    case miSHADER_LIGHTMAP:
+      return nullptr;  // materials have no such shaders here
     default:
       return first(material.surface);
   }
@@ -138,6 +145,15 @@ miBoolean mi_call_shadow_material(miColor* result, miState* state) {
 }
 miBoolean mi_call_environment_material(miColor* result, miState* state) {
   return mi_call_shader_x(result, miSHADER_ENVIRONMENT, state, state->material, nullptr);
+}
+miBoolean mi_call_photon_material(miColor* result, miState* state) {
+  return mi_call_shader_x(result, miSHADER_PHOTON, state, state->material, nullptr);
+}
+miBoolean mi_call_volume_material(miColor* result, miState* state) {
+  return mi_call_shader_x(result, miSHADER_VOLUME, state, state->material, nullptr);
+}
+miBoolean mi_call_photonvol_material(miColor* result, miState* state) {
+  return mi_call_shader_x(result, miSHADER_PHOTONVOL, state, state->material, nullptr);
 }
 
 }  // extern "C"

@@ -124,7 +124,6 @@ std::string finish(GeometryWork& work) {
   if (work.results.empty()) return {};
   if (work.results.size() == 1) return work.results[0];
   scene::InstanceGroup all;
-  all.name = work.name_for(nullptr);
   for (const std::string& result : work.results) {
     if (work.scene->get<scene::Instance>(result)) {
       all.members.push_back(result);
@@ -136,7 +135,8 @@ std::string finish(GeometryWork& work) {
     all.members.push_back(placed.name);
     work.scene->add(std::move(placed));
   }
-  const std::string name = all.name;
+  const std::string name = work.name_for(nullptr);
+  all.name = name;
   work.scene->add(std::move(all));
   return name;
 }

@@ -5,6 +5,7 @@
 
 #include "sdk/call.h"
 #include "sdk/current.h"
+#include "sdk/frame_buffers.h"
 #include "sdk/host.h"
 
 namespace oriel::sdk {
@@ -16,7 +17,19 @@ miUchar bits(unsigned takes, unsigned casts, unsigned receives) {
   return static_cast<miUchar>(((takes & casts) ? 1 : 0) | ((takes & receives) ? 2 : 0));
 }
 
-miCamera camera_of(const World& world) {
+/// The frame as the camera writes it: `frame number time field`.
+void store_frame(const scene::Camera& camera, miCamera& out) {
+  const scene::Statement* frame = scene::find_last(camera.other, "frame");
+  if (!frame || frame->values.empty()) return;
+  std::vector<double> numbers;
+  for (const scene::Value& v : frame->values)
+    numbers.insert(numbers.end(), v.numbers.begin(), v.numbers.end());
+  if (!numbers.empty()) out.frame = static_cast<int>(numbers[0]);
+  if (numbers.size() > 1) out.frame_time = static_cast<float>(numbers[1]);
+  if (numbers.size() > 2) out.frame_field = static_cast<int>(numbers[2]);
+}
+
+miCamera camera_of(const World& world, const scene::Camera* written) {
   const Camera& c = world.camera;
   miCamera out = {};
   out.orthographic = c.orthographic;
@@ -30,6 +43,7 @@ miCamera camera_of(const World& world) {
   out.x_offset = c.offset.x;
   out.y_offset = c.offset.y;
   out.buffertag = make_tag(TagKind::Camera, 0);
+  if (written) store_frame(*written, out);
   return out;
 }
 
@@ -234,7 +248,7 @@ Host::Record Host::make(miTag tag) {
   };
   switch (kind_of(tag)) {
     case TagKind::Camera:
-      return record(camera_of(*world_));
+      return record(camera_of(*world_, scene_camera(*this)));
     case TagKind::Options:
       return record(options_of(*world_));
     case TagKind::CameraInstance: {

@@ -12,15 +12,12 @@
 namespace oriel::sdk {
 namespace {
 
-/// The colour of a texture element at a coordinate.
-bool look_up(const TextureNode& texture, miState* state, const miVector& coord, miColor& color) {
-  if (texture.missing()) return false;
-  ShadingPoint point = point_of(state);
-  // Coordinates repeat.
-  const Vec2 uv(coord.x - std::floor(coord.x), coord.y - std::floor(coord.y));
-  point.tex[0] = vec(coord);
-  color = as_c(texture.lookup(uv, point, {}));
-  return true;
+struct alignas(16) CResult {
+  std::byte bytes[kMostParamBytes] = {};
+};
+
+ParamType first_result(const ShaderSpec& spec) {
+  return spec.result == ParamType::Struct ? spec.results[0].type : spec.result;
 }
 
 /// Runs a shader with the coordinate in state->tex; its result in C layout.
@@ -34,12 +31,26 @@ bool run_texture(const ShaderNode& node, miState* state, const miVector& coord, 
   return answer;
 }
 
-struct alignas(16) CResult {
-  std::byte bytes[kMostParamBytes] = {};
-};
-
-ParamType first_result(const ShaderSpec& spec) {
-  return spec.result == ParamType::Struct ? spec.results[0].type : spec.result;
+/// The colour of a texture element at a coordinate.
+bool look_up(const TextureNode& texture, miState* state, const miVector& coord, miColor& color) {
+  if (texture.missing()) return false;
+  if (!texture.procedure().empty()) {
+    CResult result;
+    bool answer = true;
+    for (const ShaderNode* node : texture.procedure()) {
+      answer = run_texture(*node, state, coord, result.bytes);
+      CResult own;
+      from_c(first_result(node->spec()), result.bytes, own.bytes);
+      convert_value(first_result(node->spec()), own.bytes, ParamType::Color, &color);
+    }
+    return answer;
+  }
+  ShadingPoint point = point_of(state);
+  // Coordinates repeat.
+  const Vec2 uv(coord.x - std::floor(coord.x), coord.y - std::floor(coord.y));
+  point.tex[0] = vec(coord);
+  color = as_c(texture.lookup(uv, point, {}));
+  return true;
 }
 
 /// The value of a texture converted to a type of the renderer.
@@ -87,8 +98,8 @@ miBoolean mi_lookup_vector_texture(miVector* result, miState* state, miTag tag,
 miBoolean mi_lookup_filter_color_texture(miColor* result, miState* state, miTag tag,
                                          const miTexfilter* filter, miMatrix ST) {
   const TextureNode* texture = context(state).host->texture(tag);
-  // The disc's centre is the middle of the screen; its image is the ellipse.
-  const miVector centre = {ST[12], ST[13], 0};
+  // (x, y, 1) * ST is the coordinate at a point of the screen: the disc's centre is its origin.
+  const miVector centre = {ST[8], ST[9], 0};
   if (!texture) return mi_lookup_color_texture(result, state, tag, &centre);
   if (texture->missing()) return miFALSE;
   const float radius = filter && filter->circle_radius > 0 ? filter->circle_radius : 0.5f;
