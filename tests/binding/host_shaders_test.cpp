@@ -211,6 +211,17 @@ TEST(HostShaders, TheScenesOwnDeclarationGivesDefaultsAndMoreParameters) {
   EXPECT_EQ(s.report.binding.ignored.count("maya_lambert.glow"), 1u);
 }
 
+TEST(HostShaders, BuffersAndColoursOfTheHostLeaveThePictureAsItIs) {
+  const testing::PreparedScene s(testing::scene_text(
+      kScene, "",
+      "lens \"max_base_GBuffer_lens\" ( \"MtlID\" on ) lens \"maya_colormanagement\" ( )"));
+  EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
+  EXPECT_TRUE(s.world->lens.empty());
+  EXPECT_TRUE(s.world->lens_rays.empty());
+  EXPECT_EQ(s.report.binding.stand_ins.count("max_base_GBuffer_lens"), 1u);
+  EXPECT_EQ(s.report.binding.stand_ins.count("maya_colormanagement"), 1u);
+}
+
 TEST(HostShaders, AllAreReportedAndNothingOfThemIsExact) {
   int count = 0;
   for (const ShaderSpec* spec : builtin_shaders().all()) {

@@ -36,9 +36,18 @@ constexpr ShaderSpec displacing(const char* name) {
           .stands_in = true};
 }
 
-/// What has no part in a picture of Oriel's: passed over wherever it stands.
+/// What has no part in a picture of Oriel's: passed over. As a lens it is one of no rays, which is
+/// off.
 constexpr ShaderSpec passed_over(const char* name, unsigned apply, const char* doc) {
-  return {.name = name, .library = "hosts", .apply = apply, .doc = doc, .stands_in = true};
+  return {
+      .name = name,
+      .library = "hosts",
+      .apply = apply,
+      .doc = doc,
+      .lens_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
+      .lens_rays = [](const ShaderNode&) { return 0; },
+      .stands_in = true,
+  };
 }
 
 constexpr ShaderSpec kNodes[] = {
@@ -56,7 +65,8 @@ constexpr ShaderSpec kNodes[] = {
     passed_over("maya_shaderglow", kApplyOutput, "The host's glow: without effect."),
     passed_over("maya_volumesampler", kApplyVolume, "The host's volumes: without effect."),
     passed_over("maya_volumeengine", kApplyVolume, "The host's volumes: without effect."),
-    passed_over("maya_colormanagement", kApplyOutput, "The host's colours: without effect."),
+    passed_over("maya_colormanagement", kApplyLens | kApplyOutput,
+                "The host's colours: without effect."),
     passed_over("maya_options", kApplyOutput, "The host's options: without effect."),
     passed_over("maya_state", kApplyOutput, "The host's state: without effect."),
     passed_over("maya_lightlink", kApplyLight, "The host's links of lights: without effect."),
