@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What does one blurred look-up of the environment spare, against a hundred glossy rays?
 //
-// A glossy sphere under an environment of many small lamps: 100 samples of each
+// A glossy sphere in a room with windows, or under many small lamps: 100 samples of each
 // reflection with the environment as it is, against 8 with mia_envblur around it and
 // single_env_sample on. Errors are those against a converged picture, noise is what differs between
 // two pictures of other random numbers; both root mean squares over the mean.
@@ -42,16 +42,32 @@ void lamps(const Call& call, void* result) {
 constexpr ShaderSpec kLampsShader = {
     .name = "bench_lamps", .library = "bench", .apply = kApplyEnvironment, .value = lamps};
 
+/// A grey room with three windows of different size, four to twenty times as bright.
+void windows(const Call& call, void* result) {
+  const Vec3& d = call.point.ray_direction;
+  float sum = .3f + .1f * d.z;
+  const auto window = [&](const Vec3& middle, float cosine, float level) {
+    sum += level * smoothstep(cosine - .02f, cosine + .02f, dot(d, normalize(middle)));
+  };
+  window(Vec3(1, .5f, .3f), .9f, 2);
+  window(Vec3(-1, .3f, .4f), .96f, 4);
+  window(Vec3(.2f, -1, 1), .98f, 8);
+  *static_cast<Rgba*>(result) = Rgba(sum, sum, sum, 1);
+}
+constexpr ShaderSpec kWindowsShader = {
+    .name = "bench_windows", .library = "bench", .apply = kApplyEnvironment, .value = windows};
+
 const Registry& registry() {
   static const Registry all([] {
     std::vector<const ShaderSpec*> specs = builtin_shaders().all();
     specs.push_back(&kLampsShader);
+    specs.push_back(&kWindowsShader);
     return specs;
   }());
   return all;
 }
 
-std::string scene_of(float gloss, int samples, bool blurred) {
+std::string scene_of(const char* around, float gloss, int samples, bool blurred) {
   constexpr int kRings = 32;
   std::string points, faces;
   for (int i = 0; i <= kRings; ++i)
@@ -67,7 +83,7 @@ std::string scene_of(float gloss, int samples, bool blurred) {
   for (int i = 0; i < (kRings + 1) * 2 * kRings; ++i) vertices += fmt::format("v {0} n {0}\n", i);
   return fmt::format(
       "options \"opt\" object space trace on trace depth 2 2 4 end options\n"
-      "shader \"lamps\" \"bench_lamps\" ()\n"
+      "shader \"around\" \"bench_{}\" ()\n"
       "material \"m\" \"mia_material_x\" ( \"diffuse_weight\" 0, \"reflectivity\" 1, "
       "\"brdf_0_degree_refl\" 1, \"refl_gloss\" {}, \"refl_gloss_samples\" {}, \"refl_depth\" 1, "
       "\"single_env_sample\" {} ) end material\n"
@@ -77,8 +93,8 @@ std::string scene_of(float gloss, int samples, bool blurred) {
       "instance \"cam_i\" \"cam\" transform 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -3 1 end instance\n"
       "instgroup \"world\" \"cam_i\" \"ball_i\" end instgroup\n"
       "render \"world\" \"cam_i\" \"opt\"\n",
-      gloss, samples, blurred ? "on" : "off", points, vertices, faces, kSide, kSide,
-      blurred ? "\"mia_envblur\" ( \"environment\" \"lamps\" )" : "= \"lamps\"");
+      around, gloss, samples, blurred ? "on" : "off", points, vertices, faces, kSide, kSide,
+      blurred ? "\"mia_envblur\" ( \"environment\" \"around\" )" : "= \"around\"");
 }
 
 using Picture = std::vector<Rgb>;
@@ -130,6 +146,34 @@ double difference(const Picture& a, const Picture& b, const Picture& exact) {
   return std::sqrt(sum / n) / (mean / n);
 }
 
+/// What the two ways cost and miss under one environment.
+void compare(const char* around, float gloss) {
+  const Scene converged(scene_of(around, gloss, kConverged, false)),
+      many(scene_of(around, gloss, 100, false)), few(scene_of(around, gloss, 8, false)),
+      blurred(scene_of(around, gloss, 8, true));
+  const Picture exact = converged.render(99);
+  std::vector<double> ratios, seconds[3];
+  Picture pictures[3];
+  const Scene* const scenes[] = {&many, &few, &blurred};
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (int k = 0; k < 3; ++k)
+      seconds[k].push_back(bench::timed([&] {
+                             for (int i = 0; i < 4; ++i) pictures[k] = scenes[k]->render(1);
+                           }).cpu);
+    ratios.push_back(seconds[0].back() / seconds[2].back());
+  }
+  std::sort(ratios.begin(), ratios.end());
+  fmt::print(
+      "{}, gloss {}: 100 rays over 8 with one blurred look-up: time {:.1f} ({:.1f} to {:.1f})\n",
+      around, gloss, bench::median(ratios), ratios.front(), ratios.back());
+  const char* const names[] = {"100 rays", "8 rays", "8 rays, one blurred look-up"};
+  for (int k = 0; k < 3; ++k)
+    fmt::print("  {}: error {:.4f}, noise {:.4f}, {:.3f} s\n", names[k],
+               difference(pictures[k], exact, exact),
+               difference(pictures[k], scenes[k]->render(2), exact) / std::sqrt(2.0),
+               bench::median(seconds[k]) / 4);
+}
+
 }  // namespace
 
 int main() {
@@ -137,33 +181,10 @@ int main() {
   fmt::print("table of the default resolution: ");
   std::vector<double> prepare_blurred, prepare_sharp;
   for (int i = 0; i < kTurns; ++i) {
-    prepare_blurred.push_back(bench::timed([] { Scene scene(scene_of(.5f, 8, true)); }).cpu);
-    prepare_sharp.push_back(bench::timed([] { Scene scene(scene_of(.5f, 8, false)); }).cpu);
+    prepare_blurred.push_back(bench::timed([] { Scene scene(scene_of("lamps", .5f, 8, true)); }).cpu);
+    prepare_sharp.push_back(bench::timed([] { Scene scene(scene_of("lamps", .5f, 8, false)); }).cpu);
   }
   fmt::print("{:.2f} s\n", bench::median(prepare_blurred) - bench::median(prepare_sharp));
-  for (const float gloss : {.7f, .5f, .3f}) {
-    const Scene converged(scene_of(gloss, kConverged, false)), many(scene_of(gloss, 100, false)),
-        few(scene_of(gloss, 8, false)), blurred(scene_of(gloss, 8, true));
-    const Picture exact = converged.render(99);
-    std::vector<double> ratios, seconds[3];
-    Picture pictures[3];
-    const Scene* const scenes[] = {&many, &few, &blurred};
-    for (int turn = 0; turn < kTurns; ++turn) {
-      for (int k = 0; k < 3; ++k)
-        seconds[k].push_back(bench::timed([&] {
-                               for (int i = 0; i < 4; ++i) pictures[k] = scenes[k]->render(1);
-                             }).cpu);
-      ratios.push_back(seconds[0].back() / seconds[2].back());
-    }
-    std::sort(ratios.begin(), ratios.end());
-    fmt::print(
-        "gloss {}: 100 rays over 8 with one blurred look-up: time {:.1f} ({:.1f} to {:.1f})\n",
-        gloss, bench::median(ratios), ratios.front(), ratios.back());
-    const char* const names[] = {"100 rays", "8 rays", "8 rays, one blurred look-up"};
-    for (int k = 0; k < 3; ++k)
-      fmt::print("  {}: error {:.4f}, noise {:.4f}, {:.3f} s\n", names[k],
-                 difference(pictures[k], exact, exact),
-                 difference(pictures[k], scenes[k]->render(2), exact) / std::sqrt(2.0),
-                 bench::median(seconds[k]) / 4);
-  }
+  for (const char* around : {"windows", "lamps"})
+    for (const float gloss : {.7f, .5f, .3f}) compare(around, gloss);
 }
