@@ -19,7 +19,8 @@ PAGES = HERE.parent / "docs/shaders"
 
 def load(name):
     loader = importlib.machinery.SourceFileLoader("shader_sheets", str(HERE / name))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("shader_sheets", loader))
+    spec = importlib.util.spec_from_loader("shader_sheets", loader)
+    module = importlib.util.module_from_spec(spec)
     loader.exec_module(module)
     return module
 
@@ -101,7 +102,8 @@ class Pictures(unittest.TestCase):
         for y, row in enumerate(rows):
             kind, line = raw[31 * y], bytearray(raw[31 * y + 1:31 * y + 31])
             for x in range(30):
-                line[x] = (line[x] + (before[x] if kind == 2 else line[x - 3] if x > 2 else 0)) & 255
+                left = line[x - 3] if x > 2 else 0
+                line[x] = (line[x] + (left, before[x], (left + before[x]) // 2)[kind - 1]) & 255
             self.assertEqual(row, bytes(line))
             before = row
 
