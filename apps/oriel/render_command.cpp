@@ -14,6 +14,7 @@
 #include "render/camera_output.h"
 #include "render/exposure_check.h"
 #include "render/output.h"
+#include "render/output_names.h"
 #include "render/prepare.h"
 #include "render/session.h"
 #include "render/unit_luminance.h"
@@ -213,9 +214,7 @@ class FrameRenderer {
         {[this](const Progress& p) { line_.update(p); }, [this](const Progress& p) { on_pass(p); }},
         &interrupted());
     line_.clear();
-    report_crash();
-    host_->end_frame();
-    if (reason == StopReason::MapsOnly) return finish(reason), true;
+    if (reason == StopReason::MapsOnly) return end_shaders(), finish(reason), true;
     if (session_->film().light_layers() > 0 && session_->has_unknown_light())
       diagnostics_.note("OR-RN-060", {},
                         "light from maps in files, of interpolated reflections and of shaders that "
@@ -223,12 +222,15 @@ class FrameRenderer {
                         "light.indirect");
     if (a_.denoise && !world_->preview) denoised_ = denoised_beauty(*session_);
     write_files();
+    end_shaders();
     finish(reason);
     return true;
   }
 
  private:
-  void report_crash() {
+  /// After the files: output shaders belong to the frame.
+  void end_shaders() {
+    host_->end_frame();
     const std::string& shader = sdk::crashed_shader();
     if (!shader.empty())
       diagnostics_.error("OR-SDK-005", {}, fmt::format("shader \"{}\" crashed", shader),
@@ -302,6 +304,10 @@ class FrameRenderer {
     if (std::any_of(materials.begin(), materials.end(),
                     [](const Material& m) { return m.outputs; }))
       return true;
+    // Buffers of that name are filled by users' shaders.
+    if (std::any_of(world_->user_buffers.begin(), world_->user_buffers.end(),
+                    [](const UserBuffer& b) { return output_of_frame_buffer(b.name) >= 0; }))
+      return false;
     diagnostics_.warning("OR-RN-055", {},
                          "no material has outputs beside its result, so there are no such layers",
                          "switch on multiple_outputs of the materials");

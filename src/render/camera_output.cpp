@@ -80,6 +80,8 @@ void add_file(PictureFile file, std::vector<PictureFile>& files) {
     if (!shown->empty()) same->layers |= layer_bit(*shown);
   same->layers |= file.layers;
   same->shown_layer.clear();
+  same->user_buffer = -1;
+  same->only_user_buffer = false;
   same->samples = std::max(same->samples, file.samples);
 }
 
@@ -93,17 +95,27 @@ class BufferReader {
             std::vector<PictureFile>& files) {
     if (buffer.filename.empty()) return;
     const int shown = is_picture(buffer) ? -1 : output_of_frame_buffer(buffer.name);
+    const int written = is_picture(buffer) ? -1 : user_buffer(buffer.name);
     scene::Output output{buffer.datatype.empty() ? "rgba" : buffer.datatype, buffer.filetype,
                          buffer.filename, buffer.modifiers};
     output.where = buffer.where;
     const bool side_channel = shown < 0 && has_side_channel(world_, buffer.name);
-    if (shown < 0 && !side_channel && !is_picture(buffer) && !is_geometry_type(output.types)) {
+    const bool means_nothing =
+        shown < 0 && !side_channel && !is_picture(buffer) && !is_geometry_type(output.types);
+    if (means_nothing && written < 0) {
       unknown_ += fmt::format("{}\"{}\"", unknown_.empty() ? "" : ", ", buffer.name);
       if (count_++ == 0) first_ = buffer.where;
       return;
     }
-    std::optional<PictureFile> file = requested_file(output, "framebuffer", roots_, diagnostics_);
+    // Of what kind a shader's values are, the buffer knows.
+    if (means_nothing)
+      output.types =
+          "rgba" + output.types.substr(std::min(output.types.find('_'), output.types.size()));
+    std::optional<PictureFile> file =
+        requested_file(output, "framebuffer", roots_, world_.user_buffers, diagnostics_);
     if (!file) return;
+    file->user_buffer = written;
+    file->only_user_buffer = means_nothing;
     if (shown >= 0)
       file->shown_layer = material_output_names()[static_cast<std::size_t>(shown)];
     else if (side_channel)
@@ -125,6 +137,13 @@ class BufferReader {
   }
 
  private:
+  /// Place of the buffer among those that shaders may write; -1: none.
+  int user_buffer(std::string_view name) const {
+    const auto& all = world_.user_buffers;
+    const auto at = std::find_if(all.begin(), all.end(), [&](auto& b) { return b.name == name; });
+    return at == all.end() || name.empty() ? -1 : static_cast<int>(at - all.begin());
+  }
+
   const OutputRoots& roots_;
   const World& world_;
   Diagnostics& diagnostics_;
@@ -175,7 +194,8 @@ std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const Outpu
       if (world.options.output) shaders.append(output, before);
       continue;
     }
-    if (std::optional<PictureFile> file = requested_file(output, "output", roots, diagnostics)) {
+    if (std::optional<PictureFile> file =
+            requested_file(output, "output", roots, world.user_buffers, diagnostics)) {
       file->shaders = before;
       out.push_back(std::move(*file));
     }

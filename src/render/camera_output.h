@@ -31,12 +31,14 @@ struct OutputRoots {
 ///          (output_of_frame_buffer()) shows that output; one that is primary, or named rgba,
 ///          beauty or color, the picture after all output shaders; one of type z or n depth or
 ///          normals; one named as a side channel, the picture before lens shaders. Several of one
-///          EXR file are layers of it, beside the picture. `filtering` and `user` have no effect.
+///          EXR file are layers of it, beside the picture. `user` has no effect. Where users'
+///          shaders may write buffers (World::user_buffers) a file shows what they wrote, by number
+///          ("fb10") or name, rather than what else the name means.
 /// Errors:  OR-RN-050 a file outside of the allowed folders is left out (a path that leads out
 ///          through links counts as outside); OR-RN-051 a type or format nobody can write;
 ///          OR-RN-052 an output shader that is none; OR-RN-056 one whose side channel is not
 ///          filled; OR-RN-053 frame buffers whose names mean nothing, all in one message; OR-RN-054
-///          a numbered buffer ("fb0").
+///          a numbered buffer ("fb0") that the options do not have or no shader could write.
 /// Checked: CameraOutput.* in camera_output_test.cpp
 std::vector<PictureFile> camera_outputs(const scene::Camera& camera, const OutputRoots& roots,
                                         const scene::Scene& scene, const Registry& registry,

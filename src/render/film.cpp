@@ -8,6 +8,10 @@ namespace {
 
 Rgb finite_or_black(const Rgb& c) { return is_finite(c) ? c : Rgb(0); }
 
+Rgba finite_or_nothing(const Rgba& c) {
+  return is_finite(rgb(c)) && std::isfinite(c.a) ? c : Rgba(0);
+}
+
 Rgb not_negative(const Rgb& c) {
   return Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
 }
@@ -87,7 +91,7 @@ void OutputMeans::add(const Outputs* outputs) {
 }
 
 Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, bool keeps_outputs,
-           std::size_t light_layers)
+           std::size_t light_layers, std::vector<BufferMean> user_buffers)
     : width_(width),
       height_(height),
       clips_(filter.clips()),
@@ -101,6 +105,9 @@ Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, b
       light_layers_(light_layers),
       lights_(light_layers * plain_.size(), Rgb(0)),
       marked_lights_(light_layers * marked_.size(), Rgb(0)),
+      user_buffers_(std::move(user_buffers)),
+      buffers_(user_buffers_.size() * plain_.size(), Rgba(0)),
+      marked_buffers_(user_buffers_.size() * marked_.size(), Rgba(0)),
       plain_parts_(map_ ? plain_.size() : 0),
       marked_parts_(map_ ? marked_.size() : 0) {}
 
@@ -112,12 +119,27 @@ void Film::add(int x, int y, const FilmSample& sample) {
     (marked ? marked_outputs_ : outputs_)[i].add(is_finite(sample.beauty) ? sample.outputs
                                                                           : nullptr);
   if (map_) (marked ? marked_parts_ : plain_parts_)[i].add(sample);
+  if (!user_buffers_.empty()) add_buffers(i, marked, sample.buffers);
   if (light_layers_ == 0) return;
   Rgb* means = &(marked ? marked_lights_ : lights_)[i * light_layers_];
   const float share = 1 / static_cast<float>((marked ? marked_ : plain_)[i].samples);
   const bool known = sample.by_light && is_finite(sample.beauty);
   for (std::size_t k = 0; k < light_layers_; ++k)
     means[k] += ((known ? finite_or_black(sample.by_light[k]) : Rgb(0)) - means[k]) * share;
+}
+
+void Film::add_buffers(std::size_t i, bool marked, const Rgba* values) {
+  const std::size_t count = user_buffers_.size();
+  Rgba* means = &(marked ? marked_buffers_ : buffers_)[i * count];
+  const float share = 1 / static_cast<float>((marked ? marked_ : plain_)[i].samples);
+  const bool first = samples(i) == 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Rgba value = values ? finite_or_nothing(values[k]) : Rgba(0);
+    if (user_buffers_[k] == BufferMean::Mean)
+      means[k] += (value - means[k]) * share;
+    else if (first)
+      buffers_[i * count + k] = value;
+  }
 }
 
 void Film::clear() {
@@ -128,6 +150,8 @@ void Film::clear() {
   reset(plain_parts_), reset(marked_parts_);
   std::fill(lights_.begin(), lights_.end(), Rgb(0));
   std::fill(marked_lights_.begin(), marked_lights_.end(), Rgb(0));
+  std::fill(buffers_.begin(), buffers_.end(), Rgba(0));
+  std::fill(marked_buffers_.begin(), marked_buffers_.end(), Rgba(0));
 }
 
 double Film::mean_samples() const {
@@ -221,6 +245,23 @@ Rgb Film::light(int x, int y, std::size_t layer) const {
       if (whole[k] <= 0) out[k] = 0;
   }
   return out;
+}
+
+Rgba Film::user_buffer(int x, int y, std::size_t buffer) const {
+  const std::size_t i = index(x, y), at = i * user_buffers_.size() + buffer;
+  if (user_buffers_[buffer] == BufferMean::FirstSample) return buffers_[at];
+  const Shares s = shares(i);
+  return weigh(s.plain, buffers_[at], s.marked,
+               marked_buffers_.empty() ? nullptr : &marked_buffers_[at]);
+}
+
+bool Film::is_written(std::size_t buffer) const {
+  const auto holds = [&](const std::vector<Rgba>& values) {
+    for (std::size_t at = buffer; at < values.size(); at += user_buffers_.size())
+      if (values[at] != Rgba(0)) return true;
+    return false;
+  };
+  return holds(buffers_) || holds(marked_buffers_);
 }
 
 Film::Part Film::part(std::size_t i, std::size_t q) const {

@@ -32,6 +32,7 @@ struct FilmSample {
   bool negative = false;             ///< fell where the pixel filter is negative
   const Outputs* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
   const Rgb* by_light = nullptr;     ///< the beauty by layers of lights, where the film keeps them
+  const Rgba* buffers = nullptr;     ///< of users' frame buffers, where the film keeps them
 };
 
 /// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
@@ -65,6 +66,9 @@ struct OutputMeans {
   void add(const Outputs* outputs);
 };
 
+/// How the film keeps one frame buffer that users' shaders write.
+enum class BufferMean : std::uint8_t { Mean, FirstSample };
+
 /// Maps a linear colour of pixel (x, y) for display, as lens shaders do.
 using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 
@@ -81,14 +85,16 @@ class Film {
  public:
   /// Inputs:  filter: its shares weigh the samples; map: empty = colours are shown as they are.
   /// keeps_outputs: the parts of the beauty are kept as well. light_layers: so many layers of
-  /// lights are.
+  /// lights are. user_buffers: one for each buffer that shaders write.
   Film(int width, int height, const FilterSampler& filter, DisplayMap map = {},
-       bool keeps_outputs = false, std::size_t light_layers = 0);
+       bool keeps_outputs = false, std::size_t light_layers = 0,
+       std::vector<BufferMean> user_buffers = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
   bool keeps_outputs() const { return !outputs_.empty(); }
   std::size_t light_layers() const { return light_layers_; }
+  std::size_t user_buffers() const { return user_buffers_.size(); }
   bool mapped() const { return static_cast<bool>(map_); }
   std::size_t pixel_count() const { return plain_.size(); }
 
@@ -118,6 +124,11 @@ class Film {
   Outputs outputs(int x, int y) const;
   /// The beauty by a layer of lights, filtered as the beauty is; all layers sum to it.
   Rgb light(int x, int y, std::size_t layer) const;
+  /// A user's buffer: filtered as the beauty is, though never clipped; or what the first sample
+  /// left there.
+  Rgba user_buffer(int x, int y, std::size_t buffer) const;
+  /// Whether any pixel of it holds anything but 0.
+  bool is_written(std::size_t buffer) const;
 
   /// The colour that is looked at: mapped, where there is a map; else the beauty.
   Rgb shown(int x, int y) const;
@@ -140,6 +151,7 @@ class Film {
   const std::vector<PixelMeans>& plain() const { return plain_; }
 
  private:
+  void add_buffers(std::size_t pixel, bool marked, const Rgba* values);
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
@@ -166,7 +178,9 @@ class Film {
   DisplayMap map_;
   std::vector<OutputMeans> outputs_, marked_outputs_;  ///< empty unless kept
   std::size_t light_layers_;
-  std::vector<Rgb> lights_, marked_lights_;                ///< means, one after the other
+  std::vector<Rgb> lights_, marked_lights_;  ///< means, one after the other
+  std::vector<BufferMean> user_buffers_;
+  std::vector<Rgba> buffers_, marked_buffers_;             ///< as lights_
   std::vector<SubPixelMeans> plain_parts_, marked_parts_;  ///< empty without a map
 };
 

@@ -301,6 +301,28 @@ TEST(Film, OneKindOfSamplesStandsForBoth) {
   }
 }
 
+TEST(Film, UsersBuffersAreMeansOrWhatTheFirstSampleLeft) {
+  for (const bool negative : {false, true}) {
+    Film film(1, 1, mitchell(false), {}, false, 0,
+              {BufferMean::Mean, BufferMean::FirstSample, BufferMean::Mean});
+    EXPECT_EQ(film.user_buffers(), 3u);
+    // The first sample may be one of either kind.
+    for (const float value : {1.0f, 2.0f, 6.0f}) {
+      const Rgba values[] = {Rgba(value, 2 * value, 0, 1), Rgba(value), Rgba(0)};
+      FilmSample s = sample_of(1);
+      s.negative = negative;
+      s.buffers = values;
+      film.add(0, 0, s);
+    }
+    EXPECT_EQ(film.user_buffer(0, 0, 0), Rgba(3, 6, 0, 1));
+    EXPECT_EQ(film.user_buffer(0, 0, 1), Rgba(1));
+    EXPECT_TRUE(film.is_written(0));
+    EXPECT_FALSE(film.is_written(2));
+    film.clear();
+    EXPECT_FALSE(film.is_written(0));
+  }
+}
+
 /// Share of 95 % intervals of the mean that hold the truth.
 double coverage(int samples, bool negative_lobes) {
   const FilterSampler filter = negative_lobes ? mitchell(false) : box();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/output.h"
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -46,7 +47,13 @@ Image collect(const RenderSession& session, int channels, const F& f) {
 
 void put(float* to, const Rgb& c) { to[0] = c.x, to[1] = c.y, to[2] = c.z; }
 
-const std::vector<std::string> kRgbNames = {"R", "G", "B"};
+const std::vector<std::string> kRgbNames = {"R", "G", "B"}, kVectorNames = {"X", "Y", "Z"};
+constexpr std::string_view kDenoisedLayer = "denoised";
+
+/// Output shaders that map colours one by one, and those that work on whole pictures.
+void split_shaders(const NodeList& shaders, NodeList& mapping, NodeList& whole) {
+  for (const ShaderNode* node : shaders) (node->spec().output ? whole : mapping).push_back(node);
+}
 
 /// Values of a file that shows something else than colour.
 Image data_image(const RenderSession& session, Channels channels) {
@@ -91,7 +98,38 @@ Image output_image(const RenderSession& session, std::size_t index) {
   });
 }
 
+/// Whether the file shows a user's buffer rather than what else it means.
+bool shows_user_buffer(const PictureFile& file, const RenderSession& session) {
+  if (file.user_buffer < 0) return false;
+  const auto slot = static_cast<std::size_t>(file.user_buffer);
+  return slot < session.film().user_buffers() &&
+         (file.only_user_buffer || session.film().is_written(slot));
+}
+
+/// A user's buffer after the output shaders of the file.
+Image user_buffer_image(const PictureFile& file, const RenderSession& session,
+                        const Image* denoised) {
+  const auto slot = static_cast<std::size_t>(file.user_buffer);
+  NodeList mapping, whole;
+  split_shaders(file.shaders, mapping, whole);
+  if (whole.empty()) return film_user_buffer(session, slot);
+  Image shown = shown_image(session, mapping, denoised);
+  OutputPicture picture(session, shown);
+  run_output_shaders(whole, picture);
+  return std::move(picture.user_buffer(slot));
+}
+
+/// Names of the channels of a user's buffer that stands alone in a file.
+std::vector<std::string> channels_alone(const Image& image) {
+  if (image.channels == 1) return {"Y"};
+  return image.channels == 3 ? kRgbNames : std::vector<std::string>{"R", "G", "B", "A"};
+}
+
 Image file_image(const PictureFile& file, const RenderSession& session, const Image* denoised) {
+  if (shows_user_buffer(file, session)) {
+    const Image image = user_buffer_image(file, session, denoised);
+    return file.linear ? image : view_image(image, view_options(session.world().options));
+  }
   if (const int output = material_output_index(file.shown_layer); output >= 0) {
     const Image image = output_image(session, static_cast<std::size_t>(output));
     return file.linear ? image : view_image(image, view_options(session.world().options));
@@ -102,6 +140,31 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
                                              : shown_image(session, file.shaders, denoised);
   if (!file.linear) image = view_image(image, view_options(session.world().options));
   return file.channels == Channels::Color ? without_alpha(image) : image;
+}
+
+/// Layers of users' buffers. A buffer that means an output of materials stands in its place.
+void add_user_buffers(const RenderSession& session, std::vector<Layer>& layers) {
+  const auto& buffers = session.world().user_buffers;
+  for (std::size_t slot = 0; slot < session.film().user_buffers(); ++slot) {
+    const UserBuffer& buffer = buffers[slot];
+    if (!buffer.name.empty() && !session.film().is_written(slot)) continue;
+    std::string name = buffer.name.empty() ? fmt::format("fb{}", buffer.number) : buffer.name;
+    const bool is_output = material_output_index(name) >= 0;
+    const bool is_taken = name.size() == 1 || name == "beauty" || name == kDenoisedLayer ||
+                          (layer_bit(name) != 0 && !is_output);
+    if (is_taken) name = "fb." + name;
+    Image image = film_user_buffer(session, slot);
+    std::vector<std::string> channels = image.channels == 1   ? std::vector<std::string>{""}
+                                        : image.channels == 3 ? kVectorNames
+                                                              : channels_alone(image);
+    Layer layer{std::move(name), std::move(channels), std::move(image)};
+    const auto same = std::find_if(layers.begin(), layers.end(),
+                                   [&](const Layer& l) { return l.name == layer.name; });
+    if (same == layers.end())
+      layers.push_back(std::move(layer));
+    else if (is_output)
+      *same = std::move(layer);
+  }
 }
 
 /// Writers go by the extension, so a file whose type says otherwise is written under another name
@@ -147,7 +210,7 @@ bool needs_outputs(const PictureFile& file) {
 bool needs_irradiance(const PictureFile& file) { return (file.layers & kLayerIlluminance) != 0; }
 
 bool holds_light_layers(const PictureFile& file) {
-  return file_type(file) == "exr" && file.shown_layer.empty();
+  return file_type(file) == "exr" && file.shown_layer.empty() && file.user_buffer < 0;
 }
 
 PictureFile picture_file(const std::string& path) {
@@ -170,7 +233,7 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
                  })});
   if (layers & kLayerDepth) out.push_back({"Z", {""}, data_image(session, Channels::Depth)});
   if (layers & kLayerNormal)
-    out.push_back({"normal", {"X", "Y", "Z"}, data_image(session, Channels::Normal)});
+    out.push_back({"normal", kVectorNames, data_image(session, Channels::Normal)});
   const auto colours = [&](const char* name, auto member) {
     out.push_back({name, kRgbNames, collect(session, 3, [&](int x, int y, float* to) {
                      put(to, film.pixel(x, y).*member);
@@ -217,6 +280,7 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
           {std::string(kLightLayerPrefix) + name, kRgbNames,
            collect(session, 3, [&](int x, int y, float* to) { put(to, film.light(x, y, i)); })});
     }
+  if (layers & kLayerUserBuffers) add_user_buffers(session, out);
   return out;
 }
 
@@ -229,8 +293,7 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
   const Film& film = session.film();
   const Window& w = session.window();
   NodeList mapping, whole;
-  for (const ShaderNode* node : output_shaders)
-    (node->spec().output ? whole : mapping).push_back(node);
+  split_shaders(output_shaders, mapping, whole);
   Image shown = collect(session, 4, [&](int x, int y, float* to) {
     const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
     Rgb c = clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y);
@@ -240,7 +303,10 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
     put(to, c);
     to[3] = film.pixel(x, y).beauty.a;
   });
-  if (!whole.empty()) run_output_shaders(whole, session, shown);
+  if (!whole.empty()) {
+    OutputPicture picture(session, shown);
+    run_output_shaders(whole, picture);
+  }
   return shown;
 }
 
@@ -271,14 +337,20 @@ void write_picture(const PictureFile& file, const RenderSession& session,
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     exr.threads = threads > 1 ? static_cast<int>(threads) : 0;
     std::vector<Layer> layers;
+    if (shows_user_buffer(file, session)) {
+      Image image = user_buffer_image(file, session, denoised);
+      std::vector<std::string> channels = channels_alone(image);
+      layers.push_back({"", std::move(channels), std::move(image)});
+      return write_exr(file.path, layers, exr);
+    }
     if (const int shown = material_output_index(file.shown_layer); shown >= 0) {
       Image image = output_image(session, static_cast<std::size_t>(shown));
       layers.push_back(
           {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
       return write_exr(file.path, layers, exr);
     }
-    layers = film_layers(session, file.layers | kLayerLights);
-    if (denoised) layers.push_back({"denoised", kRgbNames, *denoised});
+    layers = film_layers(session, file.layers | kLayerLights | kLayerUserBuffers);
+    if (denoised) layers.push_back({std::string(kDenoisedLayer), kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);
   }
   FileOptions options;

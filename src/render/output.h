@@ -34,7 +34,8 @@ enum LayerBit : LayerSet {
   kLayerLuminance = 1u << 7,    ///< of the beauty, cd/m2
   kLayerIlluminance = 1u << 8,  ///< lux of the first surface; only where the session keeps it
   kPhotometricLayers = kLayerLuminance | kLayerIlluminance,
-  kLayerLights = 1u << 9  ///< `light.NAME` for each layer of lights that the session keeps
+  kLayerLights = 1u << 9,       ///< `light.NAME` for each layer of lights that the session keeps
+  kLayerUserBuffers = 1u << 10  ///< what users' shaders left in frame buffers
 };
 /// The outputs of materials follow, one bit each in the order of material_output_names().
 inline constexpr int kFirstOutputBit = 16;
@@ -58,8 +59,12 @@ struct PictureFile {
   bool unmapped = false;                       ///< a side channel: what lens shaders are given
   LayerSet layers = kFilmLayers;               ///< of EXR
   std::string shown_layer = {};                ///< an output in place of the beauty; empty = none
-  NodeList shaders = {};                       ///< output shaders that run over what the file shows
-  int quality = 95;                            ///< of JPEG
+  /// A buffer of World::user_buffers in place of the beauty, -1 = none; where it stands beside
+  /// another meaning of the file it counts once a shader has written it.
+  int user_buffer = -1;
+  bool only_user_buffer = false;  ///< the file has no other meaning
+  NodeList shaders = {};          ///< output shaders that run over what the file shows
+  int quality = 95;               ///< of JPEG
 };
 
 /// A file for `path` as `-o` means it: EXR float, HDR linear, TIFF 16 bit, others 8 bit.
@@ -70,6 +75,8 @@ PictureFile picture_file(const std::string& path);
 /// ... then the outputs by their names, which are left out when the film does not keep them.
 /// ... then light.NAME.R ... of the groups of lights and of light.rest, which sum to the beauty;
 /// light.indirect where some light does not know its group.
+/// ... then users' buffers: fbN.R, G, B, A by number; those with a name by it, where shaders wrote
+/// them, as fb.NAME where the film has a layer of that name. One number: fbN; vectors: X, Y, Z.
 std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers);
 
 /// The beauty without noise, RGB: what the film knows goes through denoise() (image/denoise.h).
@@ -94,7 +101,8 @@ ViewOptions view_options(const scene::RenderOptions& options);
 /// Writes one file.
 ///
 /// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it. Layers of
-///          lights are in all EXR files of the beauty.
+///          lights and users' buffers are in all EXR files of the beauty. A file of a user's buffer
+///          shows what `shaders` made of it.
 /// Inputs:  metadata: goes into the header of EXR files. denoised: what other files than EXR show;
 ///          EXR has it as the layer `denoised` beside the noisy beauty, which stays the truth.
 /// Errors:  std::runtime_error with path and reason.

@@ -4,33 +4,78 @@
 #include <algorithm>
 
 namespace oriel {
+namespace {
 
-Image* OutputPicture::buffer(int number) {
-  if (number == 0) return &shown_;
-  if (number != 1 && number != 2) return nullptr;
-  if (const auto made = others_.find(number); made != others_.end()) return &made->second;
-  Image image(shown_.width, shown_.height, number == 1 ? 1 : 3);
-  const Window& w = session_.window();
+/// Where the C interface counts users' buffers from, as mental ray does (miRC_IMAGE_USER).
+constexpr int kFirstUserNumber = 12;
+
+/// An image of the whole picture with f(x, y, values) written where the film is.
+template <class F>
+Image over_window(const RenderSession& session, int channels, const F& f) {
+  const Window& w = session.window();
+  Image image(session.world().camera.width, session.world().camera.height, channels);
+  // The film covers the window, pictures all of the frame; both from the top.
   for (int y = 0; y < w.height(); ++y)
-    for (int x = 0; x < w.width(); ++x) {
-      const Film::Pixel pixel = session_.film().pixel(x, y);
-      // The film covers the window, pictures all of the frame; both from the top.
-      float* to = image.at(w.x0 + x, image.height - w.y1 + y);
-      if (number == 1)
-        *to = pixel.depth;
-      else
-        std::copy_n(&pixel.normal.x, 3, to);
-    }
+    for (int x = 0; x < w.width(); ++x) f(x, y, image.at(w.x0 + x, image.height - w.y1 + y));
+  return image;
+}
+
+}  // namespace
+
+Image film_user_buffer(const RenderSession& session, std::size_t slot) {
+  const UserBuffer::Kind kind = session.world().user_buffers[slot].kind;
+  const int channels = kind == UserBuffer::Kind::Scalar   ? 1
+                       : kind == UserBuffer::Kind::Vector ? 3
+                                                          : 4;
+  return over_window(session, channels, [&](int x, int y, float* to) {
+    const Rgba value = session.film().user_buffer(x, y, slot);
+    std::copy_n(&value.r, channels, to);
+  });
+}
+
+std::optional<std::size_t> OutputPicture::slot_of(int number) const {
+  const auto& buffers = session_.world().user_buffers;
+  const auto find = [&](int wanted) -> std::optional<std::size_t> {
+    for (std::size_t slot = 0; slot < session_.film().user_buffers(); ++slot)
+      if (buffers[slot].number == wanted) return slot;
+    return std::nullopt;
+  };
+  if (number >= kFirstUserNumber)
+    if (const auto slot = find(number - kFirstUserNumber)) return slot;
+  return number > 2 ? find(number) : std::nullopt;
+}
+
+Image& OutputPicture::user_buffer(std::size_t slot) {
+  const auto made = user_buffers_.find(slot);
+  if (made != user_buffers_.end()) return made->second;
+  return user_buffers_.emplace(slot, film_user_buffer(session_, slot)).first->second;
+}
+
+Image* OutputPicture::geometry(int number) {
+  if (const auto made = others_.find(number); made != others_.end()) return &made->second;
+  Image image = over_window(session_, number == 1 ? 1 : 3, [&](int x, int y, float* to) {
+    const Film::Pixel pixel = session_.film().pixel(x, y);
+    if (number == 1)
+      *to = pixel.depth;
+    else
+      std::copy_n(&pixel.normal.x, 3, to);
+  });
   return &others_.emplace(number, std::move(image)).first->second;
 }
 
-void run_output_shaders(const NodeList& shaders, const RenderSession& session, Image& shown) {
-  OutputPicture picture(session, shown);
+Image* OutputPicture::buffer(int number) {
+  if (number == 0) return &shown_;
+  if (number == 1 || number == 2) return geometry(number);
+  const auto slot = slot_of(number);
+  return slot ? &user_buffer(*slot) : nullptr;
+}
+
+void run_output_shaders(const NodeList& shaders, OutputPicture& picture) {
   for (const ShaderNode* node : shaders) {
     if (!node->spec().output) continue;
     ShadingPoint point;
     point.ray_kind = RayKind::Output;
-    point.world = &session.world();
+    point.world = &picture.world();
     node->with_params(point, [&](const Call& call) { node->spec().output(call, picture); });
   }
 }

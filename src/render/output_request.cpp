@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
 
 #include "render/camera_output.h"
@@ -97,13 +98,18 @@ std::vector<std::string> split(const std::string& text) {
 
 class RequestReader {
  public:
-  RequestReader(const scene::Output& output, std::string_view statement, Diagnostics& diagnostics)
-      : output_(output), statement_(statement), diagnostics_(diagnostics) {}
+  RequestReader(const scene::Output& output, std::string_view statement,
+                const std::vector<UserBuffer>& user_buffers, Diagnostics& diagnostics)
+      : output_(output),
+        statement_(statement),
+        user_buffers_(user_buffers),
+        diagnostics_(diagnostics) {}
 
   std::optional<PictureFile> read(const OutputRoots& roots) {
     std::string types = output_.types;
     const Format* format = choose_format(types);
     std::vector<std::string> words = split(types);
+    const int user_buffer = words.empty() ? -1 : find_user_buffer(words.front());
     if (!leave_out_user_buffers(words)) return std::nullopt;
     PictureFile file{.path = allowed_path(output_.file, roots)};
     if (file.path.empty()) {
@@ -123,6 +129,8 @@ class RequestReader {
     }
     file.format = format->extension;
     file.linear = format->linear;
+    file.user_buffer = user_buffer;
+    file.only_user_buffer = user_buffer >= 0;
     if (!read_types(words, file)) return std::nullopt;
     for (const scene::Statement& m : output_.modifiers)
       if (m.keyword == "quality" && !m.values.empty() && !m.values[0].numbers.empty())
@@ -146,18 +154,39 @@ class RequestReader {
     return find_format(word);
   }
 
-  /// Nobody fills the numbered buffers of the options. False when nothing else is asked for.
+  /// The place of the buffer that "fbN" means; -1 where there is none.
+  int find_user_buffer(std::string_view word) const {
+    if (!is_user_buffer(word)) return -1;
+    const std::string_view digits = word.substr(word.find_first_of("0123456789"));
+    int number = -1;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const auto at = std::find_if(user_buffers_.begin(), user_buffers_.end(), [&](const auto& b) {
+      return b.name.empty() && b.number == number;
+    });
+    return at == user_buffers_.end() ? -1 : static_cast<int>(at - user_buffers_.begin());
+  }
+
+  /// The first type decides what is shown, and EXR files of the picture have all buffers anyway.
+  /// False when nothing is left to write.
   bool leave_out_user_buffers(std::vector<std::string>& words) {
-    const auto user = std::find_if(words.begin(), words.end(), is_user_buffer);
-    if (user == words.end()) return true;
+    const bool is_shown = !words.empty() && find_user_buffer(words.front()) >= 0;
+    const auto user = std::find_if(words.begin(), words.end(), [&](const std::string& word) {
+      return is_user_buffer(word) && find_user_buffer(word) < 0;
+    });
+    const auto erase = [&] {
+      std::erase_if(words, is_user_buffer);
+      return is_shown || !words.empty();
+    };
+    if (user == words.end()) return words.empty() || erase();
+    const std::string_view why = user_buffers_.empty()
+                                     ? "is a buffer that only shaders of users write into"
+                                     : "is no buffer of the options";
     warn("OR-RN-054",
-         fmt::format("\"{}\" is a buffer that only shaders of users write into; {} \"{}\" {}",
-                     *user, statement_, output_.file,
+         fmt::format("\"{}\" {}; {} \"{}\" {}", *user, why, statement_, output_.file,
                      words.size() > 1 ? "is written without it" : "is left out"),
          "a framebuffer of the camera that is named as an output of the material, such as "
          "\"diffuse_result\", or --layers outputs writes parts of the picture");
-    std::erase_if(words, is_user_buffer);
-    return !words.empty();
+    return erase();
   }
 
   bool read_types(const std::vector<std::string>& words, PictureFile& file) {
@@ -189,6 +218,7 @@ class RequestReader {
 
   const scene::Output& output_;
   std::string_view statement_;
+  const std::vector<UserBuffer>& user_buffers_;
   Diagnostics& diagnostics_;
 };
 
@@ -206,8 +236,10 @@ std::string_view writable_format(std::string_view name) {
 }
 
 std::optional<PictureFile> requested_file(const scene::Output& output, std::string_view statement,
-                                          const OutputRoots& roots, Diagnostics& diagnostics) {
-  return RequestReader(output, statement, diagnostics).read(roots);
+                                          const OutputRoots& roots,
+                                          const std::vector<UserBuffer>& user_buffers,
+                                          Diagnostics& diagnostics) {
+  return RequestReader(output, statement, user_buffers, diagnostics).read(roots);
 }
 
 }  // namespace oriel

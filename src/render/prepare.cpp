@@ -73,6 +73,12 @@ std::vector<UserBuffer> user_buffers(const scene::RenderOptions& options,
   return buffers;
 }
 
+/// Buffers are filled by shaders that libraries bring, and they alone ask for their parameters.
+bool has_buffer_writers(const World& world) {
+  return std::any_of(world.nodes.begin(), world.nodes.end(),
+                     [](const auto& node) { return node->spec().deferred; });
+}
+
 }  // namespace
 
 std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& command,
@@ -105,6 +111,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
   place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
+  if (!has_buffer_writers(*world)) world->user_buffers.clear();
   open_portals(*world);
   world->light_groups = group_lights(*world);
   const std::vector<GlowKind> glowing = glowing_materials(*world);

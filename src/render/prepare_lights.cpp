@@ -151,15 +151,15 @@ void place_portal(const scene::Light& element, Light& light, Diagnostics& diagno
   light.direction = dot(normal, z) < 0 ? -normal : normal;
 }
 
-/// What the list `emitter` says of the power of photons. Shaders that work out something for their
-/// light first are asked as its shader alone.
+/// What the list `emitter` says of photons, or who sends them. Shaders that work out something for
+/// their light first are asked as its shader alone.
 const ShaderNode* emitter_of(const scene::Light& element, const Light& light, Binder& binder) {
   if (element.emitters.empty() || light.portal || light.luminaire) return nullptr;
   const NodeList nodes = binder.bind(element.emitters);
   if (nodes.empty()) return nullptr;
   const ShaderSpec& spec = nodes.back()->spec();
   const bool tells = (spec.light && !spec.prepare_light && !spec.profile) || spec.value;
-  return tells && (spec.apply & kApplyEmitter) ? nodes.back() : nullptr;
+  return spec.emit || (tells && (spec.apply & kApplyEmitter)) ? nodes.back() : nullptr;
 }
 
 }  // namespace

@@ -34,6 +34,13 @@ DisplayMap display_map(const World& world, const Window& window) {
   };
 }
 
+std::vector<BufferMean> buffer_means(const World& world) {
+  std::vector<BufferMean> means;
+  for (const UserBuffer& buffer : world.user_buffers)
+    means.push_back(buffer.interpolate ? BufferMean::Mean : BufferMean::FirstSample);
+  return means;
+}
+
 }  // namespace
 
 RenderSession::RenderSession(const World& world, const SessionSettings& settings)
@@ -46,7 +53,8 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       budget_(render_budget(world.options, settings.budget)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
             settings.outputs,
-            settings.lights && world.light_layers.asked() ? world.light_layers.count() : 0),
+            settings.lights && world.light_layers.asked() ? world.light_layers.count() : 0,
+            buffer_means(world)),
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
@@ -80,6 +88,7 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   s.irradiance = luminance(path.irradiance);
   s.outputs = settings.outputs;
   s.by_light = settings.by_light;
+  s.buffers = settings.buffers;
   s.negative = offset.negative;
   s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));
   return s;
@@ -92,6 +101,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     RayCounts counts = {};
     Outputs outputs = {};  // of the sample under way, until the film has it
     LightParts by_light;
+    std::vector<Rgba> buffers = {};
   };
   tbb::enumerable_thread_specific<PerThread> threads(PerThread{path_settings()});
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
@@ -103,6 +113,10 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     if (film_.light_layers() > 0) {
       mine.by_light.clear(film_.light_layers());
       mine.paths.by_light = mine.by_light.data();
+    }
+    if (film_.user_buffers() > 0) {
+      mine.buffers.assign(film_.user_buffers(), Rgba(0));
+      mine.paths.buffers = mine.buffers.data();
     }
     s = sample(x, y, index, mine.paths, mine.counts);
   };

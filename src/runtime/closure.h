@@ -117,6 +117,7 @@ struct Closure {
   bool seen_from_back = true;  ///< false: the camera looks through when it sees the back
   float highlight_scale = 1;   ///< hl_vs_refl_balance: light sources in reflecting lobes
   bool highlights_of_visible_lights = false;  ///< no_visible_area_hl off: highlight and reflection
+  float glossiness = -1;                      ///< as ShadingPoint::glossiness
   int light_mode = 4;  ///< 0 list or linked or all, 1 the list, 2 all but it, 4 linked or all
   ArrayView<LightRef> lights;
   Rgb albedo{0};  ///< for the albedo layer: sum of the levels

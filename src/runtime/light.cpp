@@ -108,7 +108,7 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
   const ShaderNode* shader = light.shader;
   if (is_photon(kind)) {
     // The shader of direct light tells of photons what it tells of that.
-    if (light.emitter)
+    if (light.emitter && !light.emitter->spec().emit)
       shader = light.emitter;
     else
       kind = RayKind::Light;
@@ -176,6 +176,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     sample.shadow_factor = value.shadow_factor;
     sample.affects_diffuse = value.affects_diffuse;
     sample.affects_specular = value.affects_specular;
+    sample.force_specular = value.force_specular;
   } else {
     const auto s = is_flat(light.shape) ? sample_flat(light, p, u) : sample_round(light, p, u);
     if (!s || !(s->distance > 0)) return std::nullopt;
@@ -189,6 +190,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     sample.shadow_factor = value.shadow_factor;
     sample.affects_diffuse = value.affects_diffuse;
     sample.affects_specular = value.affects_specular;
+    sample.force_specular = value.force_specular;
   }
   if (is_black(sample.irradiance)) return std::nullopt;
   if (kind == RayKind::Light && point.world)
@@ -263,6 +265,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
   result.shadow = value.shadow;
   result.affects_diffuse = value.affects_diffuse;
   result.affects_specular = value.affects_specular;
+  result.force_specular = value.force_specular;
   return result;
 }
 

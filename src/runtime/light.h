@@ -57,6 +57,7 @@ struct LightSample {
   bool shadow = true;
   float shadow_factor = 0;
   float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue
+  bool force_specular = false;
 };
 
 /// Samples a light from a point.
@@ -77,6 +78,7 @@ struct LightHit {
   float pdf = 0;       ///< per solid angle with which sample_light would have chosen this direction
   bool shadow = true;  ///< false: samples of the light stand alone
   float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue
+  bool force_specular = false;
 };
 
 /// Intersects the shape within (0, t_most) and evaluates its radiance; nothing for lights without
@@ -89,7 +91,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
 /// What the light's shader says of a sample at `position`: `direction` from there to the lit point,
 /// `distance` as long, `emitter_cos` as in LightCall. Nothing for a light without a shader. `kind`:
 /// Light for what it brings to a point, the ray's where one sees its shape; kinds of photon
-/// emission ask its emitter, where it has one, and are Light where not.
+/// emission ask its emitter, where it has one that tells of directions, and are Light where not.
 LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3& position,
                             const Vec3& direction, float distance, float emitter_cos,
                             RayKind kind = RayKind::Light);

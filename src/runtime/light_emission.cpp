@@ -2,6 +2,7 @@
 #include "runtime/light_emission.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -62,6 +63,11 @@ PhotonSource::PhotonSource(const World& world, const Light& light, const Emissio
   // A portal's photons are as strong as what is behind it, whatever the element says.
   if (light.portal) return;
   if (is_flat(light.shape)) by_cosine_ = !lacks_cosine(world, light);
+  by_emitter_ = light.emitter && light.emitter->spec().emit;
+  if (by_emitter_) {
+    power_of_all_ = request.energy ? *request.energy * kPi : estimate_flux(kFluxSamples);
+    return;
+  }
   if (!request.energy) return;
   mean_luminance_ = luminance(estimate_flux(kFluxSamples));
   // By the same convention as a colour (runtime/light.h): physical_light sends pi times its colour.
@@ -124,7 +130,58 @@ EmittedPhoton PhotonSource::emit_by_profile(Vec2 u_place, Vec2 u_direction) cons
   return photon;
 }
 
-EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction) const {
+EmittedPhoton PhotonSource::emit_by_shader(Vec2 u_place, Vec2 u_direction, RayKind kind) const {
+  /// Takes what the shader sends. Its energies are as colours of lights: pi times less than power.
+  class Emission final : public PhotonEmission {
+   public:
+    Emission(const Rgb& power, Vec2 u_place, Vec2 u_direction, EmittedPhoton& photon)
+        : energy_(power * kInvPi), u_{u_direction, u_place}, photon_(photon) {}
+    Rgb energy() const override { return energy_; }
+    void send(const Rgb& energy, const Vec3& origin, const Vec3& direction) override {
+      if (!is_finite(energy) || !is_finite(origin) || !is_finite(direction)) return;
+      photon_.origin = origin;
+      photon_.direction = direction;
+      photon_.sent = energy * kPi;
+    }
+    Vec2 next() override {
+      if (drawn_ < 2) return u_[drawn_++];
+      // More than a light needs: told from each other by their order.
+      const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x)}; };
+      if (!further_)
+        further_.emplace(0, 0, 0,
+                         static_cast<std::uint32_t>(sampling::mix_bits(
+                             bits(u_[0].x) << 32 ^ bits(u_[0].y) ^ bits(u_[1].x) << 16)));
+      return further_->next_2d();
+    }
+
+   private:
+    Rgb energy_;
+    Vec2 u_[2];
+    int drawn_ = 0;
+    std::optional<sampling::Sampler> further_;
+    EmittedPhoton& photon_;
+  };
+  const Light& light = *light_;
+  EmittedPhoton photon;
+  photon.origin = light.position;
+  photon.direction = light.direction;
+  photon.kind = kind;
+  Emission emission(*power_of_all_, u_place, u_direction, photon);
+  ShadingPoint point = lit_point(*world_, light.position, light.direction);
+  point.ray_kind = kind;
+  light.emitter->with_params(
+      point, [&](const Call& call) { light.emitter->spec().emit(call, light, emission); });
+  return photon;
+}
+
+EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction, RayKind kind) const {
+  if (by_emitter_) return emit_by_shader(u_place, u_direction, kind);
+  EmittedPhoton photon = emit_by_light(u_place, u_direction);
+  photon.kind = kind;
+  return photon;
+}
+
+EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const {
   if (!light_) {
     const EnvironmentLight::Sample s = world_->environment.sample_alone(u_direction);
     EmittedPhoton photon = emit_through_disc(-s.wi, u_place);
@@ -233,6 +290,7 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
 }
 
 Rgb PhotonSource::power(const EmittedPhoton& photon, float distance) const {
+  if (by_emitter_) return photon.sent;
   if (!power_of_all_) return power_by_shader(photon, distance);
   if (!(mean_luminance_ > 0)) return *power_of_all_;
   return *power_of_all_ * (luminance(power_by_shader(photon, scene_radius_)) / mean_luminance_);
@@ -243,7 +301,7 @@ Rgb PhotonSource::estimate_flux(int samples) const {
   for (int i = 0; i < samples; ++i) {
     sampling::Sampler sampler(0, 0, static_cast<std::uint32_t>(i));
     const Vec2 u_place = sampler.next_2d();
-    sum += power_by_shader(emit(u_place, sampler.next_2d()), scene_radius_) /
+    sum += power_by_shader(emit_by_light(u_place, sampler.next_2d()), scene_radius_) /
            static_cast<float>(samples);
   }
   return sum;

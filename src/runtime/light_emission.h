@@ -19,6 +19,7 @@ struct EmittedPhoton {
   float weight = 0;          ///< power for each unit of intensity, irradiance or radiance
   Vec2 u{0};                 ///< that chose the direction
   RayKind kind = RayKind::PhotonEmitGlobillum;  ///< for shaders of the list `emitter`
+  Rgb sent{0};                                  ///< power, where such a shader sends it itself
 };
 
 /// Emits the photons of one light, or of the environment as diffuse surfaces see it.
@@ -29,7 +30,9 @@ struct EmittedPhoton {
 ///          theirs, which shadow rays' extension moves off the opening; whatever shines by a
 ///          profile in proportion to it, from the shape as the direction sees it. A light whose
 ///          decay is not that of physics has no flux: its photons carry what direct light is where
-///          they land, so that both agree at every first hit. Whether a light casts shadows does
+///          they land, so that both agree at every first hit. A shader of the list `emitter` that
+///          sends photons itself is given the energy of the element, or the flux that the light's
+///          shader has; what it sends is what lands. Whether a light casts shadows does
 ///          not matter: photons are always stopped.
 /// Checked: PhotonEmission.* in tests/analytic/photon_test.cpp.
 class PhotonSource {
@@ -39,7 +42,8 @@ class PhotonSource {
   explicit PhotonSource(const World& world, const EmissionRequest& request = {});
 
   /// Inputs: two independent draws, each uniform in [0,1)^2.
-  EmittedPhoton emit(Vec2 u_place, Vec2 u_direction) const;
+  EmittedPhoton emit(Vec2 u_place, Vec2 u_direction,
+                     RayKind kind = RayKind::PhotonEmitGlobillum) const;
   /// Power with which a photon lands after a straight way of that length; black where the light
   /// does not reach or send.
   Rgb power(const EmittedPhoton& photon, float distance) const;
@@ -55,6 +59,8 @@ class PhotonSource {
 
  private:
   void aim_at(const geom::Box3& box);
+  EmittedPhoton emit_by_light(Vec2 u_place, Vec2 u_direction) const;
+  EmittedPhoton emit_by_shader(Vec2 u_place, Vec2 u_direction, RayKind kind) const;
   EmittedPhoton emit_by_profile(Vec2 u_place, Vec2 u_direction) const;
   EmittedPhoton emit_through_disc(const Vec3& direction, Vec2 u) const;
   Rgb power_by_shader(const EmittedPhoton& photon, float distance) const;
@@ -64,6 +70,7 @@ class PhotonSource {
   Vec3 scene_centre_{0}, aim_centre_{0};
   float scene_radius_ = 0, aim_radius_ = 0;
   bool by_cosine_ = true;
+  bool by_emitter_ = false;          // a shader sends the photons
   std::optional<Rgb> power_of_all_;  // that energy asks for
   float mean_luminance_ = 0;         // of the shader's power, where energy asks
 };

@@ -71,6 +71,7 @@ struct LightValue {
   float shadow_factor = 0;  ///< share that passes an opaque blocker
   /// Shares of the light that diffuse lobes take, and glossy reflections and highlights.
   float affects_diffuse = 1, affects_specular = 1;
+  bool force_specular = false;  ///< a highlight even though the light itself is seen
 };
 
 /// What a lens shader that maps colours knows beside the colour.
@@ -119,7 +120,9 @@ class PhotonNext {
 class PhotonEmission {
  public:
   virtual ~PhotonEmission() = default;
-  /// World space, direction unit.
+  /// What the photon carries as `energy` of a light writes it: of all photons together.
+  virtual Rgb energy() const = 0;
+  /// World space, direction unit; of several calls the last counts.
   virtual void send(const Rgb& energy, const Vec3& origin, const Vec3& direction) = 0;
   virtual Vec2 next() = 0;
 };

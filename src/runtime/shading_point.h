@@ -117,8 +117,9 @@ struct ShadingPoint {
   const Material* material = nullptr;  ///< whose surface shaders are running
   Tracer* tracer = nullptr;            ///< see runtime/tracer.h
   // For light shaders, of the surface that is lit.
-  float glossiness = 0;  ///< of its reflections as the material writes it; 1 = a mirror
-  float importance = 1;  ///< share of the pixel that light there decides, at most 1
+  float glossiness = -1;  ///< of its reflections as the material writes it, 1 = a mirror; below 0:
+                          ///< the material does not tell
+  float importance = 1;   ///< share of the pixel that light there decides, at most 1
 
   Vec3 wo() const { return -ray_direction; }
 };

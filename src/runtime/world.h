@@ -65,7 +65,7 @@ struct UserBuffer {
 inline constexpr int kFirstNamedBuffer = 4096;
 
 struct World {
-  std::vector<UserBuffer> user_buffers;
+  std::vector<UserBuffer> user_buffers;  ///< none where no bound shader could write them
   scene::RenderOptions options;
   Camera camera;
   std::unique_ptr<geom::Accel> accel;

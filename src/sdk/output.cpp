@@ -22,7 +22,7 @@ miImg_image* mi_output_image_open(miState* state, miUint index) {
                                                  : miIMG_TYPE_RGBA_FP;
   open = std::make_unique<Picture>(type, image->width, image->height);
   fill(*open, *image);
-  open->writable = number == miRC_IMAGE_RGBA;
+  open->writable = work->picture->is_writable(number);
   return open.get();
 }
 

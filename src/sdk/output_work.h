@@ -18,7 +18,7 @@ struct OutputWork {
   void close(int number) {
     const auto found = open.find(number);
     if (found == open.end() || !found->second) return;
-    if (number == miRC_IMAGE_RGBA) *picture->buffer(number) = to_image(*found->second);
+    if (picture->is_writable(number)) *picture->buffer(number) = to_image(*found->second);
     open.erase(found);
   }
 };

@@ -86,17 +86,21 @@ Rgb shadow(const Call& call, const Rgb& light) {
 }
 
 /// One call of a light shader.
-Rgb ask_light(UserInstance& shader, const LightCall& light, StateFrame& frame, bool black,
-              mia_material_api_lightdata& data) {
-  leave_value(miA_MATERIAL_API_LIGHTDATA, &data, sizeof data, miSS_LIFETIME_SUBRAYS);
+///
+/// Inputs:  data: what the lit material leaves for it, and what came of that; null = nothing.
+Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
+              mia_material_api_lightdata* data) {
+  if (data) leave_value(miA_MATERIAL_API_LIGHTDATA, data, sizeof *data, miSS_LIFETIME_SUBRAYS);
   frame.context.shadow_is_black = black;
   CResult c;
   const bool answer = run(shader, frame.state, c.bytes, miSHADER_LIGHT);
-  int size = 0;
-  if (const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size); left && size == sizeof data)
-    data = *static_cast<const mia_material_api_lightdata*>(left);
-  leave_value(miA_MATERIAL_API_LIGHTDATA, nullptr, 0, 0);
-  (void)light;
+  if (data) {
+    int size = 0;
+    if (const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size);
+        left && size == sizeof *data)
+      *data = *static_cast<const mia_material_api_lightdata*>(left);
+    leave_value(miA_MATERIAL_API_LIGHTDATA, nullptr, 0, 0);
+  }
   return answer ? rgb(c.color()) : Rgb(0);
 }
 
@@ -115,15 +119,19 @@ LightValue light(const Call& call, const LightCall& light) {
   state.dot_nd = dot(point.normal, light.direction);
   state.light_instance = make_tag(TagKind::LightInstance,
                                   static_cast<std::size_t>(&light.light - world.lights.data()));
-  mia_material_api_lightdata data = {sizeof data, point.glossiness, point.importance, 1,
-                                     1,           miFALSE,          miFALSE};
+  // Materials that tell nothing of their gloss leave nothing.
+  const bool tells = point.glossiness >= 0;
+  const mia_material_api_lightdata asked = {sizeof asked, point.glossiness, point.importance, 1, 1,
+                                            miFALSE,      miFALSE};
+  mia_material_api_lightdata data = asked, behind_data = asked;
   LightValue value;
-  value.colour = ask_light(shader, light, frame, false, data);
+  value.colour = ask_light(shader, frame, false, tells ? &data : nullptr);
   value.shadow = frame.context.shadow_asked;
   value.affects_diffuse = data.affect_diffuse;
   value.affects_specular = data.affect_specular;
+  value.force_specular = data.force_specular != miFALSE;
   if (value.shadow) {
-    const Rgb behind = ask_light(shader, light, frame, true, data);
+    const Rgb behind = ask_light(shader, frame, true, tells ? &behind_data : nullptr);
     const float open = luminance(value.colour);
     value.shadow_factor = open > 0 ? clamp01(luminance(behind) / open) : 0;
   }
@@ -177,8 +185,7 @@ void emit(const Call& call, const Light& light, PhotonEmission& emission) {
       make_tag(TagKind::LightInstance,
                static_cast<std::size_t>(&light - frame.context.world->lights.data()));
   CResult c;
-  const Rgb energy = light.photons.emission.energy.value_or(Rgb(1));
-  c.color() = as_c(energy, 1);
+  c.color() = as_c(emission.energy(), 1);
   run(shader, frame.state, c.bytes, miSHADER_PHOTON_EMITTER);
 }
 

@@ -73,10 +73,10 @@ float LightChoice::rate(int light) const {
   return tree.size() > most ? tree.probability(lit_, light) : 1.0f;
 }
 
-LightInReflection light_in_reflection(const Closure& closure, bool visible) {
+LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced) {
   if (!visible) return {0, closure.highlight_scale};
   // A visible light is reflected; its highlight comes on top only when the material asks.
-  return {1, closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
+  return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
 }
 
 LightInReflection hidden_portal_in_reflection(const Closure& closure) {
@@ -124,15 +124,17 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   const Light& light = world_.lights[static_cast<std::size_t>(index)];
   const auto s = sample_light(light, point_, u);
   if (!s) return;
-  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s->wi,
-                                light.visible && !closure_.highlights_of_visible_lights);
+  const bool mirrored =
+      light.visible && !closure_.highlights_of_visible_lights && !s->force_specular;
+  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s->wi, mirrored);
   // What the light's shader keeps from either kind of lobe.
   r.diffuse.value *= s->affects_diffuse;
   for (Rgb* specular : {&r.reflection.value, &r.refraction.value, &r.highlight})
     *specular *= s->affects_specular;
   const bool looked_through = light.portal && !light.portal->visible;
-  const LightInReflection in = looked_through ? hidden_portal_in_reflection(closure_)
-                                              : light_in_reflection(closure_, light.visible);
+  const LightInReflection in =
+      looked_through ? hidden_portal_in_reflection(closure_)
+                     : light_in_reflection(closure_, light.visible, s->force_specular);
   if (looked_through) r.refraction.value = Rgb(0);
   const Rgb highlight = r.highlight * closure_.highlight_scale;
   if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))

@@ -112,7 +112,8 @@ struct LightInReflection {
   float as_reflection = 0, as_highlight = 1;
   float sum() const { return as_reflection + as_highlight; }
 };
-LightInReflection light_in_reflection(const Closure& closure, bool visible);
+/// `forced`: the light asks for its highlight all the same.
+LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced = false);
 /// Of a portal that rays pass: they find the environment behind it themselves.
 LightInReflection hidden_portal_in_reflection(const Closure& closure);
 

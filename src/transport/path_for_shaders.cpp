@@ -158,6 +158,7 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, Output
     sub.add(sub.at_vertex(Component::Added), closure.emission, sub.layer_of_rest());
     goes_on = closure.count > 0 && sub.gather(closure, material, point);
   }
+  point.glossiness = ShadingPoint{}.glossiness;  // the caller is another material
   if (goes_on) {
     ++sub.vertex_;
     sub.walk();

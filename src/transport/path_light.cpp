@@ -74,9 +74,10 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     const std::size_t layer = layer_of_light(index);
     if (from_.group == LobeGroup::Reflection) {
-      const LightInReflection& in = looked_through  ? from_.hidden_portal
-                                    : light.visible ? from_.visible
-                                                    : from_.invisible;
+      const LightInReflection in = looked_through        ? from_.hidden_portal
+                                   : !light.visible      ? from_.invisible
+                                   : hit->force_specular ? from_.forced()
+                                                         : from_.visible;
       add(after_vertex(Component::Reflection),
           arriving * view * (in.as_reflection * fading_.kept(hit->t)), layer);
       add(after_vertex(Component::Specular), arriving * in.as_highlight, layer);

@@ -309,6 +309,8 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   if (mapped) emulate(closure, point);
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
+  point.glossiness = closure.glossiness;
+  point.importance = std::min(1.0f, importance_);
   // In place: it is large.
   if (settings_.lamps)
     std::construct_at(&from_.lights, world_, point, closure);

@@ -70,6 +70,8 @@ class Path {
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
     LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
+    /// Of a light that is seen and shows its highlight all the same.
+    LightInReflection forced() const { return {visible.as_reflection, invisible.as_highlight}; }
     bool shadows = true;
     // Surfaces that glow were sampled for rays of diffuse lobes, of glossy reflections.
     bool glow_on_diffuse = false, glow_in_reflections = false;

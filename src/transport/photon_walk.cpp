@@ -25,7 +25,6 @@ constexpr int kStreamRow = 0x70686f74;
 /// Near end of the first segment, as share of the scene's radius: what lies in the plane of an
 /// area light does not stop its photons.
 constexpr float kOffTheLight = 1e-5f;
-
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// Photons that graze a surface whose shading normal faces them would gain without bound.
@@ -447,8 +446,9 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
 
 void PhotonWalk::run() {
   const Vec2 u_place = sampler_.next_2d();
-  photon_ = source_.emit(u_place, sampler_.next_2d());
-  photon_.kind = settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic;
+  photon_ =
+      source_.emit(u_place, sampler_.next_2d(),
+                   settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
   ray_.org = left_ = photon_.origin;
   ray_.dir = photon_.direction;
   ray_.tnear = kOffTheLight * source_.scene_radius();

@@ -217,6 +217,7 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   closure.propagate_alpha = p.propagate_alpha;
   closure.highlight_scale = std::max(0.0f, p.hl_vs_refl_balance);
   closure.highlights_of_visible_lights = !p.no_visible_area_hl;
+  closure.glossiness = clamp01(p.refl_gloss);
   closure.light_mode = p.mode;
   closure.lights = p.lights;
   closure.outputs = !extended || p.multiple_outputs;

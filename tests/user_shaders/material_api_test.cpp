@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// mia_material_api.h at work: what materials say of themselves, what they and lights tell each
+// other.
+#include "render/output_names.h"
+#include "user_picture.h"
+
+namespace oriel {
+namespace {
+
+using testing::expect_color;
+using testing::ShaderFolder;
+using testing::UserPicture;
+using testing::UserScene;
+
+constexpr const char* kHead = "#include <shader.h>\n#include <mia_material_api.h>\n";
+
+/// A lamp at (0, 0, 3) with a shader.
+std::string lamp(const std::string& shader, const std::string& shape = "") {
+  return "light \"lamp\" " + shader + " origin 0 0 3 " + shape +
+         " end light instance \"lamp_i\" \"lamp\" end instance ";
+}
+
+/// Mean over the picture of an output of the materials.
+Rgb mean_output(const UserPicture& picture, const std::string& name) {
+  const Film& film = picture.session->film();
+  const auto index = static_cast<std::size_t>(material_output_index(name));
+  Rgb sum(0);
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      sum += resolve_outputs(film.outputs(x, y), rgb(film.pixel(x, y).beauty))[index];
+  return sum / static_cast<float>(film.pixel_count());
+}
+
+// acceptance: I1
+TEST(MaterialApi, BothStructsAreToldApartByTheirSize) {
+  const ShaderFolder folder;
+  folder.compile(
+      "ask",
+      std::string(kHead) +
+          "struct ask { miTag mtl; miInteger mode; };"
+          "DLLEXPORT miBoolean ask(miColor *r, miState *state, struct ask *p) {"
+          "  mia_material_api_storage o, *fo; mia_material_x_api_storage x, *fx; int n;"
+          "  miTag mtl = *mi_eval_tag(&p->mtl); int mode = *mi_eval_integer(&p->mode);"
+          "  miColor c;"
+          "  o.struct_size = mode == 0 ? sizeof o : sizeof o - 4; o.in_use = miFALSE;"
+          "  x.struct_size = mode == 1 ? sizeof x : sizeof x + 4; x.in_use = miFALSE;"
+          "  if (mode % 2) mi_shaderstate_set(state, miA_MATERIAL_API_STORAGE, &x, sizeof x, 0);"
+          "  else mi_shaderstate_set(state, miA_MATERIAL_API_STORAGE, &o, sizeof o, 0);"
+          "  if (!mi_call_shader_x(&c, miSHADER_MATERIAL, state, mtl, NULL)) return miFALSE;"
+          "  fo = mi_shaderstate_get(state, miA_MATERIAL_API_STORAGE, &n);"
+          "  fx = (mia_material_x_api_storage *)fo; *r = c; r->a = 1;"
+          "  if (!fo || n != (mode % 2 ? (int)sizeof x : (int)sizeof o)) return miFALSE;"
+          "  if (mode == 0 && fo->in_use) *r = fo->diff_result;"
+          "  if (mode == 1 && fx->in_use) *r = fx->output.diffuse_result;"
+          "  if (mode >= 2) { r->r = fo->in_use ? 5 : .125; r->g = r->b = 0; }"
+          "  if (mode < 2 && fo->in_use && (mode ? fx->type : fo->type) != miRAY_EYE)"
+          "    return miFALSE;"
+          "  return miTRUE; }");
+  const auto scene_of = [&](const std::string& material) {
+    return "link \"ask.so\" declare shader color \"ask\" ( shader \"mtl\", integer \"mode\" ) "
+           "apply material end declare " +
+           lamp("\"mib_light_point\" ( \"color\" 1 1 1 )") +
+           "shader \"x\" \"mia_material_x\" ( \"diffuse\" .7 .5 .3 1, \"reflectivity\" .4, "
+           "\"refl_color\" 1 1 1 1, \"multiple_outputs\" on ) material \"m\" " +
+           material + " end material " + UserScene::square("m");
+  };
+  const auto asked = [&](int mode) {
+    UserScene scene(folder,
+                    scene_of("\"ask\" ( \"mtl\" \"x\", \"mode\" " + std::to_string(mode) + " )"),
+                    "\"lamp_i\" \"square_i\"");
+    const Rgb mean = UserPicture(scene, 8).mean();
+    EXPECT_EQ(scene.messages(), "");
+    return mean;
+  };
+  UserScene bare(folder, scene_of("= \"x\""), "\"lamp_i\" \"square_i\"");
+  const Rgb wanted = mean_output(UserPicture(bare, 8, true), "diffuse_result");
+  EXPECT_GT(wanted.x, .05f);
+  expect_color(asked(0), wanted, 1e-4f);
+  expect_color(asked(1), wanted, 1e-4f);
+  // Sizes that are none of either: the material leaves the struct alone.
+  expect_color(asked(2), Rgb(.125f, 0, 0), 1e-6f);
+  expect_color(asked(3), Rgb(.125f, 0, 0), 1e-6f);
+}
+
+/// Light shader "tell": shines white and does STATEMENTS with `data`, the light data or null.
+std::string telling(const std::string& statements) {
+  return std::string(kHead) +
+         "DLLEXPORT miBoolean tell(miColor *r, miState *state, void *p) { int n = 0;"
+         "  mia_material_api_lightdata *data ="
+         "    mi_shaderstate_get(state, miA_MATERIAL_API_LIGHTDATA, &n);"
+         "  if (data && n != (int)sizeof *data) data = NULL;"
+         "  r->r = r->g = r->b = r->a = 1; " +
+         statements + "  return state->type == miRAY_LIGHT ? mi_trace_shadow(r, state) : miTRUE; }";
+}
+const std::string kTell =
+    "link \"tell.so\" declare shader color \"tell\" ( ) apply light end declare ";
+/// The material that the lamp lights.
+std::string glossy(const std::string& further = "") {
+  return "material \"m\" \"mia_material_x\" ( \"diffuse\" .5 .5 .5 1, \"reflectivity\" .5, "
+         "\"refl_color\" 1 1 1 1, \"refl_gloss\" .4, \"brdf_0_degree_refl\" 1, "
+         "\"brdf_90_degree_refl\" 1, \"multiple_outputs\" on " +
+         further + " ) end material " + UserScene::square("m");
+}
+
+struct Parts {
+  Rgb diffuse, specular;
+};
+
+Parts lit_parts(const ShaderFolder& folder, const std::string& body) {
+  UserScene scene(folder, body, "\"lamp_i\" \"square_i\"");
+  const UserPicture picture(scene, 64, true);
+  EXPECT_EQ(scene.messages(), "");
+  return {mean_output(picture, "diffuse_result"), mean_output(picture, "spec_result")};
+}
+
+// acceptance: I3
+TEST(MaterialApi, AHighlightOnlyLightMakesNoDiffuseLight) {
+  const ShaderFolder folder;
+  folder.compile_file("light", ORIEL_SOURCE_DIR "/examples/shaders/light/ex_highlight_only.c");
+  const std::string declared =
+      "link \"light.so\" declare shader color \"ex_highlight_only\" ( color \"color\" default 1 1 "
+      "1 ) version 1 apply light end declare " +
+      lamp("\"ex_highlight_only\" ( \"color\" 1 1 1 )");
+  const Parts parts = lit_parts(folder, declared + glossy());
+  expect_color(parts.diffuse, Rgb(0), 0);
+  EXPECT_GT(parts.specular.x, .005f);
+  // Other materials leave nothing, and the light shines on them.
+  UserScene plain(folder,
+                  declared +
+                      "material \"m\" \"mib_illum_lambert\" ( \"ambience\" 0 0 0, "
+                      "\"diffuse\" 1 1 1, \"mode\" 4 ) end material " +
+                      UserScene::square("m"),
+                  "\"lamp_i\" \"square_i\"");
+  EXPECT_GT(UserPicture(plain).mean().x, .01f);
+}
+
+// acceptance: I3
+TEST(MaterialApi, LightsShareThemselvesOutToDiffuseLightAndHighlights) {
+  const ShaderFolder folder;
+  folder.compile("tell", telling("if (data) { data->affect_diffuse *= .25;"
+                                 "  data->affect_specular *= .5; data->is_mr_sun = miTRUE; }"));
+  const Parts shared = lit_parts(folder, kTell + lamp("\"tell\" ( )") + glossy());
+  const Parts whole =
+      lit_parts(folder, lamp("\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on )") + glossy());
+  EXPECT_GT(whole.specular.x, .01f);
+  expect_color(shared.diffuse, whole.diffuse * .25f, 1e-4f * whole.diffuse.x);
+  expect_color(shared.specular, whole.specular * .5f, 1e-4f * whole.specular.x);
+}
+
+// acceptance: I3
+TEST(MaterialApi, LightsThatAreSeenShowHighlightsWhenTheyForceThem) {
+  const ShaderFolder folder;
+  folder.compile("tell", telling("if (data) data->force_specular = miTRUE;"));
+  const ShaderFolder quiet_folder;
+  quiet_folder.compile("tell", telling(""));
+  const std::string seen =
+      kTell + lamp("\"tell\" ( )", "direction 0 0 -1 rectangle 1 0 0 0 1 0 visible on");
+  const Parts quiet = lit_parts(quiet_folder, seen + glossy());
+  const Parts forced = lit_parts(folder, seen + glossy());
+  const Parts wanted = lit_parts(quiet_folder, seen + glossy(", \"no_visible_area_hl\" off"));
+  expect_color(quiet.specular, Rgb(0), 0);
+  EXPECT_GT(wanted.specular.x, .01f);
+  expect_color(forced.specular, wanted.specular, 1e-4f * wanted.specular.x);
+  expect_color(forced.diffuse, quiet.diffuse, 1e-4f * quiet.diffuse.x);
+}
+
+// acceptance: I3
+TEST(MaterialApi, LightsReadGlossAndImportanceOfWhatTheyLight) {
+  const ShaderFolder folder;
+  folder.compile("tell", telling("r->r = data ? data->glossiness : 0;"
+                                 "r->g = data ? data->importance : 0;"));
+  const std::string dull =
+      "material \"dull\" \"mia_material_x\" ( \"diffuse\" 1 1 1 1, \"diffuse_weight\" 1, "
+      "\"reflectivity\" 0, \"refl_gloss\" .37 ) end material ";
+  const std::string lit = kTell + lamp("\"tell\" ( )") + dull;
+  UserScene direct(folder, lit + UserScene::square("dull"), "\"lamp_i\" \"square_i\"");
+  const Rgb seen = UserPicture(direct).mean();
+  EXPECT_GT(seen.z, .1f);
+  EXPECT_NEAR(seen.x / seen.z, .37f, 1e-5f);
+  EXPECT_NEAR(seen.y / seen.z, 1, 1e-5f);
+
+  // The same surface overhead, seen in half a mirror.
+  UserScene mirrored(
+      folder,
+      lit +
+          "material \"mirror\" \"mia_material_x\" ( \"diffuse\" 0 0 0 1, \"diffuse_weight\" 0, "
+          "\"reflectivity\" .5, \"refl_color\" 1 1 1 1, \"refl_gloss\" 1, \"brdf_0_degree_refl\" "
+          "1, \"brdf_90_degree_refl\" 1 ) end material "
+          "object \"roof\" visible shadow trace group -90 -90 6 90 -90 6 90 90 6 -90 90 6 v 0 v 1 "
+          "v 2 v 3 c 3 2 1 0 end group end object instance \"roof_i\" \"roof\" material \"dull\" "
+          "end instance " +
+          UserScene::square("mirror"),
+      "\"lamp_i\" \"square_i\" \"roof_i\"");
+  const Rgb behind = UserPicture(mirrored).mean();
+  EXPECT_GT(behind.z, .05f);
+  EXPECT_NEAR(behind.x / behind.z, .37f, 1e-4f);
+  EXPECT_NEAR(behind.y / behind.z, .5f, 1e-4f);
+}
+
+}  // namespace
+}  // namespace oriel
