@@ -250,7 +250,7 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
     EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
     EXPECT_TRUE(spec->value || spec->material || spec->light || spec->portal || spec->lens ||
-                spec->lens_ray || spec->shadow || spec->volume)
+                spec->lens_ray || spec->shadow || spec->volume || spec->stands_in)
         << spec->name;
     std::set<std::string> names;
     for (const ParamSpec& p : spec->params) {
