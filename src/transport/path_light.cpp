@@ -67,17 +67,12 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (!alone && (!hit->shadow || !from_.shadows)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
-    const float affects =
-        from_.group == LobeGroup::Diffuse ? hit->affects_diffuse : hit->affects_specular;
-    const Rgb arriving = lights_ * hit->radiance * affects *
+    const Rgb arriving = lights_ * hit->radiance * from_.affected(*hit) *
                          transmittance(medium_.medium, hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     const std::size_t layer = layer_of_light(index);
     if (from_.group == LobeGroup::Reflection) {
-      const LightInReflection in = looked_through        ? from_.hidden_portal
-                                   : !light.visible      ? from_.invisible
-                                   : hit->force_specular ? from_.forced()
-                                                         : from_.visible;
+      const LightInReflection in = from_.shown(light, *hit);
       add(after_vertex(Component::Reflection),
           arriving * view * (in.as_reflection * fading_.kept(hit->t)), layer);
       add(after_vertex(Component::Specular), arriving * in.as_highlight, layer);

@@ -70,8 +70,16 @@ class Path {
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
     LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
-    /// Of a light that is seen and shows its highlight all the same.
-    LightInReflection forced() const { return {visible.as_reflection, invisible.as_highlight}; }
+    LightInReflection shown(const Light& light, const LightHit& hit) const {
+      if (light.portal && !light.portal->visible) return hidden_portal;
+      if (!light.visible) return invisible;
+      if (!hit.force_specular) return visible;
+      return {visible.as_reflection, invisible.as_highlight};
+    }
+    /// Share of the light that the lobe takes.
+    float affected(const LightHit& hit) const {
+      return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
+    }
     bool shadows = true;
     // Surfaces that glow were sampled for rays of diffuse lobes, of glossy reflections.
     bool glow_on_diffuse = false, glow_in_reflections = false;
