@@ -116,7 +116,7 @@ class SdkCoverage : public ProgramTest {
            "`tests/user_shaders/functions` that calls it in the picture; and whether it answered\n"
            "as it should. Made by the test that asks them all:\n\n"
            "```sh\n"
-           "ORIEL_UPDATE=1 build/tests/user_shaders_tests --gtest_filter='SdkCoverage.*'\n"
+           "ORIEL_UPDATE=1 build/bin/user_shaders_tests --gtest_filter='SdkCoverage.*'\n"
            "```\n";
     std::string header;
     for (const Offered& one : offered()) {
