@@ -85,6 +85,8 @@ class LightContract : public ::testing::TestWithParam<Case> {
     for (const ParamSpec& row : spec->params) {
       if (std::string_view(row.name) == "color") arguments += "\"color\" 3 2 1, ";
       if (std::string_view(row.name) == "cone") arguments += "\"cone\" .9, ";
+      // Wide enough that not only a corner of a shape shines.
+      if (std::string_view(row.name) == "coneAngle") arguments += "\"coneAngle\" 1.4, ";
     }
     scene_ = std::make_unique<testing::PreparedScene>(testing::scene_text(
         fmt::format(
