@@ -100,7 +100,6 @@ constexpr PlainInterface kBase[] = {
     {"mib_lens_clamp", 1, "floor s, ceiling s, luminance b, floor_color c, ceil_color c"},
     {"mib_volume", 1, "color c, max s, lightrays b"},
     {"mib_lightmap_sample", 1, "indirect b, flip i, lights L"},
-    {"mib_lightmap_write", 2, "texture tex, coord sh, input sh, fg_mode i"},
     {"mib_ray_marcher", 1, "shader sh, distance s, num i, subdiv i, contrast c"},
     {"oversampling_lens", 1, "samples i"},
     {"dgs_material", 3,
@@ -189,6 +188,10 @@ TEST(Declarations, OcclusionAndGlossyNodesAreTheDeclaredTables) {
   EXPECT_EQ(table_of("mib_glossy_refraction"), kGlossyRefractionTable);
   EXPECT_EQ(table_of("mib_bent_normal_env"), kBentNormalEnvTable);
   EXPECT_EQ(table_of("mib_fg_occlusion"), "\nresult_when_fg_is_off | color | 1 1 1\n");
+  EXPECT_EQ(table_of("mib_lightmap_write"),
+            "\ntexture | color texture | -\ncoord | shader | -\ninput | shader | -\n"
+            "fg_mode | integer | 3\n");
+  EXPECT_EQ(spec_of("mib_lightmap_write").version, 2);
   EXPECT_EQ(spec_of("mib_amb_occlusion").version, 2);
   EXPECT_EQ(spec_of("mib_glossy_reflection").version, 3);
 }
