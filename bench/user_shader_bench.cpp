@@ -62,10 +62,10 @@ struct Room {
   }
   ~Room() { host.end_frame(); }
   scene::Scene read(const std::string& text) {
-    mi::ReadOptions options;
+    oriel::mi::ReadOptions options;
     options.packages = builtin_packages();
     options.knows_shader = [](std::string_view n) { return builtin_shaders().find(n) != nullptr; };
-    return mi::read_text(text, options, diagnostics);
+    return oriel::mi::read_text(text, options, diagnostics);
   }
 };
 

@@ -106,6 +106,8 @@ class Binder {
   void count_lobes(ShaderNode& node, SourceLocation where);
   /// Counts the shaders that run for `node` with a source of that cost more; false: too many.
   bool afford(ShaderNode& node, float cost, SourceLocation where);
+  /// Notes that `node` asks `source`; false: the chain would be too long.
+  bool reaches(const ShaderNode& node, const ShaderNode* source, SourceLocation where);
   void bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                     const scene::Value& value);
   void bind_text(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
@@ -126,10 +128,12 @@ class Binder {
   std::map<std::string, const TextureNode*> textures_;
   std::map<const ShaderNode*, const TextureNode*> procedures_;
   std::map<std::string, const photometry::LightProfile*> light_profiles_;
+  std::unordered_map<const ShaderNode*, int> chain_;  ///< shaders one behind the other, most
   std::map<const TextureNode*, float> texture_cost_;  ///< shaders that one look-up runs
   std::vector<std::unique_ptr<Scope>> scopes_;
   std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;
+  bool volume_told_ = false;
   const ShaderNode* stand_in_ = nullptr;
   std::map<std::string, int> reported_;
   BindingReport report_;

@@ -206,7 +206,8 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
                          node.connections_.back().source == source.node &&
                          node.connections_.back().unfiltered == param.unfiltered;
       const float cost = source.node->cost_ * node.spec().evaluations;
-      if (!again && !afford(node, cost, value.where)) return;
+      if (!again && !(reaches(node, source.node, value.where) && afford(node, cost, value.where)))
+        return;
       node.connections_.push_back(
           {offset, type, source.node, source.type, source.offset, param.unfiltered});
       return;
@@ -231,7 +232,7 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
 
 bool Binder::bind_input(ShaderNode& node, std::size_t offset, const ShaderNode& source,
                         SourceLocation where) {
-  if (!afford(node, source.cost_, where)) return false;
+  if (!reaches(node, &source, where) || !afford(node, source.cost_, where)) return false;
   node.material_inputs_.push_back({offset, &source});
   return true;
 }
@@ -257,6 +258,26 @@ void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
     of_inputs = all;
   }
   node.most_lobes_ = own + of_inputs;
+}
+
+bool Binder::reaches(const ShaderNode& node, const ShaderNode* source, SourceLocation where) {
+  // Each link of a chain takes some kilobytes of the stack when it is asked.
+  constexpr int kLongestChain = 500;
+  const auto length_of = [&](const ShaderNode* n) {
+    const auto known = chain_.find(n);
+    return known == chain_.end() ? 1 : known->second;
+  };
+  const int length = length_of(source) + 1;
+  if (length > kLongestChain) {
+    diagnostics_.error("OR-RT-009", where,
+                       fmt::format("behind \"{}\" stands a chain of more than {} shaders",
+                                   node.spec().name, kLongestChain),
+                       "the declared default is used here");
+    return false;
+  }
+  int& own = chain_[&node];
+  own = std::max(own, length);
+  return true;
 }
 
 bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
@@ -297,7 +318,8 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
       if (!ref.node) return;
       if (param.takes_material && ref.node->spec().material) {
         if (bind_input(node, offset, *ref.node, value.where)) store(target, ref);
-      } else if (afford(node, ref.node->cost_, value.where)) {
+      } else if (reaches(node, ref.node, value.where) &&
+                 afford(node, ref.node->cost_, value.where)) {
         store(target, ref);
       }
       return;

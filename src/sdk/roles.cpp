@@ -219,6 +219,8 @@ std::string geometry(const Call& call, scene::Scene& scene) {
 }
 
 bool always(const ShaderNode&) { return true; }
+/// What a material in C shows is not told apart from what it reflects: no light to choose.
+bool never(const ShaderNode&) { return false; }
 int no_lobes(const ShaderNode&) { return 0; }
 
 }  // namespace
@@ -243,6 +245,7 @@ void set_roles(UserSpec& spec) {
     spec.shadow = shadow;
     spec.may_transmit = always;
   }
+  spec.may_emit = never;
   if (acts_as(kApplyLight)) spec.light = light;
   if (acts_as(kApplyVolume)) spec.volume = volume;
   if (acts_as(kApplyLens)) spec.lens_eye = lens;

@@ -35,6 +35,12 @@ class SteadyTracer final : public Tracer {
     const float x = .37f * static_cast<float>(drawn_), y = .61f * static_cast<float>(drawn_);
     return Vec2(x - std::floor(x), y - std::floor(y));
   }
+  Levels levels() const override { return {1, 1, .5f}; }
+  Seen trace(const ShadingPoint&, const SubRay&) override { return {Rgba(.3f, .2f, .1f, 1), {}}; }
+  Rgb irradiance(const ShadingPoint&, const Vec3&) override { return Rgb(.4f); }
+  Rgba shade(const NodeList&, ShadingPoint&, Outputs*) override { return Rgba(.2f, .3f, .4f, 1); }
+  bool write_buffer(std::size_t, const Rgba&) override { return false; }
+  std::optional<Rgba> read_buffer(std::size_t) const override { return std::nullopt; }
 
  private:
   int drawn_ = 0;
