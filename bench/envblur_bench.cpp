@@ -181,8 +181,10 @@ int main() {
   fmt::print("table of the default resolution: ");
   std::vector<double> prepare_blurred, prepare_sharp;
   for (int i = 0; i < kTurns; ++i) {
-    prepare_blurred.push_back(bench::timed([] { Scene scene(scene_of("lamps", .5f, 8, true)); }).cpu);
-    prepare_sharp.push_back(bench::timed([] { Scene scene(scene_of("lamps", .5f, 8, false)); }).cpu);
+    prepare_blurred.push_back(
+        bench::timed([] { Scene scene(scene_of("lamps", .5f, 8, true)); }).cpu);
+    prepare_sharp.push_back(
+        bench::timed([] { Scene scene(scene_of("lamps", .5f, 8, false)); }).cpu);
   }
   fmt::print("{:.2f} s\n", bench::median(prepare_blurred) - bench::median(prepare_sharp));
   for (const char* around : {"windows", "lamps"})

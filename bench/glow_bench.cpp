@@ -32,6 +32,7 @@ std::string object(const std::string& name, const std::string& material,
 
 std::string box(const std::string& name, const Vec3& lo, const Vec3& hi) {
   std::vector<Vec3> p;
+  p.reserve(8);
   for (int i = 0; i < 8; ++i)
     p.emplace_back(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z);
   return object(

@@ -81,7 +81,8 @@ std::string room_of(bool large, const std::string& shader) {
 }
 
 void compare(const char* name, bool large, const fs::path& folder) {
-  Room built_in(room_of(large, "\"mib_color_mix\" ( \"num\" 0, \"color_base\" .75 .75 .75 1 )"), folder);
+  Room built_in(room_of(large, "\"mib_color_mix\" ( \"num\" 0, \"color_base\" .75 .75 .75 1 )"),
+                folder);
   Room users(room_of(large, "\"bench_constant\" ( \"color\" .75 .75 .75 1 )"), folder);
   const ThreadLimit one(1);
   std::vector<double> ratios;

@@ -317,10 +317,10 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("shadow")) bind_shadow(*list, scope, bound);
   if (const auto* list = material.slot("volume"); list && !list->empty() && !volume_told_) {
     volume_told_ = true;
-    diagnostics_.warning("OR-RT-046", list->front().where,
-                         fmt::format("material \"{}\": volume shaders of materials do not act",
-                                     material.name),
-                         "the camera's `volume` does; said once");
+    diagnostics_.warning(
+        "OR-RT-046", list->front().where,
+        fmt::format("material \"{}\": volume shaders of materials do not act", material.name),
+        "the camera's `volume` does; said once");
   }
   if (const auto* list = material.slot("photon"))
     for (const ShaderNode* node : bind_list(*list, scope))

@@ -38,7 +38,7 @@ constexpr ParamSpec kWriteRows[] = {
      .declared_default = false},
     {ORIEL_PARAM(Write, input), .doc = kNotMade, .support = Support::Ignored,
      .declared_default = false},
-    {ORIEL_PARAM(Write, fg_mode), .doc = kNotMade, .support = Support::Ignored},
+    {ORIEL_PARAM(Write, fg_mode), .fallback = {3}, .doc = kNotMade, .support = Support::Ignored},
 };
 constexpr ParamSpec kWritten[] = {
     {ORIEL_PARAM(Written, point)}, {ORIEL_PARAM(Written, normal)}, {ORIEL_PARAM(Written, tex)}};
