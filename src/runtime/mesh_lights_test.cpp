@@ -87,7 +87,7 @@ TEST(MeshLights, ClustersKeepApartWhatLiesApart) {
   Triangles t;
   for (std::uint32_t i = 0; i < 40000; ++i) {
     LightBounds b;
-    const float along = static_cast<float>(i / 2) * 1e-5f;
+    const float along = static_cast<float>(i >> 1) * 1e-5f;
     const Vec3 centre(i % 2 ? 100 : 0, along, 0);
     b.box = {centre - Vec3(1e-6f), centre + Vec3(1e-6f)};
     b.falling = 1;

@@ -218,7 +218,7 @@ Vec2 next(const miState* state) {
   if (c.photon) return c.photon->next ? c.photon->next->next() : c.photon->emission->next();
   // Keyed by the place: the same in every rendering, another at each point.
   std::uint32_t bits[3];
-  std::memcpy(bits, &c.point->position, sizeof bits);
+  std::memcpy(bits, &c.point->position.x, sizeof bits);
   std::uint64_t key = sampling::mix_bits((std::uint64_t{bits[0]} << 32) | bits[1]);
   key = sampling::mix_bits(key + bits[2] + 0x9e3779b97f4a7c15ull * ++c.draws);
   constexpr float kUnit = 0x1p-24f;

@@ -75,7 +75,7 @@ miBoolean mi_fb_get(miState* state, int fb, void* data) {
   const std::size_t bytes = buffer->kind == UserBuffer::Kind::Color    ? sizeof(miColor)
                             : buffer->kind == UserBuffer::Kind::Vector ? sizeof(miVector)
                                                                        : sizeof(miScalar);
-  std::memcpy(data, &*value, bytes);
+  std::memcpy(data, &value->r, bytes);
   return miTRUE;
 }
 

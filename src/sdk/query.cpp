@@ -16,7 +16,10 @@ namespace {
 
 template <class T>
 bool tell(void* result, const T& value) {
-  std::memcpy(result, &value, sizeof value);
+  struct Whole {
+    T value;
+  };
+  std::memcpy(result, &value, sizeof(Whole));
   return true;
 }
 

@@ -11,7 +11,7 @@
 namespace oriel::sdk {
 namespace {
 
-void store(miMatrix to, const Mat4& from) { std::memcpy(to, &from, sizeof(miMatrix)); }
+void store(miMatrix to, const Mat4& from) { std::memcpy(to, from.getValue(), sizeof(miMatrix)); }
 miColor color(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
 miUchar bits(unsigned takes, unsigned casts, unsigned receives) {
   return static_cast<miUchar>(((takes & casts) ? 1 : 0) | ((takes & receives) ? 2 : 0));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures by tag: images, shaders that stand for them, and shaders.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -125,7 +126,7 @@ void mi_texture_info(miTag tag, int* xres, int* yres, void** paras) {
 miBoolean mi_texture_interpolate(miState* state, miUint space, miScalar* result) {
   const ShadingPoint& point = *context(state).point;
   if (space >= point.texture_spaces) return miFALSE;
-  std::memcpy(result, &point.tex[space], sizeof(miVector));
+  std::copy_n(&point.tex[space].x, 3, result);
   return miTRUE;
 }
 

@@ -30,7 +30,8 @@ Values blocks(const Values& pixels) {
     for (int x = 0; x < kWidth; x += kBlock) {
       double sum = 0;
       for (int j = y; j < y + kBlock; ++j)
-        for (int i = x; i < x + kBlock; ++i) sum += pixels[std::size_t(j * kWidth + i)];
+        for (int i = x; i < x + kBlock; ++i)
+          sum += pixels[std::size_t(j) * kWidth + std::size_t(i)];
       means.push_back(sum / (kBlock * kBlock));
     }
   return means;

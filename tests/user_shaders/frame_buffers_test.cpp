@@ -6,7 +6,6 @@
 namespace oriel {
 namespace {
 
-using testing::expect_color;
 using testing::ShaderFolder;
 using testing::UserPicture;
 using testing::UserScene;

@@ -11,7 +11,6 @@ namespace {
 
 using testing::expect_color;
 using testing::ShaderFolder;
-using testing::UserPicture;
 using testing::UserScene;
 
 const std::string kExamples = ORIEL_SOURCE_DIR "/examples/shaders/";

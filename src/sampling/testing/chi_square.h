@@ -140,7 +140,8 @@ inline DirectionTest test_directions(
       const double e =
           integrate(density, -1 + 2.0 * i / cos_cells, -1 + 2.0 * (i + 1) / cos_cells,
                     -pi + 2 * pi * j / phi_cells, -pi + 2 * pi * (j + 1) / phi_cells, 2e-7);
-      expected[static_cast<std::size_t>(i * phi_cells + j)] = e * count;
+      const int cell = i * phi_cells + j;
+      expected[static_cast<std::size_t>(cell)] = e * count;
       result.pdf_integral += e;
     }
   const double rest = 1 - result.pdf_integral;
@@ -157,7 +158,8 @@ inline DirectionTest test_directions(
                              cos_cells - 1);
     const double phi = std::atan2(static_cast<double>(wi->y), static_cast<double>(wi->x));
     const int j = std::clamp(static_cast<int>((phi + pi) / (2 * pi) * phi_cells), 0, phi_cells - 1);
-    observed[static_cast<std::size_t>(i * phi_cells + j)] += 1;
+    const int cell = i * phi_cells + j;
+    observed[static_cast<std::size_t>(cell)] += 1;
   }
   // A rest within the quadrature's own error means that every draw returns a direction.
   const bool complete = observed[cells] == 0 && rest < 1e-3;
