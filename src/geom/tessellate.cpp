@@ -8,6 +8,7 @@
 
 #include "geom/equal_vertices.h"
 #include "geom/polygon.h"
+#include "scene/approximation.h"
 
 namespace oriel::geom {
 
@@ -204,6 +205,11 @@ class Tessellator {
 }  // namespace
 
 Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics) {
+  return tessellate(object, {}, diagnostics);
+}
+
+Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& /*context*/,
+                Diagnostics& diagnostics) {
   Mesh mesh;
   mesh.tagged = object.tagged();
   Tessellator tessellator(mesh);

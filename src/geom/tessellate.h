@@ -6,6 +6,10 @@
 #include "geom/mesh.h"
 #include "scene/object.h"
 
+namespace oriel::scene {
+struct ApproximationContext;
+}
+
 namespace oriel::geom {
 
 /// Texture spaces that a shading point can hold; an object's further ones are left out.
@@ -21,6 +25,10 @@ inline constexpr std::size_t kMaxTextureSpaces = 8;
 /// Errors:  OR-GEOM-001 once per object, counting the polygons left out (no area, corners that are
 ///          not finite or do not exist); OR-GEOM-002 for texture spaces left out. Total otherwise.
 /// Checked: Tessellate.*
+/// Inputs:  context: what the scene around the object says of approximations, and the camera.
+Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& context,
+                Diagnostics& diagnostics);
+/// As an object without instance and camera.
 Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics);
 
 }  // namespace oriel::geom

@@ -110,7 +110,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   world->environment = EnvironmentLight(binder.bind(camera->environment), *world);
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
-  place_geometry(scene, leaves, light_names, binder, options, *world, diagnostics, report);
+  place_geometry(scene, leaves, light_names, command.options, binder, options, *world, diagnostics,
+                 report);
   if (!has_buffer_writers(*world)) world->user_buffers.clear();
   open_portals(*world);
   world->light_groups = group_lights(*world);

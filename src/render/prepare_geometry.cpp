@@ -9,6 +9,7 @@
 #include "geom/tessellate.h"
 #include "render/prepare_displacement.h"
 #include "render/prepare_parts.h"
+#include "render/tessellation_plan.h"
 
 namespace oriel {
 namespace {
@@ -155,18 +156,16 @@ void link_lights(const scene::Leaf& leaf, const LightNames& lights, InstanceData
 }  // namespace
 
 void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
-                    const LightNames& lights, Binder& binder, const PrepareOptions& options,
-                    World& world, Diagnostics& diagnostics, PrepareReport& report) {
-  // Each object that is placed somewhere is tessellated once.
-  std::map<const scene::Object*, std::size_t> index;
-  std::vector<const scene::Object*> objects;
-  for (const scene::Leaf& leaf : leaves)
-    if (const scene::Object* object = leaf.object(); object && !leaf.flags.hidden)
-      if (index.try_emplace(object, objects.size()).second) objects.push_back(object);
-  std::vector<geom::Mesh> meshes(objects.size());
-  parallel_for(objects.size(),
-               [&](std::size_t i) { meshes[i] = geom::tessellate(*objects[i], diagnostics); });
-  report.objects = objects.size();
+                    const LightNames& lights, const std::string& options_name, Binder& binder,
+                    const PrepareOptions& options, World& world, Diagnostics& diagnostics,
+                    PrepareReport& report) {
+  const TessellationPlan plan =
+      plan_tessellation(leaves, scene.get<scene::Options>(options_name), world.camera);
+  std::vector<geom::Mesh> meshes(plan.jobs.size());
+  parallel_for(meshes.size(), [&](std::size_t i) {
+    meshes[i] = geom::tessellate(*plan.jobs[i].object, plan.jobs[i].context, diagnostics);
+  });
+  report.objects = meshes.size();
 
   // Instances, and which form of its object's mesh each one uses.
   MaterialTable materials(scene, binder, world, diagnostics);
@@ -177,10 +176,10 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     std::uint32_t mask;
   };
   std::vector<Placed> placed;
-  for (const scene::Leaf& leaf : leaves) {
-    const scene::Object* object = leaf.object();
-    if (!object || leaf.flags.hidden) continue;
-    const std::size_t mesh = index[object];
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const scene::Leaf& leaf = leaves[i];
+    const std::size_t mesh = plan.job_of_leaf[i];
+    if (mesh == scene::kNone) continue;
     InstanceData data;
     data.name = leaf.instance().name;
     data.to_object = leaf.world_to_local;

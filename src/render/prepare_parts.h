@@ -26,9 +26,10 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
                   const std::string& name, const PrepareOptions& options, World& world,
                   const scene::Camera*& camera, Diagnostics& diagnostics);
 
-/// Meshes, instances and their materials.
+/// Meshes, instances and their materials. options_name: the options element of the picture.
 void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
-                    const LightNames& lights, Binder& binder, const PrepareOptions& options,
-                    World& world, Diagnostics& diagnostics, PrepareReport& report);
+                    const LightNames& lights, const std::string& options_name, Binder& binder,
+                    const PrepareOptions& options, World& world, Diagnostics& diagnostics,
+                    PrepareReport& report);
 
 }  // namespace oriel
