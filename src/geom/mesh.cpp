@@ -19,6 +19,10 @@ Box3 Mesh::bounds() const {
     box.extendBy(positions[t.b]);
     box.extendBy(positions[t.c]);
   }
+  for (const Curves::Point& point : curves.points) {
+    box.extendBy(point.p - Vec3(point.radius));
+    box.extendBy(point.p + Vec3(point.radius));
+  }
   return box;
 }
 
@@ -29,6 +33,9 @@ std::size_t Mesh::bytes() const {
   for (const TextureSpace& space : textures)
     sum += bytes_of(space.coordinate) + bytes_of(space.basis_u) + bytes_of(space.basis_v);
   for (const std::vector<Vec3>& step : motion) sum += bytes_of(step);
+  sum += bytes_of(curves.points) + bytes_of(curves.lines) + bytes_of(curves.beziers) +
+         bytes_of(curves.normals);
+  for (const std::vector<Vec3>& column : curves.textures) sum += bytes_of(column);
   return sum;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "geom/curves.h"
 #include "scene/object.h"
 
 namespace oriel::geom {
@@ -48,14 +49,17 @@ struct Mesh {
   std::vector<TextureSpace> textures;
   std::vector<Vec3> dpdu, dpdv;           ///< derivatives, where the scene gives them
   std::vector<std::vector<Vec3>> motion;  ///< one column per motion step
-  std::vector<std::uint32_t> slot;        ///< per triangle; empty when all are in slot 0
+  Curves curves;                          ///< hair; its pieces count as primitives after triangles
+  std::vector<std::uint32_t> slot;        ///< per primitive; empty when all are in slot 0
   std::vector<MaterialSlot> slots;        ///< never empty in a tessellated mesh
   bool tagged = false;
 
   std::size_t vertex_count() const { return positions.empty() ? 0 : positions.size() - 1; }
-  bool empty() const { return triangles.empty(); }
-  std::uint32_t slot_of(std::uint32_t triangle) const { return slot.empty() ? 0 : slot[triangle]; }
-  /// Bounds of the vertices that triangles use; empty for an empty mesh.
+  bool empty() const { return triangles.empty() && curves.empty(); }
+  std::uint32_t slot_of(std::uint32_t primitive) const {
+    return slot.empty() ? 0 : slot[primitive];
+  }
+  /// Bounds of what triangles and curves use; empty for an empty mesh.
   Box3 bounds() const;
   /// Memory the columns hold.
   std::size_t bytes() const;

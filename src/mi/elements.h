@@ -40,6 +40,7 @@ void read_instance_group(Parse& parse, SourceLocation at);
 // geometry
 void read_group(Parse& parse, scene::Object& object, SourceLocation at);
 void read_trilist(Parse& parse, scene::Object& object, SourceLocation at);
+void read_hair(Parse& parse, scene::Object& object, SourceLocation at);
 
 // declare.cpp, phenomenon.cpp
 void read_declare(Parse& parse, SourceLocation at);

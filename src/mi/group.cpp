@@ -9,6 +9,7 @@
 #include "mi/number.h"
 #include "mi/polygons.h"
 #include "mi/statements.h"
+#include "mi/subdivision.h"
 
 namespace oriel::mi {
 namespace {
@@ -74,6 +75,12 @@ void add_field(VertexRecord& vertex, char field, const std::uint32_t* index, int
 
 constexpr int kMostFieldIndices = 8;
 
+/// Whether a mark of a subdivision surface's vertex begins here: cusp, conic, corner, dart.
+bool is_mark(const char* q) {
+  return std::memcmp(q, "cus", 3) == 0 || std::memcmp(q, "coni", 4) == 0 ||
+         std::memcmp(q, "cor", 3) == 0 || std::memcmp(q, "dar", 3) == 0;
+}
+
 bool is_field(char c) { return c == 'n' || c == 't' || c == 'd' || c == 'm' || c == 'u'; }
 int most_indices(char field) {
   return field == 'n' ? 1 : field == 't' ? 3 : field == 'd' ? 5 : kMostFieldIndices;
@@ -94,8 +101,8 @@ const char* scan_vertex(const char* p, VertexRecord& vertex) {
     add_field(vertex, field, index, count);
   }
   // A comment or command inside the vertex: fields may follow behind it.
-  const char next = *skip_blanks(p);
-  return next == '#' || next == '$' || next == 0 || is_digit(next) ? nullptr : p;
+  const char* const q = skip_blanks(p);
+  return *q == '#' || *q == '$' || *q == 0 || is_digit(*q) || is_mark(q) ? nullptr : p;
 }
 
 std::uint32_t index_of(Parse& parse) {
@@ -104,17 +111,27 @@ std::uint32_t index_of(Parse& parse) {
   return value >= 0 && value < kNone ? static_cast<std::uint32_t>(value) : kNone - 1;
 }
 
+// cusp|conic|corner [level N] | dart
+scene::VertexMark read_mark(Parse& parse) {
+  using Kind = scene::VertexMark::Kind;
+  scene::VertexMark mark;
+  const Token word = parse.in.next();
+  mark.kind = word.is_word("cusp")    ? Kind::Cusp
+              : word.is_word("conic") ? Kind::Conic
+              : word.is_word("dart")  ? Kind::Dart
+                                      : Kind::Corner;
+  if (parse.in.accept_word("level")) mark.level = std::max(0, parse.integer("a level"));
+  return mark;
+}
+
 // The same token by token, for everything unusual.
 void read_vertex(Parse& parse, VertexRecord& vertex) {
   vertex.clear();
   vertex.point = index_of(parse);
   while (parse.in.at(Token::Kind::Word)) {
     const std::string_view word = parse.in.peek().text;
-    if (word == "cusp" || word == "conic" || word == "corner" || word == "dart" ||
-        word == "level") {
-      // Sharpness of subdivision surfaces.
-      parse.in.next();
-      if (word == "level") parse.number("a level");
+    if (word == "cusp" || word == "conic" || word == "corner" || word == "dart") {
+      vertex.mark = read_mark(parse);
       continue;
     }
     if (word.size() != 1 || !is_field(word[0])) return;
@@ -293,13 +310,8 @@ void GroupReader::read_strip(bool fan) {
 void GroupReader::keep(std::string_view word, SourceLocation at) {
   scene::KeptText kept{std::string(word), "", at};
   parse_.in.next();
-  if (word == "ccmesh")
-    kept.text = keep_until_end(parse_, "ccmesh") + " end ccmesh";
-  else if (word == "subdivision")
-    kept.text = keep_until_end(parse_, "subdivision") + " end subdivision";
-  else
-    kept.text = keep_until_word(parse_, kGroupWords);
-  if (kept.text.empty() && word != "subdivision") parse_.unexpected(fmt::format("a {}", word));
+  kept.text = keep_until_word(parse_, kGroupWords);
+  if (kept.text.empty()) parse_.unexpected(fmt::format("a {}", word));
   group_.kept.push_back(std::move(kept));
 }
 
@@ -329,6 +341,9 @@ void GroupReader::read_body() {
       read_polygons();
     } else if (token.is_word("strip") || token.is_word("fan")) {
       read_strip(token.is_word("fan"));
+    } else if (token.is_word("subdivision") || token.is_word("ccmesh")) {
+      read_subdivision(parse_, group_, builder_, at);
+      last_name_ = {};
     } else if (token.is_word("end")) {
       return;
     } else if (token.is_word("merge")) {

@@ -45,10 +45,7 @@ constexpr std::string_view kBodyWords[] = {"group", "trilist", "basis",       "h
 
 void keep_geometry(Parse& parse, Object& object, SourceLocation at) {
   scene::KeptText kept{std::string(parse.in.next().text), "", at};
-  if (kept.keyword == "hair")
-    kept.text = keep_until_end(parse, "hair") + " end hair";
-  else
-    kept.text = keep_until_word(parse, kBodyWords);
+  kept.text = keep_until_word(parse, kBodyWords);
   object.kept.push_back(std::move(kept));
 }
 
@@ -56,7 +53,8 @@ void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
   const SourceLocation at = parse.in.where();
   if (parse.in.accept_word("group")) return read_group(parse, object, at);
   if (parse.in.accept_word("trilist")) return read_trilist(parse, object, at);
-  if (parse.in.at_word("hair") || parse.in.at_word("basis") || parse.in.at_word("intersection"))
+  if (parse.in.accept_word("hair")) return read_hair(parse, object, at);
+  if (parse.in.at_word("basis") || parse.in.at_word("intersection"))
     return keep_geometry(parse, object, at);
   if (parse.in.accept_word("data")) return flags.add(read_data_reference(parse, at));
   if (parse.in.accept_word("approximate")) {

@@ -60,6 +60,7 @@ void VertexRecord::clear() {
   motion.clear();
   user.clear();
   textures.clear();
+  mark.reset();
 }
 
 bool GroupBuilder::usable(std::uint32_t index, Place place, std::string_view field) {
@@ -96,6 +97,10 @@ void GroupBuilder::add_vertex(const VertexRecord& v, Place place, Room& room) {
     put(list.textures[i].basis_v, n, checked(t.basis_v, "basis vector"), room, at);
   }
   // Rare fields: no cost to vertices without them.
+  if (v.mark) {
+    list.marks.push_back(*v.mark);
+    list.marks.back().vertex = static_cast<std::uint32_t>(n);
+  }
   if (!list.derivative.empty() || !v.derivative.empty())
     put(list.derivative, n, checked_all(v.derivative, "derivative"), room, at);
   if (!list.motion.empty() || !v.motion.empty())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct VertexRecord {
   std::uint32_t point = scene::kNone, normal = scene::kNone;
   std::vector<std::uint32_t> derivative, motion, user;
   std::vector<Texture> textures;
+  std::optional<scene::VertexMark> mark;
   void clear();
 };
 
@@ -55,6 +57,11 @@ class GroupBuilder {
   GroupBuilder(Parse& parse, scene::PolygonGroup& group) : parse_(parse), group_(group) {}
 
   void add_vertex(const VertexRecord& vertex, Place place, Room& room);
+  /// Whether that vertex exists and has a point.
+  bool is_usable_vertex(std::uint32_t vertex) const {
+    return vertex < group_.vertices.size() &&
+           !(vertex < bad_vertices_.size() && bad_vertices_[vertex]);
+  }
 
   /// Index for a material's name, the same for equal names.
   std::uint32_t material_index(std::string_view name);

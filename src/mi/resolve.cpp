@@ -146,6 +146,8 @@ void Resolver::visit(const scene::Material& e) {
 
 void Resolver::visit(const scene::Object& e) {
   for (const auto& group : e.groups) names("material", group.materials, group.where);
+  for (const auto& hair : e.hairs)
+    if (!hair.material.empty()) names("material", {hair.material}, hair.where);
 }
 
 void Resolver::visit(const scene::Instance& e) {

@@ -103,6 +103,17 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
       "approximate fine view length 2 all end group end object\n",
       "object \"o\" visible tagged group 0 0 0 1 0 0 1 1 0 v 0 v 1 v 2 p 3 0 1 2 p 0 2 1 0 end "
       "group end object\n",
+      "object \"o\" group 0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 v 0 t 1 cusp v 1 conic level 2 v 2 corner "
+      "v 3 dart v 4 p \"m\" 0 1 2 subdivision surface \"s\" polygon 1 2 3 4 texture space "
+      "[face, subdivision] p 0 1 2 3 crease 5 .5 1 p \"n\" 0 1 4 trim 3 { child 0 { material 1 "
+      "\"k\" } } derivative 1 space 0 derivative 2 end subdivision surface "
+      "ccmesh \"c\" polygon 1 vertex 4 p \"m\" 0 1 2 3 crease 0 .25 0 1 end ccmesh "
+      "approximate subdivision surface parametric 3 \"s\" end group end object\n",
+      "object \"o\" tagged group 0 0 0 1 0 0 1 1 0 v 0 v 1 v 2 ccmesh \"c\" polygon 1 vertex 3 "
+      "p 7 0 1 2 p 8 2 1 0 crease 1 end ccmesh end group end object\n",
+      "object \"h\" visible hair material \"m\" radius .25 approximate 3 degree 3 max size 4 max "
+      "depth 5 hair n m 2 t 3 vertex radius u 2 scalar [4] 0 1.5 -2 3e-5 hair [3] 0 1 4 end hair "
+      "end object\n",
       "instance \"i\" \"o\" hide off caustic on caustic 3 transform 1 0 0 0 0 1 0 0 0 0 1 0 -1 -2 "
       "-3 "
       "1 motion transform 1 0 0 0 0 1 0 0 0 0 1 0 -2 -2 -3 1 material [\"a\", \"b\"] "

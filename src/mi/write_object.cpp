@@ -34,7 +34,16 @@ void write_derivative(TextSink& out, const std::vector<Column>& columns, std::si
     write_field(out, i % kMostInOneField == 0 ? " d " : " ", columns[i][vertex]);
 }
 
+void write_mark(TextSink& out, const scene::VertexMark& mark) {
+  constexpr std::string_view kNames[] = {" cusp", " conic", " corner", " dart"};
+  out.put(kNames[static_cast<std::size_t>(mark.kind)]);
+  if (!mark.level) return;
+  out.put(" level ");
+  out.integer(*mark.level);
+}
+
 void write_vertices(TextSink& out, const scene::VertexList& list) {
+  auto mark = list.marks.begin();
   for (std::size_t i = 0; i < list.size(); ++i) {
     write_field(out, "v ", list.point[i]);
     write_field(out, " n ", at(list.normal, i));
@@ -48,31 +57,17 @@ void write_vertices(TextSink& out, const scene::VertexList& list) {
     }
     write_fields(out, " m ", list.motion, i);
     write_fields(out, " u ", list.user, i);
+    if (mark != list.marks.end() && mark->vertex == i) write_mark(out, *mark++);
     out.put('\n');
   }
 }
 
-/// A polygon without a name inherits that of the one before, so going back to none takes an empty
-/// one. In a tagged object a label always stands there.
-void write_polygons(TextSink& out, const PolygonGroup& group, bool tagged) {
+void write_polygons(TextSink& out, const PolygonGroup& group, FaceMaterials& materials) {
   const scene::PolygonList& list = group.polygons;
-  std::uint32_t last = kNone;
   std::size_t hole = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::uint32_t material = at(list.material, i);
     out.put('p');
-    if (tagged) {
-      out.put(' ');
-      out.index(material == kNone ? 0 : material);
-      out.put(' ');
-    } else if (material < group.materials.size()) {
-      out.put(' ');
-      out.quoted(group.materials[material]);
-      last = material;
-    } else if (last != kNone) {
-      out.put(" \"\"");
-      last = kNone;
-    }
+    materials.write(out, at(list.material, i));
     for (std::uint32_t corner = list.first[i]; corner < list.first[i + 1]; ++corner) {
       if (hole < list.holes.size() && list.holes[hole] == corner) {
         out.put(" hole");
@@ -104,7 +99,9 @@ void write_group(TextSink& out, const PolygonGroup& group, bool tagged) {
     out.put('\n');
   }
   write_vertices(out, group.vertices);
-  write_polygons(out, group, tagged);
+  FaceMaterials materials(group, tagged);
+  write_polygons(out, group, materials);
+  for (const auto& surface : group.subdivisions) write_subdivision(out, surface, materials);
   write_kept(out, group.kept, 2);
   for (const auto& s : group.settings)
     if (!is_merge(s)) write_statement(out, s, 2);
@@ -129,6 +126,7 @@ void write_element(TextSink& out, const scene::Object& object, int depth) {
   // Bases come before the groups that use them.
   write_kept(out, object.kept, depth + 1);
   for (const PolygonGroup& group : object.groups) write_group(out, group, has_labels(object));
+  for (const scene::Hair& hair : object.hairs) write_hair(out, hair, depth + 1);
   out.put("end object\n");
 }
 

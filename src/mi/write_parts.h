@@ -31,6 +31,25 @@ void write_declaration(TextSink& out, const scene::ShaderDeclaration& declaratio
 void write_declaration(TextSink& out, const scene::DataDeclaration& declaration);
 void write_phenomenon(TextSink& out, const scene::Phenomenon& phenomenon);
 
+// write_subdivision.cpp
+/// The material or label behind the `p` of one face after the other. A face without a name inherits
+/// that of the one before, so going back to none takes an empty one; a label always stands there.
+class FaceMaterials {
+ public:
+  FaceMaterials(const scene::PolygonGroup& group, bool tagged) : group_(group), tagged_(tagged) {}
+  void write(TextSink& out, std::uint32_t material);
+
+ private:
+  const scene::PolygonGroup& group_;
+  bool tagged_;
+  std::uint32_t last_ = scene::kNone;
+};
+void write_subdivision(TextSink& out, const scene::SubdivisionSurface& surface,
+                       FaceMaterials& materials);
+
+// write_hair.cpp
+void write_hair(TextSink& out, const scene::Hair& hair, int depth);
+
 // write_object.cpp
 void write_element(TextSink& out, const scene::Object& object, int depth);
 

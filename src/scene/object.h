@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry as a scene holds it: polygon groups over a pool of vectors, and what is only kept.
+// Geometry as a scene holds it: groups over a pool of vectors, hair, and what is only kept.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/hair.h"
+#include "scene/polygon_list.h"
+#include "scene/subdivision.h"
 #include "scene/value.h"
 
 namespace oriel::scene {
-
-inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 // Conventions
 //   All indices are 0-based. Columns of a vertex list are either empty (no vertex has the field) or
@@ -33,22 +34,9 @@ struct VertexList {
   std::vector<TextureColumn> textures;
   std::vector<std::vector<std::uint32_t>> motion;  ///< one column per motion step
   std::vector<std::vector<std::uint32_t>> user;
+  std::vector<VertexMark> marks;  ///< of those vertices that have one, ascending
   std::size_t size() const { return point.size(); }
   bool operator==(const VertexList&) const = default;
-};
-
-/// Polygons of a group. Polygon i has the corners indices[first[i]] .. indices[first[i+1]-1]; where
-/// it has holes, `holes` lists the offsets in `indices` at which each hole's loop begins (ascending
-/// over the whole group). Strips and fans are stored as triangles.
-struct PolygonList {
-  std::vector<std::uint32_t> indices;  ///< into the vertex list
-  std::vector<std::uint32_t> first;    ///< polygons + 1 entries; empty when there are none
-  std::vector<std::uint32_t> holes;    ///< offsets into indices
-  /// Empty, or one per polygon: index into PolygonGroup::materials, or in a tagged object the label
-  /// itself; kNone = the instance supplies the material.
-  std::vector<std::uint32_t> material;
-  std::size_t size() const { return first.empty() ? 0 : first.size() - 1; }
-  bool operator==(const PolygonList&) const = default;
 };
 
 /// `group ... end group`; a `trilist` is stored in the same form.
@@ -57,9 +45,10 @@ struct PolygonGroup {
   std::vector<Vec3> vectors;  ///< positions, normals, texture coordinates... in object space
   VertexList vertices;
   PolygonList polygons;
+  std::vector<SubdivisionSurface> subdivisions;
   std::vector<std::string> materials;  ///< names that polygons use
   std::vector<Statement> settings;     ///< merge, approximate
-  std::vector<KeptText> kept;          ///< curves, surfaces, subdivision over the same vectors
+  std::vector<KeptText> kept;          ///< curves, surfaces over the same vectors
   SourceLocation where;
   bool operator==(const PolygonGroup&) const = default;
 };
@@ -69,6 +58,7 @@ struct Object {
   std::string name;
   std::vector<Statement> flags;  ///< visible, shadow, trace, tagged, tag, box, ... as written
   std::vector<PolygonGroup> groups;
+  std::vector<Hair> hairs;
   std::vector<KeptText> kept;  ///< other geometry
   SourceLocation where;
   bool tagged() const;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Subdivision surfaces as a scene holds them: base faces, creases, rules of texture spaces.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/polygon_list.h"
+#include "scene/value.h"
+
+namespace oriel::scene {
+
+/// `subdivision surface "n" ... end subdivision surface` or `ccmesh "n" ... end ccmesh`, over the
+/// vertices of its group.
+struct SubdivisionSurface {
+  enum class Form : std::uint8_t { Surface, CcMesh };
+  enum class TextureRule : std::uint8_t {
+    Subdivision,  ///< smooth, as the points are
+    Face          ///< linear within each base face
+  };
+  /// An edge that stays sharper than the rest: from corner `edge` of the face to the next one.
+  struct Crease {
+    std::uint32_t face = 0, edge = 0;
+    float sharpness = 1;  ///< 0 smooth, 1 (and more) sharp for ever
+    bool operator==(const Crease&) const = default;
+  };
+  /// What stands behind a base face and is not followed: `trim`, `detail`, the hierarchy in braces.
+  struct Detail {
+    std::uint32_t face = 0;
+    KeptText text;
+    bool operator==(const Detail&) const = default;
+  };
+  /// `derivative order [space texture space]`: which derivatives shaders will ask for.
+  struct Derivative {
+    int order = 1;
+    std::optional<int> space;
+    bool operator==(const Derivative&) const = default;
+  };
+
+  Form form = Form::Surface;
+  std::string name;
+  std::vector<int> announced;  ///< `polygon a b c d`, sizes an exporter expects; empty: not written
+  std::vector<TextureRule> texture_rules;  ///< per texture space; further ones are Subdivision
+  PolygonList faces;                       ///< no holes
+  std::vector<Crease> creases;             ///< by face, then edge
+  std::vector<Detail> details;             ///< by face
+  std::vector<Derivative> derivatives;
+  SourceLocation where;
+  bool operator==(const SubdivisionSurface&) const = default;
+};
+
+/// Marks of a vertex, `cusp|conic|corner [level N] | dart`: how subdivision treats it.
+struct VertexMark {
+  enum class Kind : std::uint8_t { Cusp, Conic, Corner, Dart };
+  std::uint32_t vertex = 0;
+  Kind kind = Kind::Corner;
+  std::optional<int> level;  ///< the mark holds for that many subdivisions; unset: for ever
+  bool operator==(const VertexMark&) const = default;
+};
+
+}  // namespace oriel::scene
