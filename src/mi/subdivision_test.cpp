@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Subdivision surfaces, ccmeshes and hair are read as written; what is wrong in them is reported.
+#include "mi/subdivision.h"
+
 #include <gtest/gtest.h>
 
 #include "mi/codes.h"
