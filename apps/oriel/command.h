@@ -28,6 +28,7 @@ struct Command {
 };
 
 Command add_render_command(CLI::App& program);
+Command add_ray_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_shaders_command(CLI::App& program);
 Command add_tonemap_command(CLI::App& program);

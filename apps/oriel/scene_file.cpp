@@ -173,7 +173,7 @@ void apply_edit(scene::Scene& scene, const std::string& text, const Registry& re
 void DiagnosticPrinter::print_new() {
   for (; printed_ < diagnostics_.all().size(); ++printed_) {
     const Diagnostic& d = diagnostics_.all()[printed_];
-    if (d.severity == Severity::Note && !notes_) continue;
+    if (d.severity < least_) continue;
     if (json_) {
       nlohmann::json line = to_json(d, diagnostics_);
       line["event"] = "diagnostic";

@@ -33,16 +33,19 @@ mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& re
 /// Errors:  UserError that names what there is no such thing of, with the nearest name.
 void apply_edit(scene::Scene& scene, const std::string& text, const Registry& registry);
 
-/// Prints what was not printed yet. Notes only when `notes`.
+/// Prints what was not printed yet and is severe enough.
 class DiagnosticPrinter {
  public:
+  DiagnosticPrinter(const Diagnostics& diagnostics, bool json, Severity least)
+      : diagnostics_(diagnostics), json_(json), least_(least) {}
   DiagnosticPrinter(const Diagnostics& diagnostics, bool json, bool notes)
-      : diagnostics_(diagnostics), json_(json), notes_(notes) {}
+      : DiagnosticPrinter(diagnostics, json, notes ? Severity::Note : Severity::Warning) {}
   void print_new();
 
  private:
   const Diagnostics& diagnostics_;
-  bool json_, notes_;
+  bool json_;
+  Severity least_;
   std::size_t printed_ = 0;
 };
 

@@ -263,10 +263,13 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
   if (options.width > 0 && options.height > 0 && element->resolution)
     camera.aspect *= static_cast<float>(camera.width) / static_cast<float>(camera.height) *
                      static_cast<float>(resolution[1]) / static_cast<float>(resolution[0]);
-  if (!(camera.focal > 0) || !(camera.aperture > 0) || !(camera.aspect > 0)) {
+  // Squares of them must stay numbers.
+  constexpr float kLargest = 1e15f;
+  const auto is_length = [](float x) { return x > 0 && x < kLargest; };
+  if (!is_length(camera.focal) || !is_length(camera.aperture) || !is_length(camera.aspect)) {
     diagnostics.warning("OR-RN-003", element->where,
                         fmt::format("camera \"{}\" has a focal length, aperture or aspect that is "
-                                    "not positive; defaults are used",
+                                    "not positive, or beyond all measure; defaults are used",
                                     element->name));
     camera.focal = kDefaultFocal;
     camera.aperture = kDefaultAperture;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene to pictures, frame by frame: what both command lines that render share.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mi/reader.h"
+#include "render/camera_output.h"
+#include "render/output.h"
+#include "render/prepare.h"
+#include "render/session.h"
+#include "scene_file.h"
+#include "sky/solar_position.h"
+
+namespace oriel::app {
+
+struct RenderArguments {
+  SceneArguments scene;
+  std::vector<std::string> outputs;
+  std::optional<std::uint32_t> samples;
+  std::optional<float> noise;
+  std::optional<double> time;
+  std::string gi, size, crop, camera, layers, sun;
+  std::vector<std::string> light_groups;
+  std::optional<double> north;
+  std::optional<float> unit_luminance;
+  std::uint32_t seed = 0;
+  int threads = 0;
+  bool denoise = false, json = false, quiet = false;
+};
+
+/// What the arguments mean, checked before anything is read.
+struct RenderPlan {
+  PrepareOptions prepare;
+  SessionSettings session;
+  std::optional<LayerSet> layers;
+  std::optional<scene::IndirectMethod> gi;
+  std::optional<sky::SolarPosition> sun;
+  /// Where scenes read maps and write files; unset: in the scene's folder.
+  std::optional<OutputRoots> roots;
+};
+
+/// Renders each frame that the reader comes to, in order.
+///
+/// Inputs:  edit: what is done to the scene before each frame.
+/// Returns: the exit code; kExitFailed as well when Ctrl-C ended it.
+/// Errors:  UserError when nothing is rendered at all.
+/// Checked: tests/cli
+int render_frames(mi::Reader& reader, const RenderArguments& arguments, const RenderPlan& plan,
+                  const std::function<void(scene::Scene&)>& edit, Diagnostics& diagnostics,
+                  DiagnosticPrinter& printer);
+
+}  // namespace oriel::app
