@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // group ["name"] vectors vertices polygons end group
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstring>
 
 #include "mi/elements.h"
+#include "mi/freeform.h"
 #include "mi/number.h"
 #include "mi/polygons.h"
 #include "mi/statements.h"
@@ -146,8 +145,8 @@ void read_vertex(Parse& parse, VertexRecord& vertex) {
 
 class GroupReader {
  public:
-  GroupReader(Parse& parse, scene::PolygonGroup& group)
-      : parse_(parse), group_(group), builder_(parse, group) {}
+  GroupReader(Parse& parse, scene::Object& object, scene::PolygonGroup& group)
+      : parse_(parse), object_(object), group_(group), builder_(parse, group) {}
   void read_body();
 
  private:
@@ -157,10 +156,11 @@ class GroupReader {
   void read_polygon(Room& room);
   void read_strip(bool fan);
   void read_mesh_name(std::uint32_t& material);
-  void keep(std::string_view word, SourceLocation at);
+  bool read_freeform(SourceLocation at);
   void read_flags_of_approximation(SourceLocation at);
 
   Parse& parse_;
+  scene::Object& object_;
   scene::PolygonGroup& group_;
   GroupBuilder builder_;
   std::string_view last_name_;  // of a material, to compare with the next before any search
@@ -307,12 +307,23 @@ void GroupReader::read_strip(bool fan) {
   }
 }
 
-void GroupReader::keep(std::string_view word, SourceLocation at) {
-  scene::KeptText kept{std::string(word), "", at};
-  parse_.in.next();
-  kept.text = keep_until_word(parse_, kGroupWords);
-  if (kept.text.empty()) parse_.unexpected(fmt::format("a {}", word));
-  group_.kept.push_back(std::move(kept));
+bool GroupReader::read_freeform(SourceLocation at) {
+  if (parse_.in.accept_word("surface")) {
+    read_surface(parse_, object_, group_, builder_, at);
+    last_name_ = {};
+  } else if (parse_.in.accept_word("space")) {
+    parse_.expect_word("curve");
+    read_curve(parse_, object_, group_, true, at);
+  } else if (parse_.in.accept_word("curve")) {
+    read_curve(parse_, object_, group_, false, at);
+  } else if (parse_.in.accept_word("connect")) {
+    read_connection(parse_, group_, at);
+  } else if (parse_.in.accept_word("basis")) {
+    read_basis(parse_, object_, at);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 // visible trace approximate ...
@@ -353,9 +364,7 @@ void GroupReader::read_body() {
     } else if (token.is_word("approximate") || token.is_word("visible") || token.is_word("trace") ||
                token.is_word("shadow") || token.is_word("caustic") || token.is_word("globillum")) {
       read_flags_of_approximation(at);
-    } else if (token.kind == Token::Kind::Word && is_group_word(token.text)) {
-      keep(token.text, at);
-    } else {
+    } else if (!read_freeform(at)) {
       static const std::vector<std::string> names(std::begin(kGroupWords), std::end(kGroupWords));
       parse_.unexpected("vectors, vertices, polygons or 'end group'", names);
     }
@@ -371,7 +380,7 @@ void read_group(Parse& parse, scene::Object& object, SourceLocation at) {
   if (token.kind == Token::Kind::String ||
       (token.kind == Token::Kind::Word && !is_group_word(token.text)))
     group.name = parse.in.next().str();
-  GroupReader(parse, group).read_body();
+  GroupReader(parse, object, group).read_body();
   parse.expect_end("group");
 }
 

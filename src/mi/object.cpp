@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mi/elements.h"
+#include "mi/freeform.h"
 #include "mi/statements.h"
 
 namespace oriel::mi {
@@ -54,8 +55,8 @@ void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
   if (parse.in.accept_word("group")) return read_group(parse, object, at);
   if (parse.in.accept_word("trilist")) return read_trilist(parse, object, at);
   if (parse.in.accept_word("hair")) return read_hair(parse, object, at);
-  if (parse.in.at_word("basis") || parse.in.at_word("intersection"))
-    return keep_geometry(parse, object, at);
+  if (parse.in.accept_word("basis")) return read_basis(parse, object, at);
+  if (parse.in.at_word("intersection")) return keep_geometry(parse, object, at);
   if (parse.in.accept_word("data")) return flags.add(read_data_reference(parse, at));
   if (parse.in.accept_word("approximate")) {
     scene::Statement statement = read_approximate(parse, "approximate", at);

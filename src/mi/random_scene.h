@@ -313,7 +313,56 @@ class RandomScene {
     if (auto motion = column(n, vectors, true); !motion.empty()) g.vertices.motion = {motion};
     for (int i = pick(3); i > 0; --i) g.vertices.user.push_back(column(n, vectors, false));
     polygons(g, static_cast<int>(n), tagged);
+    for (int i = pick(3); i > 0; --i) {
+      scene::FreeCurve& c = g.freeform.curves.emplace_back();
+      c.name = name();
+      c.space = chance();
+      c.basis = basis_use();
+      c.points = control_points(vectors);
+      for (int k = pick(3); k > 0; --k) c.special.push_back(real());
+    }
+    for (int i = pick(3); i > 0; --i) g.freeform.surfaces.push_back(surface(g, tagged, vectors));
+    if (chance())
+      g.freeform.connections.push_back(
+          {{name(), name()}, {{name(), real(), real()}, {name(), real(), real()}}, {}});
     return g;
+  }
+
+  scene::BasisUse basis_use() {
+    scene::BasisUse use{chance(), name(), {}};
+    for (int i = 2 + pick(6); i > 0; --i) use.parameters.push_back(real());
+    return use;
+  }
+
+  std::vector<scene::ControlPoint> control_points(int vertices) {
+    std::vector<scene::ControlPoint> points;
+    for (int i = pick(9); i > 0; --i)
+      points.push_back({static_cast<std::uint32_t>(pick(vertices)), chance() ? real() : 1});
+    return points;
+  }
+
+  scene::FreeSurface surface(scene::PolygonGroup& g, bool tagged, int vertices) {
+    scene::FreeSurface s;
+    s.name = name();
+    s.material =
+        static_cast<std::uint32_t>(tagged ? pick(9) : static_cast<int>(g.materials.size()));
+    if (!tagged) g.materials.push_back(name());
+    s.u = basis_use();
+    s.v = basis_use();
+    s.u_min = real();
+    s.v_max = real();
+    s.points = control_points(vertices);
+    if (chance()) s.derivative = {1, 2};
+    for (int i = pick(3); i > 0; --i)
+      s.textures.push_back(
+          {chance(), chance(), basis_use(), basis_use(), control_points(vertices)});
+    for (int i = pick(4); i > 0; --i) {
+      scene::SurfaceLoop& loop = s.loops.emplace_back();
+      loop.kind = static_cast<scene::SurfaceLoop::Kind>(pick(3));
+      for (int k = 1 + pick(3); k > 0; --k) loop.parts.push_back({name(), real(), real()});
+      if (loop.kind == scene::SurfaceLoop::Kind::Special) loop.points = {7, 8};
+    }
+    return s;
   }
 
   void polygons(scene::PolygonGroup& g, int vertices, bool tagged) {
@@ -352,6 +401,11 @@ class RandomScene {
     o.flags = {statement("visible", {}), statement("shadow", {numbers(1)}),
                statement("trace", {boolean()})};
     if (tagged) o.flags.push_back(statement("tagged", {}));
+    for (int i = pick(3); i > 0; --i) {
+      scene::Basis& b = o.bases.emplace_back();
+      b = {name(), static_cast<scene::Basis::Kind>(pick(5)), chance(), 3, 1, {}};
+      if (b.kind == scene::Basis::Kind::Matrix) b.matrix = {real(), real(), real(), real()};
+    }
     for (int i = pick(3); i > 0; --i) o.groups.push_back(group(tagged));
     return o;
   }

@@ -213,17 +213,6 @@ TEST(Object, IndicesOutsideTheListsAreReportedAndLeaveValidGeometry) {
   for (const std::uint32_t i : g.vertices.normal) EXPECT_EQ(i, kNone);
 }
 
-// acceptance: H1
-TEST(Object, FreeFormGeometryIsKept) {
-  const Snippet read(
-      "object \"o\" visible basis \"b\" bezier 3 group 0 0 0 v 0 "
-      "curve \"c\" \"b\" 0. 1. 0 0 0 0 approximate curve parametric 4 \"c\" "
-      "end group end object");
-  EXPECT_SILENT(read);
-  EXPECT_EQ(read.get<scene::Object>("o").kept[0].text, "\"b\" bezier 3");
-  EXPECT_EQ(read.get<scene::Object>("o").groups[0].kept[0].keyword, "curve");
-}
-
 TEST(Trilist, BinaryBlocksMayContainTheClosingQuote) {
   std::string floats, ints;
   for (const char* word : {"\x3f\x80\0\0", "````", "\0\0\0\0"})

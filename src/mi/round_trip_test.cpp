@@ -114,6 +114,15 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
       "object \"h\" visible hair material \"m\" radius .25 approximate 3 degree 3 max size 4 max "
       "depth 5 hair n m 2 t 3 vertex radius u 2 scalar [4] 0 1.5 -2 3e-5 hair [3] 0 1 4 end hair "
       "end object\n",
+      "object \"o\" visible basis \"b\" rational bezier 1 basis \"c\" cardinal\n"
+      "basis \"m\" matrix 1 2 1. -1. 0. 1. group 0 0 0 1 0 0 0 1 0 1 1 0 v 0 v 1 v 2 v 3\n"
+      "curve \"k\" \"b\" 0. 1. 0 w 2. 1 special .5 .25 space curve \"s\" rational \"m\" 0. 1. 0 1\n"
+      "surface \"f\" \"m\" \"b\" 0 1 0. 1. rational \"b\" 0 1 0. 1. 0 1 w .5 2 3\n"
+      "derivative 1 2 volume texture \"b\" 0. 1. \"b\" 0. 1. 0 1 2 3\n"
+      "vector texture \"b\" 0. 1. \"b\" 0. 1. 0 1 2 3\n"
+      "trim \"k\" 0. 1. \"k\" 1 0 hole \"k\" 0 1 special \"k\" 0 1 special 1 2\n"
+      "approximate surface parametric 4 \"f\" connect \"f\" \"k\" 0 .5 \"f\" \"k\" .5 1\n"
+      "end group end object\n",
       "instance \"i\" \"o\" hide off caustic on caustic 3 transform 1 0 0 0 0 1 0 0 0 0 1 0 -1 -2 "
       "-3 "
       "1 motion transform 1 0 0 0 0 1 0 0 0 0 1 0 -2 -2 -3 1 material [\"a\", \"b\"] "

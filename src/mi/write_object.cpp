@@ -102,7 +102,7 @@ void write_group(TextSink& out, const PolygonGroup& group, bool tagged) {
   FaceMaterials materials(group, tagged);
   write_polygons(out, group, materials);
   for (const auto& surface : group.subdivisions) write_subdivision(out, surface, materials);
-  write_kept(out, group.kept, 2);
+  write_freeform(out, group, tagged);
   for (const auto& s : group.settings)
     if (!is_merge(s)) write_statement(out, s, 2);
   out.put("    end group\n");
@@ -124,6 +124,7 @@ void write_element(TextSink& out, const scene::Object& object, int depth) {
   out.put('\n');
   write_statements(out, object.flags, depth + 1);
   // Bases come before the groups that use them.
+  write_bases(out, object.bases);
   write_kept(out, object.kept, depth + 1);
   for (const PolygonGroup& group : object.groups) write_group(out, group, has_labels(object));
   for (const scene::Hair& hair : object.hairs) write_hair(out, hair, depth + 1);

@@ -53,6 +53,10 @@ void write_hair(TextSink& out, const scene::Hair& hair, int depth);
 // write_object.cpp
 void write_element(TextSink& out, const scene::Object& object, int depth);
 
+// write_freeform.cpp
+void write_bases(TextSink& out, const std::vector<scene::Basis>& bases);
+void write_freeform(TextSink& out, const scene::PolygonGroup& group, bool tagged);
+
 // write_elements.cpp
 void write_element(TextSink& out, const scene::Options& options, int depth);
 void write_element(TextSink& out, const scene::Camera& camera, int depth);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/freeform.h"
 #include "scene/hair.h"
 #include "scene/polygon_list.h"
 #include "scene/subdivision.h"
@@ -48,7 +49,7 @@ struct PolygonGroup {
   std::vector<SubdivisionSurface> subdivisions;
   std::vector<std::string> materials;  ///< names that polygons use
   std::vector<Statement> settings;     ///< merge, approximate
-  std::vector<KeptText> kept;          ///< curves, surfaces over the same vectors
+  FreeForm freeform;                   ///< curves and surfaces over the same vertices
   SourceLocation where;
   bool operator==(const PolygonGroup&) const = default;
 };
@@ -57,6 +58,7 @@ struct PolygonGroup {
 struct Object {
   std::string name;
   std::vector<Statement> flags;  ///< visible, shadow, trace, tagged, tag, box, ... as written
+  std::vector<Basis> bases;      ///< of free-form curves and surfaces
   std::vector<PolygonGroup> groups;
   std::vector<Hair> hairs;
   std::vector<KeptText> kept;  ///< other geometry
