@@ -64,8 +64,8 @@ Refiner refine(const SubdivisionCage& cage, int level) {
   options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
   options.SetFVarLinearInterpolation(Sdc::Options::FVAR_LINEAR_CORNERS_ONLY);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-  Refiner refiner(Factory::Create(
-      topology, {cage.loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, options}));
+  Refiner refiner(
+      Factory::Create(topology, {cage.loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, options}));
   if (!refiner || level == 0) return refiner;
   Far::TopologyRefiner::UniformOptions uniform(level);
   uniform.fullTopologyInLastLevel = true;
@@ -96,8 +96,8 @@ class Refined {
     }
     for (int c = 0; c < static_cast<int>(cage.channels.size()); ++c) {
       const SubdivisionCage::Channel& from = cage.channels[static_cast<std::size_t>(c)];
-      channels.push_back({channel(from.coordinate, c), channel(from.basis_u, c),
-                          channel(from.basis_v, c)});
+      channels.push_back(
+          {channel(from.coordinate, c), channel(from.basis_u, c), channel(from.basis_v, c)});
     }
   }
 
@@ -201,7 +201,9 @@ class CornerNormals {
     int sharp = 0;
     for (const int e : level_.GetVertexEdges(v))
       sharp += parts(e) && level_.GetEdgeFaces(e).size() > 1;
-    const bool smooth = sharp < 2 && !refined_.tangent_normals.empty();
+    // A crease that ends inside the surface leaves its end smooth.
+    const int parting = level_.IsVertexBoundary(v) ? 1 : 2;
+    const bool smooth = sharp < parting && !refined_.tangent_normals.empty();
     if (!smooth) return add_sectors(v);
     // A sharp point alone has no tangent plane; at a boundary its one face does.
     const bool tip = level_.IsVertexInfSharp(v) && faces.size() > 1;
@@ -268,7 +270,10 @@ class CornerNormals {
 class MeshMaker {
  public:
   MeshMaker(const Refined& refined, Mesh& mesh)
-      : refined_(refined), normals_(refined), mesh_(mesh), latest_(refined.positions.size(), kNone) {
+      : refined_(refined),
+        normals_(refined),
+        mesh_(mesh),
+        latest_(refined.positions.size(), kNone) {
     mesh_.textures.resize(refined.channels.size());
     mesh_.motion.resize(refined.motion.size());
   }
@@ -346,14 +351,6 @@ class MeshMaker {
   std::vector<std::uint32_t> keys_, key_;
   std::vector<std::uint32_t> corners_;
 };
-
-int affordable_level(const SubdivisionCage& cage, int level) {
-  // The first refinement makes a quad for each corner, the others four of each face.
-  const std::size_t first = cage.loop ? cage.face_sizes.size() * 4 : cage.corners.size();
-  int most = 1;
-  for (std::size_t faces = first; most < level && faces * 4 <= kMostFaces; ++most) faces *= 4;
-  return std::min(level, first <= kMostFaces ? most : 0);
-}
 
 }  // namespace
 

@@ -30,8 +30,8 @@ int subdivision_level(const SubdivisionCage& cage, const scene::Approximation* a
 ///          that stay sharp they are means of the facets on each side, and null (faceted) at points
 ///          that stay sharp alone. Texture spaces are smooth with sharp corners at their seams, or
 ///          linear in each base face where the scene says `face`. `trim`, `detail` and hierarchies
-///          of faces are not followed, second derivatives neither; motion vectors are refined as the
-///          points are.
+///          of faces are not followed, second derivatives neither; motion vectors are refined as
+///          the points are.
 /// Inputs:  group: for names of materials; tagged: its faces have labels instead.
 /// Errors:  OR-GEOM-020 details that are not followed, OR-GEOM-021 a lower level because of
 ///          kMostFaces, OR-GEOM-022 faces left out.
@@ -43,6 +43,9 @@ int subdivision_level(const SubdivisionCage& cage, const scene::Approximation* a
 Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
                bool tagged, const scene::Approximation* approximation,
                const scene::TessellationView& view, Diagnostics& diagnostics);
+
+/// That many refinements, or fewer so that there are not more than kMostFaces.
+int affordable_level(const SubdivisionCage& cage, int level);
 
 /// Faces of one refined surface: 8 M triangles or less than 2 GB with everything.
 inline constexpr std::size_t kMostFaces = std::size_t{4} << 20;

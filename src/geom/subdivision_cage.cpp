@@ -51,8 +51,7 @@ class CageMaker {
 
   int point_of(std::uint32_t vertex) {
     const std::uint32_t place = group_.vertices.point[vertex];
-    const auto [entry, is_new] =
-        known_.try_emplace(place, static_cast<int>(cage_.points.size()));
+    const auto [entry, is_new] = known_.try_emplace(place, static_cast<int>(cage_.points.size()));
     if (is_new) {
       cage_.points.push_back(vector(place));
       vertex_of_.push_back(vertex);

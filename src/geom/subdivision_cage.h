@@ -31,7 +31,8 @@ struct SubdivisionCage {
 
 /// The cage of a surface of that group.
 ///
-/// Model:   a ccmesh, and a surface in which any face is no triangle, is Catmull and Clark's. Crease
+/// Model:   a ccmesh, and a surface in which any face is no triangle, is Catmull and Clark's.
+/// Crease
 ///          values 0 to 1 are spread over sharpness 0 to 10; cusps, conics and corners are sharp
 ///          points, for as many refinements as their level says; a dart is what the end of a crease
 ///          is anyway. A texture space of the rule `face` has its own values at each corner.

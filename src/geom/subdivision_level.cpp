@@ -24,8 +24,7 @@ Vec3 face_normal(const SubdivisionCage& cage, std::size_t first, std::size_t siz
   const auto point = [&](std::size_t k) {
     return cage.points[static_cast<std::size_t>(cage.corners[first + k % size])];
   };
-  for (std::size_t k = 0; k < size; ++k)
-    sum += cross(point(k) - point(0), point(k + 1) - point(0));
+  for (std::size_t k = 0; k < size; ++k) sum += cross(point(k) - point(0), point(k + 1) - point(0));
   return normalize(sum);
 }
 
@@ -89,6 +88,14 @@ int subdivision_level(const SubdivisionCage& cage, const Approximation* approxim
   if (levels.empty()) return std::clamp(kSubdivisionLevel, a.min_subdivisions, most);
   const auto [least, greatest] = std::minmax_element(levels.begin(), levels.end());
   return std::clamp(a.any ? *least : *greatest, a.min_subdivisions, most);
+}
+
+int affordable_level(const SubdivisionCage& cage, int level) {
+  // The first refinement makes a quad for each corner, the others four of each face.
+  const std::size_t first = cage.loop ? cage.face_sizes.size() * 4 : cage.corners.size();
+  int most = 1;
+  for (std::size_t faces = first; most < level && faces * 4 <= kMostFaces; ++most) faces *= 4;
+  return std::min(level, first <= kMostFaces ? most : 0);
 }
 
 }  // namespace oriel::geom
