@@ -24,6 +24,9 @@ bool is_usable(const InstanceDesc& desc) {
   return determinant3(desc.local_to_world) != 0 && determinant3(desc.world_to_local) != 0;
 }
 
+/// Numbers of geometries in the scene of an instanced mesh, beside the triangles' 0.
+constexpr std::uint32_t kLines = 1, kBeziers = 2;
+
 bool count_memory(void* total, ssize_t bytes, bool /*after*/) {
   static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
@@ -86,6 +89,13 @@ struct Accel::Impl {
     return meshes[static_cast<std::uint32_t>(instances[instance].mesh)];
   }
 
+  /// Number, among an instance's primitives, of the first piece in that geometry of curves.
+  std::uint32_t first_piece(std::uint32_t instance, std::uint32_t geometry) {
+    const Mesh& mesh = mesh_of(instance).mesh;
+    const std::size_t lines = geometry == kBeziers ? mesh.curves.lines.size() : 0;
+    return static_cast<std::uint32_t>(mesh.triangles.size() + lines);
+  }
+
   void attach_triangles(RTCScene scene, Mesh& mesh, std::uint32_t id, std::uint32_t mask) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -96,6 +106,37 @@ struct Accel::Impl {
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene, geometry, id);
     rtcReleaseGeometry(geometry);
+  }
+
+  void attach_curves(RTCScene scene, const Mesh& mesh) const {
+    const Curves& curves = mesh.curves;
+    const auto attach = [&](RTCGeometryType type, const std::vector<std::uint32_t>& pieces,
+                            std::uint32_t id) {
+      if (pieces.empty()) return;
+      RTCGeometry geometry = rtcNewGeometry(device, type);
+      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                 curves.points.data(), 0, sizeof(Curves::Point),
+                                 curves.points.size());
+      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, pieces.data(),
+                                 0, sizeof(std::uint32_t), pieces.size());
+      if (type == RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE) {
+        // Pieces that go on in their neighbours have no caps there.
+        auto* flags = static_cast<unsigned char*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, pieces.size()));
+        for (std::size_t i = 0; flags && i < pieces.size(); ++i) {
+          const bool left = i > 0 && pieces[i - 1] + 1 == pieces[i];
+          const bool right = i + 1 < pieces.size() && pieces[i] + 1 == pieces[i + 1];
+          flags[i] = static_cast<unsigned char>((left ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                                                (right ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+        }
+      }
+      rtcSetGeometryMask(geometry, RayMask::All);
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometryByID(scene, geometry, id);
+      rtcReleaseGeometry(geometry);
+    };
+    attach(RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE, curves.lines, kLines);
+    attach(RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE, curves.beziers, kBeziers);
   }
 
   void attach_instance(std::uint32_t i) {
@@ -127,7 +168,8 @@ struct Accel::Impl {
 
   void build_scene_of(MeshEntry& entry) {
     entry.scene = new_scene();
-    attach_triangles(entry.scene, entry.mesh, 0, RayMask::All);
+    if (!entry.mesh.triangles.empty()) attach_triangles(entry.scene, entry.mesh, 0, RayMask::All);
+    attach_curves(entry.scene, entry.mesh);
     rtcCommitScene(entry.scene);
   }
 
@@ -141,7 +183,8 @@ struct Accel::Impl {
     for (const std::uint32_t i : pending) {
       attached[i] = true;
       MeshEntry& entry = mesh_of(i);
-      if (entry.uses == 1) {
+      // Curves keep their round sections under any matrix only as an instance.
+      if (entry.uses == 1 && entry.mesh.curves.empty()) {
         bake(i);
         continue;
       }
@@ -158,7 +201,7 @@ Accel::Accel(Edges edges) : impl_(std::make_unique<Impl>(edges)), scene_(impl_->
 Accel::~Accel() = default;
 
 MeshId Accel::add_mesh(Mesh mesh) {
-  ORIEL_ASSERT(mesh.empty() || mesh.vertex_count() >= 3);
+  ORIEL_ASSERT(mesh.triangles.empty() || mesh.vertex_count() >= 3);
   impl_->meshes.emplace_back().mesh = std::move(mesh);
   return static_cast<MeshId>(impl_->meshes.size() - 1);
 }
@@ -239,6 +282,7 @@ bool Accel::intersect(const Ray& ray, Hit& hit) const {
   hit.instance = query.hit.geomID;
   if (query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
     hit.instance = query.hit.instID[0];
+    if (query.hit.geomID != 0) hit.primitive += impl_->first_piece(hit.instance, query.hit.geomID);
     hit.ng = transform_normal(hit.ng, instances_[hit.instance].world_to_local);
   }
   return true;

@@ -72,7 +72,8 @@ struct AccelMemory {
 ///
 /// Model:   a mesh with one instance is carried to world space in place and traced without an
 ///          instance in between; a mesh with several is built once and instanced, one level deep.
-///          An instance whose matrix is singular or not finite is never hit.
+///          An instance whose matrix is singular or not finite is never hit. Curves are always
+///          instanced; their pieces are numbered behind the mesh's triangles.
 /// Errors:  std::bad_alloc or std::runtime_error from the constructor and commit().
 /// Checked: AccelTest.*
 class Accel {

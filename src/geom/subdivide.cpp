@@ -22,7 +22,9 @@ using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 /// A vector as the refiner sums it.
 struct Weighted {
   Vec3 v{0, 0, 0};
+  // The refiner's names. NOLINTNEXTLINE(readability-identifier-naming)
   void Clear() { v = Vec3(0); }
+  // NOLINTNEXTLINE(readability-identifier-naming)
   void AddWithWeight(const Weighted& other, float weight) { v += other.v * weight; }
 };
 using Values = std::vector<Weighted>;
@@ -162,15 +164,13 @@ class CornerNormals {
       first_.push_back(corners);
       corners += level_.GetFaceVertices(f).size();
     }
-    normal_of.resize(static_cast<std::size_t>(corners));
+    normal_of_.resize(static_cast<std::size_t>(corners));
     for (int v = 0; v < level_.GetNumVertices(); ++v) add_point(v);
   }
 
   std::vector<Vec3> normals;
   /// Index into normals for corner k of face f.
-  std::uint32_t at(int face, int k) const {
-    return normal_of[static_cast<std::size_t>(first_[static_cast<std::size_t>(face)] + k)];
-  }
+  std::uint32_t at(int face, int k) const { return normal_of_[corner_number(face, k)]; }
 
  private:
   std::vector<Vec3> facets() const {
@@ -187,8 +187,13 @@ class CornerNormals {
     return result;
   }
 
+  std::size_t corner_number(int face, int k) const {
+    return static_cast<std::size_t>(first_[static_cast<std::size_t>(face)]) +
+           static_cast<std::size_t>(k);
+  }
+
   void set(int face, int corner, std::uint32_t normal) {
-    normal_of[static_cast<std::size_t>(first_[static_cast<std::size_t>(face)] + corner)] = normal;
+    normal_of_[corner_number(face, corner)] = normal;
   }
 
   bool parts(int edge) const {
@@ -263,7 +268,7 @@ class CornerNormals {
   const Far::TopologyLevel& level_;
   std::vector<Vec3> facets_;
   std::vector<int> first_;
-  std::vector<std::uint32_t> normal_of;
+  std::vector<std::uint32_t> normal_of_;
 };
 
 /// Triangles of the refined faces; a vertex for each point, normal and texture values that differ.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "geom/hair.h"
+
 namespace oriel::geom {
 
 namespace {
@@ -80,6 +82,7 @@ void derive(const Mesh& mesh, const Triangle& t, const Weights& weights, const V
 
 void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
                  SurfacePoint& point) {
+  if (hit.primitive >= mesh.triangles.size()) return interpolate_curve(mesh, hit, placement, point);
   const Triangle& t = mesh.triangles[hit.primitive];
   const Weights weights{1 - hit.u - hit.v, hit.u, hit.v};
   const Vec3& a = mesh.positions[t.a];

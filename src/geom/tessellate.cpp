@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <map>
 
+#include "geom/append_mesh.h"
 #include "geom/equal_vertices.h"
+#include "geom/hair.h"
 #include "geom/polygon.h"
+#include "geom/subdivide.h"
 #include "scene/approximation.h"
 
 namespace oriel::geom {
@@ -26,6 +29,7 @@ class Tessellator {
   explicit Tessellator(Mesh& mesh) : mesh_(mesh) {}
 
   void add_group(const scene::PolygonGroup& group) {
+    if (group.polygons.size() == 0) return;
     base_ = vertices_;
     add_vertices(group);
     add_polygons(group);
@@ -202,19 +206,42 @@ class Tessellator {
   std::vector<Triangle> cut_;
 };
 
+/// The finer of the surface's own approximation and the one of its displacement.
+Mesh subdivide_as_asked(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
+                        bool tagged, const scene::ApproximationContext& context,
+                        Diagnostics& diagnostics) {
+  using Kind = scene::Approximation::Kind;
+  const scene::ApproximationRules rules = context.rules(group);
+  const bool ccmesh = surface.form == scene::SubdivisionSurface::Form::CcMesh;
+  const scene::Approximation* own =
+      rules.find(ccmesh ? Kind::CcMesh : Kind::Subdivision, surface.name);
+  const scene::Approximation* displace = rules.find(Kind::Displace, surface.name);
+  if (displace) {
+    const SubdivisionCage cage = cage_of(group, surface);
+    if (!own || subdivision_level(cage, displace, context.view) >
+                    subdivision_level(cage, own, context.view))
+      own = displace;
+  }
+  return subdivide(group, surface, tagged, own, context.view, diagnostics);
+}
+
 }  // namespace
 
 Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics) {
   return tessellate(object, {}, diagnostics);
 }
 
-Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& /*context*/,
+Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& context,
                 Diagnostics& diagnostics) {
   Mesh mesh;
   mesh.tagged = object.tagged();
   Tessellator tessellator(mesh);
   for (const scene::PolygonGroup& group : object.groups) tessellator.add_group(group);
   tessellator.finish();
+  for (const scene::PolygonGroup& group : object.groups)
+    for (const scene::SubdivisionSurface& surface : group.subdivisions)
+      append_mesh(mesh, subdivide_as_asked(group, surface, mesh.tagged, context, diagnostics));
+  for (const scene::Hair& hair : object.hairs) add_hair(mesh, hair, diagnostics);
 
   const std::size_t left_out =
       tessellator.without_area + tessellator.not_finite + tessellator.out_of_range;

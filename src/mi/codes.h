@@ -33,6 +33,7 @@ inline constexpr Code kRefused = "OR-MI-022";    ///< warning: would run foreign
 inline constexpr Code kRedefined = "OR-MI-023";  ///< warning: name used again, last one wins
 inline constexpr Code kNotThere = "OR-MI-024";   ///< warning: incremental/delete of nothing
 inline constexpr Code kIgnored = "OR-MI-025";    ///< note: read, has no place in the scene
+inline constexpr Code kNoContent = "OR-MI-026";  ///< warning: a placeholder's file lacks it
 // Names
 inline constexpr Code kUnknownShader = "OR-MI-030";     ///< warning: shader type nobody declares
 inline constexpr Code kUnresolved = "OR-MI-031";        ///< warning: element that does not exist

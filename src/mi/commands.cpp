@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "mi/elements.h"
+#include "mi/placeholder.h"
 #include "mi/statements.h"
 
 namespace oriel::mi {
@@ -97,6 +98,7 @@ void read_render(Parse& parse, SourceLocation at) {
   render.camera = parse.referenced_name(parse.name("the camera instance"));
   render.options = parse.referenced_name(parse.name("the options"));
   parse.scene->renders.push_back(render);
+  load_placeholders(parse);
   report_unresolved(parse, render);
 }
 
@@ -127,7 +129,7 @@ const std::map<std::string, ElementReader, std::less<>>& element_readers() {
       {"vector", texture("vector")},
       {"data", kept("data")},
       {"gui", kept("gui")},
-      {"assembly", kept("assembly")},
+      {"assembly", read_assembly},
       {"colorprofile", kept("colorprofile")},
       {"spectrum", kept("spectrum")},
       {"registry", kept("registry")}};

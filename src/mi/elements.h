@@ -36,6 +36,7 @@ void read_texture(Parse& parse, std::string_view word, SourceLocation at);
 void read_object(Parse& parse, SourceLocation at);
 void read_instance(Parse& parse, SourceLocation at);
 void read_instance_group(Parse& parse, SourceLocation at);
+void read_assembly(Parse& parse, SourceLocation at);
 
 // geometry
 void read_group(Parse& parse, scene::Object& object, SourceLocation at);
@@ -60,7 +61,7 @@ std::string keep_until_end(Parse& parse, std::string_view kind);
 void keep_brackets(Parse& parse, std::string& text);
 /// Tokens up to one of `words` or `end`; groups in brackets are taken whole.
 std::string keep_until_word(Parse& parse, std::span<const std::string_view> words);
-/// `gui`, `data`, `assembly`, `registry`, `colorprofile`, `spectrum` elements.
+/// `gui`, `data`, `registry`, `colorprofile`, `spectrum` elements.
 void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at);
 scene::KeptText read_gui(Parse& parse, SourceLocation at);
 

@@ -70,8 +70,6 @@ void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
   if (statement->keyword == "tagged")
     parse.tagged = statement->values.empty() || statement->values[0].boolean ||
                    (!statement->values[0].numbers.empty() && statement->values[0].numbers[0] != 0);
-  if (statement->keyword == "file")
-    parse.diagnostics.note(code::kIgnored, at, "a placeholder object is kept but not loaded");
   flags.add(std::move(*statement));
 }
 

@@ -332,6 +332,13 @@ void write_element(TextSink& out, const scene::ShaderElement& shader, int depth)
   out.put('\n');
 }
 
+void write_element(TextSink& out, const scene::Assembly& assembly, int depth) {
+  begin(out, "assembly", assembly.name);
+  out.put('\n');
+  write_statements(out, assembly.statements, depth + 1);
+  end(out, "assembly", depth);
+}
+
 void write_element(TextSink& out, const scene::KeptElement& element, int depth) {
   begin(out, element.kind, element.name);
   out.put(' ');

@@ -56,6 +56,7 @@ void write_scene(const scene::Scene& scene, std::ostream& stream) {
   for (const auto& d : scene.declarations) write_declaration(out, d);
   for (const auto& p : scene.phenomena) write_phenomenon(out, p);
   for (const auto& element : scene.elements()) {
+    if (scene.loaded.contains(scene::name_of(element))) continue;
     out.put('\n');
     std::visit([&](const auto& e) { write_element(out, e, 0); }, element);
   }

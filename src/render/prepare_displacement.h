@@ -21,14 +21,14 @@ Displacement displacement_of(std::span<const int> materials, const World& world)
 
 /// Moves each vertex along its normal by the sum of what the shaders return, in object units.
 ///
-/// Model:   the object's own tessellation is what is displaced: no new vertices, and a shader is
-///          asked at each vertex once, unfiltered. Vertices at one place move together, along the
-///          mean of their corners' normals by the mean of their amounts, so that no crack opens at
-///          edges where normals, coordinates or slots differ; only corners of slots that are
-///          displaced count. Normals turn as the facets around them turn: they stay smooth where
-///          they were and split where they were split, and bump bases and derivatives turn with
-///          them (their lengths stay). A mesh without vertex normals moves along the mean of its
-///          facets' and stays faceted. Amounts that are not finite count as 0.
+/// Model:   the mesh is displaced as it is (refine_displacement.h makes it finer before), and a
+///          shader is asked at each vertex once, unfiltered. Vertices at one place move together,
+///          along the mean of their corners' normals by the mean of their amounts, so that no crack
+///          opens at edges where normals, coordinates or slots differ; only corners of slots that
+///          are displaced count. Normals turn as the facets around them turn: they stay smooth
+///          where they were and split where they were split, and bump bases and derivatives turn
+///          with them (their lengths stay). A mesh without vertex normals moves along the mean of
+///          its facets' and stays faceted. Amounts that are not finite count as 0.
 /// Inputs:  leaf: the placement the shaders see, that of the first instance that uses the mesh.
 /// Errors:  OR-RN-031 once when `max displace` of the object (or else of the options; 0 = no
 ///          limit) clamps an amount.

@@ -9,6 +9,7 @@
 #include "geom/tessellate.h"
 #include "render/prepare_displacement.h"
 #include "render/prepare_parts.h"
+#include "render/refine_displacement.h"
 #include "render/tessellation_plan.h"
 
 namespace oriel {
@@ -131,12 +132,15 @@ class VariantTable {
 };
 
 /// Displaces the meshes and hands them to the tracer; each is copied only while it is needed again.
-void add_meshes(std::vector<geom::Mesh>& meshes, std::vector<MeshVariant>& variants, World& world,
-                Diagnostics& diagnostics, PrepareReport& report) {
+void add_meshes(std::vector<geom::Mesh>& meshes, const TessellationPlan& plan,
+                std::vector<MeshVariant>& variants, World& world, Diagnostics& diagnostics,
+                PrepareReport& report) {
   std::vector<std::size_t> uses(meshes.size());
   for (const MeshVariant& v : variants) ++uses[v.object];
   for (MeshVariant& v : variants) {
     geom::Mesh mesh = --uses[v.object] > 0 ? meshes[v.object] : std::move(meshes[v.object]);
+    refine_for_displacement(mesh, v.displacement, *v.first, plan.jobs[v.object].context, world,
+                            diagnostics);
     displace(mesh, v.displacement, *v.first, world, diagnostics);
     report.triangles += mesh.triangles.size();
     v.id = world.accel->add_mesh(std::move(mesh));
@@ -201,7 +205,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
   }
 
   world.accel = std::make_unique<geom::Accel>();
-  add_meshes(meshes, table.variants, world, diagnostics, report);
+  add_meshes(meshes, plan, table.variants, world, diagnostics, report);
   for (std::size_t i = 0; i < placed.size(); ++i)
     world.accel->add_instance({.mesh = table.variants[placed[i].variant].id,
                                .local_to_world = placed[i].leaf->local_to_world,
@@ -210,7 +214,10 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                                .user = static_cast<std::uint32_t>(i)});
   if (options.release_geometry) {
     for (scene::Element& element : scene.elements())
-      if (auto* object = std::get_if<scene::Object>(&element)) object->groups.clear();
+      if (auto* object = std::get_if<scene::Object>(&element)) {
+        object->groups.clear();
+        object->hairs.clear();
+      }
     malloc_trim(0);  // the C library would keep most of it while Embree builds
   }
   world.accel->commit();

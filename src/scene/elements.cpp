@@ -9,6 +9,12 @@ const ShaderList* Material::slot(std::string_view keyword) const {
   return nullptr;
 }
 
+std::string placeholder_file(const std::vector<Statement>& statements) {
+  const Statement* file = find_last(statements, "file");
+  const bool named = file && !file->values.empty() && file->values[0].kind == Value::Kind::Text;
+  return named ? file->values[0].text : std::string();
+}
+
 bool operator==(const Texture& a, const Texture& b) {
   return a.name == b.name && a.type == b.type && a.local == b.local && a.writable == b.writable &&
          a.filter == b.filter && a.file == b.file && a.format == b.format &&

@@ -153,7 +153,19 @@ struct InstanceGroup {
   bool operator==(const InstanceGroup&) const = default;
 };
 
-/// An element this renderer only keeps: data, gui, assembly, colorprofile, spectrum, registry...
+/// assembly "name" box ... file "f" end assembly: a part of the scene in a file of its own
+struct Assembly {
+  std::string name;
+  std::vector<Statement> statements;  ///< box, motion box, file, tag, data
+  std::string content;                ///< the group that was loaded for it; empty: none was
+  SourceLocation where;
+  bool operator==(const Assembly&) const = default;
+};
+
+/// The file that an object or assembly stands for; empty when it has none.
+std::string placeholder_file(const std::vector<Statement>& statements);
+
+/// An element this renderer only keeps: data, gui, colorprofile, spectrum, registry...
 struct KeptElement {
   std::string kind;
   std::string name;

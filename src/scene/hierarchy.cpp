@@ -159,6 +159,11 @@ class Flattener {
       return kNoElement;
     }
     const Element& e = element(index);
+    // Placeholders are what was loaded for them; those without have been told of.
+    if (const auto* object = std::get_if<Object>(&e); object && !object->content.empty())
+      return index_of(object->content);
+    if (const auto* assembly = std::get_if<Assembly>(&e))
+      return assembly->content.empty() ? kNoElement : index_of(assembly->content);
     const bool placeable = std::holds_alternative<Object>(e) || std::holds_alternative<Light>(e) ||
                            std::holds_alternative<Camera>(e) ||
                            std::holds_alternative<InstanceGroup>(e);

@@ -62,6 +62,7 @@ struct Object {
   std::vector<PolygonGroup> groups;
   std::vector<Hair> hairs;
   std::vector<KeptText> kept;  ///< other geometry
+  std::string content;  ///< of a placeholder (`file "f"`): the object loaded for it, if it was
   SourceLocation where;
   bool tagged() const;
   bool operator==(const Object&) const = default;

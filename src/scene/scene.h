@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 #include <variant>
@@ -32,7 +33,7 @@ struct Phenomenon {
 };
 
 using Element = std::variant<Options, Camera, Light, Material, Texture, LightProfile, Object,
-                             Instance, InstanceGroup, ShaderElement, KeptElement>;
+                             Instance, InstanceGroup, ShaderElement, Assembly, KeptElement>;
 
 /// Name of an element, whatever its kind.
 const std::string& name_of(const Element& element);
@@ -69,6 +70,7 @@ class Scene {
   std::vector<Statement> commands;
   std::vector<std::string> packages;  ///< includes that Oriel's own libraries satisfied ("base.mi")
   std::vector<RenderCommand> renders;
+  std::set<std::string, std::less<>> loaded;  ///< elements from files of placeholders; not written
 
   const ShaderDeclaration* find_declaration(std::string_view name) const;
   const Phenomenon* find_phenomenon(std::string_view name) const;

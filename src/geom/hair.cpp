@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geom/hair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "geom/surface.h"
+
+namespace oriel::geom {
+
+namespace {
+
+using scene::Hair;
+using Field = Hair::Field;
+using Kind = Field::Kind;
+
+constexpr float kFarthest = 1e18f;
+
+std::size_t width_of(const std::vector<Field>& fields) {
+  std::size_t width = 0;
+  for (const Field& field : fields) width += field.numbers();
+  return width;
+}
+
+/// What a point of a curve has beside its place.
+struct Attributes {
+  float radius = 1;
+  Vec3 normal{0, 0, 0};
+  std::vector<Vec3> textures;
+};
+
+/// Reads the numbers of `fields` over what `all` holds already.
+void read_fields(const std::vector<Field>& fields, std::span<const float> numbers,
+                 Attributes& all) {
+  std::size_t at = 0;
+  for (const Field& field : fields) {
+    const auto value = [&](std::size_t i) {
+      return i < field.numbers() && at + i < numbers.size() ? numbers[at + i] : 0.0f;
+    };
+    if (field.kind == Kind::Radius) all.radius = std::max(0.0f, value(0));
+    if (field.kind == Kind::Normal) all.normal = normalize(Vec3(value(0), value(1), value(2)));
+    if (field.kind == Kind::Texture)
+      for (std::size_t i = 0; i < field.numbers(); i += 3)
+        all.textures.emplace_back(value(i), value(i + 1), value(i + 2));
+    at += field.numbers();
+  }
+}
+
+class HairMaker {
+ public:
+  HairMaker(Curves& curves, const Hair& hair)
+      : curves_(curves),
+        hair_(hair),
+        degree_(static_cast<std::size_t>(hair.degree.value_or(1))),
+        hair_width_(width_of(hair.per_hair)),
+        vertex_width_(3 + width_of(hair.per_vertex)) {}
+
+  /// False: this hair is none.
+  bool add(std::size_t number) {
+    const std::span<const float> all(hair_.scalars.data() + hair_.first[number],
+                                     hair_.first[number + 1] - hair_.first[number]);
+    if (all.size() < hair_width_ || (all.size() - hair_width_) % vertex_width_ != 0) return false;
+    const std::size_t vertices = (all.size() - hair_width_) / vertex_width_;
+    if (vertices < degree_ + 1) return false;
+    Attributes common;
+    common.radius = hair_.radius.value_or(1.0f);
+    read_fields(hair_.per_hair, all.first(hair_width_), common);
+    vertices_.clear();
+    for (std::size_t v = 0; v < vertices; ++v) {
+      const auto numbers = all.subspan(hair_width_ + v * vertex_width_, vertex_width_);
+      const Vec3 p(numbers[0], numbers[1], numbers[2]);
+      if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest))
+        return false;
+      Vertex& vertex = vertices_.emplace_back(Vertex{p, common});
+      read_fields(hair_.per_vertex, numbers.subspan(3), vertex.more);
+    }
+    const std::size_t pieces = (vertices - 1) / degree_;
+    for (std::size_t i = 0; i < pieces; ++i) add_piece(i);
+    add_point(vertices_[pieces * degree_]);
+    return true;
+  }
+
+ private:
+  struct Vertex {
+    Vec3 p;
+    Attributes more;
+  };
+
+  /// All points of a piece but its last, which the next one begins with.
+  void add_piece(std::size_t i) {
+    const auto first = static_cast<std::uint32_t>(curves_.points.size());
+    (degree_ == 1 ? curves_.lines : curves_.beziers).push_back(first);
+    const Vertex* v = &vertices_[i * degree_];
+    add_point(v[0]);
+    if (degree_ == 3) {
+      add_point(v[1]);
+      add_point(v[2]);
+    } else if (degree_ == 2) {
+      add_point(between(v[0], v[1], 2.0f / 3));
+      add_point(between(v[2], v[1], 2.0f / 3));
+    }
+  }
+
+  static Vertex between(const Vertex& a, const Vertex& b, float t) {
+    Vertex v = a;
+    v.p = a.p * (1 - t) + b.p * t;
+    v.more.radius = a.more.radius * (1 - t) + b.more.radius * t;
+    for (std::size_t s = 0; s < v.more.textures.size(); ++s)
+      v.more.textures[s] = a.more.textures[s] * (1 - t) + b.more.textures[s] * t;
+    return v;
+  }
+
+  void add_point(const Vertex& v) {
+    const std::size_t before = curves_.points.size();
+    curves_.points.push_back({v.p, v.more.radius});
+    const auto put = [before](std::vector<Vec3>& column, const Vec3& value) {
+      column.resize(before, Vec3(0));
+      column.push_back(value);
+    };
+    if (v.more.normal != Vec3(0) || !curves_.normals.empty()) put(curves_.normals, v.more.normal);
+    const std::size_t spaces = std::min(v.more.textures.size(), kMaxTextureSpaces);
+    if (curves_.textures.size() < spaces) curves_.textures.resize(spaces);
+    for (std::size_t s = 0; s < curves_.textures.size(); ++s)
+      put(curves_.textures[s], s < spaces ? v.more.textures[s] : Vec3(0));
+  }
+
+  Curves& curves_;
+  const Hair& hair_;
+  std::size_t degree_, hair_width_, vertex_width_;
+  std::vector<Vertex> vertices_;
+};
+
+/// Lines are counted before curves, so the slots of curves move up when lines are added.
+void set_slots(Mesh& mesh, const MaterialSlot& slot, std::size_t lines_before,
+               std::size_t beziers_before) {
+  const std::size_t triangles = mesh.triangles.size();
+  // An object without polygons has one slot that nothing uses yet.
+  if (triangles + lines_before + beziers_before == 0) mesh.slots.clear();
+  auto found = std::find(mesh.slots.begin(), mesh.slots.end(), slot);
+  if (found == mesh.slots.end()) found = mesh.slots.insert(found, slot);
+  const auto number = static_cast<std::uint32_t>(found - mesh.slots.begin());
+  mesh.slot.resize(triangles + lines_before + beziers_before, 0);
+  mesh.slot.insert(mesh.slot.begin() + static_cast<std::ptrdiff_t>(triangles + lines_before),
+                   mesh.curves.lines.size() - lines_before, number);
+  mesh.slot.resize(triangles + mesh.curves.size(), number);
+  if (mesh.slots.size() == 1) mesh.slot.clear();
+}
+
+/// Place, radius and derivative of a piece at u, and the points between which columns run.
+struct CurvePoint {
+  Vec3 p, tangent;
+  float radius;
+  std::uint32_t first, last;
+};
+
+CurvePoint evaluate(const Curves& curves, std::size_t piece, float u) {
+  if (piece < curves.lines.size()) {
+    const std::uint32_t i = curves.lines[piece];
+    const Curves::Point &a = curves.points[i], &b = curves.points[i + 1];
+    return {a.p * (1 - u) + b.p * u, b.p - a.p, a.radius * (1 - u) + b.radius * u, i, i + 1};
+  }
+  const std::uint32_t i = curves.beziers[piece - curves.lines.size()];
+  const Curves::Point* c = &curves.points[i];
+  const float w = 1 - u;
+  const float b[4] = {w * w * w, 3 * w * w * u, 3 * w * u * u, u * u * u};
+  CurvePoint at{Vec3(0), Vec3(0), 0, i, i + 3};
+  for (int k = 0; k < 4; ++k) {
+    at.p += c[k].p * b[k];
+    at.radius += c[k].radius * b[k];
+  }
+  at.tangent = ((c[1].p - c[0].p) * (w * w) + (c[2].p - c[1].p) * (2 * w * u) +
+                (c[3].p - c[2].p) * (u * u)) *
+               3.0f;
+  return at;
+}
+
+float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+}  // namespace
+
+void add_hair(Mesh& mesh, const scene::Hair& hair, Diagnostics& diagnostics) {
+  const std::size_t lines = mesh.curves.lines.size(), beziers = mesh.curves.beziers.size();
+  HairMaker maker(mesh.curves, hair);
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < hair.size(); ++i) left_out += !maker.add(i);
+  if (mesh.curves.lines.size() > lines || mesh.curves.beziers.size() > beziers)
+    set_slots(mesh, {hair.material, kNone}, lines, beziers);
+  if (left_out > 0)
+    diagnostics.warning("OR-GEOM-023", hair.where,
+                        fmt::format("{} of {} hairs left out: they have fewer vertices than their "
+                                    "degree takes, or numbers that do not come out even",
+                                    left_out, hair.size()));
+}
+
+void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placement,
+                       SurfacePoint& point) {
+  const Curves& curves = mesh.curves;
+  const CurvePoint at =
+      evaluate(curves, hit.primitive - mesh.triangles.size(), clamp(hit.u, 0.0f, 1.0f));
+  const Mat4* forward = placement.local_to_world;
+  Vec3 outward = normalize(forward ? transform_normal(hit.ng, *forward) : hit.ng);
+  if (outward == Vec3(0)) outward = Vec3(0, 0, 1);
+  const Vec3 local = at.p + outward * at.radius;
+  point.p = forward ? transform_point(local, *forward) : local;
+  point.ng = point.ns = normalize(hit.ng) == Vec3(0) ? outward : normalize(hit.ng);
+  point.dpdu = forward ? transform_vector(at.tangent, *forward) : at.tangent;
+  point.dpdv = cross(point.ng, normalize(point.dpdu)) * at.radius;
+  point.uv_density = 0;
+  // The tracer finds the surface of a curve by steps and stops at about this much of its radius.
+  constexpr float kStep = 2e-3f, kRounding = 1e-6f;
+  const float stretch =
+      forward ? largest(transform_vector(outward * at.radius, *forward)) : at.radius;
+  point.offset = kStep * stretch + kRounding * (largest(point.p) + largest(at.p));
+  point.slot = mesh.slot_of(hit.primitive);
+  point.primitive = hit.primitive;
+  point.texture_count =
+      static_cast<std::uint32_t>(std::min(curves.textures.size(), kMaxTextureSpaces));
+  const auto along = [&](const std::vector<Vec3>& column) {
+    return column[at.first] * (1 - hit.u) + column[at.last] * hit.u;
+  };
+  // The normal of the skin below, where the scene gives one; bent to the side that is seen.
+  if (!curves.normals.empty() && along(curves.normals) != Vec3(0)) {
+    const Vec3 normal = along(curves.normals);
+    const Vec3 world =
+        normalize(forward ? transform_normal(normal, *placement.world_to_local) : normal);
+    const float cosine = dot(world, point.ng);
+    constexpr float kHorizon = 1e-3f;
+    point.ns = cosine < kHorizon ? normalize(world + point.ng * (kHorizon - cosine)) : world;
+  }
+  for (std::uint32_t s = 0; s < point.texture_count; ++s)
+    point.textures[s] = {along(curves.textures[s]), Vec3(0), Vec3(0)};
+}
+
+}  // namespace oriel::geom

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hair of a scene becomes round curves.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "geom/mesh.h"
+
+namespace oriel::geom {
+
+/// Adds the hairs of `hair` to the curves of `mesh`, behind all its triangles, with their slot.
+///
+/// Model:   degree 1 are lines, 2 and 3 chains of Bezier curves (degree * k + 1 vertices, quadratic
+///          ones as the cubic they are); round, so that `approximate` has nothing to ask for. The
+///          radius is that of the vertex, else of the hair, else of all; it may change along a
+///          hair, and is 1 when nothing says. Each field `t` begins a texture space, of three
+///          numbers at most; those of hairs come before those of vertices. User fields are not
+///          read, motion neither.
+/// Errors:  OR-GEOM-023 once: hairs left out (too few vertices, numbers that do not come out even).
+/// Checked: Hair.*
+void add_hair(Mesh& mesh, const scene::Hair& hair, Diagnostics& diagnostics);
+
+struct Hit;
+struct Placement;
+struct SurfacePoint;
+
+/// As interpolate() for triangles: the point of a hair where hit.ng leaves its centre line. dpdu
+/// runs along the hair, dpdv around it.
+void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placement,
+                       SurfacePoint& point);
+
+}  // namespace oriel::geom

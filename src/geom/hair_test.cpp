@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hair covers what its radius says and is shaded where it is hit.
+#include "geom/hair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geom/accel.h"
+
+namespace oriel::geom {
+namespace {
+
+using Kind = scene::Hair::Field::Kind;
+
+scene::Hair hair_of(int degree, std::vector<float> scalars, std::vector<std::uint32_t> first) {
+  scene::Hair hair;
+  hair.degree = degree;
+  hair.radius = .1f;
+  hair.scalars = std::move(scalars);
+  hair.first = std::move(first);
+  return hair;
+}
+
+struct Placed {
+  Accel accel;
+  explicit Placed(const scene::Hair& hair, const Mat4& to_world = Mat4()) {
+    Diagnostics diagnostics;
+    Mesh mesh;
+    add_hair(mesh, hair, diagnostics);
+    EXPECT_TRUE(diagnostics.all().empty());
+    accel.add_instance({.mesh = accel.add_mesh(std::move(mesh)),
+                        .local_to_world = to_world,
+                        .world_to_local = to_world.inverse()});
+    accel.commit();
+  }
+  bool hit(const Vec3& from, const Vec3& direction, SurfacePoint& point) const {
+    Ray ray;
+    ray.org = from;
+    ray.dir = direction;
+    Hit hit;
+    if (!accel.intersect(ray, hit)) return false;
+    accel.interpolate(hit, point);
+    return true;
+  }
+  /// The part of the square [-1, 1]^2 of the plane z = 3 whose rays along -z hit, times its area.
+  float covered() const {
+    constexpr int kSide = 1000;
+    int hits = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        Ray ray;
+        ray.org = Vec3((static_cast<float>(x) + .5f) * 2 / kSide - 1,
+                       (static_cast<float>(y) + .5f) * 2 / kSide - 1, 3);
+        ray.dir = Vec3(0, 0, -1);
+        hits += accel.occluded(ray);
+      }
+    return 4.0f * static_cast<float>(hits) / (kSide * kSide);
+  }
+};
+
+TEST(Hair, AStraightOneCoversTwoRadiiTimesItsLengthAndTwoHalfCaps) {
+  const auto line = hair_of(1, {-.5f, .2f, 0, .5f, .2f, 0}, {0, 6});
+  EXPECT_NEAR(Placed(line).covered(), .2f + kPi * .01f, 1e-3f);
+  // As the cubic whose points lie evenly on it; its ends are flat.
+  const auto cubic =
+      hair_of(3, {-.5f, .2f, 0, -.5f / 3, .2f, 0, .5f / 3, .2f, 0, .5f, .2f, 0}, {0, 12});
+  EXPECT_NEAR(Placed(cubic).covered(), .2f, 1e-3f);
+}
+
+TEST(Hair, RadiiOfVerticesTaper) {
+  auto line = hair_of(1, {-.5f, 0, 0, .1f, .5f, 0, 0, .0f}, {0, 8});
+  line.per_vertex = {{Kind::Radius, 1}};
+  const float covered = Placed(line).covered();
+  // The triangle, and about half of the cap at its thick end.
+  EXPECT_GT(covered, .1f);
+  EXPECT_NEAR(covered, .1f + kPi * .01f / 2, 4e-3f);
+}
+
+TEST(Hair, AHitLiesOnTheTubeWithItsNormalOutward) {
+  const auto line = hair_of(1, {-.5f, 0, 0, 0, 0, 0, .5f, 0, 0}, {0, 9});
+  const Placed straight(line);
+  for (const float y : {-.09f, -.03f, 0.0f, .05f, .099f}) {
+    SurfacePoint point{};
+    ASSERT_TRUE(straight.hit(Vec3(.2f, y, 3), Vec3(0, 0, -1), point)) << y;
+    const float z = std::sqrt(.01f - y * y);
+    EXPECT_NEAR(point.p.x, .2f, 2e-4f);
+    EXPECT_NEAR(point.p.y, y, 2e-4f);
+    EXPECT_NEAR(point.p.z, z, 2e-4f);
+    EXPECT_NEAR(dot(point.ns, Vec3(0, y, z) * 10), 1, 1e-4f);
+    EXPECT_GT(normalize(point.dpdu).x, .999f);
+    EXPECT_EQ(point.primitive, 1u);
+    // What leaves it does not meet it again.
+    EXPECT_FALSE(straight.accel.occluded(spawn_ray(point, point.ng, RayMask::All)));
+  }
+}
+
+TEST(Hair, ACubicPassesTheCurveOfItsControlPoints) {
+  const Vec3 c[4] = {{-.8f, -.5f, 0}, {-.3f, 1, 0}, {.2f, -.9f, .2f}, {.7f, .4f, 0}};
+  std::vector<float> scalars;
+  for (const Vec3& p : c) scalars.insert(scalars.end(), {p.x, p.y, p.z});
+  auto hair = hair_of(3, scalars, {0, 12});
+  hair.radius = .02f;
+  const Placed placed(hair);
+  for (const float t : {.1f, .25f, .5f, .66f, .9f}) {
+    const float s = 1 - t;
+    const Vec3 p =
+        c[0] * (s * s * s) + c[1] * (3 * s * s * t) + c[2] * (3 * s * t * t) + c[3] * (t * t * t);
+    SurfacePoint point{};
+    ASSERT_TRUE(placed.hit(p + Vec3(0, 0, 2), Vec3(0, 0, -1), point)) << t;
+    EXPECT_NEAR(length(point.p - p), .02f, 1e-3f);
+  }
+}
+
+TEST(Hair, AQuadraticIsTheSameAsItsCubic) {
+  const Vec3 q[3] = {{-.8f, -.5f, 0}, {0, 1, 0}, {.7f, .4f, 0}};
+  Mesh quadratic;
+  Diagnostics diagnostics;
+  add_hair(quadratic, hair_of(2, {q[0].x, q[0].y, 0, q[1].x, q[1].y, 0, q[2].x, q[2].y, 0}, {0, 9}),
+           diagnostics);
+  ASSERT_EQ(quadratic.curves.points.size(), 4u);
+  // Both at their middles.
+  const auto& p = quadratic.curves.points;
+  const Vec3 middle = (p[0].p + p[1].p * 3 + p[2].p * 3 + p[3].p) * .125f;
+  EXPECT_LT(length(middle - (q[0] + q[1] * 2 + q[2]) * .25f), 1e-6f);
+}
+
+TEST(Hair, CoordinatesOfHairsComeBeforeThoseOfVertices) {
+  auto line = hair_of(1, {.3f, .6f, -.5f, 0, 0, 0, .5f, 0, 0, 1}, {0, 10});
+  line.per_hair = {{Kind::Texture, 2}};
+  line.per_vertex = {{Kind::Texture, 1}};
+  SurfacePoint point{};
+  ASSERT_TRUE(Placed(line).hit(Vec3(.25f, 0, 3), Vec3(0, 0, -1), point));
+  ASSERT_EQ(point.texture_count, 2u);
+  EXPECT_LT(length(point.textures[0].coordinate - Vec3(.3f, .6f, 0)), 1e-6f);
+  EXPECT_NEAR(point.textures[1].coordinate.x, .75f, 1e-3f);
+}
+
+TEST(Hair, AnInstanceMayStretchAndMoveIt) {
+  const auto line = hair_of(1, {-.5f, 0, 0, .5f, 0, 0}, {0, 6});
+  Mat4 to_world;
+  to_world[0][0] = to_world[1][1] = to_world[2][2] = 2;
+  to_world[3][0] = 5;
+  SurfacePoint point{};
+  ASSERT_TRUE(Placed(line, to_world).hit(Vec3(5.5f, .1f, 3), Vec3(0, 0, -1), point));
+  EXPECT_LT(length(point.p - Vec3(5.5f, .1f, std::sqrt(.04f - .01f))), 1e-3f);
+}
+
+TEST(Hair, BlocksKeepTheirSlotsAndBadHairsAreCounted) {
+  Mesh mesh;
+  Diagnostics diagnostics;
+  auto lines = hair_of(1, {0, 0, 0, 1, 0, 0}, {0, 6});
+  auto cubics = hair_of(3, {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 9}, {0, 12, 13});
+  cubics.material = "m";
+  add_hair(mesh, cubics, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].code, "OR-GEOM-023");
+  add_hair(mesh, lines, diagnostics);
+  ASSERT_EQ(mesh.slots.size(), 2u);
+  // Lines are numbered before curves.
+  EXPECT_EQ(mesh.slots[mesh.slot_of(0)].name, "");
+  EXPECT_EQ(mesh.slots[mesh.slot_of(1)].name, "m");
+}
+
+}  // namespace
+}  // namespace oriel::geom

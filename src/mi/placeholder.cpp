@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mi/placeholder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mi/elements.h"
+
+namespace oriel::mi {
+namespace {
+
+using scene::Assembly;
+using scene::Element;
+using scene::InstanceGroup;
+using scene::Object;
+using scene::Scene;
+
+/// A placeholder that waits: what it is called, and the file it names.
+struct Waiting {
+  std::string name, file;
+  SourceLocation where;
+};
+
+std::vector<Waiting> waiting_in(const Parse& parse) {
+  std::vector<Waiting> list;
+  for (const Element& element : parse.scene->elements()) {
+    const auto add = [&](const auto& e, const std::vector<scene::Statement>& statements) {
+      if (const std::string file = scene::placeholder_file(statements);
+          !file.empty() && e.content.empty() && !parse.reported.contains("placeholder " + e.name))
+        list.push_back({e.name, file, e.where});
+    };
+    if (const auto* object = std::get_if<Object>(&element)) add(*object, object->flags);
+    if (const auto* assembly = std::get_if<Assembly>(&element))
+      add(*assembly, assembly->statements);
+  }
+  return list;
+}
+
+Scene read_file(Parse& parse, const Waiting& placeholder) {
+  Scene scene;
+  Parse inner(parse.options, parse.diagnostics);
+  inner.scene = &scene;
+  // As an include of the file that names it, so that folders and limits are those of includes.
+  const std::string text = fmt::format("$include \"{}\"\n", placeholder.file);
+  inner.in.open_text(text, std::string(parse.diagnostics.file(placeholder.where.file)));
+  while (!inner.in.at_end()) read_top_level(inner);
+  return scene;
+}
+
+/// What a placeholder of that name stands for; null when there is nothing.
+template <typename T>
+const T* content_of(const Scene& scene, const std::string& name) {
+  if (const T* same = scene.get<T>(name)) return same;
+  const T* last = nullptr;
+  for (const Element& element : scene.elements())
+    if (const T* e = std::get_if<T>(&element)) last = e;
+  return last;
+}
+
+/// Moves the elements over; `content` gets the name `as`.
+void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::string& content,
+           const std::string& as) {
+  Scene& scene = *parse.scene;
+  std::size_t taken = 0;
+  std::string first;
+  for (Element& element : from.elements()) {
+    std::visit(
+        [&](auto& e) {
+          if (e.name == content) e.name = as;
+        },
+        element);
+    const std::string name = scene::name_of(element);
+    if (scene.find(name)) {
+      if (taken++ == 0) first = name;
+      continue;
+    }
+    scene.loaded.insert(name);
+    scene.add(std::move(element));
+  }
+  for (scene::ShaderDeclaration& d : from.declarations)
+    if (!scene.find_declaration(d.name)) parse.declare(std::move(d));
+  if (taken > 0)
+    parse.warn(code::kRedefined, placeholder.where,
+               fmt::format("{} name(s) of \"{}\" are in use, \"{}\" first; those of the scene stay",
+                           taken, placeholder.file, first));
+}
+
+void load(Parse& parse, const Waiting& placeholder) {
+  parse.reported.insert("placeholder " + placeholder.name);
+  Scene from = read_file(parse, placeholder);
+  const std::string as = placeholder.name + "@file";
+  std::string content;
+  if (auto* object = parse.scene->get<Object>(placeholder.name)) {
+    if (const Object* found = content_of<Object>(from, placeholder.name)) {
+      content = found->name;
+      object->content = as;
+      // What the placeholder says lies over what the file says.
+      const std::vector<scene::Statement> over = object->flags;
+      Object& inner = *from.get<Object>(content);
+      std::copy_if(over.begin(), over.end(), std::back_inserter(inner.flags),
+                   [](const scene::Statement& s) { return s.keyword != "file"; });
+    }
+  } else if (auto* assembly = parse.scene->get<Assembly>(placeholder.name)) {
+    if (const auto* found = content_of<InstanceGroup>(from, placeholder.name)) {
+      content = found->name;
+      assembly->content = as;
+    }
+  }
+  if (!content.empty()) return merge(parse, placeholder, std::move(from), content, as);
+  // A file that could not be read has been told of.
+  if (!from.elements().empty())
+    parse.warn(code::kNoContent, placeholder.where,
+               fmt::format("\"{}\" holds nothing that \"{}\" could stand for", placeholder.file,
+                           placeholder.name));
+}
+
+}  // namespace
+
+void load_placeholders(Parse& parse) {
+  int count = 0;
+  for (std::vector<Waiting> list = waiting_in(parse); !list.empty(); list = waiting_in(parse))
+    for (const Waiting& placeholder : list) {
+      if (++count > parse.options.limits.includes)
+        return parse.diagnostics.error(
+            code::kIncludeLimit, placeholder.where,
+            fmt::format("more than {} files of placeholders", parse.options.limits.includes));
+      load(parse, placeholder);
+    }
+}
+
+}  // namespace oriel::mi
