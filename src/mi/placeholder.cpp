@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "mi/elements.h"
 
 namespace oriel::mi {
@@ -95,11 +93,11 @@ void load(Parse& parse, const Waiting& placeholder) {
     if (const Object* found = content_of<Object>(from, placeholder.name)) {
       content = found->name;
       object->content = as;
-      // What the placeholder says lies over what the file says.
-      const std::vector<scene::Statement> over = object->flags;
+      // What the placeholder says lies over what the file says. The content is none in turn, or a
+      // file that names itself would be read for ever.
       Object& inner = *from.get<Object>(content);
-      std::copy_if(over.begin(), over.end(), std::back_inserter(inner.flags),
-                   [](const scene::Statement& s) { return s.keyword != "file"; });
+      inner.flags.insert(inner.flags.end(), object->flags.begin(), object->flags.end());
+      std::erase_if(inner.flags, [](const scene::Statement& s) { return s.keyword == "file"; });
     }
   } else if (auto* assembly = parse.scene->get<Assembly>(placeholder.name)) {
     if (const auto* found = content_of<InstanceGroup>(from, placeholder.name)) {

@@ -168,6 +168,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
   std::vector<geom::Mesh> meshes(plan.jobs.size());
   parallel_for(meshes.size(), [&](std::size_t i) {
     meshes[i] = geom::tessellate(*plan.jobs[i].object, plan.jobs[i].context, diagnostics);
+    if (!world.options.hair) meshes[i].curves = {};
   });
   report.objects = meshes.size();
 

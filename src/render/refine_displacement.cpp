@@ -30,6 +30,8 @@ std::vector<Approximation> approximations_of(const scene::Object& object,
       add(rules.find(Kind::Trilist, group.name));
     for (const scene::SubdivisionSurface& surface : group.subdivisions)
       add(rules.find(Kind::Displace, surface.name));
+    for (const scene::FreeSurface& surface : group.freeform.surfaces)
+      add(rules.find(Kind::Displace, surface.name));
   }
   return found;
 }

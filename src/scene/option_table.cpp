@@ -216,7 +216,7 @@ constexpr OptionRow kRows[] = {
     {"geometry", "bool", NotYet, "geometry shaders", to<&O::geometry>},
     {"output", "bool", Effective, "output shaders and files", to<&O::output>},
     {"merge", "bool", Harmless, "joins surfaces", to<&O::merge>},
-    {"hair", "bool", NotYet, "hair geometry", to<&O::hair>},
+    {"hair", "bool", Effective, "hair geometry", to<&O::hair>},
     {"pass", "bool", NotYet, "sample passes", to<&O::pass>},
     {"autovolume", "bool", NotYet, "finds the volumes around the eye", to<&O::autovolume>},
     {"lightmap", "off|on|only", NotYet, "light map shaders", to<&O::lightmap>},
