@@ -169,6 +169,10 @@ float Path::glow_weight(const geom::Hit& hit, const ShadingPoint& point) const {
                            ? from_.glow_on_diffuse
                            : from_.group == LobeGroup::Reflection && from_.glow_in_reflections;
   if (!from_.weighed || !sampled) return 1;
+  // Hair that glows is found by rays alone.
+  if (hit.primitive >=
+      world_.accel->mesh(world_.accel->instance(hit.instance).mesh).triangles.size())
+    return 1;
   const float chosen = world_.mesh_lights.probability(from_.lit, hit.instance, hit.primitive);
   const TriangleCorners triangle = corners_of(world_, hit.instance, hit.primitive);
   const float projected = std::abs(dot(ray_.dir, triangle.normal_times_area()));
