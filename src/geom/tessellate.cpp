@@ -8,6 +8,7 @@
 
 #include "geom/append_mesh.h"
 #include "geom/equal_vertices.h"
+#include "geom/freeform/freeform.h"
 #include "geom/hair.h"
 #include "geom/polygon.h"
 #include "geom/subdivide.h"
@@ -241,6 +242,8 @@ Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& 
   for (const scene::PolygonGroup& group : object.groups)
     for (const scene::SubdivisionSurface& surface : group.subdivisions)
       append_mesh(mesh, subdivide_as_asked(group, surface, mesh.tagged, context, diagnostics));
+  for (const scene::PolygonGroup& group : object.groups)
+    append_mesh(mesh, tessellate_freeform(object, group, context, diagnostics));
   for (const scene::Hair& hair : object.hairs) add_hair(mesh, hair, diagnostics);
 
   const std::size_t left_out =

@@ -27,8 +27,8 @@ inline constexpr std::size_t kMaxTextureSpaces = 8;
 /// Inputs:  context: what the scene around the object says of approximations, and the camera.
 /// Errors:  OR-GEOM-001 once per object, counting the polygons left out (no area, corners that are
 ///          not finite or do not exist); OR-GEOM-002 for texture spaces left out; those of
-///          subdivide(). Total otherwise.
-/// Checked: Tessellate.*, Subdivide.*
+///          subdivide() and tessellate_freeform(). Total otherwise.
+/// Checked: Tessellate.*, Subdivide.*, FreeForm.*
 Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& context,
                 Diagnostics& diagnostics);
 /// As an object without instance and camera.

@@ -177,11 +177,6 @@ std::vector<Approximation> approximations(const std::vector<Statement>& statemen
 
 }  // namespace
 
-bool Approximation::applies_to(Kind what, std::string_view name) const {
-  if (kind != what) return false;
-  return all || names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::optional<Approximation> approximation_of(const Statement& statement) {
   Approximation a;
   a.rays = read_rays(statement.keyword);
@@ -215,7 +210,7 @@ ApproximationRules::ApproximationRules(const PolygonGroup& group,
                                        const std::vector<const Instance*>& chain,
                                        const Options* options) {
   const auto add = [this](std::vector<Approximation> level) {
-    if (!level.empty()) levels_.push_back(std::move(level));
+    if (!level.empty()) levels_.emplace_back(std::move(level));
   };
   if (options) add(approximations(options->statements));
   std::vector<std::vector<Approximation>> inherited;
@@ -231,17 +226,28 @@ ApproximationRules::ApproximationRules(const PolygonGroup& group,
   for (auto& level : inherited) add(std::move(level));
 }
 
+ApproximationRules::Level::Level(std::vector<Approximation> list) : all(std::move(list)) {
+  // A later statement wins, but not one for other rays than the camera's over one for those.
+  const auto enter = [this](const Approximation& a, std::size_t i, std::string name) {
+    const auto [entry, is_new] = best.try_emplace({a.kind, std::move(name)}, i);
+    if (!is_new && (a.is_for_camera() || !all[entry->second].is_for_camera())) entry->second = i;
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].all || all[i].names.empty()) enter(all[i], i, {});
+    for (const std::string& name : all[i].names) enter(all[i], i, name);
+  }
+}
+
 const Approximation* ApproximationRules::find(Approximation::Kind kind,
                                               std::string_view name) const {
-  // For all rays before those for some, a name before none, a later one before an earlier one.
-  const auto rank = [](const Approximation& a) {
-    return (a.rays == 0 || (a.rays & Approximation::Visible) ? 2 : 0) + (a.names.empty() ? 0 : 1);
-  };
-  for (const auto& level : levels_) {
-    const Approximation* best = nullptr;
-    for (const Approximation& a : level)
-      if (a.applies_to(kind, name) && (!best || rank(a) >= rank(*best))) best = &a;
-    if (best) return best;
+  for (const Level& level : levels_) {
+    const auto named = level.best.find(std::pair(kind, std::string(name)));
+    const auto any = level.best.find(std::pair(kind, std::string()));
+    const auto end = level.best.end();
+    if (named == end && any == end) continue;
+    const bool by_name = named != end && (any == end || level.all[named->second].is_for_camera() ||
+                                          !level.all[any->second].is_for_camera());
+    return &level.all[(by_name ? named : any)->second];
   }
   return nullptr;
 }

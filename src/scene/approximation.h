@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/vec.h"
@@ -63,7 +65,8 @@ struct Approximation {
   bool all = false;                ///< `all` instead of names, in options
   std::vector<std::string> names;  ///< what it applies to; empty: all of its kind
 
-  bool applies_to(Kind what, std::string_view name) const;
+  /// Whether it counts for what the camera sees.
+  bool is_for_camera() const { return rays == 0 || (rays & Visible) != 0; }
   bool operator==(const Approximation&) const = default;
 };
 
@@ -91,7 +94,14 @@ class ApproximationRules {
   const Approximation* find(Approximation::Kind kind, std::string_view name) const;
 
  private:
-  std::vector<std::vector<Approximation>> levels_;  // strongest first
+  /// One source's statements, each known by what it applies to: a surface is looked up among
+  /// thousands. An empty name stands for all of a kind.
+  struct Level {
+    explicit Level(std::vector<Approximation> list);
+    std::vector<Approximation> all;
+    std::map<std::pair<Approximation::Kind, std::string>, std::size_t, std::less<>> best;
+  };
+  std::vector<Level> levels_;  // strongest first
 };
 
 /// The camera as tessellation sees it, so that `view` lengths can be measured in pixels.
