@@ -196,7 +196,6 @@ void add_hair(Mesh& mesh, const scene::Hair& hair, Diagnostics& diagnostics) {
 
 void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placement,
                        SurfacePoint& point) {
-  point = SurfacePoint{};
   const Curves& curves = mesh.curves;
   const CurvePoint at =
       evaluate(curves, hit.primitive - mesh.triangles.size(), clamp(hit.u, 0.0f, 1.0f));
