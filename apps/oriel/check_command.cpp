@@ -34,10 +34,7 @@ std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
     if (const auto* o = std::get_if<scene::Options>(&element)) count(o->kept, "options");
     if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->kept, "camera");
     if (const auto* i = std::get_if<scene::Instance>(&element)) count(i->kept, "instance");
-    if (const auto* o = std::get_if<scene::Object>(&element)) {
-      count(o->kept, "object");
-      for (const scene::PolygonGroup& g : o->groups) count(g.kept, "group");
-    }
+    if (const auto* o = std::get_if<scene::Object>(&element)) count(o->kept, "object");
   }
   return kept;
 }
