@@ -40,5 +40,7 @@ Command add_profile_command(CLI::App& program);
 Command add_measure_command(CLI::App& program);
 Command add_falsecolor_command(CLI::App& program);
 Command add_shader_build_command(CLI::App& program);
+Command add_convert_command(CLI::App& program);
+Command add_quick_command(CLI::App& program);
 
 }  // namespace oriel::app

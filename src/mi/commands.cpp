@@ -127,7 +127,7 @@ const std::map<std::string, ElementReader, std::less<>>& element_readers() {
       {"color", texture("color")},
       {"scalar", texture("scalar")},
       {"vector", texture("vector")},
-      {"data", kept("data")},
+      {"data", read_user_data},
       {"gui", kept("gui")},
       {"assembly", read_assembly},
       {"colorprofile", kept("colorprofile")},

@@ -33,6 +33,9 @@ void read_light_profile(Parse& parse, SourceLocation at);
 void read_material(Parse& parse, SourceLocation at);
 /// `word` is the first one: local, filter, writable, color, scalar, vector.
 void read_texture(Parse& parse, std::string_view word, SourceLocation at);
+void read_user_data(Parse& parse, SourceLocation at);
+/// The bytes of a hexadecimal block that stands here.
+void append_hex(Parse& parse, std::vector<std::uint8_t>& bytes);
 void read_object(Parse& parse, SourceLocation at);
 void read_instance(Parse& parse, SourceLocation at);
 void read_instance_group(Parse& parse, SourceLocation at);
@@ -61,7 +64,7 @@ std::string keep_until_end(Parse& parse, std::string_view kind);
 void keep_brackets(Parse& parse, std::string& text);
 /// Tokens up to one of `words` or `end`; groups in brackets are taken whole.
 std::string keep_until_word(Parse& parse, std::span<const std::string_view> words);
-/// `gui`, `data`, `registry`, `colorprofile`, `spectrum` elements.
+/// `gui`, `registry`, `colorprofile`, `spectrum` elements.
 void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at);
 scene::KeptText read_gui(Parse& parse, SourceLocation at);
 

@@ -14,31 +14,6 @@ bool closes(const Token& token) {
   return token.is_punct(')') || token.is_punct(']') || token.is_punct('}');
 }
 
-// data "n" [tag N] N 'hex'... | "file" | "declared" ( parameters )
-std::string keep_data(Parse& parse) {
-  std::string text;
-  if (parse.in.at_word("tag")) {
-    append_source(text, parse.in.next());
-    if (parse.at_number()) append_source(text, parse.in.next());
-  }
-  if (parse.in.at_word("null")) append_source(text, parse.in.next());
-  if (parse.in.at(Token::Kind::String)) {
-    append_source(text, parse.in.next());
-    if (parse.in.at_punct('(')) keep_brackets(parse, text);
-    return text;
-  }
-  if (parse.at_number()) append_source(text, parse.in.next());
-  const bool bracketed = parse.in.at_punct('[');
-  if (bracketed) append_source(text, parse.in.next());
-  while (parse.in.at(Token::Kind::Hex) || parse.in.at(Token::Kind::Binary))
-    append_source(text, parse.in.next());
-  if (bracketed) {
-    parse.expect_punct(']');
-    text += " ]";
-  }
-  return text;
-}
-
 // { value | link | code | ... | symbol symbol }... end registry. A `system` item is never run.
 std::string keep_registry(Parse& parse) {
   std::string text;
@@ -109,8 +84,6 @@ void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at) {
       std::string text;
       while (parse.in.at_punct('(') || parse.in.at_punct('{')) keep_brackets(parse, text);
       element.text = std::move(text);
-    } else if (kind == "data") {
-      element.text = keep_data(parse);
     } else if (kind == "registry") {
       element.text = keep_registry(parse);
     } else {

@@ -137,7 +137,7 @@ bool starts_option(Parse& parse) {
   return token.kind == Token::Kind::Word && option_forms().starts_statement(token.text);
 }
 
-// state "f" ( ) | state [ ... ], contour store "f" ( ), attribute ...
+// contour store "f" ( ), attribute ...
 scene::KeptText keep_option(Parse& parse, std::string keyword, SourceLocation at) {
   scene::KeptText kept{std::move(keyword), "", at};
   while (parse.in.at_word("store") || parse.in.at_word("contrast")) {
@@ -151,10 +151,6 @@ scene::KeptText keep_option(Parse& parse, std::string keyword, SourceLocation at
     }
     return kept;
   }
-  if (parse.in.at_punct('[')) {
-    keep_brackets(parse, kept.text);
-    return kept;
-  }
   while (at_shader(parse)) {
     if (parse.in.at_punct('=')) append_source(kept.text, parse.in.next());
     if (!parse.in.peek().is_name()) parse.unexpected("a shader");
@@ -163,6 +159,18 @@ scene::KeptText keep_option(Parse& parse, std::string keyword, SourceLocation at
     keep_brackets(parse, kept.text);
   }
   return kept;
+}
+
+// state function | state [ function, ... ]. What follows one function may be a string option.
+scene::ShaderList read_state_shaders(Parse& parse) {
+  if (!parse.in.accept_punct('[')) return {read_shader(parse)};
+  scene::ShaderList list;
+  while (!parse.in.accept_punct(']')) {
+    if (!list.empty()) parse.in.accept_punct(',');
+    if (!at_shader(parse)) parse.unexpected("a shader or ']'");
+    list.push_back(read_shader(parse));
+  }
+  return list;
 }
 
 void read_option(Parse& parse, scene::Options& options, StatementList& statements) {
@@ -178,7 +186,11 @@ void read_option(Parse& parse, scene::Options& options, StatementList& statement
     statement.values.push_back(read_value(parse));
     return statements.add(std::move(statement));
   }
-  for (const std::string_view word : {"state", "contour", "attribute"})
+  if (parse.in.accept_word("state")) {
+    options.state = read_state_shaders(parse);
+    return;
+  }
+  for (const std::string_view word : {"contour", "attribute"})
     if (parse.in.accept_word(word)) {
       options.kept.push_back(keep_option(parse, std::string(word), at));
       return;

@@ -184,7 +184,7 @@ class RandomScene {
           o.statements.push_back(
               statement(name(), {chance() ? numbers(1 + pick(4)) : words(name(), false)}, true));
       }
-    if (chance()) o.kept = {{"state", "[ \"a\" ( \"x\" 1 ) , \"b\" ( ) ]", {}}};
+    if (chance()) o.state = shaders(1);
     return o;
   }
 

@@ -328,7 +328,26 @@ TEST(Commands, ThoseWithoutMeaningAreKept) {
   EXPECT_SILENT(read);
   EXPECT_EQ(read.scene.commands.size(), 6u);
   EXPECT_EQ(read.scene.elements().size(), 4u);
-  EXPECT_EQ(read.get<scene::KeptElement>("d").text, "2 '0001'");
+  EXPECT_EQ(read.get<scene::UserData>("d").bytes, (std::vector<std::uint8_t>{0, 1}));
+}
+
+// acceptance: H1
+TEST(Commands, UserDataAreBytesAFileOrDeclaredParameters) {
+  const Snippet read(
+      "declare data \"pair\" ( integer \"a\", scalar \"b\" default 2 ) end declare "
+      "data \"raw\" tag 7 4 [ '00ff' '1020' ] data \"kept\" \"far.bin\" "
+      "data \"typed\" \"pair\" ( \"a\" 3 ) data \"none\" null");
+  EXPECT_SILENT(read);
+  const auto& raw = read.get<scene::UserData>("raw");
+  EXPECT_EQ(raw.label, 7u);
+  EXPECT_EQ(raw.size, 4);
+  EXPECT_EQ(raw.bytes, (std::vector<std::uint8_t>{0, 255, 16, 32}));
+  EXPECT_EQ(read.get<scene::UserData>("kept").file, "far.bin");
+  const auto& typed = read.get<scene::UserData>("typed");
+  EXPECT_EQ(typed.declaration, "pair");
+  ASSERT_EQ(typed.arguments.size(), 1u);
+  EXPECT_EQ(typed.arguments[0].value.numbers, std::vector<double>{3});
+  EXPECT_TRUE(read.get<scene::UserData>("none").bytes.empty());
 }
 
 TEST(Commands, NothingIsEverRun) {

@@ -34,6 +34,7 @@ class Resolver {
   void visit(const scene::LightProfile&) {}
   void visit(const scene::KeptElement&) {}
   void visit(const scene::Assembly&) {}
+  void visit(const scene::UserData&) {}
   void visit(const scene::ShaderElement& e) { list(e.functions); }
   void visit(const scene::Texture& e) { list(e.procedure); }
   void visit(const scene::Camera& e);

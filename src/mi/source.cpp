@@ -7,6 +7,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "mi/gzip.h"
+
 namespace oriel::mi {
 namespace {
 
@@ -38,6 +40,11 @@ std::unique_ptr<Source> Source::load(const std::string& path, std::uint64_t max_
   if (!file) {
     reason = std::strerror(errno);
     return nullptr;
+  }
+  if (is_gzip(file)) {
+    std::fclose(file);
+    const std::optional<std::string> text = read_gzip(path, max_size, reason);
+    return text ? from_text(*text, path) : nullptr;
   }
   auto source = std::unique_ptr<Source>(new Source(size, path));
   const std::size_t read = std::fread(source->text_.get(), 1, size, file);

@@ -15,7 +15,8 @@ namespace oriel::mi {
 /// rather than mapped: an exporter that truncates the file meanwhile must not kill the reader.
 class Source {
  public:
-  /// Reads a file. Returns null and a reason when it cannot be read or is larger than `max_size`.
+  /// Reads a file, compressed by gzip or not. Returns null and a reason when it cannot be read or
+  /// its text is larger than `max_size`.
   static std::unique_ptr<Source> load(const std::string& path, std::uint64_t max_size,
                                       std::string& reason);
   static std::unique_ptr<Source> from_text(std::string_view text, std::string path);

@@ -7,34 +7,6 @@ namespace {
 
 using scene::Texture;
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  const int letter = (c | 0x20) - 'a';
-  return letter >= 0 && letter < 6 ? letter + 10 : -1;
-}
-
-void append_hex(Parse& parse, std::vector<std::uint8_t>& bytes) {
-  const SourceLocation at = parse.in.where();
-  const Token token = parse.in.next();
-  int high = -1;
-  for (const char c : token.text) {
-    if (static_cast<unsigned char>(c) <= ' ') continue;
-    const int digit = hex_digit(c);
-    if (digit < 0) {
-      parse.warn(code::kBadBinary, at,
-                 "a pixel block holds something else than hexadecimal digits");
-      return;
-    }
-    if (high < 0) {
-      high = digit;
-      continue;
-    }
-    bytes.push_back(static_cast<std::uint8_t>(high << 4 | digit));
-    high = -1;
-  }
-  if (high >= 0) parse.warn(code::kBadBinary, at, "a pixel block has an odd number of digits");
-}
-
 // Numbers with or without brackets around them.
 void read_size(Parse& parse, Texture& texture) {
   const bool bracketed = parse.in.accept_punct('[');

@@ -216,8 +216,10 @@ TEST(Wild, OptionsMayHoldStatesDataAndTraversal) {
       "traversal someName samples 0 2 end options");
   EXPECT_SILENT(read);
   const auto& options = read.get<scene::Options>("o");
-  ASSERT_EQ(options.kept.size(), 1u);
-  EXPECT_EQ(options.kept[0].text, "[ \"a\" ( \"x\" 1 ) , \"b\" ( ) ]");
+  ASSERT_EQ(options.state.size(), 2u);
+  EXPECT_EQ(options.state[0].type, "a");
+  EXPECT_EQ(options.state[0].arguments[0].name, "x");
+  EXPECT_EQ(options.state[1].type, "b");
   ASSERT_EQ(options.statements.size(), 3u);
   EXPECT_EQ(options.statements[1].values[0].text, "someName");
 }

@@ -137,7 +137,7 @@ void write_links(TextSink& out, std::string_view keyword,
   out.put('\n');
 }
 
-void write_pixels(TextSink& out, const std::vector<std::uint8_t>& pixels) {
+void write_bytes(TextSink& out, const std::vector<std::uint8_t>& pixels) {
   constexpr std::size_t kBytesInLine = 32;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (i % kBytesInLine == 0) out.put(i ? "'\n'" : "\n'");
@@ -188,6 +188,15 @@ void write_element(TextSink& out, const scene::Options& options, int depth) {
       s.values.back().kind = scene::Value::Kind::Text;
     }
     write_statement(out, s, depth + 1);
+  }
+  if (!options.state.empty()) {
+    write_indent(out, depth + 1);
+    out.put("state [");
+    for (std::size_t i = 0; i < options.state.size(); ++i) {
+      if (i > 0) out.put(" ,");
+      write_shader_list(out, {options.state[i]}, depth + 1);
+    }
+    out.put(" ]\n");
   }
   write_kept(out, options.kept, depth + 1);
   end(out, "options", depth);
@@ -278,7 +287,7 @@ void write_element(TextSink& out, const scene::Texture& texture, int depth) {
     }
     out.put(" ]");
   }
-  write_pixels(out, texture.pixels);
+  write_bytes(out, texture.pixels);
   out.put('\n');
 }
 
@@ -339,12 +348,36 @@ void write_element(TextSink& out, const scene::Assembly& assembly, int depth) {
   end(out, "assembly", depth);
 }
 
+void write_element(TextSink& out, const scene::UserData& data, int depth) {
+  begin(out, "data", data.name);
+  if (data.label) {
+    out.put(" tag ");
+    out.index(*data.label);
+  }
+  out.put(' ');
+  if (!data.declaration.empty()) {
+    out.quoted(data.declaration);
+    out.put(' ');
+    write_arguments(out, data.arguments, '(', ')', depth);
+  } else if (!data.file.empty()) {
+    out.quoted(data.file);
+  } else if (data.size || !data.bytes.empty()) {
+    out.integer(data.size.value_or(static_cast<int>(data.bytes.size())));
+    out.put(" [");
+    write_bytes(out, data.bytes);
+    out.put(" ]");
+  } else {
+    out.put("null");
+  }
+  out.put('\n');
+}
+
 void write_element(TextSink& out, const scene::KeptElement& element, int depth) {
   begin(out, element.kind, element.name);
   out.put(' ');
   out.put(element.text);
   out.put('\n');
-  if (element.kind != "data" && element.kind != "gui") end(out, element.kind, depth);
+  if (element.kind != "gui") end(out, element.kind, depth);
 }
 
 }  // namespace oriel::mi

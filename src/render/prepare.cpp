@@ -52,6 +52,18 @@ void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
   }
 }
 
+void bind_state_shaders(const scene::Options& options, Binder& binder, World& world,
+                        Diagnostics& diagnostics) {
+  for (const ShaderNode* node : binder.bind(options.state)) {
+    if (node->spec().around_sample)
+      world.state_shaders.push_back(node);
+    else
+      diagnostics.warning(
+          "OR-RN-012", options.where,
+          fmt::format("\"{}\" does not act as a state shader; skipped", node->spec().name));
+  }
+}
+
 /// `rgba`, `s_fp`, `n`...: of how many numbers a value is.
 UserBuffer::Kind kind_of_buffer(std::string_view type) {
   const std::string_view stem = type.substr(0, type.find('_'));
@@ -85,7 +97,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                                const Registry& registry, const PrepareOptions& options,
                                Diagnostics& diagnostics, PrepareReport& report) {
   auto world = std::make_unique<World>();
-  if (const auto* block = scene.get<scene::Options>(command.options))
+  const auto* block = scene.get<scene::Options>(command.options);
+  if (block)
     world->options = scene::interpret_options(*block, diagnostics);
   else
     diagnostics.warning(
@@ -108,6 +121,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment before materials: nothing in it depends on them.
   world->environment = EnvironmentLight(binder.bind(camera->environment), *world);
+  if (block) bind_state_shaders(*block, binder, *world, diagnostics);
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
   place_geometry(scene, leaves, light_names, command.options, binder, options, *world, diagnostics,

@@ -9,6 +9,7 @@
 
 #include "color/luminance.h"
 #include "render/lens_shaders.h"
+#include "render/state_shaders.h"
 #include "sampling/sampler.h"
 
 namespace oriel {
@@ -78,7 +79,15 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
                     static_cast<float>(row) + 0.5f + offset.pixels.y);
 
-  const PathResult path = trace_eye_rays(world_, raster, settings, sampler, counts);
+  const std::span<Rgba> buffers(settings.buffers, settings.buffers ? film_.user_buffers() : 0);
+  using Moment = EyeSample::Moment;
+  PathResult path;
+  const auto call = [&](Moment at) { call_state_shaders(world_, raster, at, path, buffers); };
+  call(Moment::StateInit);
+  call(Moment::SampleInit);
+  path = trace_eye_rays(world_, raster, settings, sampler, counts);
+  call(Moment::SampleExit);
+  call(Moment::StateExit);
   FilmSample s;
   s.beauty = path.radiance;
   s.alpha = path.alpha;

@@ -96,6 +96,7 @@ class Binder {
   void bind_parts(ShaderNode& node, const scene::Argument& argument, Scope* scope);
 
   void set_defaults(ShaderNode& node);
+  static void set_default(const ParamSpec& param, ParamType type, std::byte* target);
   void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   void bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                   const scene::Value& value, Scope* scope);
@@ -114,6 +115,14 @@ class Binder {
                  const scene::Value& value, Scope* scope);
   void bind_array(ShaderNode& node, const ParamSpec& param, const scene::Value& value,
                   Scope* scope);
+  /// The element at `offset` of an array; its members where it is a struct.
+  void bind_element(ShaderNode& node, const ParamSpec& param, std::size_t offset,
+                    const scene::Value& value, Scope* scope);
+  void bind_members(ShaderNode& node, const ParamSpec& param, std::size_t offset,
+                    const std::string& prefix, const std::vector<scene::Argument>& members,
+                    Scope* scope);
+  /// Room behind the parameters; returns its offset. Arrays bound before move along.
+  static std::size_t append_elements(ShaderNode& node, std::size_t bytes);
   void mismatch(const ShaderNode& node, const ParamSpec& param, const scene::Value& value);
   const TextureNode* texture(const std::string& name, SourceLocation where, Scope* scope);
   ShaderNode* make_node(const ShaderSpec& spec);

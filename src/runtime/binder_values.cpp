@@ -102,30 +102,33 @@ bool count_fits(ParamType type, std::size_t count) {
 
 }  // namespace
 
+void Binder::set_default(const ParamSpec& param, ParamType type, std::byte* target) {
+  if (type == ParamType::Light) {
+    const LightRef none;
+    store(target, none);
+  } else if (type == ParamType::String) {
+    const std::string_view text = param.text ? param.text : "";
+    store(target, text);
+  } else if (type == ParamType::Transform) {
+    const Mat4 identity;
+    store(target, identity);
+  } else {
+    // A declared colour is opaque; what is neither declared nor written is all zero.
+    const bool opaque = param.declared_default && param.fallback[3] == 0;
+    const std::size_t count = type == ParamType::Color && opaque ? 3 : 4;
+    store_numbers(target, type, param.fallback.data(), count);
+  }
+}
+
 void Binder::set_defaults(ShaderNode& node) {
   const ShaderSpec& spec = node.spec();
-  ORIEL_ASSERT(spec.params_size <= kMostParamBytes && spec.result_size <= kMostParamBytes);
+  ORIEL_ASSERT(spec.deferred || spec.params_size <= kMostParamBytes);
+  ORIEL_ASSERT(spec.result_size <= kMostParamBytes);
   node.storage_.resize(spec.params_size / sizeof(std::max_align_t) + 1);
   auto* bytes = reinterpret_cast<std::byte*>(node.storage_.data());
   std::memset(bytes, 0, node.storage_.size() * sizeof(std::max_align_t));
   node.constants_ = {bytes, spec.params_size};
-  for (const ParamSpec& param : spec.params) {
-    if (param.type == ParamType::Light) {
-      const LightRef none;
-      store(bytes + param.offset, none);
-    } else if (param.type == ParamType::String) {
-      const std::string_view empty;
-      store(bytes + param.offset, empty);
-    } else if (param.type == ParamType::Transform) {
-      const Mat4 identity;
-      store(bytes + param.offset, identity);
-    } else {
-      // A declared colour is opaque; what is neither declared nor written is all zero.
-      const bool opaque = param.declared_default && param.fallback[3] == 0;
-      const std::size_t count = param.type == ParamType::Color && opaque ? 3 : 4;
-      store_numbers(bytes + param.offset, param.type, param.fallback.data(), count);
-    }
-  }
+  for (const ParamSpec& param : spec.params) set_default(param, param.type, bytes + param.offset);
 }
 
 void Binder::bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope) {
@@ -368,56 +371,6 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
   }
 }
 
-void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& value,
-                        Scope* scope) {
-  const std::size_t stride = size_of(param.element);
-  std::vector<std::byte> elements;
-  const auto append = [&](const void* data) {
-    const auto* bytes = static_cast<const std::byte*>(data);
-    elements.insert(elements.end(), bytes, bytes + stride);
-  };
-  for (const Value& item : value.items) {
-    if (item.kind == Value::Kind::Text && param.element == ParamType::Light) {
-      // A name may stand for a group of light instances.
-      const auto found = lights_by_name_.find(item.text);
-      if (found == lights_by_name_.end())
-        diagnostics_.warning(
-            "OR-RT-015", item.where,
-            fmt::format("there is no light instance \"{}\" in the rendered scene", item.text));
-      else
-        for (const int index : found->second) append(&index);
-    } else if (item.kind == Value::Kind::Numbers &&
-               count_fits(param.element, item.numbers.size())) {
-      alignas(16) std::byte element[sizeof(Mat4)] = {};
-      const std::vector<float> v(item.numbers.begin(), item.numbers.end());
-      store_numbers(element, param.element, v.data(), v.size());
-      append(element);
-    } else if (item.kind == Value::Kind::Boolean && param.element == ParamType::Boolean) {
-      append(&item.boolean);
-    } else if ((item.kind == Value::Kind::Text || item.kind == Value::Kind::Connection) &&
-               param.element == ParamType::Shader) {
-      const ShaderRef ref{item.text.empty() ? nullptr : resolve(item.text, item.where, scope).node};
-      append(&ref);
-    } else if (item.kind == Value::Kind::Text && param.element == ParamType::String) {
-      world_.strings.push_back(item.text);
-      const std::string_view text = world_.strings.back();
-      append(&text);
-    } else if (item.kind == Value::Kind::Text && param.element == ParamType::ColorTexture) {
-      const ColorTextureRef ref{texture(item.text, item.where, scope)};
-      append(&ref);
-    } else if (item.kind == Value::Kind::Null && param.element == ParamType::Shader) {
-      const ShaderRef none;
-      append(&none);
-    } else if (item.kind != Value::Kind::Null) {
-      mismatch(node, param, item);
-    }
-  }
-  world_.arrays.push_back(std::move(elements));
-  const ArrayView<std::byte> view{world_.arrays.back().data(),
-                                  static_cast<int>(world_.arrays.back().size() / stride)};
-  store(node.constants_.data() + param.offset, view);
-}
-
 void Binder::mismatch(const ShaderNode& node, const ParamSpec& param, const Value& value) {
   diagnostics_.warning("OR-RT-011", value.where,
                        fmt::format("parameter \"{}\" of \"{}\" is a {}{}, not {}; skipped",
@@ -426,65 +379,6 @@ void Binder::mismatch(const ShaderNode& node, const ParamSpec& param, const Valu
                                        ? fmt::format(" of {}", scene::type_name(param.element))
                                        : std::string(),
                                    describe(value)));
-}
-
-const photometry::LightProfile* Binder::light_profile(const std::string& name,
-                                                      SourceLocation where) {
-  if (const auto known = light_profiles_.find(name); known != light_profiles_.end())
-    return known->second;
-  const photometry::LightProfile*& profile = light_profiles_[name];
-  if (const auto* element = scene_.get<scene::LightProfile>(name)) {
-    if (auto opened = open_light_profile(*element, diagnostics_)) {
-      world_.light_profiles.push_back(std::move(opened));
-      profile = world_.light_profiles.back().get();
-    }
-  } else {
-    std::vector<std::string> names;
-    for (const scene::Element& e : scene_.elements())
-      if (std::holds_alternative<scene::LightProfile>(e)) names.push_back(scene::name_of(e));
-    const std::string near = nearest_name(name, names);
-    diagnostics_.warning("OR-RT-042", where, fmt::format("there is no light profile \"{}\"", name),
-                         near.empty() ? "profiles are elements: lightprofile \"name\" ..."
-                                      : fmt::format("did you mean \"{}\"?", near));
-  }
-  return profile;
-}
-
-const TextureNode* Binder::texture(const std::string& name, SourceLocation where, Scope* scope) {
-  const auto keep = [&](std::unique_ptr<TextureNode> made) {
-    world_.textures.push_back(std::move(made));
-    return world_.textures.back().get();
-  };
-  // A shader stands for itself as a texture: one node each, since phenomena share names.
-  const auto procedure = [&](const ShaderNode* node) {
-    const TextureNode*& known = procedures_[node];
-    if (!known) known = keep(std::make_unique<TextureNode>(NodeList{node}));
-    texture_cost_[known] = node->cost_;
-    return known;
-  };
-  if (const ShaderNode* local = find_local(name, scope)) return procedure(local);
-  if (const auto known = textures_.find(name); known != textures_.end()) return known->second;
-  const auto* element = scene_.get<scene::Texture>(name);
-  if (!element) {
-    if (const ShaderNode* node = find_named(name, nullptr)) return procedure(node);
-    if (!scene_.find(name))
-      diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name));
-    return textures_[name] = nullptr;
-  }
-  // Null while its procedure is bound: one that looks itself up finds nothing.
-  textures_[name] = nullptr;
-  if (element->procedure.empty()) {
-    auto made =
-        TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_);
-    if (made->missing()) report_.missing_textures.push_back(element->file);
-    return textures_[name] = keep(std::move(made));
-  }
-  NodeList nodes = bind_list(element->procedure, nullptr);
-  float cost = 0;
-  for (const ShaderNode* node : nodes) cost += node->cost_;
-  const TextureNode* made = keep(std::make_unique<TextureNode>(std::move(nodes)));
-  texture_cost_[made] = cost;
-  return textures_[name] = made;
 }
 
 }  // namespace oriel

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string_view>
 
 #include "base/vec.h"
@@ -148,6 +149,9 @@ struct ParamSpec {
   bool unfiltered = false;
   /// Another material may stand here, by connection or as a shader: see runtime/shade_input.h.
   bool takes_material = false;
+  const char* text = nullptr;            ///< default of a string; null = empty
+  std::span<const ParamSpec> members{};  ///< of an array's elements that are structs
+  std::size_t stride = 0;                ///< bytes of one of those
 };
 
 /// Starts a row: name, types and offset from the struct's member.

@@ -34,7 +34,8 @@ enum Apply : unsigned {
   kApplyShadow = 1u << 6,
   kApplyPhoton = 1u << 7,
   kApplyVolume = 1u << 8,
-  kApplyEmitter = 1u << 9
+  kApplyEmitter = 1u << 9,
+  kApplyState = 1u << 10
 };
 
 /// What a shader works out once from its constant parameters (a sky's tables, a tone curve).
@@ -127,6 +128,15 @@ class PhotonEmission {
   virtual Vec2 next() = 0;
 };
 
+/// An eye sample, to the state shaders that are called around it.
+struct EyeSample {
+  enum class Moment : std::uint8_t { StateInit, SampleInit, SampleExit, StateExit };
+  Moment moment;
+  Rgba& colour;             ///< of the sample; black before its ray was traced
+  bool answer;              ///< the ray met something
+  std::span<Rgba> buffers;  ///< what it leaves in World::user_buffers
+};
+
 /// The finished picture in the hands of an output shader.
 class OutputPicture;
 
@@ -190,6 +200,8 @@ struct ShaderSpec {
   void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;
   /// Makes geometry: adds elements to the scene and returns the name of what it made; empty: none.
   std::string (*geometry)(const Call&, scene::Scene&) = nullptr;
+  /// Stands among the options' `state` shaders.
+  void (*around_sample)(const Call&, EyeSample&) = nullptr;
   /// Works on the finished picture.
   void (*output)(const Call&, OutputPicture&) = nullptr;
   /// Acts as a volume: between call.point's ray origin and the surface at its ray_length. Rays of

@@ -78,8 +78,9 @@ struct World {
   bool has_gels = false;         ///< some portal dims what is seen through it
   bool has_area_lights = false;  ///< some light has a shape that rays can meet
   EnvironmentLight environment;
-  NodeList lens;       ///< colour-mapping lens shaders, in the order in which they map
-  NodeList lens_rays;  ///< lens shaders that bend eye rays, in order
+  NodeList lens;           ///< colour-mapping lens shaders, in the order in which they map
+  NodeList lens_rays;      ///< lens shaders that bend eye rays, in order
+  NodeList state_shaders;  ///< called around eye samples
   const TextureNode* preview = nullptr;   ///< shown in place of a rendering; null = none
   NodeList air;                           ///< volume shaders of the camera: around all rays
   NodeList air_on_light;                  ///< those of them that dim light on its way
@@ -91,7 +92,6 @@ struct World {
   std::deque<std::unique_ptr<photometry::LightProfile>> light_profiles;
   TextureSystem texture_system;
   std::deque<std::unique_ptr<TextureNode>> textures;
-  std::deque<std::vector<std::byte>> arrays;  ///< elements of array parameters
   std::deque<std::string> strings;
 };
 

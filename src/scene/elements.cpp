@@ -31,4 +31,9 @@ std::string_view type_name(ParamType type) {
   return kNames[static_cast<int>(type)];
 }
 
+bool operator==(const UserData& a, const UserData& b) {
+  return a.name == b.name && a.label == b.label && a.size == b.size && a.bytes == b.bytes &&
+         a.file == b.file && a.declaration == b.declaration && a.arguments == b.arguments;
+}
+
 }  // namespace oriel::scene

@@ -16,7 +16,8 @@ namespace oriel::scene {
 struct Options {
   std::string name;
   std::vector<Statement> statements;
-  std::vector<KeptText> kept;  ///< state, data blocks
+  ShaderList state;            ///< called around the samples of the picture
+  std::vector<KeptText> kept;  ///< contour, data blocks
   SourceLocation where;
   bool operator==(const Options&) const = default;
 };
@@ -165,7 +166,22 @@ struct Assembly {
 /// The file that an object or assembly stands for; empty when it has none.
 std::string placeholder_file(const std::vector<Statement>& statements);
 
-/// An element this renderer only keeps: data, gui, colorprofile, spectrum, registry...
+/// data "name" ...: what users attach to other elements for their shaders to read. One of bytes, a
+/// file of them, and parameters of a declared layout.
+struct UserData {
+  std::string name;
+  std::optional<std::uint32_t> label;  ///< `tag N`
+  std::optional<int> size;             ///< bytes, as written
+  std::vector<std::uint8_t> bytes;
+  std::string file;
+  std::string declaration;  ///< of `declare data`
+  std::vector<Argument> arguments;
+  std::string directory;  ///< of the file that defined it, for relative names; not compared
+  SourceLocation where;
+  friend bool operator==(const UserData&, const UserData&);
+};
+
+/// An element this renderer only keeps: gui, colorprofile, spectrum, registry...
 struct KeptElement {
   std::string kind;
   std::string name;

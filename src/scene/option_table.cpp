@@ -206,7 +206,6 @@ constexpr OptionRow kRows[] = {
     {"field", "off|even|odd", Kept, "half pictures"},
     {"inheritance", "...", Kept, "function that inherits parameters"},
     {"traversal", "...", Kept, "function that inherits parameters"},
-    {"state", "...", Kept, "state shaders"},
     {"data", "...", Kept, "user data"},
     {"hardware", "...", Harmless, "graphics hardware"},
     {"attribute", "...", Kept, "overrides of attributes"},

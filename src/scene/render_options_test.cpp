@@ -223,10 +223,10 @@ TEST(RenderOptions, WrongValuesAreReportedWithExpectationAndSkipped) {
 
 TEST(RenderOptions, WhatDoesNotActIsListedUnlessItAsksForTheDefault) {
   const RenderOptions o = read({"caustic off", "shutter 1", "shutter 0", "acceleration bsp",
-                                "state \"s\"", "trace on", "contour store \"c\""});
+                                "trace on", "contour store \"c\""});
   std::vector<std::string> listed;
   for (const auto& w : o.without_effect) listed.push_back(w.keyword);
-  EXPECT_EQ(listed, (std::vector<std::string>{"acceleration", "state", "contour store"}));
+  EXPECT_EQ(listed, (std::vector<std::string>{"acceleration", "contour store"}));
   EXPECT_EQ(o.without_effect[0].reason, WithoutEffect::Reason::Harmless);
 }
 

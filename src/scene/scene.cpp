@@ -54,6 +54,12 @@ const Phenomenon* Scene::find_phenomenon(std::string_view name) const {
   return found == phenomena.rend() ? nullptr : &*found;
 }
 
+const DataDeclaration* Scene::find_data_declaration(std::string_view name) const {
+  const auto found = std::find_if(data_declarations.rbegin(), data_declarations.rend(),
+                                  [&](const DataDeclaration& d) { return d.name == name; });
+  return found == data_declarations.rend() ? nullptr : &*found;
+}
+
 bool Scene::operator==(const Scene& other) const {
   return elements_ == other.elements_ && declarations == other.declarations &&
          phenomena == other.phenomena && data_declarations == other.data_declarations &&

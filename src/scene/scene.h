@@ -32,8 +32,9 @@ struct Phenomenon {
   bool operator==(const Phenomenon&) const = default;
 };
 
-using Element = std::variant<Options, Camera, Light, Material, Texture, LightProfile, Object,
-                             Instance, InstanceGroup, ShaderElement, Assembly, KeptElement>;
+using Element =
+    std::variant<Options, Camera, Light, Material, Texture, LightProfile, Object, Instance,
+                 InstanceGroup, ShaderElement, Assembly, UserData, KeptElement>;
 
 /// Name of an element, whatever its kind.
 const std::string& name_of(const Element& element);
@@ -74,6 +75,7 @@ class Scene {
 
   const ShaderDeclaration* find_declaration(std::string_view name) const;
   const Phenomenon* find_phenomenon(std::string_view name) const;
+  const DataDeclaration* find_data_declaration(std::string_view name) const;
 
   bool operator==(const Scene& other) const;
 

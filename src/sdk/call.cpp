@@ -10,8 +10,6 @@
 #include "sampling/sampler.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
-#include "sdk/lens.h"
-#include "sdk/photon_work.h"
 #include "sdk/shader_state.h"
 #include "sdk/tags.h"
 #include "sdk/triangle.h"
@@ -211,11 +209,17 @@ void from_c(ParamType type, const void* c, void* own) {
   }
 }
 
+void result_from_c(const UserSpec& spec, const std::byte* c, void* own) {
+  for (const CMember& m : spec.result_members)
+    from_c(m.type, c + m.c_offset, static_cast<std::byte*>(own) + m.offset);
+}
+
 Vec2 next(const miState* state) {
   Context& c = context(state);
   if (c.tracer()) return c.tracer()->next();
-  if (c.lens) return c.lens->next->next();
-  if (c.photon) return c.photon->next ? c.photon->next->next() : c.photon->emission->next();
+  if (c.lens) return c.lens->next();
+  if (c.photon) return c.photon->next();
+  if (c.emission) return c.emission->next();
   // Keyed by the place: the same in every rendering, another at each point.
   std::uint32_t bits[3];
   std::memcpy(bits, &c.point->position.x, sizeof bits);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <csetjmp>
+#include <cstddef>
+#include <cstring>
 
 #include "sdk/context.h"
 #include "sdk/user_spec.h"
@@ -51,5 +53,15 @@ const std::string& crashed_shader();
 /// A value of the renderer as a C one, and back.
 void to_c(ParamType type, const void* own, void* c);
 void from_c(ParamType type, const void* c, void* own);
+/// A shader's whole result.
+void result_from_c(const UserSpec& spec, const std::byte* c, void* own);
+
+/// Room for the result of a shader, on either side; as much as the shader has is cleared.
+struct alignas(16) Result {
+  explicit Result(std::size_t used) { std::memset(bytes, 0, used); }
+  explicit Result(const UserSpec& spec) : Result(spec.c_result_size) {}
+  miColor& color() { return *reinterpret_cast<miColor*>(bytes); }
+  std::byte bytes[kMostParamBytes];
+};
 
 }  // namespace oriel::sdk

@@ -12,8 +12,6 @@ namespace oriel::sdk {
 
 class Host;
 struct UserInstance;
-struct PhotonWork;
-struct LensWork;
 struct OutputWork;
 
 /// A value of a connected parameter that was asked for, kept while the shader runs.
@@ -41,9 +39,11 @@ struct Context {
   // Light shaders.
   bool shadow_asked = false;     ///< mi_trace_shadow was called
   bool shadow_is_black = false;  ///< ... and answers as behind an opaque blocker
-  // Lens and photon shaders: what continues the ray or the photon.
-  LensWork* lens = nullptr;
-  PhotonWork* photon = nullptr;
+  // What continues the ray or the photon of a lens, photon or emitter shader.
+  LensNext* lens = nullptr;
+  PhotonNext* photon = nullptr;
+  PhotonEmission* emission = nullptr;
+  EyeSample* sample = nullptr;   ///< state shaders: what they stand around
   OutputWork* output = nullptr;  ///< output shaders: the buffers that are open
 
   Tracer* tracer() const { return point->tracer; }

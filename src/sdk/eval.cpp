@@ -11,11 +11,6 @@
 namespace oriel::sdk {
 namespace {
 
-/// Room for results of the renderer's shaders.
-struct alignas(16) Result {
-  std::byte bytes[kMostParamBytes] = {};
-};
-
 const CConnection* connection_of(const UserInstance& shader, const void* parameter) {
   const auto offset = static_cast<std::size_t>(static_cast<const std::byte*>(parameter) -
                                                static_cast<const std::byte*>(shader.parameters));
@@ -28,21 +23,20 @@ const CConnection* connection_of(const UserInstance& shader, const void* paramet
 void evaluate(const Connection& source, ParamType type, miState* state, std::byte* value) {
   ShadingPoint point = point_of(state);
   const ShadingPoint before = point;
-  Result result;
+  Result result(source.source->spec().result_size);
   if (UserInstance* user = user_instance(*source.source)) {
     // The same state: a bump shader moves the normal for the shader that asks.
-    Result c;
+    Result c(*user->spec);
     run(*user, *state, c.bytes, miSHADER_TEXTURE);
-    for (const CMember& m : user->spec->result_members)
-      from_c(m.type, c.bytes + m.c_offset, result.bytes + m.offset);
+    result_from_c(*user->spec, c.bytes, result.bytes);
   } else {
     source.source->value(point, result.bytes);
     // A vector is for who asks for it.
     if (type != ParamType::Vector) take_over(point, before, state);
   }
-  Result own;
-  convert_value(source.source_type, result.bytes + source.source_offset, type, own.bytes);
-  to_c(type, own.bytes, value);
+  alignas(16) std::byte own[sizeof(Mat4)] = {};
+  convert_value(source.source_type, result.bytes + source.source_offset, type, own);
+  to_c(type, own, value);
 }
 
 void* value_of(miState* state, void* parameter, bool again) {
@@ -94,7 +88,7 @@ bool run_node(const ShaderNode& node, miState& state, void* result, miShader_typ
   const ShadingPoint before = point;
   if (node.spec().material) return shade_material(node, point, state, result);
   if (!node.spec().value) return false;
-  Result own;
+  Result own(node.spec().result_size);
   node.value(point, own.bytes);
   take_over(point, before, &state);
   const ShaderSpec& spec = node.spec();

@@ -43,7 +43,7 @@ miBoolean mi_fb_put(miState* state, int fb, const void* data) {
   const Context& c = context(state);
   std::size_t slot = 0;
   const UserBuffer* buffer = find(*c.world, fb, slot);
-  if (!buffer || !c.tracer()) return miFALSE;
+  if (!buffer) return miFALSE;
   Rgba value(0, 0, 0, 1);
   switch (buffer->kind) {
     case UserBuffer::Kind::Color:
@@ -62,15 +62,23 @@ miBoolean mi_fb_put(miState* state, int fb, const void* data) {
       break;
     }
   }
-  return c.tracer()->write_buffer(slot, value) ? miTRUE : miFALSE;
+  if (c.sample && slot < c.sample->buffers.size()) {
+    c.sample->buffers[slot] = value;
+    return miTRUE;
+  }
+  return c.tracer() && c.tracer()->write_buffer(slot, value) ? miTRUE : miFALSE;
 }
 
 miBoolean mi_fb_get(miState* state, int fb, void* data) {
   const Context& c = context(state);
   std::size_t slot = 0;
   const UserBuffer* buffer = find(*c.world, fb, slot);
-  if (!buffer || !c.tracer()) return miFALSE;
-  const std::optional<Rgba> value = c.tracer()->read_buffer(slot);
+  if (!buffer) return miFALSE;
+  std::optional<Rgba> value;
+  if (c.sample && slot < c.sample->buffers.size())
+    value = c.sample->buffers[slot];
+  else if (c.tracer())
+    value = c.tracer()->read_buffer(slot);
   if (!value) return miFALSE;
   const std::size_t bytes = buffer->kind == UserBuffer::Kind::Color    ? sizeof(miColor)
                             : buffer->kind == UserBuffer::Kind::Vector ? sizeof(miVector)

@@ -34,11 +34,19 @@ Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFold
     if (builtin.find(declaration.name)) continue;
     for (const auto& library : libraries_)
       if (void* function = library->find(declaration.name)) {
-        all.push_back(declare(declaration, *library, function));
+        if (const UserSpec* spec = declare(declaration, *library, function)) all.push_back(spec);
         break;
       }
   }
   registry_ = std::make_unique<Registry>(std::move(all));
+  for (const scene::DataDeclaration& data : scene.data_declarations) {
+    scene::ShaderDeclaration layout;
+    layout.name = data.name;
+    layout.parameters = data.parameters;
+    specs_.push_back(std::make_unique<UserSpec>(layout, *this, diagnostics_));
+    specs_.back()->index = specs_.size() - 1;
+    specs_.back()->is_data = true;
+  }
 }
 
 void Host::link(const std::string& written, SourceLocation where, const TrustedFolders& folders) {
@@ -55,8 +63,14 @@ void Host::link(const std::string& written, SourceLocation where, const TrustedF
 const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const Library& library,
                               void* function) {
   auto spec = std::make_unique<UserSpec>(declaration, *this, diagnostics_);
+  if (std::max(spec->c_result_size, spec->result_size) > kMostParamBytes) {
+    diagnostics_.error("OR-SDK-011", declaration.where,
+                       fmt::format("the result of shader \"{}\" has {} bytes, more than {}",
+                                   declaration.name, spec->c_result_size, kMostParamBytes),
+                       "the shader is taken as unknown; split its result");
+    return nullptr;
+  }
   spec->index = specs_.size();
-  spec->library_of = &library;
   spec->function = function;
   spec->init = library.find(declaration.name + "_init");
   spec->exit = library.find(declaration.name + "_exit");
@@ -80,7 +94,8 @@ void Host::attach(const World& world) {
 /// What was made for a world means nothing to the next.
 void Host::forget() {
   const std::unique_lock lock(mutex_);
-  nodes_.clear(), textures_.clear(), profiles_.clear(), texts_.clear(), known_.clear();
+  nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
+      known_.clear();
   known_texts_.clear(), records_.clear(), lights_.clear();
   camera_ = nullptr, options_ = nullptr;
   world_ = nullptr;
@@ -141,6 +156,10 @@ miTag Host::tag_of(const photometry::LightProfile* profile) {
   return remember(TagKind::Profile, profile, profiles_);
 }
 
+miTag Host::tag_of(const scene::UserData* data) {
+  return remember(TagKind::UserData, data, user_data_);
+}
+
 miTag Host::tag_of_text(std::string_view text) {
   if (text.empty()) return miNULLTAG;
   const std::unique_lock lock(mutex_);
@@ -176,6 +195,17 @@ const TextureNode* Host::texture(miTag tag) const {
 }
 const photometry::LightProfile* Host::profile(miTag tag) const {
   return recall(TagKind::Profile, tag, profiles_);
+}
+
+const scene::UserData* Host::user_data(miTag tag) const {
+  return recall(TagKind::UserData, tag, user_data_);
+}
+
+const UserSpec* Host::data_layout(const std::string& name) const {
+  const auto found = std::find_if(specs_.rbegin(), specs_.rend(), [&](const auto& spec) {
+    return spec->is_data && spec->own_name == name;
+  });
+  return found == specs_.rend() ? nullptr : found->get();
 }
 
 const Material* Host::material(miTag tag) const {

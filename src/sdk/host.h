@@ -60,6 +60,7 @@ class Host {
   miTag tag_of(const TextureNode* texture);
   miTag tag_of_text(std::string_view text);
   miTag tag_of(const photometry::LightProfile* profile);
+  miTag tag_of(const scene::UserData* data);
   miTag tag_of(const Material* material) const;
   miTag tag_of(const UserSpec& declaration) const;
   /// What they stand for; null where the tag is of another kind.
@@ -67,7 +68,10 @@ class Host {
   const TextureNode* texture(miTag tag) const;
   const Material* material(miTag tag) const;
   const photometry::LightProfile* profile(miTag tag) const;
+  const scene::UserData* user_data(miTag tag) const;
   const UserSpec* declaration(miTag tag) const;
+  /// Layout of declared user data; null when nothing declares it.
+  const UserSpec* data_layout(const std::string& name) const;
   /// Index into World::lights of a light's instance or of the light; -1.
   int light(miTag tag) const;
   const InstanceData* instance(miTag tag) const;
@@ -93,6 +97,7 @@ class Host {
  private:
   void forget();
   void link(const std::string& written, SourceLocation where, const TrustedFolders& folders);
+  /// Null: its result is too large.
   const UserSpec* declare(const scene::ShaderDeclaration& declaration, const Library& library,
                           void* function);
   template <class T>
@@ -119,6 +124,7 @@ class Host {
   std::vector<const ShaderNode*> nodes_;
   std::vector<const TextureNode*> textures_;
   std::vector<const photometry::LightProfile*> profiles_;
+  std::vector<const scene::UserData*> user_data_;
   std::deque<std::string> texts_;
   std::unordered_map<const void*, miTag> known_;
   std::unordered_map<std::string, miTag> known_texts_;

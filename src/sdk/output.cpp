@@ -13,17 +13,17 @@ miImg_image* mi_output_image_open(miState* state, miUint index) {
   OutputWork* work = context(state).output;
   if (!work) return nullptr;
   const int number = static_cast<int>(index);
-  auto& open = work->open[number];
-  if (open) return open.get();
+  if (const auto found = work->open.find(number); found != work->open.end())
+    return found->second.get();
   const Image* image = work->picture->buffer(number);
   if (!image) return nullptr;
   const miImg_type type = image->channels == 1   ? miIMG_TYPE_Z
                           : image->channels == 3 ? miIMG_TYPE_N
                                                  : miIMG_TYPE_RGBA_FP;
-  open = std::make_unique<Picture>(type, image->width, image->height);
+  auto open = std::make_unique<Picture>(type, image->width, image->height);
   fill(*open, *image);
   open->writable = work->picture->is_writable(number);
-  return open.get();
+  return (work->open[number] = std::move(open)).get();
 }
 
 void mi_output_image_close(miState* state, miUint index) {

@@ -17,7 +17,7 @@ struct OutputWork {
   /// Takes over what the shader changed.
   void close(int number) {
     const auto found = open.find(number);
-    if (found == open.end() || !found->second) return;
+    if (found == open.end()) return;
     if (picture->is_writable(number)) *picture->buffer(number) = to_image(*found->second);
     open.erase(found);
   }

@@ -3,15 +3,13 @@
 #include <algorithm>
 
 #include "sdk/call.h"
-#include "sdk/photon_work.h"
 
 namespace oriel::sdk {
 namespace {
 
 bool send(RayKind kind, miColor* energy, miState* state, const Vec3& direction) {
-  const PhotonWork* work = context(state).photon;
-  if (!work || !work->next || !state->options->trace) return false;
-  return work->next->send(kind, rgb(*energy), direction);
+  PhotonNext* photon = context(state).photon;
+  return photon && state->options->trace && photon->send(kind, rgb(*energy), direction);
 }
 
 float sum(const miColor& c) { return c.r + c.g + c.b; }
@@ -49,12 +47,6 @@ miRay_type choose(miState* state, const Scatter (&kinds)[N]) {
   return miPHOTON_ABSORB;
 }
 
-/// No diffuse or glossy scattering while caustics are made.
-bool caustics_alone(const miState* state) {
-  const PhotonWork* work = context(state).photon;
-  return work && work->caustic;
-}
-
 }  // namespace
 }  // namespace oriel::sdk
 
@@ -64,9 +56,9 @@ using namespace oriel::sdk;
 extern "C" {
 
 miBoolean mi_photon_light(miColor* energy, miState* state) {
-  const PhotonWork* work = context(state).photon;
-  if (!work || !work->emission) return miFALSE;
-  work->emission->send(rgb(*energy), vec(state->org), normalize(vec(state->dir)));
+  PhotonEmission* emission = context(state).emission;
+  if (!emission) return miFALSE;
+  emission->send(rgb(*energy), vec(state->org), normalize(vec(state->dir)));
   return miTRUE;
 }
 
@@ -96,20 +88,15 @@ miBoolean mi_photon_volume_scattering(miColor*, miState*, const miVector*) { ret
 miBoolean mi_store_volume_photon(miColor*, miState*) { return miFALSE; }
 
 miBoolean mi_store_photon(miColor* energy, miState* state) {
-  const PhotonWork* work = context(state).photon;
-  if (!work || !work->next) return miFALSE;
-  work->next->store(rgb(*energy));
+  PhotonNext* photon = context(state).photon;
+  if (!photon) return miFALSE;
+  photon->store(rgb(*energy));
   return miTRUE;
 }
 
 miRay_type mi_choose_scatter_type(miState* state, miScalar transp, miColor* diffuse,
                                   miColor* glossy, miColor* specular) {
   const float through = std::clamp(transp, 0.0f, 1.0f), back = 1 - through;
-  if (caustics_alone(state)) {
-    const Scatter kinds[] = {{miPHOTON_REFLECT_SPECULAR, specular, back},
-                             {miPHOTON_TRANSMIT_SPECULAR, specular, through}};
-    return choose(state, kinds);
-  }
   const Scatter kinds[] = {
       {miPHOTON_REFLECT_DIFFUSE, diffuse, back},   {miPHOTON_REFLECT_GLOSSY, glossy, back},
       {miPHOTON_REFLECT_SPECULAR, specular, back}, {miPHOTON_TRANSMIT_DIFFUSE, diffuse, through},
@@ -119,11 +106,6 @@ miRay_type mi_choose_scatter_type(miState* state, miScalar transp, miColor* diff
 
 miRay_type mi_choose_simple_scatter_type(miState* state, miColor* rdiff, miColor* rspec,
                                          miColor* tdiff, miColor* tspec) {
-  if (caustics_alone(state)) {
-    const Scatter kinds[] = {{miPHOTON_REFLECT_SPECULAR, rspec, 1},
-                             {miPHOTON_TRANSMIT_SPECULAR, tspec, 1}};
-    return choose(state, kinds);
-  }
   const Scatter kinds[] = {{miPHOTON_REFLECT_DIFFUSE, rdiff, 1},
                            {miPHOTON_REFLECT_SPECULAR, rspec, 1},
                            {miPHOTON_TRANSMIT_DIFFUSE, tdiff, 1},

@@ -10,18 +10,10 @@
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
+#include "sdk/query_elements.h"
 
 namespace oriel::sdk {
 namespace {
-
-template <class T>
-bool tell(void* result, const T& value) {
-  struct Whole {
-    T value;
-  };
-  std::memcpy(result, &value, sizeof(Whole));
-  return true;
-}
 
 /// The pointers that threads keep for a call.
 struct ThreadPointers {
@@ -157,6 +149,8 @@ bool ask_instance(miQ_type query, Host& host, miTag tag, void* result) {
       return tell(result, static_cast<miUint>(instance->finalgather));
     case miQ_INST_LABEL:
       return tell(result, instance->label);
+    case miQ_INST_DATA:
+      return tell(result, instance->userdata);
     case miQ_INST_AREA: {
       const int light = host.light(tag);
       return light >= 0 && tell(result, host.world()->lights[static_cast<std::size_t>(light)].area);
@@ -191,6 +185,8 @@ bool ask_light(miQ_type query, Host& host, miTag tag, void* result) {
       return tell(result, light->shader);
     case miQ_LIGHT_EMITTER:
       return tell(result, light->emitter);
+    case miQ_LIGHT_DATA:
+      return tell(result, light->userdata);
     case miQ_LIGHT_ENERGY:
       return tell(result, light->energy);
     case miQ_LIGHT_AREA_D_RADIUS:
@@ -395,6 +391,14 @@ extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, 
     answer = ask_transform(query, state, result);
   else if (within(miQ_IMAGE_WIDTH, miQ_IMAGE_GAMMA))
     answer = ask_image(query, *host, tag, result);
+  else if (within(miQ_GROUP_NKIDS, miQ_GROUP_KID))
+    answer = ask_group(query, *host, tag, result, extra);
+  else if (within(miQ_OBJ_TYPE, miQ_OBJ_DATA))
+    answer = ask_object(query, *host, tag, result);
+  else if (within(miQ_DATA_DECL, miQ_DATA_LABEL))
+    answer = ask_data(query, *host, tag, result);
+  else if (query == miQ_PRI_BBOX_MIN || query == miQ_PRI_BBOX_MAX || query == miQ_GEO_DATA)
+    answer = ask_primitive(query, *host, state, result);
   else if (query >= miQ_FINALGATHER_STATE)
     answer = ask_rendering(query, *host, state, result);
   else

@@ -7,6 +7,8 @@
 #include "sdk/current.h"
 #include "sdk/frame_buffers.h"
 #include "sdk/host.h"
+#include "sdk/query_elements.h"
+#include "sdk/user_data.h"
 
 namespace oriel::sdk {
 namespace {
@@ -258,8 +260,11 @@ Host::Record Host::make(miTag tag) {
       return record(out);
     }
     case TagKind::Light:
-      if (const int i = light(tag); i >= 0)
-        return record(light_of(world_->lights[static_cast<std::size_t>(i)], *this));
+      if (const int i = light(tag); i >= 0) {
+        miLight out = light_of(world_->lights[static_cast<std::size_t>(i)], *this);
+        out.userdata = data_of(*this, tag);
+        return record(out);
+      }
       break;
     case TagKind::LightInstance:
       if (const int i = light(tag); i >= 0) {
@@ -267,18 +272,30 @@ Host::Record Host::make(miTag tag) {
         miInstance out = {};
         place(out, l.to_local, l.to_world);
         out.item = make_tag(TagKind::Light, static_cast<std::size_t>(i));
+        out.userdata = data_of(*this, tag);
         return record(out);
       }
       break;
     case TagKind::Instance:
-      if (const InstanceData* i = instance(tag))
-        return record(instance_of(*i, make_tag(TagKind::Object, index_of(tag)), *this));
+      if (const InstanceData* i = instance(tag)) {
+        miInstance out = instance_of(*i, make_tag(TagKind::Object, index_of(tag)), *this);
+        out.userdata = data_of(*this, tag);
+        out.label = label_of(*this, tag);
+        return record(out);
+      }
       break;
     case TagKind::Material:
       if (const Material* m = material(tag)) return record(material_of(*m, *this));
       break;
     case TagKind::Function:
       if (const ShaderNode* n = node(tag)) return record(foreign_function(*n));
+      break;
+    case TagKind::UserData:
+      if (const scene::UserData* data = user_data(tag)) {
+        Record r;
+        r.bytes = user_data_record(*data, *this, r.size);
+        return r;
+      }
       break;
     case TagKind::Text: {
       const std::string_view s = text(tag);
@@ -336,7 +353,8 @@ miScene_types Host::type_of(miTag tag) const {
       return miSCENE_INSTANCE;
     case TagKind::Light:
       return miSCENE_LIGHT;
-    case TagKind::LightGroup:
+    case TagKind::UserData:
+      return miSCENE_USERDATA;
     case TagKind::Root:
       return miSCENE_GROUP;
     case TagKind::Material:

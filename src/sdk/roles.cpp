@@ -10,20 +10,12 @@
 #include "sdk/call.h"
 #include "sdk/geometry_work.h"
 #include "sdk/host.h"
-#include "sdk/lens.h"
 #include "sdk/output_work.h"
-#include "sdk/photon_work.h"
 #include "sdk/shader_state.h"
 #include "sdk/tags.h"
 
 namespace oriel::sdk {
 namespace {
-
-/// Room for a result in C layout.
-struct alignas(16) CResult {
-  std::byte bytes[kMostParamBytes] = {};
-  miColor& color() { return *reinterpret_cast<miColor*>(bytes); }
-};
 
 UserInstance& instance_of(const Call& call) {
   return *static_cast<UserInstance*>(const_cast<ShaderState*>(call.state));
@@ -45,10 +37,9 @@ miShader_type texture_type(const ShadingPoint& point) {
 void value(const Call& call, void* result) {
   UserInstance& shader = instance_of(call);
   StateFrame frame(*shader.spec->host, call.point);
-  CResult c;
+  Result c(*shader.spec);
   run(shader, frame.state, c.bytes, texture_type(call.point));
-  for (const CMember& m : shader.spec->result_members)
-    from_c(m.type, c.bytes + m.c_offset, static_cast<std::byte*>(result) + m.offset);
+  result_from_c(*shader.spec, c.bytes, result);
   call.point.normal = vec(frame.state.normal);
   // Displacement may move the point as well; along the normal is what surfaces are moved.
   if (call.point.ray_kind == RayKind::Displace && shader.spec->result == ParamType::Scalar)
@@ -61,7 +52,7 @@ void material(const Call& call, Closure& closure) {
   if (!call.point.tracer) return;
   UserInstance& shader = instance_of(call);
   StateFrame frame(*shader.spec->host, call.point);
-  CResult c;
+  Result c(*shader.spec);
   c.color() = as_c(closure.emission, closure.alpha);
   const bool answer = run(shader, frame.state, c.bytes, miSHADER_MATERIAL);
   closure.emission = answer ? rgb(c.color()) : Rgb(0);
@@ -80,7 +71,7 @@ Rgb shadow(const Call& call, const Rgb& light) {
   if (point.light >= 0)
     state.org = as_c(frame.context.world->lights[static_cast<std::size_t>(point.light)].position);
   state.dist = length(point.position - vec(state.org));
-  CResult c;
+  Result c(*shader.spec);
   c.color() = as_c(light, 1);
   return run(shader, state, c.bytes, miSHADER_SHADOW) ? rgb(c.color()) : Rgb(0);
 }
@@ -92,7 +83,7 @@ Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
               mia_material_api_lightdata* data) {
   if (data) leave_value(miA_MATERIAL_API_LIGHTDATA, data, sizeof *data, miSS_LIFETIME_SUBRAYS);
   frame.context.shadow_is_black = black;
-  CResult c;
+  Result c(*shader.spec);
   const bool answer = run(shader, frame.state, c.bytes, miSHADER_LIGHT);
   if (data) {
     int size = 0;
@@ -143,7 +134,7 @@ AirValue volume(const Call& call) {
   UserInstance& shader = instance_of(call);
   const auto pass = [&](float behind) {
     StateFrame frame(*shader.spec->host, call.point);
-    CResult c;
+    Result c(*shader.spec);
     c.color() = {behind, behind, behind, 1};
     run(shader, frame.state, c.bytes, miSHADER_VOLUME);
     return rgb(c.color());
@@ -155,9 +146,8 @@ AirValue volume(const Call& call) {
 Rgba lens(const Call& call, LensNext& next) {
   UserInstance& shader = instance_of(call);
   StateFrame frame(*shader.spec->host, call.point, nullptr);
-  LensWork work{&next};
-  frame.context.lens = &work;
-  CResult c;
+  frame.context.lens = &next;
+  Result c(*shader.spec);
   if (!run(shader, frame.state, c.bytes, miSHADER_LENS)) return Rgba(0, 0, 0, 0);
   const miColor& color = c.color();
   return Rgba(color.r, color.g, color.b, color.a);
@@ -166,9 +156,8 @@ Rgba lens(const Call& call, LensNext& next) {
 void photon(const Call& call, const Rgb& energy, PhotonNext& next) {
   UserInstance& shader = instance_of(call);
   StateFrame frame(*shader.spec->host, call.point);
-  PhotonWork work{&next, nullptr, false};
-  frame.context.photon = &work;
-  CResult c;
+  frame.context.photon = &next;
+  Result c(*shader.spec);
   c.color() = as_c(energy, 1);
   run(shader, frame.state, c.bytes, miSHADER_PHOTON);
 }
@@ -176,17 +165,38 @@ void photon(const Call& call, const Rgb& energy, PhotonNext& next) {
 void emit(const Call& call, const Light& light, PhotonEmission& emission) {
   UserInstance& shader = instance_of(call);
   StateFrame frame(*shader.spec->host, call.point, nullptr);
-  PhotonWork work{nullptr, &emission, false};
-  frame.context.photon = &work;
+  frame.context.emission = &emission;
   frame.state.type = static_cast<miRay_type>(call.point.ray_kind);
   frame.state.org = as_c(light.position);
   frame.state.dir = as_c(light.direction);
   frame.state.light_instance =
       make_tag(TagKind::LightInstance,
                static_cast<std::size_t>(&light - frame.context.world->lights.data()));
-  CResult c;
+  Result c(*shader.spec);
   c.color() = as_c(emission.energy(), 1);
   run(shader, frame.state, c.bytes, miSHADER_PHOTON_EMITTER);
+}
+
+void around_sample(const Call& call, EyeSample& sample) {
+  using Moment = EyeSample::Moment;
+  constexpr std::pair<Moment, miShader_state_op> kOps[] = {
+      {Moment::StateInit, miSHADERSTATE_STATE_INIT},
+      {Moment::SampleInit, miSHADERSTATE_SAMPLE_INIT},
+      {Moment::SampleExit, miSHADERSTATE_SAMPLE_EXIT},
+      {Moment::StateExit, miSHADERSTATE_STATE_EXIT}};
+  UserInstance& shader = instance_of(call);
+  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  frame.context.sample = &sample;
+  Result c(*shader.spec);
+  c.color() = as_c(sample.colour);
+  miShader_state_arg argument = {};
+  for (const auto& [moment, op] : kOps)
+    if (moment == sample.moment) argument.op = op;
+  argument.shader_return = sample.answer ? miTRUE : miFALSE;
+  run(shader, frame.state, c.bytes, miSHADER_STATE, &argument);
+  if (sample.moment != Moment::SampleExit) return;
+  const miColor& color = c.color();
+  sample.colour = Rgba(color.r, color.g, color.b, color.a);
 }
 
 void output(const Call& call, OutputPicture& picture) {
@@ -194,14 +204,10 @@ void output(const Call& call, OutputPicture& picture) {
   StateFrame frame(*shader.spec->host, call.point, nullptr);
   OutputWork work{&picture};
   frame.context.output = &work;
-  CResult c;
+  Result c(*shader.spec);
   run(shader, frame.state, c.bytes, miSHADER_OUTPUT);
   // What the shader forgot to close counts as well.
-  while (!work.open.empty()) {
-    const int number = work.open.begin()->first;
-    work.close(number);
-    work.open.erase(number);
-  }
+  while (!work.open.empty()) work.close(work.open.begin()->first);
 }
 
 std::string geometry(const Call& call, scene::Scene& scene) {
@@ -211,7 +217,7 @@ std::string geometry(const Call& call, scene::Scene& scene) {
   work.scene = &scene;
   work.prefix = std::string(shader.spec->name) + ":";
   GeometryWork* const outer = std::exchange(GeometryWork::current(), &work);
-  CResult c;
+  Result c(*shader.spec);
   std::string made;
   if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) made = finish(work);
   GeometryWork::current() = outer;
@@ -224,15 +230,6 @@ bool never(const ShaderNode&) { return false; }
 int no_lobes(const ShaderNode&) { return 0; }
 
 }  // namespace
-
-bool trace_next_lens(LensWork& work, miState& state, miColor& result) {
-  LensNext::Seen seen = work.next->trace(vec(state.org), normalize(vec(state.dir)));
-  result = as_c(seen.colour);
-  state.dist = seen.distance;
-  state.point = as_c(vec(state.org) + normalize(vec(state.dir)) * seen.distance);
-  state.normal = as_c(seen.normal);
-  return seen.distance > 0 || seen.colour != Rgba(0, 0, 0, 0);
-}
 
 void set_roles(UserSpec& spec) {
   const auto acts_as = [&](unsigned bit) { return spec.apply == 0 || (spec.apply & bit) != 0; };
@@ -251,6 +248,7 @@ void set_roles(UserSpec& spec) {
   if (acts_as(kApplyLens)) spec.lens_eye = lens;
   if (acts_as(kApplyPhoton)) spec.photon = photon;
   if (acts_as(kApplyEmitter)) spec.emit = emit;
+  if (acts_as(kApplyState)) spec.around_sample = around_sample;
   if (acts_as(kApplyOutput)) spec.output = output;
   spec.geometry = geometry;
 }

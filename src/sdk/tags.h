@@ -17,7 +17,7 @@ enum class TagKind : std::uint8_t {
   Text,           ///< Host's list of strings
   LightInstance,  ///< World::lights
   Light,          ///< the same, the element that is placed
-  LightGroup,     ///< Host's list
+  UserData,       ///< Host's list
   Material,       ///< World::materials
   Instance,       ///< World::instances
   Object,         ///< the same, what is placed

@@ -2,7 +2,6 @@
 // Textures by tag: images, shaders that stand for them, and shaders.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "runtime/texture_node.h"
@@ -13,22 +12,24 @@
 namespace oriel::sdk {
 namespace {
 
-struct alignas(16) CResult {
-  std::byte bytes[kMostParamBytes] = {};
-};
-
 ParamType first_result(const ShaderSpec& spec) {
   return spec.result == ParamType::Struct ? spec.results[0].type : spec.result;
 }
 
-/// Runs a shader with the coordinate in state->tex; its result in C layout.
-bool run_texture(const ShaderNode& node, miState* state, const miVector& coord, void* result) {
+/// Runs a shader with the coordinate in state->tex, and converts its result.
+bool run_texture(const ShaderNode& node, miState* state, const miVector& coord, ParamType type,
+                 void* value) {
   const miVector tex = std::exchange(state->tex, coord);
   Context& c = context(state);
   const Vec3 first = std::exchange(c.point->tex[0], vec(coord));
-  const bool answer = run_node(node, *state, result, miSHADER_TEXTURE);
+  const UserInstance* user = user_instance(node);
+  Result result(user ? user->spec->c_result_size : node.spec().result_size);
+  const bool answer = run_node(node, *state, result.bytes, miSHADER_TEXTURE);
   c.point->tex[0] = first;
   state->tex = tex;
+  alignas(16) std::byte own[sizeof(Mat4)] = {};
+  from_c(first_result(node.spec()), result.bytes, own);
+  convert_value(first_result(node.spec()), own, type, value);
   return answer;
 }
 
@@ -36,14 +37,9 @@ bool run_texture(const ShaderNode& node, miState* state, const miVector& coord, 
 bool look_up(const TextureNode& texture, miState* state, const miVector& coord, miColor& color) {
   if (texture.missing()) return false;
   if (!texture.procedure().empty()) {
-    CResult result;
     bool answer = true;
-    for (const ShaderNode* node : texture.procedure()) {
-      answer = run_texture(*node, state, coord, result.bytes);
-      CResult own;
-      from_c(first_result(node->spec()), result.bytes, own.bytes);
-      convert_value(first_result(node->spec()), own.bytes, ParamType::Color, &color);
-    }
+    for (const ShaderNode* node : texture.procedure())
+      answer = run_texture(*node, state, coord, ParamType::Color, &color);
     return answer;
   }
   ShadingPoint point = point_of(state);
@@ -64,13 +60,7 @@ bool value_of(miTag tag, miState* state, const miVector* coord, ParamType type, 
     return true;
   }
   const ShaderNode* node = host.node(tag);
-  if (!node) return false;
-  CResult result;
-  if (!run_texture(*node, state, *coord, result.bytes)) return false;
-  CResult own;
-  from_c(first_result(node->spec()), result.bytes, own.bytes);
-  convert_value(first_result(node->spec()), own.bytes, type, value);
-  return true;
+  return node && run_texture(*node, state, *coord, type, value);
 }
 
 }  // namespace

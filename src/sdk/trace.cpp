@@ -7,7 +7,6 @@
 #include "runtime/environment.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
-#include "sdk/lens.h"
 
 namespace oriel::sdk {
 namespace {
@@ -15,7 +14,7 @@ namespace {
 /// Whether one more reflection or refraction is within the depths of the options.
 bool within_depth(const miState& state, bool reflection) {
   const miOptions& o = *state.options;
-  if (!o.trace || state.reflection_level + state.refraction_level >= o.trace_depth) return false;
+  if (state.reflection_level + state.refraction_level >= o.trace_depth) return false;
   return reflection ? state.reflection_level < o.reflection_depth
                     : state.refraction_level < o.refraction_depth;
 }
@@ -44,7 +43,29 @@ void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& ch
   child.dot_nd = dot(met->normal, vec(child.dir));
 }
 
-/// Sends a ray; `reach`: beyond it there is the environment alone.
+/// What the environment shows of a direction; nothing: the scene has none.
+std::optional<Rgba> environment_of(const miState& state, const Vec3& direction) {
+  const Context& c = context(&state);
+  const Material* material = c.host->material(state.material);
+  const NodeList& shaders = material && !material->environment.empty()
+                                ? material->environment
+                                : c.world->environment.shaders();
+  if (shaders.empty()) return std::nullopt;
+  return environment_radiance(shaders, *c.world, vec(state.point), direction, RayKind::Environment);
+}
+
+/// mi_ray_falloff: what is met fades into the environment, linearly from `start` to `stop`.
+void fade(Tracer::Seen& seen, const miState& state, const Vec3& direction) {
+  const Context& c = context(&state);
+  if (!seen.met || c.falloff_stop <= c.falloff_start || seen.met->distance <= c.falloff_start)
+    return;
+  const auto start = static_cast<float>(c.falloff_start), stop = static_cast<float>(c.falloff_stop);
+  const float share = clamp01((seen.met->distance - start) / (stop - start));
+  const Rgba far = environment_of(state, direction).value_or(Rgba(0, 0, 0, 0));
+  seen.colour = seen.colour * (1 - share) + far * share;
+}
+
+/// Sends a ray as the state asks.
 bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
           const Tracer::Levels& levels) {
   Context& c = context(state);
@@ -58,8 +79,9 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
     ray.from_surface = false;
   }
   miState* const outer = std::exchange(StateFrame::current_parent(), state);
-  const Tracer::Seen seen = c.tracer()->trace(point, ray);
+  Tracer::Seen seen = c.tracer()->trace(point, ray);
   StateFrame::current_parent() = outer;
+  fade(seen, *state, ray.direction);
 
   miState child = *state;
   child.type = static_cast<miRay_type>(kind);
@@ -74,9 +96,16 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
   return seen.met || seen.colour != Rgba(0, 0, 0, 0);
 }
 
-Tracer::Levels deeper(const miState& state, bool reflection) {
-  return {state.reflection_level + (reflection ? 1 : 0),
-          state.refraction_level + (reflection ? 0 : 1), state.importance};
+/// A ray one reflection or refraction deeper; transparency counts as a refraction.
+miBoolean cast_deeper(miColor* result, miState* state, RayKind kind, const Vec3& direction) {
+  const bool reflection = kind == RayKind::Reflect;
+  if (!within_depth(*state, reflection)) {
+    *result = {0, 0, 0, 0};
+    return miFALSE;
+  }
+  const Tracer::Levels levels = {state->reflection_level + (reflection ? 1 : 0),
+                                 state->refraction_level + (reflection ? 0 : 1), state->importance};
+  return cast(result, state, kind, direction, levels) ? miTRUE : miFALSE;
 }
 
 }  // namespace
@@ -88,49 +117,24 @@ using namespace oriel::sdk;
 extern "C" {
 
 miBoolean mi_trace_environment(miColor* result, miState* state, const miVector* direction) {
-  Context& c = context(state);
-  *result = {0, 0, 0, 0};
-  const Material* material = c.host->material(state->material);
-  const NodeList& shaders = material && !material->environment.empty()
-                                ? material->environment
-                                : c.world->environment.shaders();
-  if (shaders.empty()) return miFALSE;
-  *result = as_c(environment_radiance(shaders, *c.world, vec(state->point),
-                                      normalize(vec(*direction)), RayKind::Environment));
-  return miTRUE;
+  const std::optional<Rgba> seen = environment_of(*state, normalize(vec(*direction)));
+  *result = seen ? as_c(*seen) : miColor{0, 0, 0, 0};
+  return seen ? miTRUE : miFALSE;
 }
 
 miBoolean mi_trace_reflection(miColor* result, miState* state, const miVector* direction) {
-  if (!within_depth(*state, true)) {
-    *result = {0, 0, 0, 0};
-    return miFALSE;
-  }
-  return cast(result, state, RayKind::Reflect, vec(*direction), deeper(*state, true)) ? miTRUE
-                                                                                      : miFALSE;
+  if (state->options->trace) return cast_deeper(result, state, RayKind::Reflect, vec(*direction));
+  *result = {0, 0, 0, 0};
+  return miFALSE;
 }
 
 miBoolean mi_trace_transparent(miColor* result, miState* state) {
-  miOptions ignoring_trace = *state->options;
-  ignoring_trace.trace = miTRUE;
-  miState straight = *state;
-  straight.options = &ignoring_trace;
-  if (!within_depth(straight, false)) {
-    *result = {0, 0, 0, 0};
-    return miFALSE;
-  }
-  return cast(result, state, RayKind::Transparent, vec(state->dir), deeper(*state, false))
-             ? miTRUE
-             : miFALSE;
+  return cast_deeper(result, state, RayKind::Transparent, vec(state->dir));
 }
 
 miBoolean mi_trace_refraction(miColor* result, miState* state, const miVector* direction) {
   if (!state->options->trace) return mi_trace_transparent(result, state);
-  if (!within_depth(*state, false)) {
-    *result = {0, 0, 0, 0};
-    return miFALSE;
-  }
-  return cast(result, state, RayKind::Refract, vec(*direction), deeper(*state, false)) ? miTRUE
-                                                                                       : miFALSE;
+  return cast_deeper(result, state, RayKind::Refract, vec(*direction));
 }
 
 miBoolean mi_trace_continue(miColor* result, miState* state) {
@@ -147,7 +151,13 @@ miBoolean mi_trace_eye(miColor* result, miState* state, const miVector* origin,
   state->dir = *direction;
   *result = {0, 0, 0, 0};
   if (!c.lens) return miFALSE;
-  return trace_next_lens(*c.lens, *state, *result) ? miTRUE : miFALSE;
+  const Vec3 along = normalize(vec(*direction));
+  const LensNext::Seen seen = c.lens->trace(vec(*origin), along);
+  *result = as_c(seen.colour);
+  state->dist = seen.distance;
+  state->point = as_c(vec(*origin) + along * seen.distance);
+  state->normal = as_c(seen.normal);
+  return seen.distance > 0 || seen.colour != Rgba(0, 0, 0, 0) ? miTRUE : miFALSE;
 }
 
 miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVector* origin) {

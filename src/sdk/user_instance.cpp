@@ -2,6 +2,7 @@
 // The C parameter block of a call, and the life cycle of its shader.
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 #include "sdk/call.h"
 #include "sdk/host.h"
@@ -57,9 +58,16 @@ void store_value(Host& host, ParamType type, const void* own, std::byte* c) {
 
 /// Bytes of the elements behind the struct, each array's from a multiple of its element's size.
 std::size_t end_of_array(const CMember& m, int count, std::size_t end) {
-  const std::size_t size = c_size(m.element), first = m.c_offset + 8;
-  const std::size_t steps = (std::max(end, first) - first + size - 1) / size;
-  return first + (steps + static_cast<std::size_t>(count)) * size;
+  if (m.c_stride == 0) return end;
+  const std::size_t first = m.c_offset + 8;
+  const std::size_t steps = (std::max(end, first) - first + m.c_stride - 1) / m.c_stride;
+  return first + (steps + static_cast<std::size_t>(count)) * m.c_stride;
+}
+
+ArrayView<std::byte> array_at(const std::byte* own) {
+  ArrayView<std::byte> view;
+  std::memcpy(&view, own, sizeof view);
+  return view;
 }
 
 }  // namespace
@@ -74,9 +82,8 @@ void UserInstance::make_ready(const ShaderNode& of) {
   std::size_t size = spec->c_params_size;
   for (const CMember& m : spec->members)
     if (m.type == ParamType::Array) {
-      ArrayView<std::byte> view;
-      std::memcpy(&view, own + m.offset, sizeof view);
-      if (view.size > 0) size = end_of_array(m, view.size, size);
+      const int count = array_at(own + m.offset).size;
+      if (count > 0) size = end_of_array(m, count, size);
     }
   size = (size + 15) / 16 * 16;
   constexpr std::size_t kHead = (offsetof(miFunction, parameters) + 15) / 16 * 16;
@@ -93,34 +100,40 @@ void UserInstance::make_ready(const ShaderNode& of) {
   function->parameter_size = static_cast<int>(spec->c_params_size);
   function->result_size = static_cast<int>(spec->c_result_size);
 
+  // Where each value of the renderer's went, for what is connected.
+  std::map<std::size_t, std::pair<std::size_t, ParamType>> places;
+  const auto put = [&](const CMember& m, std::size_t from, std::size_t to) {
+    store_value(host, m.type, own + from, values + to);
+    places[from] = {to, m.type};
+  };
   std::size_t end = spec->c_params_size;
   for (const CMember& m : spec->members) {
     if (m.type != ParamType::Array) {
-      store_value(host, m.type, own + m.offset, values + m.c_offset);
+      put(m, m.offset, m.c_offset);
       continue;
     }
-    ArrayView<std::byte> view;
-    std::memcpy(&view, own + m.offset, sizeof view);
-    const std::size_t element = c_size(m.element), first = m.c_offset + 8;
+    const ArrayView<std::byte> view = array_at(own + m.offset);
     int head[2] = {0, view.size};
-    if (view.size > 0) {
-      const std::size_t behind = end_of_array(m, view.size, end);
-      const std::size_t begin = behind - static_cast<std::size_t>(view.size) * element;
-      head[0] = static_cast<int>((begin - first) / element);
-      for (int i = 0; i < view.size; ++i)
-        store_value(host, m.element, view.data + static_cast<std::size_t>(i) * size_of(m.element),
-                    values + begin + static_cast<std::size_t>(i) * element);
-      end = behind;
+    if (view.size > 0 && m.c_stride > 0) {
+      const auto count = static_cast<std::size_t>(view.size);
+      end = end_of_array(m, view.size, end);
+      const std::size_t begin = end - count * m.c_stride;
+      head[0] = static_cast<int>((begin - m.c_offset - 8) / m.c_stride);
+      const auto elements = static_cast<std::size_t>(view.data - own);
+      for (std::size_t i = 0; i < count; ++i)
+        for (const CMember& e : m.members)
+          put(e, elements + i * m.stride + e.offset, begin + i * m.c_stride + e.c_offset);
     }
     std::memcpy(values + m.c_offset, head, sizeof head);
   }
-  for (const Connection& c : of.connections())
-    for (const CMember& m : spec->members)
-      if (m.offset == c.offset) {
-        connections.push_back({m.c_offset, m.type, &c});
-        const miTag tag = host.tag_of(c.source);
-        std::memcpy(values + size + m.c_offset, &tag, sizeof tag);
-      }
+  for (const Connection& c : of.connections()) {
+    const auto place = places.find(c.offset);
+    if (place == places.end()) continue;
+    const auto [offset, type] = place->second;
+    connections.push_back({offset, type, &c});
+    const miTag tag = host.tag_of(c.source);
+    std::memcpy(values + size + offset, &tag, sizeof tag);
+  }
   function->ghost_offs = connections.empty() ? 0 : static_cast<int>(size);
 
   initialise(host);

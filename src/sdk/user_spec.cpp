@@ -14,11 +14,11 @@ namespace {
 constexpr struct {
   const char* word;
   unsigned bits;
-} kApplyWords[] = {{"material", kApplyMaterial}, {"texture", kApplyTexture},
-                   {"light", kApplyLight},       {"environment", kApplyEnvironment},
-                   {"lens", kApplyLens},         {"output", kApplyOutput},
-                   {"shadow", kApplyShadow},     {"photon", kApplyPhoton},
-                   {"volume", kApplyVolume},     {"emitter", kApplyEmitter}};
+} kApplyWords[] = {
+    {"material", kApplyMaterial},       {"texture", kApplyTexture}, {"light", kApplyLight},
+    {"environment", kApplyEnvironment}, {"lens", kApplyLens},       {"output", kApplyOutput},
+    {"shadow", kApplyShadow},           {"photon", kApplyPhoton},   {"volume", kApplyVolume},
+    {"emitter", kApplyEmitter},         {"state", kApplyState}};
 
 unsigned apply_of(const scene::ShaderDeclaration& declaration) {
   unsigned bits = 0;
@@ -42,14 +42,24 @@ std::size_t aligned(std::size_t offset, std::size_t alignment) {
   return (offset + alignment - 1) / alignment * alignment;
 }
 
+void set_default(ParamSpec& row, const scene::Value& value, std::deque<std::string>& texts) {
+  if (value.kind == scene::Value::Kind::Text) {
+    texts.push_back(value.text);
+    row.text = texts.back().c_str();
+  }
+  if (value.kind == scene::Value::Kind::Boolean) row.fallback[0] = value.boolean ? 1 : 0;
+  for (std::size_t i = 0; i < value.numbers.size() && i < row.fallback.size(); ++i)
+    row.fallback[i] = static_cast<float>(value.numbers[i]);
+}
+
 /// Lays members out one after the other, in C and in the renderer's own way; structs within
 /// structs become members of their own, "outer.inner".
 struct Layout {
-  std::deque<std::string>& texts;
+  UserSpec& spec;
   std::vector<ParamSpec>& rows;
   std::vector<CMember>& members;
   Diagnostics& diagnostics;
-  const std::string& shader;
+  bool in_array = false;
   std::size_t c_offset = 0, offset = 0;
 
   void add(const scene::ParamDecl& param, const std::string& prefix) {
@@ -58,42 +68,76 @@ struct Layout {
       for (const scene::ParamDecl& member : param.members) add(member, name + ".");
       return;
     }
-    ParamType element = param.type;
-    std::size_t c_bytes = c_size(param.type);
-    if (param.type == ParamType::Array) {
-      element = param.members.empty() ? ParamType::Scalar : param.members[0].type;
-      c_bytes = 8 + c_size(element);
-      if (element == ParamType::Struct || element == ParamType::Array) {
-        std::size_t bytes = 0;
-        for (const scene::ParamDecl& member : param.members[0].members)
-          bytes += c_size(member.type);
-        diagnostics.warning("OR-SDK-010", param.where,
-                            fmt::format("parameter \"{}\" of \"{}\" is an array of structs, which "
-                                        "reaches the shader empty",
-                                        name, shader));
-        c_offset += 8 + bytes;
-        return;
-      }
+    const bool array = param.type == ParamType::Array;
+    if (array && in_array) {
+      diagnostics.warning("OR-SDK-010", param.where,
+                          fmt::format("\"{}\" of \"{}\" is an array within elements of an array, "
+                                      "which reaches the shader empty",
+                                      name, spec.own_name));
+      c_offset += 8 + c_size_of_element(param);
+      return;
     }
-    texts.push_back(name);
+    spec.texts.push_back(name);
     offset = aligned(offset, alignof(void*));
-    ParamSpec row{.name = texts.back().c_str(),
+    ParamSpec row{.name = spec.texts.back().c_str(),
                   .type = param.type,
-                  .element = element,
+                  .element = param.type,
                   .offset = offset,
                   .declared_default = param.default_value.has_value()};
-    if (param.default_value) {
-      const scene::Value& value = *param.default_value;
-      if (value.kind == scene::Value::Kind::Boolean) row.fallback[0] = value.boolean ? 1 : 0;
-      for (std::size_t i = 0; i < value.numbers.size() && i < row.fallback.size(); ++i)
-        row.fallback[i] = static_cast<float>(value.numbers[i]);
-    }
+    CMember member{param.type, c_offset, offset};
+    if (param.default_value) set_default(row, *param.default_value, spec.texts);
+    if (array) add_elements(param, row, member);
     rows.push_back(row);
-    members.push_back({param.type, element, c_offset, offset});
-    c_offset += c_bytes;
+    members.push_back(std::move(member));
+    c_offset += array ? 8 + members.back().c_stride : c_size(param.type);
     offset += size_of(param.type);
   }
+
+  void add_elements(const scene::ParamDecl& array, ParamSpec& row, CMember& member) {
+    scene::ParamDecl element;
+    if (!array.members.empty()) element = array.members[0];
+    element.name.clear();
+    row.element = element.type;
+    std::vector<ParamSpec>& element_rows = spec.element_rows.emplace_back();
+    Layout inner{spec, element_rows, member.members, diagnostics, true};
+    if (element.type == ParamType::Struct)
+      for (const scene::ParamDecl& m : element.members) inner.add(m, "");
+    else
+      inner.add(element, "");
+    member.c_stride = inner.c_offset;
+    if (element.type == ParamType::Struct) {
+      row.members = element_rows;
+      row.stride = member.stride = aligned(inner.offset, alignof(void*));
+    } else {
+      member.stride = size_of(element.type);
+    }
+  }
+
+  static std::size_t c_size_of_element(const scene::ParamDecl& array) {
+    std::size_t bytes = 0;
+    if (!array.members.empty() && array.members[0].type == ParamType::Struct)
+      for (const scene::ParamDecl& m : array.members[0].members) bytes += c_size(m.type);
+    else if (!array.members.empty())
+      bytes = c_size(array.members[0].type);
+    return bytes;
+  }
 };
+
+/// Parameters as a declaration writes them.
+std::string parameter_text(const std::vector<scene::ParamDecl>& parameters) {
+  std::string text;
+  for (const scene::ParamDecl& p : parameters) {
+    if (!text.empty()) text += ", ";
+    text += scene::type_name(p.type);
+    if (p.type == ParamType::Array) {
+      text += ' ' + parameter_text(p.members);
+      continue;
+    }
+    text += fmt::format(" \"{}\"", p.name);
+    if (p.type == ParamType::Struct) text += " { " + parameter_text(p.members) + " }";
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -167,13 +211,14 @@ UserSpec::UserSpec(const scene::ShaderDeclaration& declaration, Host& owner,
   version = version_of(declaration);
   apply = apply_of(declaration);
 
-  Layout in{texts, rows, members, diagnostics, own_name};
+  Layout in{*this, rows, members, diagnostics};
   for (const scene::ParamDecl& param : declaration.parameters) in.add(param, "");
   params = rows;
   params_size = aligned(in.offset, alignof(std::max_align_t));
   c_params_size = in.c_offset;
+  parameter_text = sdk::parameter_text(declaration.parameters);
 
-  Layout out{texts, result_rows, result_members, diagnostics, own_name};
+  Layout out{*this, result_rows, result_members, diagnostics};
   for (const scene::ParamDecl& param : declaration.results) out.add(param, "");
   if (result_rows.empty()) {
     // No declared result means a colour.

@@ -17,12 +17,14 @@
 namespace oriel::sdk {
 
 class Host;
-class Library;
 
 /// A member of a C struct and where its value stands in the renderer's own layout.
 struct CMember {
-  ParamType type = ParamType::Scalar, element = ParamType::Scalar;
+  ParamType type = ParamType::Scalar;
   std::size_t c_offset = 0, offset = 0;  ///< bytes
+  // Arrays: what an element has, from its begin, and its size.
+  std::vector<CMember> members = {};
+  std::size_t c_stride = 0, stride = 0;
 };
 
 /// Bytes of a value in C structs: 4-byte units, tags for names.
@@ -37,12 +39,13 @@ struct UserSpec : ShaderSpec {
   std::string own_name;
   std::deque<std::string> texts;  ///< names of rows
   std::vector<ParamSpec> rows, result_rows;
+  std::deque<std::vector<ParamSpec>> element_rows;  ///< of arrays of structs
   std::vector<CMember> members, result_members;
   std::size_t c_params_size = 0, c_result_size = 0;
   std::size_t index = 0;       ///< among the Host's
   std::string parameter_text;  ///< `.mi` form of the parameters, for miQ_DECL_PARAM
 
-  const Library* library_of = nullptr;
+  bool is_data = false;  ///< layout of user data, no shader
   void* function = nullptr;
   void* init = nullptr;
   void* exit = nullptr;

@@ -20,7 +20,7 @@ constexpr float kSamePlace = 1e-4f;
 constexpr float kLeastCosine = 1e-5f;
 
 /// Whether lobes answer for light from behind the surface.
-bool is_lit_through(const Closure& closure) {
+bool is_translucent(const Closure& closure) {
   return closure.any([](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency; });
 }
 
@@ -49,7 +49,7 @@ void Path::take_glow(const Closure& closure, const LobeChoice& choice, const Sha
   if (!on_diffuse && !in_reflections) return;
   from_.glow_on_diffuse = on_diffuse;
   from_.glow_in_reflections = in_reflections;
-  from_.lit = {point.position, is_lit_through(closure) ? Vec3(0) : point.geometric_normal};
+  from_.lit = {point.position, is_translucent(closure) ? Vec3(0) : point.geometric_normal};
 
   sampling::Sampler stream = sampler_.split(0, 1, kBranch);
   const Vec2 u_choice = stream.next_2d(), u_place = stream.next_2d();

@@ -46,6 +46,11 @@ static void reach(miState* state) {
   COVER(mi_ray_falloff, mi_trace_reflection(&c, state, &wall) && SKY(c));
   mi_ray_falloff(state, &start, &stop);
   COVER(mi_ray_falloff, start == 1 && stop == 10);
+  start = 0; /* the wall half-way through the fade */
+  stop = mi_trace_reflection(&c, state, &wall) ? 2 * state->child->dist : 0;
+  mi_ray_falloff(state, &start, &stop);
+  COVER(mi_ray_falloff, mi_trace_reflection(&c, state, &wall) && SHOWS(c, .625, .25, .375));
+  mi_ray_falloff(state, &start, &stop);
   mi_ray_offset(state, &offset);
   COVER(mi_ray_offset, offset == 0);
   offset = 100; /* behind the wall */

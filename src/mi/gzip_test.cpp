@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mi/gzip.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "mi/reader.h"
+
+namespace oriel::mi {
+namespace {
+
+/// A file of its own that goes with the test.
+class GzipFile {
+ public:
+  explicit GzipFile(const std::string& text) {
+    path_ = (std::filesystem::temp_directory_path() /
+             ("oriel_gzip_" + std::to_string(getpid()) + ".mi.gz"))
+                .string();
+    gzFile file = gzopen(path_.c_str(), "wb9");
+    gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+    gzclose(file);
+  }
+  ~GzipFile() { std::filesystem::remove(path_); }
+  const std::string& path() const { return path_; }
+  void cut(std::uintmax_t bytes) const {
+    std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - bytes);
+  }
+
+ private:
+  std::string path_;
+};
+
+const std::string kScene = "options \"o\" samples 0 2 end options\nset \"x\" \"y\"\n";
+
+// acceptance: H1
+TEST(Gzip, ACompressedSceneIsReadAsThePlainOne) {
+  const GzipFile file(kScene);
+  Diagnostics diagnostics;
+  const scene::Scene packed = read_scene(file.path(), {}, diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_TRUE(packed == read_text(kScene, {}, diagnostics));
+}
+
+TEST(Gzip, ACutOffFileIsToldOf) {
+  const GzipFile file(kScene);
+  file.cut(9);
+  std::string reason;
+  EXPECT_FALSE(read_gzip(file.path(), 1 << 20, reason));
+  EXPECT_NE(reason.find("damaged"), std::string::npos) << reason;
+}
+
+TEST(Gzip, TextBeyondTheLimitIsRefusedHoweverSmallItsFile) {
+  const GzipFile file(std::string(20 << 20, ' '));
+  EXPECT_LT(std::filesystem::file_size(file.path()), 50'000u);
+  std::string reason;
+  EXPECT_FALSE(read_gzip(file.path(), 1 << 20, reason));
+  EXPECT_NE(reason.find("larger"), std::string::npos) << reason;
+}
+
+}  // namespace
+}  // namespace oriel::mi

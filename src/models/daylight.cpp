@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/daylight.h"
+
+#include <ImathBox.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/import.h"
+#include "models/import_material.h"
+#include "models/shader_call.h"
+#include "scene/hierarchy.h"
+
+namespace oriel::models {
+namespace {
+
+using Box3 = Imath::Box3f;
+
+constexpr float kFocal = 50, kAperture = 36;  // millimetres
+/// Of the way to the model that its frame leaves free around it; a guess that looks right.
+constexpr float kMargin = 1.08f;
+/// Where the camera stands, seen from the model.
+const Vec3 kFromModel(.6f, .45f, 1);
+/// Half size of the ground in radii of the model.
+constexpr float kGround = 60;
+/// W/(m2 sr) to cd/m2 over pi, as the sun and the sky take it.
+constexpr float kUnit = .318f;
+
+Box3 bounds_of(const scene::Scene& scene) {
+  Diagnostics ignored;  // rendering tells them again
+  Box3 box;
+  for (const scene::Leaf& leaf : scene::flatten(scene, kRootGroup, ignored)) {
+    if (leaf.kind != scene::LeafKind::Object) continue;
+    for (const scene::PolygonGroup& group : leaf.object()->groups)
+      for (const std::uint32_t index : group.vertices.point)
+        if (index < group.vectors.size())
+          box.extendBy(transform_point(group.vectors[index], leaf.local_to_world));
+  }
+  if (box.isEmpty()) box = Box3(Vec3(-.5f), Vec3(.5f));
+  return box;
+}
+
+/// The largest of lengths along an axis that is never 0.
+float radius_of(const Box3& box) { return std::max(length(box.size()) / 2, 1e-4f); }
+
+void put(scene::Scene& scene, scene::Instance instance) {
+  scene.get<scene::InstanceGroup>(kRootGroup)->members.push_back(instance.name);
+  scene.add(std::move(instance));
+}
+
+/// How far from its centre a camera along `z` must stand so that all corners are in the frame.
+float distance_for(const Box3& box, const Vec3& x, const Vec3& y, const Vec3& z, float aspect) {
+  const float wide = kAperture / 2 / kFocal, high = wide / aspect;
+  const Vec3 centre = box.center();
+  float distance = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                      i & 4 ? box.max.z : box.min.z);
+    const Vec3 from = corner - centre;
+    const float across = std::max(std::fabs(dot(from, x)) / wide, std::fabs(dot(from, y)) / high);
+    distance = std::max(distance, kMargin * across + dot(from, z));
+  }
+  return distance;
+}
+
+void add_ground(scene::Scene& scene, const Box3& box) {
+  const float r = kGround * radius_of(box);
+  const Vec3 c = box.center();
+  scene::Material material;
+  material.name = unique_name(scene, "ground_material");
+  ShaderCall call("mia_material_x");
+  call.set("diffuse", Vec3(.35f)).set("diffuse_weight", 1.0f).set("reflectivity", 0.0f);
+  material.shaders = {call.use()};
+  scene::Object object;
+  object.name = unique_name(scene, "ground");
+  for (const char* flag : {"visible", "shadow", "trace"})
+    object.flags.push_back({flag, false, {}, {}});
+  scene::PolygonGroup group;
+  const float y = box.min.y;
+  group.vectors = {Vec3(c.x - r, y, c.z + r), Vec3(c.x + r, y, c.z + r), Vec3(c.x + r, y, c.z - r),
+                   Vec3(c.x - r, y, c.z - r)};
+  group.vertices.point = {0, 1, 2, 3};
+  group.polygons.indices = {0, 1, 2, 3};
+  group.polygons.first = {0, 4};
+  object.groups.push_back(std::move(group));
+  scene::Instance instance;
+  instance.name = object.name + "_inst";
+  instance.element = object.name;
+  instance.materials = {material.name};
+  scene.add(std::move(material));
+  scene.add(std::move(object));
+  put(scene, std::move(instance));
+}
+
+}  // namespace
+
+void add_camera(scene::Scene& scene, const DaylightOptions& options) {
+  const Box3 box = bounds_of(scene);
+  const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
+  const Vec3 z = normalize(kFromModel), x = normalize(cross(Vec3(0, 1, 0), z)), y = cross(z, x);
+  const Vec3 p =
+      box.center() + z * std::max(distance_for(box, x, y, z, aspect), radius_of(box) * 1e-3f);
+  scene::Camera camera;
+  camera.name = unique_name(scene, "camera");
+  camera.focal = kFocal;
+  camera.aperture = kAperture;
+  camera.aspect = aspect;
+  camera.resolution = {{options.width, options.height}};
+  scene::Instance instance;
+  instance.name = unique_name(scene, camera.name + "_inst");
+  instance.element = camera.name;
+  instance.transform =
+      Mat4(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, p.x, p.y, p.z, 1).inverse();
+  scene.renders = {{kRootGroup, instance.name, kOptions, {}}};
+  scene.add(std::move(camera));
+  put(scene, std::move(instance));
+}
+
+void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
+  add_ground(scene, bounds_of(scene));
+  const float azimuth = options.sun_azimuth * kPi / 180, up = options.sun_elevation * kPi / 180;
+  const Vec3 to_sun(std::cos(up) * std::sin(azimuth), std::sin(up),
+                    -std::cos(up) * std::cos(azimuth));
+  scene::Light sun;
+  sun.name = unique_name(scene, "sun");
+  ShaderCall sunlight("mia_physicalsun");
+  sunlight.set("rgb_unit_conversion", Vec3(kUnit)).set("samples", 8).set("y_is_up", true);
+  sun.shaders = {sunlight.use()};
+  sun.direction = -to_sun;
+  scene::Instance instance;
+  instance.name = unique_name(scene, sun.name + "_inst");
+  instance.element = sun.name;
+
+  scene::ShaderElement sky;
+  sky.name = unique_name(scene, "sky");
+  ShaderCall skylight("mia_physicalsky");
+  skylight.set("rgb_unit_conversion", Vec3(kUnit)).set("ground_color", Vec3(.35f));
+  skylight.set("y_is_up", true).set("sun_direction", to_sun).set("sun", instance.name.c_str());
+  sky.functions = {skylight.use()};
+
+  scene::ShaderElement exposure;
+  exposure.name = unique_name(scene, "exposure");
+  // Sunny 16 and a stop more; the options' gamma is applied where pictures are written.
+  ShaderCall photographic("mia_exposure_photographic");
+  photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", 100.0f);
+  photographic.set("f_number", 11.0f).set("vignetting", 0.0f).set("burn_highlights", .3f);
+  photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
+  exposure.functions = {photographic.use()};
+
+  const auto* placed = scene.get<scene::Instance>(scene.renders.back().camera);
+  auto* camera = scene.get<scene::Camera>(placed->element);
+  const auto by_name = [](const std::string& name) {
+    scene::ShaderUse use;
+    use.reference = name;
+    return scene::ShaderList{use};
+  };
+  camera->lens = by_name(exposure.name);
+  camera->environment = by_name(sky.name);
+  scene.add(std::move(sun));
+  put(scene, std::move(instance));
+  scene.add(std::move(sky));
+  scene.add(std::move(exposure));
+}
+
+}  // namespace oriel::models

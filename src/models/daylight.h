@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What makes a picture of a model: a camera that shows all of it, ground, sun, sky, exposure.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace oriel::models {
+
+struct DaylightOptions {
+  float sun_azimuth = 135;   ///< degrees clockwise from behind the model, seen from above
+  float sun_elevation = 40;  ///< degrees above the horizon
+  int width = 960, height = 640;
+};
+
+/// Adds a camera with a 50 mm lens on full-frame film that looks at the model from its front, right
+/// and above, as near as all of it allows; and has the scene render it. +z is the front, y is up.
+/// An empty model is taken for a unit cube.
+/// Checked: Daylight.TheWholeModelIsInTheFrame
+void add_camera(scene::Scene& scene, const DaylightOptions& options);
+
+/// Adds grey ground under the model, a physical sun and sky, and an exposure for a sunny day to the
+/// camera that the scene renders. Pixels are cd/m2 over pi.
+void add_daylight(scene::Scene& scene, const DaylightOptions& options);
+
+}  // namespace oriel::models

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials of models as mia_material_x.
+#pragma once
+
+#include <string>
+
+#include "base/diagnostic.h"
+#include "scene/scene.h"
+
+struct aiScene;
+
+namespace oriel::models {
+
+class TextureMaker;
+
+/// Gamma of the scene's options: 8-bit textures are read as sRGB pictures, of which 2.2 is the
+/// nearest power.
+inline constexpr float kTextureGamma = 2.2f;
+
+/// Names for elements of a scene: letters, digits and underscores of the wish, with a number where
+/// it is taken already.
+std::string unique_name(const scene::Scene& scene, const std::string& wish);
+
+/// mia_material's glossiness that has the roughness of a glTF material: alpha = roughness squared.
+/// Above roughness 0.6 it is 0, the roughest there is; below 0.05 it is 1, a mirror.
+/// Checked: ModelMaterial.GlossinessHasTheRoughnessOfTheModel
+float gloss_of_roughness(float roughness);
+
+/// Adds material number `index` of a model, and what it needs, to the scene; returns its name.
+///
+/// Model:   metallic-roughness by interpolation: diffuse_weight 1 - metallic, reflections with the
+///          curve 5 from F0 (from the index of refraction, .04 without one; 1 for metals) to 1,
+///          tinted by the base colour as far as the material is metallic. Transmission becomes
+///          transparency, solid where a volume is given, else thin-walled; attenuation becomes
+///          refr_falloff. Emission becomes additional_color, coverage cutout_opacity. Materials
+///          without these properties (OBJ, Collada, FBX, IFC): diffuse and specular colour, gloss
+///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), opacity as transparency.
+/// Errors:  OR-MD-003 coat, sheen and normal maps are left out, OR-MD-004 a texture that cannot be
+///          used.
+/// Source:  glTF 2.0, appendix B, and KHR_materials_{ior,transmission,volume,emissive_strength};
+///          Walter et al. 2007 for the exponent.
+/// Checked: ModelMaterial.*
+std::string add_material(const aiScene& model, unsigned index, TextureMaker& textures,
+                         scene::Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace oriel::models

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/import_mesh.h"
+
+#include <assimp/mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace oriel::models {
+namespace {
+
+Vec3 vec(const aiVector3D& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) ? Vec3(v.x, v.y, v.z)
+                                                                        : Vec3(0);
+}
+
+/// Appends a column of vectors; returns the index of the first.
+std::uint32_t append(scene::PolygonGroup& group, const aiVector3D* values, unsigned count) {
+  const auto first = static_cast<std::uint32_t>(group.vectors.size());
+  for (unsigned i = 0; i < count; ++i) group.vectors.push_back(vec(values[i]));
+  return first;
+}
+
+std::vector<std::uint32_t> column(std::uint32_t first, unsigned count) {
+  std::vector<std::uint32_t> indices(count);
+  for (unsigned i = 0; i < count; ++i) indices[i] = first + i;
+  return indices;
+}
+
+scene::Statement flag(const char* keyword) { return {keyword, false, {}, {}}; }
+
+}  // namespace
+
+scene::Object object_of(const aiMesh& mesh, std::string name) {
+  scene::Object object;
+  object.name = std::move(name);
+  object.flags = {flag("visible"), flag("shadow"), flag("trace")};
+  scene::PolygonGroup group;
+  const unsigned count = mesh.mNumVertices;
+  group.vertices.point = column(append(group, mesh.mVertices, count), count);
+  if (mesh.HasNormals()) group.vertices.normal = column(append(group, mesh.mNormals, count), count);
+  for (unsigned i = 0; i < mesh.GetNumUVChannels(); ++i)
+    group.vertices.textures.push_back(
+        {column(append(group, mesh.mTextureCoords[i], count), count), {}, {}});
+  scene::PolygonList& polygons = group.polygons;
+  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+    const aiFace& face = mesh.mFaces[i];
+    const unsigned* const begin = face.mIndices;
+    const unsigned* const end = begin + face.mNumIndices;
+    if (face.mNumIndices < 3 ||
+        std::any_of(begin, end, [&](unsigned index) { return index >= count; }))
+      continue;
+    if (polygons.first.empty()) polygons.first.push_back(0);
+    polygons.indices.insert(polygons.indices.end(), begin, end);
+    polygons.first.push_back(static_cast<std::uint32_t>(polygons.indices.size()));
+  }
+  object.groups.push_back(std::move(group));
+  return object;
+}
+
+}  // namespace oriel::models

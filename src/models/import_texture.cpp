@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/import_texture.h"
+
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "models/import_material.h"
+#include "models/shader_call.h"
+
+namespace oriel::models {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A picture without compression, as a Targa file: 32 bits, upper row first.
+bool write_targa(const aiTexture& picture, std::ostream& file) {
+  if (picture.mWidth > 0xffff || picture.mHeight > 0xffff) return false;
+  const auto low = [](unsigned n) { return static_cast<char>(n & 0xff); };
+  const char header[18] = {0,
+                           0,
+                           2,
+                           0,
+                           0,
+                           0,
+                           0,
+                           0,
+                           0,
+                           0,
+                           0,
+                           0,
+                           low(picture.mWidth),
+                           low(picture.mWidth >> 8),
+                           low(picture.mHeight),
+                           low(picture.mHeight >> 8),
+                           32,
+                           0x28};  // rows from above, 8 bits alpha
+  file.write(header, sizeof header);
+  // aiTexel is b, g, r, a, as Targa has it.
+  file.write(reinterpret_cast<const char*>(picture.pcData),
+             static_cast<std::streamsize>(sizeof(aiTexel)) * picture.mWidth * picture.mHeight);
+  return file.good();
+}
+
+/// Letters and digits of the format that a compressed picture says it has.
+std::string suffix_of(const aiTexture& picture) {
+  std::string suffix;
+  for (const char* c = picture.achFormatHint; *c && suffix.size() < 5; ++c)
+    if (std::isalnum(static_cast<unsigned char>(*c))) suffix += *c;
+  return picture.mHeight == 0 ? (suffix.empty() ? "png" : suffix) : "tga";
+}
+
+}  // namespace
+
+std::string TextureMaker::relative(const std::string& path) const {
+  if (options_.scene_folder.empty()) return fs::absolute(path).lexically_normal().string();
+  const fs::path inside = fs::absolute(path).lexically_normal().lexically_relative(
+      fs::absolute(options_.scene_folder).lexically_normal());
+  if (inside.empty() || *inside.begin() == "..")
+    return fs::absolute(path).lexically_normal().string();
+  return inside.string();
+}
+
+std::string TextureMaker::file_of(const aiScene& model, const std::string& written) {
+  const auto [picture, index] = model.GetEmbeddedTextureAndIndex(written.c_str());
+  if (!picture) {
+    // Other systems write their own separators, and paths of their own machine.
+    std::string name = written;
+    std::replace(name.begin(), name.end(), '\\', '/');
+    for (const fs::path& candidate :
+         {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()})
+      if (std::error_code error; fs::is_regular_file(candidate, error))
+        return relative(candidate.string());
+    return {};
+  }
+  std::error_code error;
+  fs::create_directories(options_.texture_folder, error);
+  const fs::path path =
+      fs::path(options_.texture_folder) / fmt::format("texture_{}.{}", index, suffix_of(*picture));
+  std::ofstream file(path, std::ios::binary);
+  if (picture->mHeight > 0) {
+    if (!write_targa(*picture, file)) return {};
+  } else if (!file.write(reinterpret_cast<const char*>(picture->pcData), picture->mWidth)) {
+    return {};
+  }
+  return relative(path.string());
+}
+
+std::string TextureMaker::lookup(const aiScene& model, const std::string& written,
+                                 const std::string& user) {
+  const auto [known, is_new] = known_.try_emplace(written);
+  if (!is_new) return known->second;
+  const std::string file = file_of(model, written);
+  if (file.empty()) {
+    diagnostics_.warning("OR-MD-004", {},
+                         fmt::format("material \"{}\": there is no picture \"{}\"", user, written),
+                         "put it beside the model; the material is without it");
+    return {};
+  }
+  scene::Texture texture;
+  texture.type = scene::ParamType::ColorTexture;
+  texture.name = unique_name(scene_, "picture_" + fs::path(file).stem().string());
+  texture.file = file;
+  texture.directory = options_.scene_folder;
+  scene::ShaderElement shader;
+  shader.name = unique_name(scene_, texture.name + "_lookup");
+  ShaderCall call("mib_texture_lookup2");
+  call.set("tex", texture.name.c_str()).set("factor", 1.0f);
+  shader.functions = {call.use()};
+  known->second = shader.name;
+  scene_.add(std::move(texture));
+  scene_.add(std::move(shader));
+  return known->second;
+}
+
+}  // namespace oriel::models

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sdk/query_elements.h"
+
+#include "sdk/call.h"
+#include "sdk/host.h"
+#include "sdk/user_data.h"
+
+namespace oriel::sdk {
+namespace {
+
+/// The statements of the scene's element that a tag stands for; null: of no such element.
+const std::vector<scene::Statement>* statements_of(Host& host, miTag tag) {
+  const scene::Scene& scene = host.scene();
+  const bool placed = kind_of(tag) == TagKind::Instance || kind_of(tag) == TagKind::LightInstance;
+  const std::string* name = nullptr;
+  if (const InstanceData* i = host.instance(tag)) name = &i->name;
+  if (const int l = host.light(tag); l >= 0)
+    name = &host.world()->lights[static_cast<std::size_t>(l)].name;
+  const auto* instance = name ? scene.get<scene::Instance>(*name) : nullptr;
+  if (!instance || placed) return instance ? &instance->flags : nullptr;
+  if (const auto* object = scene.get<scene::Object>(instance->element)) return &object->flags;
+  if (const auto* light = scene.get<scene::Light>(instance->element)) return &light->other;
+  return nullptr;
+}
+
+/// Bounds of the object that an instance places, in object space.
+geom::Box3 object_bounds(const Host& host, std::size_t index) {
+  const geom::Accel& accel = *host.world()->accel;
+  const geom::MeshId id = accel.instance(static_cast<std::uint32_t>(index)).mesh;
+  const geom::Mesh& mesh = accel.mesh(id);
+  if (!accel.is_baked(id)) return mesh.bounds();
+  geom::Box3 box;
+  const Mat4& to_object = host.world()->instances[index].to_object;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
+    box.extendBy(transform_point(mesh.positions[i], to_object));
+  return box;
+}
+
+}  // namespace
+
+miTag data_of(Host& host, miTag tag) {
+  const auto* statements = statements_of(host, tag);
+  return statements ? attached_data(*statements, host) : miNULLTAG;
+}
+
+miUint label_of(Host& host, miTag tag) {
+  const auto* statements = statements_of(host, tag);
+  const scene::Statement* s = statements ? scene::find_last(*statements, "tag") : nullptr;
+  return s && !s->values.empty() && !s->values[0].numbers.empty()
+             ? static_cast<miUint>(s->values[0].numbers[0])
+             : 0;
+}
+
+bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
+  if (kind_of(tag) != TagKind::Object || !host.instance(tag)) return false;
+  const InstanceData& data = *host.instance(tag);
+  const auto index = static_cast<std::uint32_t>(index_of(tag));
+  const std::uint32_t mask = host.world()->accel->instance(index).mask;
+  const auto meets = [&](std::uint32_t kinds) { return miBoolean{(mask & kinds) != 0}; };
+  const auto bits = [&](unsigned casts, unsigned receives) {
+    return static_cast<miUint>(((data.takes & casts) ? 1 : 0) | ((data.takes & receives) ? 2 : 0));
+  };
+  switch (query) {
+    case miQ_OBJ_VISIBLE:
+      return tell(result, meets(geom::RayMask::Camera));
+    case miQ_OBJ_TRACE:
+      return tell(result, meets(geom::RayMask::Reflection | geom::RayMask::Refraction));
+    case miQ_OBJ_SHADOW:
+      return tell(result, meets(geom::RayMask::Shadow | geom::RayMask::ShadowTransparent));
+    case miQ_OBJ_CAUSTIC:
+      return tell(result, bits(kCastsCaustics, kReceivesCaustics));
+    case miQ_OBJ_GLOBILLUM:
+      return tell(result, bits(kCastsGlobillum, kReceivesGlobillum));
+    case miQ_OBJ_LABEL:
+      return tell(result, label_of(host, tag));
+    case miQ_OBJ_DATA:
+      return tell(result, data_of(host, tag));
+    default:
+      return false;  // what kind of object it was is not known any more
+  }
+}
+
+bool ask_group(miQ_type query, Host& host, miTag tag, void* result, int index) {
+  if (kind_of(tag) != TagKind::Root) return false;
+  // Below the root stand all leaves: the camera, the objects, the lights.
+  const World& world = *host.world();
+  const auto objects = static_cast<int>(world.instances.size());
+  const int all = 1 + objects + static_cast<int>(world.lights.size());
+  if (query == miQ_GROUP_NKIDS) return tell(result, all);
+  if (index < 0 || index >= all) return false;
+  if (index == 0) return tell(result, make_tag(TagKind::CameraInstance, 0));
+  const int place = index - 1;
+  return tell(result, place < objects ? make_tag(TagKind::Instance, static_cast<std::size_t>(place))
+                                      : make_tag(TagKind::LightInstance,
+                                                 static_cast<std::size_t>(place - objects)));
+}
+
+bool ask_data(miQ_type query, Host& host, miTag tag, void* result) {
+  if (kind_of(tag) != TagKind::UserData) return false;
+  auto* data = static_cast<miUserdata*>(host.access(tag));
+  if (!data) return false;
+  switch (query) {
+    case miQ_DATA_DECL:
+      return tell(result, data->data_decl);
+    case miQ_DATA_NEXT:
+      return tell(result, data->next_data);
+    case miQ_DATA_PARAM:
+      return tell(result, static_cast<char*>(data->parameters));
+    case miQ_DATA_PARAM_SIZE:
+      return tell(result, data->parameter_size);
+    case miQ_DATA_LABEL:
+      return tell(result, data->label);
+    default:
+      return false;
+  }
+}
+
+bool ask_primitive(miQ_type query, Host& host, const miState* state, void* result) {
+  if (!state || kind_of(state->instance) != TagKind::Instance) return false;
+  const std::size_t index = index_of(state->instance);
+  if (query == miQ_GEO_DATA) return tell(result, data_of(host, make_tag(TagKind::Object, index)));
+  if (!state->pri) return false;
+  // Asked at every point of a surface: the last one is kept.
+  thread_local struct {
+    const World* world = nullptr;
+    std::size_t index = 0;
+    geom::Box3 box;
+  } last;
+  if (last.world != host.world() || last.index != index)
+    last = {host.world(), index, object_bounds(host, index)};
+  return tell(result, as_c(query == miQ_PRI_BBOX_MIN ? last.box.min : last.box.max));
+}
+
+}  // namespace oriel::sdk
