@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as gather points and as photon maps.
+#include <stdexcept>
+
+#include "file.h"
+#include "transport/gather_map.h"
+#include "transport/photon_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const oriel::fuzz::MemoryFile file(data, size);
+  oriel::Diagnostics diagnostics;
+  oriel::load_gather_map(file.path(), diagnostics);
+  try {
+    oriel::load_photon_maps(file.path());
+  } catch (const std::runtime_error&) {  // a message is what is asked for
+  }
+  return 0;
+}
