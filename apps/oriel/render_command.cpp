@@ -45,7 +45,7 @@ LayerSet parse_layers(const std::string& text) {
     const std::string name = text.substr(at, end - at);
     const LayerSet bit = layer_bit(name);
     if (name == "all")
-      layers = kFilmLayers | kPhotometricLayers | kOutputLayers;
+      layers = kFilmLayers | kPhotometricLayers | kLayerMotion | kOutputLayers;
     else if (name == "outputs")
       layers |= kOutputLayers;
     else if (!bit && name != "beauty" && name != "alpha")
@@ -90,6 +90,7 @@ RenderPlan plan_of(const RenderArguments& a) {
     scene::set_light_group(plan.prepare.light_groups, parse_light_group(text));
   if (plan.prepare.light_groups.size() > scene::kMostLightGroups)
     throw UsageError(fmt::format("--light-group: at most {} groups", scene::kMostLightGroups));
+  if (!a.frames.empty()) plan.frames = FrameList(a.frames);
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
   if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
@@ -140,13 +141,20 @@ Command add_render_command(CLI::App& program) {
   auto a = std::make_shared<RenderArguments>();
   add_scene_arguments(*app, a->scene);
   app->add_option("-o,--output", a->outputs,
-                  "File to write in place of the camera's outputs, type by suffix; repeat for more")
+                  "File to write in place of the camera's outputs, type by suffix; repeat for "
+                  "more. In a file with several render statements # stands for digits of the "
+                  "frame's number: out.####.exr; without, the second frame is out.0002.exr")
       ->allow_extra_args(false)
       ->type_name("FILE");
   app->add_option("--samples", a->samples, "Samples of every pixel");
   app->add_option("--noise", a->noise,
                   "Until the noise of every pixel is below this (0.02 is fine)");
   app->add_option("--time", a->time, "Seconds to render for");
+  app->add_option("--frames", a->frames,
+                  "Render statements to render, counted from 1: 1..20, or 3,7,12..15, or 8..")
+      ->type_name("A..B");
+  app->add_flag("--skip-existing", a->skip_existing,
+                "Leaves out frames whose files are all there, finished or not");
   app->add_option("--gi", a->gi, "Indirect light: path, fg, photons, fg+photons or scene");
   app->add_option("--size", a->size, "Size of the picture")->type_name("WxH");
   app->add_option("--crop", a->crop, "Only this window: XL,YL,XH,YH from the lower left");
@@ -159,7 +167,7 @@ Command add_render_command(CLI::App& program) {
   app->add_option(
       "--layers", a->layers,
       "Layers of EXR files, comma between: beauty, depth, ..., illuminance (lux), luminance "
-      "(cd/m2), outputs (of materials) or all");
+      "(cd/m2), motion (pixels), outputs (of materials) or all");
   app->add_option("--light-group", a->light_groups,
                   "Lights of such names (* and ? stand for others, comma between; instances, "
                   "instgroups, glowing objects, or environment) become layer light.NAME of EXR "

@@ -32,15 +32,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// "out.exr", from the second frame on "out.0002.exr".
-std::string frame_path(const std::string& path, int frame) {
-  if (frame == 1) return path;
-  const fs::path p(path);
-  return (p.parent_path() /
-          fmt::format("{}.{:04}{}", p.stem().string(), frame, p.extension().string()))
-      .string();
-}
-
 OutputRoots roots_of(const SceneArguments& scene) {
   const std::string folder = fs::path(scene.path).parent_path().string();
   return {folder, {folder}};
@@ -58,16 +49,31 @@ class FrameRenderer {
         roots_(plan.roots.value_or(roots_of(arguments.scene))),
         line_(ProgressLine::style_for(a_.json, a_.quiet)) {}
 
+  /// Every frame passes here before it is rendered or not. False: it is not wanted.
+  bool begin(const scene::RenderCommand& command, int frame) {
+    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
+    frame_files_.begin(frame, a_.outputs, camera, roots_,
+                       fs::path(a_.scene.path).stem().string() + ".exr");
+    if (!plan_.frames.holds(frame)) return false;
+    if (!a_.skip_existing || !frame_files_.all_exist()) return true;
+    diagnostics_.note("OR-RN-063", command.where,
+                      fmt::format("frame {} is left out: its files are there", frame));
+    return false;
+  }
+
   /// False when there is nothing to render.
   bool render(const scene::RenderCommand& command, int frame) {
     session_.reset();  // it refers to the world before
     denoised_ = {};
     PrepareReport report;
+    if (world_) cache_.keep(*world_);
     world_.reset();
     host_.emplace(scene_, builtin_shaders(), sdk::trusted_folders(a_.scene.shader_path),
                   diagnostics_, &interrupted());
     sdk::set_output_roots(roots_);
-    world_ = prepare(scene_, command, host_->registry(), plan_.prepare, diagnostics_, report);
+    PrepareOptions options = plan_.prepare;
+    options.cache = &cache_;
+    world_ = prepare(scene_, command, host_->registry(), options, diagnostics_, report);
     if (!world_) return false;
     if (plan_.gi) world_->options.indirect = *plan_.gi;
     choose_files(command, frame);
@@ -78,6 +84,7 @@ class FrameRenderer {
     settings.outputs = keeps_outputs();
     settings.lights = keeps_lights();
     settings.irradiance = std::any_of(files_.begin(), files_.end(), needs_irradiance);
+    settings.motion = std::any_of(files_.begin(), files_.end(), needs_motion);
     settings.unit_luminance = unit_of_pixels();
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;
@@ -124,6 +131,7 @@ class FrameRenderer {
       }
     } else if (camera) {
       files_ = camera_outputs(*camera, roots_, scene_, host_->registry(), *world_, diagnostics_);
+      for (PictureFile& file : files_) file.path = frame_files_.path_of(file.path);
     }
     if (files_.empty())
       files_.push_back(
@@ -278,6 +286,8 @@ class FrameRenderer {
   const OutputRoots roots_;
   ProgressLine line_;
   std::optional<sdk::Host> host_;  // outlives what was bound with its registry
+  GeometryCache cache_;
+  FrameFiles frame_files_;
   std::unique_ptr<World> world_;
   std::optional<RenderSession> session_;
   Image denoised_;  ///< empty until the render is done, or without --denoise
@@ -295,19 +305,24 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
   catch_interrupts();
   catch_crashes();
   FrameRenderer renderer(arguments, plan, scene, diagnostics, printer);
-  int frames = 0;
-  while (!interrupted() && reader.next_frame(scene)) {
+  int frames = 0, rendered = 0;
+  while (!interrupted() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {
     printer.print_new();
+    if (!renderer.begin(scene.renders.back(), ++frames)) continue;
     edit(scene);
-    const bool rendered = renderer.render(scene.renders.back(), ++frames);
+    const bool done = renderer.render(scene.renders.back(), frames);
     printer.print_new();
-    if (!rendered) return kExitFailed;
+    if (!done) return kExitFailed;
+    ++rendered;
   }
   printer.print_new();
   if (interrupted()) return kExitFailed;
   if (frames == 0)
     throw UserError(fmt::format("{}: the scene has no render statement, so there is nothing to do",
                                 arguments.scene.path));
+  if (rendered == 0 && !arguments.skip_existing)
+    throw UserError(fmt::format("--frames {}: {} has {} render statements", arguments.frames,
+                                arguments.scene.path, frames));
   return kExitDone;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frames.h"
 #include "mi/reader.h"
 #include "render/camera_output.h"
 #include "render/output.h"
@@ -29,6 +30,8 @@ struct RenderArguments {
   std::optional<float> unit_luminance;
   std::uint32_t seed = 0;
   int threads = 0;
+  std::string frames;
+  bool skip_existing = false;
   bool denoise = false, json = false, quiet = false;
 };
 
@@ -39,13 +42,14 @@ struct RenderPlan {
   std::optional<LayerSet> layers;
   std::optional<scene::IndirectMethod> gi;
   std::optional<sky::SolarPosition> sun;
+  FrameList frames;
   /// Where scenes read maps and write files; unset: in the scene's folder.
   std::optional<OutputRoots> roots;
 };
 
-/// Renders each frame that the reader comes to, in order.
+/// Renders those frames that the plan asks for, in order.
 ///
-/// Inputs:  edit: what is done to the scene before each frame.
+/// Inputs:  edit: what is done to the scene before each of them.
 /// Returns: the exit code; kExitFailed as well when Ctrl-C ended it.
 /// Errors:  UserError when nothing is rendered at all.
 /// Checked: tests/cli

@@ -8,20 +8,26 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "base/assert.h"
+#include "geom/motion.h"
 
 namespace oriel::geom {
 
 namespace {
 
-bool is_usable(const InstanceDesc& desc) {
+bool is_usable(const Mat4& m) {
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 3; ++column)
-      if (!std::isfinite(desc.local_to_world[row][column]) ||
-          !std::isfinite(desc.world_to_local[row][column]))
-        return false;
-  return determinant3(desc.local_to_world) != 0 && determinant3(desc.world_to_local) != 0;
+      if (!std::isfinite(m[row][column])) return false;
+  return determinant3(m) != 0;
+}
+
+bool is_usable(const InstanceDesc& desc) {
+  return is_usable(desc.local_to_world) && is_usable(desc.world_to_local) &&
+         std::all_of(desc.path.begin(), desc.path.end(),
+                     [](const Mat4& m) { return is_usable(m); });
 }
 
 /// Numbers of geometries in the scene of an instanced mesh, beside the triangles' 0.
@@ -32,11 +38,18 @@ bool count_memory(void* total, ssize_t bytes, bool /*after*/) {
   return true;
 }
 
-void set_transform_of(RTCGeometry geometry, const Mat4& m) {
+void set_transform_of(RTCGeometry geometry, const Mat4& m, unsigned step = 0) {
   // Embree's columns are our rows.
   const float columns[12] = {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2],
                              m[2][0], m[2][1], m[2][2], m[3][0], m[3][1], m[3][2]};
-  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+  rtcSetGeometryTransform(geometry, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+}
+
+void set_path_of(RTCGeometry geometry, const InstanceDesc& desc) {
+  const auto steps = static_cast<unsigned>(desc.path.size());
+  rtcSetGeometryTimeStepCount(geometry, std::max(1u, steps));
+  if (steps == 0) set_transform_of(geometry, desc.local_to_world);
+  for (unsigned step = 0; step < steps; ++step) set_transform_of(geometry, desc.path[step], step);
 }
 
 }  // namespace
@@ -47,6 +60,9 @@ struct Accel::Impl {
     RTCScene scene = nullptr;     // once it has several instances
     std::uint32_t uses = 0;       // usable instances
     std::uint32_t baked = kNone;  // the instance whose world space the mesh is in
+    // In the world space of an instance of the frame before, whose matrices these are.
+    bool was_baked = false;
+    Mat4 place, back;
   };
 
   std::atomic<std::int64_t> embree_bytes{0};
@@ -57,6 +73,10 @@ struct Accel::Impl {
   std::vector<InstanceDesc> instances;
   std::vector<bool> attached;          // per instance: Embree has it
   std::vector<std::uint32_t> pending;  // instances to attach at the next commit
+  // Of the frame before, from begin_again() to commit().
+  bool again = false, meshes_added = false;
+  std::vector<InstanceDesc> before;
+  std::vector<bool> before_attached;
 
   explicit Impl(Edges asked) : edges(asked) {
     device = rtcNewDevice(nullptr);
@@ -98,8 +118,12 @@ struct Accel::Impl {
 
   void attach_triangles(RTCScene scene, Mesh& mesh, std::uint32_t id, std::uint32_t mask) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               mesh.positions.data(), 0, sizeof(Vec3), mesh.vertex_count());
+    const auto steps = static_cast<unsigned>(mesh.keys.size());
+    if (steps > 0) rtcSetGeometryTimeStepCount(geometry, steps);
+    for (unsigned step = 0; step < std::max(1u, steps); ++step)
+      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3,
+                                 (steps > 0 ? mesh.keys[step] : mesh.positions).data(), 0,
+                                 sizeof(Vec3), mesh.vertex_count());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                mesh.triangles.data(), 0, sizeof(Triangle), mesh.triangles.size());
     rtcSetGeometryMask(geometry, mask);
@@ -142,18 +166,32 @@ struct Accel::Impl {
   void attach_instance(std::uint32_t i) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, mesh_of(i).scene);
-    set_transform_of(geometry, instances[i].local_to_world);
+    set_path_of(geometry, instances[i]);
     rtcSetGeometryMask(geometry, instances[i].mask);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(top, geometry, i);
     rtcReleaseGeometry(geometry);
   }
 
-  void bake(std::uint32_t i) {
+  void bake(std::uint32_t i, const Remake& remake) {
     MeshEntry& entry = mesh_of(i);
-    transform_mesh(entry.mesh, instances[i].local_to_world, instances[i].world_to_local);
+    if (!entry.was_baked || entry.place != instances[i].local_to_world ||
+        entry.back != instances[i].world_to_local) {
+      to_object_space(entry, remake);
+      transform_mesh(entry.mesh, instances[i].local_to_world, instances[i].world_to_local);
+    }
+    if (entry.scene) rtcReleaseScene(std::exchange(entry.scene, nullptr));
+    entry.was_baked = false;
     entry.baked = i;
     attach_triangles(top, entry.mesh, i, instances[i].mask);
+  }
+
+  void to_object_space(MeshEntry& entry, const Remake& remake) {
+    if (!std::exchange(entry.was_baked, false)) return;
+    if (remake)
+      entry.mesh = remake(static_cast<MeshId>(&entry - meshes.data()));
+    else
+      transform_mesh(entry.mesh, entry.back, entry.place);
   }
 
   // A baked mesh got its second instance.
@@ -173,7 +211,36 @@ struct Accel::Impl {
     rtcCommitScene(entry.scene);
   }
 
-  void attach_pending() {
+  // True: the world is the one before, and all that was built for it stands.
+  bool take_over() {
+    if (!std::exchange(again, false)) return false;
+    if (!meshes_added && instances == before) {
+      attached = std::move(before_attached);
+      pending.clear();
+      return true;
+    }
+    for (MeshEntry& entry : meshes) {
+      entry.uses = 0;
+      if (entry.baked == kNone) continue;
+      const InstanceDesc& desc = before[std::exchange(entry.baked, kNone)];
+      entry.was_baked = true;
+      entry.place = desc.local_to_world;
+      entry.back = desc.world_to_local;
+    }
+    rtcReleaseScene(top);
+    top = new_scene();
+    return false;
+  }
+
+  void forget_unused() {
+    for (MeshEntry& entry : meshes) {
+      if (entry.uses > 0) continue;
+      if (entry.scene) rtcReleaseScene(entry.scene);
+      entry = {};
+    }
+  }
+
+  void attach_pending(const Remake& remake) {
     std::sort(pending.begin(), pending.end());
     pending.erase(std::unique(pending.begin(), pending.end()), pending.end());
     std::erase_if(pending, [this](std::uint32_t i) {
@@ -184,11 +251,12 @@ struct Accel::Impl {
       attached[i] = true;
       MeshEntry& entry = mesh_of(i);
       // Curves keep their round sections under any matrix only as an instance.
-      if (entry.uses == 1 && entry.mesh.curves.empty()) {
-        bake(i);
+      if (entry.uses == 1 && entry.mesh.curves.empty() && instances[i].path.empty()) {
+        bake(i, remake);
         continue;
       }
       if (entry.baked != kNone) unbake(entry);
+      to_object_space(entry, remake);
       if (!entry.scene) build_scene_of(entry);
       attach_instance(i);
     }
@@ -203,6 +271,7 @@ Accel::~Accel() = default;
 MeshId Accel::add_mesh(Mesh mesh) {
   ORIEL_ASSERT(mesh.triangles.empty() || mesh.vertex_count() >= 3);
   impl_->meshes.emplace_back().mesh = std::move(mesh);
+  impl_->meshes_added = true;
   return static_cast<MeshId>(impl_->meshes.size() - 1);
 }
 
@@ -221,6 +290,7 @@ bool Accel::set_transform(std::uint32_t instance, const Mat4& local_to_world,
   const Mat4 from_world = desc.world_to_local, to_world = desc.local_to_world;
   desc.local_to_world = local_to_world;
   desc.world_to_local = world_to_local;
+  desc.path.clear();
   if (!is_usable(desc)) return false;
   impl_->instances[instance] = desc;
   if (!impl_->attached[instance]) {
@@ -231,10 +301,11 @@ bool Accel::set_transform(std::uint32_t instance, const Mat4& local_to_world,
   RTCGeometry geometry = rtcGetGeometry(impl_->top, instance);
   if (entry.baked == instance) {
     transform_mesh(entry.mesh, from_world * local_to_world, world_to_local * to_world);
-    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    for (unsigned step = 0; step < std::max<std::size_t>(1, entry.mesh.keys.size()); ++step)
+      rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step);
     rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0);
   } else {
-    set_transform_of(geometry, local_to_world);
+    set_path_of(geometry, impl_->instances[instance]);
   }
   rtcCommitGeometry(geometry);
   return true;
@@ -248,10 +319,28 @@ void Accel::set_mask(std::uint32_t instance, std::uint32_t mask) {
   rtcCommitGeometry(geometry);
 }
 
-void Accel::commit() {
-  impl_->attach_pending();
-  rtcCommitScene(impl_->top);
-  impl_->check();
+void Accel::begin_again() {
+  if (impl_->again) return;
+  impl_->again = true;
+  impl_->meshes_added = false;
+  impl_->before = std::move(impl_->instances);
+  impl_->before_attached = std::move(impl_->attached);
+  impl_->instances.clear();
+  impl_->attached.clear();
+  impl_->pending.clear();
+}
+
+void Accel::commit(const Remake& remake) {
+  const bool again = impl_->again;
+  if (!impl_->take_over()) {
+    impl_->attach_pending(remake);
+    if (again) impl_->forget_unused();
+    rtcCommitScene(impl_->top);
+    impl_->check();
+    scene_ = impl_->top;
+  }
+  impl_->before = {};
+  impl_->before_attached = {};
   instances_ = impl_->instances.data();
 }
 
@@ -279,11 +368,15 @@ bool Accel::intersect(const Ray& ray, Hit& hit) const {
   hit.v = query.hit.v;
   hit.primitive = query.hit.primID;
   hit.ng = Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  hit.time = ray.time;
   hit.instance = query.hit.geomID;
   if (query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
     hit.instance = query.hit.instID[0];
     if (query.hit.geomID != 0) hit.primitive += impl_->first_piece(hit.instance, query.hit.geomID);
-    hit.ng = transform_normal(hit.ng, instances_[hit.instance].world_to_local);
+    const InstanceDesc& desc = instances_[hit.instance];
+    hit.ng =
+        transform_normal(hit.ng, desc.path.empty() ? desc.world_to_local
+                                                   : inverse_of(matrix_at(desc.path, ray.time)));
   }
   return true;
 }
@@ -310,11 +403,28 @@ bool Accel::occluded(const Ray& ray) const {
 void Accel::interpolate(const Hit& hit, SurfacePoint& point) const {
   const InstanceDesc& desc = instances_[hit.instance];
   const Impl::MeshEntry& entry = impl_->meshes[static_cast<std::uint32_t>(desc.mesh)];
-  const Placement placement =
-      entry.baked == kNone ? Placement{&desc.local_to_world, &desc.world_to_local} : Placement{};
-  geom::interpolate(entry.mesh, hit, placement, point);
+  if (desc.path.empty()) {
+    const Placement placement =
+        entry.baked == kNone ? Placement{&desc.local_to_world, &desc.world_to_local} : Placement{};
+    geom::interpolate(entry.mesh, hit, placement, point);
+  } else {
+    const Mat4 forward = matrix_at(desc.path, hit.time), back = inverse_of(forward);
+    geom::interpolate(entry.mesh, hit, {&forward, &back}, point);
+    point.speed += transform_point(transform_point(point.p, back), change_at(desc.path, hit.time));
+    // The tracer's own matrices, rounded between steps that may lie far apart.
+    const auto place = [](const Mat4& m) { return length(Vec3(m[3][0], m[3][1], m[3][2])); };
+    point.offset = 2 * point.offset +
+                   5e-7f * (place(desc.path.front()) + place(desc.path.back()) + length(point.p));
+  }
   point.instance = hit.instance;
   point.user = desc.user;
+}
+
+void Accel::placement_at(std::uint32_t instance, float time, Mat4& local_to_world,
+                         Mat4& world_to_local) const {
+  const InstanceDesc& desc = instances_[instance];
+  local_to_world = desc.path.empty() ? desc.local_to_world : matrix_at(desc.path, time);
+  world_to_local = desc.path.empty() ? desc.world_to_local : inverse_of(local_to_world);
 }
 
 const Mesh& Accel::mesh(MeshId id) const {
@@ -345,6 +455,8 @@ AccelMemory Accel::memory() const {
     memory.triangles += entry.mesh.triangles.size();
   }
   memory.instances = impl_->instances.capacity() * sizeof(InstanceDesc);
+  for (const InstanceDesc& desc : impl_->instances)
+    memory.instances += desc.path.capacity() * sizeof(Mat4);
   memory.embree = static_cast<std::size_t>(std::max<std::int64_t>(0, impl_->embree_bytes));
   return memory;
 }

@@ -2,6 +2,7 @@
 // Rays against a world of instanced meshes. The only header through which anyone reaches Embree.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -33,19 +34,19 @@ struct Ray {
   Vec3 dir{0, 0, 0};  ///< any length; t counts in it
   float tfar = std::numeric_limits<float>::infinity();
   std::uint32_t mask = RayMask::All;
-  float time = 0;  ///< within the shutter, 0 to 1; nothing moves yet
+  float time = 0;  ///< 0 to 1 from the first to the last step of what moves
 };
 
 /// A ray from a surface in direction d.
 inline Ray spawn_ray(const SurfacePoint& from, const Vec3& d, std::uint32_t mask) {
-  return Ray{from.ray_origin(d), 0, d, std::numeric_limits<float>::infinity(), mask, 0};
+  return Ray{from.ray_origin(d), 0, d, std::numeric_limits<float>::infinity(), mask, from.time};
 }
 
 /// A ray from a surface to just before `target`, which it reaches at t = 1.
 inline Ray spawn_ray_to(const SurfacePoint& from, const Vec3& target, std::uint32_t mask) {
   constexpr float kShort = 1 - 1e-4f;  // pbrt's shadow epsilon
   const Vec3 org = from.ray_origin(target - from.p);
-  return Ray{org, 0, target - org, kShort, mask, 0};
+  return Ray{org, 0, target - org, kShort, mask, from.time};
 }
 
 enum class MeshId : std::uint32_t {};
@@ -55,6 +56,9 @@ struct InstanceDesc {
   Mat4 local_to_world, world_to_local;
   std::uint32_t mask = RayMask::All;
   std::uint32_t user = 0;  ///< the caller's own number
+  /// local_to_world at equal steps of a ray's time from 0 to 1, at most kMostKeys; empty: it stays.
+  std::vector<Mat4> path = {};
+  bool operator==(const InstanceDesc&) const = default;
 };
 
 /// Bytes that live as long as the acceleration structure.
@@ -73,9 +77,10 @@ struct AccelMemory {
 /// Model:   a mesh with one instance is carried to world space in place and traced without an
 ///          instance in between; a mesh with several is built once and instanced, one level deep.
 ///          An instance whose matrix is singular or not finite is never hit. Curves are always
-///          instanced; their pieces are numbered behind the mesh's triangles.
+///          instanced; their pieces are numbered behind the mesh's triangles. Meshes with keys and
+///          instances with a path move; the latter are instanced even where they are alone.
 /// Errors:  std::bad_alloc or std::runtime_error from the constructor and commit().
-/// Checked: AccelTest.*
+/// Checked: AccelTest.*, Motion.*, NextFrame.*
 class Accel {
  public:
   /// How rays meet edges. Fast: of rays aimed exactly at an edge one in ten passes between its two
@@ -90,13 +95,21 @@ class Accel {
   MeshId add_mesh(Mesh mesh);
   /// Returns the instance's number: they count from 0 in the order added.
   std::uint32_t add_instance(const InstanceDesc& desc);
-  /// Moves an instance at the next commit(); false, and nothing changes, for a singular matrix.
+  /// Moves an instance at the next commit(), to stay there; false, and nothing changes, for a
+  /// singular matrix.
   bool set_transform(std::uint32_t instance, const Mat4& local_to_world,
                      const Mat4& world_to_local);
   /// Changes which rays meet an instance, at the next commit().
   void set_mask(std::uint32_t instance, std::uint32_t mask);
-  /// Builds what was added or changed; needed before the first ray and after every change.
-  void commit();
+  /// Takes all instances away and keeps the meshes, for the next frame: those that no instance has
+  /// at the next commit() are forgotten then, and where the same instances are added again nothing
+  /// is built. What comes of the rest is to the last bit what a new Accel would have.
+  void begin_again();
+  /// A mesh as it was added, for one that was carried to where it no longer is.
+  using Remake = std::function<Mesh(MeshId)>;
+  /// Builds what was added or changed; needed before the first ray and after every change. Without
+  /// `remake` such meshes are carried back, which rounds.
+  void commit(const Remake& remake = {});
 
   // From here on: safe from any thread after commit(). Threads should have denormals flushed.
 
@@ -105,6 +118,9 @@ class Accel {
   /// Whether anything lies in (tnear, tfar).
   bool occluded(const Ray& ray) const;
   void interpolate(const Hit& hit, SurfacePoint& point) const;
+  /// Matrices of an instance at a time.
+  void placement_at(std::uint32_t instance, float time, Mat4& local_to_world,
+                    Mat4& world_to_local) const;
 
   const Mesh& mesh(MeshId id) const;
   /// Whether the mesh's columns are in world space.

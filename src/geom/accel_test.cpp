@@ -270,6 +270,71 @@ TEST(AccelTest, ASecondInstanceAfterTheFirstCommitLeavesTheFirstInPlace) {
   EXPECT_EQ(accel.instance(hit.instance).user, 2u);
 }
 
+/// All that rays from a fixed pattern meet.
+std::vector<float> scan(const Accel& accel) {
+  std::vector<float> seen;
+  for (int i = 0; i < 400; ++i) {
+    const float x = 0.03f * static_cast<float>(i % 20) - 0.05f;
+    const float y = 0.03f * static_cast<float>(i / 20) - 0.05f;
+    Hit hit;
+    if (!accel.intersect({Vec3(x, y, 4), 0, Vec3(0.01f, 0.02f, -1)}, hit)) continue;
+    SurfacePoint point;
+    accel.interpolate(hit, point);
+    for (const float v : {hit.t, hit.u, hit.v, point.p.x, point.p.y, point.p.z, point.offset,
+                          static_cast<float>(point.user)})
+      seen.push_back(v);
+  }
+  return seen;
+}
+
+TEST(NextFrame, IsToTheLastBitWhatANewAccelHas) {
+  Random random(7);
+  const Mat4 a = random.placement(1, 0.2f, false), b = random.placement(1, 0.2f, true);
+  // Which instances, by mesh and place; between them alone, several, moved and none.
+  using Frame = std::vector<std::pair<int, Mat4>>;
+  const Frame frames[] = {{{0, a}, {1, b}},         {{0, a}, {1, b}}, {{0, b}, {1, b}},
+                          {{0, b}, {0, a}, {1, b}}, {{0, a}, {1, b}}, {{1, a}},
+                          {{1, a}, {1, b}},         {{1, b}}};
+  const auto make = [](int mesh) { return mesh == 0 ? unit_triangle() : ball(8); };
+  Accel accel;
+  std::vector<std::pair<int, MeshId>> kept;
+  int made = 0;
+  for (const Frame& frame : frames) {
+    accel.begin_again();
+    Accel anew;
+    std::vector<std::pair<int, MeshId>> known, meshes;
+    for (const auto& [mesh, place] : frame) {
+      const auto is_it = [mesh = mesh](const auto& m) { return m.first == mesh; };
+      if (std::none_of(known.begin(), known.end(), is_it)) {
+        const auto old = std::find_if(kept.begin(), kept.end(), is_it);
+        known.emplace_back(mesh, old == kept.end() ? accel.add_mesh(make(mesh)) : old->second);
+        meshes.emplace_back(mesh, anew.add_mesh(make(mesh)));
+      }
+      const auto id = [&](const auto& of) {
+        return std::find_if(of.begin(), of.end(), is_it)->second;
+      };
+      accel.add_instance(instance_of(id(known), place, mesh));
+      anew.add_instance(instance_of(id(meshes), place, mesh));
+    }
+    accel.commit([&](MeshId id) {
+      ++made;
+      return make(std::find_if(known.begin(), known.end(), [&](const auto& m) {
+                    return m.second == id;
+                  })->first);
+    });
+    anew.commit();
+    const std::vector<float> seen = scan(accel);
+    EXPECT_FALSE(seen.empty());
+    EXPECT_EQ(seen, scan(anew)) << "frame " << &frame - frames;
+    EXPECT_EQ(accel.bounds().min, anew.bounds().min);
+    EXPECT_EQ(accel.memory().triangles, anew.memory().triangles);
+    kept = known;
+  }
+  // Only what stood alone and then stood elsewhere, or not alone.
+  EXPECT_GT(made, 0);
+  EXPECT_LT(made, 6);
+}
+
 // Rays that start where a hit is, away from a flat or outward from a convex surface, meet nothing.
 int self_hits(Random& random, bool instanced, float stretch, float far, int rays) {
   int bad = 0;

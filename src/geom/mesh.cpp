@@ -29,13 +29,14 @@ Box3 Mesh::bounds() const {
 std::size_t Mesh::bytes() const {
   std::size_t sum = sizeof(Mesh) + bytes_of(positions) + bytes_of(triangles) + bytes_of(normals) +
                     bytes_of(textures) + bytes_of(dpdu) + bytes_of(dpdv) + bytes_of(motion) +
-                    bytes_of(slot) + bytes_of(slots);
+                    bytes_of(keys) + bytes_of(slot) + bytes_of(slots);
   for (const TextureSpace& space : textures)
     sum += bytes_of(space.coordinate) + bytes_of(space.basis_u) + bytes_of(space.basis_v);
   for (const std::vector<Vec3>& step : motion) sum += bytes_of(step);
   sum += bytes_of(curves.points) + bytes_of(curves.lines) + bytes_of(curves.beziers) +
          bytes_of(curves.normals);
   for (const std::vector<Vec3>& column : curves.textures) sum += bytes_of(column);
+  for (const std::vector<Vec3>& key : keys) sum += bytes_of(key);
   return sum;
 }
 

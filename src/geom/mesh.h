@@ -49,9 +49,11 @@ struct Mesh {
   std::vector<TextureSpace> textures;
   std::vector<Vec3> dpdu, dpdv;           ///< derivatives, where the scene gives them
   std::vector<std::vector<Vec3>> motion;  ///< one column per motion step
-  Curves curves;                          ///< hair; its pieces count as primitives after triangles
-  std::vector<std::uint32_t> slot;        ///< per primitive; empty when all are in slot 0
-  std::vector<MaterialSlot> slots;        ///< never empty in a tessellated mesh
+  /// Positions at equal steps of a ray's time from 0 to 1, padded as they are; empty: they stay.
+  std::vector<std::vector<Vec3>> keys;
+  Curves curves;                    ///< hair; its pieces count as primitives after triangles
+  std::vector<std::uint32_t> slot;  ///< per primitive; empty when all are in slot 0
+  std::vector<MaterialSlot> slots;  ///< never empty in a tessellated mesh
   bool tagged = false;
 
   std::size_t vertex_count() const { return positions.empty() ? 0 : positions.size() - 1; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geom/hair.h"
+#include "geom/motion.h"
 
 namespace oriel::geom {
 
@@ -43,6 +44,12 @@ struct Weights {
   Vec3 operator()(const std::vector<Vec3>& column, const Triangle& t) const {
     return column[t.a] * a + column[t.b] * b + column[t.c] * c;
   }
+  Vec3 operator()(const std::array<Vec3, 3>& corner) const {
+    return corner[0] * a + corner[1] * b + corner[2] * c;
+  }
+  Vec3 operator()(const Vec3& at_a, const Vec3& at_b, const Vec3& at_c) const {
+    return at_a * a + at_b * b + at_c * c;
+  }
 };
 
 Vec3 shading_normal(const Mesh& mesh, const Triangle& t, const Weights& weights, const Vec3& ng) {
@@ -53,6 +60,27 @@ Vec3 shading_normal(const Mesh& mesh, const Triangle& t, const Weights& weights,
   const Vec3 n = (a == Vec3(0) ? front : a) * weights.a + (b == Vec3(0) ? front : b) * weights.b +
                  (c == Vec3(0) ? front : c) * weights.c;
   return front == ng ? n : -n;
+}
+
+// Turned as `to` is turned from `from`, both unit, by the shortest way.
+Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 axis = cross(from, to);
+  const float cosine = dot(from, to);
+  if (cosine < -0.999f) return -v;
+  return v * cosine + cross(axis, v) + axis * (dot(axis, v) / (1 + cosine));
+}
+
+// Shading normal of a triangle that has moved, and its speed; the error of where it is grows with
+// how far its corners are apart in time.
+void move_triangle(const Mesh& mesh, const Triangle& t, float time, const Weights& weights,
+                   SurfacePoint& point, Vec3& error) {
+  point.speed = weights(speeds_at(mesh, t, time));
+  for (const std::uint32_t v : {t.a, t.b, t.c})
+    error += (abs(mesh.keys.front()[v]) + abs(mesh.keys.back()[v])) * gamma(7);
+  if (mesh.normals.empty()) return;
+  const Vec3& a = mesh.positions[t.a];
+  const Vec3 rest = normalize_any(cross(mesh.positions[t.b] - a, mesh.positions[t.c] - a));
+  point.ns = turned(shading_normal(mesh, t, weights, rest), rest, point.ng);
 }
 
 // Derivatives of the position by the first two coordinates of texture space 0, and the ratio of
@@ -82,25 +110,31 @@ void derive(const Mesh& mesh, const Triangle& t, const Weights& weights, const V
 
 void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
                  SurfacePoint& point) {
+  point.time = hit.time;
+  point.speed = Vec3(0);
   if (hit.primitive >= mesh.triangles.size()) return interpolate_curve(mesh, hit, placement, point);
   const Triangle& t = mesh.triangles[hit.primitive];
   const Weights weights{1 - hit.u - hit.v, hit.u, hit.v};
-  const Vec3& a = mesh.positions[t.a];
-  const Vec3 e1 = mesh.positions[t.b] - a, e2 = mesh.positions[t.c] - a;
+  const bool moves = !mesh.keys.empty();
+  std::array<Vec3, 3> moved;
+  if (moves) moved = moved_corners(mesh, t, hit.time);
+  const Vec3& a = moves ? moved[0] : mesh.positions[t.a];
+  const Vec3& b = moves ? moved[1] : mesh.positions[t.b];
+  const Vec3& c = moves ? moved[2] : mesh.positions[t.c];
+  const Vec3 e1 = b - a, e2 = c - a;
   const Mat4* forward = placement.local_to_world;
   const Mat4* back = placement.world_to_local;
 
   // Place and normals in the mesh's space.
-  point.p = weights(mesh.positions, t);
-  Vec3 error = (abs(a) * std::abs(weights.a) + abs(mesh.positions[t.b]) * weights.b +
-                abs(mesh.positions[t.c]) * weights.c) *
-               gamma(7);
+  point.p = weights(a, b, c);
+  Vec3 error = (abs(a) * std::abs(weights.a) + abs(b) * weights.b + abs(c) * weights.c) * gamma(7);
   const Vec3 cross_product = cross(e1, e2);
   const float area = length(cross_product);
   // Twice the area, far from where its square leaves float's range.
   const bool plain = area > 1e-12f && area < 1e12f;
   point.ng = plain ? cross_product * (1 / area) : normalize_any(cross_product);
   point.ns = mesh.normals.empty() ? point.ng : shading_normal(mesh, t, weights, point.ng);
+  if (moves) move_triangle(mesh, t, hit.time, weights, point, error);
   derive(mesh, t, weights, e1, e2, point);
 
   float tilt = tilt_of(e1, e2, area);
@@ -118,6 +152,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
     tilt /= length(normal);  // planes come apart as their normals get short
     point.ng = normalize_any(normal);
     point.ns = transform_normal(point.ns, *back);
+    point.speed = transform_vector(point.speed, *forward);
     point.dpdu = transform_vector(point.dpdu, *forward);
     point.dpdv = transform_vector(point.dpdv, *forward);
   }
@@ -150,12 +185,14 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
 }
 
 void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse) {
-  if (!mesh.positions.empty()) {
-    // Double: an instance far from the origin and its way back lose no more than one rounding.
-    const Imath::M44d exact(matrix);
-    for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i)
-      mesh.positions[i] = Vec3(Imath::V3d(mesh.positions[i]) * exact);
-  }
+  // Double: an instance far from the origin and its way back lose no more than one rounding.
+  const Imath::M44d exact(matrix);
+  const auto place = [&exact](std::vector<Vec3>& positions) {
+    for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+      positions[i] = Vec3(Imath::V3d(positions[i]) * exact);
+  };
+  place(mesh.positions);
+  for (std::vector<Vec3>& key : mesh.keys) place(key);
   // Not made unit again: their lengths are weights, by which they interpolate as in object space.
   for (Vec3& n : mesh.normals) n = transform_normal(n, inverse);
   const auto carry = [&matrix](std::vector<Vec3>& column) {

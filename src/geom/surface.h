@@ -17,6 +17,7 @@ struct Hit {
   std::uint32_t instance = kNone;
   std::uint32_t primitive = kNone;  ///< triangle of the instance's mesh
   Vec3 ng{0, 0, 0};                 ///< world, toward the front, not normalised
+  float time = 0;                   ///< of the ray
 };
 
 // Conventions
@@ -33,6 +34,8 @@ struct SurfacePoint {
   Vec3 ns;
   Vec3 dpdu, dpdv;   ///< of texture space 0, or the scene's derivatives; null when there are none
   float uv_density;  ///< area in texture space 0 per world area; 0 when there is no such space
+  float time;        ///< of the hit
+  Vec3 speed;        ///< way per unit of ray time; null where nothing moves
   std::uint32_t slot;
   std::uint32_t instance, user, primitive;
   std::uint32_t texture_count;
@@ -56,6 +59,8 @@ struct Placement {
 ///
 /// Model:   the place comes from the barycentrics, not from t, and the offset bounds the rounding
 ///          of that sum, of the transforms there and back and of the intersection's differences.
+///          On a mesh that moves all is at the time of the hit, vertex normals turned as their
+///          triangle has turned; that the instance moves is left to Accel.
 /// Source:  M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 3.9, for
 ///          running error bounds; the factors for the tracer's own inverse were found by trial.
 /// Checked: AccelTest.RaysNeverMeetTheSurfaceTheyStartOn, Surface.*

@@ -91,6 +91,14 @@ void read_delete(Parse& parse) {
     parse.warn(code::kNotThere, at, fmt::format("there is no element \"{}\" to delete", name));
 }
 
+void read_touch(Parse& parse, SourceLocation at) {
+  const SourceLocation here = parse.in.where();
+  const std::string name = parse.referenced_name(parse.name("the name of an element"));
+  if (!parse.scene->touch(name))
+    parse.warn(code::kNotThere, here, fmt::format("there is no element \"{}\" to touch", name));
+  parse.scene->commands.push_back({"touch", false, {text(name, here)}, at});
+}
+
 void read_render(Parse& parse, SourceLocation at) {
   scene::RenderCommand render;
   render.where = at;
@@ -173,8 +181,10 @@ bool read_special(Parse& parse, std::string_view word, SourceLocation at) {
     keep_command(parse, std::string(word), at, 1);
   } else if (word == "version" || word == "verbose" || word == "memory") {
     keep_command(parse, std::string(word), at, word == "version" ? 1 : 0);
-  } else if (word == "debug" || word == "touch") {
-    keep_command(parse, std::string(word), at, word == "debug" ? 2 : 1);
+  } else if (word == "debug") {
+    keep_command(parse, "debug", at, 2);
+  } else if (word == "touch") {
+    read_touch(parse, at);
   } else if (word == "min" || word == "max") {
     parse.expect_word("version");
     keep_command(parse, std::string(word) + " version", at, 1);

@@ -322,8 +322,8 @@ TEST(Commands, NamespacesPrefixNames) {
 // acceptance: H1
 TEST(Commands, ThoseWithoutMeaningAreKept) {
   const Snippet read(
-      "verbose on min version \"3.4\" link \"base.so\" echo \"x\" touch \"t\" memory 5 "
-      "gui \"g\" { control \"a\" \"b\" ( \"c\" ) } data \"d\" 2 '0001' "
+      "verbose on min version \"3.4\" link \"base.so\" echo \"x\" memory 5 "
+      "gui \"g\" { control \"a\" \"b\" ( \"c\" ) } data \"d\" 2 '0001' touch \"d\" "
       "spectrum \"sp\" 400 1 end spectrum registry \"r\" value \"v\" end registry");
   EXPECT_SILENT(read);
   EXPECT_EQ(read.scene.commands.size(), 6u);
@@ -348,6 +348,16 @@ TEST(Commands, UserDataAreBytesAFileOrDeclaredParameters) {
   ASSERT_EQ(typed.arguments.size(), 1u);
   EXPECT_EQ(typed.arguments[0].value.numbers, std::vector<double>{3});
   EXPECT_TRUE(read.get<scene::UserData>("none").bytes.empty());
+}
+
+TEST(Commands, TouchGivesAnElementAnotherRevision) {
+  const std::string gui = "gui \"g\" { control \"a\" \"b\" ( \"c\" ) } ";
+  const Snippet once(gui), again(gui + "touch \"g\"");
+  EXPECT_SILENT(again);
+  EXPECT_NE(once.scene.revision("g"), again.scene.revision("g"));
+  EXPECT_EQ(again.scene.revision("h"), 0u);
+  const Snippet nothing("touch \"h\"");
+  EXPECT_EQ(nothing.diagnostics.all().size(), 1u);
 }
 
 TEST(Commands, NothingIsEverRun) {

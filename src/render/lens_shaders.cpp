@@ -45,6 +45,8 @@ class LensChain final : public LensNext {
   /// What all lenses of a sample share.
   struct Shared {
     const World& world;
+    const Camera& camera;  ///< at that time
+    float time;
     Vec2 raster;
     const PathSettings& settings;
     sampling::Sampler& sampler;
@@ -54,7 +56,7 @@ class LensChain final : public LensNext {
   LensChain(Shared& shared, std::size_t lens) : s_(shared), lens_(lens) {}
 
   Seen trace(const Vec3& origin, const Vec3& direction) override {
-    Camera::Ray ray = s_.world.camera.ray(s_.raster);
+    Camera::Ray ray = s_.camera.ray(s_.raster, s_.time);
     ray.origin = origin;
     ray.direction = direction;
     return trace(ray);
@@ -83,9 +85,8 @@ class LensChain final : public LensNext {
       return {colour, first.distance, first.normal};
     }
     const Vec2 u = s_.sampler.next_2d();
-    const Rgb weight = node.with_params(point, [&](const Call& call) {
-      return node.spec().lens_ray(call, s_.world.camera, u, ray);
-    });
+    const Rgb weight = node.with_params(
+        point, [&](const Call& call) { return node.spec().lens_ray(call, s_.camera, u, ray); });
     Seen seen = behind.trace(ray);
     seen.colour *= Rgba(weight.x, weight.y, weight.z, 1);
     return seen;
@@ -97,7 +98,8 @@ class LensChain final : public LensNext {
     sampling::Sampler own = s_.sampler.split(0, 1, kBranch + s_.sampler.dimension());
     s_.sampler.skip();
     PathSettings settings = s_.settings;
-    if (s_.first) settings.outputs = nullptr, settings.by_light = nullptr;
+    if (s_.first)
+      settings.outputs = nullptr, settings.by_light = nullptr, settings.motion = nullptr;
     const PathResult path = trace_path(s_.world, ray, s_.raster, settings, own, s_.counts);
     if (!s_.first) s_.first = path;
     return {Rgba(path.radiance.x, path.radiance.y, path.radiance.z, path.alpha), path.depth,
@@ -112,10 +114,11 @@ class LensChain final : public LensNext {
 bool asks_for_rays(const ShaderNode* node) { return node->spec().lens_eye != nullptr; }
 
 /// A sample through lenses some of which make its colour themselves.
-PathResult trace_chain(const World& world, Vec2 raster, const PathSettings& settings,
-                       sampling::Sampler& sampler, RayCounts& counts) {
-  LensChain::Shared shared{world, raster, settings, sampler, counts};
-  const LensNext::Seen seen = LensChain(shared, 0).trace(world.camera.ray(raster));
+PathResult trace_chain(const World& world, const Camera& camera, float time, Vec2 raster,
+                       const PathSettings& settings, sampling::Sampler& sampler,
+                       RayCounts& counts) {
+  LensChain::Shared shared{world, camera, time, raster, settings, sampler, counts};
+  const LensNext::Seen seen = LensChain(shared, 0).trace(camera.ray(raster, time));
   PathResult result = shared.first.value_or(PathResult{});
   result.radiance = rgb(seen.colour);
   result.alpha = clamp01(seen.colour.a);
@@ -123,9 +126,10 @@ PathResult trace_chain(const World& world, Vec2 raster, const PathSettings& sett
 }
 
 /// A path through the lens, and its weight.
-PathResult trace_through_lens(const World& world, Vec2 raster, const PathSettings& settings,
-                              sampling::Sampler& sampler, RayCounts& counts, Rgb& weight) {
-  Camera::Ray ray = world.camera.ray(raster);
+PathResult trace_through_lens(const World& world, const Camera& camera, float time, Vec2 raster,
+                              const PathSettings& settings, sampling::Sampler& sampler,
+                              RayCounts& counts, Rgb& weight) {
+  Camera::Ray ray = camera.ray(raster, time);
   for (const ShaderNode* node : world.lens_rays) {
     ShadingPoint point;
     point.raster = raster;
@@ -134,9 +138,19 @@ PathResult trace_through_lens(const World& world, Vec2 raster, const PathSetting
     point.ray_direction = ray.direction;
     const Vec2 u = sampler.next_2d();
     weight *= node->with_params(
-        point, [&](const Call& call) { return node->spec().lens_ray(call, world.camera, u, ray); });
+        point, [&](const Call& call) { return node->spec().lens_ray(call, camera, u, ray); });
   }
   return trace_path(world, ray, raster, settings, sampler, counts);
+}
+
+/// The samples of a pixel lie evenly over the time that the shutter is open. A dimension of its
+/// own: pictures in which nothing moves stay as they are.
+float time_of_sample(const World& world, const sampling::Sampler& sampler) {
+  constexpr std::uint32_t kTimeBranch = 9000;
+  if (!world.shutter.on) return 0;
+  sampling::Sampler stream = sampler.split(0, 1, kTimeBranch);
+  stream.set_dimension(0);
+  return world.shutter.at(stream.next_1d());
 }
 
 void add_outputs(Outputs& sum, const Outputs& part, const Rgb& weight, float share) {
@@ -150,11 +164,15 @@ void add_outputs(Outputs& sum, const Outputs& part, const Rgb& weight, float sha
 
 PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
                           sampling::Sampler& sampler, RayCounts& counts) {
+  const float time = time_of_sample(world, sampler);
   if (world.lens_rays.empty())
-    return trace_path(world, world.camera.ray(raster), raster, settings, sampler, counts);
+    return trace_path(world, world.camera.ray(raster, time), raster, settings, sampler, counts);
 
+  std::optional<Camera> moved;
+  if (!world.camera.path.empty()) moved = world.camera.at(time);
+  const Camera& camera = moved ? *moved : world.camera;
   if (std::any_of(world.lens_rays.begin(), world.lens_rays.end(), asks_for_rays))
-    return trace_chain(world, raster, settings, sampler, counts);
+    return trace_chain(world, camera, time, raster, settings, sampler, counts);
   int rays = 1;
   for (const ShaderNode* node : world.lens_rays)
     rays = std::clamp(rays * std::clamp(node->spec().lens_rays(*node), 1, kMostLensRays), 1,
@@ -171,12 +189,14 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
   float hits = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     sampling::Sampler own = sampler.split(i, n, 0);
+    if (i > 0) each.motion = nullptr;
     Outputs part;
     if (settings.outputs) each.outputs = &part;
     own_lights.clear(layers);
     if (layers > 0) each.by_light = own_lights.data();
     Rgb weight(1);
-    const PathResult path = trace_through_lens(world, raster, each, own, counts, weight);
+    const PathResult path =
+        trace_through_lens(world, camera, time, raster, each, own, counts, weight);
     sum.radiance += path.radiance * weight * share;
     sum.alpha += path.alpha * share;
     sum.normal += path.normal * share;

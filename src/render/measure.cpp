@@ -142,6 +142,7 @@ Spot find_spot(const World& world, Vec2 raster) {
   ray.org = eye.origin;
   ray.dir = eye.direction;
   ray.mask = geom::RayMask::Camera;
+  ray.time = eye.time;
   ray.tnear = world.camera.clip_near > 0 ? world.camera.clip_near / eye.cos_to_film : 0;
   Spot spot;
   geom::Hit hit;

@@ -63,6 +63,10 @@ Image data_image(const RenderSession& session, Channels channels) {
       return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).beauty.a; });
     case Channels::Depth:
       return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).depth; });
+    case Channels::Motion:
+      return collect(session, 3, [&](int x, int y, float* to) {
+        if (const auto slot = session.motion_slot()) put(to, rgb(film.user_buffer(x, y, *slot)));
+      });
     default:
       return collect(session, 3,
                      [&](int x, int y, float* to) { put(to, normalize(film.pixel(x, y).normal)); });
@@ -145,7 +149,8 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
 /// Layers of users' buffers. A buffer that means an output of materials stands in its place.
 void add_user_buffers(const RenderSession& session, std::vector<Layer>& layers) {
   const auto& buffers = session.world().user_buffers;
-  for (std::size_t slot = 0; slot < session.film().user_buffers(); ++slot) {
+  if (session.film().user_buffers() < buffers.size()) return;
+  for (std::size_t slot = 0; slot < buffers.size(); ++slot) {
     const UserBuffer& buffer = buffers[slot];
     if (!buffer.name.empty() && !session.film().is_written(slot)) continue;
     std::string name = buffer.name.empty() ? fmt::format("fb{}", buffer.number) : buffer.name;
@@ -186,8 +191,8 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
 
 const std::vector<std::string>& layer_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"depth",   "normal", "albedo",    "variance",   "samples",
-                                    "display", "halves", "luminance", "illuminance"};
+    std::vector<std::string> all = {"depth",   "normal", "albedo",    "variance",    "samples",
+                                    "display", "halves", "luminance", "illuminance", "motion"};
     const auto& outputs = material_output_names();
     all.insert(all.end(), outputs.begin(), outputs.end());
     return all;
@@ -208,6 +213,8 @@ bool needs_outputs(const PictureFile& file) {
 }
 
 bool needs_irradiance(const PictureFile& file) { return (file.layers & kLayerIlluminance) != 0; }
+
+bool needs_motion(const PictureFile& file) { return (file.layers & kLayerMotion) != 0; }
 
 bool holds_light_layers(const PictureFile& file) {
   return file_type(file) == "exr" && file.shown_layer.empty() && file.user_buffer < 0;
@@ -260,6 +267,8 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
     photometric("luminance", [](const Film::Pixel& p) { return luminance(rgb(p.beauty)); });
   if ((layers & kLayerIlluminance) && session.keeps_irradiance())
     photometric("illuminance", [](const Film::Pixel& p) { return p.irradiance; });
+  if ((layers & kLayerMotion) && session.motion_slot())
+    out.push_back({"motion", kVectorNames, data_image(session, Channels::Motion)});
   if (film.keeps_outputs())
     for (std::size_t i = 0; i < kOutputs; ++i)
       if (layers & (LayerSet{1} << (kFirstOutputBit + static_cast<int>(i)))) {

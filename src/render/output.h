@@ -20,7 +20,7 @@ namespace oriel {
 //   several windows add up to the whole one.
 
 /// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display, halves,
-/// luminance, illuminance.
+/// luminance, illuminance, motion.
 using LayerSet = std::uint64_t;
 enum LayerBit : LayerSet {
   kLayerDepth = 1u << 0,
@@ -34,8 +34,12 @@ enum LayerBit : LayerSet {
   kLayerLuminance = 1u << 7,    ///< of the beauty, cd/m2
   kLayerIlluminance = 1u << 8,  ///< lux of the first surface; only where the session keeps it
   kPhotometricLayers = kLayerLuminance | kLayerIlluminance,
-  kLayerLights = 1u << 9,       ///< `light.NAME` for each layer of lights that the session keeps
-  kLayerUserBuffers = 1u << 10  ///< what users' shaders left in frame buffers
+  /// Way of the first sample's surface on the picture while the shutter is open; a closed one: in
+  /// one motion interval. X and Y in pixels, Z the distance that is gained; where the session
+  /// keeps it.
+  kLayerMotion = 1u << 9,
+  kLayerLights = 1u << 10,      ///< `light.NAME` for each layer of lights that the session keeps
+  kLayerUserBuffers = 1u << 11  ///< what users' shaders left in frame buffers
 };
 /// The outputs of materials follow, one bit each in the order of material_output_names().
 inline constexpr int kFirstOutputBit = 16;
@@ -47,7 +51,7 @@ LayerSet layer_bit(std::string_view name);
 const std::vector<std::string>& layer_names();
 
 /// What of the picture a file without layers shows.
-enum class Channels { ColorAlpha, Color, Alpha, Depth, Normal };
+enum class Channels { ColorAlpha, Color, Alpha, Depth, Normal, Motion };
 
 /// One file to write.
 struct PictureFile {
@@ -71,7 +75,7 @@ struct PictureFile {
 PictureFile picture_file(const std::string& path);
 
 /// Beauty (R, G, B, A) first, then the layers asked for: Z, normal.X ... albedo.R ... variance.R
-/// ... samples, display.R ..., halves.R ...
+/// ... samples, display.R ..., halves.R ..., luminance, illuminance, motion.X ...
 /// ... then the outputs by their names, which are left out when the film does not keep them.
 /// ... then light.NAME.R ... of the groups of lights and of light.rest, which sum to the beauty;
 /// light.indirect where some light does not know its group.
@@ -89,9 +93,10 @@ Image denoised_beauty(const RenderSession& session);
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised = nullptr);
 
-/// Whether the file shows anything that the film must keep outputs or irradiance for.
+/// Whether the file shows anything that the film must keep outputs, irradiance or motion for.
 bool needs_outputs(const PictureFile& file);
 bool needs_irradiance(const PictureFile& file);
+bool needs_motion(const PictureFile& file);
 /// Whether layers of lights stand in it: in EXR files of the beauty.
 bool holds_light_layers(const PictureFile& file);
 

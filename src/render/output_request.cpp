@@ -73,6 +73,7 @@ std::optional<Type> read_type(std::string word) {
   if (word == "a") return type.channels = Channels::Alpha, type;
   if (word == "z") return type.channels = Channels::Depth, type.layer = kLayerDepth, type;
   if (word == "n") return type.channels = Channels::Normal, type.layer = kLayerNormal, type;
+  if (word == "m") return type.channels = Channels::Motion, type.layer = kLayerMotion, type;
   return std::nullopt;
 }
 
@@ -198,7 +199,7 @@ class RequestReader {
         warn("OR-RN-051",
              fmt::format("no picture of type \"{}\" is made; it is left out of {} \"{}\"", word,
                          statement_, output_.file),
-             "rgb, rgba, a, z and n are");
+             "rgb, rgba, a, z, n and m are");
         continue;
       }
       file.layers |= type->layer;

@@ -105,6 +105,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
         "OR-RN-002", command.where,
         fmt::format("there are no options \"{}\"; defaults are used", command.options));
 
+  world->shutter = scene::shutter_of(world->options.motion);
   if (world->options.geometry) make_geometry(scene, world->options, registry, diagnostics);
   const std::vector<scene::Leaf> leaves =
       scene::flatten(scene, command.root, diagnostics, {},

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/diagnostic.h"
+#include "render/geometry_cache.h"
 #include "runtime/binder.h"
 #include "runtime/world.h"
 #include "scene/scene.h"
@@ -25,6 +26,8 @@ struct PrepareOptions {
   int width = 0, height = 0;
   /// Camera instance to use instead of the render command's.
   std::string camera;
+  /// What the frame before left, and what this one leaves: GeometryCache::keep takes the rest.
+  GeometryCache* cache = nullptr;
   /// Beside those of the options, and before them.
   std::vector<scene::LightGroup> light_groups;
 };

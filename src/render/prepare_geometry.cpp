@@ -5,12 +5,8 @@
 
 #include <map>
 
-#include "base/parallel.h"
-#include "geom/tessellate.h"
-#include "render/prepare_displacement.h"
+#include "render/mesh_table.h"
 #include "render/prepare_parts.h"
-#include "render/refine_displacement.h"
-#include "render/tessellation_plan.h"
 
 namespace oriel {
 namespace {
@@ -108,14 +104,6 @@ std::uint16_t takes(const scene::ResolvedFlags& flags) {
   return static_cast<std::uint16_t>(bits);
 }
 
-/// One mesh of the world: an object as a set of displacement shaders leaves it.
-struct MeshVariant {
-  std::size_t object = 0;
-  Displacement displacement;
-  const scene::Leaf* first = nullptr;  ///< the leaf its shaders see
-  geom::MeshId id{};
-};
-
 /// The variants in the order the leaves need them.
 class VariantTable {
  public:
@@ -130,22 +118,6 @@ class VariantTable {
  private:
   std::map<std::pair<std::size_t, Displacement>, std::size_t> known_;
 };
-
-/// Displaces the meshes and hands them to the tracer; each is copied only while it is needed again.
-void add_meshes(std::vector<geom::Mesh>& meshes, const TessellationPlan& plan,
-                std::vector<MeshVariant>& variants, World& world, Diagnostics& diagnostics,
-                PrepareReport& report) {
-  std::vector<std::size_t> uses(meshes.size());
-  for (const MeshVariant& v : variants) ++uses[v.object];
-  for (MeshVariant& v : variants) {
-    geom::Mesh mesh = --uses[v.object] > 0 ? meshes[v.object] : std::move(meshes[v.object]);
-    refine_for_displacement(mesh, v.displacement, *v.first, plan.jobs[v.object].context, world,
-                            diagnostics);
-    displace(mesh, v.displacement, *v.first, world, diagnostics);
-    report.triangles += mesh.triangles.size();
-    v.id = world.accel->add_mesh(std::move(mesh));
-  }
-}
 
 /// The lights an instance is linked to; an empty list restricts nothing.
 void link_lights(const scene::Leaf& leaf, const LightNames& lights, InstanceData& data) {
@@ -163,13 +135,10 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                     const LightNames& lights, const std::string& options_name, Binder& binder,
                     const PrepareOptions& options, World& world, Diagnostics& diagnostics,
                     PrepareReport& report) {
-  const TessellationPlan plan =
-      plan_tessellation(leaves, scene.get<scene::Options>(options_name), world.camera);
-  std::vector<geom::Mesh> meshes(plan.jobs.size());
-  parallel_for(meshes.size(), [&](std::size_t i) {
-    meshes[i] = geom::tessellate(*plan.jobs[i].object, plan.jobs[i].context, diagnostics);
-    if (!world.options.hair) meshes[i].curves = {};
-  });
+  const auto* block = scene.get<scene::Options>(options_name);
+  GeometryCache nothing;
+  MeshTable meshes(scene, plan_tessellation(leaves, block, world.camera), world,
+                   options.cache ? *options.cache : nothing, diagnostics);
   report.objects = meshes.size();
 
   // Instances, and which form of its object's mesh each one uses.
@@ -183,7 +152,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const scene::Leaf& leaf = leaves[i];
-    const std::size_t mesh = plan.job_of_leaf[i];
+    const std::size_t mesh = meshes.of_leaf(i);
     if (mesh == scene::kNone) continue;
     InstanceData data;
     data.name = leaf.instance().name;
@@ -193,7 +162,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     data.takes = takes(leaf.flags);
     world.photons_part_ways |= photon_bits(data.takes, true) != photon_bits(data.takes, false);
     bool transmits_light = false;
-    for (const geom::MaterialSlot& slot : meshes[mesh].slots) {
+    for (const geom::MaterialSlot& slot : meshes.slots(mesh)) {
       data.materials.push_back(material_of_slot(leaf, slot, materials));
       if (world.materials[static_cast<std::size_t>(data.materials.back())].may_transmit)
         transmits_light = true;
@@ -205,14 +174,14 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     world.instances.push_back(std::move(data));
   }
 
-  world.accel = std::make_unique<geom::Accel>();
-  add_meshes(meshes, plan, table.variants, world, diagnostics, report);
+  meshes.add(table.variants, report);
   for (std::size_t i = 0; i < placed.size(); ++i)
     world.accel->add_instance({.mesh = table.variants[placed[i].variant].id,
                                .local_to_world = placed[i].leaf->local_to_world,
                                .world_to_local = placed[i].leaf->world_to_local,
                                .mask = placed[i].mask,
-                               .user = static_cast<std::uint32_t>(i)});
+                               .user = static_cast<std::uint32_t>(i),
+                               .path = scene::motion_path(*placed[i].leaf, world.shutter)});
   if (options.release_geometry) {
     for (scene::Element& element : scene.elements())
       if (auto* object = std::get_if<scene::Object>(&element)) {
@@ -221,7 +190,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
       }
     malloc_trim(0);  // the C library would keep most of it while Embree builds
   }
-  world.accel->commit();
+  meshes.commit();
   const geom::AccelMemory memory = world.accel->memory();
   report.geometry_bytes = memory.meshes + memory.instances + memory.embree;
 }

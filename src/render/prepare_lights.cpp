@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/motion.h"
 #include "render/prepare_parts.h"
 
 namespace oriel {
@@ -171,6 +172,10 @@ LightNames place_lights(const std::vector<scene::Leaf>& leaves, World& world,
     if (leaf.kind != scene::LeafKind::Light || leaf.flags.hidden) continue;
     const int index = static_cast<int>(world.lights.size());
     world.lights.push_back(place_light(leaf, diagnostics));
+    // From where it stands as written to where it is.
+    for (const Mat4& to_world : scene::motion_path(leaf, world.shutter))
+      world.lights.back().path.emplace_back(Imath::M44d(leaf.world_to_local) *
+                                            Imath::M44d(to_world));
     const LightShape shape = world.lights.back().shape;
     world.has_area_lights |= shape != LightShape::Point && shape != LightShape::Directional;
     for (const scene::Instance* instance : leaf.chain) {
@@ -211,6 +216,12 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
           place_portal(*leaf.light(), light, diagnostics);
         else
           light.portal.reset();
+        if (light.portal && !light.path.empty()) {
+          diagnostics.warning("OR-RN-024", leaf.light()->where,
+                              fmt::format("portal light \"{}\" moves; it is taken to stand still",
+                                          leaf.light()->name));
+          light.path.clear();
+        }
         // The sky is seen there in any case: highlights would come on top of it.
         light.visible = light.portal != nullptr;
       }
@@ -231,6 +242,7 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
     element = leaf.camera();
     camera.to_world = leaf.local_to_world;
     camera.to_camera = leaf.world_to_local;
+    camera.path = scene::motion_path(leaf, world.shutter);
   }
   if (!element) {
     // A camera outside of the rendered group: place it by its own instance alone.
@@ -240,6 +252,7 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
       camera.to_camera = *instance->transform;
       camera.to_world = instance->transform->inverse();
     }
+    if (instance) camera.path = scene::motion_path(*instance, world.shutter);
   }
   if (!element) {
     std::vector<std::string> names;
@@ -249,6 +262,11 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
                       names.empty() ? "the rendered group holds no camera instance"
                                     : fmt::format("cameras: {}", fmt::join(names, ", ")));
     return false;
+  }
+  camera.middle = world.shutter.middle();
+  if (!camera.path.empty()) {
+    camera.to_world = geom::matrix_at(camera.path, camera.middle);
+    camera.to_camera = geom::inverse_of(camera.to_world);
   }
   camera.orthographic = element->orthographic;
   camera.focal = element->focal.value_or(kDefaultFocal);

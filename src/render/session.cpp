@@ -35,10 +35,11 @@ DisplayMap display_map(const World& world, const Window& window) {
   };
 }
 
-std::vector<BufferMean> buffer_means(const World& world) {
+std::vector<BufferMean> buffer_means(const World& world, bool motion) {
   std::vector<BufferMean> means;
   for (const UserBuffer& buffer : world.user_buffers)
     means.push_back(buffer.interpolate ? BufferMean::Mean : BufferMean::FirstSample);
+  if (motion) means.push_back(BufferMean::FirstSample);
   return means;
 }
 
@@ -48,6 +49,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
     : world_(world),
       seed_(settings.seed),
       irradiance_(settings.irradiance),
+      motion_(settings.motion),
       unit_luminance_(settings.unit_luminance),
       window_(window_of(world, settings)),
       filter_(world.options.filter),
@@ -55,7 +57,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
             settings.outputs,
             settings.lights && world.light_layers.asked() ? world.light_layers.count() : 0,
-            buffer_means(world)),
+            buffer_means(world, motion_)),
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
@@ -126,6 +128,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     if (film_.user_buffers() > 0) {
       mine.buffers.assign(film_.user_buffers(), Rgba(0));
       mine.paths.buffers = mine.buffers.data();
+      if (motion_) mine.paths.motion = &mine.buffers.back();
     }
     s = sample(x, y, index, mine.paths, mine.counts);
   };

@@ -22,6 +22,7 @@ struct SessionSettings {
   std::uint32_t seed = 0;
   bool outputs = false;             ///< keep the outputs of materials
   bool irradiance = false;          ///< and that of the first surfaces: a second path for each
+  bool motion = false;              ///< keep the motion of the first surfaces
   bool lights = true;               ///< keep the layers of lights that the world has
   float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
@@ -56,6 +57,10 @@ class RenderSession {
   const RayCounts& rays() const { return rays_; }
   bool keeps_irradiance() const { return irradiance_; }
   float unit_luminance() const { return unit_luminance_; }
+  /// Where the film's buffers hold motion, behind those of users.
+  std::optional<std::size_t> motion_slot() const {
+    return motion_ ? std::optional(world_.user_buffers.size()) : std::nullopt;
+  }
   /// Whether some light of the picture may not know its layer: it comes from maps in files, from
   /// grids of interpolated reflections or from shaders that bring finished colours.
   bool has_unknown_light() const {
@@ -74,7 +79,7 @@ class RenderSession {
 
   const World& world_;
   std::uint32_t seed_;
-  bool irradiance_;
+  bool irradiance_, motion_;
   float unit_luminance_;
   Window window_;
   FilterSampler filter_;

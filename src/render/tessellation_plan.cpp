@@ -66,9 +66,9 @@ TessellationPlan plan_tessellation(const std::vector<scene::Leaf>& leaves,
     plan.job_of_leaf.push_back(number);
     if (is_new) {
       TessellationJob& job = plan.jobs.emplace_back();
-      job = {object, {entry->first.second, options, view_of(leaf, camera)}};
+      job = {object, {entry->first.second, options, view_of(leaf, camera)}, false};
       Finest& first = finest.emplace_back();
-      first.asked = is_approximated(job);
+      first.asked = job.approximated = is_approximated(job);
       if (first.asked) first.box = bounds(*object);
     }
     Finest& best = finest[number];

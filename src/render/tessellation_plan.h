@@ -14,6 +14,7 @@ namespace oriel {
 struct TessellationJob {
   const scene::Object* object = nullptr;
   scene::ApproximationContext context;
+  bool approximated = false;  ///< something says how finely; else the context does not matter
 };
 
 struct TessellationPlan {

@@ -26,7 +26,7 @@ struct Placed {
   explicit Placed(std::size_t count) : instances(count), leaves(count) {
     scene::Object object;
     scene::PolygonGroup& group = object.groups.emplace_back();
-    group.vectors = {{-1, 0, 0}, {1, 0, 0}};
+    for (const float x : {-1.0f, 1.0f}) group.vectors.emplace_back(x, 0.0f, 0.0f);
     group.vertices.point = {0, 1};
     element = std::move(object);
     for (std::size_t i = 0; i < count; ++i) {

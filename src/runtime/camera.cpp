@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/camera.h"
 
+#include "geom/motion.h"
+
 namespace oriel {
 
-Camera::Ray Camera::ray(Vec2 raster) const {
+Camera Camera::at(float time) const {
+  Camera camera = *this;
+  if (path.empty()) return camera;
+  camera.path.clear();
+  camera.to_world = geom::matrix_at(path, time);
+  camera.to_camera = geom::inverse_of(camera.to_world);
+  return camera;
+}
+
+Vec3 Camera::project(const Vec3& point, float time) const {
+  if (!path.empty()) return at(time).project(point, time);
+  const Vec3 p = transform_point(point, to_camera);
+  const float film = orthographic ? 1 : focal / -p.z;
+  const float half_width = aperture / 2;
+  return {(p.x * film / half_width + 1) / 2 * static_cast<float>(width) - offset.x,
+          (p.y * film * aspect / half_width + 1) / 2 * static_cast<float>(height) - offset.y, -p.z};
+}
+
+Camera::Ray Camera::ray(Vec2 raster, float time) const {
+  if (!path.empty()) return at(time).ray(raster, time);
   const float half_width = aperture / 2;
   const float x = (2 * (raster.x + offset.x) / static_cast<float>(width) - 1) * half_width;
   const float y =
@@ -11,12 +32,19 @@ Camera::Ray Camera::ray(Vec2 raster) const {
   const float pixel = aperture / static_cast<float>(width);
   if (orthographic) {
     return {transform_point(Vec3(x, y, 0), to_world),
-            normalize(transform_vector(Vec3(0, 0, -1), to_world)), 1, 0,
-            pixel * length(transform_vector(Vec3(1, 0, 0), to_world))};
+            normalize(transform_vector(Vec3(0, 0, -1), to_world)),
+            1,
+            0,
+            pixel * length(transform_vector(Vec3(1, 0, 0), to_world)),
+            time};
   }
   const Vec3 local = normalize(Vec3(x, y, -focal));
-  return {transform_point(Vec3(0), to_world), normalize(transform_vector(local, to_world)),
-          -local.z, pixel / focal * sqr(local.z), 0};
+  return {transform_point(Vec3(0), to_world),
+          normalize(transform_vector(local, to_world)),
+          -local.z,
+          pixel / focal * sqr(local.z),
+          0,
+          time};
 }
 
 }  // namespace oriel

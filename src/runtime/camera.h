@@ -2,6 +2,8 @@
 // The camera: raster positions to rays.
 #pragma once
 
+#include <vector>
+
 #include "base/vec.h"
 
 namespace oriel {
@@ -18,15 +20,25 @@ struct Camera {
   Vec2 offset{0};                     ///< pixels the image plane is shifted
   float clip_near = 0, clip_far = 0;  ///< 0 0 = none
   int window[4] = {0, 0, 0, 0};       ///< x0 y0 x1 y1, half open, from the lower left
-  Mat4 to_world, to_camera;
+  Mat4 to_world, to_camera;           ///< of a camera that moves: as it stands in the middle
+  std::vector<Mat4> path;             ///< to_world at equal steps of a ray's time; empty: it stays
+  float middle = 0;                   ///< of the shutter, ray time
 
   struct Ray {
     Vec3 origin, direction;  ///< world, direction unit
     float cos_to_film;       ///< cosine to the optical axis; 1 when orthographic
     float spread;            ///< radians between neighbouring pixels' rays
     float width;             ///< footprint at the origin, world units (orthographic)
+    float time = 0;
   };
-  Ray ray(Vec2 raster) const;
+  /// In the middle of the shutter.
+  Ray ray(Vec2 raster) const { return ray(raster, middle); }
+  Ray ray(Vec2 raster, float time) const;
+  /// Where a point is seen: raster x, y, and the distance along the axis. Not finite in the plane
+  /// of the camera.
+  Vec3 project(const Vec3& point, float time) const;
+  /// The camera as it stands at a time, and stays.
+  Camera at(float time) const;
 };
 
 }  // namespace oriel

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "color/luminance.h"
+#include "geom/motion.h"
 #include "geom/shapes.h"
 #include "runtime/world.h"
 #include "sampling/rectangle.h"
@@ -149,7 +150,35 @@ bool has_square_corners(const Light& light) {
   return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
 }
 
-std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
+namespace {
+
+/// A light that moves, at a time: what it lights is taken to where it stands as written, and what
+/// is found there back. Turned lights have their shader's answer as it is; stretched ones shine as
+/// if they were not.
+class MovedLight {
+ public:
+  MovedLight(const Light& light, const ShadingPoint& point)
+      : there_(geom::matrix_at(light.path, point.time)),
+        back_(geom::inverse_of(there_)),
+        point_(point) {
+    point_.position = transform_point(point.position, back_);
+    point_.ray_origin = transform_point(point.ray_origin, back_);
+    point_.ray_direction = normalize(transform_vector(point.ray_direction, back_));
+    point_.normal = normalize(transform_normal(point.normal, there_));
+    point_.geometric_normal = normalize(transform_normal(point.geometric_normal, there_));
+  }
+  ShadingPoint& point() { return point_; }
+  Vec3 at_rest(const Vec3& direction) const {
+    return normalize(transform_vector(direction, back_));
+  }
+  Vec3 moved(const Vec3& direction) const { return normalize(transform_vector(direction, there_)); }
+
+ private:
+  Mat4 there_, back_;
+  ShadingPoint point_;
+};
+
+std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind) {
   const Vec3& p = point.position;
   if (light.portal) return sample_portal(light, p, u);
@@ -199,7 +228,7 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
   return sample;
 }
 
-std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
+std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
                                         const Vec3& direction, float t_most, RayKind kind) {
   const Vec3& o = from.position;
   std::optional<geom::ShapeHit> hit;
@@ -267,6 +296,25 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
   result.affects_specular = value.affects_specular;
   result.force_specular = value.force_specular;
   return result;
+}
+
+}  // namespace
+
+std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
+                                        RayKind kind) {
+  if (light.path.empty() || point.time == kAsWritten) return sample_still(light, point, u, kind);
+  MovedLight moved(light, point);
+  auto sample = sample_still(light, moved.point(), u, kind);
+  if (sample) sample->wi = moved.moved(sample->wi);
+  return sample;
+}
+
+std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
+                                        const Vec3& direction, float t_most, RayKind kind) {
+  if (light.path.empty() || from.time == kAsWritten)
+    return intersect_still(light, from, direction, t_most, kind);
+  MovedLight moved(light, from);
+  return intersect_still(light, moved.point(), moved.at_rest(direction), t_most, kind);
 }
 
 }  // namespace oriel

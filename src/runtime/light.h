@@ -39,6 +39,9 @@ struct Light {
   Luminaire luminaire;   ///< set where the shader distributes light by a profile
   Mat4 to_local;         ///< world to the light's space
   Mat4 to_world;
+  /// Where what is written goes, world to world, at equal steps of a ray's time; empty: it stays.
+  /// Samples, hits and photons of a light that moves are worked out where it stands as written.
+  std::vector<Mat4> path;
   const ShaderNode* shader = nullptr;
   const ShaderNode* emitter = nullptr;  ///< asked for photons in place of the shader; null: none
   std::unique_ptr<ShaderState> state;   ///< what the shader worked out for this light
@@ -60,9 +63,12 @@ struct LightSample {
   bool force_specular = false;
 };
 
+/// A point's time to which lights that move stand as written.
+inline constexpr float kAsWritten = -1;
+
 /// Samples a light from a point.
 ///
-/// Inputs:  point: shading point (its position is lit), u: uniform in [0,1)^2.
+/// Inputs:  point: shading point (its position is lit, at its time), u: uniform in [0,1)^2.
 /// Returns: nothing where the light cannot reach the point. With a mental ray light shader an area
 ///          light is the mean of its shader over the shape (per area; rectangles with decay are
 ///          sampled by solid angle, which has the same mean and less noise).

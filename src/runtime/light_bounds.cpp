@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "color/luminance.h"
 #include "runtime/light_tree.h"
@@ -92,7 +93,16 @@ LightBounds bounds_of(const Light& light, const World& world, float reach) {
   LightBounds bounds;
   const Vec3 half = half_size(light);
   bounds.box = {light.position - half, light.position + half};
-  if (light.portal || is_flat(light.shape)) {
+  if (!light.path.empty()) {
+    // Wherever it goes, and turned any way.
+    const geom::Box3 rest = std::exchange(bounds.box, {});
+    for (const Mat4& m : light.path)
+      for (int corner = 0; corner < 8; ++corner)
+        bounds.box.extendBy(transform_point(
+            Vec3((corner & 1 ? rest.max : rest.min).x, (corner & 2 ? rest.max : rest.min).y,
+                 (corner & 4 ? rest.max : rest.min).z),
+            m));
+  } else if (light.portal || is_flat(light.shape)) {
     bounds.normals = {light.direction, 1};
     bounds.cos_reach = 0;
   } else if (light.shape == LightShape::Point && light.spread >= -1 &&

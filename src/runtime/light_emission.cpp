@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "color/luminance.h"
+#include "geom/motion.h"
 #include "sampling/sampler.h"
 #include "sampling/warp.h"
 
@@ -28,6 +29,7 @@ ShadingPoint lit_point(const World& world, const Vec3& position, const Vec3& dir
   point.ray_direction = direction;
   point.normal = point.geometric_normal = -direction;
   point.world = &world;
+  point.time = kAsWritten;
   return point;
 }
 
@@ -287,6 +289,29 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
     hit = intersect_light(light, point, normalize(inner - point.position), kInfinity, photon.kind);
   }
   return hit ? hit->radiance * photon.weight : Rgb(0);
+}
+
+/// Near end of the first segment, as share of the scene's radius: what lies in the plane of an
+/// area light does not stop its photons.
+constexpr float kOffTheLight = 1e-5f;
+
+geom::Ray PhotonSource::first_ray(const EmittedPhoton& photon,
+                                  const sampling::Sampler& sampler) const {
+  constexpr std::uint32_t kTimeBranch = 9000;
+  geom::Ray ray;
+  ray.org = photon.origin;
+  ray.dir = photon.direction;
+  ray.tnear = kOffTheLight * scene_radius_;
+  ray.mask = geom::RayMask::FinalGather | geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
+  if (!world_->shutter.on) return ray;
+  sampling::Sampler stream = sampler.split(0, 1, kTimeBranch);
+  stream.set_dimension(0);
+  ray.time = world_->shutter.at(stream.next_1d());
+  if (!light_ || light_->path.empty()) return ray;
+  const Mat4 there = geom::matrix_at(light_->path, ray.time);
+  ray.org = transform_point(ray.org, there);
+  ray.dir = normalize(transform_vector(ray.dir, there));
+  return ray;
 }
 
 Rgb PhotonSource::power(const EmittedPhoton& photon, float distance) const {

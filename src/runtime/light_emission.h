@@ -3,6 +3,7 @@
 #pragma once
 
 #include "runtime/world.h"
+#include "sampling/sampler.h"
 
 namespace oriel {
 
@@ -44,6 +45,9 @@ class PhotonSource {
   /// Inputs: two independent draws, each uniform in [0,1)^2.
   EmittedPhoton emit(Vec2 u_place, Vec2 u_direction,
                      RayKind kind = RayKind::PhotonEmitGlobillum) const;
+  /// The ray of a photon, at a time while the shutter is open: photons are spread over it, and
+  /// those of a light that moves, which are known where it stands as written, go from where it is.
+  geom::Ray first_ray(const EmittedPhoton& photon, const sampling::Sampler& sampler) const;
   /// Power with which a photon lands after a straight way of that length; black where the light
   /// does not reach or send.
   Rgb power(const EmittedPhoton& photon, float distance) const;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/vec.h"
+#include "runtime/placed_matrix.h"
 
 namespace oriel {
 
@@ -109,9 +110,11 @@ struct ShadingPoint {
   float ray_offset = 0;         ///< rays may start this far along the geometric normal
   int instance = -1;            ///< index into World::instances
   std::uint32_t primitive = 0;  ///< triangle of the instance's mesh
-  int light = -1;  ///< for shadow shaders, index into World::lights; -1 = none of these
-  const Mat4* to_object = nullptr;  ///< world to object space, null means identity
-  const Mat4* to_world = nullptr;
+  int light = -1;          ///< for shadow shaders, index into World::lights; -1 = none of these
+  PlacedMatrix to_object;  ///< world to object space, null means identity
+  PlacedMatrix to_world;
+  float time = 0;  ///< of the ray, 0 to 1; World::shutter tells when that is
+  Vec3 speed{0};   ///< way per unit of ray time; null where nothing moves
   Vec2 raster{0};  ///< pixels, origin lower left, pixel centres at half steps
   const World* world = nullptr;
   const Material* material = nullptr;  ///< whose surface shaders are running

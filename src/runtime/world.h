@@ -18,6 +18,7 @@
 #include "runtime/mesh_lights.h"
 #include "runtime/shader_node.h"
 #include "runtime/texture_node.h"
+#include "scene/motion.h"
 #include "scene/render_options.h"
 
 namespace oriel {
@@ -44,7 +45,7 @@ inline unsigned photon_bits(unsigned takes, bool caustic) {
 /// One leaf of the instance graph that holds geometry.
 struct InstanceData {
   std::string name;
-  Mat4 to_object, to_world;
+  Mat4 to_object, to_world;    ///< as written; of what moves accel tells the rest
   std::vector<int> materials;  ///< per material slot of its mesh, index into World::materials
   /// Lights linked to the instance: indices into World::lights; used when `linked`.
   std::vector<int> lights;
@@ -67,6 +68,7 @@ inline constexpr int kFirstNamedBuffer = 4096;
 struct World {
   std::vector<UserBuffer> user_buffers;  ///< none where no bound shader could write them
   scene::RenderOptions options;
+  scene::Shutter shutter;
   Camera camera;
   std::unique_ptr<geom::Accel> accel;
   std::vector<InstanceData> instances;
@@ -94,5 +96,12 @@ struct World {
   std::deque<std::unique_ptr<TextureNode>> textures;
   std::deque<std::string> strings;
 };
+
+/// Way of what the point is on in one motion interval, world.
+inline Vec3 motion_of(const ShadingPoint& point) {
+  return point.world ? point.speed / static_cast<float>(point.world->shutter.last -
+                                                        point.world->shutter.first)
+                     : Vec3(0);
+}
 
 }  // namespace oriel

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <utility>
+
+#include "scene/motion.h"
 
 namespace oriel::scene {
 namespace {
@@ -19,19 +20,6 @@ constexpr std::size_t kMostNamesSearched = 20'000;
 
 Matrix matrix_of(const std::optional<Mat4>& matrix, bool singular) {
   return matrix && !singular ? Matrix(*matrix) : Matrix();
-}
-
-/// Whether a matrix squashes space: its volume is nothing beside the product of its row lengths.
-bool is_singular(const Matrix& m) {
-  constexpr double kRounding = 1e-12;  // rows that depend on each other leave about 1e-16
-  double scale = 1;
-  for (int i = 0; i < 4; ++i) {
-    double row = 0;
-    for (int j = 0; j < 4; ++j) row += m[i][j] * m[i][j];
-    scale *= i < 3 ? std::sqrt(row) : 1;
-  }
-  // Not `<`: a matrix with a NaN is none that anything could be placed with.
-  return !(std::abs(m.determinant()) > kRounding * scale);
 }
 
 /// What an instance contributes beside its matrices, worked out and complained about once, however
@@ -48,6 +36,7 @@ struct Inherited {
   Matrix to_local, to_world;
   Matrix motion_to_local;
   bool moves = false;
+  std::size_t first_moving = 0;
   const Instance* material_source = nullptr;
   bool material_override = false;
   const LightLinks* light_links = nullptr;
@@ -194,8 +183,8 @@ class Flattener {
     return info;
   }
 
-  static Inherited descend(const Inherited& above, const Instance& instance,
-                           const InstanceInfo& info) {
+  Inherited descend(const Inherited& above, const Instance& instance,
+                    const InstanceInfo& info) const {
     Inherited below = above;
     const Matrix m = matrix_of(instance.transform, info.singular);
     below.to_local = above.to_local * m;
@@ -208,6 +197,7 @@ class Flattener {
     if (info.motion_off) {
       below.motion_to_local = below.to_local;
       below.moves = false;
+      below.first_moving = chain_.size() + 1;
     }
     // The nearest instance with materials wins, unless one above it overrides all below.
     if (!instance.materials.empty() && !above.material_override) {
@@ -263,6 +253,7 @@ class Flattener {
     leaf.chain = chain_;
     leaf.world_to_local = Mat4(here.to_local);
     leaf.local_to_world = Mat4(here.to_world);
+    leaf.first_moving = here.first_moving;
     if (here.moves) leaf.motion_world_to_local = Mat4(here.motion_to_local);
     leaf.material_source = here.material_source;
     leaf.material_override = here.material_override;

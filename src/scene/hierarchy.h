@@ -24,7 +24,9 @@ struct Leaf {
   const Element* element = nullptr;    ///< null for a geometry shader: see the innermost instance
   std::vector<const Instance*> chain;  ///< outermost first, never empty
   Mat4 world_to_local, local_to_world;
-  std::optional<Mat4> motion_world_to_local;  ///< when the shutter closes; unset: does not move
+  /// At the end of the motion interval; unset: does not move. See motion.h for the way there.
+  std::optional<Mat4> motion_world_to_local;
+  std::size_t first_moving = 0;  ///< of the chain; `motion off` holds those before and itself
 
   /// The instance whose materials apply to polygons without their own; null: none. Where it says
   /// `override` they apply to all polygons.

@@ -15,11 +15,26 @@ SourceLocation place_of(const Element& element) {
 
 bool Scene::add(Element element) {
   const auto [entry, is_new] = by_name_.try_emplace(name_of(element), elements_.size());
-  if (is_new)
+  if (is_new) {
     elements_.push_back(std::move(element));
-  else
+    revisions_.push_back(++last_revision_);
+  } else {
     elements_[entry->second] = std::move(element);
+    revisions_[entry->second] = ++last_revision_;
+  }
   return is_new;
+}
+
+std::uint64_t Scene::revision(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? 0 : revisions_[found->second];
+}
+
+bool Scene::touch(std::string_view name) {
+  const auto found = by_name_.find(name);
+  if (found == by_name_.end()) return false;
+  revisions_[found->second] = ++last_revision_;
+  return true;
 }
 
 bool Scene::remove(std::string_view name) {
@@ -27,6 +42,7 @@ bool Scene::remove(std::string_view name) {
   if (found == by_name_.end()) return false;
   const std::size_t index = found->second;
   elements_.erase(elements_.begin() + static_cast<std::ptrdiff_t>(index));
+  revisions_.erase(revisions_.begin() + static_cast<std::ptrdiff_t>(index));
   by_name_.erase(found);
   for (auto& [key, i] : by_name_)
     if (i > index) --i;

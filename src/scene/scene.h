@@ -47,6 +47,10 @@ class Scene {
   /// Adds an element; one of the same name is replaced in place. Returns true when it was new.
   bool add(Element element);
   bool remove(std::string_view name);
+  /// A number that only an element has which was not added or touched since; 0: there is none.
+  std::uint64_t revision(std::string_view name) const;
+  /// Gives it another revision; false when there is none of that name.
+  bool touch(std::string_view name);
   Element* find(std::string_view name);
   const Element* find(std::string_view name) const;
   /// The element of that name if it is a T, else null.
@@ -77,6 +81,7 @@ class Scene {
   const Phenomenon* find_phenomenon(std::string_view name) const;
   const DataDeclaration* find_data_declaration(std::string_view name) const;
 
+  /// Revisions do not count.
   bool operator==(const Scene& other) const;
 
  private:
@@ -85,6 +90,8 @@ class Scene {
     std::size_t operator()(std::string_view s) const { return std::hash<std::string_view>{}(s); }
   };
   std::vector<Element> elements_;
+  std::vector<std::uint64_t> revisions_;  // of the elements
+  std::uint64_t last_revision_ = 0;
   std::unordered_map<std::string, std::size_t, StringHash, std::equal_to<>> by_name_;
 };
 

@@ -117,6 +117,8 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   } else {
     state.importance = 1;
   }
+  if (context.world) state.time = context.world->shutter.scene_time(point.time);
+  state.motion = as_c(motion_of(point));
   state.org = as_c(point.ray_origin);
   state.dir = as_c(point.ray_direction);
   state.dist = point.environment ? 0 : point.ray_length;
@@ -245,6 +247,12 @@ ShadingPoint point_of(const miState* state) {
     point.ray_kind = static_cast<RayKind>(state->type);
   if (point.texture_spaces == 0) point.tex[0] = vec(state->tex);
   return point;
+}
+
+bool is_own_instance(const miState* state) {
+  const ShadingPoint& point = *context(state).point;
+  return point.instance >= 0 && point.to_object && point.to_world &&
+         state->instance == make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
 }
 
 void take_over(const ShadingPoint& point, const ShadingPoint& before, miState* state) {

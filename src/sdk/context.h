@@ -65,6 +65,8 @@ Vec2 next(const miState* state);
 /// The point as the state now describes it, for the renderer's own shaders and rays: shaders may
 /// move position, normals, texture coordinates and the ray.
 ShadingPoint point_of(const miState* state);
+/// Whether the state's instance is that of its point: the point knows where that is at its time.
+bool is_own_instance(const miState* state);
 /// Takes over into the state what the renderer's shader did to the point (bump, vectors).
 void take_over(const ShadingPoint& point, const ShadingPoint& before, miState* state);
 

@@ -243,9 +243,10 @@ bool ask_transform(miQ_type query, const miState* state, void* result) {
   static const Mat4 kIdentity;
   const Context& c = context(state);
   const Camera& camera = c.world->camera;
-  const InstanceData* instance = c.host->instance(state->instance);
-  const Mat4* to_object = instance ? &instance->to_object : c.point->to_object;
-  const Mat4* to_world = instance ? &instance->to_world : c.point->to_world;
+  const InstanceData* instance =
+      is_own_instance(state) ? nullptr : c.host->instance(state->instance);
+  const Mat4 *to_object = c.point->to_object, *to_world = c.point->to_world;
+  if (instance) to_object = &instance->to_object, to_world = &instance->to_world;
   if (!to_object) to_object = &kIdentity;
   if (!to_world) to_world = &kIdentity;
   // Products must stay where the caller reads them.

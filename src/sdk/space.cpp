@@ -33,7 +33,8 @@ Way to_camera(const miState* state) {
 Way to_object(const miState* state) {
   const oriel::sdk::Context& c = context(state);
   if (c.host && state->instance != miNULLTAG)
-    if (const oriel::InstanceData* instance = c.host->instance(state->instance))
+    if (const oriel::InstanceData* instance = c.host->instance(state->instance);
+        instance && !oriel::sdk::is_own_instance(state))
       return {&instance->to_object, &instance->to_world};
   return {c.point->to_object, c.point->to_world};
 }

@@ -4,13 +4,15 @@
 
 #include <cmath>
 
+#include "geom/motion.h"
 #include "runtime/world.h"
 #include "sdk/context.h"
 
 namespace oriel::sdk {
 
 Vec3 HitTriangle::position(int corner) const {
-  const Vec3& p = mesh->positions[corners[static_cast<std::size_t>(corner)]];
+  const auto i = static_cast<std::size_t>(corner);
+  const Vec3 p = geom::corners_at(*mesh, {corners[0], corners[1], corners[2]}, time)[i];
   return mesh_to_world ? transform_point(p, *mesh_to_world) : p;
 }
 
@@ -32,7 +34,7 @@ std::optional<HitTriangle> hit_triangle(const ShadingPoint& point) {
   const geom::Mesh& mesh = accel.mesh(id);
   if (point.primitive >= mesh.triangles.size()) return {};
   const geom::Triangle& t = mesh.triangles[point.primitive];
-  HitTriangle hit{&mesh, {t.a, t.b, t.c}, nullptr, nullptr, nullptr};
+  HitTriangle hit{&mesh, {t.a, t.b, t.c}, nullptr, nullptr, nullptr, point.time};
   if (accel.is_baked(id)) {
     hit.mesh_to_object = point.to_object;
     hit.object_to_mesh = point.to_world;

@@ -17,6 +17,7 @@ struct HitTriangle {
   const Mat4* mesh_to_world = nullptr;
   const Mat4* mesh_to_object = nullptr;
   const Mat4* object_to_mesh = nullptr;
+  float time = 0;  ///< of the ray
 
   Vec3 position(int corner) const;  ///< world space
   /// Weights of the corners at a point of world space in their plane, their sum is 1.

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "color/luminance.h"
+#include "geom/motion.h"
 #include "runtime/tracer.h"
 #include "transport/surface.h"
 
@@ -54,14 +55,15 @@ class NothingThere final : public Tracer {
 
 }  // namespace
 
-TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive) {
+TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive,
+                           float time) {
   const geom::InstanceDesc& desc = world.accel->instance(instance);
   const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
-  const geom::Triangle& t = mesh.triangles[primitive];
-  TriangleCorners corners{mesh.positions[t.a], mesh.positions[t.b], mesh.positions[t.c]};
-  if (!world.accel->is_baked(desc.mesh))
-    for (Vec3* p : {&corners.a, &corners.b, &corners.c})
-      *p = transform_point(*p, desc.local_to_world);
+  const auto at = geom::corners_at(mesh, mesh.triangles[primitive], time);
+  TriangleCorners corners{at[0], at[1], at[2]};
+  if (world.accel->is_baked(desc.mesh)) return corners;
+  const Mat4 forward = desc.path.empty() ? desc.local_to_world : geom::matrix_at(desc.path, time);
+  for (Vec3* p : {&corners.a, &corners.b, &corners.c}) *p = transform_point(*p, forward);
   return corners;
 }
 
@@ -73,6 +75,7 @@ ShadingPoint point_of_triangle(const World& world, std::uint32_t instance, std::
   hit.v = v;
   hit.instance = instance;
   hit.primitive = primitive;
+  hit.time = world.shutter.middle();
   geom::SurfacePoint surface;
   world.accel->interpolate(hit, surface);
   geom::Ray ray;
@@ -143,6 +146,17 @@ constexpr Vec2 kPlaces[] = {
     {1 / 3.0f, 1 / 3.0f}, {1 / 6.0f, 1 / 6.0f}, {2 / 3.0f, 1 / 6.0f}, {1 / 6.0f, 2 / 3.0f}};
 constexpr std::size_t kLargeMesh = 50000;
 
+/// The tree only goes by the box: a few times are enough.
+void extend_over_time(const World& world, std::uint32_t instance, std::uint32_t triangle,
+                      geom::Box3& box) {
+  constexpr int kTimes = 8;
+  for (int i = 0; i <= kTimes; ++i) {
+    const TriangleCorners at =
+        corners_of(world, instance, triangle, world.shutter.at(static_cast<float>(i) / kTimes));
+    for (const Vec3& p : {at.a, at.b, at.c}) box.extendBy(p);
+  }
+}
+
 struct Sides {
   float front = 0, back = 0;  ///< luminance, means over the places
 };
@@ -190,7 +204,7 @@ GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
   for (std::size_t i = 0; i < glows.size(); ++i) {
     const Sides& g = glows[i];
     const auto t = static_cast<std::uint32_t>(i);
-    const TriangleCorners corners = corners_of(world, instance, t);
+    const TriangleCorners corners = corners_of(world, instance, t, world.shutter.middle());
     const Vec3 normal = corners.normal_times_area();
     const float area = length(normal), brightest = std::max(g.front, g.back);
     const float power = (g.front + g.back) * area;
@@ -198,7 +212,10 @@ GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
     LightBounds b;
     for (const Vec3& p : {corners.a, corners.b, corners.c}) b.box.extendBy(p);
     b.falling = brightest * area;
-    if (g.front == 0 || g.back == 0) {
+    const bool moves = !desc.path.empty() || !mesh.keys.empty();
+    if (moves) extend_over_time(world, instance, t, b.box);
+    // Which way one that moves looks changes.
+    if ((g.front == 0 || g.back == 0) && !moves) {
       // The front is where the accel's normal points, which mirrored instances turn over.
       geom::Hit hit;
       hit.u = hit.v = 1 / 3.0f;

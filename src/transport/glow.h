@@ -21,10 +21,12 @@ struct TriangleCorners {
     return a * (1 - s) + b * (s * (1 - u.y)) + c * (s * u.y);
   }
 };
-TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive);
+TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive,
+                           float time);
 
-/// A point of a triangle as a ray that comes from straight above it, or from below, meets it.
-/// Inputs:  u, v: barycentric weights of corners b and c; instance: of the world's accel.
+/// A point of a triangle in the middle of the shutter, as a ray that comes from straight above it,
+/// or from below, meets it. Inputs:  u, v: barycentric weights of corners b and c; instance: of the
+/// world's accel.
 ShadingPoint point_of_triangle(const World& world, std::uint32_t instance, std::uint32_t primitive,
                                float u, float v, bool from_behind, RayKind kind);
 

@@ -220,6 +220,7 @@ bool Path::arrive(const geom::Hit& hit) {
       *met_ = Tracer::Met{result_->depth,  point.position, point.normal,  point.geometric_normal,
                           point.back_side, &material,      point.instance};
     if (settings_.meters) meter(closure, point);
+    if (settings_.motion) *settings_.motion = raster_motion(point);
   }
   if (turned) {
     at_first_ = alpha_open_ = false;
@@ -259,6 +260,7 @@ void Path::walk() {
 void Path::run(const Camera::Ray& eye) {
   eye_ = ray_.org = left_ = eye.origin;
   ray_.dir = eye.direction;
+  ray_.time = eye.time;
   const Camera& camera = world_.camera;
   ray_.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
   ray_.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;

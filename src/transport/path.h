@@ -50,7 +50,9 @@ struct PathSettings {
   /// nowhere.
   Rgb* by_light = nullptr;
   Rgba* buffers = nullptr;  ///< World::user_buffers.size() values that shaders leave; null = none
-  bool meters = false;      ///< the irradiance of the first surface is wanted: a second path
+  /// Where to leave the way of the first surface on the picture, as raster_motion() has it.
+  Rgba* motion = nullptr;
+  bool meters = false;  ///< the irradiance of the first surface is wanted: a second path
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.

@@ -47,7 +47,7 @@ bool Path::pass_air(const NodeList& nodes, ShadingPoint& way, bool endless) {
     from_.environment_sampled = false;
     from_.group = LobeGroup::Diffuse;
     from_.passed = 0;
-    ray_ = {};
+    ray_ = {.time = ray_.time};
     ray_.org = left_ = air.place;
     ray_.dir = air.onward;
     ray_.mask = mask();
@@ -70,6 +70,7 @@ bool Path::pass_air(const ShadingPoint& end, float t) {
   way.ray_direction = ray_.dir;
   way.ray_length = t;
   way.world = &world_;
+  way.time = ray_.time;
   SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, false)) ||
@@ -89,6 +90,7 @@ bool Path::pass_air_beyond() {
   way.ray_direction = ray_.dir;
   way.ray_length = kInfinity;
   way.world = &world_;
+  way.time = ray_.time;
   SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, true)) ||

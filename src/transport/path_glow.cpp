@@ -56,7 +56,8 @@ void Path::take_glow(const Closure& closure, const LobeChoice& choice, const Sha
   const float u_group = stream.next_1d();
   const auto chosen = world_.mesh_lights.choose(from_.lit, u_choice);
   if (!chosen) return;
-  const TriangleCorners triangle = corners_of(world_, chosen->instance, chosen->primitive);
+  const TriangleCorners triangle =
+      corners_of(world_, chosen->instance, chosen->primitive, point.time);
   const Vec3 to = triangle.at(u_place) - point.position;
   const float d2 = to.length2();
   if (!(d2 > 0)) return;
@@ -174,7 +175,7 @@ float Path::glow_weight(const geom::Hit& hit, const ShadingPoint& point) const {
       world_.accel->mesh(world_.accel->instance(hit.instance).mesh).triangles.size())
     return 1;
   const float chosen = world_.mesh_lights.probability(from_.lit, hit.instance, hit.primitive);
-  const TriangleCorners triangle = corners_of(world_, hit.instance, hit.primitive);
+  const TriangleCorners triangle = corners_of(world_, hit.instance, hit.primitive, hit.time);
   const float projected = std::abs(dot(ray_.dir, triangle.normal_times_area()));
   if (!(chosen > 0) || !(projected > kLeastCosine * triangle.area())) return 1;
   const float d2 = (point.position - from_.lit.position).length2();

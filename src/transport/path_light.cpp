@@ -27,6 +27,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   float nearest = t_surface;
   ShadingPoint origin;
   origin.position = ray_.org;
+  origin.time = ray_.time;
   origin.world = &world_;
   Rgb seen(0);
   int seen_light = -1;

@@ -51,6 +51,7 @@ Rgb sample_irradiance(const World& world, const LightMeter& meter, const PathSet
   point.geometric_normal = meter.normal;
   point.ray_offset = meter.offset;
   point.world = &world;
+  point.time = world.shutter.middle();
   PathResult received;
   Path(world, point.raster, settings, sampler, counts, received).receive(point, false);
   return received.radiance * kPi;

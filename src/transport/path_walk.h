@@ -49,6 +49,8 @@ class Path {
   /// `mapped`: maps of indirect light know the place; others gather by rays.
   void receive(ShadingPoint& point, bool mapped);
 
+  float time() const { return ray_.time; }
+
   // path_for_shaders.cpp: see runtime/tracer.h
   Tracer::Levels levels() const;
   Tracer::Seen trace_for_shader(const ShadingPoint& point, const Tracer::SubRay& ray,

@@ -22,9 +22,6 @@ constexpr int kMostVertices = 256;
 constexpr std::uint32_t kDrawsPerVertex = 8;
 /// Photons are asked for by other numbers than pixels are.
 constexpr int kStreamRow = 0x70686f74;
-/// Near end of the first segment, as share of the scene's radius: what lies in the plane of an
-/// area light does not stop its photons.
-constexpr float kOffTheLight = 1e-5f;
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// Photons that graze a surface whose shading normal faces them would gain without bound.
@@ -161,6 +158,7 @@ bool PhotonWalk::pass_air(const Vec3& end, float length) {
   way.ray_direction = ray_.dir;
   way.ray_length = length;
   way.world = &world_;
+  way.time = ray_.time;
   SceneTracer tracer(world_, sampler_, log_.counts);
   way.tracer = &tracer;
   // Where light from endlessly far is left alone by air without end, so are its photons.
@@ -193,7 +191,7 @@ bool PhotonWalk::pass_air(const Vec3& end, float length) {
       log_.balance.stopped += precise(power());
       factor_ = Rgb(0);
     }
-    ray_ = {};
+    ray_ = {.time = ray_.time};
     ray_.org = left_ = air.place;
     ray_.dir = air.onward;
     ray_.mask = geom::RayMask::FinalGather;
@@ -449,10 +447,8 @@ void PhotonWalk::run() {
   photon_ =
       source_.emit(u_place, sampler_.next_2d(),
                    settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
-  ray_.org = left_ = photon_.origin;
-  ray_.dir = photon_.direction;
-  ray_.tnear = kOffTheLight * source_.scene_radius();
-  ray_.mask = geom::RayMask::FinalGather | geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
+  ray_ = source_.first_ray(photon_, sampler_);
+  left_ = ray_.org;
   for (int vertex = 0; vertex < kMostVertices; ++vertex) {
     sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(vertex + 1));
     geom::Hit hit;

@@ -88,6 +88,7 @@ std::optional<Tracer::Met> SceneTracer::probe(const Vec3& origin, const Vec3& di
   ray.dir = direction;
   ray.tfar = reach;
   ray.mask = geom::RayMask::Probe;
+  ray.time = path_ ? path_->time() : world_.shutter.middle();
   return follow(ray, reach);
 }
 

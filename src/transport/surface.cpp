@@ -57,9 +57,32 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
   point.primitive = hit.primitive;
   point.to_object = &instance.to_object;
   point.to_world = &instance.to_world;
+  point.time = hit.time;
+  point.speed = surface.speed;
+  if (world.shutter.on && !world.accel->instance(hit.instance).path.empty()) {
+    Mat4 to_world, to_object;
+    world.accel->placement_at(hit.instance, hit.time, to_world, to_object);
+    point.to_world.set(to_world);
+    point.to_object.set(to_object);
+  }
   point.world = &world;
   take_texture_spaces(surface, point);
   set_footprint(cone.width_at(hit.t) * 0.5f, point);
+}
+
+Rgba raster_motion(const ShadingPoint& point) {
+  const World& world = *point.world;
+  const scene::Shutter& shutter = world.shutter;
+  if (!shutter.on) return Rgba(0);
+  const bool closed = !(shutter.close > shutter.open);
+  const float interval = 1 / static_cast<float>(shutter.last - shutter.first);
+  const float from = closed ? static_cast<float>(-shutter.first) * interval : shutter.open;
+  const float to = closed ? from + interval : shutter.close;
+  const auto seen = [&](float time) {
+    return world.camera.project(point.position + point.speed * (time - point.time), time);
+  };
+  const Vec3 way = seen(to) - seen(from);
+  return is_finite(way) ? Rgba(way.x, way.y, way.z, 0) : Rgba(0);
 }
 
 const Material& material_of(const World& world, const geom::Hit& hit) {
@@ -76,6 +99,7 @@ geom::Ray leave(const ShadingPoint& point, const Vec3& direction, float tfar, st
   ray.dir = direction;
   ray.tfar = tfar;
   ray.mask = mask;
+  ray.time = point.time;
   return ray;
 }
 

@@ -47,6 +47,11 @@ class SceneText {
     body_ += text + '\n';
     return *this;
   }
+  /// Puts an instance that a statement made into the root group.
+  SceneText& member(const std::string& instance) {
+    members_ += fmt::format(" \"{}\"", instance);
+    return *this;
+  }
   SceneText& environment(const std::string& shader_call) {
     environment_ = "environment " + shader_call;
     return *this;

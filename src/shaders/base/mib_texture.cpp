@@ -83,7 +83,7 @@ Vec3 selected(const VectorParams& p, const ShadingPoint& point) {
     case -2:
       return space(point.normal, false);
     case -3:
-      return Vec3(0);
+      return space(motion_of(point), false);
     case -4:
     case -10:
       return space(point.ray_direction, false);

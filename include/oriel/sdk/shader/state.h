@@ -56,7 +56,7 @@ typedef struct miState {
   miVector* tex_list;             ///< coordinates, one a texture space (miQ_NUM_TEXTURES)
   miVector* bump_x_list;          ///< bump basis, one a space (miQ_NUM_BUMPS), object space
   miVector* bump_y_list;
-  miVector motion;           ///< per shutter interval, or null
+  miVector motion;           ///< way in one motion interval, or null
   miVector* derivs;          ///< dP/du, dP/dv, d2P/du2, d2P/dv2, d2P/dudv, where asked for
   miVector tex;              ///< coordinate handed to a texture shader
   const miFunction* shader;  ///< the running shader
