@@ -99,6 +99,8 @@ RenderPlan plan_of(const RenderArguments& a) {
   if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
   if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
   if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
+  if (a.cryptomatte && (*a.cryptomatte < 0 || *a.cryptomatte > kMostMatteRanks))
+    throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMostMatteRanks));
   if (a.denoise && a.samples && *a.samples < 2)
     throw UsageError("--denoise: needs at least 2 samples to know the noise");
   plan.session.budget = {a.samples, a.noise, a.time};
@@ -180,6 +182,10 @@ Command add_render_command(CLI::App& program) {
       ->type_name("NAME=PATTERN,...");
   app->add_option("--unit-luminance", a->unit_luminance,
                   "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
+  app->add_flag("--cryptomatte{6}", a->cryptomatte,
+                "Mattes of objects, materials and assets by Cryptomatte layers of EXR files; "
+                "--cryptomatte=N for N names a pixel in place of 6. In scenes: option "
+                "\"cryptomatte\" on");
   app->add_flag("--denoise", a->denoise,
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");

@@ -11,6 +11,7 @@
 #include "pictures.h"
 #include "progress_line.h"
 #include "render/exposure_check.h"
+#include "render/matte_layers.h"
 #include "render/output_names.h"
 #include "render/unit_luminance.h"
 #include "sdk/call.h"
@@ -61,8 +62,16 @@ class FrameRenderer {
     return false;
   }
 
-  /// False when there is nothing to render.
+  /// Both eyes of cameras that have two. False when there is nothing to render.
   bool render(const scene::RenderCommand& command, int frame) {
+    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
+    for (const Eye eye : camera ? eyes_of(*camera) : std::vector{Eye::Middle})
+      if (!interrupted() && !render(command, frame, eye)) return false;
+    return true;
+  }
+
+ private:
+  bool render(const scene::RenderCommand& command, int frame, Eye eye) {
     session_.reset();  // it refers to the world before
     denoised_ = {};
     PrepareReport report;
@@ -73,16 +82,19 @@ class FrameRenderer {
     sdk::set_output_roots(roots_);
     PrepareOptions options = plan_.prepare;
     options.cache = &cache_;
+    options.eye = eye;
     world_ = prepare(scene_, command, host_->registry(), options, diagnostics_, report);
     if (!world_) return false;
     if (plan_.gi) world_->options.indirect = *plan_.gi;
     choose_files(command, frame);
+    for (PictureFile& file : files_) file.path = eye_path(file.path, eye);
     check_exposures(*world_, files_, diagnostics_);
     printer_.print_new();
 
     SessionSettings settings = plan_.session;
     settings.outputs = keeps_outputs();
     settings.lights = keeps_lights();
+    settings.mattes = keeps_mattes(command);
     settings.irradiance = std::any_of(files_.begin(), files_.end(), needs_irradiance);
     settings.motion = std::any_of(files_.begin(), files_.end(), needs_motion);
     settings.unit_luminance = unit_of_pixels();
@@ -107,7 +119,6 @@ class FrameRenderer {
     return true;
   }
 
- private:
   /// After the files: output shaders belong to the frame.
   void end_shaders() {
     host_->end_frame();
@@ -200,6 +211,30 @@ class FrameRenderer {
                          "light groups are layers of EXR files, and none is written",
                          "name one with -o FILE.exr");
     return false;
+  }
+
+  /// Ranks of the Cryptomattes that user or scene ask for; 0 = none.
+  int ranks_of_mattes(const scene::RenderCommand& command) const {
+    if (a_.cryptomatte) return *a_.cryptomatte;
+    const auto* options = scene_.get<scene::Options>(command.options);
+    const scene::Statement* asked =
+        options ? find_last(options->statements, "cryptomatte") : nullptr;
+    if (!asked || asked->values.empty()) return 0;
+    const scene::Value& value = asked->values[0];
+    if (value.numbers.empty()) return value.boolean ? kMatteRanks : 0;
+    return static_cast<int>(std::clamp(value.numbers[0], 0.0, double{kMostMatteRanks}));
+  }
+
+  std::optional<MatteNames> keeps_mattes(const scene::RenderCommand& command) {
+    int ranks = ranks_of_mattes(command);
+    if (ranks > 0 && std::none_of(files_.begin(), files_.end(), holds_light_layers)) {
+      diagnostics_.warning("OR-RN-062", {},
+                           "Cryptomattes are layers of EXR files, and none is written",
+                           "name one with -o FILE.exr");
+      ranks = 0;
+    }
+    if (ranks == 0 && std::none_of(files_.begin(), files_.end(), needs_mattes)) return std::nullopt;
+    return matte_names(scene_, *world_, ranks);
   }
 
   void on_pass(const Progress& p) {

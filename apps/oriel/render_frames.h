@@ -29,6 +29,7 @@ struct RenderArguments {
   std::optional<double> north;
   std::optional<float> unit_luminance;
   std::uint32_t seed = 0;
+  std::optional<int> cryptomatte;  ///< ranks; unset: as the scene's options say
   int threads = 0;
   std::string frames;
   bool skip_existing = false;

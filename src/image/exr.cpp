@@ -41,8 +41,9 @@ std::string full_name(const std::string& layer, const std::string& channel) {
   return channel.empty() ? layer : layer + "." + channel;
 }
 
-bool is_depth(const std::string& name) {
-  return name == "Z" || name == "ZBack" ||
+/// Depths, and ids whose bits matter.
+bool stays_float(const std::string& name) {
+  return name.starts_with("Crypto") || name == "Z" || name == "ZBack" ||
          (name.size() > 2 && name.compare(name.size() - 2, 2, ".Z") == 0);
 }
 
@@ -87,7 +88,7 @@ void write_file(const std::string& path, const std::vector<Layer>& layers,
     }
     for (int c = 0; c < image.channels; ++c) {
       const std::string name = full_name(layers[l].name, layers[l].channel_names[c]);
-      const bool as_half = options.half && !is_depth(name);
+      const bool as_half = options.half && !stays_float(name);
       const Imf::PixelType type = as_half ? Imf::HALF : Imf::FLOAT;
       const std::size_t size = as_half ? sizeof(half) : sizeof(float);
       const void* base = as_half ? static_cast<const void*>(halves[l].data() + c)

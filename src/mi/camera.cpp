@@ -13,9 +13,19 @@ using scene::Camera;
 using scene::Output;
 
 const FormTable& camera_forms() {
-  static const FormTable table{{"offset"}, {"window"}, {"clip"},   {"dof"},
-                               {"frame"},  {"field"},  {"stereo"}, {"eye separation"},
-                               {"tag"},    {"shift"},  {"motion"}, {"motion off"}};
+  static const FormTable table{{"offset"},
+                               {"window"},
+                               {"clip"},
+                               {"dof"},
+                               {"frame"},
+                               {"field"},
+                               {"stereo", "offset|toein|toe in|offaxis|off axis", 1},
+                               {"eye separation"},
+                               {"parallax distance"},
+                               {"tag"},
+                               {"shift"},
+                               {"motion"},
+                               {"motion off"}};
   return table;
 }
 

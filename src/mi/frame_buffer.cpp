@@ -32,7 +32,7 @@ std::vector<std::string_view> ending_words() {
   words.insert(words.end(), std::begin(kModifiers), std::end(kModifiers));
   words.insert(words.end(), std::begin(kCameraWords), std::end(kCameraWords));
   // Statements of a camera that no open list ends at.
-  for (const std::string_view word : {"stereo", "eye", "tag", "shift", "motion"})
+  for (const std::string_view word : {"stereo", "eye", "parallax", "tag", "shift", "motion"})
     words.push_back(word);
   return words;
 }

@@ -64,10 +64,11 @@ bool is_picture(const scene::FrameBuffer& buffer) {
   return buffer.primary.value_or(false) || name == "rgba" || name == "beauty" || name == "color";
 }
 
-/// Depth and normals: there is one picture of each, whatever the buffer is called.
+/// Depth, normals, labels and coverage: there is one picture of each, whatever the buffer is
+/// called.
 bool is_geometry_type(std::string_view datatype) {
   if (datatype.starts_with('+') || datatype.starts_with('-')) datatype.remove_prefix(1);
-  return datatype == "z" || datatype == "n";
+  return datatype == "z" || datatype == "n" || datatype == "tag" || datatype == "coverage";
 }
 
 /// Several buffers in one EXR file are layers of it.

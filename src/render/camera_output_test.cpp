@@ -73,6 +73,53 @@ TEST(CameraOutput, NumberTypesChooseDepthOfTheFile) {
   EXPECT_EQ(o.files[2].samples, SampleFormat::Float);
 }
 
+TEST(CameraOutput, EveryTypeOfDataIsAFileOfItsOwn) {
+  const TestFolder folder;
+  const struct {
+    const char* type;
+    Channels channels;
+    SampleFormat samples;
+    bool linear;
+  } types[] = {{"rgba", Channels::ColorAlpha, SampleFormat::U8, false},
+               {"+rgba_16", Channels::ColorAlpha, SampleFormat::U16, false},
+               {"-rgb_h", Channels::Color, SampleFormat::Half, true},
+               {"rgbe", Channels::Color, SampleFormat::Float, true},
+               {"a_16", Channels::Alpha, SampleFormat::U16, false},
+               {"s", Channels::Intensity, SampleFormat::U8, false},
+               {"s_fp", Channels::Intensity, SampleFormat::Float, true},
+               {"bit", Channels::Bit, SampleFormat::U8, false},
+               {"z", Channels::Depth, SampleFormat::Float, true},
+               {"-n", Channels::Normal, SampleFormat::Float, true},
+               {"tag", Channels::Tag, SampleFormat::Float, true},
+               {"coverage", Channels::Coverage, SampleFormat::Float, true}};
+  for (const auto& t : types) {
+    const Outputs o("output \"" + std::string(t.type) + "\" \"tif\" \"a.tif\"", folder.file(""));
+    ASSERT_EQ(o.files.size(), 1u) << t.type << o.prepared.messages();
+    EXPECT_EQ(o.files[0].channels, t.channels) << t.type;
+    EXPECT_EQ(o.files[0].samples, t.samples) << t.type;
+    EXPECT_EQ(o.files[0].linear, t.linear) << t.type;
+    EXPECT_EQ(o.prepared.messages(), "") << t.type;
+    EXPECT_EQ(needs_mattes(o.files[0]),
+              t.channels == Channels::Tag || t.channels == Channels::Coverage);
+  }
+}
+
+TEST(CameraOutput, WhatAFileCannotHoldIsTold) {
+  const TestFolder folder;
+  const auto told = [&](const std::string& statement) {
+    return Outputs(statement, folder.file("")).prepared.messages();
+  };
+  EXPECT_NE(told("output \"z\" \"png\" \"a.png\"").find("OR-RN-061"), std::string::npos);
+  EXPECT_NE(told("output \"rgba_16\" \"jpg\" \"a.jpg\"").find("8 bits"), std::string::npos);
+  EXPECT_EQ(told("output \"rgba_16\" \"png\" \"a.png\""), "");
+  // Formats of the language that nobody writes name the nearest one.
+  EXPECT_NE(told("output \"rgba\" \"pic\" \"a.pic\"").find("nearest that can is png"),
+            std::string::npos);
+  EXPECT_NE(told("output \"z\" \"zt\" \"a.zt\"").find("nearest that can is exr"),
+            std::string::npos);
+  EXPECT_NE(told("output \"m\" \"exr\" \"a.exr\"").find("movement"), std::string::npos);
+}
+
 TEST(CameraOutput, NothingIsWrittenOutsideTheSceneFolder) {
   const TestFolder folder;
   fs::create_directory(folder.file("scene"));

@@ -140,6 +140,10 @@ PathResult trace_through_lens(const World& world, const Camera& camera, float ti
     weight *= node->with_params(
         point, [&](const Call& call) { return node->spec().lens_ray(call, camera, u, ray); });
   }
+  if (is_black(weight)) {  // no light comes this way
+    if (settings.firsts) settings.firsts->emplace_back();
+    return {};
+  }
   return trace_path(world, ray, raster, settings, sampler, counts);
 }
 

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@
 #include "image/exr.h"
 #include "image/relight.h"
 #include "render/lens_shaders.h"
+#include "render/matte_layers.h"
 #include "render/output_names.h"
 #include "render/output_picture.h"
 
@@ -61,6 +63,14 @@ Image data_image(const RenderSession& session, Channels channels) {
   switch (channels) {
     case Channels::Alpha:
       return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).beauty.a; });
+    case Channels::Bit:
+      return collect(session, 1, [&](int x, int y, float* to) {
+        *to = film.pixel(x, y).beauty.a >= 0.5f ? 1.0f : 0.0f;
+      });
+    case Channels::Tag:
+      return label_image(session);
+    case Channels::Coverage:
+      return coverage_image(session);
     case Channels::Depth:
       return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).depth; });
     case Channels::Motion:
@@ -78,6 +88,19 @@ Image without_alpha(const Image& rgba) {
   for (std::size_t i = 0; i < rgba.pixel_count(); ++i)
     std::copy_n(&rgba.pixels[4 * i], 3, &image.pixels[3 * i]);
   return image;
+}
+
+Image intensity(const Image& rgba, const std::array<float, 3>& weight) {
+  Image image(rgba.width, rgba.height, 1);
+  for (std::size_t i = 0; i < rgba.pixel_count(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[i] += rgba.pixels[4 * i + c] * weight[c];
+  return image;
+}
+
+/// Whether it shows the picture, and not something about it.
+bool shows_colour(Channels channels) {
+  return channels == Channels::ColorAlpha || channels == Channels::Color ||
+         channels == Channels::Intensity;
 }
 
 /// Beauty as the film has it, with other colours where there are any.
@@ -138,10 +161,11 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
     const Image image = output_image(session, static_cast<std::size_t>(output));
     return file.linear ? image : view_image(image, view_options(session.world().options));
   }
-  if (file.channels != Channels::ColorAlpha && file.channels != Channels::Color)
-    return data_image(session, file.channels);
+  if (!shows_colour(file.channels)) return data_image(session, file.channels);
   Image image = file.unmapped || file.linear ? linear_image(session, denoised)
                                              : shown_image(session, file.shaders, denoised);
+  if (file.channels == Channels::Intensity)
+    image = intensity(image, session.world().options.luminance_weight);
   if (!file.linear) image = view_image(image, view_options(session.world().options));
   return file.channels == Channels::Color ? without_alpha(image) : image;
 }
@@ -191,8 +215,9 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
 
 const std::vector<std::string>& layer_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"depth",   "normal", "albedo",    "variance",    "samples",
-                                    "display", "halves", "luminance", "illuminance", "motion"};
+    std::vector<std::string> all = {"depth",       "normal",  "albedo", "variance",
+                                    "samples",     "display", "halves", "luminance",
+                                    "illuminance", "motion",  "tag",    "coverage"};
     const auto& outputs = material_output_names();
     all.insert(all.end(), outputs.begin(), outputs.end());
     return all;
@@ -210,6 +235,11 @@ LayerSet layer_bit(std::string_view name) {
 
 bool needs_outputs(const PictureFile& file) {
   return (file.layers & kOutputLayers) != 0 || !file.shown_layer.empty();
+}
+
+bool needs_mattes(const PictureFile& file) {
+  return (file.layers & (kLayerTag | kLayerCoverage)) != 0 || file.channels == Channels::Tag ||
+         file.channels == Channels::Coverage;
 }
 
 bool needs_irradiance(const PictureFile& file) { return (file.layers & kLayerIlluminance) != 0; }
@@ -289,6 +319,12 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
           {std::string(kLightLayerPrefix) + name, kRgbNames,
            collect(session, 3, [&](int x, int y, float* to) { put(to, film.light(x, y, i)); })});
     }
+  if (session.mattes()) {
+    if (layers & kLayerTag) out.push_back({"tag", {""}, label_image(session)});
+    if (layers & kLayerCoverage) out.push_back({"coverage", {""}, coverage_image(session)});
+    if (layers & kLayerMattes)
+      for (Layer& layer : cryptomatte_layers(session)) out.push_back(std::move(layer));
+  }
   if (layers & kLayerUserBuffers) add_user_buffers(session, out);
   return out;
 }
@@ -358,7 +394,8 @@ void write_picture(const PictureFile& file, const RenderSession& session,
           {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
       return write_exr(file.path, layers, exr);
     }
-    layers = film_layers(session, file.layers | kLayerLights | kLayerUserBuffers);
+    layers = film_layers(session, file.layers | kLayerLights | kLayerUserBuffers | kLayerMattes);
+    exr.metadata.merge(cryptomatte_metadata(session));
     if (denoised) layers.push_back({std::string(kDenoisedLayer), kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);
   }

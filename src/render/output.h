@@ -20,7 +20,7 @@ namespace oriel {
 //   several windows add up to the whole one.
 
 /// A layer beside the beauty. Names: depth, normal, albedo, variance, samples, display, halves,
-/// luminance, illuminance, motion.
+/// luminance, illuminance, motion, tag, coverage.
 using LayerSet = std::uint64_t;
 enum LayerBit : LayerSet {
   kLayerDepth = 1u << 0,
@@ -38,8 +38,11 @@ enum LayerBit : LayerSet {
   /// one motion interval. X and Y in pixels, Z the distance that is gained; where the session
   /// keeps it.
   kLayerMotion = 1u << 9,
-  kLayerLights = 1u << 10,      ///< `light.NAME` for each layer of lights that the session keeps
-  kLayerUserBuffers = 1u << 11  ///< what users' shaders left in frame buffers
+  kLayerTag = 1u << 10,          ///< label of what covers most of the pixel; with mattes alone
+  kLayerCoverage = 1u << 11,     ///< its share of the pixel; likewise
+  kLayerLights = 1u << 12,       ///< `light.NAME` for each layer of lights that the session keeps
+  kLayerUserBuffers = 1u << 13,  ///< what users' shaders left in frame buffers
+  kLayerMattes = 1u << 14        ///< Cryptomattes, where the session keeps mattes
 };
 /// The outputs of materials follow, one bit each in the order of material_output_names().
 inline constexpr int kFirstOutputBit = 16;
@@ -51,7 +54,19 @@ LayerSet layer_bit(std::string_view name);
 const std::vector<std::string>& layer_names();
 
 /// What of the picture a file without layers shows.
-enum class Channels { ColorAlpha, Color, Alpha, Depth, Normal, Motion };
+/// Intensity: by the luminance weights of the options. Bit: 1 where alpha is at least .5, else 0.
+enum class Channels {
+  ColorAlpha,
+  Color,
+  Alpha,
+  Depth,
+  Normal,
+  Motion,
+  Intensity,
+  Bit,
+  Tag,
+  Coverage
+};
 
 /// One file to write.
 struct PictureFile {
@@ -79,6 +94,7 @@ PictureFile picture_file(const std::string& path);
 /// ... then the outputs by their names, which are left out when the film does not keep them.
 /// ... then light.NAME.R ... of the groups of lights and of light.rest, which sum to the beauty;
 /// light.indirect where some light does not know its group.
+/// ... then tag, coverage; CryptoObject00.r ... and the further Cryptomattes.
 /// ... then users' buffers: fbN.R, G, B, A by number; those with a name by it, where shaders wrote
 /// them, as fb.NAME where the film has a layer of that name. One number: fbN; vectors: X, Y, Z.
 std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers);
@@ -97,6 +113,8 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
 bool needs_outputs(const PictureFile& file);
 bool needs_irradiance(const PictureFile& file);
 bool needs_motion(const PictureFile& file);
+/// Whether it shows labels or coverage, which sessions know that keep mattes.
+bool needs_mattes(const PictureFile& file);
 /// Whether layers of lights stand in it: in EXR files of the beauty.
 bool holds_light_layers(const PictureFile& file);
 
@@ -106,8 +124,8 @@ ViewOptions view_options(const scene::RenderOptions& options);
 /// Writes one file.
 ///
 /// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it. Layers of
-///          lights and users' buffers are in all EXR files of the beauty. A file of a user's buffer
-///          shows what `shaders` made of it.
+///          lights, Cryptomattes (with their header) and users' buffers are in all EXR files of the
+///          beauty. A file of a user's buffer shows what `shaders` made of it.
 /// Inputs:  metadata: goes into the header of EXR files. denoised: what other files than EXR show;
 ///          EXR has it as the layer `denoised` beside the noisy beauty, which stays the truth.
 /// Errors:  std::runtime_error with path and reason.

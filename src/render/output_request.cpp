@@ -20,22 +20,38 @@ struct Format {
   bool linear = false;
 };
 
-// Formats of the language that files can be written in today, and suffixes that mean the same.
-constexpr std::array<Format, 15> kFormats = {{{"exr", "exr", true},
-                                              {"hdr", "hdr", true},
-                                              {"png", "png"},
-                                              {"jpg", "jpg"},
-                                              {"jpeg", "jpg"},
-                                              {"tif", "tif"},
-                                              {"tiff", "tif"},
-                                              {"tifu", "tif"},
-                                              {"tga", "tga"},
-                                              {"bmp", "bmp"},
-                                              {"ppm", "ppm"},
-                                              {"iff", "iff"},
-                                              {"sgi", "sgi"},
-                                              {"rgb", "sgi"},
-                                              {"rla", "rla"}}};
+// Formats of the language that files can be written in, and suffixes of what the image library
+// writes beside them.
+// clang-format off
+constexpr std::array<Format, 22> kFormats = {{
+    {"exr", "exr", true}, {"hdr", "hdr", true}, {"png", "png"}, {"jpg", "jpg"}, {"jpeg", "jpg"},
+    {"tif", "tif"}, {"tiff", "tif"}, {"tifu", "tif"}, {"tga", "tga"}, {"bmp", "bmp"},
+    {"ppm", "ppm"}, {"iff", "iff"}, {"sgi", "sgi"}, {"rgb", "sgi"}, {"rla", "rla"},
+    {"dpx", "dpx"}, {"fits", "fits"}, {"gif", "gif"}, {"jp2", "jp2"}, {"pgm", "pgm"},
+    {"pnm", "pnm"}, {"webp", "webp"}}};
+// clang-format on
+
+/// Formats of the language that nobody writes any more, and the nearest that is written: for
+/// numbers EXR, for views what keeps their depth and alpha.
+struct Nearest {
+  std::string_view format, nearest;
+};
+constexpr std::array<Nearest, 21> kNearest = {
+    {{"pic", "png"}, {"zpic", "exr"}, {"als", "tif"},  {"rlb", "rla"},    {"map", "exr"},
+     {"dds", "png"}, {"ps", "tif"},   {"eps", "tif"},  {"qntpal", "tga"}, {"qntntsc", "tga"},
+     {"ct", "tif"},  {"ct16", "tif"}, {"ctfp", "exr"}, {"st", "tif"},     {"st16", "tif"},
+     {"vt", "exr"},  {"wt", "exr"},   {"zt", "exr"},   {"nt", "exr"},     {"mt", "exr"},
+     {"tt", "exr"}}};
+
+/// What a file type keeps of a number.
+SampleFormat finest(std::string_view extension) {
+  if (extension == "exr" || extension == "hdr" || extension == "tif" || extension == "fits")
+    return SampleFormat::Float;
+  for (const std::string_view deep :
+       {"png", "sgi", "dpx", "jp2", "rla", "iff", "pgm", "ppm", "pnm"})
+    if (extension == deep) return SampleFormat::U16;
+  return SampleFormat::U8;
+}
 
 const Format* find_format(std::string_view name) {
   const auto at = std::find_if(kFormats.begin(), kFormats.end(),
@@ -71,9 +87,22 @@ std::optional<Type> read_type(std::string word) {
   if (word == "rgbe")
     return type.channels = Channels::Color, type.samples = SampleFormat::Float, type;
   if (word == "a") return type.channels = Channels::Alpha, type;
-  if (word == "z") return type.channels = Channels::Depth, type.layer = kLayerDepth, type;
-  if (word == "n") return type.channels = Channels::Normal, type.layer = kLayerNormal, type;
   if (word == "m") return type.channels = Channels::Motion, type.layer = kLayerMotion, type;
+  if (word == "s") return type.channels = Channels::Intensity, type;
+  if (word == "bit") return type.channels = Channels::Bit, type.samples = SampleFormat::U8, type;
+  if (word == "tag")
+    return type.channels = Channels::Tag, type.layer = kLayerTag,
+           type.samples = SampleFormat::Float, type;
+  if (word == "coverage")
+    return type.channels = Channels::Coverage, type.layer = kLayerCoverage,
+           type.samples = SampleFormat::Float, type;
+  // Whole numbers of these would mean nothing.
+  if (word == "z" || word == "n") {
+    type.channels = word == "z" ? Channels::Depth : Channels::Normal;
+    type.layer = word == "z" ? kLayerDepth : kLayerNormal;
+    if (type.samples == SampleFormat::U8) type.samples = SampleFormat::Float;
+    return type;
+  }
   return std::nullopt;
 }
 
@@ -125,7 +154,8 @@ class RequestReader {
            fmt::format("no file of format \"{}\" can be written; {} \"{}\" is left out",
                        output_.format.empty() ? suffix_of(output_.file) : output_.format,
                        statement_, output_.file),
-           "exr, hdr, png, jpg, tif, tga, bmp, ppm, iff, sgi and rla can");
+           nearest_to(
+               lower_case(output_.format.empty() ? suffix_of(output_.file) : output_.format)));
       return std::nullopt;
     }
     file.format = format->extension;
@@ -140,6 +170,33 @@ class RequestReader {
   }
 
  private:
+  /// What is lost where the file type knows no such numbers.
+  void tell_loss(const std::string& word, const Type& type, const PictureFile& file) {
+    const SampleFormat most = finest(file.format);
+    const bool is_data = type.channels == Channels::Depth || type.channels == Channels::Normal ||
+                         type.channels == Channels::Tag;
+    const bool wants_float =
+        type.samples == SampleFormat::Float || type.samples == SampleFormat::Half || is_data;
+    if (most == SampleFormat::Float || (!wants_float && type.samples <= most)) return;
+    diagnostics_.note("OR-RN-061", output_.where,
+                      fmt::format("{} files hold {} bits of \"{}\"{}", file.format,
+                                  most == SampleFormat::U16 ? 16 : 8, word,
+                                  wants_float ? ", and what lies outside of 0 to 1 is cut" : ""),
+                      "exr holds all of it");
+  }
+
+  static std::string nearest_to(std::string_view format) {
+    const auto at = std::find_if(kNearest.begin(), kNearest.end(),
+                                 [&](const Nearest& n) { return n.format == format; });
+    if (at != kNearest.end()) return fmt::format("the nearest that can is {}", at->nearest);
+    return "exr, hdr, png, jpg, tif, tga, bmp, ppm, iff, sgi, rla, webp, jp2 and dpx can";
+  }
+
+  static std::string_view word_without_sign(std::string_view word) {
+    if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+    return word;
+  }
+
   void warn(std::string_view code, std::string message, std::string hint) {
     diagnostics_.warning(code, output_.where, std::move(message), std::move(hint));
   }
@@ -199,7 +256,7 @@ class RequestReader {
         warn("OR-RN-051",
              fmt::format("no picture of type \"{}\" is made; it is left out of {} \"{}\"", word,
                          statement_, output_.file),
-             "rgb, rgba, a, z, n and m are");
+             "rgb, rgba, rgbe, a, s, bit, z, n, m, tag and coverage are, with _16, _h and _fp");
         continue;
       }
       file.layers |= type->layer;
@@ -214,6 +271,7 @@ class RequestReader {
     if (file.linear && is_integer) file.samples = SampleFormat::Float;
     // Float pixels in any other file are film values too.
     if (!is_integer) file.linear = true;
+    tell_loss(words.empty() ? std::string{} : words.front(), type, file);
     return true;
   }
 

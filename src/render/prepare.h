@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "render/geometry_cache.h"
+#include "render/stereo.h"
 #include "runtime/binder.h"
 #include "runtime/world.h"
 #include "scene/scene.h"
@@ -28,6 +29,8 @@ struct PrepareOptions {
   std::string camera;
   /// What the frame before left, and what this one leaves: GeometryCache::keep takes the rest.
   GeometryCache* cache = nullptr;
+  /// Of cameras with two.
+  Eye eye = Eye::Middle;
   /// Beside those of the options, and before them.
   std::vector<scene::LightGroup> light_groups;
 };

@@ -296,6 +296,7 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
   const Statement* offset = find_last(element->other, "offset");
   const float size_ratio = static_cast<float>(camera.width) / static_cast<float>(resolution[0]);
   camera.offset = Vec2(number(offset, 0, 0), number(offset, 1, 0)) * size_ratio;
+  take_eye(*element, options.eye, camera);
   const Statement* clip = find_last(element->other, "clip");
   camera.clip_near = number(clip, 0, 0);
   camera.clip_far = number(clip, 1, 0);

@@ -61,7 +61,14 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
-      passes_(world) {}
+      passes_(world) {
+  if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
+}
+
+void RenderSession::clear_film() {
+  film_.clear();
+  if (mattes_) mattes_->clear();
+}
 
 /// What all paths of the picture go by, maps and grid as they are now.
 PathSettings RenderSession::path_settings() const {
@@ -113,6 +120,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     Outputs outputs = {};  // of the sample under way, until the film has it
     LightParts by_light;
     std::vector<Rgba> buffers = {};
+    std::vector<FirstSurface> firsts = {};
   };
   tbb::enumerable_thread_specific<PerThread> threads(PerThread{path_settings()});
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
@@ -130,7 +138,10 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
       mine.paths.buffers = mine.buffers.data();
       if (motion_) mine.paths.motion = &mine.buffers.back();
     }
+    mine.firsts.clear();
+    if (mattes_) mine.paths.firsts = &mine.firsts;
     s = sample(x, y, index, mine.paths, mine.counts);
+    if (mattes_) mattes_->add(x, y, mine.firsts, s.negative);
   };
   const StopReason reason = passes.run(draw_one, callbacks, cancel);
   for (const PerThread& thread : threads) rays_ += thread.counts;
@@ -162,14 +173,14 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
     if (!callbacks.pass || seconds() - shown < kSecondsBetweenPreviews || watch.cancelled()) return;
     Progressive once(film_, {.max_samples = 1});
     draw(once, {{}, callbacks.pass}, cancel);
-    film_.clear();
+    clear_film();
     shown = seconds();
   };
   passes_.run(world_, window_, seed_, rays_, map_files_, diagnostics_, watch, after_pass);
 }
 
 StopReason RenderSession::show_preview() {
-  film_.clear();
+  clear_film();
   Progressive once(film_, {.max_samples = 1});
   return once.run([&](int x, int y, std::uint32_t, FilmSample& s) {
     const Vec2 at = window_.pixel_centre(x, y);

@@ -9,6 +9,7 @@
 #include "render/budget.h"
 #include "render/film.h"
 #include "render/indirect_passes.h"
+#include "render/mattes.h"
 #include "render/progressive.h"
 #include "render/window.h"
 #include "runtime/world.h"
@@ -26,6 +27,7 @@ struct SessionSettings {
   bool lights = true;               ///< keep the layers of lights that the world has
   float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
+  std::optional<MatteNames> mattes = {};  ///< keep what each pixel sees first
   MapFiles map_files = {};
   Diagnostics* diagnostics = nullptr;  ///< of map files; outlives the session; may be null
 };
@@ -51,6 +53,8 @@ class RenderSession {
   const World& world() const { return world_; }
   const Film& film() const { return film_; }
   const Window& window() const { return window_; }
+  /// What pixels see first, as the film counts pixels; null where it is not kept.
+  const Mattes* mattes() const { return mattes_ ? &*mattes_ : nullptr; }
   const IndirectPasses& indirect() const { return passes_; }
   const RenderBudget& budget() const { return budget_; }
   Progress progress() const { return progressive_.progress(); }
@@ -74,6 +78,7 @@ class RenderSession {
                     RayCounts& counts) const;
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
   StopReason show_preview();
+  void clear_film();
   StopReason draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                   const std::atomic<bool>* cancel);
 
@@ -85,6 +90,7 @@ class RenderSession {
   FilterSampler filter_;
   RenderBudget budget_;
   Film film_;
+  std::optional<Mattes> mattes_;
   Progressive progressive_;
   MapFiles map_files_;
   Diagnostics unheard_;  ///< where nobody listens

@@ -139,6 +139,9 @@ void set_frame_buffer(O& o, V v) {
   o.frame_buffers.push_back(std::move(b));
 }
 
+/// Nothing to keep: who chooses files reads the statement itself.
+void at_the_files(O&, V) {}
+
 void set_luminance(O& o, V v) { o.luminance_weight = {v.number(0), v.number(1), v.number(2)}; }
 void set_luminance_ntsc(O& o, V) { o.luminance_weight = kLuminanceNtsc; }
 
@@ -275,6 +278,8 @@ constexpr OptionRow kRows[] = {
     {"contour contrast", "...", Kept, "contours"},
     {"diagnostic", "...", Kept, "pictures of the method"},
     // String options
+    {"\"cryptomatte\"", "bool|int", Effective, "mattes of EXR files; ranks of a pixel",
+     at_the_files},
     {"\"indirect\"", "scene|path|fg|photons|fg+photons", Effective, "how light is gathered",
      to<&O::indirect>},
     {"\"contrast all buffers\"", "bool", NotYet, "contrast of user buffers too",

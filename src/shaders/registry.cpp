@@ -32,6 +32,7 @@
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
 #include "shaders/hosts/host_shaders.h"
+#include "shaders/oriel/oriel_lens.h"
 #include "shaders/physics/dgs_material.h"
 #include "shaders/physics/parti_volume.h"
 
@@ -120,6 +121,10 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kDgsMaterialPhoton,
     &kDielectricMaterial,
     &kDielectricMaterialPhoton,
+    &kOrielLensCube,
+    &kOrielLensFisheye,
+    &kOrielLensPanorama,
+    &kOrielLensShift,
     &kOversamplingLens,
     &kPartiVolume,
     &kPartiVolumePhoton,
@@ -169,7 +174,7 @@ const Registry& builtin_shaders() {
 }
 
 const std::vector<std::string>& builtin_packages() {
-  static const std::vector<std::string> packages = {"base", "architectural", "physics"};
+  static const std::vector<std::string> packages = {"base", "architectural", "physics", "oriel"};
   return packages;
 }
 

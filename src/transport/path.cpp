@@ -215,6 +215,7 @@ bool Path::arrive(const geom::Hit& hit) {
     result_->depth = length(point.position - eye_);
     result_->normal = point.normal;
     result_->albedo = closure.albedo;
+    result_->first = {point.instance, &material};
     alpha_open_ = true;
     if (met_)
       *met_ = Tracer::Met{result_->depth,  point.position, point.normal,  point.geometric_normal,
@@ -295,6 +296,7 @@ PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts) {
   PathResult result;
   Path(world, raster, settings, sampler, counts, result).run(eye);
+  if (settings.firsts) settings.firsts->push_back(result.first);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "runtime/world.h"
 #include "sampling/sampler.h"
@@ -11,6 +12,12 @@
 #include "transport/outputs.h"
 
 namespace oriel {
+
+/// What a path through the camera met first.
+struct FirstSurface {
+  int instance = -1;                   ///< index into World::instances; -1 = nothing
+  const Material* material = nullptr;  ///< one of World::materials
+};
 
 /// What one path through the camera brings to the film.
 struct PathResult {
@@ -22,6 +29,7 @@ struct PathResult {
   Vec3 normal{0};
   Rgb albedo{0};
   Rgb irradiance{0};  ///< of the first surface, where PathSettings::meters; see light_meter.h
+  FirstSurface first;
 };
 
 class GlossyGrid;
@@ -52,6 +60,8 @@ struct PathSettings {
   Rgba* buffers = nullptr;  ///< World::user_buffers.size() values that shaders leave; null = none
   /// Where to leave the way of the first surface on the picture, as raster_motion() has it.
   Rgba* motion = nullptr;
+  /// Where each path through the camera adds what it met first; null = nowhere.
+  std::vector<FirstSurface>* firsts = nullptr;
   bool meters = false;  ///< the irradiance of the first surface is wanted: a second path
 };
 

@@ -78,4 +78,60 @@ TEST_F(OutputsProgram, AFileGivesItsPictureBackWhateverTheFilter) {
 }
 
 }  // namespace
+TEST_F(OutputsProgram, CryptomattesStandInTheFileWithTheirNames) {
+  write_scene();
+  const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--cryptomatte", "--samples", "4"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const ExrFile exr = read_exr(file("a.exr"));
+  for (const char* type : {"CryptoObject", "CryptoMaterial", "CryptoAsset"})
+    for (const char* rank : {"00", "01", "02"})
+      EXPECT_NE(find_layer(exr.layers, std::string(type) + rank), nullptr) << type << rank;
+  std::string manifests;
+  for (const auto& [key, value] : exr.metadata)
+    if (key.starts_with("cryptomatte/") && key.ends_with("/manifest")) manifests += value;
+  for (const char* name : {"\"floor_inst\":", "\"floor\":", "\"grey\":"})
+    EXPECT_NE(manifests.find(name), std::string::npos) << manifests;
+
+  ASSERT_EQ(
+      run({"render", "scene.mi", "-o", "b.exr", "--cryptomatte=2", "--samples", "4"}).exit_code, 0);
+  const ExrFile two = read_exr(file("b.exr"));
+  EXPECT_NE(find_layer(two.layers, "CryptoObject00"), nullptr);
+  EXPECT_EQ(find_layer(two.layers, "CryptoObject01"), nullptr);
+  EXPECT_EQ(find_layer(exr.layers, "")->image.pixels, find_layer(two.layers, "")->image.pixels);
+}
+
+TEST_F(OutputsProgram, TheSceneMayAskForCryptomattes) {
+  write_scene({}, "\"cryptomatte\" on");
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--samples", "1"}).exit_code, 0);
+  EXPECT_NE(find_layer(read_exr(file("a.exr")).layers, "CryptoAsset02"), nullptr);
+  const RunResult png = run({"render", "scene.mi", "-o", "a.png", "--samples", "1"});
+  EXPECT_NE(png.err.find("OR-RN-062"), std::string::npos) << png.err;
+  ASSERT_EQ(
+      run({"render", "scene.mi", "-o", "a.exr", "--samples", "1", "--cryptomatte=0"}).exit_code, 0);
+  EXPECT_EQ(find_layer(read_exr(file("a.exr")).layers, "CryptoAsset00"), nullptr);
+}
+
+TEST_F(OutputsProgram, EveryFormatThatIsNamedIsWritten) {
+  for (const char* format :
+       {"exr", "hdr", "png", "jpg", "tif",  "tifu", "tga", "bmp", "ppm", "iff",
+        "sgi", "rgb", "rla", "dpx", "fits", "gif",  "jp2", "pgm", "pnm", "webp"}) {
+    write("scene.mi",
+          small_scene("", "output \"rgb\" \"" + std::string(format) + "\" \"a." + format + "\""));
+    const RunResult r = run({"render", "scene.mi", "--samples", "1"});
+    EXPECT_EQ(r.exit_code, 0) << format << r.err;
+    EXPECT_TRUE(std::filesystem::exists(file("a." + std::string(format)))) << format << r.err;
+  }
+}
+
+TEST_F(OutputsProgram, CamerasWithTwoEyesWriteTwoFiles) {
+  write("scene.mi", small_scene("",
+                                "stereo offaxis eye separation .4 parallax distance 3 "
+                                "output \"rgba\" \"exr\" \"a.exr\""));
+  const RunResult r = run({"render", "scene.mi", "--samples", "4"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const ExrFile left = read_exr(file("a_left.exr")), right = read_exr(file("a_right.exr"));
+  EXPECT_FALSE(std::filesystem::exists(file("a.exr")));
+  EXPECT_NE(left.layers.front().image.pixels, right.layers.front().image.pixels);
+}
+
 }  // namespace oriel
