@@ -257,14 +257,14 @@ TEST(CameraOutput, FrameBuffersStayInTheSceneFolderAndInKnownFormats) {
   const Outputs o(
       "framebuffer \"diffuse_raw\" filename \"../a.exr\" "
       "framebuffer \"spec_raw\" filename \"b.ps\" "
-      "framebuffer \"refl_raw\" datatype \"coverage\" filename \"c.exr\"",
+      "framebuffer \"refl_raw\" datatype \"vts\" filename \"c.exr\"",
       folder.file("scene"));
   EXPECT_TRUE(o.files.empty());
   const Diagnostic* outside = o.prepared.only("OR-RN-050");
   ASSERT_NE(outside, nullptr) << o.prepared.messages();
   EXPECT_NE(outside->message.find("framebuffer \"../a.exr\""), std::string::npos);
   EXPECT_NE(o.prepared.messages().find("no file of format \"ps\""), std::string::npos);
-  EXPECT_NE(o.prepared.messages().find("no picture of type \"coverage\""), std::string::npos);
+  EXPECT_NE(o.prepared.messages().find("no picture of type \"vts\""), std::string::npos);
 }
 
 TEST(CameraOutput, NumberedBuffersAreLeftOutWithOneMessage) {

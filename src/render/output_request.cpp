@@ -67,7 +67,7 @@ std::string suffix_of(const std::string& path) {
 /// What one word of the type list means.
 struct Type {
   Channels channels;
-  unsigned layer = 0;
+  LayerSet layer = 0;
   SampleFormat samples = SampleFormat::U8;
 };
 

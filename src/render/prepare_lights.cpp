@@ -297,6 +297,9 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
   const float size_ratio = static_cast<float>(camera.width) / static_cast<float>(resolution[0]);
   camera.offset = Vec2(number(offset, 0, 0), number(offset, 1, 0)) * size_ratio;
   take_eye(*element, options.eye, camera);
+  constexpr float kFarthest = 1e6f;  // pixels; beyond it rays are no numbers any more
+  for (float* shift : {&camera.offset.x, &camera.offset.y})
+    *shift = std::abs(*shift) < kFarthest ? *shift : 0;
   const Statement* clip = find_last(element->other, "clip");
   camera.clip_near = number(clip, 0, 0);
   camera.clip_far = number(clip, 1, 0);

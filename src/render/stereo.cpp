@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/stereo.h"
 
+#include <cmath>
 #include <filesystem>
 
 namespace oriel {
@@ -8,11 +9,13 @@ namespace {
 
 using scene::Value;
 
-/// The first number of the last such statement; 0 where there is none.
+/// The first number of the last such statement; 0 where there is none, or one without measure.
 float number_of(const scene::Camera& camera, std::string_view keyword) {
+  constexpr double kLargest = 1e9;
   const scene::Statement* s = find_last(camera.other, keyword);
   if (!s || s->values.empty() || s->values[0].numbers.empty()) return 0;
-  return static_cast<float>(s->values[0].numbers[0]);
+  const double number = s->values[0].numbers[0];
+  return std::abs(number) < kLargest ? static_cast<float>(number) : 0;
 }
 
 /// Empty: no stereo.
