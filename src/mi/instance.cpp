@@ -122,10 +122,14 @@ void read_instance_statement(Parse& parse, Instance& instance, StatementList& fl
   if (parse.in.accept_word("light")) return read_light_links(parse, instance, flags);
   if (parse.in.accept_word("data")) return flags.add(read_data_reference(parse, at));
   if (parse.in.accept_word("approximate")) {
-    if (!parse.in.at_punct('[')) return flags.add(read_approximate(parse, "approximate", at));
-    scene::KeptText kept{"approximate", "", at};
-    keep_brackets(parse, kept.text);
-    instance.kept.push_back(std::move(kept));
+    if (!parse.in.accept_punct('[')) return flags.add(read_approximate(parse, "approximate", at));
+    while (!parse.in.accept_punct(']')) {
+      parse.in.accept_word("approximate");
+      scene::Statement statement = read_approximate(parse, "approximate", at);
+      if (statement.values.empty()) parse.unexpected("an approximation");
+      flags.add(std::move(statement));
+      parse.in.accept_punct(',');
+    }
     return;
   }
   if (parse.in.accept_punct('(')) {

@@ -89,12 +89,17 @@ lightprofile "lp" format ies file "f" end lightprofile
 material "m" opaque "d" ( "s" [ { "x" 1 }, { "x" = "k.y" } ] ) shadow = "i" photon end material
 object "ob" tagged visible group "g" 0 0 0 1 0 0 `abcdefghijkl` v 0 n 1 d 0 1 t 1 0 1 m 0 u 1 v 1 v 2
 p 0 0 1 2 hole 0 1 2 c 1 0 1 2 strip 0 0 1 2 0 approximate fine view length 1 end group end object
+object "ff" basis "b" rational bspline 1 basis "m" matrix 1 1 1. -1. 0. 1. group 0 0 0 1 0 0 0 1 0
+v 0 v 1 v 2 curve "k" "b" 0. 0. 1. 1. 0 w 2 1 special .5 space curve "s" rational "m" 0. 1. 0 1
+surface "f" "m" "b" 0 1 0. 0. 1. 1. rational "m" 0 1 0. 1. 0 1 2 w .5 0 derivative 1 volume texture
+"b" 0. 0. 1. 1. "b" 0. 0. 1. 1. 0 1 2 0 trim "k" 0 1 hole "k" 1 0 special "k" 0 1 special 1 2
+approximate surface regular parametric 5 % 6 % "f" connect "f" "k" 0 1 "f" "k" 1 0 end group end object
 object "tr" trilist vertex 3 p n t 2 triangle 1 [ 0 0 0 0 0 1 0 0 1 0 0 0 0 1 1 0 0 1 0 0 0 1 0 1 ]
 [ 0 0 1 2 ] end trilist end object
 object "tv" trilist vector [2] vertex [3] p t 1 triangle [1] [ 0 0 0 1 0 0 ] [ 0 1 1 0 0 0 ] [ 0 1 2 ]
 end trilist end object
 instance "in" "ob" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 material [ "m" ] light "exclusive" [ "in" ]
-motion off data "q" ( "a" 1 ) end instance
+approximate [ surface parametric 2 ] motion off data "q" ( "a" 1 ) end instance
 instgroup "gr" merge 1 "in" end instgroup
 gui "x" ( "a" 1 ) { control "y" } data "q" 1 '00' registry "r" value "1" end registry
 namespace "ns" shader "a" = shader "b" "d" ( ) end namespace
