@@ -17,8 +17,9 @@ namespace oriel {
 //   header are those of Rec. 709 with white D65.
 
 struct ExrOptions {
-  bool half = false;  ///< 16-bit float for every channel but depth (Z) and ids (Crypto...), which stay 32
-  int threads = 0;    ///< that compress; 0 = the calling thread alone
+  /// 16-bit float for every channel but depth (Z) and ids (Crypto...), which stay 32.
+  bool half = false;
+  int threads = 0;                              ///< that compress; 0 = the calling thread alone
   std::map<std::string, std::string> metadata;  ///< string attributes of the header
 };
 
