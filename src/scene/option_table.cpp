@@ -201,7 +201,7 @@ constexpr OptionRow kRows[] = {
     {"displace", "bool", Effective, "displacement shaders", to<&O::displace>},
     {"displace presample", "bool", Harmless, "looks for bounds first", to<&O::displace_presample>},
     {"max displace", "float", Effective, "greatest displacement", to<&O::max_displace>},
-    {"approximate", "...", Effective, "tessellation of every object"},
+    {"approximate", "...", Kept, "tessellation of every object"},
     {"motion", "bool", Effective, "motion blur", to<kMotion, &M::on>},
     {"motion steps", "int", Effective, "points of a path", to<kMotion, &M::steps>},
     {"shutter", "float [float]", Effective, "close, or delay close", set_shutter},
