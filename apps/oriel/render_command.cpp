@@ -99,8 +99,12 @@ RenderPlan plan_of(const RenderArguments& a) {
   if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
   if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
   if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
-  if (a.cryptomatte && (*a.cryptomatte < 0 || *a.cryptomatte > kMostMatteRanks))
-    throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMostMatteRanks));
+  if (!a.cryptomatte.empty()) {
+    const std::vector<int> ranks = parse_integers(a.cryptomatte, ',');
+    if (ranks.size() != 1 || ranks[0] > kMostMatteRanks)
+      throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMostMatteRanks));
+    plan.matte_ranks = ranks[0];
+  }
   if (a.denoise && a.samples && *a.samples < 2)
     throw UsageError("--denoise: needs at least 2 samples to know the noise");
   plan.session.budget = {a.samples, a.noise, a.time};

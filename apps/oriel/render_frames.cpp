@@ -215,7 +215,7 @@ class FrameRenderer {
 
   /// Ranks of the Cryptomattes that user or scene ask for; 0 = none.
   int ranks_of_mattes(const scene::RenderCommand& command) const {
-    if (a_.cryptomatte) return *a_.cryptomatte;
+    if (plan_.matte_ranks) return *plan_.matte_ranks;
     const auto* options = scene_.get<scene::Options>(command.options);
     const scene::Statement* asked =
         options ? find_last(options->statements, "cryptomatte") : nullptr;

@@ -29,7 +29,7 @@ struct RenderArguments {
   std::optional<double> north;
   std::optional<float> unit_luminance;
   std::uint32_t seed = 0;
-  std::optional<int> cryptomatte;  ///< ranks; unset: as the scene's options say
+  std::string cryptomatte;  ///< ranks; empty: as the scene's options say
   int threads = 0;
   std::string frames;
   bool skip_existing = false;
@@ -43,6 +43,7 @@ struct RenderPlan {
   std::optional<LayerSet> layers;
   std::optional<scene::IndirectMethod> gi;
   std::optional<sky::SolarPosition> sun;
+  std::optional<int> matte_ranks;
   FrameList frames;
   /// Where scenes read maps and write files; unset: in the scene's folder.
   std::optional<OutputRoots> roots;

@@ -97,8 +97,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                                const Registry& registry, const PrepareOptions& options,
                                Diagnostics& diagnostics, PrepareReport& report) {
   auto world = std::make_unique<World>();
-  const auto* block = scene.get<scene::Options>(command.options);
-  if (block)
+  if (const auto* block = scene.get<scene::Options>(command.options))
     world->options = scene::interpret_options(*block, diagnostics);
   else
     diagnostics.warning(
@@ -122,7 +121,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment before materials: nothing in it depends on them.
   world->environment = EnvironmentLight(binder.bind(camera->environment), *world);
-  if (block) bind_state_shaders(*block, binder, *world, diagnostics);
+  if (const auto* block = scene.get<scene::Options>(command.options))
+    bind_state_shaders(*block, binder, *world, diagnostics);
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
   if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
   place_geometry(scene, leaves, light_names, command.options, binder, options, *world, diagnostics,

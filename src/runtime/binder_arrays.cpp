@@ -75,8 +75,12 @@ void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& v
   std::vector<Item> items;
   for (const Value& item : value.items) {
     if (item.kind == Value::Kind::Null && param.element != ParamType::Shader) continue;
-    if (item.kind != Value::Kind::Text || param.element != ParamType::Light) {
+    if (param.element != ParamType::Light) {
       items.push_back({&item});
+      continue;
+    }
+    if (item.kind != Value::Kind::Text) {
+      mismatch(node, param, item);
       continue;
     }
     // A name may stand for a group of light instances.
