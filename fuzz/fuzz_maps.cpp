@@ -6,6 +6,7 @@
 #include "transport/gather_map.h"
 #include "transport/photon_file.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const oriel::fuzz::MemoryFile file(data, size);
   oriel::Diagnostics diagnostics;

@@ -8,6 +8,7 @@
 #include "mi/reader.h"
 #include "mi/writer.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace oriel;
   Diagnostics diagnostics;

@@ -8,6 +8,7 @@
 #include "render/session.h"
 #include "shaders/registry.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace oriel;
   Diagnostics diagnostics;

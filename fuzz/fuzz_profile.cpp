@@ -5,6 +5,7 @@
 #include "file.h"
 #include "photometry/profile_file.h"
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const oriel::fuzz::MemoryFile file(data, size);
   try {

@@ -83,11 +83,11 @@ class HairReader {
     }
   }
 
-  /// `[N]`.
+  /// `[N]`; the brackets are forgotten at times.
   std::size_t count() {
-    parse_.expect_punct('[');
+    const bool bracketed = parse_.in.accept_punct('[');
     const double value = parse_.number("how many there are");
-    parse_.expect_punct(']');
+    if (bracketed) parse_.expect_punct(']');
     return value > 0 && value < scene::kNone ? static_cast<std::size_t>(value) : 0;
   }
 

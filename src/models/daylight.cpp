@@ -26,17 +26,26 @@ constexpr float kGround = 60;
 /// W/(m2 sr) to cd/m2 over pi, as the sun and the sky take it.
 constexpr float kUnit = .318f;
 
-Box3 bounds_of(const scene::Scene& scene) {
+/// All vertices, in the world; the corners of a unit cube where there are none.
+std::vector<Vec3> points_of(const scene::Scene& scene) {
   Diagnostics ignored;  // rendering tells them again
-  Box3 box;
+  std::vector<Vec3> points;
   for (const scene::Leaf& leaf : scene::flatten(scene, kRootGroup, ignored)) {
     if (leaf.kind != scene::LeafKind::Object) continue;
     for (const scene::PolygonGroup& group : leaf.object()->groups)
       for (const std::uint32_t index : group.vertices.point)
         if (index < group.vectors.size())
-          box.extendBy(transform_point(group.vectors[index], leaf.local_to_world));
+          points.push_back(transform_point(group.vectors[index], leaf.local_to_world));
   }
-  if (box.isEmpty()) box = Box3(Vec3(-.5f), Vec3(.5f));
+  if (points.empty())
+    for (int i = 0; i < 8; ++i)
+      points.emplace_back((i & 1) - .5f, (i >> 1 & 1) - .5f, (i >> 2 & 1) - .5f);
+  return points;
+}
+
+Box3 bounds_of(const std::vector<Vec3>& points) {
+  Box3 box;
+  for (const Vec3& p : points) box.extendBy(p);
   return box;
 }
 
@@ -48,19 +57,30 @@ void put(scene::Scene& scene, scene::Instance instance) {
   scene.add(std::move(instance));
 }
 
-/// How far from its centre a camera along `z` must stand so that all corners are in the frame.
-float distance_for(const Box3& box, const Vec3& x, const Vec3& y, const Vec3& z, float aspect) {
+/// Where a camera with these axes, looking along -z, shows all points as large as it can.
+Vec3 place_for(const std::vector<Vec3>& points, const Vec3& x, const Vec3& y, const Vec3& z,
+               float aspect) {
   const float wide = kAperture / 2 / kFocal, high = wide / aspect;
-  const Vec3 centre = box.center();
-  float distance = 0;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                      i & 4 ? box.max.z : box.min.z);
-    const Vec3 from = corner - centre;
-    const float across = std::max(std::fabs(dot(from, x)) / wide, std::fabs(dot(from, y)) / high);
-    distance = std::max(distance, kMargin * across + dot(from, z));
+  Vec3 centre = bounds_of(points).center();
+  const float near = radius_of(bounds_of(points)) * 1e-3f;
+  // Near parts look larger: what is in the middle depends on the distance, and that on the middle.
+  constexpr int kRounds = 4;
+  for (int round = 0;; ++round) {
+    float distance = near;
+    for (const Vec3& p : points) {
+      const Vec3 from = p - centre;
+      const float across = std::max(std::fabs(dot(from, x)) / wide, std::fabs(dot(from, y)) / high);
+      distance = std::max(distance, kMargin * across + dot(from, z));
+    }
+    if (round == kRounds) return centre + z * distance;
+    Imath::Box2f seen;
+    for (const Vec3& p : points) {
+      const Vec3 from = p - centre;
+      const float depth = std::max(distance - dot(from, z), near);
+      seen.extendBy(Vec2(dot(from, x), dot(from, y)) / depth);
+    }
+    centre += (x * seen.center().x + y * seen.center().y) * distance;
   }
-  return distance;
 }
 
 void add_ground(scene::Scene& scene, const Box3& box) {
@@ -95,11 +115,9 @@ void add_ground(scene::Scene& scene, const Box3& box) {
 }  // namespace
 
 void add_camera(scene::Scene& scene, const DaylightOptions& options) {
-  const Box3 box = bounds_of(scene);
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const Vec3 z = normalize(kFromModel), x = normalize(cross(Vec3(0, 1, 0), z)), y = cross(z, x);
-  const Vec3 p =
-      box.center() + z * std::max(distance_for(box, x, y, z, aspect), radius_of(box) * 1e-3f);
+  const Vec3 p = place_for(points_of(scene), x, y, z, aspect);
   scene::Camera camera;
   camera.name = unique_name(scene, "camera");
   camera.focal = kFocal;
@@ -117,7 +135,7 @@ void add_camera(scene::Scene& scene, const DaylightOptions& options) {
 }
 
 void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
-  add_ground(scene, bounds_of(scene));
+  add_ground(scene, bounds_of(points_of(scene)));
   const float azimuth = options.sun_azimuth * kPi / 180, up = options.sun_elevation * kPi / 180;
   const Vec3 to_sun(std::cos(up) * std::sin(azimuth), std::sin(up),
                     -std::cos(up) * std::cos(azimuth));
@@ -140,10 +158,10 @@ void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
 
   scene::ShaderElement exposure;
   exposure.name = unique_name(scene, "exposure");
-  // Sunny 16 and a stop more; the options' gamma is applied where pictures are written.
+  // Sunny 16; the options' gamma is applied where pictures are written.
   ShaderCall photographic("mia_exposure_photographic");
   photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", 100.0f);
-  photographic.set("f_number", 11.0f).set("vignetting", 0.0f).set("burn_highlights", .3f);
+  photographic.set("f_number", 16.0f).set("vignetting", 0.0f).set("burn_highlights", .3f);
   photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
   exposure.functions = {photographic.use()};
 

@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 
 /// Nodes within nodes; deeper ones are left out.
 constexpr int kMostDepth = 500;
+/// Degrees between faces; a guess that keeps edges of buildings sharp.
+constexpr float kSmoothBelow = 45;
 /// Film width of cameras, which then have the angle of the model's: full frame, millimetres.
 constexpr float kAperture = 36;
 
@@ -198,9 +200,16 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-  const aiScene* model = importer.ReadFile(
-      path, aiProcess_JoinIdenticalVertices | aiProcess_SortByPType | aiProcess_TransformUVCoords |
-                aiProcess_GenUVCoords | aiProcess_ValidateDataStructure | aiProcess_GlobalScale);
+  // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
+  // ones (specification, 3.7.2.1).
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
+  const std::string suffix = fs::path(path).extension().string();
+  const unsigned normals =
+      suffix == ".gltf" || suffix == ".glb" ? 0 : unsigned{aiProcess_GenSmoothNormals};
+  const aiScene* model =
+      importer.ReadFile(path, normals | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                                  aiProcess_TransformUVCoords | aiProcess_GenUVCoords |
+                                  aiProcess_ValidateDataStructure | aiProcess_GlobalScale);
   if (!model) {
     diagnostics.error(
         "OR-MD-001", {},
