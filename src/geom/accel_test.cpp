@@ -274,8 +274,9 @@ TEST(AccelTest, ASecondInstanceAfterTheFirstCommitLeavesTheFirstInPlace) {
 std::vector<float> scan(const Accel& accel) {
   std::vector<float> seen;
   for (int i = 0; i < 400; ++i) {
+    const int row = i / 20;
     const float x = 0.03f * static_cast<float>(i % 20) - 0.05f;
-    const float y = 0.03f * static_cast<float>(i / 20) - 0.05f;
+    const float y = 0.03f * static_cast<float>(row) - 0.05f;
     Hit hit;
     if (!accel.intersect({Vec3(x, y, 4), 0, Vec3(0.01f, 0.02f, -1)}, hit)) continue;
     SurfacePoint point;
