@@ -297,7 +297,7 @@ class RandomScene {
     if (chance()) g.settings.push_back(statement("approximate", {words("fine", true)}));
     const int vectors = 3 + pick(50);
     for (int i = 0; i < vectors; ++i) g.vectors.emplace_back(real(), real(), real());
-    const auto n = static_cast<std::size_t>(3 + pick(40));
+    const std::size_t n = 3 + static_cast<std::size_t>(pick(40));
     g.vertices.point = column(n, vectors, false);
     if (chance()) g.vertices.normal = column(n, vectors, true);
     if (chance()) g.vertices.derivative = {column(n, vectors, false), column(n, vectors, false)};

@@ -8,7 +8,6 @@ namespace oriel::mi {
 namespace {
 
 using scene::kNone;
-using scene::Value;
 
 #define EXPECT_SILENT(read) EXPECT_TRUE((read).diagnostics.all().empty()) << (read).messages()
 

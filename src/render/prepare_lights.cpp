@@ -232,6 +232,65 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
   }
 }
 
+namespace {
+
+/// What the element says of its film: size, window, planes.
+void set_film(const scene::Camera& element, const PrepareOptions& options, Camera& camera,
+              Diagnostics& diagnostics) {
+  camera.orthographic = element.orthographic;
+  camera.focal = element.focal.value_or(kDefaultFocal);
+  camera.aperture = element.aperture.value_or(kDefaultAperture);
+  auto resolution = element.resolution.value_or(std::array<int, 2>{640, 480});
+  for (int& side : resolution) side = std::max(1, side);
+  camera.aspect = element.aspect.value_or(static_cast<float>(resolution[0]) /
+                                          static_cast<float>(resolution[1]));
+  constexpr int kMostPixels = 1 << 16;
+  camera.width = std::clamp(options.width > 0 ? options.width : resolution[0], 1, kMostPixels);
+  camera.height = std::clamp(options.height > 0 ? options.height : resolution[1], 1, kMostPixels);
+  if (options.width > 0 && options.height > 0 && element.resolution)
+    camera.aspect *= static_cast<float>(camera.width) / static_cast<float>(camera.height) *
+                     static_cast<float>(resolution[1]) / static_cast<float>(resolution[0]);
+  // Squares of them must stay numbers.
+  constexpr float kLargest = 1e15f;
+  const auto is_length = [](float x) { return x > 0 && x < kLargest; };
+  if (!is_length(camera.focal) || !is_length(camera.aperture) || !is_length(camera.aspect)) {
+    diagnostics.warning("OR-RN-003", element.where,
+                        fmt::format("camera \"{}\" has a focal length, aperture or aspect that is "
+                                    "not positive, or beyond all measure; defaults are used",
+                                    element.name));
+    camera.focal = kDefaultFocal;
+    camera.aperture = kDefaultAperture;
+    camera.aspect = static_cast<float>(camera.width) / static_cast<float>(camera.height);
+  }
+  const Statement* offset = find_last(element.other, "offset");
+  const float size_ratio = static_cast<float>(camera.width) / static_cast<float>(resolution[0]);
+  camera.offset = Vec2(number(offset, 0, 0), number(offset, 1, 0)) * size_ratio;
+  take_eye(element, options.eye, camera);
+  constexpr float kFarthest = 1e6f;  // pixels; beyond it rays are no numbers any more
+  for (float* shift : {&camera.offset.x, &camera.offset.y})
+    *shift = std::abs(*shift) < kFarthest ? *shift : 0;
+  const Statement* clip = find_last(element.other, "clip");
+  camera.clip_near = number(clip, 0, 0);
+  camera.clip_far = number(clip, 1, 0);
+  camera.window[2] = camera.width;
+  camera.window[3] = camera.height;
+  if (const Statement* window = find_last(element.other, "window")) {
+    const std::vector<float> w = numbers_of(*window);
+    const int most[] = {camera.width, camera.height};
+    // Clipped before it is an integer: files hold any number.
+    const auto pixel = [&](float x, int least, int last) {
+      return static_cast<int>(
+          clamp(x * size_ratio, static_cast<float>(least), static_cast<float>(last)));
+    };
+    for (std::size_t i = 0; i < 2 && w.size() == 4; ++i) {
+      camera.window[i] = pixel(w[i], 0, most[i] - 1);
+      camera.window[i + 2] = pixel(w[i + 2] + 1, camera.window[i] + 1, most[i]);
+    }
+  }
+}
+
+}  // namespace
+
 bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                   const std::string& name, const PrepareOptions& options, World& world,
                   const scene::Camera*& element, Diagnostics& diagnostics) {
@@ -268,56 +327,7 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
     camera.to_world = geom::matrix_at(camera.path, camera.middle);
     camera.to_camera = geom::inverse_of(camera.to_world);
   }
-  camera.orthographic = element->orthographic;
-  camera.focal = element->focal.value_or(kDefaultFocal);
-  camera.aperture = element->aperture.value_or(kDefaultAperture);
-  auto resolution = element->resolution.value_or(std::array<int, 2>{640, 480});
-  for (int& side : resolution) side = std::max(1, side);
-  camera.aspect = element->aspect.value_or(static_cast<float>(resolution[0]) /
-                                           static_cast<float>(resolution[1]));
-  constexpr int kMostPixels = 1 << 16;
-  camera.width = std::clamp(options.width > 0 ? options.width : resolution[0], 1, kMostPixels);
-  camera.height = std::clamp(options.height > 0 ? options.height : resolution[1], 1, kMostPixels);
-  if (options.width > 0 && options.height > 0 && element->resolution)
-    camera.aspect *= static_cast<float>(camera.width) / static_cast<float>(camera.height) *
-                     static_cast<float>(resolution[1]) / static_cast<float>(resolution[0]);
-  // Squares of them must stay numbers.
-  constexpr float kLargest = 1e15f;
-  const auto is_length = [](float x) { return x > 0 && x < kLargest; };
-  if (!is_length(camera.focal) || !is_length(camera.aperture) || !is_length(camera.aspect)) {
-    diagnostics.warning("OR-RN-003", element->where,
-                        fmt::format("camera \"{}\" has a focal length, aperture or aspect that is "
-                                    "not positive, or beyond all measure; defaults are used",
-                                    element->name));
-    camera.focal = kDefaultFocal;
-    camera.aperture = kDefaultAperture;
-    camera.aspect = static_cast<float>(camera.width) / static_cast<float>(camera.height);
-  }
-  const Statement* offset = find_last(element->other, "offset");
-  const float size_ratio = static_cast<float>(camera.width) / static_cast<float>(resolution[0]);
-  camera.offset = Vec2(number(offset, 0, 0), number(offset, 1, 0)) * size_ratio;
-  take_eye(*element, options.eye, camera);
-  constexpr float kFarthest = 1e6f;  // pixels; beyond it rays are no numbers any more
-  for (float* shift : {&camera.offset.x, &camera.offset.y})
-    *shift = std::abs(*shift) < kFarthest ? *shift : 0;
-  const Statement* clip = find_last(element->other, "clip");
-  camera.clip_near = number(clip, 0, 0);
-  camera.clip_far = number(clip, 1, 0);
-  camera.window[2] = camera.width;
-  camera.window[3] = camera.height;
-  if (const Statement* window = find_last(element->other, "window")) {
-    const std::vector<float> w = numbers_of(*window);
-    const int most[] = {camera.width, camera.height};
-    // Clipped before it is an integer: files hold any number.
-    const auto pixel = [&](float x, int least, int last) {
-      return static_cast<int>(
-          clamp(x * size_ratio, static_cast<float>(least), static_cast<float>(last)));
-    };
-    for (std::size_t i = 0; i < 2 && w.size() == 4; ++i) {
-      camera.window[i] = pixel(w[i], 0, most[i] - 1);
-      camera.window[i + 2] = pixel(w[i + 2] + 1, camera.window[i] + 1, most[i]);
-    }
-  }
+  set_film(*element, options, camera, diagnostics);
   return true;
 }
 
