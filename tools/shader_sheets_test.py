@@ -1,9 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The pages of docs/shaders agree with what the program declares, and hold every shader."""
-import importlib.machinery
-import importlib.util
-import os
 import pathlib
 import re
 import subprocess
@@ -12,30 +9,10 @@ import tempfile
 import unittest
 import zlib
 
-sys.dont_write_bytecode = True
-HERE = pathlib.Path(__file__).resolve().parent
+from testing import HERE, load, program
+
 PAGES = HERE.parent / "docs/shaders"
-
-
-def load(name):
-    loader = importlib.machinery.SourceFileLoader("shader_sheets", str(HERE / name))
-    spec = importlib.util.spec_from_loader("shader_sheets", loader)
-    module = importlib.util.module_from_spec(spec)
-    loader.exec_module(module)
-    return module
-
-
 sheets = load("shader-sheets")
-
-
-def program():
-    """The program beside the folder that tests run in, or that of the release build; else None."""
-    here = pathlib.Path.cwd()
-    for path in (os.environ.get("ORIEL"), here / "bin/oriel", here.parent / "bin/oriel",
-                 HERE.parent / "build/release/bin/oriel"):
-        if path and os.access(path, os.X_OK):
-            return pathlib.Path(path)
-    return None
 
 
 class Sheets(unittest.TestCase):
