@@ -10,6 +10,7 @@
 #include "mi/writer.h"
 #include "models/daylight.h"
 #include "models/import.h"
+#include "numbers.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
 
@@ -29,9 +30,8 @@ struct ConvertArguments {
 
 models::DaylightOptions daylight_options(const ConvertArguments& a) {
   models::DaylightOptions options;
-  if (std::sscanf(a.size.c_str(), "%dx%d", &options.width, &options.height) != 2 ||
-      options.width < 1 || options.height < 1 || options.width > 65536 || options.height > 65536)
-    throw UsageError(fmt::format("--size {}: write WIDTHxHEIGHT in pixels", a.size));
+  const PictureSize size = parse_size(a.size);
+  options.width = size.width, options.height = size.height;
   if (!a.sun.empty()) options.sun_azimuth = a.sun[0], options.sun_elevation = a.sun[1];
   return options;
 }
@@ -45,11 +45,8 @@ scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
   SceneArguments arguments;
   arguments.path = path;
   mi::Reader reader(path, read_options(arguments, builtin_shaders()), diagnostics);
-  scene::Scene scene;
-  while (reader.next_frame(scene)) {
-  }
   if (!reader.opened()) throw UserError(fmt::format("cannot read '{}'", path));
-  return scene;
+  return mi::read_all(reader);
 }
 
 /// Reads the model, adds what a picture needs and writes the scene.

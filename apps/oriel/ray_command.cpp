@@ -227,10 +227,7 @@ void print_flags() {
 bool write_echo(const RayPlan& plan, const RaySource& source, Diagnostics& diagnostics) {
   Diagnostics unheard;
   mi::Reader reader = source.open(plan.render.scene, unheard);
-  scene::Scene scene;
-  while (reader.next_frame(scene)) {
-  }
-  return mi::write_scene(scene, plan.echo, diagnostics);
+  return mi::write_scene(mi::read_all(reader), plan.echo, diagnostics);
 }
 
 int run_ray(const std::vector<std::string>& words) {
@@ -256,9 +253,7 @@ int run_ray(const std::vector<std::string>& words) {
     return printer.print_new(), kExitFailed;
   mi::Reader reader = source.open(plan.render.scene, diagnostics);
   if (!plan.renders) {
-    scene::Scene scene;
-    while (reader.next_frame(scene)) {
-    }
+    mi::read_all(reader);
     printer.print_new();
     return diagnostics.count(Severity::Error) > 0 ? kExitFailed : kExitDone;
   }

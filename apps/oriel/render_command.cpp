@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "command.h"
+#include "numbers.h"
 #include "render_frames.h"
 #include "shaders/registry.h"
 #include "sun_scene.h"
@@ -15,18 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<int> parse_integers(const std::string& text, char separator) {
-  std::vector<int> numbers;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, at), text.size());
-    const std::string part = text.substr(at, end - at);
-    if (part.empty() || part.size() > 6 || part.find_first_not_of("0123456789") != part.npos)
-      return {};
-    numbers.push_back(std::stoi(part));
-    at = end + 1;
-  }
-  return numbers;
-}
 std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
   using Method = scene::IndirectMethod;
   if (text.empty()) return std::nullopt;
@@ -74,10 +63,8 @@ RenderPlan plan_of(const RenderArguments& a) {
   plan.gi = parse_gi(a.gi);
   plan.prepare.camera = a.camera;
   if (!a.size.empty()) {
-    const std::vector<int> size = parse_integers(a.size, 'x');
-    if (size.size() != 2 || size[0] < 1 || size[1] < 1 || size[0] > 65536 || size[1] > 65536)
-      throw UsageError(fmt::format("--size {}: write WIDTHxHEIGHT in pixels", a.size));
-    plan.prepare.width = size[0], plan.prepare.height = size[1];
+    const PictureSize size = parse_size(a.size);
+    plan.prepare.width = size.width, plan.prepare.height = size.height;
   }
   if (!a.crop.empty()) {
     const std::vector<int> crop = parse_integers(a.crop, ',');

@@ -209,21 +209,19 @@ class Tessellator {
 
 /// The finer of the surface's own approximation and the one of its displacement.
 Mesh subdivide_as_asked(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
-                        bool tagged, const scene::ApproximationContext& context,
-                        Diagnostics& diagnostics) {
+                        bool tagged, const scene::ApproximationRules& rules,
+                        const scene::TessellationView& view, Diagnostics& diagnostics) {
   using Kind = scene::Approximation::Kind;
-  const scene::ApproximationRules rules = context.rules(group);
   const bool ccmesh = surface.form == scene::SubdivisionSurface::Form::CcMesh;
   const scene::Approximation* own =
       rules.find(ccmesh ? Kind::CcMesh : Kind::Subdivision, surface.name);
   const scene::Approximation* displace = rules.find(Kind::Displace, surface.name);
   if (displace) {
     const SubdivisionCage cage = cage_of(group, surface);
-    if (!own || subdivision_level(cage, displace, context.view) >
-                    subdivision_level(cage, own, context.view))
+    if (!own || subdivision_level(cage, displace, view) > subdivision_level(cage, own, view))
       own = displace;
   }
-  return subdivide(group, surface, tagged, own, context.view, diagnostics);
+  return subdivide(group, surface, tagged, own, view, diagnostics);
 }
 
 }  // namespace
@@ -239,9 +237,13 @@ Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& 
   Tessellator tessellator(mesh);
   for (const scene::PolygonGroup& group : object.groups) tessellator.add_group(group);
   tessellator.finish();
-  for (const scene::PolygonGroup& group : object.groups)
+  for (const scene::PolygonGroup& group : object.groups) {
+    if (group.subdivisions.empty()) continue;
+    const scene::ApproximationRules rules = context.rules(group);
     for (const scene::SubdivisionSurface& surface : group.subdivisions)
-      append_mesh(mesh, subdivide_as_asked(group, surface, mesh.tagged, context, diagnostics));
+      append_mesh(
+          mesh, subdivide_as_asked(group, surface, mesh.tagged, rules, context.view, diagnostics));
+  }
   for (const scene::PolygonGroup& group : object.groups)
     append_mesh(mesh, tessellate_freeform(object, group, context, diagnostics));
   for (const scene::Hair& hair : object.hairs) add_hair(mesh, hair, diagnostics);

@@ -30,10 +30,6 @@ float narrowed(double value) {
   return static_cast<float>(std::clamp(value, -kMost, kMost));
 }
 
-std::uint32_t narrowed_index(double value) {
-  return value >= 0 && value < scene::kNone ? static_cast<std::uint32_t>(value) : scene::kNone - 1;
-}
-
 Row read_row(Parse& parse) {
   Row row;
   while (parse.at_number()) {
@@ -73,7 +69,7 @@ std::vector<ControlPoint> points_of(const Row& row, std::size_t first) {
   std::vector<ControlPoint> points;
   points.reserve(row.numbers.size() - first);
   for (std::size_t i = first; i < row.numbers.size(); ++i)
-    points.push_back({narrowed_index(row.numbers[i].value), row.numbers[i].weight});
+    points.push_back({as_index(row.numbers[i].value), row.numbers[i].weight});
   return points;
 }
 
@@ -117,7 +113,7 @@ scene::SurfaceLoop read_loop(Parse& parse, scene::SurfaceLoop::Kind kind) {
   scene::SurfaceLoop loop{kind, {}, {}};
   for (;;) {
     if (parse.at_number()) {
-      loop.points.push_back(narrowed_index(parse.number("a vertex")));
+      loop.points.push_back(as_index(parse.number("a vertex")));
     } else if (parse.in.at(Token::Kind::String)) {
       scene::CurvePart& part = loop.parts.emplace_back();
       part.curve = parse.name("the name of a curve");
@@ -210,7 +206,7 @@ void read_surface(Parse& parse, const scene::Object& object, scene::PolygonGroup
   surface.name = parse.name("the name of a surface");
   surface.where = at;
   if (parse.tagged)
-    surface.material = narrowed_index(parse.number("the label of this surface"));
+    surface.material = as_index(parse.number("the label of this surface"));
   else
     surface.material = builder.material_index(parse.name("the name of a material"));
   Patch patch = read_patch(parse, object, true);

@@ -24,11 +24,6 @@ bool is_group_word(std::string_view word) {
   return std::find(std::begin(kGroupWords), std::end(kGroupWords), word) != std::end(kGroupWords);
 }
 
-const char* skip_blanks(const char* p) {
-  while (static_cast<unsigned char>(*p) <= ' ' && *p != 0) ++p;
-  return p;
-}
-
 // Whether a one-letter keyword before c stands alone, exactly as the lexer would see it.
 bool ends_word(char c) {
   const auto u = static_cast<unsigned char>(c);
@@ -102,12 +97,6 @@ const char* scan_vertex(const char* p, VertexRecord& vertex) {
   // A comment or command inside the vertex: fields may follow behind it.
   const char* const q = skip_blanks(p);
   return *q == '#' || *q == '$' || *q == 0 || is_digit(*q) || is_mark(q) ? nullptr : p;
-}
-
-std::uint32_t index_of(Parse& parse) {
-  const double value = parse.number("an index");
-  // kNone means absent, so what is no index at all becomes the largest that is one.
-  return value >= 0 && value < kNone ? static_cast<std::uint32_t>(value) : kNone - 1;
 }
 
 // cusp|conic|corner [level N] | dart

@@ -112,7 +112,7 @@ class HairReader {
         const char* p = parse_.in.raw();
         Room room(parse_.in.source(), p, 'h', list.empty());
         for (;;) {
-          while (static_cast<unsigned char>(*p) <= ' ' && *p != 0) ++p;
+          p = skip_blanks(p);
           float value = 0;
           bool overflow = false;
           const char* const end = scan_float(p, value, overflow);

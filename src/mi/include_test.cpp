@@ -13,23 +13,9 @@ namespace {
 
 std::string include_line(int i) { return fmt::format("$include \"f{}.mi\"\n", i); }
 
-class Include : public testing::Test {
+class Include : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              fmt::format("oriel_include_{}_{}", ::getpid(),
-                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string write(const std::string& name, std::string_view text) {
-    const auto path = folder_ / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text;
-    return path.string();
-  }
   scene::Scene read(const std::string& path) { return read_scene(path, options_, diagnostics_); }
-  std::filesystem::path folder_;
   ReadOptions options_ = Snippet::known_shaders();
   Diagnostics diagnostics_;
 };

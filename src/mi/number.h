@@ -18,6 +18,12 @@ struct ScannedNumber {
   bool overflow = false;      ///< clamped to the largest finite number
 };
 
+/// Past white space, which all below blank is but the end.
+inline const char* skip_blanks(const char* p) {
+  while (static_cast<unsigned char>(*p) <= ' ' && *p != 0) ++p;
+  return p;
+}
+
 /// Scans a number that begins at p.
 ///
 /// Returns: false, and nothing else, when the text at p is no number.

@@ -16,21 +16,8 @@
 namespace oriel::mi {
 namespace {
 
-class Placeholder : public testing::Test {
+class Placeholder : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              fmt::format("oriel_placeholder_{}_{}", ::getpid(),
-                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string write(const std::string& name, std::string_view text) {
-    const auto path = folder_ / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text;
-    return path.string();
-  }
   scene::Scene read(std::string_view elements, std::string_view members = "\"i\"") {
     return read_scene(
         write("scene.mi",
@@ -45,7 +32,6 @@ class Placeholder : public testing::Test {
     for (const Diagnostic& d : diagnostics_.all()) all += diagnostics_.format(d) + "\n";
     return all;
   }
-  std::filesystem::path folder_;
   ReadOptions options_ = Snippet::known_shaders();
   Diagnostics diagnostics_;
 };

@@ -38,6 +38,14 @@ struct Place {
   SourceLocation locate() const { return source->locate(at); }
 };
 
+/// A number as an index. scene::kNone means absent, so what is no index at all becomes the largest
+/// that is one.
+inline std::uint32_t as_index(double value) {
+  return value >= 0 && value < scene::kNone ? static_cast<std::uint32_t>(value) : scene::kNone - 1;
+}
+/// The index that stands next.
+inline std::uint32_t index_of(Parse& parse) { return as_index(parse.number("an index")); }
+
 /// The fields of one vertex as written, before they go to their columns.
 struct VertexRecord {
   struct Texture {

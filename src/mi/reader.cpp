@@ -41,24 +41,22 @@ bool Reader::next_frame(scene::Scene& scene) {
 
 bool Reader::opened() const { return state_->opened; }
 
-namespace {
-
-scene::Scene read_all(Reader reader) {
+scene::Scene read_all(Reader& reader) {
   scene::Scene scene;
   while (reader.next_frame(scene)) {
   }
   return scene;
 }
 
-}  // namespace
-
 scene::Scene read_scene(const std::string& path, ReadOptions options, Diagnostics& diagnostics) {
-  return read_all(Reader(path, std::move(options), diagnostics));
+  Reader reader(path, std::move(options), diagnostics);
+  return read_all(reader);
 }
 
 scene::Scene read_text(std::string_view text, ReadOptions options, Diagnostics& diagnostics,
                        std::string name) {
-  return read_all(Reader::from_text(text, std::move(options), diagnostics, std::move(name)));
+  Reader reader = Reader::from_text(text, std::move(options), diagnostics, std::move(name));
+  return read_all(reader);
 }
 
 }  // namespace oriel::mi

@@ -62,7 +62,9 @@ class Reader {
   std::unique_ptr<ReaderState> state_;
 };
 
-/// Reads a whole file, all frames applied one after the other.
+/// Reads on to the end, all frames applied one after the other.
+scene::Scene read_all(Reader& reader);
+/// The same of a whole file.
 scene::Scene read_scene(const std::string& path, ReadOptions options, Diagnostics& diagnostics);
 scene::Scene read_text(std::string_view text, ReadOptions options, Diagnostics& diagnostics,
                        std::string name = "scene.mi");

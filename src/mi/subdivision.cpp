@@ -60,22 +60,17 @@ class SubdivisionReader {
     surface_.texture_rules.push_back(face ? TextureRule::Face : TextureRule::Subdivision);
   }
 
-  std::uint32_t index() {
-    const double value = parse_.number("an index");
-    return value >= 0 && value < kNone ? static_cast<std::uint32_t>(value) : kNone - 1;
-  }
-
   // p [material|label] corners [crease...] [trim N | detail ... | { ... }]...
   void read_face() {
     const SourceLocation at = parse_.in.where();
     parse_.expect_word("p");
     std::uint32_t material = parse_.tagged ? kNone : builder_.last_material;
     if (parse_.tagged && parse_.at_number())
-      material = index();
+      material = index_of(parse_);
     else if (parse_.in.at(Token::Kind::String))
       material = builder_.last_material = builder_.material_index(parse_.in.next().str());
     corners_.clear();
-    while (parse_.at_number()) corners_.push_back(index());
+    while (parse_.at_number()) corners_.push_back(index_of(parse_));
     const bool kept = is_face(at);
     if (kept) add_face(material);
     const auto face = static_cast<std::uint32_t>(surface_.faces.size() - 1);
@@ -137,7 +132,7 @@ class SubdivisionReader {
     constexpr std::size_t kMaskBits = 32;
     const auto edges = static_cast<std::uint32_t>(corners_.size());
     std::uint32_t mask = kNone;
-    if (surface_.form == Form::Surface) mask = index();
+    if (surface_.form == Form::Surface) mask = index_of(parse_);
     float value = 1;
     for (std::uint32_t edge = 0; edge < edges; ++edge) {
       if (edge < kMaskBits && !(mask >> edge & 1u)) continue;

@@ -158,7 +158,7 @@ void TrilistReader::read_vertex_vectors() {
       p = parse_.in.raw();
       room.emplace(parse_.in.source(), p, ']', group_.vectors.empty());
       for (;;) {
-        while (static_cast<unsigned char>(*p) <= ' ' && *p != 0) ++p;
+        p = skip_blanks(p);
         float value = 0;
         bool overflow = false;
         const char* const end = scan_float(p, value, overflow);
@@ -210,7 +210,7 @@ std::vector<std::uint32_t> TrilistReader::read_integers(std::size_t expected) {
     const char* p = parse_.in.raw();
     Room room(parse_.in.source(), p, ']', result.empty());
     for (;;) {
-      while (static_cast<unsigned char>(*p) <= ' ' && *p != 0) ++p;
+      p = skip_blanks(p);
       std::uint32_t index = 0;
       const char* const end = scan_index(p, index);
       if (!end) break;

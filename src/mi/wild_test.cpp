@@ -101,24 +101,7 @@ TEST(Wild, AnEmptyParameterListMayCloseAnInstance) {
   EXPECT_EQ(read.get<scene::Instance>("i").flags[0].values[0].text, "d");
 }
 
-class Folder : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              fmt::format("oriel_mi_{}_{}", ::getpid(),
-                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string write(const std::string& name, std::string_view text) {
-    const auto path = folder_ / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text;
-    return path.string();
-  }
-  std::filesystem::path folder_;
-};
-using WildFiles = Folder;
+using WildFiles = FolderTest;
 
 // acceptance: H1
 TEST_F(WildFiles, AnIncludeMayHoldTheBodyOfAGroup) {

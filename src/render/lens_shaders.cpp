@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/shutter_time.h"
+
 namespace oriel {
 namespace {
 
@@ -147,16 +149,6 @@ PathResult trace_through_lens(const World& world, const Camera& camera, float ti
   return trace_path(world, ray, raster, settings, sampler, counts);
 }
 
-/// The samples of a pixel lie evenly over the time that the shutter is open. A dimension of its
-/// own: pictures in which nothing moves stay as they are.
-float time_of_sample(const World& world, const sampling::Sampler& sampler) {
-  constexpr std::uint32_t kTimeBranch = 9000;
-  if (!world.shutter.on) return 0;
-  sampling::Sampler stream = sampler.split(0, 1, kTimeBranch);
-  stream.set_dimension(0);
-  return world.shutter.at(stream.next_1d());
-}
-
 void add_outputs(Outputs& sum, const Outputs& part, const Rgb& weight, float share) {
   for (std::size_t i = 0; i < kComponents; ++i) sum.result[i] += part.result[i] * weight * share;
   for (std::size_t i = 0; i < kLevels; ++i) sum.level[i] += part.level[i] * share;
@@ -168,7 +160,7 @@ void add_outputs(Outputs& sum, const Outputs& part, const Rgb& weight, float sha
 
 PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
                           sampling::Sampler& sampler, RayCounts& counts) {
-  const float time = time_of_sample(world, sampler);
+  const float time = shutter_time(world.shutter, sampler);
   if (world.lens_rays.empty())
     return trace_path(world, world.camera.ray(raster, time), raster, settings, sampler, counts);
 

@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "image/cryptomatte.h"
+#include "scene/label.h"
 
 namespace oriel {
 namespace {
@@ -58,12 +59,6 @@ Mattes::Share foremost(const std::vector<Mattes::Share>& shares) {
   return most;
 }
 
-std::uint32_t label_of(const std::vector<scene::Statement>& flags) {
-  const scene::Statement* tag = find_last(flags, "tag");
-  if (!tag || tag->values.empty() || tag->values[0].numbers.empty()) return 0;
-  return static_cast<std::uint32_t>(std::clamp(tag->values[0].numbers[0], 0.0, 4294967295.0));
-}
-
 /// Ranks of one kind as one picture of 2 x ranks channels.
 Image ranked(const RenderSession& session, MatteKind kind, int ranks) {
   std::vector<float> ids;
@@ -91,8 +86,8 @@ MatteNames matte_names(const scene::Scene& scene, const World& world, int depth)
     const auto* instance = scene.get<scene::Instance>(data.name);
     const auto* object = instance ? scene.get<scene::Object>(instance->element) : nullptr;
     names.assets.push_back(object ? object->name : data.name);
-    const std::uint32_t label = instance ? label_of(instance->flags) : 0;
-    names.labels.push_back(label == 0 && object ? label_of(object->flags) : label);
+    const std::uint32_t label = instance ? scene::label_of(instance->flags) : 0;
+    names.labels.push_back(label == 0 && object ? scene::label_of(object->flags) : label);
   }
   return names;
 }

@@ -14,7 +14,7 @@ namespace oriel {
 ///
 /// Model:   every sample is a state of its own: its init and exit stand right around the sample's.
 /// Source:  the public manual's page on state shaders.
-/// Checked: UserState.* in tests/user_shaders/kinds_test.cpp
+/// Checked: UserState.* in tests/user_shaders/state_test.cpp
 void call_state_shaders(const World& world, Vec2 raster, EyeSample::Moment moment,
                         PathResult& sample, std::span<Rgba> buffers);
 

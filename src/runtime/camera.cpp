@@ -15,8 +15,8 @@ Camera Camera::at(float time) const {
 }
 
 Vec3 Camera::project(const Vec3& point, float time) const {
-  if (!path.empty()) return at(time).project(point, time);
-  const Vec3 p = transform_point(point, to_camera);
+  const Vec3 p = transform_point(
+      point, path.empty() ? to_camera : geom::inverse_of(geom::matrix_at(path, time)));
   const float film = orthographic ? 1 : focal / -p.z;
   const float half_width = aperture / 2;
   return {(p.x * film / half_width + 1) / 2 * static_cast<float>(width) - offset.x,
@@ -24,23 +24,26 @@ Vec3 Camera::project(const Vec3& point, float time) const {
 }
 
 Camera::Ray Camera::ray(Vec2 raster, float time) const {
-  if (!path.empty()) return at(time).ray(raster, time);
+  // Not by at(): a copy of the camera for each ray would copy its path.
+  Mat4 moved{Imath::UNINITIALIZED};
+  if (!path.empty()) moved = geom::matrix_at(path, time);
+  const Mat4& placed = path.empty() ? to_world : moved;
   const float half_width = aperture / 2;
   const float x = (2 * (raster.x + offset.x) / static_cast<float>(width) - 1) * half_width;
   const float y =
       (2 * (raster.y + offset.y) / static_cast<float>(height) - 1) * half_width / aspect;
   const float pixel = aperture / static_cast<float>(width);
   if (orthographic) {
-    return {transform_point(Vec3(x, y, 0), to_world),
-            normalize(transform_vector(Vec3(0, 0, -1), to_world)),
+    return {transform_point(Vec3(x, y, 0), placed),
+            normalize(transform_vector(Vec3(0, 0, -1), placed)),
             1,
             0,
-            pixel * length(transform_vector(Vec3(1, 0, 0), to_world)),
+            pixel * length(transform_vector(Vec3(1, 0, 0), placed)),
             time};
   }
   const Vec3 local = normalize(Vec3(x, y, -focal));
-  return {transform_point(Vec3(0), to_world),
-          normalize(transform_vector(local, to_world)),
+  return {transform_point(Vec3(0), placed),
+          normalize(transform_vector(local, placed)),
           -local.z,
           pixel / focal * sqr(local.z),
           0,

@@ -8,7 +8,7 @@
 
 #include "color/luminance.h"
 #include "geom/motion.h"
-#include "sampling/sampler.h"
+#include "runtime/shutter_time.h"
 #include "sampling/warp.h"
 
 namespace oriel {
@@ -297,16 +297,12 @@ constexpr float kOffTheLight = 1e-5f;
 
 geom::Ray PhotonSource::first_ray(const EmittedPhoton& photon,
                                   const sampling::Sampler& sampler) const {
-  constexpr std::uint32_t kTimeBranch = 9000;
   geom::Ray ray;
   ray.org = photon.origin;
   ray.dir = photon.direction;
   ray.tnear = kOffTheLight * scene_radius_;
   ray.mask = geom::RayMask::FinalGather | geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
-  if (!world_->shutter.on) return ray;
-  sampling::Sampler stream = sampler.split(0, 1, kTimeBranch);
-  stream.set_dimension(0);
-  ray.time = world_->shutter.at(stream.next_1d());
+  ray.time = shutter_time(world_->shutter, sampler);
   if (!light_ || light_->path.empty()) return ray;
   const Mat4 there = geom::matrix_at(light_->path, ray.time);
   ray.org = transform_point(ray.org, there);

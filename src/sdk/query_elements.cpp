@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdk/query_elements.h"
 
+#include "scene/label.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
 #include "sdk/user_data.h"
@@ -45,10 +46,7 @@ miTag data_of(Host& host, miTag tag) {
 
 miUint label_of(Host& host, miTag tag) {
   const auto* statements = statements_of(host, tag);
-  const scene::Statement* s = statements ? scene::find_last(*statements, "tag") : nullptr;
-  return s && !s->values.empty() && !s->values[0].numbers.empty()
-             ? static_cast<miUint>(s->values[0].numbers[0])
-             : 0;
+  return statements ? scene::label_of(*statements) : 0;
 }
 
 bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {

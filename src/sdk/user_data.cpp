@@ -73,8 +73,7 @@ void put_array(Host& host, const CMember& m, const ParamSpec& row, const Value& 
                Bytes& bytes) {
   if (m.c_stride == 0) return;
   const std::size_t first = m.c_offset + 8;
-  const std::size_t begin =
-      first + (std::max(bytes.size(), first) - first + m.c_stride - 1) / m.c_stride * m.c_stride;
+  const std::size_t begin = begin_of_array(m, bytes.size());
   put(bytes, m.c_offset, static_cast<int>((begin - first) / m.c_stride));
   put(bytes, m.c_offset + 4, static_cast<int>(value.items.size()));
   bytes.resize(begin + value.items.size() * m.c_stride);

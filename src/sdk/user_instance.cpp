@@ -56,12 +56,10 @@ void store_value(Host& host, ParamType type, const void* own, std::byte* c) {
   }
 }
 
-/// Bytes of the elements behind the struct, each array's from a multiple of its element's size.
+/// Where a block of bytes ends with so many elements of an array.
 std::size_t end_of_array(const CMember& m, int count, std::size_t end) {
   if (m.c_stride == 0) return end;
-  const std::size_t first = m.c_offset + 8;
-  const std::size_t steps = (std::max(end, first) - first + m.c_stride - 1) / m.c_stride;
-  return first + (steps + static_cast<std::size_t>(count)) * m.c_stride;
+  return begin_of_array(m, end) + static_cast<std::size_t>(count) * m.c_stride;
 }
 
 ArrayView<std::byte> array_at(const std::byte* own) {
@@ -116,8 +114,8 @@ void UserInstance::make_ready(const ShaderNode& of) {
     int head[2] = {0, view.size};
     if (view.size > 0 && m.c_stride > 0) {
       const auto count = static_cast<std::size_t>(view.size);
-      end = end_of_array(m, view.size, end);
-      const std::size_t begin = end - count * m.c_stride;
+      const std::size_t begin = begin_of_array(m, end);
+      end = begin + count * m.c_stride;
       head[0] = static_cast<int>((begin - m.c_offset - 8) / m.c_stride);
       const auto elements = static_cast<std::size_t>(view.data - own);
       for (std::size_t i = 0; i < count; ++i)

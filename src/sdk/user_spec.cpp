@@ -141,6 +141,11 @@ std::string parameter_text(const std::vector<scene::ParamDecl>& parameters) {
 
 }  // namespace
 
+std::size_t begin_of_array(const CMember& array, std::size_t end) {
+  const std::size_t first = array.c_offset + 8, size = array.c_stride;
+  return first + (std::max(end, first) - first + size - 1) / size * size;
+}
+
 std::size_t c_size(ParamType type) {
   switch (type) {
     case ParamType::Color:

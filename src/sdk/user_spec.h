@@ -27,6 +27,10 @@ struct CMember {
   std::size_t c_stride = 0, stride = 0;
 };
 
+/// Where the elements of an array stand that follow `end` bytes of a block: a multiple of their
+/// size behind the array's own place, as C reaches them by index.
+std::size_t begin_of_array(const CMember& array, std::size_t end);
+
 /// Bytes of a value in C structs: 4-byte units, tags for names.
 std::size_t c_size(ParamType type);
 miParam_type c_type(ParamType type);
