@@ -17,7 +17,9 @@ if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
 endif()
 
-add_compile_options(-Wall -Wextra -Wshadow -Wno-missing-field-initializers -Wno-restrict -Werror -fno-math-errno -fno-trapping-math)
+add_compile_options(-Wall -Wextra -Wshadow -Wno-missing-field-initializers
+                    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -Werror
+                    -fno-math-errno -fno-trapping-math)
 if(ORIEL_ARCH)
   add_compile_options(-march=${ORIEL_ARCH})
 endif()

@@ -24,6 +24,10 @@ struct RayMask {
     Transparency = 1u << 5,
     FinalGather = 1u << 6,  ///< also the diffuse bounces of path tracing
     Probe = 1u << 7,        ///< shaders that feel for the scene: occlusion, round corners
+    // What rays of that kind see although it casts no shadow.
+    ShadowlessReflection = 1u << 8,
+    ShadowlessRefraction = 1u << 9,
+    ShadowlessFinalGather = 1u << 10,
     All = 0xffffffffu
   };
 };

@@ -85,7 +85,23 @@ std::uint32_t ray_mask(const scene::ResolvedFlags& flags, bool lets_light_throug
   if (flags.refraction.seen) mask |= geom::RayMask::Refraction;
   if (flags.transparency.seen) mask |= geom::RayMask::Transparency;
   if (flags.finalgather.seen) mask |= geom::RayMask::FinalGather;
+  if (!flags.casts_shadow) {
+    if (flags.reflection.seen) mask |= geom::RayMask::ShadowlessReflection;
+    if (flags.refraction.seen) mask |= geom::RayMask::ShadowlessRefraction;
+    if (flags.finalgather.seen) mask |= geom::RayMask::ShadowlessFinalGather;
+  }
   return mask;
+}
+
+/// Whether shadow rays and rays of lobes see different things.
+void note_differences(std::uint32_t mask, World& world) {
+  using geom::RayMask;
+  constexpr std::uint32_t kLobes =
+      RayMask::Reflection | RayMask::Refraction | RayMask::FinalGather;
+  world.has_transparent_blockers |= (mask & RayMask::ShadowTransparent) != 0;
+  world.has_unseen_blockers |= (mask & RayMask::Shadow) != 0 && (mask & kLobes) != kLobes;
+  world.shadowless |= mask & (RayMask::ShadowlessReflection | RayMask::ShadowlessRefraction |
+                              RayMask::ShadowlessFinalGather);
 }
 
 std::uint16_t takes(const scene::ResolvedFlags& flags) {
@@ -169,7 +185,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
     }
     link_lights(leaf, lights, data);
     const std::uint32_t mask = ray_mask(leaf.flags, transmits_light);
-    world.has_transparent_blockers |= (mask & geom::RayMask::ShadowTransparent) != 0;
+    note_differences(mask, world);
     placed.push_back({&leaf, table.find(mesh, displacement_of(data.materials, world), leaf), mask});
     world.instances.push_back(std::move(data));
   }

@@ -88,6 +88,8 @@ struct World {
   NodeList air_on_light;                  ///< those of them that dim light on its way
   NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
   bool has_transparent_blockers = false;  ///< some material may let light pass
+  std::uint32_t shadowless = 0;           ///< bits geom::RayMask::Shadowless* that instances have
+  bool has_unseen_blockers = false;       ///< something opaque casts shadows on rays that miss it
   bool photons_part_ways = false;         ///< some instance treats caustic and global photons apart
 
   std::deque<std::unique_ptr<ShaderNode>> nodes;

@@ -162,8 +162,11 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   if (!shadows_ || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
 
   const Openness open = shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
-  const auto weight = [&](const Response::Part& part) {
-    return s->pdf > 0 ? light_sample_weight(request_.estimator, s->pdf * rate, part.pdf) : 1.0f;
+  // What rays of the lobe cannot find, samples of the light bring alone.
+  const auto weight = [&](const Response::Part& part, std::uint32_t shadowless) {
+    if (!(s->pdf > 0) || is_black(part.value)) return 1.0f;
+    if (hidden_from_rays(world_, point_, s->wi, s->reach, shadowless, counts_)) return 1.0f;
+    return light_sample_weight(request_.estimator, s->pdf * rate, part.pdf);
   };
   // What the light lets pass opaque blockers, no ray would find.
   const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
@@ -172,8 +175,10 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   const bool bent_rays_find = light.visible && s->pdf > 0;
   const Rgb glass = request_.rays_bend ? open.clear - open.cut_outs : Rgb(0);
   const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
-  add(open.all * weight(r.diffuse) + leak, straight * weight(r.reflection) + missed,
-      straight * weight(r.refraction) + missed, straight + glass + leak);
+  add(open.all * weight(r.diffuse, geom::RayMask::ShadowlessFinalGather) + leak,
+      straight * weight(r.reflection, geom::RayMask::ShadowlessReflection) + missed,
+      straight * weight(r.refraction, geom::RayMask::ShadowlessRefraction) + missed,
+      straight + glass + leak);
 }
 
 void DirectSum::add_environment(const Vec2& u) {
@@ -202,16 +207,22 @@ void DirectSum::add_environment(const Vec2& u) {
                                RayKind::FinalGather)) *
       air_before_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
-  const auto found = [&](const Rgb& value, float pdf, const Rgb& passes) {
+  // The environment is what rays see: behind what they see it is not, shadow or none.
+  const auto found = [&](const Rgb& value, float pdf, const Rgb& passes, std::uint32_t shadowless) {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    if (is_black(value) || hidden_from_rays(world_, point_, s.wi, kFar, shadowless, counts_))
+      return Rgb(0);
     return value * passes * radiance *
            (light_sample_weight(request_.estimator, s.pdf, pdf) / s.pdf);
   };
   const bool behind = dot(s.wi, point_.geometric_normal) < 0;
   DirectLight& sum = shares_ ? shares_->next(world_.light_layers.environment) : sum_;
   (behind ? sum.environment_translucency : sum.environment) +=
-      found(r.diffuse.value, r.diffuse.pdf, open.all);
-  sum.reflection += found(reflection, r.reflection.pdf, straight);
-  sum.refraction += found(r.refraction.value, r.refraction.pdf, straight);
+      found(r.diffuse.value, r.diffuse.pdf, open.all, geom::RayMask::ShadowlessFinalGather);
+  sum.reflection +=
+      found(reflection, r.reflection.pdf, straight, geom::RayMask::ShadowlessReflection);
+  sum.refraction +=
+      found(r.refraction.value, r.refraction.pdf, straight, geom::RayMask::ShadowlessRefraction);
 }
 
 }  // namespace

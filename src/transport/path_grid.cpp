@@ -48,7 +48,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
         branch.take_direct(alone, only, point, environment, true);
         branch.throughput_ = Rgb(1);
       }
-      if (world_.has_area_lights) branch.from_.point = point;
+      if (needs_origin()) branch.from_.point = point;
       branch.from_.environment_sampled = environment;
       branch.from_.shadows = takes_shadows(world_, point);
       branch.from_.visible = branch.from_.invisible = {1, 0};

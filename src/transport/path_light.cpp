@@ -66,6 +66,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;
     if (!alone && (!hit->shadow || !from_.shadows)) return;
+    if (shadowed_by_unseen(world_, from_.point, ray_.dir, hit->t, counts_)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
     const Rgb arriving = lights_ * hit->radiance * from_.affected(*hit) *
@@ -155,8 +156,11 @@ void Path::meet_environment() {
   Rgb radiance = rgb(c);
   if (from_.weighed && from_.environment_sampled && !environment_) {
     // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
-    const float weight =
-        bsdf_sample_weight(settings_.estimator, from_.pdf, world_.environment.pdf(direction));
+    // In the shadow of what this ray does not see, no sample found any of it.
+    const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
+    const float weight = alone ? 1.0f
+                               : bsdf_sample_weight(settings_.estimator, from_.pdf,
+                                                    world_.environment.pdf(direction));
     if (kind == RayKind::FinalGather) {
       radiance *= weight;
     } else {

@@ -333,7 +333,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
               !limits_reflections(closure) && !caustics_are_mapped());
   if (!choice.any) return false;
 
-  if (world_.has_area_lights) from_.point = point;
+  if (needs_origin()) from_.point = point;
   from_.environment_sampled = environment;
   from_.shadows = takes_shadows(world_, point);
   from_.invisible = light_in_reflection(closure, false);

@@ -232,6 +232,9 @@ class Path {
                    LobeChoice& choice);
 
   /// Rays that go straight through glass are dimmed by it only where shadow rays are.
+  /// Where the ray left is asked again by what it meets: lights with a shape, shadows of the
+  /// unseen.
+  bool needs_origin() const { return world_.has_area_lights || world_.has_unseen_blockers; }
   bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
 
   const World& world_;

@@ -58,6 +58,20 @@ Openness straight_transmission(const Closure& closure, const scene::RenderOption
   return {hole + all * closure.opacity, hole + clear * closure.opacity, hole};
 }
 
+bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3& wi, float distance,
+                      std::uint32_t lobes, RayCounts& counts) {
+  if (!(world.shadowless & lobes)) return false;
+  ++counts.shadow;
+  return world.accel->occluded(leave(point, wi, distance * kShortOfLight, lobes));
+}
+
+bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec3& wi,
+                        float distance, RayCounts& counts) {
+  if (!world.has_unseen_blockers) return false;
+  ++counts.shadow;
+  return world.accel->occluded(leave(point, wi, distance * kShortOfLight, geom::RayMask::Shadow));
+}
+
 bool takes_shadows(const World& world, const ShadingPoint& point) {
   if (world.options.shadow == scene::ShadowMode::Off) return false;
   return point.instance < 0 ||

@@ -30,6 +30,19 @@ struct Openness {
 Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
                               float distance, RayCounts& counts, int light = -1);
 
+/// Whether rays of lobes meet something before `distance` that casts no shadow.
+///
+/// Inputs:  lobes: one bit geom::RayMask::Shadowless*, for the kind of the rays.
+/// Checked: ObjectFlags.LightPassesWhatCastsNoShadow in tests/analytic.
+bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3& wi, float distance,
+                      std::uint32_t lobes, RayCounts& counts);
+
+/// Whether what a ray of a lobe meets at `distance`, and sees, is in the shadow of something opaque
+/// that such rays do not see.
+/// Checked: ObjectFlags.WhatRaysDoNotSeeCastsItsWholeShadow in tests/analytic.
+bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec3& wi,
+                        float distance, RayCounts& counts);
+
 /// Whether lights are shadowed at the point: not when the scene or its instance says so.
 bool takes_shadows(const World& world, const ShadingPoint& point);
 

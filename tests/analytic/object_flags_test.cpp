@@ -32,6 +32,7 @@ SceneText& add_room(SceneText& scene, const std::string& material, float half,
 const char* const kMirror =
     "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "
     "\"brdf_90_degree_refl\" 1, \"brdf_fresnel\" off";
+const char* const kGrey = "\"reflectivity\" 0, \"diffuse\" .6 .6 .6";
 /// Glass that does not bend, as far as rays are concerned.
 const char* const kGel =
     "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1";
@@ -67,10 +68,9 @@ TEST(ObjectFlags, WithoutSendingRefractionOrTransparencyRaysItIsBlackBehind) {
 }
 
 TEST(ObjectFlags, WithoutSendingGatherRaysAnObjectHasDirectLightAlone) {
-  const std::string grey = "\"reflectivity\" 0, \"diffuse\" .6 .6 .6";
-  expect_exact("sky and sun", seen(grey, "", true), .6f * 1.25f);
-  expect_exact("sun alone", seen(grey, "finalgather 8", true), .6f * .25f);
-  expect_exact("all of it", seen(grey, "reflection 8 refraction 8", true), .6f * 1.25f);
+  expect_exact("sky and sun", seen(kGrey, "", true), .6f * 1.25f);
+  expect_exact("sun alone", seen(kGrey, "finalgather 8", true), .6f * .25f);
+  expect_exact("all of it", seen(kGrey, "reflection 8 refraction 8", true), .6f * 1.25f);
 }
 
 TEST(ObjectFlags, ObjectsThatRaysDoNotSeeAreNotThere) {
@@ -82,13 +82,52 @@ TEST(ObjectFlags, ObjectsThatRaysDoNotSeeAreNotThere) {
     add_plate(scene, "glow", 1, 1000, flags);
     return Probe(scene).onto(Vec3(0), kUp, 20, 4096);
   };
-  const std::string grey = "\"reflectivity\" 0, \"diffuse\" .6 .6 .6";
   EXPECT_NEAR(below(kMirror, "").mean.x, 4, 1e-4);
   EXPECT_NEAR(below(kMirror, "reflection 4 shadow 4").mean.x, 1, 1e-4);
   EXPECT_NEAR(below(kMirror, "finalgather 4").mean.x, 4, 1e-4);
-  EXPECT_NEAR(below(grey, "").mean.x, .6f * 4, .01f);
-  EXPECT_NEAR(below(grey, "reflection 4").mean.x, .6f * 4, .01f);
-  EXPECT_NEAR(below(grey, "finalgather 4 shadow 4").mean.x, .6f, .01f);
+  EXPECT_NEAR(below(kGrey, "").mean.x, .6f * 4, .01f);
+  EXPECT_NEAR(below(kGrey, "reflection 4").mean.x, .6f * 4, .01f);
+  EXPECT_NEAR(below(kGrey, "finalgather 4 shadow 4").mean.x, .6f, .01f);
+}
+
+const char* const kGlossy =
+    "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, \"refl_gloss\" .3";
+/// Seen by no rays but those of shadows.
+const char* const kUnseen = "reflection 4 refraction 4 transparency 4 finalgather 4";
+
+/// A plate below a black plate with flags, or none, lit from above.
+Measured below_black(const std::string& material, const std::string& flags, bool sky) {
+  SceneText scene;
+  scene.material("m", material).lambert("black", 0);
+  add_plate(scene, "m", 0, 50, "");
+  if (!flags.empty()) add_plate(scene, "black", .9f, 4, flags);
+  if (sky)
+    scene.uniform_sky(1);
+  else
+    scene.light("lamp",
+                "\"physical_light\" ( \"color\" 4 4 4 ) origin 0 0 1 "
+                "direction 0 0 -1 rectangle 2 0 0 0 2 0");
+  return Probe(scene).onto(Vec3(0), kUp, 20, 1 << 15);
+}
+
+// acceptance: H3
+TEST(ObjectFlags, LightPassesWhatCastsNoShadow) {
+  for (const char* material : {kGlossy, kGrey}) {
+    const Measured open = below_black(material, "", false);
+    EXPECT_GT(open.mean.x, .05f) << material;
+    expect_same(material, below_black(material, "shadow 4", false), open);
+    // The environment is no light: rays see the plate in its place.
+    const Measured under = below_black(material, "shadow 4", true);
+    EXPECT_LT(under.mean.x, .1f * below_black(material, "", true).mean.x) << material;
+  }
+}
+
+// acceptance: H3
+TEST(ObjectFlags, WhatRaysDoNotSeeCastsItsWholeShadow) {
+  for (const char* material : {kGlossy, kGrey}) {
+    expect_exact(material, below_black(material, kUnseen, false), 0);
+    expect_same(material, below_black(material, kUnseen, true), below_black(material, "", true));
+  }
 }
 
 struct Traced {
