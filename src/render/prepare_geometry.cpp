@@ -96,8 +96,7 @@ std::uint32_t ray_mask(const scene::ResolvedFlags& flags, bool lets_light_throug
 /// Whether shadow rays and rays of lobes see different things.
 void note_differences(std::uint32_t mask, World& world) {
   using geom::RayMask;
-  constexpr std::uint32_t kLobes =
-      RayMask::Reflection | RayMask::Refraction | RayMask::FinalGather;
+  constexpr std::uint32_t kLobes = RayMask::Reflection | RayMask::Refraction | RayMask::FinalGather;
   world.has_transparent_blockers |= (mask & RayMask::ShadowTransparent) != 0;
   world.has_unseen_blockers |= (mask & RayMask::Shadow) != 0 && (mask & kLobes) != kLobes;
   world.shadowless |= mask & (RayMask::ShadowlessReflection | RayMask::ShadowlessRefraction |
