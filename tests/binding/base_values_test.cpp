@@ -254,6 +254,31 @@ TEST(BaseLookups, FilterLookupBlursAlongTheFootprint) {
   EXPECT_LT(remapped.r, .02f);
 }
 
+TEST(BaseLookups, TheFilterGoesByTheCoordinate) {
+  // Coordinates in hundredths of the picture, as of a wall in centimetres.
+  const auto at = [](float width, const char* remap) {
+    Node node(
+        "mib_texture_lookup", "\"tex\" \"t\", \"coord\" = \"r\"",
+        kQuarters + fmt::format("\nshader \"c\" \"mib_texture_vector\" ( \"select\" 0 )\n"
+                                "shader \"r\" \"mib_texture_remap\" ( \"input\" = \"c\", {} )",
+                                remap));
+    node.point.texture_spaces = 1;
+    node.point.tex[0] = Vec3(37.5f, 37.5f, 0);
+    node.point.dpdu = Vec3(1, 0, 0);
+    node.point.dpdv = Vec3(0, 1, 0);
+    node.point.dpdx = Vec3(width, 0, 0);
+    node.point.dpdy = Vec3(0, .01f, 0);
+    return node.color();
+  };
+  for (const char* remap :
+       {"\"max\" 100 100 100", "\"transform\" .01 0 0 0 0 .01 0 0 0 0 1 0 0 0 0 1",
+        "\"max\" 100 100 100, \"torus_x\" on"}) {
+    EXPECT_LT(at(.8f, remap).r, .02f) << remap;
+    const bool repeats = std::string(remap).ends_with("on");
+    EXPECT_EQ(at(80, remap).r > .1f, !repeats) << remap;
+  }
+}
+
 TEST(BaseLookups, FilterLookupWithoutInterpolationShowsTexels) {
   const auto at = [](const char* bilinear) {
     return color_of("mib_texture_filter_lookup",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
 #include "runtime/world.h"
 
@@ -114,6 +115,13 @@ Vec3 projected(int project, const Vec3& v) {
   }
 }
 
+/// Whether the shader makes another coordinate of a texture space than it is.
+bool changes_coordinate(const ShaderNode& node) {
+  if (&node.spec() != &kMibTextureVector) return node.spec().result == ParamType::Vector;
+  const auto& p = node.constants<VectorParams>();
+  return p.select < 0 || p.project != 0;
+}
+
 float remap_axis(float x, float repeat, bool alternate, bool torus, float lo, float hi) {
   if (repeat != 0 && x >= 0 && x < 1) {
     x *= repeat;
@@ -179,7 +187,13 @@ const ShaderSpec kMibTextureLookup = {
           out = Rgba(0);
           if (!p.tex.texture) return;
           const TextureSampling how{.wrap_u = Wrap::Black, .wrap_v = Wrap::Black};
-          out = p.tex.texture->lookup(Vec2(p.coord.x, p.coord.y), call.point, how);
+          const Vec2 uv(p.coord.x, p.coord.y);
+          const ShaderNode* source =
+              call.node ? call.node->source(offsetof(LookupParams, coord)) : nullptr;
+          out = source && changes_coordinate(*source)
+                    ? p.tex.texture->lookup(uv, coordinate_footprint(*source, p.coord, call.point),
+                                            call.point, how)
+                    : p.tex.texture->lookup(uv, call.point, how);
         },
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
 
 namespace oriel {
@@ -75,24 +76,6 @@ void lookup2(const Call& call, void* result) {
   out = p.tex.texture->lookup(Vec2(uv.x, uv.y), {own.dx * factor, own.dy * factor}, call.point, {});
 }
 
-/// What the remap shader makes of the footprint at the point.
-TextureFootprint remapped(const ShaderNode& remap, ShadingPoint& point,
-                          const TextureFootprint& footprint) {
-  if (!remap.spec().value || point.texture_spaces == 0) return footprint;
-  const auto at = [&](const Vec2& d) {
-    ShadingPoint moved = point;
-    moved.tex[0] += Vec3(d.x, d.y, 0);
-    return remap.vector(moved);
-  };
-  const Vec3 here = at(Vec2(0)), x = at(footprint.dx) - here, y = at(footprint.dy) - here;
-  // Across a seam, where copies meet, the step is not the footprint.
-  const auto step = [](const Vec3& d, const Vec2& plain) {
-    const bool jumps = std::max(std::abs(d.x), std::abs(d.y)) > 0.5f;
-    return jumps ? plain : Vec2(d.x, d.y);
-  };
-  return {step(x, footprint.dx), step(y, footprint.dy)};
-}
-
 /// Whether there is nothing to filter.
 bool within_a_texel(const TextureFootprint& footprint, const TextureNode& texture) {
   const auto texels = [&](const Vec2& d) {
@@ -109,8 +92,10 @@ void filter_lookup(const Call& call, void* result) {
   if (!p.tex.texture) return;
   TextureSampling how{.wrap_u = Wrap::Black, .wrap_v = Wrap::Black};
   if (p.eccmax > 0) how.anisotropy = std::max(1.0f, p.eccmax);
-  TextureFootprint footprint = texture_footprint(call.point);
-  if (p.remap.node) footprint = remapped(*p.remap.node, call.point, footprint);
+  const ShaderNode* remap = p.remap.node && p.remap.node->spec().value ? p.remap.node : nullptr;
+  TextureFootprint footprint =
+      remap ? coordinate_footprint(*remap, remap->vector(call.point), call.point)
+            : texture_footprint(call.point);
   // The footprint's half axes are half a pixel.
   const float wider = (p.disc_r > 0 ? p.disc_r : 0.3f) / 0.5f;
   footprint.dx *= wider;

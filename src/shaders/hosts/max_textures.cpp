@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
 #include "shaders/hosts/host_rows.h"
 #include "shaders/hosts/max_shaders.h"
@@ -130,7 +131,11 @@ void bitmap(const Call& call, void* result) {
   out = Rgba(0);
   const Vec3 uv = place_of(p.Coords, call.point);
   if (p.Bitmap.texture && !is_nowhere(uv))
-    out = p.Bitmap.texture->lookup(Vec2(uv.x, uv.y), call.point, {});
+    out = p.Bitmap.texture->lookup(Vec2(uv.x, uv.y),
+                                   p.Coords.node
+                                       ? coordinate_footprint(*p.Coords.node, uv, call.point)
+                                       : texture_footprint(call.point),
+                                   call.point, {});
   const ShaderNode* output = p.Output.node;
   if (output && output->spec().params.data() == kOutput.params.data())
     output->with_params(call.point, [&](const Call& c) { out = adjusted(c.as<Output>(), out); });
