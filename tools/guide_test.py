@@ -36,7 +36,7 @@ exec nice "$ORIEL" "${words[@]}" "${small[@]}"
 
 
 def run_page(page, oriel, folder):
-    """(block kind, text or what it printed) of each block, and the shell's exit code."""
+    """(kind, text) of each block, and the shell's run."""
     folder = pathlib.Path(folder)
     (folder / "bin").mkdir()
     wrapper = folder / "bin/oriel"
@@ -84,6 +84,11 @@ class Guide(unittest.TestCase):
 
 
 class Links(unittest.TestCase):
+    def test_the_index_lists_every_page(self):
+        text = (GUIDE / "README.md").read_text(encoding="utf-8")
+        listed = set(re.findall(r"^\| \[.*?\]\(([\w-]+\.md)\)", text, re.M))
+        self.assertEqual(listed, {p.name for p in GUIDE.glob("*.md")} - {"README.md"})
+
     def test_links_lead_to_files_that_are_there(self):
         pages = [ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *GUIDE.glob("*.md")]
         for page in pages:
