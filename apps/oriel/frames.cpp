@@ -76,6 +76,7 @@ void FrameFiles::begin(int frame, const std::vector<std::string>& outputs,
   frame_ = frame;
   taken_ = known_;
   expected_.clear();
+  eyes_ = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
   for (const std::string& output : outputs) expected_.push_back(frame_path(output, frame));
   if (!outputs.empty()) return;
   std::vector<std::string> named;
@@ -100,9 +101,11 @@ std::string FrameFiles::path_of(const std::string& path) const {
 }
 
 bool FrameFiles::all_exist() const {
-  return std::all_of(expected_.begin(), expected_.end(), [](const std::string& path) {
-    std::error_code error;
-    return fs::is_regular_file(path, error);
+  return std::all_of(expected_.begin(), expected_.end(), [this](const std::string& path) {
+    return std::all_of(eyes_.begin(), eyes_.end(), [&path](Eye eye) {
+      std::error_code error;
+      return fs::is_regular_file(eye_path(path, eye), error);
+    });
   });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/camera_output.h"
+#include "render/stereo.h"
 
 namespace oriel::app {
 
@@ -39,12 +40,13 @@ class FrameFiles {
              const OutputRoots& roots, const std::string& otherwise);
   /// The path of a camera's file in this frame.
   std::string path_of(const std::string& path) const;
-  /// Whether all files of the frame are there.
+  /// Whether all files of the frame are there, of both eyes where the camera has two.
   bool all_exist() const;
 
  private:
   int frame_ = 0;
-  std::vector<std::string> expected_;
+  std::vector<std::string> expected_;  // without names of eyes
+  std::vector<Eye> eyes_;
   std::set<std::string> known_, taken_;  // of cameras: of all frames, of those before this one
 };
 

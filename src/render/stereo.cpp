@@ -56,6 +56,7 @@ void take_eye(const scene::Camera& element, Eye eye, Camera& camera) {
   to_middle[3][0] = aside;
   camera.to_world = to_middle * camera.to_world;
   camera.to_camera = camera.to_camera * to_middle.inverse();
+  for (Mat4& key : camera.path) key = to_middle * key;
 }
 
 std::string eye_path(const std::string& path, Eye eye) {

@@ -76,6 +76,28 @@ TEST(Stereo, AnOffAxisEyeKeepsThePlaneOfItsFilm) {
   EXPECT_GT(std::abs(height("toein ", Eye::Left) - height("toein ", Eye::Right)), .5f);
 }
 
+TEST(Stereo, EyesOfAMovingCameraMoveWithIt) {
+  PrepareOptions options;
+  for (const Eye eye : {Eye::Left, Eye::Right}) {
+    options.eye = eye;
+    // Over the shutter it goes from the origin to (0, 3, 0).
+    const PreparedScene s(
+        "options \"opt\" object space shutter 1 end options\n"
+        "camera \"cam\" focal 2 aperture 1 aspect 2 resolution 200 100 stereo offset eye "
+        "separation "
+        ".5 end camera\n"
+        "instance \"cam_i\" \"cam\" transform 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1\n"
+        "motion transform 1 0 0 0  0 1 0 0  0 0 1 0  0 -3 0 1 end instance\n"
+        "instgroup \"root\" \"cam_i\" end instgroup render \"root\" \"cam_i\" \"opt\"\n",
+        builtin_shaders(), options);
+    const float x = eye == Eye::Left ? -.25f : .25f;
+    for (const float time : {0.0f, .5f, 1.0f}) {
+      const Vec3 origin = s.world->camera.ray(Vec2(100, 50), time).origin;
+      EXPECT_LT(length(origin - Vec3(x, 3 * time, 0)), 1e-5f) << origin.x << ' ' << origin.y;
+    }
+  }
+}
+
 TEST(Stereo, CamerasWithoutItHaveOneEye) {
   const auto eyes = [](const std::string& statements) {
     const PreparedScene s("camera \"cam\" " + statements + " end camera\n");

@@ -68,6 +68,9 @@ void set_shadow_switch(O& o, V v) {
   o.shadow = v.size() == 0 || v.on(0) ? kMode : ShadowMode::Simple;
 }
 
+/// Read from the statement itself, where it is needed: see approximation.h.
+void set_elsewhere(O&, V) {}
+
 void set_shutter(O& o, V v) {
   if (v.size() > 1) o.motion.delay = v.number(0);
   o.motion.shutter = v.number(v.size() - 1);
@@ -201,7 +204,7 @@ constexpr OptionRow kRows[] = {
     {"displace", "bool", Effective, "displacement shaders", to<&O::displace>},
     {"displace presample", "bool", Harmless, "looks for bounds first", to<&O::displace_presample>},
     {"max displace", "float", Effective, "greatest displacement", to<&O::max_displace>},
-    {"approximate", "...", Kept, "tessellation of every object"},
+    {"approximate", "...", Effective, "tessellation of every object", set_elsewhere},
     {"motion", "bool", Effective, "motion blur", to<kMotion, &M::on>},
     {"motion steps", "int", Effective, "points of a path", to<kMotion, &M::steps>},
     {"shutter", "float [float]", Effective, "close, or delay close", set_shutter},
