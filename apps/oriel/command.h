@@ -37,6 +37,7 @@ Command add_denoise_command(CLI::App& program);
 Command add_recombine_command(CLI::App& program);
 Command add_sun_command(CLI::App& program);
 Command add_profile_command(CLI::App& program);
+Command add_explain_command(CLI::App& program);
 Command add_measure_command(CLI::App& program);
 Command add_falsecolor_command(CLI::App& program);
 Command add_shader_build_command(CLI::App& program);

@@ -1,116 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel render: a scene to pictures, as the command line asks.
-#include <fmt/format.h>
-
-#include <filesystem>
-
 #include "base/parallel.h"
 #include "command.h"
-#include "numbers.h"
 #include "render_frames.h"
+#include "render_plan.h"
 #include "shaders/registry.h"
 #include "sun_scene.h"
 
 namespace oriel::app {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
-  using Method = scene::IndirectMethod;
-  if (text.empty()) return std::nullopt;
-  if (text == "scene") return Method::Scene;
-  if (text == "path") return Method::Path;
-  if (text == "fg") return Method::FinalGather;
-  if (text == "photons") return Method::Photons;
-  if (text == "fg+photons") return Method::FinalGatherPhotons;
-  throw UsageError(fmt::format("--gi {}: path, fg, photons, fg+photons or scene", text));
-}
-
-LayerSet parse_layers(const std::string& text) {
-  LayerSet layers = 0;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    const std::string name = text.substr(at, end - at);
-    const LayerSet bit = layer_bit(name);
-    if (name == "all")
-      layers = kFilmLayers | kPhotometricLayers | kLayerMotion | kOutputLayers;
-    else if (name == "outputs")
-      layers |= kOutputLayers;
-    else if (!bit && name != "beauty" && name != "alpha")
-      throw UsageError(fmt::format("--layers {}: beauty, {}, outputs or all", name,
-                                   fmt::join(layer_names(), ", ")));
-    layers |= bit;
-    at = end + 1;
-  }
-  return layers;
-}
-
-/// "key=lamp*,spot_??".
-scene::LightGroup parse_light_group(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  scene::LightGroup group{text.substr(0, equals), {}};
-  if (equals != text.npos) group.patterns = scene::split_patterns(text.substr(equals + 1));
-  const std::string complaint = scene::light_group_complaint(group);
-  if (!complaint.empty())
-    throw UsageError(
-        fmt::format("--light-group {}: {}; write NAME=PATTERN,PATTERN,...", text, complaint));
-  return group;
-}
-
-RenderPlan plan_of(const RenderArguments& a) {
-  RenderPlan plan;
-  plan.gi = parse_gi(a.gi);
-  plan.prepare.camera = a.camera;
-  if (!a.size.empty()) {
-    const PictureSize size = parse_size(a.size);
-    plan.prepare.width = size.width, plan.prepare.height = size.height;
-  }
-  if (!a.crop.empty()) {
-    const std::vector<int> crop = parse_integers(a.crop, ',');
-    if (crop.size() != 4 || crop[2] < crop[0] || crop[3] < crop[1])
-      throw UsageError(fmt::format(
-          "--crop {}: write XL,YL,XH,YH in pixels from the lower left, ends included", a.crop));
-    plan.session.crop = Window{crop[0], crop[1], crop[2] + 1, crop[3] + 1};
-  }
-  for (const std::string& text : a.light_groups)
-    scene::set_light_group(plan.prepare.light_groups, parse_light_group(text));
-  if (plan.prepare.light_groups.size() > scene::kMostLightGroups)
-    throw UsageError(fmt::format("--light-group: at most {} groups", scene::kMostLightGroups));
-  if (!a.frames.empty()) plan.frames = FrameList(a.frames);
-  if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
-  if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
-  if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
-  if (a.unit_luminance && !(*a.unit_luminance > 0))
-    throw UsageError("--unit-luminance: more than 0");
-  if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
-  if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
-  if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
-  if (!a.cryptomatte.empty()) {
-    const std::vector<int> ranks = parse_integers(a.cryptomatte, ',');
-    if (ranks.size() != 1 || ranks[0] > kMostMatteRanks)
-      throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMostMatteRanks));
-    plan.matte_ranks = ranks[0];
-  }
-  if (a.denoise && a.samples && *a.samples < 2)
-    throw UsageError("--denoise: needs at least 2 samples to know the noise");
-  plan.session.budget = {a.samples, a.noise, a.time};
-  plan.session.seed = a.seed;
-  for (const std::string& output : a.outputs) {
-    const fs::path folder = fs::path(output).parent_path();
-    if (!has_writable_suffix(output))
-      throw UsageError(fmt::format(
-          "-o {}: the suffix tells the file type: exr, hdr, png, jpg, tif, tga, bmp, ppm, ...",
-          output));
-    if (!folder.empty() && !fs::is_directory(folder))
-      throw UserError(
-          fmt::format("cannot write '{}': there is no folder '{}'", output, folder.string()));
-  }
-  return plan;
-}
-
 int run_render(const RenderArguments& a) {
-  const RenderPlan plan = plan_of(a);
+  const RenderPlan plan = render_plan(a);
   const ThreadLimit limit(a.threads);
   flush_denormals();
   Diagnostics diagnostics;

@@ -137,6 +137,12 @@ class Film {
   /// more than noise does, as at edges, they do so around the new colour.
   Rgb shown(int x, int y, const Rgb& color) const;
 
+  /// Weights of both kinds of samples in the pixel; they sum to 1.
+  struct Shares {
+    float plain, marked;
+  };
+  Shares shares_of(int x, int y) const { return shares(index(x, y)); }
+
   /// Whether every pixel has two halves of samples, of four at least.
   bool has_halves() const;
 
@@ -156,10 +162,6 @@ class Film {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
   }
-  /// Weights of both kinds of samples in the pixel; they sum to 1.
-  struct Shares {
-    float plain, marked;
-  };
   Shares shares(std::size_t pixel) const;
   Rgb color(std::size_t pixel) const;
   Rgb color_error(std::size_t pixel) const;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/shutter_time.h"
+#include "transport/witness.h"
 
 namespace oriel {
 namespace {
@@ -127,9 +128,9 @@ PathResult trace_chain(const World& world, const Camera& camera, float time, Vec
   return result;
 }
 
-/// A path through the lens, and its weight.
+/// A path through the lens, one of many, and its weight.
 PathResult trace_through_lens(const World& world, const Camera& camera, float time, Vec2 raster,
-                              const PathSettings& settings, sampling::Sampler& sampler,
+                              const PathSettings& settings, float share, sampling::Sampler& sampler,
                               RayCounts& counts, Rgb& weight) {
   Camera::Ray ray = camera.ray(raster, time);
   for (const ShaderNode* node : world.lens_rays) {
@@ -146,6 +147,7 @@ PathResult trace_through_lens(const World& world, const Camera& camera, float ti
     if (settings.firsts) settings.firsts->emplace_back();
     return {};
   }
+  if (settings.witness) settings.witness->weigh(weight * share);
   return trace_path(world, ray, raster, settings, sampler, counts);
 }
 
@@ -192,7 +194,7 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
     if (layers > 0) each.by_light = own_lights.data();
     Rgb weight(1);
     const PathResult path =
-        trace_through_lens(world, camera, time, raster, each, own, counts, weight);
+        trace_through_lens(world, camera, time, raster, each, share, own, counts, weight);
     sum.radiance += path.radiance * weight * share;
     sum.alpha += path.alpha * share;
     sum.normal += path.normal * share;

@@ -18,11 +18,12 @@ namespace {
 /// How often the work before the picture tells how far it is, and shows what it knows.
 constexpr double kSecondsBetweenReports = 0.2, kSecondsBetweenPreviews = 10;
 
-Window window_of(const World& world, const SessionSettings& settings) {
+/// The one that is asked for, cut to the picture, else the camera's.
+Window window_of(const World& world, const std::optional<Window>& asked) {
   const Camera& camera = world.camera;
   const Window whole{0, 0, camera.width, camera.height};
   Window w{camera.window[0], camera.window[1], camera.window[2], camera.window[3]};
-  if (settings.crop) w = *settings.crop;
+  if (asked) w = *asked;
   w.x0 = std::clamp(w.x0, 0, whole.x1), w.x1 = std::clamp(w.x1, 0, whole.x1);
   w.y0 = std::clamp(w.y0, 0, whole.y1), w.y1 = std::clamp(w.y1, 0, whole.y1);
   return w.width() > 0 && w.height() > 0 ? w : whole;
@@ -51,7 +52,9 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       irradiance_(settings.irradiance),
       motion_(settings.motion),
       unit_luminance_(settings.unit_luminance),
-      window_(window_of(world, settings)),
+      window_(window_of(world, settings.crop)),
+      maps_window_(settings.maps_for ? window_of(world, settings.maps_for) : window_),
+      witness_(settings.witness),
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
@@ -75,6 +78,7 @@ PathSettings RenderSession::path_settings() const {
   PathSettings settings = passes_.path_settings();
   settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
   settings.meters = irradiance_;
+  settings.witness = witness_;
   // The grid's points were found through the camera's middle: a lens sees others at a pixel.
   settings.grid = has_grid() ? &*grid_ : nullptr;
   return settings;
@@ -94,7 +98,9 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   const auto call = [&](Moment at) { call_state_shaders(world_, raster, at, path, buffers); };
   call(Moment::StateInit);
   call(Moment::SampleInit);
+  if (settings.witness) settings.witness->begin(offset.negative);
   path = trace_eye_rays(world_, raster, settings, sampler, counts);
+  if (settings.witness) settings.witness->end(path.radiance);
   call(Moment::SampleExit);
   call(Moment::StateExit);
   FilmSample s;
@@ -176,7 +182,7 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
     clear_film();
     shown = seconds();
   };
-  passes_.run(world_, window_, seed_, rays_, map_files_, diagnostics_, watch, after_pass);
+  passes_.run(world_, maps_window_, seed_, rays_, map_files_, diagnostics_, watch, after_pass);
 }
 
 StopReason RenderSession::show_preview() {

@@ -15,18 +15,23 @@
 #include "runtime/world.h"
 #include "transport/counts.h"
 #include "transport/glossy_grid.h"
+#include "transport/witness.h"
 
 namespace oriel {
 
 struct SessionSettings {
   BudgetRequest budget;
   std::uint32_t seed = 0;
-  bool outputs = false;             ///< keep the outputs of materials
-  bool irradiance = false;          ///< and that of the first surfaces: a second path for each
-  bool motion = false;              ///< keep the motion of the first surfaces
-  bool lights = true;               ///< keep the layers of lights that the world has
-  float unit_luminance = 1;         ///< cd/m2 of one unit of a pixel, see unit_luminance.h
-  std::optional<Window> crop = {};  ///< cut to the picture; replaces the camera's window
+  bool outputs = false;                 ///< keep the outputs of materials
+  bool irradiance = false;              ///< and that of the first surfaces: a second path for each
+  bool motion = false;                  ///< keep the motion of the first surfaces
+  bool lights = true;                   ///< keep the layers of lights that the world has
+  float unit_luminance = 1;             ///< cd/m2 of one unit of a pixel, see unit_luminance.h
+  std::optional<Window> crop = {};      ///< cut to the picture; replaces the camera's window
+  std::optional<Window> maps_for = {};  ///< what gather points are placed for; unset: the window
+  /// Told of the paths of the picture; it hears one pixel after the other from any thread, so the
+  /// window should be one pixel. Outlives the session; null = nobody.
+  PathWitness* witness = nullptr;
   std::optional<MatteNames> mattes = {};  ///< keep what each pixel sees first
   MapFiles map_files = {};
   Diagnostics* diagnostics = nullptr;  ///< of map files; outlives the session; may be null
@@ -86,7 +91,8 @@ class RenderSession {
   std::uint32_t seed_;
   bool irradiance_, motion_;
   float unit_luminance_;
-  Window window_;
+  Window window_, maps_window_;
+  PathWitness* witness_;
   FilterSampler filter_;
   RenderBudget budget_;
   Film film_;

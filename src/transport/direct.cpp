@@ -108,6 +108,11 @@ class DirectSum {
   const DirectLight& sum() const { return sum_; }
 
  private:
+  void tell(int light, const Vec3& wi, float reach, const Rgb& unshadowed, const Rgb& open) const {
+    if (request_.witness)
+      request_.witness->ask(request_.place, point_, {light, wi, reach, unshadowed, open});
+  }
+
   const World& world_;
   ShadingPoint& point_;
   const Closure& closure_;
@@ -137,8 +142,9 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
                      : light_in_reflection(closure_, light.visible, s->force_specular);
   if (looked_through) r.refraction.value = Rgb(0);
   const Rgb highlight = r.highlight * closure_.highlight_scale;
-  if (is_black(r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight))
-    return;
+  const Rgb shown =
+      r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight;
+  if (is_black(shown)) return tell(index, s->wi, s->reach, Rgb(0), Rgb(1));
   const float kept = linear_fade(s->distance, request_.falloff_distance);
   DirectLight& sum =
       shares_ ? shares_->next(world_.light_layers.of_light[static_cast<std::size_t>(index)]) : sum_;
@@ -159,9 +165,13 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
         (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
     sum.refraction += r.refraction.value * refraction * arriving * view;
   };
-  if (!shadows_ || !s->shadow) return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
+  if (!shadows_ || !s->shadow) {
+    tell(index, s->wi, s->reach, shown * arriving, Rgb(1));
+    return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
+  }
 
   const Openness open = shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
+  tell(index, s->wi, s->reach, shown * arriving, open.all);
   // What rays of the lobe cannot find, samples of the light bring alone.
   const auto weight = [&](const Response::Part& part, std::uint32_t shadowless) {
     if (!(s->pdf > 0) || is_black(part.value)) return 1.0f;
@@ -200,13 +210,15 @@ void DirectSum::add_environment(const Vec2& u) {
   if (!(s.pdf > 0) || is_black(r.diffuse.value + reflection + r.refraction.value)) return;
   const Openness open =
       shadow_transmittance(world_, point_, s.wi, std::numeric_limits<float>::infinity(), counts_);
-  if (is_black(open.all)) return;
+  if (is_black(open.all) && !request_.witness) return;
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
   const Rgb radiance =
       rgb(environment_radiance(world_.environment.shaders(), world_, point_.position, s.wi,
                                RayKind::FinalGather)) *
       air_before_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
+  tell(-1, s.wi, std::numeric_limits<float>::infinity(),
+       (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s.pdf), open.all);
   // The environment is what rays see: behind what they see it is not, shadow or none.
   const auto found = [&](const Rgb& value, float pdf, const Rgb& passes, std::uint32_t shadowless) {
     constexpr float kFar = std::numeric_limits<float>::infinity();

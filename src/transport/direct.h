@@ -10,6 +10,7 @@
 #include "transport/counts.h"
 #include "transport/estimator.h"
 #include "transport/lobes.h"
+#include "transport/witness.h"
 
 namespace oriel {
 
@@ -66,6 +67,8 @@ struct DirectRequest {
   bool portals_mapped = false;  ///< see portals_on_way
   float falloff_distance = 0;   ///< visible lights fade out in reflections; 0 = they do not
   Estimator estimator = Estimator::Mis;
+  PathWitness* witness = nullptr;  ///< told of each sample; null = nobody
+  PathWitness::Place place = PathWitness::kEye;
 };
 
 /// Radiance toward wo, per unit throughput, by what it came through.

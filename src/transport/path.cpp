@@ -227,6 +227,7 @@ bool Path::arrive(const geom::Hit& hit) {
     at_first_ = alpha_open_ = false;
     return survive();
   }
+  if (settings_.witness) place_ = settings_.witness->meet(place_, point, material, closure);
   if (!is_black(closure.emission))
     add(at_vertex(Component::Added), throughput_ * closure.emission * glow_weight(hit, point),
         layer_of_instance(point.instance));

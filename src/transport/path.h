@@ -33,6 +33,7 @@ struct PathResult {
 };
 
 class GlossyGrid;
+class PathWitness;
 struct IndirectMaps;
 
 /// How paths are traced.
@@ -62,7 +63,8 @@ struct PathSettings {
   Rgba* motion = nullptr;
   /// Where each path through the camera adds what it met first; null = nowhere.
   std::vector<FirstSurface>* firsts = nullptr;
-  bool meters = false;  ///< the irradiance of the first surface is wanted: a second path
+  PathWitness* witness = nullptr;  ///< who is told of all that; null = nobody
+  bool meters = false;             ///< the irradiance of the first surface is wanted: a second path
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.

@@ -15,7 +15,7 @@ bool Path::pass_air(const NodeList& nodes, ShadingPoint& way, bool endless) {
     if (endless && !spec.acts_on_endless_rays) continue;
     const AirValue air =
         (*node)->with_params(way, [&](const Call& call) { return spec.volume(call); });
-    add(component_, throughput_ * air.added, layer_of_rest());
+    add(on_way(), throughput_ * air.added, layer_of_rest());
     const float turned = scatters ? max_component(air.scattered) : 0;
     if (!(turned > 0)) {
       dim(air.kept);

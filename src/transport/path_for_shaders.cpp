@@ -20,6 +20,7 @@ constexpr float kSurvival = 0.5f;  ///< a guess between the depth of white and o
 PathSettings without_outputs(PathSettings settings) {
   settings.outputs = nullptr;
   settings.by_light = nullptr;
+  settings.witness = nullptr;
   settings.meters = false;
   settings.grid = nullptr;
   return settings;

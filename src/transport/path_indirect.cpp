@@ -46,12 +46,14 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   Rgb* by_light = layers > 0 ? parts.data() : nullptr;
   if (!after_diffuse_ && maps.gather) {
     const auto found = gathered(point, normal, false, by_light);
+    if (found && settings_.witness) settings_.witness->look_up(place_, found->records, 0);
     if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
     const Rgb scale = maps.gather_scale * found->fade;
     for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= scale;
     return found->irradiance * scale;
   }
   const bool coarse = reads_bounces();
+  int photons = 0;
   if (!coarse && !maps.global) return std::nullopt;
   Rgb sum(0);
   if (coarse && takes_all(kSendsGatherRays)) {
@@ -65,7 +67,9 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   }
   if (maps.global && takes_all(kReceivesGlobillum))
     sum += maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
-                                   maps.global_lookup, by_light, world_.light_layers.unknown());
+                                   maps.global_lookup, by_light, world_.light_layers.unknown(),
+                                   &photons);
+  if (settings_.witness) settings_.witness->look_up(place_, 0, photons);
   return sum;
 }
 
@@ -152,6 +156,7 @@ void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rg
     if (dot(w, point.geometric_normal) <= 0) return;
     PathSettings settings = settings_;
     settings.outputs = nullptr;
+    settings.witness = nullptr;
     LightParts near_parts;
     const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
     near_parts.clear(layers);

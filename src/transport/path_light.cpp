@@ -89,9 +89,9 @@ void Path::meet_lights(float t_surface, bool& ended) {
   const Rgb view = view_to(nearest);
   if (!ended) return dim(view);
   const float kept = fading_.kept(nearest);
-  add(component_, throughput_ * (seen * view * transmittance(medium_.medium, nearest) * kept),
+  add(on_way(), throughput_ * (seen * view * transmittance(medium_.medium, nearest) * kept),
       layer_of_light(seen_light));
-  if (kept < 1) add(component_, throughput_ * faded_to() * (1 - kept), layer_of_faded());
+  if (kept < 1) add(on_way(), throughput_ * faded_to() * (1 - kept), layer_of_faded());
   if (!first_) return;
   result_->alpha = 1;
   // To gather rays a portal is a black wall.
@@ -131,7 +131,7 @@ void Path::darken_near(float t) {
 void Path::fade(float t) {
   if (fading_.distance > 0) {
     const float kept = fading_.kept(t);
-    add(component_, throughput_ * (1 - kept) * faded_to(), layer_of_faded());
+    add(on_way(), throughput_ * (1 - kept) * faded_to(), layer_of_faded());
     dim(Rgb(kept));
   }
   fading_ = {};
@@ -140,7 +140,7 @@ void Path::fade(float t) {
 void Path::meet_environment() {
   if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   if (fading_.distance > 0 || fading_.single_environment)
-    return add(component_, throughput_ * faded_to(), layer_of_faded());
+    return add(on_way(), throughput_ * faded_to(), layer_of_faded());
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
   if (!shaders.empty()) ++counts_.environment;
   const Vec3 origin = ray_.org, direction = ray_.dir;
@@ -169,7 +169,7 @@ void Path::meet_environment() {
       radiance = radiance - even * (1 - weight);
     }
   }
-  add(component_, throughput_ * radiance, layer_of_environment());
+  add(on_way(), throughput_ * radiance, layer_of_environment());
 }
 
 }  // namespace oriel

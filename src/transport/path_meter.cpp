@@ -35,6 +35,7 @@ void Path::meter(const Closure& closure, const ShadingPoint& point) {
   PathSettings settings = settings_;
   settings.outputs = nullptr;
   settings.by_light = nullptr;
+  settings.witness = nullptr;
   settings.meters = false;
   sampling::Sampler stream = sampler_.split(0, 1, kBranch);
   ShadingPoint above = point;

@@ -141,6 +141,7 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
   const Rgb open = Rgb(free) + o.dark * (1 - free);
   add(at_vertex(Component::Indirect), throughput_ * level * o.ambient * open, layer_of_rest());
+  if (settings_.witness) settings_.witness->occlude(place_, o, free);
   if (dims && o.details == 1) occlusion_ = open;
   // Where indirect light is not dimmed, its factor is 1, whatever the ambient light does.
   if (tells && (dims || !indirect()))
@@ -160,7 +161,9 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                                         .for_the_eye = !after_diffuse_,
                                         .portals_mapped = reads_photons(),
                                         .falloff_distance = falloff_distance(closure),
-                                        .estimator = settings_.estimator},
+                                        .estimator = settings_.estimator,
+                                        .witness = after_diffuse_ ? nullptr : settings_.witness,
+                                        .place = place_},
                                        sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
   const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
@@ -187,6 +190,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
                    const ClosureSample& sample) {
   const Lobe& lobe = closure.lobes[sample.lobe];
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
+  if (settings_.witness) place_ = settings_.witness->leave(place_, lobe.kind);
   medium_.leave(closure, point, sample.wi);
   reach_ = kInfinity;
   lights_ = throughput_ = throughput_ * sample.weight;

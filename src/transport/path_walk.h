@@ -14,6 +14,7 @@
 #include "transport/medium.h"
 #include "transport/path.h"
 #include "transport/surface.h"
+#include "transport/witness.h"
 
 namespace oriel {
 
@@ -110,18 +111,21 @@ class Path {
   void count_ray();
   void follow(const ShadingPoint& point, const Vec3& direction);
   void meet_first(const Closure& closure);
-  void add(Component component, const Rgb& radiance, std::size_t layer) {
+  void add(const LightPart& part, const Rgb& radiance, std::size_t layer) {
     result_->radiance += radiance;
-    if (settings_.outputs) (*settings_.outputs)[component] += radiance;
+    if (settings_.outputs) (*settings_.outputs)[part.of_first] += radiance;
     if (settings_.by_light) settings_.by_light[layer] += radiance;
+    if (settings_.witness) settings_.witness->bring(place_, part, layer, radiance);
   }
   /// The same of light that is known by layers.
-  void add(Component component, const Rgb& factor, const Rgb& light, const LightParts& parts) {
+  void add(const LightPart& part, const Rgb& factor, const Rgb& light, const LightParts& parts) {
     result_->radiance += factor * light;
-    if (settings_.outputs) (*settings_.outputs)[component] += factor * light;
+    if (settings_.outputs) (*settings_.outputs)[part.of_first] += factor * light;
     if (!settings_.by_light) return;
-    for (std::size_t i = 0; i < world_.light_layers.count(); ++i)
+    for (std::size_t i = 0; i < world_.light_layers.count(); ++i) {
       settings_.by_light[i] += factor * parts.of[i];
+      if (settings_.witness) settings_.witness->bring(place_, part, i, factor * parts.of[i]);
+    }
   }
   // Layers of lights; any number where nobody asks.
   std::size_t layer_of_light(int light) const {
@@ -135,8 +139,10 @@ class Path {
   std::size_t layer_of_rest() const { return world_.light_layers.rest(); }
   /// The part that light of this kind belongs to: behind the first surface everything belongs to
   /// the part that it is seen through.
-  Component at_vertex(Component c) const { return at_first_ ? c : component_; }
-  Component after_vertex(Component c) const { return from_first_ ? c : component_; }
+  LightPart at_vertex(Component c) const { return {at_first_ ? c : component_, c}; }
+  LightPart after_vertex(Component c) const { return {from_first_ ? c : component_, c}; }
+  /// Of what the ray meets that is no surface.
+  LightPart on_way() const { return {component_, component_}; }
 
   Path sub_path(const PathSettings& settings, const sampling::Sampler& stream,
                 PathResult& result) const;
@@ -246,6 +252,7 @@ class Path {
 
   Vec3 eye_{0};
   int vertex_ = 0;
+  PathWitness::Place place_ = PathWitness::kEye;
   int nested_ = 0;                             ///< paths of shaders that this one was asked from
   std::optional<Tracer::Met>* met_ = nullptr;  ///< set: a shader asks for the first surface
   GridPoint* grid_point_ = nullptr;            ///< set: the path is only here to fill it

@@ -142,7 +142,7 @@ void PhotonMap::balance(std::size_t begin, std::size_t end) {
 }
 
 Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
-                          Rgb* by_light, std::size_t unknown) const {
+                          Rgb* by_light, std::size_t unknown, int* found) const {
   if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
   Nearest nearest(std::clamp(lookup.count, 1, kMostCount) + 1, lookup.radius);
   const auto visit = [&](std::size_t i) {
@@ -186,6 +186,7 @@ Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const Photon
   const FilterWeight weight(lookup);
   const Rgb scale = lookup.scale * (1 / (kPi * radius2));
   Rgb sum(0);
+  if (found) *found += nearest.count() - (nearest.is_full() ? 1 : 0);
   for (int i = nearest.is_full() ? 1 : 0; i < nearest.count(); ++i) {
     const Photon& photon = photons_[nearest[i].index];
     const Rgb power = photon.power * weight(nearest[i].distance2 / radius2);

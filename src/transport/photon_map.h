@@ -75,9 +75,9 @@ class PhotonMap {
 
   /// Irradiance of the side of the surface that `normal` points to. No allocation.
   /// Inputs:  by_light: where to add it by layers of lights, `unknown` that of photons that do not
-  ///          know theirs; null = nowhere.
+  ///          know theirs; null = nowhere. found: where to add how many spoke; null = nowhere.
   Rgb irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
-                 Rgb* by_light = nullptr, std::size_t unknown = 0) const;
+                 Rgb* by_light = nullptr, std::size_t unknown = 0, int* found = nullptr) const;
 
  private:
   void balance(std::size_t begin, std::size_t end);

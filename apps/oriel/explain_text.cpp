@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "color/luminance.h"
+#include "explain_words.h"
+
+namespace oriel::app {
+namespace {
+
+/// Less of the pixel is left out, and counted at the end.
+constexpr double kSmall = .01;
+/// Seen through so many mirrors and panes, surfaces are named without their own light.
+constexpr int kDeepest = 6;
+
+/// A line of the tree: a share of the pixel, words, and where it goes on.
+struct Item {
+  Rgb light{0};
+  std::string words;
+  std::size_t surface = 0;  ///< whose own items follow; 0 = none
+  bool plain = true;        ///< one light: its tint is told behind it
+};
+
+class Writer {
+ public:
+  explicit Writer(const ExplainReport& r) : r_(r), e_(r.facts), whole_(luminance(r.facts.colour)) {}
+
+  std::string text() {
+    title();
+    first_surfaces();
+    light();
+    darkness();
+    sources();
+    layers();
+    exposure();
+    noise();
+    return std::move(out_);
+  }
+
+ private:
+  template <class... Args>
+  void line(fmt::format_string<Args...> format, Args&&... args) {
+    out_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
+  }
+  double share(const Rgb& light) const { return whole_ > 0 ? luminance(light) / whole_ : 0; }
+
+  void title() {
+    line("pixel {},{}: {} (luminance {:.3g}), {} samples", e_.x, e_.y, text_of(e_.colour), whole_,
+         e_.samples);
+    const double unexplained = share(e_.unexplained);
+    if (std::abs(unexplained) > kSmall)
+      line("{:.0f} % of it is what lens and state shaders made of what they were given",
+           100 * unexplained);
+  }
+
+  /// What the eye meets: one surface, several at an edge, nothing.
+  void first_surfaces() {
+    std::vector<std::size_t> firsts;
+    for (std::size_t i = 1; i < e_.surfaces.size(); ++i)
+      if (e_.surfaces[i].from == 0) firsts.push_back(i);
+    std::sort(firsts.begin(), firsts.end(), [&](std::size_t a, std::size_t b) {
+      return e_.surfaces[a].met > e_.surfaces[b].met;
+    });
+    if (firsts.empty()) line("\nThe camera sees no surface there.");
+    if (firsts.size() > 1)
+      line("\nThe pixel lies on an edge: the camera sees {} surfaces.", firsts.size());
+    for (const std::size_t i : firsts)
+      if (e_.surfaces[i].met > kSmall) surface(e_.surfaces[i]);
+  }
+
+  void surface(const ExplainedSurface& s) {
+    line("\nThe camera sees {}{}.", instance_name(r_.world, s.instance),
+         s.met < 1 - kSmall ? fmt::format(" ({:.0f} % of the pixel)", 100 * s.met) : "");
+    line("  material   {}", material_name(s.material));
+    line("  place      {}, {:.4g} away, seen {} at {:.0f} degrees from its normal {}",
+         text_of(s.position), s.distance, s.back_side > .5f ? "from behind" : "from its front",
+         std::acos(clamp(s.cosine, -1, 1)) * 180 / kPi, text_of(s.normal));
+    std::string lobes;
+    for (const ExplainedLobe& lobe : s.lobes)
+      if (!is_black(lobe.level)) lobes += (lobes.empty() ? "" : "; ") + lobe_words(lobe);
+    if (!is_black(s.emission))
+      lobes += (lobes.empty() ? "" : "; ") + fmt::format("glows {}", text_of(s.emission));
+    line("  it is      {}", lobes.empty() ? "black" : lobes);
+    if (s.opacity < 1 - kSmall) line("  cut-out    {:.0f} % of it is there", 100 * s.opacity);
+    for (const ExplainedParameter& p : s.parameters)
+      line("  by shader  {} = {:.3g} of {}", p.name, fmt::join(p.values, " "), p.source);
+    if (s.occlusion.samples > 0)
+      line("  occlusion  {:.0f} % of what it faces{} is open{}", 100 * s.free,
+           s.occlusion.distance > 0 ? fmt::format(" within {:.3g}", s.occlusion.distance) : "",
+           s.occlusion.details > 0 ? "; the rest dims its indirect light" : "");
+  }
+
+  void light() {
+    if (!(whole_ > 0)) return line("\nIt is black: no light comes to the camera.");
+    line("\nIts light:");
+    const double left_out = 1 - tree(0, 1, 0);
+    if (std::abs(left_out - share(e_.unexplained)) > kSmall)
+      line("  {:>3.0f} %  in small shares", 100 * (left_out - share(e_.unexplained)));
+  }
+
+  /// Writes the items of a surface; returns the share that they are in all.
+  double tree(std::size_t index, int indent, int depth) {
+    std::vector<Item> items = items_of(index);
+    std::sort(items.begin(), items.end(),
+              [](const Item& a, const Item& b) { return luminance(a.light) > luminance(b.light); });
+    double written = 0;
+    for (const Item& item : items) {
+      const double part = share(item.light);
+      if (part < kSmall) continue;
+      const bool goes_on = item.surface > 0 && depth < kDeepest;
+      // The first surface has been told of: its light stands at the margin.
+      const bool is_told = index == 0 && item.surface > 0 && part > 1 - kSmall;
+      if (!is_told)
+        line("{:{}}{:>3.0f} %  {}{}", "", indent * 2, 100 * part, item.words,
+             item.surface == 0 && item.plain ? tint(item.light) : "");
+      written += goes_on ? tree(item.surface, indent + (is_told ? 0 : 3), depth + 1) : part;
+    }
+    return written;
+  }
+
+  std::vector<Item> items_of(std::size_t index) const {
+    const ExplainedSurface& s = e_.surfaces[index];
+    std::vector<Item> items;
+    for (const ExplainedLight& l : s.light) {
+      std::string words = light_words(l.part, e_.sources[l.source], is_environment(l.source));
+      if (l.part == Component::Diffuse || l.part == Component::Specular)
+        words += shadow_words(r_, s, e_.sources[l.source]);
+      if (l.part == Component::Indirect) words += map_words(s);
+      items.push_back({l.light, words, 0});
+    }
+    std::vector<std::size_t> bounces;
+    for (std::size_t i = index + 1; i < e_.surfaces.size(); ++i) {
+      const ExplainedSurface& c = e_.surfaces[i];
+      if (c.from != index) continue;
+      if (c.behind)
+        bounces.push_back(i);
+      else
+        items.push_back({e_.total(i), seen_words(r_.world, c), i});
+    }
+    if (!bounces.empty()) items.push_back(bounced(bounces));
+    return items;
+  }
+
+  /// Light of other surfaces on a diffuse one, in one line.
+  Item bounced(std::vector<std::size_t> from) const {
+    std::sort(from.begin(), from.end(), [&](std::size_t a, std::size_t b) {
+      return luminance(e_.surfaces[a].total()) > luminance(e_.surfaces[b].total());
+    });
+    Item item;
+    item.plain = false;
+    std::vector<std::string> names;
+    for (const std::size_t i : from) {
+      const Rgb light = e_.surfaces[i].total();
+      item.light += light;
+      if (share(light) >= kSmall && names.size() < 4)
+        names.push_back(fmt::format("{} {:.0f} %{}",
+                                    instance_name(r_.world, e_.surfaces[i].instance),
+                                    100 * share(light), tint(light)));
+    }
+    item.words = "light that other surfaces throw on it";
+    if (!names.empty()) item.words += fmt::format(": {}", fmt::join(names, "; "));
+    return item;
+  }
+
+  /// Lights that bring nothing to what the camera sees first, and why.
+  void darkness() {
+    for (const ExplainedSurface& s : e_.surfaces) {
+      if (s.way != Way::Eye || s.instance < 0 || s.met <= kSmall) continue;
+      std::vector<std::string> dark = lost_lights(r_, s);
+      if (dark.empty()) continue;
+      line("\nLights that bring {} nothing:", instance_name(r_.world, s.instance));
+      constexpr std::size_t kMost = 12;
+      for (std::size_t i = 0; i < std::min(kMost, dark.size()); ++i) line("  {}", dark[i]);
+      if (dark.size() > kMost) line("  and {} more", dark.size() - kMost);
+    }
+  }
+
+  void sources() {
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < e_.sources.size(); ++i) {
+      Rgb sum(0);
+      for (const ExplainedSurface& s : e_.surfaces)
+        for (const ExplainedLight& l : s.light)
+          if (l.source == i) sum += l.light;
+      items.push_back({sum, e_.sources[i], 0});
+    }
+    const std::string words = list(std::move(items));
+    if (!words.empty())
+      line("\nBy source, with all that mirrors and bounces bring of it: {}", words);
+  }
+
+  void layers() {
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < kComponents; ++i)
+      items.push_back({e_.parts[i], output_name(static_cast<Component>(i)), 0});
+    const std::string words = list(std::move(items));
+    if (!words.empty()) line("By layer: {}", words);
+  }
+
+  std::string list(std::vector<Item> items) const {
+    std::sort(items.begin(), items.end(),
+              [](const Item& a, const Item& b) { return luminance(a.light) > luminance(b.light); });
+    std::vector<std::string> words;
+    for (const Item& item : items)
+      if (share(item.light) >= kSmall)
+        words.push_back(fmt::format("{} {:.0f} %", item.words, 100 * share(item.light)));
+    return fmt::format("{}", fmt::join(words, ", "));
+  }
+
+  void exposure() {
+    line("\nExposure: {:.4g} cd/m2; one unit of a pixel is {:.4g} cd/m2 ({}).",
+         whole_ * r_.unit.cd_m2, r_.unit.cd_m2,
+         r_.unit.by.empty() ? "the scene does not say, so 1 is taken" : r_.unit.by);
+    if (e_.mappings.empty()) line("  No tone mapper: the colour is shown as it is.");
+    for (const ExplainedMapping& m : e_.mappings) {
+      line("  {} shader {}: {} becomes {}", m.output ? "output" : "lens", m.shader->spec().name,
+           text_of(m.before), text_of(m.after));
+      line("    {}", constants_of(*m.shader));
+    }
+  }
+
+  void noise() {
+    const double error = std::sqrt(noise_of_mean(e_.variance));
+    if (!(whole_ > 0) || e_.samples < 2) return;
+    line("\nNoise: {:.2g} % of the luminance is the standard error after {} samples.",
+         100 * error / whole_, e_.samples);
+    double all = 0;
+    for (const double v : e_.noise) all += v;
+    if (error < 1e-4 * whole_ || !(all > 0)) return line("  There is next to none.");
+    const auto most = std::max_element(e_.noise.begin(), e_.noise.end());
+    const auto part = static_cast<Component>(most - e_.noise.begin());
+    line("  {:.0f} % of it is in {}. {}", 100 * *most / all, output_name(part),
+         noise_advice(r_, part));
+    line("  Half the noise takes four times the samples.");
+  }
+
+  bool is_environment(std::size_t source) const {
+    return source == r_.world.light_layers.environment;
+  }
+
+  const ExplainReport& r_;
+  const Explanation& e_;
+  double whole_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string explain_text(const ExplainReport& report) { return Writer(report).text(); }
+
+}  // namespace oriel::app
