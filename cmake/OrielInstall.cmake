@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `cmake --install` puts where: the program, the module of image files where the program looks
-# for it (src/image/module.h), the declarations of the built-in shaders as .mi files, and the ready
-# materials with their textures (apps/oriel/templates.h says where they are looked for).
+# for it (src/image/module.h), the declarations of the built-in shaders as .mi files, the ready
+# materials with their textures (apps/oriel/templates.h says where they are looked for), pages for
+# people. All of it may be moved: the program finds its files from where it stands itself.
 include(GNUInstallDirs)
 
 install(TARGETS oriel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# "lib" by name: the program looks in ../lib, whatever the system calls its own library folder.
-install(TARGETS oriel_image_files LIBRARY DESTINATION lib)
+# "lib" by name: the program looks in ../lib/oriel, whatever the system calls its library folder.
+install(TARGETS oriel_image_files LIBRARY DESTINATION lib/oriel)
 
 # The program writes the declarations from the shaders' own tables. A run that fails leaves no file
 # behind that would pass for one.
 set(declarations)
-foreach(library base architectural physics)
+foreach(library base architectural physics oriel)
   set(file ${CMAKE_BINARY_DIR}/mi/${library}.mi)
   add_custom_command(
     OUTPUT ${file}
@@ -47,3 +48,23 @@ install(FILES ${CMAKE_BINARY_DIR}/shaders/oriel-shaders.pc DESTINATION lib/pkgco
         COMPONENT shaders)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/shaders DESTINATION share/oriel/examples
         COMPONENT shaders)
+
+# For those who use it: the pages, and what shells and `man` read.
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md
+              ${CMAKE_SOURCE_DIR}/CHANGELOG.md
+        DESTINATION share/doc/oriel)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION share/doc/oriel/docs
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.html" PATTERN "*.png" PATTERN "*.jpg"
+        PATTERN "*.svg" PATTERN "dev" EXCLUDE)
+install(FILES ${CMAKE_SOURCE_DIR}/scenes/nine-tiles/nine-tiles.mi
+        DESTINATION share/oriel/examples/scenes)
+function(oriel_install_page file folder)
+  if(EXISTS ${CMAKE_SOURCE_DIR}/packaging/${file})
+    install(FILES ${CMAKE_SOURCE_DIR}/packaging/${file} DESTINATION ${folder} ${ARGN})
+  endif()
+endfunction()
+oriel_install_page(oriel.1 share/man/man1)
+oriel_install_page(completion/oriel.bash share/bash-completion/completions RENAME oriel)
+oriel_install_page(completion/_oriel share/zsh/site-functions)
+oriel_install_page(completion/oriel.fish share/fish/vendor_completions.d)
+include(OrielPackage)

@@ -56,7 +56,7 @@ TEST(ImageModule, IsLookedForWhereTheUserSaysFirst) {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   EXPECT_EQ(places[2], program + "/liboriel_image_files.so") << "then beside the program";
   const std::string prefix = std::filesystem::path(program).parent_path();
-  EXPECT_EQ(places[3], prefix + "/lib/liboriel_image_files.so");
+  EXPECT_EQ(places[3], prefix + "/lib/oriel/liboriel_image_files.so");
 }
 
 Image gradient(int channels) {

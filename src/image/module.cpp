@@ -55,7 +55,7 @@ std::vector<std::string> module_candidates() {
   }
   const auto add_around = [&](const fs::path& object) {
     add(object.parent_path());
-    add(object.parent_path().parent_path() / "lib");
+    add(object.parent_path().parent_path() / "lib" / "oriel");
   };
   std::error_code error;
   Dl_info self;

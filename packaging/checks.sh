@@ -1,0 +1,47 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: Apache-2.0
+# What must hold of any installation of Oriel. Sourced by the tests beside it; $root is a folder for
+# what they need.
+# shellcheck disable=SC2154
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# check_files PREFIX: all that an installation has.
+check_files() {
+  local file
+  for file in bin/oriel lib/oriel/liboriel_image_files.so share/oriel/templates.mi \
+      share/oriel/mi/{base,architectural,physics,oriel}.mi include/oriel/sdk/shader.h \
+      lib/cmake/OrielShaders/OrielShadersConfig.cmake lib/pkgconfig/oriel-shaders.pc \
+      share/oriel/examples/scenes/nine-tiles.mi; do
+    [[ -f $1/$file ]] || fail "no $file"
+  done
+}
+
+# run PREFIX ARGUMENT...: the program there, with nothing of the user's surroundings.
+run() {
+  local prefix=$1
+  shift
+  (cd "$root" && env -i PATH=/usr/bin:/bin HOME="$root" "$prefix/bin/oriel" "$@") ||
+    fail "oriel $*"
+}
+
+# check_program PREFIX: it renders, and finds data, headers and the module of image files there.
+check_program() {
+  local prefix=$1 data
+  [[ $(run "$prefix" --version) =~ ^oriel\ [0-9] ]] || fail "--version"
+  run "$prefix" render "$prefix/share/oriel/examples/scenes/nine-tiles.mi" -o "$root/tiles.exr" \
+    -o "$root/tiles.jpg" --size 48x48 --samples 4 --quiet 2>"$root/said" || cat "$root/said"
+  [[ -s $root/tiles.exr && -s $root/tiles.jpg ]] || fail "no picture"
+  run "$prefix" shaders --mi base >"$root/base.mi"
+  cmp -s "$root/base.mi" "$prefix/share/oriel/mi/base.mi" || fail "base.mi"
+  # Textures of ready materials are named by their whole path: that of the folder it stands in.
+  data=$(run "$prefix" shaders --templates stone)
+  [[ $data == *"$prefix/share/oriel/textures/stone.exr"* ]] || fail "templates of another folder"
+}
+
+# check_shader_build PREFIX: an example of a shader in C++ builds with the headers there.
+check_shader_build() {
+  run "$1" shader-build "$1/share/oriel/examples/shaders/material" -o "$root/example.so" \
+    >"$root/said" 2>&1 || { cat "$root/said"; fail "shader-build"; }
+  [[ -s $root/example.so ]] || fail "no library of shaders"
+}
