@@ -2,8 +2,12 @@
 // oriel check: what a scene uses, and what of it is unknown, missing, approximated or ignored.
 #include <fmt/format.h>
 
+#include <fstream>
 #include <map>
 
+#include "check_html.h"
+#include "check_shaders.h"
+#include "check_thumbnail.h"
 #include "command.h"
 #include "render/budget.h"
 #include "render/camera_output.h"
@@ -20,6 +24,7 @@ using nlohmann::json;
 
 struct CheckArguments {
   SceneArguments scene;
+  std::string report;
   bool as_json = false;
 };
 
@@ -37,6 +42,12 @@ std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
     if (const auto* o = std::get_if<scene::Object>(&element)) count(o->kept, "object");
   }
   return kept;
+}
+
+/// Statements of the options block that a picture goes by.
+std::size_t count_statements(const scene::Scene& scene) {
+  const auto* block = scene.get<scene::Options>(scene.renders.back().options);
+  return block ? block->statements.size() : 0;
 }
 
 json options_json(const scene::RenderOptions& options, const Diagnostics& diagnostics) {
@@ -65,12 +76,12 @@ json picture_json(const World& world) {
           {"caustics", plan.caustic}};
 }
 
-/// Everything that is said, once as data; the text is made from it.
-json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
+/// Everything that is said, once as data; text and page are made from it. Leaves the scene.
+json inspect(const CheckArguments& a, scene::Scene& scene, Diagnostics& diagnostics,
+             bool& renders) {
   const Registry& registry = builtin_shaders();
   mi::Reader reader(a.scene.path, read_options(a.scene, registry), diagnostics);
   if (!reader.opened()) return nullptr;
-  scene::Scene scene;
   json result = {{"scene", a.scene.path}, {"frames", 0}};
   while (reader.next_frame(scene)) {
     for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, registry);
@@ -91,6 +102,10 @@ json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
         outputs.push_back(f.path);
     }
     host.end_frame();
+    const CheckedScene checked{scene, registry, host, report.binding, diagnostics};
+    result["used_shaders"] = used_shaders(checked);
+    result["textures"] = used_textures(checked);
+    result["libraries"] = used_libraries(checked);
     result["picture"] = picture_json(*world);
     result["outputs"] = outputs;
     result["shaders"] = report.binding.shaders;
@@ -101,6 +116,7 @@ json inspect(const CheckArguments& a, Diagnostics& diagnostics, bool& renders) {
     result["missing"] = {{"shaders", report.binding.missing_shaders},
                          {"textures", report.binding.missing_textures}};
     result["options"] = options_json(world->options, diagnostics);
+    result["options"]["statements"] = count_statements(scene);
     result["geometry"] = {{"objects", report.objects},
                           {"instances", report.instances},
                           {"triangles", report.triangles},
@@ -169,25 +185,34 @@ void print_text(const json& r) {
   print_counts("kept without effect", r["kept_without_effect"]);
 }
 
+void write_report(const CheckArguments& a, const json& facts, scene::Scene& scene, bool renders) {
+  std::string why = "the scene cannot be read";
+  const std::string picture = renders ? thumbnail(scene, a.scene, why) : std::string();
+  std::ofstream file(a.report, std::ios::binary);
+  file << check_html(facts, picture, why);
+  if (!file.flush()) throw UserError(fmt::format("cannot write '{}'", a.report));
+}
+
 int run_check(const CheckArguments& a) {
   Diagnostics diagnostics;
   bool renders = true;
-  json result = inspect(a, diagnostics, renders);
-  DiagnosticPrinter printer(diagnostics, false, true);
+  scene::Scene scene;
+  json result = inspect(a, scene, diagnostics, renders);
+  renders = renders && result.contains("picture");
   if (!a.as_json) {
-    printer.print_new();
+    DiagnosticPrinter(diagnostics, false, true).print_new();
     if (!result.is_null()) print_text(result);
-  } else {
-    if (result.is_null()) result = {{"scene", a.scene.path}};
-    result["diagnostics"] = json::array();
-    for (const Diagnostic& d : diagnostics.all())
-      result["diagnostics"].push_back(to_json(d, diagnostics));
-    result["renders"] = renders;
-    print_json(result);
   }
+  if (result.is_null()) result = {{"scene", a.scene.path}};
+  result["diagnostics"] = json::array();
+  for (const Diagnostic& d : diagnostics.all())
+    result["diagnostics"].push_back(to_json(d, diagnostics));
+  result["renders"] = renders;
+  if (a.as_json) print_json(result);
+  if (!a.report.empty()) write_report(a, result, scene, renders);
   if (result.contains("frames") && result["frames"] == 0)
     throw UserError(fmt::format("{}: the scene has no render statement", a.scene.path));
-  return renders && result.contains("picture") ? kExitDone : kExitFailed;
+  return renders ? kExitDone : kExitFailed;
 }
 
 }  // namespace
@@ -197,6 +222,10 @@ Command add_check_command(CLI::App& program) {
       "check", "Says what a scene uses and what of it is missing, approximated or ignored");
   auto a = std::make_shared<CheckArguments>();
   add_scene_arguments(*app, a->scene);
+  app->add_option("--report", a->report,
+                  "Page to read and to print: summary, a quick picture, each shader with each "
+                  "parameter, missing files, messages")
+      ->type_name("FILE.html");
   app->add_flag("--json", a->as_json, "One line of JSON");
   return {app, [a] { return run_check(*a); }};
 }
