@@ -197,6 +197,56 @@ std::string around_object(const std::string& object) {
                "\"o_inst\"");
 }
 
+std::string wall_of_terrains(int side, int count) {
+  const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(count))));
+  const float size = 6 / static_cast<float>(across);             // metres, of each
+  const float scale = 0.013f * static_cast<float>(side) / size;  // from the world to the object
+  std::string body = "material \"m\" = \"white_s\" end material\n" + shared_vertices(side);
+  std::string names;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 at(size * static_cast<float>(i % across), 4, size * static_cast<float>(i / across));
+    fmt::format_to(std::back_inserter(body),
+                   "instance \"i{}\" \"o\" material \"m\" transform "
+                   "{:.6g} 0 0 0 0 {:.6g} 0 0 0 0 {:.6g} 0 {:.6g} {:.6g} {:.6g} 1 end instance\n",
+                   i, scale, scale, scale, -at.x * scale, -at.y * scale, -at.z * scale);
+    fmt::format_to(std::back_inserter(names), "\"i{}\"\n", i);
+  }
+  return whole(std::move(body), names);
+}
+
+std::string room_of_pictures(int count, float filter) {
+  const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(count))));
+  const int deep = (across + 1) / 2;
+  std::string body = "shader \"uv\" \"mib_texture_vector\" ( \"select\" 0 )\n", polygons, points;
+  const float width = 6 / static_cast<float>(across), depth = 3.8f / static_cast<float>(deep);
+  int vertices = 0;
+  for (int i = 0; i < count; ++i) {
+    fmt::format_to(std::back_inserter(body),
+                   "filter {} color texture \"t{}\" \"{}.exr\"\n"
+                   "shader \"l{}\" \"mib_texture_lookup\" ( \"tex\" \"t{}\", \"coord\" = \"uv\" )\n"
+                   "shader \"s{}\" \"mib_illum_lambert\" ( \"diffuse\" = \"l{}\" )\n"
+                   "material \"m{}\" = \"s{}\" end material\n",
+                   filter, i, i, i, i, i, i, i, i);
+    const bool floor = i / across < deep;
+    const int row = floor ? i / across : i / across - deep;
+    for (int corner = 0; corner < 4; ++corner) {
+      const bool right = corner == 1 || corner == 2, far = corner > 1;
+      const float x = width * static_cast<float>(i % across + (right ? 1 : 0));
+      const float away = depth * static_cast<float>(row + (far ? 1 : 0));
+      fmt::format_to(std::back_inserter(points), "{:.6g} {:.6g} {:.6g}\n", x,
+                     floor ? .2f + away : 4, floor ? 0 : away);
+    }
+    fmt::format_to(std::back_inserter(polygons), "p \"m{}\" {} {} {} {}\n", i, vertices,
+                   vertices + 1, vertices + 2, vertices + 3);
+    vertices += 4;
+  }
+  body += "object \"o\" visible trace shadow\ngroup\n" + points + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  for (int i = 0; i < vertices; ++i)
+    fmt::format_to(std::back_inserter(body), "v {} t {}\n", i, vertices + i % 4);
+  body += polygons + "end group\nend object\ninstance \"o_inst\" \"o\" end instance\n";
+  return whole(std::move(body), "\"o_inst\"");
+}
+
 std::string small_room() {
   Quads quads = room_walls();
   quads.add_box("white", Vec3(1, 2.5f, 0), Vec3(2.4f, 3.9f, 1.8f), false);

@@ -18,6 +18,12 @@ std::string vertex_per_corner(int side);
 /// Options, camera, a light and a render statement around an instance of object "o".
 std::string around_object(const std::string& object);
 
+/// A wall of `count` instances of shared_vertices(side), side by side, and the camera before it.
+std::string wall_of_terrains(int side, int count);
+/// Floor and wall of squares, each with a file of its own: "0.exr" to "<count - 1>.exr".
+/// filter: of the textures; near 0, every look-up is one of the finest level.
+std::string room_of_pictures(int count, float filter);
+
 /// A closed white room of 34 triangles: red and green walls, two boxes (one glossy), a square lamp.
 std::string small_room();
 /// The same room with 27 wavy balls of 40,000 triangles with normals: 1.08 million; diffuse,

@@ -13,6 +13,7 @@
 #include "render/camera_output.h"
 #include "render/prepare.h"
 #include "render/session.h"
+#include "scene_code.h"
 #include "scene_file.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
@@ -82,12 +83,14 @@ json inspect(const CheckArguments& a, scene::Scene& scene, Diagnostics& diagnost
   const Registry& registry = builtin_shaders();
   mi::Reader reader(a.scene.path, read_options(a.scene, registry), diagnostics);
   if (!reader.opened()) return nullptr;
+  SceneCode code(a.scene, diagnostics);
   json result = {{"scene", a.scene.path}, {"frames", 0}};
   while (reader.next_frame(scene)) {
     for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, registry);
     result["frames"] = result["frames"].get<int>() + 1;
     PrepareReport report;
-    sdk::Host host(scene, registry, sdk::trusted_folders(a.scene.shader_path), diagnostics);
+    code.compile(scene);
+    sdk::Host host(scene, registry, code.trusted_folders(), diagnostics);
     const auto world =
         prepare(scene, scene.renders.back(), host.registry(), {}, diagnostics, report);
     if (!world) {

@@ -13,6 +13,7 @@
 #include "render/output.h"
 #include "render/prepare.h"
 #include "render/session.h"
+#include "scene_code.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
 
@@ -59,7 +60,9 @@ std::string rendered(scene::Scene& scene, const SceneArguments& arguments, std::
   Diagnostics unheard;
   const scene::RenderCommand command = scene.renders.back();
   const scene::Camera* camera = find_camera(scene, command);
-  sdk::Host host(scene, builtin_shaders(), sdk::trusted_folders(arguments.shader_path), unheard);
+  SceneCode code(arguments, unheard);
+  code.compile(scene);
+  sdk::Host host(scene, builtin_shaders(), code.trusted_folders(), unheard);
   PrepareReport report;
   const auto world =
       camera ? prepare(scene, command, host.registry(), small(*camera), unheard, report) : nullptr;

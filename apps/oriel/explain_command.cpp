@@ -11,6 +11,7 @@
 #include "progress_line.h"
 #include "render/camera_output.h"
 #include "render_plan.h"
+#include "scene_code.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
 #include "sun_scene.h"
@@ -63,8 +64,9 @@ int run_explain(ExplainArguments& a) {
   const scene::RenderCommand& command = scene.renders.back();
   if (plan.sun) turn_sun(scene, command.root, *plan.sun, r.north.value_or(0));
 
-  sdk::Host host(scene, builtin_shaders(), sdk::trusted_folders(r.scene.shader_path), diagnostics,
-                 &interrupted());
+  SceneCode code(r.scene, diagnostics);
+  code.compile(scene);
+  sdk::Host host(scene, builtin_shaders(), code.trusted_folders(), diagnostics, &interrupted());
   PrepareReport prepared;
   const auto world = prepare(scene, command, host.registry(), plan.prepare, diagnostics, prepared);
   printer.print_new();

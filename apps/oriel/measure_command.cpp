@@ -14,6 +14,7 @@
 #include "render/measure.h"
 #include "render/prepare.h"
 #include "render/unit_luminance.h"
+#include "scene_code.h"
 #include "scene_file.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
@@ -276,7 +277,9 @@ std::unique_ptr<World> load(const MeasureArguments& a, scene::Scene& scene,
   PrepareOptions options;
   options.camera = a.camera;
   PrepareReport report;
-  sdk::Host host(scene, builtin_shaders(), sdk::trusted_folders(a.scene.shader_path), diagnostics);
+  SceneCode code(a.scene, diagnostics);
+  code.compile(scene);
+  sdk::Host host(scene, builtin_shaders(), code.trusted_folders(), diagnostics);
   auto world = prepare(scene, command, host.registry(), options, diagnostics, report);
   if (!world) return nullptr;
   world->options.indirect = scene::IndirectMethod::Path;

@@ -2,6 +2,7 @@
 // oriel render: a scene to pictures, as the command line asks.
 #include "base/parallel.h"
 #include "command.h"
+#include "image/texture.h"
 #include "render_frames.h"
 #include "render_plan.h"
 #include "shaders/registry.h"
@@ -13,6 +14,7 @@ namespace {
 int run_render(const RenderArguments& a) {
   const RenderPlan plan = render_plan(a);
   const ThreadLimit limit(a.threads);
+  if (a.texture_cache) TextureSystem::set_cache_megabytes(*a.texture_cache);
   flush_denormals();
   Diagnostics diagnostics;
   DiagnosticPrinter printer(diagnostics, a.json, !a.quiet);
@@ -81,6 +83,9 @@ Command add_render_command(CLI::App& program) {
   app->add_flag("--denoise", a->denoise,
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");
+  app->add_option("--texture-cache", a->texture_cache,
+                  "Memory for tiles of texture files, 1024 MB unless said; 16 at least")
+      ->type_name("MB");
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Lines of JSON on stdout");
   app->add_flag("-q,--quiet", a->quiet, "Only warnings and errors");

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/parallel.h"
+#include "image/texture_statistics.h"
 #include "interrupt.h"
 #include "pictures.h"
 #include "progress_line.h"
@@ -14,6 +15,7 @@
 #include "render/matte_layers.h"
 #include "render/output_names.h"
 #include "render/unit_luminance.h"
+#include "scene_code.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
@@ -47,6 +49,7 @@ class FrameRenderer {
         scene_(scene),
         diagnostics_(diagnostics),
         printer_(printer),
+        code_(arguments.scene, diagnostics),
         roots_(plan.roots.value_or(roots_of(arguments.scene))),
         line_(ProgressLine::style_for(a_.json, a_.quiet)) {}
 
@@ -63,26 +66,29 @@ class FrameRenderer {
   }
 
   /// Both eyes of cameras that have two. False when there is nothing to render.
-  bool render(const scene::RenderCommand& command, int frame) {
+  bool render(const scene::RenderCommand& command, int frame, bool is_last) {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
-    for (const Eye eye : camera ? eyes_of(*camera) : std::vector{Eye::Middle})
-      if (!interrupted() && !render(command, frame, eye)) return false;
+    const std::vector<Eye> eyes = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
+    for (const Eye eye : eyes)
+      if (!interrupted() && !render(command, frame, eye, is_last && eye == eyes.back()))
+        return false;
     return true;
   }
 
  private:
-  bool render(const scene::RenderCommand& command, int frame, Eye eye) {
+  bool render(const scene::RenderCommand& command, int frame, Eye eye, bool is_last) {
     session_.reset();  // it refers to the world before
     denoised_ = {};
     PrepareReport report;
     if (world_) cache_.keep(*world_);
     world_.reset();
-    host_.emplace(scene_, builtin_shaders(), sdk::trusted_folders(a_.scene.shader_path),
-                  diagnostics_, &interrupted());
+    code_.compile(scene_);
+    host_.emplace(scene_, builtin_shaders(), code_.trusted_folders(), diagnostics_, &interrupted());
     sdk::set_output_roots(roots_);
     PrepareOptions options = plan_.prepare;
     options.cache = &cache_;
     options.eye = eye;
+    options.release_geometry = is_last;
     world_ = prepare(scene_, command, host_->registry(), options, diagnostics_, report);
     if (!world_) return false;
     if (plan_.gi) world_->options.indirect = *plan_.gi;
@@ -296,6 +302,12 @@ class FrameRenderer {
                              {"rays", session_->rays().rays()},
                              {"files", nlohmann::json::array()}};
       if (p.noise) line["noise"] = *p.noise;
+      if (const TextureStatistics t = texture_statistics(); t.files > 0)
+        line["textures"] = {{"files", t.files},
+                            {"tile_requests", t.tile_requests},
+                            {"tile_misses", t.tile_misses},
+                            {"bytes_read", t.bytes_read},
+                            {"bytes_held", t.bytes_held}};
       if (reason != StopReason::MapsOnly)
         for (const PictureFile& file : files_) line["files"].push_back(file.path);
       return print_json(line);
@@ -318,6 +330,7 @@ class FrameRenderer {
   scene::Scene& scene_;
   Diagnostics& diagnostics_;
   DiagnosticPrinter& printer_;
+  SceneCode code_;
   const OutputRoots roots_;
   ProgressLine line_;
   std::optional<sdk::Host> host_;  // outlives what was bound with its registry
@@ -345,7 +358,8 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
     printer.print_new();
     if (!renderer.begin(scene.renders.back(), ++frames)) continue;
     edit(scene);
-    const bool done = renderer.render(scene.renders.back(), frames);
+    const bool is_last = !plan.frames.goes_on_from(frames + 1) || reader.at_end();
+    const bool done = renderer.render(scene.renders.back(), frames, is_last);
     printer.print_new();
     if (!done) return kExitFailed;
     ++rendered;

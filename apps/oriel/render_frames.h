@@ -31,6 +31,7 @@ struct RenderArguments {
   std::uint32_t seed = 0;
   std::string cryptomatte;  ///< ranks; empty: as the scene's options say
   int threads = 0;
+  std::optional<float> texture_cache;  ///< megabytes
   std::string frames;
   bool skip_existing = false;
   bool denoise = false, json = false, quiet = false;

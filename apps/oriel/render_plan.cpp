@@ -91,6 +91,8 @@ RenderPlan render_plan(const RenderArguments& a) {
       throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMostMatteRanks));
     plan.matte_ranks = ranks[0];
   }
+  if (a.texture_cache && !(*a.texture_cache >= 16))
+    throw UsageError("--texture-cache: at least 16 megabytes");
   if (a.denoise && a.samples && *a.samples < 2)
     throw UsageError("--denoise: needs at least 2 samples to know the noise");
   plan.session.budget = {a.samples, a.noise, a.time};

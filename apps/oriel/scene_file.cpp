@@ -139,6 +139,9 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                   "Folders of shader libraries that `link` may load, separated by colons; those of "
                   "ORIEL_SHADER_PATH follow")
       ->type_name("DIRS");
+  command.add_flag("--trust-code", arguments.trust_code,
+                   "Compiles and runs C sources in the scene ($code and `code` statements); only "
+                   "for scenes whose author you trust as yourself");
 }
 
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry) {
@@ -146,6 +149,7 @@ mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& re
   options.include_paths = arguments.include_paths;
   options.include_paths.push_back(data_folder());
   options.packages = builtin_packages();
+  options.trusts_code = arguments.trust_code;
   options.knows_shader = [&registry](std::string_view name) { return registry.find(name); };
   return options;
 }

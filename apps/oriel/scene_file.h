@@ -18,6 +18,7 @@ struct SceneArguments {
   std::vector<std::string> include_paths;
   std::vector<std::string> edits;  ///< element.parameter=value
   std::string shader_path;         ///< folders whose native shaders may run
+  bool trust_code = false;         ///< C sources in the scene are compiled and run
 };
 
 /// SCENE, -I, --set and --shader-path.

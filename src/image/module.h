@@ -9,6 +9,7 @@
 #include "image/files.h"
 #include "image/pixel_buffer.h"
 #include "image/texture.h"
+#include "image/texture_statistics.h"
 
 namespace oriel {
 
@@ -23,9 +24,10 @@ class FilesModule {
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
 
   virtual void set_cache_megabytes(float megabytes) = 0;
+  virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 1;
+inline constexpr int kFilesModuleVersion = 2;
 /// The one symbol the module exports; null when the version differs. The object lives for ever.
 using FilesModuleEntry = FilesModule* (*)(int version);
 inline constexpr char kFilesModuleSymbol[] = "oriel_image_files_module";

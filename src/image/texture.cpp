@@ -5,12 +5,14 @@
 #include <exception>
 
 #include "image/module.h"
+#include "image/texture_statistics.h"
 
 namespace oriel {
 namespace {
 
 constexpr float kDefaultCacheMegabytes = 1024;  // holds some eighty 2048 x 2048 RGB byte pictures
 std::atomic<float> cache_megabytes{kDefaultCacheMegabytes};
+std::atomic<bool> has_module{false};
 
 }  // namespace
 
@@ -20,6 +22,7 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) 
   if (!is_new) return {entry->second.get(), {}};
   try {
     FilesModule& module = files_module();
+    has_module = true;
     module.set_cache_megabytes(cache_megabytes);
     entry->second = module.open_texture(path, gamma);
     return {entry->second.get(), {}};
@@ -31,6 +34,10 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) 
 void TextureSystem::set_cache_megabytes(float megabytes) {
   // Setting a limit must not load the module; open() hands it on.
   cache_megabytes = megabytes;
+}
+
+TextureStatistics texture_statistics() {
+  return has_module ? files_module().texture_statistics() : TextureStatistics{};
 }
 
 }  // namespace oriel

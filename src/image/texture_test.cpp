@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // File and memory textures obey the same rules, so most claims are tested on both.
 #include "image/texture.h"
+#include "image/texture_statistics.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -287,6 +288,23 @@ TEST(FileTexture, NewSystemSeesAChangedFile) {
       const Rgba got = system.open(path, gamma).texture->sample({0.5f, 0.5f}, {}, {});
       EXPECT_NEAR(got.r, std::pow(float(step) / 255, gamma), 1e-3f) << gamma;
     }
+}
+
+TEST(FileTexture, StatisticsCountTilesThatWereRead) {
+  const TestFolder folder;
+  write_image(folder.file("a.tif"), Image(256, 256, 3), {});  // 4 x 4 tiles of 64 x 64
+  TextureSystem system;
+  const Texture* t = system.open(folder.file("a.tif")).texture;
+  ASSERT_NE(t, nullptr);
+  const TextureStatistics before = texture_statistics();
+  for (int turn = 0; turn < 2; ++turn)
+    for (int i = 0; i < 16; ++i)
+      t->sample({(float(i % 4) + 0.5f) / 4, (float(i / 4) + 0.5f) / 4}, {}, {});
+  const TextureStatistics after = texture_statistics();
+  EXPECT_EQ(after.tile_misses - before.tile_misses, 16);
+  EXPECT_GE(after.tile_requests - before.tile_requests, 32);
+  EXPECT_GE(after.bytes_held, std::int64_t{256} * 256 * 3);
+  EXPECT_GE(after.files, 1);
 }
 
 TEST(FileTexture, SmallCacheGivesTheSameValues) {

@@ -55,14 +55,20 @@ void read_set(Parse& parse, SourceLocation at) {
   parse.scene->commands.push_back(std::move(statement));
 }
 
+// `system` is never run; `code` by a host that was told to trust the scene.
 void refuse(Parse& parse, std::string keyword, SourceLocation at) {
-  parse.warn(code::kRefused, at, fmt::format("'{}' is never run from a scene", keyword),
-             "the statement is kept and has no effect");
+  if (keyword == "system")
+    parse.warn(code::kRefused, at, "'system' is never run from a scene",
+               "the statement is kept and has no effect");
+  else if (!parse.options.trusts_code)
+    parse.warn(code::kRefused, at, "'code' of a scene is not compiled or run",
+               std::string(code::kTrustHint));
   scene::Statement statement{std::move(keyword), false, {}, at};
   while (parse.in.at(Token::Kind::String) || parse.in.at(Token::Kind::Hex)) {
     const SourceLocation here = parse.in.where();
     const bool only = parse.in.at(Token::Kind::String);
     statement.values.push_back(text(parse.in.next().str(), here));
+    statement.values.back().bare = !only;
     if (only) break;
   }
   parse.scene->commands.push_back(std::move(statement));
@@ -214,8 +220,8 @@ void take_over(Parse& parse) {
     if (std::find(packages.begin(), packages.end(), name) == packages.end())
       packages.push_back(std::move(name));
   }
-  for (std::string& body : parse.in.take_code())
-    parse.scene->commands.push_back({"$code", false, {text(std::move(body), {})}, {}});
+  for (auto& [body, at] : parse.in.take_code())
+    parse.scene->commands.push_back({"$code", false, {text(std::move(body), at)}, at});
 }
 
 bool read_one(Parse& parse) {
@@ -255,6 +261,7 @@ void finish_reading(Parse& parse) {
 
 bool read_top_level(Parse& parse) {
   parse.in.release_finished_sources();
+  parse.in.forget_what_was_read();
   bool rendered = false;
   // A broken statement may not move the reader; then the token is skipped to go on.
   const Token before = parse.in.peek();

@@ -119,6 +119,13 @@ void Cursor::report_problem(const Token& token) {
   }
 }
 
+void Cursor::forget_what_was_read() {
+  for (Frame& frame : stack_) {
+    const bool ahead = ready_ && token_.source == frame.source.get();
+    frame.source->forget_before(ahead ? token_.raw.data() : frame.lexer.position());
+  }
+}
+
 const char* Cursor::raw() {
   if (ready_) {
     if (token_.kind == Token::Kind::End) return token_.raw.data();
@@ -149,6 +156,6 @@ std::span<const char> Cursor::binary(std::size_t bytes) {
 }
 
 std::vector<std::string> Cursor::take_packages() { return std::exchange(packages_, {}); }
-std::vector<std::string> Cursor::take_code() { return std::exchange(code_, {}); }
+std::vector<Cursor::CodeBlock> Cursor::take_code() { return std::exchange(code_, {}); }
 
 }  // namespace oriel::mi

@@ -48,6 +48,8 @@ class Cursor {
   /// there and to set back with set_raw(). The text ends with a zero byte.
   const char* raw();
   void set_raw(const char* p) { stack_.back().lexer.set_position(p); }
+  /// Goes on in another file and then here; what $include does. No token may have been looked at.
+  void include(const std::string& name, bool angled, SourceLocation at);
   /// The token looked at is not taken: what set_raw() chose is read instead.
   void drop_lookahead() { ready_ = false; }
   Source& source() { return stack_.back().lexer.source(); }
@@ -58,6 +60,8 @@ class Cursor {
   std::span<const char> binary(std::size_t bytes);
 
   void release_finished_sources() { finished_.clear(); }
+  /// Gives back the memory of long text that was read, up to the next token.
+  void forget_what_was_read();
 
   std::map<std::string, std::string, std::less<>>& variables() { return variables_; }
   /// File names of includes that could not be read, in order.
@@ -65,7 +69,11 @@ class Cursor {
   /// Package includes met since the last call.
   std::vector<std::string> take_packages();
   /// $code blocks met since the last call.
-  std::vector<std::string> take_code();
+  struct CodeBlock {
+    std::string body;
+    SourceLocation where;
+  };
+  std::vector<CodeBlock> take_code();
 
  private:
   struct Frame {
@@ -99,7 +107,8 @@ class Cursor {
   std::vector<std::string> roots_;
   std::map<std::string, std::string, std::less<>> variables_;
   std::set<std::string, std::less<>> reported_missing_;
-  std::vector<std::string> missing_, packages_, code_;
+  std::vector<std::string> missing_, packages_;
+  std::vector<CodeBlock> code_;
 };
 
 }  // namespace oriel::mi

@@ -57,9 +57,11 @@ void Cursor::include(const Token& command) {
     return;
   }
   lexer.set_position(q + 1);
-  const std::string name(begin, q);
-  if (satisfied_by_package(name)) return;
+  include(std::string(begin, q), angled, at);
+}
 
+void Cursor::include(const std::string& name, bool angled, SourceLocation at) {
+  if (satisfied_by_package(name)) return;
   std::string canonical;
   bool forbidden = false;
   const std::string path = find_include(name, angled, canonical, forbidden);
@@ -188,9 +190,11 @@ void Cursor::skip_code(const Token& command) {
   } while (at != std::string_view::npos && !source().starts_line(begin + at));
   const bool closed = at != std::string_view::npos;
   const std::string_view body = rest.substr(0, at);
-  diagnostics_->warning(code::kRefused, locate(command), "in-line C code is not compiled or run",
-                        "build it as a shader library and load that");
-  code_.emplace_back(body);
+  const SourceLocation at_command = locate(command);
+  if (!options_->trusts_code)
+    diagnostics_->warning(code::kRefused, at_command, "in-line C code is not compiled or run",
+                          std::string(code::kTrustHint));
+  code_.push_back({std::string(body), at_command});
   const char* p = begin + body.size();
   if (closed)
     while (*p != '\n' && *p != 0) ++p;

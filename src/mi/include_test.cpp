@@ -50,6 +50,28 @@ TEST_F(Include, OutsideTheScenesFolderIsRefusedUnlessAPathAllowsIt) {
   EXPECT_NE(read(path).find("x"), nullptr);
 }
 
+TEST_F(Include, RegistriesReadTheirFilesInOrder) {
+  write("a.mi", "shader \"a\" \"s\" ( )");
+  write("b.mi", "incremental shader \"a\" \"t\" ( )");
+  const scene::Scene scene = read(
+      write("s.mi",
+            "registry \"r\" { mi \"a.mi\" } { mi \"b.mi\" } end registry shader \"c\" \"s\" ( )"));
+  EXPECT_TRUE(diagnostics_.all().empty());
+  ASSERT_NE(scene.get<scene::ShaderElement>("a"), nullptr);
+  EXPECT_EQ(scene.get<scene::ShaderElement>("a")->functions[0].type, "t");
+  EXPECT_NE(scene.find("c"), nullptr);
+}
+
+TEST_F(Include, LinesAreCountedBehindTextThatWasGivenBack) {
+  std::string lines;
+  for (int i = 0; i < 400'000; ++i) lines += "# some words\n";  // 5 MB
+  const scene::Scene scene = read(write("s.mi", lines + "shader \"a\" \"s\" ( )\n" + lines +
+                                                    "shader \"b\" \"s\" ( )\nshader \"x\" ,"));
+  EXPECT_TRUE(scene.find("a") && scene.find("b"));
+  ASSERT_EQ(diagnostics_.all().size(), 1u);
+  EXPECT_EQ(diagnostics_.all()[0].where.line, 800'003u);
+}
+
 TEST_F(Include, CyclesEndWithAMessage) {
   write("b.mi", "$include \"a.mi\"\nshader \"b\" \"s\" ( )");
   const scene::Scene scene = read(write("a.mi", "$include \"b.mi\"\n"));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constructs without meaning to this renderer: kept as their source, token by token.
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mi/elements.h"
 
@@ -14,16 +17,49 @@ bool closes(const Token& token) {
   return token.is_punct(')') || token.is_punct(']') || token.is_punct('}');
 }
 
-// { value | link | code | ... | symbol symbol }... end registry. A `system` item is never run.
-std::string keep_registry(Parse& parse) {
+/// Of registries: what acts as the command of that name does on the top level.
+bool acts(Parse& parse, std::string_view word, SourceLocation at) {
+  if (word == "link" || word == "echo" || word == "mi") return true;
+  if (word == "code" && parse.options.trusts_code) return true;
+  if (word == "system" || word == "code")
+    parse.warn(code::kRefused, at, "a registry command of this kind is not run",
+               word == "code" ? std::string(code::kTrustHint) : "");
+  return false;
+}
+
+// { value | link | code | mi | spdl | echo | system "text" | symbol symbol }... end registry, also
+// without braces. Items that act leave for where they act; the others are the text.
+std::string read_registry(Parse& parse) {
   std::string text;
+  std::vector<std::pair<std::string, SourceLocation>> files;
   while (!parse.in.at_word("end")) {
     if (parse.in.at_end()) parse.unexpected("'end registry'");
-    if (parse.in.at_word("system") || parse.in.at_word("code"))
-      parse.warn(code::kRefused, parse.in.where(), "a registry command of this kind is never run");
-    append_source(text, parse.in.next());
+    const SourceLocation at = parse.in.where();
+    const Token word = parse.in.next();
+    if (!word.is_name() || !parse.in.peek().is_name() || parse.in.at_word("end")) {
+      append_source(text, word);
+      continue;
+    }
+    const Token said = parse.in.next();
+    if (word.kind == Token::Kind::Word && said.kind == Token::Kind::String &&
+        acts(parse, word.text, at)) {
+      scene::Value value;
+      value.kind = scene::Value::Kind::Text;
+      value.text = said.str();
+      value.where = at;
+      if (word.text == "mi")
+        files.emplace_back(value.text, at);
+      else
+        parse.scene->commands.push_back({std::string(word.text), false, {value}, at});
+      continue;
+    }
+    append_source(text, word);
+    append_source(text, said);
   }
   parse.expect_end("registry");
+  // Each is read before what was there before it.
+  for (auto file = files.rbegin(); file != files.rend(); ++file)
+    parse.in.include(file->first, false, file->second);
   return text;
 }
 
@@ -85,7 +121,7 @@ void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at) {
       while (parse.in.at_punct('(') || parse.in.at_punct('{')) keep_brackets(parse, text);
       element.text = std::move(text);
     } else if (kind == "registry") {
-      element.text = keep_registry(parse);
+      element.text = read_registry(parse);
     } else {
       element.text = keep_until_end(parse, kind);
     }

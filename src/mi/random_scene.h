@@ -2,15 +2,10 @@
 // Test support: random scenes, to see whether writing and reading lose anything.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <array>
-#include <bit>
-#include <cmath>
-#include <random>
 #include <utility>
 
-#include "scene/scene.h"
+#include "mi/random_geometry.h"
 
 namespace oriel::mi {
 
@@ -18,9 +13,9 @@ namespace oriel::mi {
 ///
 /// They are what a reader could have made: names count in the order of their first use, columns
 /// without an entry are empty.
-class RandomScene {
+class RandomScene : private RandomGeometry {
  public:
-  explicit RandomScene(std::uint32_t seed) : random_(seed) {}
+  explicit RandomScene(std::uint32_t seed) : RandomGeometry(seed) {}
 
   scene::Scene make() {
     scene::Scene s;
@@ -49,117 +44,6 @@ class RandomScene {
   }
 
  private:
-  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
-  bool chance() { return pick(2) == 0; }
-  template <std::size_t N>
-  const char* one_of(const char* const (&words)[N]) {
-    return words[pick(static_cast<int>(N))];
-  }
-
-  /// Any float but what has no spelling.
-  float real() {
-    for (;;) {
-      const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random_()));
-      if (chance()) return static_cast<float>(pick(200) - 100) / 8;
-      if (std::isfinite(x)) return x;
-    }
-  }
-  double wide() {
-    for (;;) {
-      const std::uint64_t high = random_();
-      const double x = std::bit_cast<double>(high << 32 | random_());
-      if (std::isfinite(x)) return x;
-    }
-  }
-
-  std::string name() {
-    static constexpr const char* kOdd[] = {"a b",        "A|B(C 01)", ":Root", "n:shader",
-                                           "say \"hi\"", "C:\\x",     "end",   "\xc3\xa4",
-                                           "x#y",        "$z"};
-    return fmt::format("{}{}", one_of(kOdd), ++names_);
-  }
-
-  scene::Value numbers(int count) {
-    scene::Value v;
-    v.kind = scene::Value::Kind::Numbers;
-    v.integral = chance();
-    for (int i = 0; i < count; ++i)
-      v.numbers.push_back(v.integral ? static_cast<double>(random_()) - 2147483648.0
-                          : chance() ? wide()
-                                     : pick(9));
-    return v;
-  }
-  scene::Value words(std::string text, bool bare) {
-    scene::Value v;
-    v.kind = scene::Value::Kind::Text;
-    v.text = std::move(text);
-    v.bare = bare;
-    return v;
-  }
-
-  scene::Value value(int depth) {
-    scene::Value v;
-    const int kinds = depth > 3 ? 6 : 8;
-    switch (pick(kinds)) {
-      case 0:
-        return v;
-      case 1:
-        v.kind = scene::Value::Kind::Boolean;
-        v.boolean = chance();
-        return v;
-      case 2:
-        return numbers(1 + pick(4));
-      case 3:
-        return words(chance() ? name() : "", false);
-      case 4:
-        v.kind = scene::Value::Kind::Connection;
-        v.text = name() + ".out";
-        return v;
-      case 5:
-        v.kind = scene::Value::Kind::Interface;
-        v.text = name();
-        return v;
-      case 6:
-        v.kind = scene::Value::Kind::Struct;
-        v.members = arguments(depth + 1);
-        return v;
-      default:
-        v.kind = scene::Value::Kind::Array;
-        for (int i = pick(4); i > 0; --i) v.items.push_back(value(depth + 1));
-        return v;
-    }
-  }
-  std::vector<scene::Argument> arguments(int depth) {
-    std::vector<scene::Argument> list;
-    for (int i = pick(4); i > 0; --i) list.push_back({name(), value(depth), {}});
-    return list;
-  }
-  scene::ShaderList shaders(int least) {
-    scene::ShaderList list;
-    for (int i = least + pick(2); i > 0; --i) {
-      scene::ShaderUse use;
-      if (chance()) {
-        use.reference = name();
-      } else {
-        use.type = name();
-        use.arguments = arguments(0);
-      }
-      list.push_back(std::move(use));
-    }
-    return list;
-  }
-
-  scene::Statement statement(std::string keyword, std::vector<scene::Value> values,
-                             bool quoted = false) {
-    return {std::move(keyword), quoted, std::move(values), {}};
-  }
-  scene::Value boolean() {
-    scene::Value v;
-    v.kind = scene::Value::Kind::Boolean;
-    v.boolean = chance();
-    return v;
-  }
-
   scene::Options options() {
     scene::Options o;
     o.name = name();
@@ -280,136 +164,6 @@ class RandomScene {
     return t;
   }
 
-  /// A column with an entry for each vertex, with gaps or not at all.
-  std::vector<std::uint32_t> column(std::size_t vertices, int vectors, bool gaps) {
-    std::vector<std::uint32_t> c;
-    bool any = false;
-    for (std::size_t i = 0; i < vertices; ++i) {
-      c.push_back(gaps && chance() ? scene::kNone : static_cast<std::uint32_t>(pick(vectors)));
-      any |= c.back() != scene::kNone;
-    }
-    return any ? c : std::vector<std::uint32_t>{};
-  }
-
-  scene::PolygonGroup group(bool tagged) {
-    scene::PolygonGroup g;
-    if (chance()) g.name = name();
-    if (chance()) g.settings.push_back(statement("approximate", {words("fine", true)}));
-    const int vectors = 3 + pick(50);
-    for (int i = 0; i < vectors; ++i) g.vectors.emplace_back(real(), real(), real());
-    const std::size_t n = 3 + static_cast<std::size_t>(pick(40));
-    g.vertices.point = column(n, vectors, false);
-    if (chance()) g.vertices.normal = column(n, vectors, true);
-    if (chance()) g.vertices.derivative = {column(n, vectors, false), column(n, vectors, false)};
-    for (int i = pick(3); i > 0; --i) {
-      scene::TextureColumn& t = g.vertices.textures.emplace_back();
-      t.coordinate = column(n, vectors, false);
-      if (!chance()) continue;
-      t.basis_u = column(n, vectors, true);
-      for (const std::uint32_t u : t.basis_u)
-        t.basis_v.push_back(u == scene::kNone ? scene::kNone
-                                              : static_cast<std::uint32_t>(pick(vectors)));
-    }
-    if (auto motion = column(n, vectors, true); !motion.empty()) g.vertices.motion = {motion};
-    for (int i = pick(3); i > 0; --i) g.vertices.user.push_back(column(n, vectors, false));
-    polygons(g, static_cast<int>(n), tagged);
-    for (int i = pick(3); i > 0; --i) {
-      scene::FreeCurve& c = g.freeform.curves.emplace_back();
-      c.name = name();
-      c.space = chance();
-      c.basis = basis_use();
-      c.points = control_points(vectors);
-      for (int k = pick(3); k > 0; --k) c.special.push_back(real());
-    }
-    for (int i = pick(3); i > 0; --i) g.freeform.surfaces.push_back(surface(g, tagged, vectors));
-    if (chance())
-      g.freeform.connections.push_back(
-          {{name(), name()}, {{name(), real(), real()}, {name(), real(), real()}}, {}});
-    return g;
-  }
-
-  scene::BasisUse basis_use() {
-    scene::BasisUse use{chance(), name(), {}};
-    for (int i = 2 + pick(6); i > 0; --i) use.parameters.push_back(real());
-    return use;
-  }
-
-  std::vector<scene::ControlPoint> control_points(int vertices) {
-    std::vector<scene::ControlPoint> points;
-    for (int i = pick(9); i > 0; --i)
-      points.push_back({static_cast<std::uint32_t>(pick(vertices)), chance() ? real() : 1});
-    return points;
-  }
-
-  scene::FreeSurface surface(scene::PolygonGroup& g, bool tagged, int vertices) {
-    scene::FreeSurface s;
-    s.name = name();
-    s.material =
-        static_cast<std::uint32_t>(tagged ? pick(9) : static_cast<int>(g.materials.size()));
-    if (!tagged) g.materials.push_back(name());
-    s.u = basis_use();
-    s.v = basis_use();
-    s.u_min = real();
-    s.v_max = real();
-    s.points = control_points(vertices);
-    if (chance()) s.derivative = {1, 2};
-    for (int i = pick(3); i > 0; --i)
-      s.textures.push_back(
-          {chance(), chance(), basis_use(), basis_use(), control_points(vertices)});
-    for (int i = pick(4); i > 0; --i) {
-      scene::SurfaceLoop& loop = s.loops.emplace_back();
-      loop.kind = static_cast<scene::SurfaceLoop::Kind>(pick(3));
-      for (int k = 1 + pick(3); k > 0; --k) loop.parts.push_back({name(), real(), real()});
-      if (loop.kind == scene::SurfaceLoop::Kind::Special) loop.points = {7, 8};
-    }
-    return s;
-  }
-
-  void polygons(scene::PolygonGroup& g, int vertices, bool tagged) {
-    scene::PolygonList& list = g.polygons;
-    const auto loop = [&] {
-      for (int i = 3 + pick(4); i > 0; --i)
-        list.indices.push_back(static_cast<std::uint32_t>(pick(vertices)));
-    };
-    for (int i = pick(20); i > 0; --i) {
-      if (list.first.empty()) list.first.push_back(0);
-      loop();
-      for (int holes = pick(3); holes > 0; --holes) {
-        list.holes.push_back(static_cast<std::uint32_t>(list.indices.size()));
-        loop();
-      }
-      list.first.push_back(static_cast<std::uint32_t>(list.indices.size()));
-      // A new name is used at once: names count in the order of their first use.
-      if (tagged) {
-        list.material.push_back(static_cast<std::uint32_t>(pick(9)));
-      } else if (g.materials.empty() || pick(4) == 0) {
-        list.material.push_back(static_cast<std::uint32_t>(g.materials.size()));
-        g.materials.push_back(name());
-      } else {
-        const int named = static_cast<int>(g.materials.size());
-        const int choice = pick(named + 1);
-        list.material.push_back(choice == named ? scene::kNone
-                                                : static_cast<std::uint32_t>(choice));
-      }
-    }
-  }
-
-  scene::Object object() {
-    scene::Object o;
-    o.name = name();
-    const bool tagged = chance();
-    o.flags = {statement("visible", {}), statement("shadow", {numbers(1)}),
-               statement("trace", {boolean()})};
-    if (tagged) o.flags.push_back(statement("tagged", {}));
-    for (int i = pick(3); i > 0; --i) {
-      scene::Basis& b = o.bases.emplace_back();
-      b = {name(), static_cast<scene::Basis::Kind>(pick(5)), chance(), 3, 1, {}};
-      if (b.kind == scene::Basis::Kind::Matrix) b.matrix = {real(), real(), real(), real()};
-    }
-    for (int i = pick(3); i > 0; --i) o.groups.push_back(group(tagged));
-    return o;
-  }
-
   Mat4 matrix() {
     Mat4 m;
     m[3][0] = real();
@@ -490,9 +244,6 @@ class RandomScene {
     p.roots = {{"root material", name(), {}}, {"root", "", shaders(1)}, {"lens", "", shaders(1)}};
     return p;
   }
-
-  std::mt19937 random_;
-  int names_ = 0;
 };
 
 }  // namespace oriel::mi

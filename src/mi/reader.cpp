@@ -39,6 +39,13 @@ bool Reader::next_frame(scene::Scene& scene) {
   return false;
 }
 
+bool Reader::at_end() {
+  Cursor& in = state_->parse.in;
+  const bool end = in.at_end();
+  in.forget_what_was_read();
+  return end;
+}
+
 bool Reader::opened() const { return state_->opened; }
 
 scene::Scene read_all(Reader& reader) {

@@ -30,6 +30,8 @@ struct ReadOptions {
   /// Whether the host knows a shader type that the file does not declare.
   std::function<bool(std::string_view)> knows_shader;
   std::map<std::string, std::string, std::less<>> variables;  ///< for $ifdef
+  /// The host compiles C sources in the scene: it is not said that they are never run.
+  bool trusts_code = false;
   ReadLimits limits;
 };
 
@@ -55,6 +57,8 @@ class Reader {
   /// Returns false when the file ends without another `render`. Pass the same scene every time.
   bool next_frame(scene::Scene& scene);
 
+  /// Whether nothing follows the frame just read.
+  bool at_end();
   bool opened() const;  ///< false: the file could not be read, and a diagnostic says why
 
  private:

@@ -368,6 +368,42 @@ TEST(Commands, NothingIsEverRun) {
   EXPECT_NE(read.scene.find("a"), nullptr);
 }
 
+TEST(Commands, CodeIsLeftToAHostThatTrustsTheScene) {
+  ReadOptions options = Snippet::known_shaders();
+  options.trusts_code = true;
+  const Snippet read(
+      "code \"a.c\"\ncode '2f2f' '0a'\n$code\nint f();\n$end code\n"
+      "registry \"r\" { code \"b.c\" } end registry\nsystem \"rm\"\nshader \"a\" \"s\" ( )",
+      options);
+  EXPECT_EQ(read.count(code::kRefused), 1u) << read.messages();
+  ASSERT_EQ(read.scene.commands.size(), 5u);
+  EXPECT_EQ(read.scene.commands[1].values.size(), 2u);
+  EXPECT_TRUE(read.scene.commands[1].values[0].bare);
+  EXPECT_EQ(read.scene.commands[2].values[0].text, "\nint f();\n");
+  EXPECT_EQ(read.scene.commands[2].where.line, 3u);
+  EXPECT_EQ(read.scene.commands[3].values[0].text, "b.c");
+}
+
+TEST(Commands, RegistriesLinkSayAndReadFiles) {
+  ReadOptions options = Snippet::known_shaders();
+  options.packages = {"base"};
+  const Snippet read(
+      "registry \"r\" { value \"v\" } { link \"x.so\" } { mi \"base.mi\" } { echo \"hi\" }\n"
+      "  { one two } end registry\nshader \"a\" \"s\" ( )",
+      options);
+  EXPECT_SILENT(read);
+  ASSERT_EQ(read.scene.commands.size(), 2u);
+  EXPECT_EQ(read.scene.commands[0].keyword, "link");
+  EXPECT_EQ(read.scene.commands[0].values[0].text, "x.so");
+  EXPECT_EQ(read.scene.commands[1].keyword, "echo");
+  EXPECT_EQ(read.scene.packages, std::vector<std::string>{"base.mi"});
+  const std::string& text = read.get<scene::KeptElement>("r").text;
+  EXPECT_NE(text.find("value \"v\""), std::string::npos) << text;
+  EXPECT_NE(text.find("one two"), std::string::npos) << text;
+  EXPECT_EQ(text.find("link"), std::string::npos) << text;
+  EXPECT_NE(read.scene.find("a"), nullptr);
+}
+
 TEST(Commands, TheFrameFormIsRejectedByName) {
   const Snippet read("frame 1 view samples 2 end view end frame\nshader \"a\" \"s\" ( )");
   EXPECT_EQ(read.count(code::kObsolete), 1u);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mi/source.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -12,6 +15,7 @@
 namespace oriel::mi {
 namespace {
 
+constexpr std::size_t kWorthForgetting = std::size_t{4} << 20;  // a system call for each
 constexpr std::size_t kPadding = 16;  // zero bytes after the text; scans look a few bytes ahead
 
 }  // namespace
@@ -82,6 +86,19 @@ SourceLocation Source::locate(const char* at) {
 bool Source::starts_line(const char* at) const {
   while (at > begin() && (at[-1] == ' ' || at[-1] == '\t')) --at;
   return at == begin() || at[-1] == '\n' || at[-1] == '\r';
+}
+
+void Source::forget_before(const char* at) {
+  if (static_cast<std::size_t>(at - begin()) < forgotten_ + kWorthForgetting) return;
+  locate(at);
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const auto address = reinterpret_cast<std::uintptr_t>(begin());
+  const std::uintptr_t first = (address + forgotten_ + page - 1) / page * page;
+  const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(line_start_) / page * page;
+  if (end < first + kWorthForgetting) return;
+  // Whole pages within our own block: the system takes them, and the block stays ours to free.
+  if (madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED) == 0)
+    forgotten_ = end - address;
 }
 
 }  // namespace oriel::mi

@@ -31,6 +31,9 @@ class Source {
   SourceLocation locate(const char* at);
   /// True when only blanks stand before `at` on its line.
   bool starts_line(const char* at) const;
+  /// Gives memory of the lines before `at` back to the system, where there is enough of it; they
+  /// read as zero bytes from then on. Lines go on being counted.
+  void forget_before(const char* at);
 
   std::uint32_t file = 0;  ///< index in Diagnostics
 
@@ -39,6 +42,7 @@ class Source {
   std::unique_ptr<char[]> text_;
   std::size_t size_ = 0;
   std::string path_;
+  std::size_t forgotten_ = 0;  ///< bytes given back
   const char* last_ = nullptr;
   const char* line_start_ = nullptr;
   std::uint32_t line_ = 1;

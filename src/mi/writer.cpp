@@ -18,8 +18,8 @@ void write_command(TextSink& out, const scene::Statement& command) {
     out.put("$code");
     out.put(command.values[0].text);
     out.put("$end code\n");
-  } else if (command.keyword == "code" && command.values.size() > 1) {
-    // More than one text: they were bytes in hexadecimal.
+  } else if (command.keyword == "code" && !command.values.empty() && command.values[0].bare) {
+    // Bytes in hexadecimal.
     out.put("code");
     for (const scene::Value& bytes : command.values) {
       out.put(" '");

@@ -2,6 +2,7 @@
 // The meshes of a picture: made, displaced, or taken over from the frame before.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
@@ -31,6 +32,10 @@ class MeshTable {
   std::size_t size() const { return plan_.jobs.size(); }
   std::uint32_t of_leaf(std::size_t leaf) const { return plan_.job_of_leaf[leaf]; }
   const std::vector<geom::MaterialSlot>& slots(std::size_t job) const;
+  /// Whether a mesh of the frame before may have to be made anew at the end.
+  bool takes_over() const {
+    return std::any_of(kept_.begin(), kept_.end(), [](const auto& k) { return k.has_value(); });
+  }
   void add(std::vector<MeshVariant>& variants, PrepareReport& report);
   void commit();
 

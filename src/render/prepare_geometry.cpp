@@ -197,7 +197,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                                .mask = placed[i].mask,
                                .user = static_cast<std::uint32_t>(i),
                                .path = scene::motion_path(*placed[i].leaf, world.shutter)});
-  if (options.release_geometry) {
+  if (options.release_geometry && !meshes.takes_over()) {
     for (scene::Element& element : scene.elements())
       if (auto* object = std::get_if<scene::Object>(&element)) {
         object->groups.clear();

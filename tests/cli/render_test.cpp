@@ -82,6 +82,21 @@ TEST_F(RenderProgram, JsonLinesAreJson) {
   EXPECT_EQ(last["samples"], 4);
 }
 
+TEST_F(RenderProgram, TheCacheOfTexturesIsTheUsersAndCounted) {
+  EXPECT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--texture-cache", "15"}).exit_code, 2);
+  write_image(file("t.tif"), Image(64, 64, 3), {});
+  write("textured.mi",
+        "color texture \"t\" \"t.tif\"\n" +
+            small_scene("",
+                        "environment \"mib_texture_lookup\" ( \"tex\" \"t\", \"coord\" .5 .5 0 )"));
+  const RunResult r = run({"render", "textured.mi", "-o", "a.exr", "--samples", "1", "--json",
+                           "--texture-cache", "16"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const std::size_t at = r.out.find("\"textures\"");
+  ASSERT_NE(at, std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("\"files\":1", at), std::string::npos) << r.out;
+}
+
 TEST_F(RenderProgram, CropIsPartOfTheWholePicture) {
   ASSERT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--samples", "2"}).exit_code, 0);
   ASSERT_EQ(run({"render", "scene.mi", "-o", "b.exr", "--samples", "2", "--crop", "10,8,19,15"})

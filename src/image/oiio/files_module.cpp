@@ -85,6 +85,8 @@ class Module final : public FilesModule {
   }
 
   void set_cache_megabytes(float megabytes) override { oiio::set_cache_megabytes(megabytes); }
+
+  TextureStatistics texture_statistics() override { return oiio::texture_statistics(); }
 };
 
 }  // namespace

@@ -181,4 +181,19 @@ void set_cache_megabytes(float megabytes) {
   system().attribute("max_memory_MB", std::max(16.0f, megabytes));
 }
 
+TextureStatistics texture_statistics() {
+  const auto number = [](const char* name) {
+    long long value = 0;
+    if (!system().getattribute(name, OIIO::TypeDesc::INT64, &value)) value = 0;
+    return static_cast<std::int64_t>(value);
+  };
+  int files = 0;
+  system().getattribute("stat:unique_files", files);
+  return {.files = files,
+          .tile_requests = number("stat:find_tile_calls"),
+          .tile_misses = number("stat:find_tile_cache_misses"),
+          .bytes_read = number("stat:bytes_read"),
+          .bytes_held = number("stat:cache_memory_used")};
+}
+
 }  // namespace oriel::oiio

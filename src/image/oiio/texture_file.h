@@ -6,6 +6,7 @@
 #include <string>
 
 #include "image/texture.h"
+#include "image/texture_statistics.h"
 
 namespace oriel::oiio {
 
@@ -17,5 +18,6 @@ void check_size(long long width, long long height, long long channels);
 std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma);
 
 void set_cache_megabytes(float megabytes);
+TextureStatistics texture_statistics();
 
 }  // namespace oriel::oiio
