@@ -26,6 +26,9 @@
 #include <vector>
 
 #include "bench_scenes.h"
+#include "mi/reader.h"
+#include "shaders/registry.h"
+#include "timing.h"
 
 namespace {
 
@@ -118,23 +121,24 @@ std::optional<Run> run_oriel(std::vector<std::string> arguments) {
   return run;
 }
 
-/// In a process of its own.
-void write_in_child(const std::function<void()>& write) {
+/// In a process of its own, so that this one stays small.
+void in_child(const std::function<void()>& work) {
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
-    write();
+    work();
+    std::fflush(nullptr);
     _exit(EXIT_SUCCESS);
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
-    fmt::print(stderr, "the scene could not be written\n");
+    fmt::print(stderr, "a scene could not be written or read\n");
     std::exit(EXIT_FAILURE);
   }
 }
 
 void write_scene(const fs::path& path, const std::function<std::string()>& text) {
-  write_in_child([&] {
+  in_child([&] {
     std::ofstream file(path);
     file << text();
     file.close();
@@ -153,6 +157,15 @@ bool measure_geometry(const fs::path& folder) {
   const fs::path scene = folder / "geometry.mi";
   write_scene(scene, [] { return bench::wall_of_terrains(kSide, 1); });
   const double text = static_cast<double>(fs::file_size(scene));
+  in_child([&] {
+    mi::ReadOptions options;
+    options.packages = builtin_packages();
+    Diagnostics diagnostics;
+    scene::Scene whole;
+    const bench::Seconds time =
+        bench::timed([&] { whole = mi::read_scene(scene.string(), options, diagnostics); });
+    fmt::print("read alone: {:.0f} MB/s of the processor\n", text / kMega / time.cpu);
+  });
   const std::optional<Run> run = run_oriel(small_picture(scene));
   fs::remove(scene);
   if (!run) return false;
@@ -204,7 +217,7 @@ void write_texture(const fs::path& path, int number, int side) {
 
 double write_textures(const fs::path& folder, int count) {
   constexpr int kSide = 192;
-  write_in_child([&] {
+  in_child([&] {
     for (int i = 0; i < count; ++i) write_texture(folder / fmt::format("{}.exr", i), i, kSide);
   });
   return count * static_cast<double>(fs::file_size(folder / "0.exr"));

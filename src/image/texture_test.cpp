@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // File and memory textures obey the same rules, so most claims are tested on both.
 #include "image/texture.h"
-#include "image/texture_statistics.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,6 +16,7 @@
 #include "image/files.h"
 #include "image/png.h"
 #include "image/test_files.h"
+#include "image/texture_statistics.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // OpenImageIO's PNG reader loses the text of an error where libpng jumps out of it.
@@ -296,15 +296,21 @@ TEST(FileTexture, StatisticsCountTilesThatWereRead) {
   TextureSystem system;
   const Texture* t = system.open(folder.file("a.tif")).texture;
   ASSERT_NE(t, nullptr);
-  const TextureStatistics before = texture_statistics();
-  for (int turn = 0; turn < 2; ++turn)
+  const auto look_at_all = [t] {
+    const TextureStatistics before = texture_statistics();
     for (int i = 0; i < 16; ++i)
       t->sample({(float(i % 4) + 0.5f) / 4, (float(i / 4) + 0.5f) / 4}, {}, {});
-  const TextureStatistics after = texture_statistics();
-  EXPECT_EQ(after.tile_misses - before.tile_misses, 16);
-  EXPECT_GE(after.tile_requests - before.tile_requests, 32);
-  EXPECT_GE(after.bytes_held, std::int64_t{256} * 256 * 3);
-  EXPECT_GE(after.files, 1);
+    const TextureStatistics after = texture_statistics();
+    EXPECT_GE(after.tile_requests - before.tile_requests, 16);
+    return after.tile_misses - before.tile_misses;
+  };
+  // One may bring a whole row.
+  const std::int64_t misses = look_at_all();
+  EXPECT_GE(misses, 4);
+  EXPECT_LE(misses, 16);
+  EXPECT_EQ(look_at_all(), 0);
+  EXPECT_GE(texture_statistics().bytes_held, std::int64_t{256} * 256 * 3);
+  EXPECT_GE(texture_statistics().files, 1);
 }
 
 TEST(FileTexture, SmallCacheGivesTheSameValues) {

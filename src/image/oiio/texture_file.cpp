@@ -182,14 +182,14 @@ void set_cache_megabytes(float megabytes) {
 }
 
 TextureStatistics texture_statistics() {
+  // Some are 64 bits wide, some 32, and each answers to its own width alone.
   const auto number = [](const char* name) {
-    long long value = 0;
-    if (!system().getattribute(name, OIIO::TypeDesc::INT64, &value)) value = 0;
-    return static_cast<std::int64_t>(value);
+    long long wide = 0;
+    if (system().getattribute(name, OIIO::TypeDesc::INT64, &wide)) return std::int64_t{wide};
+    int narrow = 0;
+    return system().getattribute(name, narrow) ? std::int64_t{narrow} : std::int64_t{0};
   };
-  int files = 0;
-  system().getattribute("stat:unique_files", files);
-  return {.files = files,
+  return {.files = number("stat:unique_files"),
           .tile_requests = number("stat:find_tile_calls"),
           .tile_misses = number("stat:find_tile_cache_misses"),
           .bytes_read = number("stat:bytes_read"),
