@@ -8,6 +8,7 @@
 
 #include "mi/codes.h"
 #include "mi/cursor.h"
+#include "scene/asset_path.h"
 
 namespace oriel::mi {
 namespace {
@@ -119,9 +120,7 @@ std::string Cursor::find_include(const std::string& name, bool angled, std::stri
   folders.insert(folders.end(), options_->include_paths.begin(), options_->include_paths.end());
   // A scene that travelled alone has its libraries beside it, whatever brackets it was given.
   if (angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
-  std::string portable = name;
-  std::replace(portable.begin(), portable.end(), '\\', '/');
-  for (const std::string& spelling : {name, portable})
+  for (const std::string& spelling : scene::spellings_of(name))
     for (const fs::path& folder : folders) {
       const fs::path path = folder / spelling;
       std::error_code error;

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "photometry/profile_file.h"
+#include "scene/asset_path.h"
 
 namespace oriel {
 namespace {
@@ -64,15 +63,13 @@ std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightP
                         "write `file \"name.ies\"`; without it the light shines evenly");
     return nullptr;
   }
-  std::filesystem::path path(file);
-  if (path.is_relative() && !element.directory.empty())
-    path = std::filesystem::path(element.directory) / path;
+  const std::string path = scene::find_asset(file, element.directory);
   const std::string format = word(statement("format"));
   const int flags = whole_number(statement("flags"), 0, 0);
   try {
     using photometry::ProfileFormat, photometry::Turn;
     const photometry::ProfileData data =
-        read_profile(path.string(),
+        read_profile(path,
                      format == "ies"        ? ProfileFormat::Ies
                      : format == "eulumdat" ? ProfileFormat::Eulumdat
                                             : ProfileFormat::ByContent,
@@ -91,10 +88,10 @@ std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightP
     SourceLocation where = element.where;
     if (e.line > 0) {
       where = {};
-      where.file = diagnostics.add_file(path.string(), element.where);
+      where.file = diagnostics.add_file(path, element.where);
       where.line = static_cast<std::uint32_t>(e.line);
     }
-    const std::string place = e.line > 0 ? std::string() : fmt::format(" ({})", path.string());
+    const std::string place = e.line > 0 ? std::string() : fmt::format(" ({})", path);
     diagnostics.warning(
         "OR-RT-040", where,
         fmt::format("light profile \"{}\"{} cannot be used: {}", element.name, place, e.what()),

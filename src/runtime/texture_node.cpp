@@ -3,19 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include "scene/asset_path.h"
 
 namespace oriel {
 namespace {
 
 /// What is shown for a texture that cannot be read.
 const Rgba kMissing(1, 0, 1, 1);
-
-std::string resolve_path(const scene::Texture& element) {
-  const std::filesystem::path file(element.file);
-  if (file.is_absolute() || element.directory.empty()) return element.file;
-  return (std::filesystem::path(element.directory) / file).string();
-}
 
 }  // namespace
 
@@ -33,7 +27,8 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
     node->texture_ = node->own_.get();
     if (!node->texture_) why = "its pixels do not fill the size written";
   } else {
-    const TextureSystem::Opened opened = system.open(resolve_path(element), gamma);
+    const TextureSystem::Opened opened =
+        system.open(scene::find_asset(element.file, element.directory), gamma);
     node->texture_ = opened.texture;
     if (!opened.texture)
       why = opened.message.empty() ? "it could not be opened before" : opened.message;

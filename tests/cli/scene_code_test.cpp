@@ -28,10 +28,10 @@ class SceneCode : public ProgramTest {
            "  result->r = result->g = result->b = " +
            value + "; result->a = 1; return miTRUE;\n}\n";
   }
-  /// The environment has the colour of the shader; the upper corners show it.
+  /// The environment has the colour of the shader; the upper corners look past the wall at it.
   static std::string scene(const std::string& code) {
     return code + "declare shader color \"even\" () version 1 end declare\n" +
-           small_scene("", "environment \"even\" ()");
+           small_scene("", "focal .5 environment \"even\" ()");
   }
   RunResult render(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> all = {"render", "scene.mi", "-o", "a.exr", "--samples", "1"};

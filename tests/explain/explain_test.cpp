@@ -58,11 +58,13 @@ SceneText plate(const std::string& parameters, const std::string& camera = {}) {
 }
 constexpr const char* kGrey = "\"reflectivity\" 0, \"diffuse\" .5 .5 .5";
 
-std::string sun(float colour, const char* direction = "0 0 -1") {
+std::string sun(float colour, const char* direction = "0 0 -1", bool shadow = true) {
   return fmt::format(
-      "\"mib_light_infinite\" ( \"color\" {0} {0} {0}, \"shadow\" on ) direction {1}", colour,
-      direction);
+      "\"mib_light_infinite\" ( \"color\" {0} {0} {0}, \"shadow\" {2} ) direction {1}", colour,
+      direction, shadow ? "on" : "off");
 }
+/// Light from behind the plate, onto what faces it.
+std::string light_through_the_plate() { return sun(1, "0 0 1", false); }
 
 /// A room with all that light can do: glass before a mirror, a glossy floor, a lamp with a shape, a
 /// surface that glows, a sky behind an opening.
@@ -171,7 +173,7 @@ TEST(Explain, MirrorsShowWhatIsSeenInThem) {
             "\"brdf_90_degree_refl\" .8")
           .lambert("wall", .5f)
           .square("wall", Vec3(0, 0, 1), 3, -kUp)
-          .light("sun", sun(1, "0 0 1")));
+          .light("sun", light_through_the_plate()));
   const Explanation e = mirror.at(3, 3);
   const ExplainedSurface* wall = find(e, *mirror.world, Way::Reflection, "shape1_i");
   ASSERT_NE(wall, nullptr);
@@ -185,11 +187,12 @@ TEST(Explain, BouncesNameTheSurfaceTheyComeFrom) {
   const Prepared lit(plate(kGrey)
                          .lambert("wall", .8f)
                          .square("wall", Vec3(0, 0, 2), 3, -kUp)
-                         .light("sun", sun(1, "0 0 1")));
+                         .light("sun", light_through_the_plate()));
   const Explanation e = lit.at(3, 3, 256);
   const ExplainedSurface* wall = find(e, *lit.world, Way::Diffuse, "shape1_i");
   ASSERT_NE(wall, nullptr);
   EXPECT_TRUE(wall->behind);
+  EXPECT_GT(luminance(e.colour), .1f);
   EXPECT_NEAR(luminance(wall->total()), luminance(e.colour), 1e-4 * luminance(e.colour));
 }
 

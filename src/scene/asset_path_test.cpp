@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/asset_path.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace oriel::scene {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(AssetPath, LastPartsOfAPathAreSpellingsOfItsName) {
+  EXPECT_EQ(spellings_of("W:\\maps\\oak.tif"),
+            (Names{"W:\\maps\\oak.tif", "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"}));
+  EXPECT_EQ(spellings_of("//server/maps//oak.tif"),
+            (Names{"//server/maps//oak.tif", "server/maps//oak.tif", "maps//oak.tif", "oak.tif"}));
+  EXPECT_EQ(spellings_of("oak.tif"), Names{"oak.tif"});
+}
+
+TEST(AssetPath, NoSpellingGoesUpBesideWhatIsWritten) {
+  EXPECT_EQ(spellings_of("..\\a\\..\\oak.tif"),
+            (Names{"..\\a\\..\\oak.tif", "../a/../oak.tif", "oak.tif"}));
+}
+
+TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
+  const auto folder = std::filesystem::temp_directory_path() / "oriel_asset_path_test";
+  std::filesystem::create_directories(folder / "maps");
+  std::ofstream(folder / "maps/oak.tif") << "below";
+  const auto found = [&](const char* written) { return find_asset(written, folder.string()); };
+  EXPECT_EQ(found("W:\\house\\maps\\oak.tif"), (folder / "maps/oak.tif").string());
+  EXPECT_EQ(found("maps\\oak.tif"), (folder / "maps/oak.tif").string());
+  EXPECT_EQ(found("W:\\oak.tif"), (folder / "W:\\oak.tif").string());
+  std::ofstream(folder / "oak.tif") << "beside";
+  EXPECT_EQ(found("/mnt/house/oak.tif"), (folder / "oak.tif").string());
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace oriel::scene
