@@ -204,7 +204,8 @@ std::string wall_of_terrains(int side, int count) {
   std::string body = "material \"m\" = \"white_s\" end material\n" + shared_vertices(side);
   std::string names;
   for (int i = 0; i < count; ++i) {
-    const Vec3 at(size * static_cast<float>(i % across), 4, size * static_cast<float>(i / across));
+    const int column = i % across, row = i / across;
+    const Vec3 at(size * static_cast<float>(column), 4, size * static_cast<float>(row));
     fmt::format_to(std::back_inserter(body),
                    "instance \"i{}\" \"o\" material \"m\" transform "
                    "{:.6g} 0 0 0 0 {:.6g} 0 0 0 0 {:.6g} 0 {:.6g} {:.6g} {:.6g} 1 end instance\n",
