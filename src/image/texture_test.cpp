@@ -298,8 +298,8 @@ TEST(FileTexture, StatisticsCountTilesThatWereRead) {
   ASSERT_NE(t, nullptr);
   const auto look_at_all = [t] {
     const TextureStatistics before = texture_statistics();
-    for (int i = 0; i < 16; ++i)
-      t->sample({(float(i % 4) + 0.5f) / 4, (float(i / 4) + 0.5f) / 4}, {}, {});
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) t->sample({(float(x) + 0.5f) / 4, (float(y) + 0.5f) / 4}, {}, {});
     const TextureStatistics after = texture_statistics();
     EXPECT_GE(after.tile_requests - before.tile_requests, 16);
     return after.tile_misses - before.tile_misses;
