@@ -58,8 +58,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
       }
       if (sees) return;
     }
-    const bool looked_through = portal && !portal->visible;
-    if (looked_through && from_.group == LobeGroup::Refraction) return;
+    if (portal && !portal->visible && from_.group == LobeGroup::Refraction) return;
     const bool alone = portal && portal->photons_only && portal->visible;  // never sampled
     const float rate = from_.lights.rate(index);
     if (rate <= 0 && !alone) return;

@@ -21,6 +21,7 @@ SceneText& add_plate(SceneText& scene, const std::string& material, float z, flo
 SceneText& add_room(SceneText& scene, const std::string& material, float half,
                     const std::string& flags) {
   std::vector<Vec3> p;
+  p.reserve(8);
   for (int i = 0; i < 8; ++i)
     p.emplace_back(i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half);
   return scene.mesh(
