@@ -12,9 +12,9 @@ def studio(azimuth, height):
     """Radiance from a direction, degrees; azimuth 0 is behind the table, the camera at 180."""
     up = math.sin(math.radians(height))
     if up >= 0:
-        base = [0.34 + 0.3 * up, 0.335 + 0.31 * up, 0.33 + 0.34 * up]
+        base = [0.2 + 0.2 * up, 0.2 + 0.215 * up, 0.2 + 0.24 * up]
     else:
-        base = [0.2 + 0.14 * math.exp(6 * up)] * 3
+        base = [0.1 + 0.1 * math.exp(6 * up)] * 3
         base = [b * tint for b, tint in zip(base, (1.1, 0.97, 0.82))]
     for middle, lift, wide, high, panes, colour in BOXES:
         x = ((azimuth - middle + 180) % 360 - 180) / wide

@@ -128,7 +128,8 @@ def write_object(out, name, faces):
         indices = []
         for p, n, t in face:
             place = pooled((p[0], p[2], -p[1]))
-            vertex = f"v {place} n {pooled((n[0], n[2], -n[1]))} t {pooled((round(t[0], 3), round(t[1], 3), 0))}"
+            spot = (round(t[0], 3), round(t[1], 3), 0)
+            vertex = f"v {place} n {pooled((n[0], n[2], -n[1]))} t {pooled(spot)}"
             indices.append(vertices.setdefault(vertex, len(vertices)))
         polygons.append("c " + " ".join(map(str, indices)))
     out.write(f'\nobject "{name}" visible on shadow on trace on\n  group\n')
