@@ -205,7 +205,7 @@ def status_text(figures):
     lines = ["# Which figures are there", "",
              f"{len(figures)} figures: {kept} show what the manual's show, "
              f"{len(figures) - kept} differ. {count} numbers measured. All pictures render in "
-             f"{sum(n.get('seconds', 0) for n in numbers):.0f} s. Written by `docs/manual/build`."]
+             f"{sum(n.get('seconds', 0) for n in numbers) / 60:.0f} minutes of one core. Written by `docs/manual/build`."]
     for page in dict.fromkeys(f.page for f in figures):
         lines += ["", f"## [{page.stem}]({page.name})", "",
                   "| section | figure | |", "|---|---|---|"]
