@@ -90,6 +90,14 @@ class Picture:
             self.layers[name] = pixels[:, :, wanted]
         return self.layers[name]
 
+    def shown(self, layer):
+        """As the scene's camera shows it, or one layer in sRGB."""
+        if not layer:
+            view = oiio.ImageBuf(str(self.path.with_suffix(".png")))
+            return view.get_pixels(oiio.FLOAT)[:, :, :3]
+        light = self.layer(layer).clip(0, 1)
+        return numpy.where(light < 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
     def part(self, x0, y0, x1, y1, layer=""):
         """Pixels of a rectangle, 0..1 from the upper left."""
         pixels = self.layer(layer)
@@ -130,10 +138,11 @@ def holds(number, value):
     return abs(value - number["expected"]) <= number["tolerance"]
 
 
-def mosaic(shown, labels, columns, path):
+def mosaic(pictures, panels, columns, path):
     """Pictures in rows, each with its label below, as JPEG."""
-    tiles = [tile(oiio.ImageBuf(str(file)), label if any(labels) else None)
-             for file, label in zip(shown, labels)]
+    labelled = any(panel.label for panel in panels)
+    tiles = [tile(picture.shown(panel.layer), panel.label if labelled else None)
+             for picture, panel in zip(pictures, panels)]
     rows = [tiles[n:n + columns] for n in range(0, len(tiles), columns)]
     wide = max(sum(t.shape[1] + GAP for t in row) - GAP for row in rows)
     lines = []
@@ -153,9 +162,8 @@ def mosaic(shown, labels, columns, path):
     out.close()
 
 
-def tile(picture, label):
-    """Pixels of a picture, over a line of text unless there is none in its figure."""
-    pixels = picture.get_pixels(oiio.FLOAT)[:, :, :3]
+def tile(pixels, label):
+    """A picture over a line of text, unless there is none in its figure."""
     if label is None:
         return pixels
     wide = pixels.shape[1]

@@ -130,7 +130,7 @@ def loft(sections, segments=22):
     """Closed skin over ellipses along -x: (x, middle z, half width, half height)."""
     rows = []
     for x, z, wide, high in sections:
-        rows.append([(x, wide * math.cos(a), z + high * math.sin(a))
+        rows.append([(x, wide * math.cos(a), z - high * math.sin(a))
                      for a in (2 * math.pi * k / segments for k in range(segments))])
     return grid(rows, ring=True)
 

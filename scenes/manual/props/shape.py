@@ -28,7 +28,7 @@ def spline(points, steps):
 
 
 def grid(rows, ring=False, u_scale=1.0):
-    """Faces of a grid of points; outside is where row × column points. `ring`: columns close."""
+    """Faces of a grid of points; outside is where column × row points. `ring`: columns close."""
     count = len(rows[0])
     normals = [[grid_normal(rows, i, k, ring) for k in range(count)] for i in range(len(rows))]
     lengths = arc_lengths(rows)
@@ -95,7 +95,7 @@ def sweep(path, width, height, segments=16):
         before, after = path[max(n - 1, 0)], path[min(n + 1, len(path) - 1)]
         along = unit(subtract(after, before))
         side = cross(along, (0, 1, 0))
-        rows.append([tuple(p + height(n) * math.cos(a) * s + width(n) * math.sin(a) * y
+        rows.append([tuple(p + height(n) * math.cos(a) * s - width(n) * math.sin(a) * y
                            for p, s, y in zip(point, side, (0, 1, 0)))
                      for a in (2 * math.pi * k / segments for k in range(segments))])
     return grid(rows, ring=True)
