@@ -23,6 +23,7 @@ class Panel:
     label: str
     tonemap: list  # options of `oriel tonemap`, where it makes the picture
     denoise: bool
+    layer: str  # of the EXR file, where it is what is shown
 
 
 @dataclasses.dataclass
@@ -60,7 +61,8 @@ def figure(folder, entry):
     return Figure(folder, entry["name"], entry["section"], entry["shows"], HERE / entry["page"],
                   entry["status"],
                   [Panel(folder / p["scene"], [*size, *entry.get("args", []), *p.get("args", [])],
-                         p.get("label", ""), p.get("tonemap", []), p.get("denoise", True))
+                         p.get("label", ""), p.get("tonemap", []), p.get("denoise", True),
+                         p.get("layer", ""))
                    for p in panels],
                   entry.get("number", []), columns, script)
 
@@ -90,11 +92,10 @@ class Picture:
             self.layers[name] = pixels[:, :, wanted]
         return self.layers[name]
 
-    def shown(self, layer):
-        """As the scene's camera shows it, or one layer in sRGB."""
+    def view(self, layer):
+        """Pixels of the file that is shown, or of one layer in sRGB."""
         if not layer:
-            view = oiio.ImageBuf(str(self.path.with_suffix(".png")))
-            return view.get_pixels(oiio.FLOAT)[:, :, :3]
+            return oiio.ImageBuf(str(self.shown)).get_pixels(oiio.FLOAT)[:, :, :3]
         light = self.layer(layer).clip(0, 1)
         return numpy.where(light < 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
 
@@ -141,7 +142,7 @@ def holds(number, value):
 def mosaic(pictures, panels, columns, path):
     """Pictures in rows, each with its label below, as JPEG."""
     labelled = any(panel.label for panel in panels)
-    tiles = [tile(picture.shown(panel.layer), panel.label if labelled else None)
+    tiles = [tile(picture.view(panel.layer), panel.label if labelled else None)
              for picture, panel in zip(pictures, panels)]
     rows = [tiles[n:n + columns] for n in range(0, len(tiles), columns)]
     wide = max(sum(t.shape[1] + GAP for t in row) - GAP for row in rows)
