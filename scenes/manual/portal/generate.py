@@ -130,7 +130,8 @@ def shelves():
     dice = random.Random(21)
     oak, thick = Mesh(), 0.036
     for x0, x1, z in BOARDS:
-        oak.merge(rounded_box(x1 - x0, 0.25, thick, 0.004, 1).moved((x0 + x1) / 2, 4.875, z - thick))
+        board = rounded_box(x1 - x0, 0.25, thick, 0.004, 1)
+        oak.merge(board.moved((x0 + x1) / 2, 4.875, z - thick))
     a, b, c = (z for _, _, z in BOARDS)
     books = Mesh().merge(standing_books(2.68, 3.2, a, dice, 14), standing_books(3.5, 4.06, b, dice),
                          standing_books(2.05, 2.5, c, dice, 12),
@@ -150,13 +151,15 @@ def sideboard():
     body = rounded_box(2.2, 0.42, 0.4, 0.006, 1).moved(3.05, 4.785, 0.14)
     fronts = Mesh()
     for k in range(4):
-        fronts.merge(rounded_box(0.535, 0.018, 0.368, 0.003, 1).moved(2.227 + 0.549 * k, 4.566, 0.156))
+        front = rounded_box(0.535, 0.018, 0.368, 0.003, 1)
+        fronts.merge(front.moved(2.227 + 0.549 * k, 4.566, 0.156))
     legs = Mesh()
     for x in (2.08, 4.02):
         for y in (4.64, 4.93):
             legs.merge(tube((x, y, 0), (x, y, 0.15), 0.012, 0.016))
-    knobs = Mesh().merge(*[lathe([(0, 0), (0.012, 0), (0.014, 0.006), (0.01, 0.014), (0, 0.015)], 20)
-                           .turned(90, "x").moved(x, 4.557, 0.43) for x in (2.44, 2.56, 3.54, 3.66)])
+    knob = lathe([(0, 0), (0.012, 0), (0.014, 0.006), (0.01, 0.014), (0, 0.015)], 20)
+    knobs = Mesh().merge(*[knob.turned(90, "x").moved(x, 4.557, 0.43)
+                           for x in (2.44, 2.56, 3.54, 3.66)])
     return [("body", body, "oak_board", 40), ("fronts", fronts, "lacquer", 40),
             ("legs", legs, "steel", 40), ("knobs", knobs, "brass", 40)]
 
@@ -183,7 +186,8 @@ def side_table():
     at, z = (2.02, 3.05), 0.499
     book = furniture.book(0.2, 0.14, 0.024, "book_red").turned(24).moved(at[0] + 0.05,
                                                                      at[1] - 0.09, z)
-    return [("top", top.moved(*at, 0.475), "lacquer_dark", 40), ("legs", legs.moved(*at), "steel", 40),
+    return [("top", top.moved(*at, 0.475), "lacquer_dark", 40),
+            ("legs", legs.moved(*at), "steel", 40),
             ("cup", cup.moved(at[0] - 0.1, at[1] + 0.05, z), "porcelain", 40),
             ("book", book, None, 0)]
 
@@ -204,13 +208,6 @@ def rug():
     return [("weave", mesh, "wool_cream", 40), ("stripes", stripes, "rug_grey", 0)]
 
 
-def plant():
-    at, parts = (0.42, 1.2), []
-    for name, mesh, material, crease in furniture.plant():
-        parts.append((name, mesh.scaled(0.86).moved(*at), material, crease))
-    return parts
-
-
 def twigs():
     """Vase with olive twigs on the sideboard."""
     parts = []
@@ -218,11 +215,6 @@ def twigs():
         scaled = mesh.scaled(1.15).moved(3.74, 4.78, 0.542)
         parts.append((name, scaled, "porcelain" if name == "glass" else material, crease))
     return parts
-
-
-def picture():
-    frame = Mesh().merge(box(-0.011, -0.36, -0.5, 0, 0.36, 0.5))
-    return [("frame", frame.moved(4.4, 2.6, 1.5), "steel", 0)]
 
 
 def leaves():
@@ -238,7 +230,8 @@ def leaves():
 
 
 def garden():
-    lawn = Mesh().add([(-60, -60, -0.35), (-WALL, -60, -0.35), (-WALL, 60, -0.35), (-60, 60, -0.35)])
+    lawn = Mesh().add([(-60, -60, -0.35), (-WALL, -60, -0.35), (-WALL, 60, -0.35),
+                       (-60, 60, -0.35)])
     terrace = box(-3.2, -6, -0.34, -WALL, 10, -0.2)
     trunks = Mesh()
     for x, y, z, _ in TREES:

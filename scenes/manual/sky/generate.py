@@ -195,7 +195,8 @@ def wood():
     for k in range(9):
         a, z = 2.4 * k, 2.4 + 0.25 * k
         r = dice.uniform(0.8, 1.5)
-        mesh.merge(tube((0.08, 0.04, z), (r * math.cos(a), r * math.sin(a), z + 1.5), 0.05, 0.02, 8))
+        tip = (r * math.cos(a), r * math.sin(a), z + 1.5)
+        mesh.merge(tube((0.08, 0.04, z), tip, 0.05, 0.02, 8))
     return [("wood", mesh, "bark", 40)]
 
 
@@ -207,8 +208,9 @@ TREES = ((-7.6, 1.5, 15, 1.1), (-10.5, 9, 80, 1.35), (10.5, 11, 140, 1.3), (3, 1
 def hedge():
     dice, places = random.Random(9), []
     for n in range(26):
-        places.append((-22 + 1.05 * n, 11.5 + dice.uniform(-0.2, 0.2), 0.55 + dice.uniform(-0.1, 0.2),
-                       dice.uniform(0, 360), dice.uniform(1.0, 1.3)))
+        places.append((-22 + 1.05 * n, 11.5 + dice.uniform(-0.2, 0.2),
+                       0.55 + dice.uniform(-0.1, 0.2), dice.uniform(0, 360),
+                       dice.uniform(1.0, 1.3)))
     for x, y in ((-3.3, -0.4), (-2.2, -0.5)):
         places.append((x, y, 0.95, dice.uniform(0, 360), 0.6))
     return places
@@ -331,7 +333,7 @@ def main():
         group(out, "dial", objects(out, (dial,)))
         instance(out, "dial_camera", "camera", camera((0.35, -2.3, 1.5), (0.35, 0, 0.02)))
     with opened("places", "Where sun and cameras stand") as out:
-        out.write("# The sun 35 degrees high, left behind the eye; and 11 degrees high in the picture.\n")
+        out.write("# The sun 35 degrees high, left behind the eye; 11 degrees in the picture.\n")
         instance(out, "sun_inst", "sun", looking(sun(35, 232)))
         instance(out, "low_sun_inst", "sun", looking(sun(11, 163)))
         out.write(f"# From {EYE} to {TARGET}.\n")
