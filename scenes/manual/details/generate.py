@@ -98,10 +98,9 @@ def temple():
 def roof(mesh):
     """Two slabs with an overhang over a gable that stands back."""
     e, ridge, t = (5.2, 7.1), 9.2, .25
-    for z0, z1, lift, half, top in ((-7.4, 7.2, 0, 4.9, 8.95),):
-        a, b, c = (-half, e[1] + lift), (half, e[1] + lift), (0, top)
-        mesh.add((*a, z1), (*b, z1), (*c, z1))
-        mesh.add((*b, z0), (*a, z0), (*c, z0))
+    a, b, c = (-4.9, e[1]), (4.9, e[1]), (0, 8.95)
+    mesh.add((*a, 7.2), (*b, 7.2), (*c, 7.2))
+    mesh.add((*b, -7.4), (*a, -7.4), (*c, -7.4))
     for s in (1, -1):
         low, high = (s * e[0], e[1]), (0, ridge)
         section = [low, (s * e[0], e[1] + t), (0, ridge + t), high]
@@ -172,7 +171,8 @@ def branch(canvas, rng, at, angle, length, width, tips):
         tips.append(((at[0] + end[0]) / 2, (at[1] + end[1]) / 2))
     for side in (-1, 0, 1) if length > 36 else (-1, 1):
         turn = side * rng.uniform(.35, .75) + rng.uniform(-.12, .12)
-        branch(canvas, rng, end, angle * .9 + turn, length * rng.uniform(.62, .8), width * .62, tips)
+        branch(canvas, rng, end, angle * .9 + turn, length * rng.uniform(.62, .8),
+               width * .62, tips)
 
 
 def tree():

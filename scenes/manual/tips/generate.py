@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes what nobody writes by hand here: grooves.mi, streaks.png, waves.png. Pictures are linear."""
+"""Writes what nobody writes by hand: grooves.mi, streaks.png, waves.png. Pictures are linear."""
 import math
 import random
 import struct
