@@ -336,6 +336,9 @@ def main():
         out.write("# The sun 35 degrees high, left behind the eye; 11 degrees in the picture.\n")
         instance(out, "sun_inst", "sun", looking(sun(35, 232)))
         instance(out, "low_sun_inst", "sun", looking(sun(11, 163)))
+        out.write("# For the card: 60, 30 and 10 degrees high.\n")
+        for elevation in (60, 30, 10):
+            instance(out, f"sun_{elevation}_inst", "sun", looking(sun(elevation, 205)))
         out.write(f"# From {EYE} to {TARGET}.\n")
         instance(out, "camera_inst", "camera", camera(EYE, TARGET))
         out.write("# Along the land.\n")
