@@ -3,7 +3,8 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME oriel)
 set(CPACK_PACKAGE_VENDOR "The Oriel project")
-set(CPACK_PACKAGE_CONTACT "The Oriel maintainers <oriel@localhost>")
+# No address yet: RFC 2606 keeps .invalid free.
+set(CPACK_PACKAGE_CONTACT "The Oriel maintainers <maintainers@oriel.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "physically based renderer for mental ray scenes")
 set(CPACK_PACKAGE_DESCRIPTION
 "Oriel renders mental ray .mi scenes with the complete architectural shader
