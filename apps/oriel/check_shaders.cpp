@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "shaders/registry.h"
+
 namespace oriel::app {
 namespace {
 
@@ -224,10 +226,13 @@ json used_libraries(const CheckedScene& c) {
   const auto stem = [](const std::string& path) {
     return std::filesystem::path(path.substr(path.find_last_of("/\\") + 1)).stem().string();
   };
+  // What is built in stands for those libraries, and no file of theirs is looked for.
+  const auto& own = builtin_packages();
   json list = json::array();
   for (const scene::Statement& command : c.scene.commands) {
     if (command.keyword != "link") continue;
     for (const scene::Value& value : command.values) {
+      if (std::find(own.begin(), own.end(), stem(value.text)) != own.end()) continue;
       json entry = {{"written", value.text}, {"found", false}};
       set_place(command.where, c.diagnostics, entry);
       for (const auto& library : c.host.libraries())
