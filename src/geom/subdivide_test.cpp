@@ -294,10 +294,29 @@ TEST(Subdivide, LevelZeroIsTheCage) {
   EXPECT_EQ(nearest(mesh, Vec3(1)), 0);
 }
 
+// What is left of a flat grid is counted by its area; the rest of it stays where it was.
+TEST(Subdivide, TrimsCutPartsOfFacesAway) {
+  scene::PolygonGroup group = grid(2);
+  const Mesh whole = mesh_of(group, 3);
+  group.subdivisions[0].trims = {{0, 1}, {3, 15}};
+  for (const int level : {0, 1, 3}) {
+    const Mesh mesh = mesh_of(group, level);
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3 middle = (mesh.positions[t.a] + mesh.positions[t.b] + mesh.positions[t.c]) / 3;
+      EXPECT_FALSE(middle.x < .5f && middle.y < .5f) << "part at the first corner of face 0";
+      EXPECT_FALSE(middle.x > 1 && middle.y > 1) << "all of face 3";
+    }
+    EXPECT_NEAR(area_of(mesh), 4 - .25 - 1, 1e-5) << level;
+    if (level < 3) continue;
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
+      EXPECT_LT(nearest(whole, mesh.positions[i]), 1e-6f);
+  }
+}
+
 TEST(Subdivide, BadFacesAreCountedAndTheRestIsMade) {
   scene::PolygonGroup group = cube();
   group.subdivisions[0].faces.indices[0] = 1;  // {1, 3, 2, 1}
-  group.subdivisions[0].details.push_back({1, {"trim", "3", {}}});
+  group.subdivisions[0].details.push_back({1, {"detail", "3", {}}});
   Diagnostics diagnostics;
   const scene::Approximation a = levels(1);
   const Mesh mesh = subdivide(group, group.subdivisions[0], false, &a, {}, diagnostics);
@@ -333,6 +352,8 @@ TEST(SubdivisionLevel, HalvesLengthsUntilTheyAreShortEnough) {
   a.max_subdivisions = 2;
   a.any = false;
   EXPECT_EQ(subdivision_level(cage, &a, {}), 2);
+  a.max_triangles = 48;
+  EXPECT_EQ(subdivision_level(cage, &a, {}), 1) << "24 quads";
   EXPECT_EQ(subdivision_level(cage, nullptr, {}), kSubdivisionLevel);
 }
 

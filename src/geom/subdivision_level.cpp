@@ -85,17 +85,20 @@ int subdivision_level(const SubdivisionCage& cage, const Approximation* approxim
   if (a.distance > 0) levels.push_back(refinements(extent.distance, a.distance, 4));
   if (a.angle > 0) levels.push_back(refinements(extent.angle, a.angle, 2));
   const int most = std::max(a.min_subdivisions, a.max_subdivisions);
-  if (levels.empty()) return std::clamp(kSubdivisionLevel, a.min_subdivisions, most);
+  if (levels.empty()) levels.push_back(kSubdivisionLevel);
   const auto [least, greatest] = std::minmax_element(levels.begin(), levels.end());
-  return std::clamp(a.any ? *least : *greatest, a.min_subdivisions, most);
+  const int level = std::clamp(a.any ? *least : *greatest, a.min_subdivisions, most);
+  if (a.max_triangles == 0) return level;
+  return affordable_level(cage, level,
+                          static_cast<std::size_t>(a.max_triangles) / (cage.loop ? 1 : 2));
 }
 
-int affordable_level(const SubdivisionCage& cage, int level) {
+int affordable_level(const SubdivisionCage& cage, int level, std::size_t most_faces) {
   // The first refinement makes a quad for each corner, the others four of each face.
   const std::size_t first = cage.loop ? cage.face_sizes.size() * 4 : cage.corners.size();
   int most = 1;
-  for (std::size_t faces = first; most < level && faces * 4 <= kMostFaces; ++most) faces *= 4;
-  return std::min(level, first <= kMostFaces ? most : 0);
+  for (std::size_t faces = first; most < level && faces * 4 <= most_faces; ++most) faces *= 4;
+  return std::min(level, first <= most_faces ? most : 0);
 }
 
 }  // namespace oriel::geom

@@ -176,7 +176,7 @@ class RandomGeometry : protected RandomValues {
         if (pick(4) == 0)
           s.creases.push_back(
               {number, static_cast<std::uint32_t>(edge), static_cast<float>(1 + pick(8)) / 8});
-      if (pick(4) == 0) s.details.push_back({number, {"trim", "4", {}}});
+      if (pick(4) == 0) s.trims.push_back({number, static_cast<std::uint32_t>(pick(16))});
       if (pick(4) == 0) s.details.push_back({number, {"{", "p 1 { 2 } }", {}}});
     }
     for (int i = pick(3); i > 0; --i) {

@@ -80,12 +80,17 @@ class SubdivisionReader {
         read_creases(face, kept);
         continue;
       }
+      if (parse_.in.accept_word("trim")) {
+        const std::uint32_t parts = index_of(parse_);
+        if (kept) surface_.trims.push_back({face, parts});
+        continue;
+      }
       scene::KeptText text{"", "", here};
       if (parse_.in.at_punct('{')) {
         text.keyword = "{";
         parse_.in.next();
         read_braces(text.text);
-      } else if (parse_.in.at_word("trim") || parse_.in.at_word("detail")) {
+      } else if (parse_.in.at_word("detail")) {
         text.keyword = parse_.in.next().text;
         while (parse_.at_number()) append_source(text.text, parse_.in.next());
       } else {

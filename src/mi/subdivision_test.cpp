@@ -32,9 +32,9 @@ TEST(Subdivision, FacesCreasesAndMarksOfVerticesAreRead) {
   EXPECT_EQ(s.faces.material, (std::vector<std::uint32_t>{0, 0})) << "inherited";
   EXPECT_EQ(s.texture_rules[0], SubdivisionSurface::TextureRule::Face);
   EXPECT_EQ(s.creases, (std::vector<SubdivisionSurface::Crease>{{0, 0, .5f}, {0, 3, 1}}));
-  ASSERT_EQ(s.details.size(), 2u);
-  EXPECT_EQ(s.details[0].text.keyword, "trim");
-  EXPECT_EQ(s.details[1].text.text, "child 0 { } }");
+  EXPECT_EQ(s.trims, (std::vector<SubdivisionSurface::Trim>{{1, 1}}));
+  ASSERT_EQ(s.details.size(), 1u);
+  EXPECT_EQ(s.details[0].text.text, "child 0 { } }");
   EXPECT_EQ(s.derivatives[0].space, 0);
   ASSERT_EQ(group.vertices.marks.size(), 3u);
   EXPECT_EQ(group.vertices.marks[0].level, 2);

@@ -79,6 +79,7 @@ void write_subdivision(TextSink& out, const SubdivisionSurface& surface, FaceMat
   write_head(out, surface);
   const scene::PolygonList& faces = surface.faces;
   auto crease = surface.creases.begin();
+  auto trim = surface.trims.begin();
   auto detail = surface.details.begin();
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     out.put("          p");
@@ -88,6 +89,10 @@ void write_subdivision(TextSink& out, const SubdivisionSurface& surface, FaceMat
       out.index(faces.indices[c]);
     }
     write_creases(out, surface.form, i, crease, surface.creases.end());
+    for (; trim != surface.trims.end() && trim->face == i; ++trim) {
+      out.put(" trim ");
+      out.index(trim->parts);
+    }
     for (; detail != surface.details.end() && detail->face == i; ++detail) {
       out.put(' ');
       out.put(detail->text.keyword);

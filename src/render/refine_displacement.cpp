@@ -48,6 +48,7 @@ class DisplacementRefiner {
   template <typename Displaced>
   bool run(Displaced&& displaced) {
     geom::EdgeSplitter splitter(mesh_);
+    const std::size_t most = most_triangles();
     for (int done = 0; done < scene::kMostSubdivisions; ++done) {
       if (done >= kBeforeMeasuring && measures_shape()) {
         shape_ = mesh_;
@@ -58,13 +59,23 @@ class DisplacementRefiner {
                std::any_of(approximations_.begin(), approximations_.end(),
                            [&](const Approximation& ap) { return is_coarse(ap, done, a, b); });
       };
-      if (!splitter.pass(wants, kMostMicroTriangles)) return !splitter.exceeded;
+      // What the scene itself limits needs no word.
+      if (!splitter.pass(wants, most)) return !splitter.exceeded || most < kMostMicroTriangles;
     }
     return true;
   }
 
  private:
   static constexpr int kBeforeMeasuring = 2;
+
+  /// The largest `max` of the approximations, if all have one.
+  std::size_t most_triangles() const {
+    std::size_t most = 0;
+    for (const Approximation& a : approximations_)
+      most = std::max(most, a.max_triangles > 0 ? static_cast<std::size_t>(a.max_triangles)
+                                                : kMostMicroTriangles);
+    return std::min(most, kMostMicroTriangles);
+  }
 
   bool measures_shape() const {
     return std::any_of(approximations_.begin(), approximations_.end(), [](const auto& a) {

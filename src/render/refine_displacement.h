@@ -20,7 +20,8 @@ inline constexpr std::size_t kMostMicroTriangles = std::size_t{8} << 20;
 ///          its normals, and ask for two halvings at least, so that there is something to measure.
 ///          An edge is split by its own ends alone, so that no crack can open. Polygons without
 ///          normals get those of their facets, so that detail is smooth within each and edges stay
-///          sharp; with `nosmoothing` all of it stays faceted. No approximation: nothing changes.
+///          sharp; with `nosmoothing` all of it stays faceted. `max N`: no halving of edges that
+///          would make more than N triangles of the mesh. No approximation: nothing changes.
 /// Inputs:  leaf: as for displace(). All instances of a mesh share its displacement.
 /// Errors:  OR-RN-032 when kMostMicroTriangles would be exceeded; the mesh stays as fine as it got.
 /// Checked: DisplacementDetail.*

@@ -173,6 +173,12 @@ TEST(DisplacementDetail, DistanceIsMetWithFewerTrianglesThanEvenOnes) {
   EXPECT_GT(measured.mesh().triangles.size(), 2u << 6);
 }
 
+TEST(DisplacementDetail, MaxEndsItBeforeThereAreMoreTriangles) {
+  const Waves s(waves(.05f) + square("approximate displace length .001 0 9 max 600"));
+  EXPECT_EQ(s.mesh().triangles.size(), 2u * 256);
+  EXPECT_EQ(s.messages(), "") << "as it was asked for";
+}
+
 // acceptance: B5
 TEST(DisplacementDetail, LengthsInPixelsFollowTheDistanceFromTheCamera) {
   // Seen by a camera at the origin that looks down -z.

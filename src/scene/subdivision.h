@@ -25,7 +25,15 @@ struct SubdivisionSurface {
     float sharpness = 1;  ///< 0 smooth, 1 (and more) sharp for ever
     bool operator==(const Crease&) const = default;
   };
-  /// What stands behind a base face and is not followed: `trim`, `detail`, the hierarchy in braces.
+  /// Parts of a base face that are cut away.
+  struct Trim {
+    std::uint32_t face = 0;
+    /// Bit k: what the first refinement makes at corner k; bit 3 of a triangle by Loop's scheme its
+    /// middle. [I] by the mask of creases: nothing public says what the number means.
+    std::uint32_t parts = 0;
+    bool operator==(const Trim&) const = default;
+  };
+  /// What stands behind a base face and is not followed: `detail`, the hierarchy in braces.
   struct Detail {
     std::uint32_t face = 0;
     KeptText text;
@@ -44,6 +52,7 @@ struct SubdivisionSurface {
   std::vector<TextureRule> texture_rules;  ///< per texture space; further ones are Subdivision
   PolygonList faces;                       ///< no holes
   std::vector<Crease> creases;             ///< by face, then edge
+  std::vector<Trim> trims;                 ///< by face
   std::vector<Detail> details;             ///< by face
   std::vector<Derivative> derivatives;
   SourceLocation where;

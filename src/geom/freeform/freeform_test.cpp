@@ -106,6 +106,33 @@ TEST(FreeForm, CurvatureKeepsItsDistance) {
   }
 }
 
+// A plane with one bump: few triangles do only if they go where it is.
+TEST(FreeForm, MaxSpendsItsTrianglesWhereTheyAreMissedMost) {
+  Model model;
+  std::vector<scene::ControlPoint> points;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      points.push_back(model.point({float(i), float(j), i == 0 && j == 0 ? 2.0f : 0.0f}));
+  model.surface({false, "bez3", {0, 1}}, {false, "bez3", {0, 1}}, std::move(points));
+  scene::Approximation a = criteria(0, 1e-5f, 0);
+  a.max_triangles = 400;
+  model.approximate(a);
+  const Mesh mesh = model.mesh();
+  EXPECT_TRUE(model.diagnostics.all().empty());
+  std::size_t at_the_bump = 0;
+  // The border is sampled by its curves; what is not at it are the cells.
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 p = (mesh.positions[t.a] + mesh.positions[t.b] + mesh.positions[t.c]) / 3;
+    at_the_bump += p.x < 1.5f && p.y < 1.5f;
+  }
+  EXPECT_GT(at_the_bump, mesh.triangles.size() / 2) << "of " << mesh.triangles.size();
+  Model unlimited;
+  unlimited.object = model.object;
+  unlimited.group().settings.clear();
+  unlimited.approximate(criteria(0, 1e-5f, 0));
+  EXPECT_GT(unlimited.mesh().triangles.size(), 4 * mesh.triangles.size());
+}
+
 TEST(FreeForm, CurvatureKeepsItsAngleAndLengthItsLength) {
   Model angle;
   angle.torus(3, 1);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <queue>
 
 namespace oriel::geom::freeform {
 namespace {
@@ -67,10 +69,13 @@ void add_pieces(double t0, double t1, int pieces, Budget& budget, std::vector<do
   out.push_back(t1);
 }
 
-/// A rectangle of parameters, with how often each side was halved.
+/// A rectangle of parameters, with how often each side was halved and how much it needs that.
 struct Cell {
   double u0, u1, v0, v1;
   int depth_u = 0, depth_v = 0;
+  double excess = 0;  ///< above 1: to be halved, along u or else v
+  bool along_u = true;
+  bool operator<(const Cell& other) const { return excess < other.excess; }
 };
 
 /// How much a cell misses the approximation, and along which side it should be halved.
@@ -116,6 +121,21 @@ Verdict judge(const SurfaceNet& surface, const Criteria& criteria, const Cell& c
                v = criteria.excess(length[1], 2 * away[1], turn[1]);
   verdict.split_u = u != v ? u > v : length[0] >= length[1];
   return verdict;
+}
+
+/// Whether a cell is to be halved, how urgently and along which side.
+void weigh(const SurfaceNet& surface, const scene::Approximation& a, const Criteria& criteria,
+           Cell& c) {
+  const bool room_u = c.depth_u < a.max_subdivisions, room_v = c.depth_v < a.max_subdivisions;
+  c.excess = 0;
+  if (c.depth_u < a.min_subdivisions || c.depth_v < a.min_subdivisions) {
+    c.excess = std::numeric_limits<double>::infinity();
+    c.along_u = c.depth_u < a.min_subdivisions;
+  } else if (room_u || room_v) {
+    const Verdict verdict = judge(surface, criteria, c);
+    c.excess = verdict.excess;
+    c.along_u = room_u && (verdict.split_u || !room_v);
+  }
 }
 
 }  // namespace
@@ -172,36 +192,34 @@ void sample_surface(const SurfaceNet& surface, const Range& range, const scene::
                     const std::function<void(const Range&)>& cell) {
   const std::vector<double> us = breaks_between(surface.u().breaks(), range.u0, range.u1),
                             vs = breaks_between(surface.v().breaks(), range.v0, range.v1);
-  std::vector<Cell> stack;
-  for (std::size_t j = vs.size() - 1; j-- > 0;)
-    for (std::size_t i = us.size() - 1; i-- > 0;)
-      stack.push_back({us[i], us[i + 1], vs[j], vs[j + 1]});
-  while (!stack.empty()) {
-    const Cell c = stack.back();
-    stack.pop_back();
-    const bool least_u = c.depth_u < a.min_subdivisions, least_v = c.depth_v < a.min_subdivisions;
-    const bool room_u = c.depth_u < a.max_subdivisions, room_v = c.depth_v < a.max_subdivisions;
-    bool split = false, along_u = least_u;
-    if (least_u || least_v) {
-      split = true;
-    } else if (room_u || room_v) {
-      const Verdict verdict = judge(surface, criteria, c);
-      split = verdict.excess > 1;
-      along_u = room_u && (verdict.split_u || !room_v);
+  std::priority_queue<Cell> coarse;
+  const auto add = [&](Cell c) {
+    weigh(surface, a, criteria, c);
+    if (c.excess > 1)
+      coarse.push(c);
+    else
+      cell({c.u0, c.u1, c.v0, c.v1});
+  };
+  for (std::size_t j = 0; j + 1 < vs.size(); ++j)
+    for (std::size_t i = 0; i + 1 < us.size(); ++i) add({us[i], us[i + 1], vs[j], vs[j + 1]});
+  std::size_t cells = (us.size() - 1) * (vs.size() - 1);
+  const std::size_t most = a.max_triangles > 0 ? static_cast<std::size_t>(a.max_triangles) / 2
+                                               : std::numeric_limits<std::size_t>::max();
+  for (; !coarse.empty() && cells < most && budget.take(1); ++cells) {
+    Cell low = coarse.top(), high = low;
+    coarse.pop();
+    if (low.along_u) {
+      low.u1 = high.u0 = (low.u0 + low.u1) / 2;
+      ++low.depth_u, ++high.depth_u;
+    } else {
+      low.v1 = high.v0 = (low.v0 + low.v1) / 2;
+      ++low.depth_v, ++high.depth_v;
     }
-    if (split && budget.take(1)) {
-      Cell low = c, high = c;
-      if (along_u) {
-        low.u1 = high.u0 = (c.u0 + c.u1) / 2;
-        ++low.depth_u, ++high.depth_u;
-      } else {
-        low.v1 = high.v0 = (c.v0 + c.v1) / 2;
-        ++low.depth_v, ++high.depth_v;
-      }
-      stack.push_back(high);
-      stack.push_back(low);
-      continue;
-    }
+    add(low);
+    add(high);
+  }
+  for (; !coarse.empty(); coarse.pop()) {
+    const Cell& c = coarse.top();
     cell({c.u0, c.u1, c.v0, c.v1});
   }
 }

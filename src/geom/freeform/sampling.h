@@ -56,8 +56,9 @@ struct Range {
   double u0, u1, v0, v1;
 };
 
-/// Calls back with each cell the surface is cut into. Cells are halved along u or v, where the
-/// approximation is missed most.
+/// Calls back with each cell the surface is cut into, in no order. Cells are halved along u or v,
+/// where the approximation is missed most. The cell that misses it most goes first, until the cells
+/// make as many triangles as `max` allows, two each; what edges and trims add comes on top.
 void sample_surface(const SurfaceNet& surface, const Range& range,
                     const scene::Approximation& approximation, const Criteria& criteria,
                     Budget& budget, const std::function<void(const Range&)>& cell);

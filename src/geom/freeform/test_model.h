@@ -106,6 +106,7 @@ struct Model {
     if (a.technique == Technique::Criteria)
       s.values.back().numbers.insert(s.values.back().numbers.end(),
                                      {double(a.min_subdivisions), double(a.max_subdivisions)});
+    if (a.max_triangles > 0) number("max", a.max_triangles);
     for (const std::string& name : a.names) {
       word(name.c_str());
       s.values.back().bare = false;
