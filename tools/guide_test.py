@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 import unittest
 
-from testing import HERE, program
+from testing import HERE, ProgramTest
 
 ROOT = HERE.parent
 GUIDE = ROOT / "docs/guide"
@@ -66,12 +66,7 @@ def appears(wanted, printed):
     return None
 
 
-class Guide(unittest.TestCase):
-    def setUp(self):
-        self.oriel = program()
-        if not self.oriel:
-            self.skipTest("the program is not built")
-
+class Guide(ProgramTest):
     def test_commands_run_and_print_what_the_page_shows(self):
         for page in sorted(GUIDE.glob("*.md")):
             with self.subTest(page=page.name), tempfile.TemporaryDirectory() as folder:

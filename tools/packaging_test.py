@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-from testing import HERE, load, program
+from testing import HERE, ProgramTest, load
 
 man_page = load("man-page")
 COMPLETION = HERE.parent / "packaging/completion"
@@ -26,12 +26,7 @@ printf '%s\\n' "${{COMPREPLY[@]}}" """
     return run.stdout.split()
 
 
-class ManualPage(unittest.TestCase):
-    def setUp(self):
-        self.oriel = program()
-        if not self.oriel:
-            self.skipTest("the program is not built")
-
+class ManualPage(ProgramTest):
     def test_it_is_that_of_the_program(self):
         run = subprocess.run([sys.executable, str(HERE / "man-page"), "--check", "--oriel",
                               str(self.oriel)], capture_output=True, text=True, check=False)
@@ -58,11 +53,9 @@ class ManualPage(unittest.TestCase):
         self.assertEqual(run.stderr, "")
 
 
-class Completion(unittest.TestCase):
+class Completion(ProgramTest):
     def setUp(self):
-        self.oriel = program()
-        if not self.oriel:
-            self.skipTest("the program is not built")
+        super().setUp()
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         for name in ("a.mi", "a b.mi", "a.exr", "lamp.ies"):

@@ -7,17 +7,12 @@ import sys
 import unittest
 
 from shader_tables import declared
-from testing import HERE, load, program
+from testing import HERE, ProgramTest, load
 
 reference = load("shader-reference")
 
 
-class Reference(unittest.TestCase):
-    def setUp(self):
-        self.oriel = program()
-        if not self.oriel:
-            self.skipTest("the program is not built")
-
+class Reference(ProgramTest):
     def test_pages_are_those_of_the_program(self):
         run = subprocess.run([sys.executable, str(HERE / "shader-reference"), "--check", "--oriel",
                               str(self.oriel)], capture_output=True, text=True, check=False)

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 import zlib
 
-from testing import HERE, load, program
+from testing import HERE, ProgramTest, load
 
 PAGES = HERE.parent / "docs/shaders"
 sheets = load("shader-sheets")
@@ -35,12 +35,7 @@ class Sheets(unittest.TestCase):
                     self.assertAlmostEqual(float(a), float(b), delta=.021, msg=page.name)
 
 
-class Declared(unittest.TestCase):
-    def setUp(self):
-        self.oriel = program()
-        if not self.oriel:
-            self.skipTest("the program is not built")
-
+class Declared(ProgramTest):
     def test_tables_are_those_of_the_program(self):
         run = subprocess.run([sys.executable, str(HERE / "shader-sheets"), "--check", "--oriel",
                               str(self.oriel)], capture_output=True, text=True, check=False)

@@ -4,6 +4,7 @@ import importlib.machinery
 import importlib.util
 import os
 import pathlib
+import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -25,3 +26,12 @@ def program():
         if path and os.access(path, os.X_OK):
             return pathlib.Path(path).resolve()
     return None
+
+
+class ProgramTest(unittest.TestCase):
+    """What needs the program: `self.oriel` is its path."""
+
+    def setUp(self):
+        self.oriel = program()
+        if not self.oriel:
+            self.skipTest("the program is not built")

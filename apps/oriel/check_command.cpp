@@ -78,12 +78,11 @@ json picture_json(const World& world) {
 }
 
 /// Everything that is said, once as data; text and page are made from it. Leaves the scene.
-json inspect(const CheckArguments& a, scene::Scene& scene, Diagnostics& diagnostics,
-             bool& renders) {
+json inspect(const CheckArguments& a, SceneCode& code, scene::Scene& scene,
+             Diagnostics& diagnostics, bool& renders) {
   const Registry& registry = builtin_shaders();
   mi::Reader reader(a.scene.path, read_options(a.scene, registry), diagnostics);
   if (!reader.opened()) return nullptr;
-  SceneCode code(a.scene, diagnostics);
   json result = {{"scene", a.scene.path}, {"frames", 0}};
   while (reader.next_frame(scene)) {
     for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, registry);
@@ -188,9 +187,10 @@ void print_text(const json& r) {
   print_counts("kept without effect", r["kept_without_effect"]);
 }
 
-void write_report(const CheckArguments& a, const json& facts, scene::Scene& scene, bool renders) {
+void write_report(const CheckArguments& a, const sdk::TrustedFolders& trusted, const json& facts,
+                  scene::Scene& scene, bool renders) {
   std::string why = "the scene cannot be read";
-  const std::string picture = renders ? thumbnail(scene, a.scene, why) : std::string();
+  const std::string picture = renders ? thumbnail(scene, trusted, why) : std::string();
   std::ofstream file(a.report, std::ios::binary);
   file << check_html(facts, picture, why);
   if (!file.flush()) throw UserError(fmt::format("cannot write '{}'", a.report));
@@ -200,7 +200,8 @@ int run_check(const CheckArguments& a) {
   Diagnostics diagnostics;
   bool renders = true;
   scene::Scene scene;
-  json result = inspect(a, scene, diagnostics, renders);
+  SceneCode code(a.scene, diagnostics);
+  json result = inspect(a, code, scene, diagnostics, renders);
   renders = renders && result.contains("picture");
   if (!a.as_json) {
     DiagnosticPrinter(diagnostics, false, true).print_new();
@@ -212,7 +213,7 @@ int run_check(const CheckArguments& a) {
     result["diagnostics"].push_back(to_json(d, diagnostics));
   result["renders"] = renders;
   if (a.as_json) print_json(result);
-  if (!a.report.empty()) write_report(a, result, scene, renders);
+  if (!a.report.empty()) write_report(a, code.trusted_folders(), result, scene, renders);
   if (result.contains("frames") && result["frames"] == 0)
     throw UserError(fmt::format("{}: the scene has no render statement", a.scene.path));
   return renders ? kExitDone : kExitFailed;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "scene/asset_path.h"
 #include "shaders/registry.h"
 
 namespace oriel::app {
@@ -213,7 +214,7 @@ json used_textures(const CheckedScene& c) {
     if (!t || t->file.empty()) continue;
     std::error_code error;
     const bool exists =
-        std::filesystem::exists(std::filesystem::path(t->directory) / t->file, error);
+        std::filesystem::is_regular_file(scene::find_asset(t->file, t->directory), error);
     const char* state = missing.count(t->file) > 0 ? "missing" : exists ? "found" : "unused";
     json entry = {{"name", t->name}, {"written", t->file}, {"state", state}};
     set_place(t->where, c.diagnostics, entry);

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check_thumbnail.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -13,38 +9,16 @@
 #include "render/output.h"
 #include "render/prepare.h"
 #include "render/session.h"
-#include "scene_code.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
+#include "work_folder.h"
 
 namespace oriel::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kWidth = 480;
 constexpr std::uint32_t kSamples = 64;
 constexpr double kSeconds = 15;
-
-/// A folder that goes when it is no longer needed.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "oriel-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no folder for temporary files");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string file(const char* name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 PrepareOptions small(const scene::Camera& camera) {
   PrepareOptions options;
@@ -56,13 +30,11 @@ PrepareOptions small(const scene::Camera& camera) {
   return options;
 }
 
-std::string rendered(scene::Scene& scene, const SceneArguments& arguments, std::string& why) {
+std::string rendered(scene::Scene& scene, const sdk::TrustedFolders& trusted, std::string& why) {
   Diagnostics unheard;
   const scene::RenderCommand command = scene.renders.back();
   const scene::Camera* camera = find_camera(scene, command);
-  SceneCode code(arguments, unheard);
-  code.compile(scene);
-  sdk::Host host(scene, builtin_shaders(), code.trusted_folders(), unheard);
+  sdk::Host host(scene, builtin_shaders(), trusted, unheard);
   PrepareReport report;
   const auto world =
       camera ? prepare(scene, command, host.registry(), small(*camera), unheard, report) : nullptr;
@@ -71,7 +43,7 @@ std::string rendered(scene::Scene& scene, const SceneArguments& arguments, std::
     return {};
   }
   world->options.indirect = scene::IndirectMethod::Path;
-  const TemporaryFolder folder;
+  const WorkFolder folder;
   PictureFile file = picture_file(folder.file("scene.png"));
   file.shaders = camera_output_shaders(*camera, scene, host.registry(), *world, unheard);
   RenderSession session(*world, {.budget = {.samples = kSamples, .seconds = kSeconds}});
@@ -84,13 +56,13 @@ std::string rendered(scene::Scene& scene, const SceneArguments& arguments, std::
 
 }  // namespace
 
-std::string thumbnail(scene::Scene& scene, const SceneArguments& arguments, std::string& why) {
+std::string thumbnail(scene::Scene& scene, const sdk::TrustedFolders& trusted, std::string& why) {
   if (scene.renders.empty()) {
     why = "the scene has no render statement";
     return {};
   }
   try {
-    return rendered(scene, arguments, why);
+    return rendered(scene, trusted, why);
   } catch (const std::exception& e) {
     why = e.what();
     return {};

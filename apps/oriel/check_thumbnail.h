@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scene/scene.h"
-#include "scene_file.h"
+#include "sdk/library.h"
 
 namespace oriel::app {
 
@@ -13,6 +13,6 @@ namespace oriel::app {
 ///
 /// Model:   the last frame that was read, path traced with few samples for a few seconds, through
 ///          its own exposures.
-std::string thumbnail(scene::Scene& scene, const SceneArguments& arguments, std::string& why);
+std::string thumbnail(scene::Scene& scene, const sdk::TrustedFolders& trusted, std::string& why);
 
 }  // namespace oriel::app

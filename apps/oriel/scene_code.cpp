@@ -13,6 +13,8 @@
 #include <optional>
 
 #include "image/atomic_file.h"
+#include "mi/number.h"
+#include "scene/asset_path.h"
 #include "shader_build.h"
 
 namespace oriel::app {
@@ -53,27 +55,16 @@ void add_headers(const fs::path& folder, Fingerprint& fingerprint) {
 
 /// The bytes of '2369..'; nothing where it is no such thing.
 std::optional<std::string> bytes_of_hex(std::string_view digits) {
-  const auto value = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-  };
   std::string bytes, plain;
   std::copy_if(digits.begin(), digits.end(), std::back_inserter(plain),
                [](char c) { return c > ' '; });
   if (plain.size() % 2 != 0) return std::nullopt;
   for (std::size_t i = 0; i < plain.size(); i += 2) {
-    const int high = value(plain[i]), low = value(plain[i + 1]);
+    const int high = mi::hex_digit(plain[i]), low = mi::hex_digit(plain[i + 1]);
     if (high < 0 || low < 0) return std::nullopt;
     bytes += static_cast<char>(16 * high + low);
   }
   return bytes;
-}
-
-bool lies_below(const fs::path& path, const fs::path& folder) {
-  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  return end == folder.end();
 }
 
 }  // namespace
@@ -95,8 +86,7 @@ void SceneCode::compile(scene::Scene& scene) {
 
 fs::path SceneCode::find(const std::string& written) const {
   std::error_code error;
-  std::string portable = written;
-  std::replace(portable.begin(), portable.end(), '\\', '/');
+  const std::string portable = scene::with_slashes(written);
   for (const fs::path& folder : sdk::trusted_folders(arguments_.shader_path))
     if (const fs::path path = folder / fs::path(portable).filename();
         fs::is_regular_file(path, error))
@@ -104,7 +94,9 @@ fs::path SceneCode::find(const std::string& written) const {
   const fs::path scene_folder = fs::path(arguments_.path).parent_path() / ".";
   const fs::path path = fs::weakly_canonical(fs::absolute(scene_folder / portable), error);
   const fs::path root = fs::weakly_canonical(fs::absolute(scene_folder), error);
-  return fs::is_regular_file(path, error) && lies_below(path, root) ? path : fs::path();
+  return fs::is_regular_file(path, error) && scene::lies_below(path.string(), root.string())
+             ? path
+             : fs::path();
 }
 
 bool SceneCode::make_cache(SourceLocation where) {

@@ -2,7 +2,6 @@
 #include "shader_build.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include "compiler.h"
 #include "image/atomic_file.h"
 #include "include_shim.h"
+#include "work_folder.h"
 
 namespace oriel::app {
 namespace {
@@ -70,28 +70,6 @@ std::string find_headers(const std::string& asked) {
                   "--include or ORIEL_SDK",
                   installed.string()));
 }
-
-/// A folder that goes away with its content.
-class WorkFolder {
- public:
-  WorkFolder() {
-    std::string name = (fs::temp_directory_path() / "oriel-shader-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw UserError(fmt::format("cannot make a folder '{}'", name));
-    path_ = name;
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 /// Sources of the time rely on what compilers let pass then; newer ones are told to as well.
 std::vector<std::string> dialect(bool c) {

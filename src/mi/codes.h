@@ -17,11 +17,6 @@ inline constexpr Code kMissingComma = "OR-MI-005";  ///< warning: two parameters
 inline constexpr Code kNesting = "OR-MI-006";       ///< error: values nested too deeply
 inline constexpr Code kUnclosed = "OR-MI-007";      ///< error: the file ends inside an element
 inline constexpr Code kBadBinary = "OR-MI-008";  ///< error: a binary or pixel block of wrong size
-/// How a user may have code of a scene run.
-inline constexpr std::string_view kTrustHint =
-    "build it with `oriel shader-build` and name its folder with --shader-path; or --trust-code, "
-    "if "
-    "you trust the scene as yourself";
 // Files
 inline constexpr Code kMissingInclude = "OR-MI-010";    ///< warning: include not found
 inline constexpr Code kForbiddenInclude = "OR-MI-011";  ///< warning: outside the allowed folders
@@ -49,5 +44,10 @@ inline constexpr Code kBadIndex = "OR-MI-040";    ///< warning: index beyond the
 inline constexpr Code kBadPolygon = "OR-MI-041";  ///< warning: polygon dropped
 inline constexpr Code kBadCount = "OR-MI-042";    ///< error: a list is not as long as announced
 inline constexpr Code kSingular = "OR-MI-043";    ///< warning: singular transform, identity instead
+
+/// How a user may have code of a scene run.
+inline constexpr std::string_view kTrustHint =
+    "build it with `oriel shader-build` and name its folder with --shader-path; or --trust-code, "
+    "if you trust the scene as yourself";
 
 }  // namespace oriel::mi::code

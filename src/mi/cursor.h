@@ -68,11 +68,11 @@ class Cursor {
   const std::vector<std::string>& missing_includes() const { return missing_; }
   /// Package includes met since the last call.
   std::vector<std::string> take_packages();
-  /// $code blocks met since the last call.
   struct CodeBlock {
     std::string body;
     SourceLocation where;
   };
+  /// $code blocks met since the last call.
   std::vector<CodeBlock> take_code();
 
  private:

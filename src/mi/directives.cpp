@@ -21,11 +21,6 @@ std::string file_name(std::string_view path) {
   return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
 }
 
-bool lies_below(std::string_view path, std::string_view root) {
-  if (root.empty() || !path.starts_with(root)) return false;
-  return root.back() == '/' || path.size() == root.size() || path[root.size()] == '/';
-}
-
 }  // namespace
 
 void Cursor::directive(const Token& command) {
@@ -110,7 +105,7 @@ bool Cursor::satisfied_by_package(const std::string& name) {
 
 bool Cursor::include_allowed(const std::string& canonical) const {
   return std::any_of(roots_.begin(), roots_.end(),
-                     [&](const std::string& root) { return lies_below(canonical, root); });
+                     [&](const std::string& root) { return scene::lies_below(canonical, root); });
 }
 
 std::string Cursor::find_include(const std::string& name, bool angled, std::string& canonical,

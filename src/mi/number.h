@@ -24,6 +24,13 @@ inline const char* skip_blanks(const char* p) {
   return p;
 }
 
+/// 0 to 15; -1 where it is no hexadecimal digit.
+inline int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  const int letter = (c | 0x20) - 'a';
+  return letter >= 0 && letter < 6 ? letter + 10 : -1;
+}
+
 /// Scans a number that begins at p.
 ///
 /// Returns: false, and nothing else, when the text at p is no number.

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // data "name" [tag N] N [ 'hex'... ] | "file" | "declared" ( parameters )
 #include "mi/elements.h"
+#include "mi/number.h"
 
 namespace oriel::mi {
-namespace {
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  const int letter = (c | 0x20) - 'a';
-  return letter >= 0 && letter < 6 ? letter + 10 : -1;
-}
-
-}  // namespace
-
 void append_hex(Parse& parse, std::vector<std::uint8_t>& bytes) {
   const SourceLocation at = parse.in.where();
   const Token token = parse.in.next();

@@ -11,6 +11,7 @@
 
 #include "models/import_material.h"
 #include "models/shader_call.h"
+#include "scene/asset_path.h"
 
 namespace oriel::models {
 namespace {
@@ -69,8 +70,7 @@ std::string TextureMaker::file_of(const aiScene& model, const std::string& writt
   const auto [picture, index] = model.GetEmbeddedTextureAndIndex(written.c_str());
   if (!picture) {
     // Other systems write their own separators, and paths of their own machine.
-    std::string name = written;
-    std::replace(name.begin(), name.end(), '\\', '/');
+    const std::string name = scene::with_slashes(written);
     for (const fs::path& candidate :
          {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()})
       if (std::error_code error; fs::is_regular_file(candidate, error))

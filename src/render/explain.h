@@ -116,8 +116,7 @@ void part_sources(World& world);
 /// Model:   a session of one pixel with a witness: its samples are those of a picture of so many
 ///          samples, its maps those of the whole picture.
 /// Inputs:  asked: budget, seed, window and map files of the picture; x, y: from the upper left, in
-/// the picture;
-///          outputs: of the camera, the exposures among them are followed.
+///          the picture; outputs: of the camera, the exposures among them are followed.
 /// Checked: Explain.* in tests/explain/explain_test.cpp, tests/cli/explain_test.cpp
 Explanation explain_pixel(World& world, const SessionSettings& asked, int x, int y,
                           const NodeList& outputs, const Progressive::Callbacks& callbacks = {},

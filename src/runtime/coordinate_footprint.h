@@ -15,9 +15,8 @@ namespace oriel {
 ///          known of the shader and the footprint stays as it is in texture space 0.
 /// Inputs:  coordinate: gives a value; here: what it gives at the point.
 /// Source:  forward differences; Igehy, "Tracing Ray Differentials", SIGGRAPH 1999, 3.4.
-/// Checked: BaseLookups.TheFilterGoesByTheCoordinate,
-/// BaseLookups.FilterLookupBlursAlongTheFootprint
-///          in tests/binding.
+/// Checked: BaseLookups.TheFilterGoesByTheCoordinate and
+///          BaseLookups.FilterLookupBlursAlongTheFootprint in tests/binding.
 TextureFootprint coordinate_footprint(const ShaderNode& coordinate, const Vec3& here,
                                       ShadingPoint& point);
 

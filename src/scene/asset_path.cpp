@@ -15,10 +15,19 @@ std::string in_folder(const std::string& file, const std::string& folder) {
 
 }  // namespace
 
+std::string with_slashes(std::string path) {
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return path;
+}
+
+bool lies_below(std::string_view path, std::string_view folder) {
+  if (folder.empty() || !path.starts_with(folder)) return false;
+  return folder.back() == '/' || path.size() == folder.size() || path[folder.size()] == '/';
+}
+
 std::vector<std::string> spellings_of(const std::string& written) {
   std::vector<std::string> spellings = {written};
-  std::string portable = written;
-  std::replace(portable.begin(), portable.end(), '\\', '/');
+  const std::string portable = with_slashes(written);
   if (portable != written) spellings.push_back(portable);
   const std::size_t above = portable.rfind("../");
   for (std::size_t slash = portable.find('/'); slash != portable.npos;

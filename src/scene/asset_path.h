@@ -3,9 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace oriel::scene {
+
+/// A path of any system as this one writes it.
+std::string with_slashes(std::string path);
+
+/// Is `path` the folder, or in it? Both canonical; nothing lies below an empty one.
+bool lies_below(std::string_view path, std::string_view folder);
 
 /// Paths a file may have here, best first: as written, with slashes, then its last parts alone
 /// ("W:\maps\oak.tif": "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"). No part "..": what a scene

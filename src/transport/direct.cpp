@@ -217,11 +217,11 @@ void DirectSum::add_environment(const Vec2& u) {
                                RayKind::FinalGather)) *
       air_before_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
-  tell(-1, s.wi, std::numeric_limits<float>::infinity(),
-       (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s.pdf), open.all);
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  tell(-1, s.wi, kFar, (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s.pdf),
+       open.all);
   // The environment is what rays see: behind what they see it is not, shadow or none.
   const auto found = [&](const Rgb& value, float pdf, const Rgb& passes, std::uint32_t shadowless) {
-    constexpr float kFar = std::numeric_limits<float>::infinity();
     if (is_black(value) || hidden_from_rays(world_, point_, s.wi, kFar, shadowless, counts_))
       return Rgb(0);
     return value * passes * radiance *

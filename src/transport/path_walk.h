@@ -237,10 +237,10 @@ class Path {
   void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                    LobeChoice& choice);
 
-  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
   /// Where the ray left is asked again by what it meets: lights with a shape, shadows of the
   /// unseen.
   bool needs_origin() const { return world_.has_area_lights || world_.has_unseen_blockers; }
+  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
   bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
 
   const World& world_;

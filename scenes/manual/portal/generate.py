@@ -16,8 +16,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "interior"))
 
 import furniture  # noqa: E402
-from mesh import (Mesh, box, cross, cushion, dot, lathe, number, rounded_box, tube,  # noqa: E402
-                  unit, write_object)
+from mesh import (Mesh, box, cushion, dot, lathe, number, rounded_box, tube,  # noqa: E402
+                  write_object)
+from place import camera, instance, looking, matrix, to_local  # noqa: E402
 
 WIDTH, DEPTH, HEIGHT, WALL, FOOT = 4.4, 5.0, 2.7, 0.26, -0.05
 Y0, Y1, Z0, Z1 = 1.75, 4.05, 0.72, 2.36  # the window's opening
@@ -257,26 +258,6 @@ def leaf_places():
     return places
 
 
-def matrix(rows):
-    return "\n            ".join(" ".join(number(x, 6) for x in row) for row in rows)
-
-
-def to_local(x, y, z, at=(0, 0, 0)):
-    """World to local, for row vectors: the local axes are columns."""
-    rows = [(x[i], y[i], z[i], 0) for i in range(3)]
-    return rows + [(-dot(at, x), -dot(at, y), -dot(at, z), 1)]
-
-
-def looking(back, at=(0, 0, 0)):
-    """Of a camera or light whose own z axis is `back`, up in the picture is up."""
-    right = unit(cross((0, 0, 1), back))
-    return to_local(right, cross(back, right), back, at)
-
-
-def camera(eye, target):
-    return looking(unit(tuple(e - t for e, t in zip(eye, target))), eye)
-
-
 def photon_box():
     """The opening in the sun's own space."""
     rows = looking(SUN)
@@ -284,10 +265,6 @@ def photon_box():
     local = [[dot(p, [row[i] for row in rows[:3]]) for i in range(3)] for p in corners]
     return ([min(p[i] for p in local) for i in range(3)],
             [max(p[i] for p in local) for i in range(3)])
-
-
-def instance(out, name, element, rows, words=""):
-    out.write(f'instance "{name}" "{element}"{words}\n  transform {matrix(rows)}\nend instance\n')
 
 
 def write_places():

@@ -13,7 +13,8 @@ import sys
 
 import room_picture
 from shape import HERE, faces_of, grid, lathe, moved, spline, sweep, write_object
-from mesh import Mesh, box, cross, number, rounded_box, subtract, tube, unit
+from mesh import Mesh, box, cross, rounded_box, subtract, tube, unit
+from place import camera, matrix
 
 
 STAGE = HERE.parent / "stage"
@@ -233,20 +234,6 @@ def write_prop(name, note, parts):
             out.write(f'\ninstgroup "{name}"\n  {members}\nend instgroup\n')
 
 
-def matrix_text(rows):
-    return "  transform " + "\n            ".join(" ".join(number(x, 6) for x in row)
-                                                   for row in rows)
-
-
-def camera(eye, at):
-    """World to camera for a view along -z with y up."""
-    back = unit(subtract(eye, at))
-    right = unit(cross((0, 1, 0), back))
-    axes = (right, cross(back, right), back)
-    rows = [[axis[n] for axis in axes] + [0] for n in range(3)]
-    return rows + [[-sum(e * a for e, a in zip(eye, axis)) for axis in axes] + [1]]
-
-
 def place(x, y, z, degrees=0.0, scale=1.0):
     """World to object for a prop that is scaled, turned about y and moved."""
     c, s = math.cos(math.radians(degrees)) / scale, math.sin(math.radians(degrees)) / scale
@@ -270,9 +257,9 @@ def write_backdrop():
 def main():
     numbers = [float(word) for word in sys.argv[1:] if word != "--camera"]
     if "--camera" in sys.argv:
-        print(matrix_text(camera(tuple(numbers[:3]), tuple(numbers[3:]))))
+        print("  transform " + matrix(camera(tuple(numbers[:3]), tuple(numbers[3:]), (0, 1, 0))))
     elif numbers:
-        print(matrix_text(place(*numbers)))
+        print("  transform " + matrix(place(*numbers)))
     else:
         for name, note, make in PROPS:
             write_prop(name, note, make())

@@ -10,7 +10,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "interior"))
 sys.dont_write_bytecode = True
-from mesh import corner_normals, cross, number, subtract, unit, write_packed  # noqa: E402
+from mesh import area_vector, corner_normals, cross, number, subtract, unit, write_packed  # noqa: E402
 
 
 def spline(points, steps):
@@ -53,16 +53,8 @@ def grid_normal(rows, i, k, ring):
         across = subtract(rows[i][after % count], rows[i][before])
         return unit(cross(across, subtract(upper, lower)))
     near = rows[i + 1] if i == 0 else rows[i - 1]
-    normal = area(near)
+    normal = unit(area_vector(near))
     return normal if i else tuple(-x for x in normal)
-
-
-def area(points):
-    total = [0.0, 0.0, 0.0]
-    for p, q in zip(points, points[1:] + points[:1]):
-        for axis, value in enumerate(cross(p, q)):
-            total[axis] += value
-    return unit(tuple(total))
 
 
 def arc_lengths(rows):

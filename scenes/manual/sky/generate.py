@@ -14,8 +14,9 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "interior"))
 
-from mesh import (Mesh, box, cross, dot, lathe, number, rounded_box, sheet, tube,  # noqa: E402
-                  unit, write_object)
+from mesh import (Mesh, box, dot, lathe, rounded_box, sheet, tube,  # noqa: E402
+                  write_object)
+from place import camera, instance, looking  # noqa: E402
 
 EYE, TARGET = (9.2, -14.8, 1.7), (1.0, 0.0, 2.9)
 POOL = (0.6, -9.4, 7.4, -6.2)
@@ -253,29 +254,6 @@ def ridges():
 def dial():
     card = lathe([(0, -0.05), (1.0, -0.05), (1.0, 0), (0, 0)], 96)
     return [("card", card, "card", 0), ("rod", tube((0, 0, 0), (0, 0, 0.3), 0.018), "rod", 40)]
-
-
-def matrix(rows):
-    return "\n            ".join(" ".join(number(x, 6) for x in row) for row in rows)
-
-
-def to_local(x, y, z, at=(0, 0, 0)):
-    """World to local, for row vectors: the local axes are columns."""
-    rows = [(x[i], y[i], z[i], 0) for i in range(3)]
-    return rows + [(-dot(at, x), -dot(at, y), -dot(at, z), 1)]
-
-
-def looking(back, at=(0, 0, 0)):
-    right = unit(cross((0, 0, 1), back))
-    return to_local(right, cross(back, right), back, at)
-
-
-def camera(eye, target):
-    return looking(unit(tuple(e - t for e, t in zip(eye, target))), eye)
-
-
-def instance(out, name, element, rows, words=""):
-    out.write(f'instance "{name}" "{element}"{words}\n  transform {matrix(rows)}\nend instance\n')
 
 
 def placed(out, prefix, element, places, words=""):
