@@ -4,9 +4,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <thread>
@@ -351,6 +355,44 @@ TEST(FileTexture, ThreadsSeeTheSameValues) {
     });
   for (std::thread& thread : threads) thread.join();
   for (int i = 1; i < 4; ++i) EXPECT_EQ(results[i], results[0]);
+}
+
+/// Looks into all of them from several threads, far fewer files open than there are.
+[[noreturn]] void look_into(const std::vector<std::string>& files) {
+  constexpr rlim_t kOpen = 600;
+  const rlimit limit{kOpen, kOpen};
+  if (setrlimit(RLIMIT_NOFILE, &limit) != 0) std::_Exit(2);
+  TextureSystem system;
+  std::vector<const Texture*> textures;
+  for (const std::string& file : files) textures.push_back(system.open(file, 1).texture);
+  std::atomic<int> wrong{0};
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < 4; ++k)
+    threads.emplace_back([&, k] {
+      for (std::size_t i = 0; i < 3 * textures.size(); ++i) {
+        // Steps of primes without a common factor, so that threads meet in no order.
+        const Texture* t = textures[(i * (7 + 4 * k)) % textures.size()];
+        if (!t || std::abs(t->sample({.5f, .5f}, {}, {}).r - .2f) > 1e-5f) ++wrong;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  std::_Exit(wrong == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+// OpenImageIO's own limit ends in threads that wait for each other.
+TEST(TextureFiles, MayBeMoreThanCanBeOpen) {
+  TestFolder folder;
+  constexpr int kFiles = 701;
+  Image grey(4, 4, 3);
+  std::fill(grey.pixels.begin(), grey.pixels.end(), .2f);
+  write_image(folder.file("0.tif"), grey);
+  std::vector<std::string> files = {folder.file("0.tif")};
+  for (int i = 1; i < kFiles; ++i) {
+    files.push_back(folder.file(fmt::format("{}.tif", i)));
+    std::filesystem::create_hard_link(files[0], files.back());
+  }
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process that opened nothing before
+  EXPECT_EXIT(look_into(files), testing::ExitedWithCode(EXIT_SUCCESS), "");
 }
 
 }  // namespace

@@ -300,7 +300,7 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
   if ((layers & kLayerMotion) && session.motion_slot())
     out.push_back({"motion", kVectorNames, data_image(session, Channels::Motion)});
   if (film.keeps_outputs())
-    for (std::size_t i = 0; i < kOutputs; ++i)
+    for (std::size_t i = 0; i < kMaterialOutputs; ++i)
       if (layers & (LayerSet{1} << (kFirstOutputBit + static_cast<int>(i)))) {
         Image image = output_image(session, i);
         std::vector<std::string> channels =

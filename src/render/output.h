@@ -10,8 +10,8 @@
 #include "image/files.h"
 #include "image/pixel_buffer.h"
 #include "image/view.h"
-#include "render/resolve_outputs.h"
 #include "render/session.h"
+#include "transport/resolve_outputs.h"
 
 namespace oriel {
 
@@ -46,7 +46,8 @@ enum LayerBit : LayerSet {
 };
 /// The outputs of materials follow, one bit each in the order of material_output_names().
 inline constexpr int kFirstOutputBit = 16;
-inline constexpr LayerSet kOutputLayers = ((LayerSet{1} << kOutputs) - 1) << kFirstOutputBit;
+inline constexpr LayerSet kOutputLayers = ((LayerSet{1} << kMaterialOutputs) - 1)
+                                          << kFirstOutputBit;
 
 /// The bit of a layer's name, 0 when there is no such layer ("beauty" is always there).
 LayerSet layer_bit(std::string_view name);

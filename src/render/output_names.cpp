@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "runtime/material_outputs.h"
+
 namespace oriel {
 
 const std::vector<std::string>& material_output_names() {
-  static const std::vector<std::string> names = {
-      "result",      "diffuse_result",  "diffuse_raw",  "diffuse_level",    "spec_result",
-      "spec_raw",    "spec_level",      "refl_result",  "refl_raw",         "refl_level",
-      "refr_result", "refr_raw",        "refr_level",   "tran_result",      "tran_raw",
-      "tran_level",  "indirect_result", "indirect_raw", "indirect_post_ao", "ao_raw",
-      "add_result",  "opacity_result",  "opacity_raw",  "opacity",          "other"};
+  static const std::vector<std::string> names(kMaterialOutputNames.begin(),
+                                              kMaterialOutputNames.end());
   return names;
 }
 

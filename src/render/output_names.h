@@ -8,10 +8,7 @@
 
 namespace oriel {
 
-/// The 24 outputs in the order of the material's declaration, then "other": light that belongs to
-/// none of them. All are colours but "opacity", which is one number.
-///
-/// Source:  mental ray Architectural Shader Library, 1.6.11.
+/// kMaterialOutputNames as strings.
 /// Checked: OutputNames.* in output_names_test.cpp
 const std::vector<std::string>& material_output_names();
 

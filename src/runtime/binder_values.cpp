@@ -192,12 +192,13 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
         return bind_text(node, param, offset, type, value, scope);
       const Resolved source = resolve(value.text, value.where, scope);
       if (!source.node) return;
-      if (param.takes_material && source.node->spec().material) {
+      // A member of its result is a value, all of it the material.
+      const bool whole = source.offset == 0 && source.type == ParamType::Color;
+      if (param.takes_material && whole && source.node->spec().material) {
         bind_input(node, offset, *source.node, value.where);
         return;
       }
-      // What lies over materials gives no value either.
-      if (!source.node->spec().value || !source.node->material_inputs_.empty()) {
+      if (!source.node->spec().value && !source.node->spec().material) {
         diagnostics_.warning(
             "OR-RT-012", value.where,
             fmt::format("shader \"{}\" gives no value that \"{}\" of \"{}\" can use",

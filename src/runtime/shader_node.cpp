@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/assert.h"
+#include "runtime/tracer.h"
 
 namespace oriel {
 
@@ -146,7 +147,29 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
   }
 }
 
+namespace {
+
+/// Estimates, whose means are right.
+void shade_as_value(const ShaderNode& node, const ShadingPoint& at, void* result) {
+  const ShaderSpec& spec = node.spec();
+  std::memset(result, 0, spec.result_size);
+  if (!at.tracer) return;
+  ShadingPoint point = at;  // materials turn its normal
+  const bool has_outputs = spec.results.size() == kMaterialResults;
+  MaterialOutputs outputs{};
+  auto* colours = static_cast<Rgba*>(result);
+  colours[0] = at.tracer->shade({&node}, point, has_outputs ? &outputs : nullptr);
+  if (!has_outputs) return;
+  constexpr std::size_t kOpacity = kMaterialResults - 1;
+  for (std::size_t i = 1; i < kOpacity; ++i)
+    colours[i] = Rgba(outputs[i].x, outputs[i].y, outputs[i].z, colours[0].a);
+  *reinterpret_cast<float*>(colours + kOpacity) = outputs[kOpacity].x;
+}
+
+}  // namespace
+
 void ShaderNode::value(ShadingPoint& point, void* result) const {
+  if (is_shaded()) return shade_as_value(*this, point, result);
   ORIEL_ASSERT(spec_->value != nullptr);
   with_params(point, [&](const Call& call) { spec_->value(call, result); });
 }

@@ -69,7 +69,11 @@ class ShaderNode {
   float scalar(ShadingPoint& point) const;
   Vec3 vector(ShadingPoint& point) const;
 
-  /// Writes the raw result (spec().result_size bytes).
+  /// Whether it is asked for a value by tracing rays: it is a material, or lies over one.
+  bool is_shaded() const { return spec_->material && (!spec_->value || !material_inputs_.empty()); }
+  /// Writes the raw result (spec().result_size bytes): what its shader says; of a material its
+  /// finished colour at the point and, where it has them, its outputs. Black where nothing can be
+  /// traced: in shadow rays, photons, displacement.
   void value(ShadingPoint& point, void* result) const;
 
  private:

@@ -5,12 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "runtime/material_outputs.h"
 #include "runtime/shader_node.h"
 #include "runtime/shading_point.h"
 
 namespace oriel {
-
-struct Outputs;
 
 /// Conventions: world space. ShadingPoint::tracer is one while a surface is shaded for a path, and
 /// null elsewhere (shadow rays, photons, displacement): shaders then answer without it. It must not
@@ -74,9 +73,9 @@ class Tracer {
   /// reach the point straight is not in it.
   virtual Rgb irradiance(const ShadingPoint& point, const Vec3& normal) = 0;
 
-  /// The colour of materials at the point, each shader on what the one before left, and the parts
-  /// of it where `outputs` is not null. Alpha 1.
-  virtual Rgba shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) = 0;
+  /// The colour of materials at the point, each shader on what the one before left, and what
+  /// it consists of where `outputs` is not null. Alpha 1.
+  virtual Rgba shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) = 0;
 
   /// Leaves a value for World::user_buffers[slot] of this sample, and what was left there; false
   /// and nothing where the point is not what the eye or its mirrors see.

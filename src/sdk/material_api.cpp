@@ -2,15 +2,13 @@
 #include "sdk/material_api.h"
 
 #include "oriel/sdk/mia_material_api.h"
-#include "render/resolve_outputs.h"
 #include "sdk/shader_state.h"
 
 namespace oriel::sdk {
 namespace {
 
 /// Members of mia_material_x_return in the order of the outputs; opacity is one number.
-void store_outputs(const std::array<Rgb, kOutputs>& outputs, float alpha,
-                   mia_material_x_return& to) {
+void store_outputs(const MaterialOutputs& outputs, float alpha, mia_material_x_return& to) {
   miColor* const targets[] = {
       &to.result,      &to.diffuse_result,  &to.diffuse_raw,  &to.diffuse_level,   &to.spec_result,
       &to.spec_raw,    &to.spec_level,      &to.refl_result,  &to.refl_raw,        &to.refl_level,
@@ -44,14 +42,14 @@ bool shade_material(const ShaderNode& node, ShadingPoint& point, miState& state,
   if (!point.tracer) return false;
   int size = 0;
   void* const storage = left_value(miA_MATERIAL_API_STORAGE, &size);
-  Outputs parts;
+  MaterialOutputs parts{};
   const NodeList surface{&node};
   const Rgba colour = point.tracer->shade(surface, point, storage ? &parts : nullptr);
   // The colour alone: callers hand the address of a miColor to materials of many results.
   *static_cast<miColor*>(result) = as_c(colour);
   if (!storage) return true;
   mia_material_x_return outputs = {};
-  store_outputs(resolve_outputs(parts, rgb(colour)), colour.a, outputs);
+  store_outputs(parts, colour.a, outputs);
   const miUint written = *static_cast<miUint*>(storage);
   if (size == sizeof(mia_material_x_api_storage) && written == sizeof(mia_material_x_api_storage)) {
     auto& target = *static_cast<mia_material_x_api_storage*>(storage);

@@ -45,7 +45,7 @@ class NothingThere final : public Tracer {
     asked = true;
     return Rgb(0);
   }
-  Rgba shade(const NodeList&, ShadingPoint&, Outputs*) override {
+  Rgba shade(const NodeList&, ShadingPoint&, MaterialOutputs*) override {
     asked = true;
     return Rgba(0);
   }

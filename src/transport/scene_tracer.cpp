@@ -2,6 +2,7 @@
 #include "transport/scene_tracer.h"
 
 #include "transport/path_walk.h"
+#include "transport/resolve_outputs.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
 
@@ -40,8 +41,13 @@ Rgb SceneTracer::irradiance(const ShadingPoint& point, const Vec3& normal) {
   return path_ ? path_->irradiance_for_shader(point, normal, next_stream()) : Rgb(0);
 }
 
-Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) {
-  return path_ ? path_->shade_for_shader(surface, point, outputs, next_stream()) : Rgba(0);
+Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) {
+  if (!path_) return Rgba(0);
+  Outputs parts;
+  const Rgba colour =
+      path_->shade_for_shader(surface, point, outputs ? &parts : nullptr, next_stream());
+  if (outputs) *outputs = resolve_outputs(parts, rgb(colour));
+  return colour;
 }
 
 bool SceneTracer::write_buffer(std::size_t slot, const Rgba& value) {

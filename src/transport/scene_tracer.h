@@ -29,7 +29,7 @@ class SceneTracer final : public Tracer {
   Levels levels() const override;
   Seen trace(const ShadingPoint& from, const SubRay& ray) override;
   Rgb irradiance(const ShadingPoint& point, const Vec3& normal) override;
-  Rgba shade(const NodeList& surface, ShadingPoint& point, Outputs* outputs) override;
+  Rgba shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) override;
   bool write_buffer(std::size_t slot, const Rgba& value) override;
   std::optional<Rgba> read_buffer(std::size_t slot) const override;
 

@@ -56,6 +56,29 @@ TEST(Outputs, AreaLightsThatRaysFindAreDirectLight) {
   }
 }
 
+// A surface that only glows shows what the outputs of another material are there.
+TEST(Outputs, ConnectionsTakeEachOfThem) {
+  constexpr const char* kShown =
+      "\"reflectivity\" .4, \"brdf_0_degree_refl\" 1, "
+      "\"refl_color\" 1 .5 .25, \"diffuse\" .8 .4 .2";
+  const auto lit = [](SceneText scene) { return scene.light("sun", kSun).uniform_sky(2); };
+  const Picture whole(lit(plate(kShown)), 256);
+  for (const std::string name : {"result", "diffuse_raw", "diffuse_result", "refl_level",
+                                 "refl_result", "indirect_result", "spec_result"}) {
+    SceneText scene = plate(
+        "\"reflectivity\" 0, \"diffuse_weight\" 0, "
+        "\"additional_color\" = \"shown." +
+        name + "\"");
+    scene.statement(fmt::format("shader \"shown\" \"mia_material_x\" ( {} )", kShown));
+    const Picture p(lit(scene), 256);
+    expect_near(p.mean("result"), whole.mean(name), .01f * whole.mean("result").x, name);
+    expect_only(
+        p, name == "spec_result" ? std::set<std::string>{} : std::set<std::string>{"add_result"},
+        name);
+  }
+  EXPECT_GT(whole.mean("indirect_result").x, .1f);
+}
+
 // acceptance: U2
 TEST(Outputs, EnvironmentAndBouncesAreIndirect) {
   const Picture sky(plate(kLambert).uniform_sky(2));

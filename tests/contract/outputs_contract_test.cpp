@@ -10,11 +10,11 @@
 #include "random_params.h"
 #include "render/output_names.h"
 #include "render/prepare.h"
-#include "render/resolve_outputs.h"
 #include "shaders/architectural/mia_material.h"
 #include "shaders/registry.h"
 #include "transport/lobes.h"
 #include "transport/path.h"
+#include "transport/resolve_outputs.h"
 
 namespace oriel {
 namespace {

@@ -38,7 +38,9 @@ class SteadyTracer final : public Tracer {
   Levels levels() const override { return {1, 1, .5f}; }
   Seen trace(const ShadingPoint&, const SubRay&) override { return {Rgba(.3f, .2f, .1f, 1), {}}; }
   Rgb irradiance(const ShadingPoint&, const Vec3&) override { return Rgb(.4f); }
-  Rgba shade(const NodeList&, ShadingPoint&, Outputs*) override { return Rgba(.2f, .3f, .4f, 1); }
+  Rgba shade(const NodeList&, ShadingPoint&, MaterialOutputs*) override {
+    return Rgba(.2f, .3f, .4f, 1);
+  }
   bool write_buffer(std::size_t, const Rgba&) override { return false; }
   std::optional<Rgba> read_buffer(std::size_t) const override { return std::nullopt; }
 

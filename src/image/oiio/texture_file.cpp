@@ -5,6 +5,7 @@
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,6 +20,46 @@ namespace {
 
 using System = OIIO::TextureSystem;
 
+/// How many files may be open at once: as many as the system lets this process have, less some for
+/// everything else.
+int most_open_files() {
+  constexpr rlim_t kOthers = 256, kMost = 1 << 20;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return kOthers;
+  limit.rlim_cur = std::min(limit.rlim_max, kMost);
+  setrlimit(RLIMIT_NOFILE, &limit);
+  getrlimit(RLIMIT_NOFILE, &limit);
+  return static_cast<int>(std::clamp(limit.rlim_cur, 2 * kOthers, kMost) - kOthers);
+}
+
+/// OpenImageIO 2.4 closes files beyond its limit while it holds locks that another thread, which is
+/// about to open one, takes the other way round (ImageCacheImpl::check_max_files,
+/// ImageCacheFile::open): both wait for ever. So the limit is as high as it can be, and look-ups
+/// take turns once there are more files.
+class OpenFiles {
+ public:
+  int limit() const { return limit_; }
+  void count_one() {
+    if (++count_ >= limit_) crowded_.store(true, std::memory_order_relaxed);
+  }
+  /// To be held while the texture system may open files.
+  std::unique_lock<std::mutex> turn() {
+    return crowded_.load(std::memory_order_relaxed) ? std::unique_lock(mutex_)
+                                                    : std::unique_lock<std::mutex>();
+  }
+
+ private:
+  const int limit_ = most_open_files();
+  std::atomic<int> count_{0};
+  std::atomic<bool> crowded_{false};
+  std::mutex mutex_;
+};
+
+OpenFiles& open_files() {
+  static OpenFiles* const one = new OpenFiles;  // outlives threads, as the texture system does
+  return *one;
+}
+
 /// The process's one texture system. It is never destroyed: threads keep pointers into it, and
 /// nothing orders their end before ours.
 System& system() {
@@ -31,7 +72,7 @@ System& system() {
     s->attribute("unassociatedalpha", 1);  // values as stored
     s->attribute("deduplicate", 0);        // a decoded file must not be taken for the plain one
     s->attribute("max_memory_MB", 1024.0f);
-    s->attribute("max_open_files", 256);
+    s->attribute("max_open_files", open_files().limit());
     return s;
   }();
   return *one;
@@ -91,6 +132,7 @@ class TextureFile final : public Texture {
 
     // Its t runs down from the top row.
     float c[4] = {0, 0, 0, 0};
+    const auto turn = open_files().turn();
     const bool good = system().texture(
         handle_, perthread(), options, *u, 1 - *v, bounded_derivative(footprint.dx.x),
         -bounded_derivative(footprint.dx.y), bounded_derivative(footprint.dy.x),
@@ -169,6 +211,8 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma)
   } else {
     system().invalidate(name, false);  // only where the file is newer than what is cached
   }
+  open_files().count_one();
+  const auto turn = open_files().turn();
   System::TextureHandle* handle = system().get_texture_handle(name, perthread());
   if (!handle || !system().good(handle)) {
     const std::string why = system().geterror();

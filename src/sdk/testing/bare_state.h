@@ -26,7 +26,7 @@ class NumbersOnly final : public Tracer {
   Levels levels() const override { return {}; }
   Seen trace(const ShadingPoint&, const SubRay&) override { return {}; }
   Rgb irradiance(const ShadingPoint&, const Vec3&) override { return Rgb(0); }
-  Rgba shade(const NodeList&, ShadingPoint&, Outputs*) override { return Rgba(0); }
+  Rgba shade(const NodeList&, ShadingPoint&, MaterialOutputs*) override { return Rgba(0); }
   bool write_buffer(std::size_t, const Rgba&) override { return false; }
   std::optional<Rgba> read_buffer(std::size_t) const override { return {}; }
 

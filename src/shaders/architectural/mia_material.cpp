@@ -2,12 +2,14 @@
 #include "shaders/architectural/mia_material.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
+#include "runtime/material_outputs.h"
 #include "runtime/shader_node.h"
 
 namespace oriel {
@@ -287,8 +289,17 @@ int mia_most_lobes(const ShaderNode& node) {
   return lobes;
 }
 
-constexpr ParamSpec kResults[] = {
-    {.name = "result", .type = ParamType::Color, .element = ParamType::Color, .offset = 0}};
+/// Colours one behind the other, at last one number.
+constexpr auto kResults = [] {
+  std::array<ParamSpec, kMaterialResults> rows{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ParamType type = i + 1 < rows.size() ? ParamType::Color : ParamType::Scalar;
+    rows[i] = {
+        .name = kMaterialOutputNames[i], .type = type, .element = type, .offset = i * sizeof(Rgba)};
+  }
+  return rows;
+}();
+constexpr std::size_t kResultSize = (kMaterialResults - 1) * sizeof(Rgba) + sizeof(float);
 
 }  // namespace
 
@@ -364,6 +375,7 @@ const ShaderSpec kMiaMaterialX = {
     .params_size = sizeof(P),
     .result = ParamType::Struct,
     .results = kResults,
+    .result_size = kResultSize,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
     .may_emit = mia_may_emit,
@@ -382,6 +394,7 @@ const ShaderSpec kMiaMaterialXPasses = {
     .params_size = sizeof(P),
     .result = ParamType::Struct,
     .results = kResults,
+    .result_size = kResultSize,
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
     .may_transmit = mia_may_transmit,
     .may_emit = mia_may_emit,

@@ -2,13 +2,10 @@
 // From the mean parts of a pixel to the outputs of the material, in the manual's names.
 #pragma once
 
-#include <array>
-
+#include "runtime/material_outputs.h"
 #include "transport/outputs.h"
 
 namespace oriel {
-
-inline constexpr std::size_t kOutputs = 25;  ///< as material_output_names() lists them
 
 /// All outputs of a pixel; "opacity" in each channel.
 ///
@@ -20,6 +17,6 @@ inline constexpr std::size_t kOutputs = 25;  ///< as material_output_names() lis
 /// Inputs:  means: of all paths of the pixel; beauty: of the pixel.
 /// Source:  manual 1.6.11.
 /// Checked: ResolveOutputs.*, tests/analytic/outputs_test.cpp
-std::array<Rgb, kOutputs> resolve_outputs(const Outputs& means, const Rgb& beauty);
+MaterialOutputs resolve_outputs(const Outputs& means, const Rgb& beauty);
 
 }  // namespace oriel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/resolve_outputs.h"
+#include "transport/resolve_outputs.h"
 
 #include <algorithm>
 
@@ -16,8 +16,8 @@ Rgb quotient(const Rgb& a, const Rgb& b) {
 
 }  // namespace
 
-std::array<Rgb, kOutputs> resolve_outputs(const Outputs& means, const Rgb& beauty) {
-  std::array<Rgb, kOutputs> out;
+MaterialOutputs resolve_outputs(const Outputs& means, const Rgb& beauty) {
+  MaterialOutputs out;
   std::size_t next = 0;
   const auto put = [&](const Rgb& c) { out[next++] = c; };
   const auto result = [&](Component c) { return means.result[static_cast<std::size_t>(c)]; };
