@@ -31,8 +31,10 @@ float cosine_at(float u, float k) {
 /// The map under a kernel of that variance, at points spread evenly over it.
 CubeMap blurred(const CubeMap& map, float variance) {
   const float k = 1 / variance;
-  const auto points = static_cast<int>(
-      std::max(kLeastPoints, kPointsPerTexel * variance / sqr(texel_width(map.side()))));
+  // Its area is 2 pi times the variance, and no more than the sphere's.
+  constexpr float kWhole = 2;
+  const auto points = static_cast<int>(std::max(
+      kLeastPoints, kPointsPerTexel * std::min(variance, kWhole) / sqr(texel_width(map.side()))));
   std::vector<Vec3> offsets;
   for (int i = 0; i < points; ++i) {
     const float z = cosine_at((static_cast<float>(i) + 0.5f) / static_cast<float>(points), k);
