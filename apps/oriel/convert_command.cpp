@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "command.h"
+#include "light_meter.h"
 #include "mi/reader.h"
 #include "mi/writer.h"
 #include "models/daylight.h"
@@ -41,6 +42,9 @@ bool is_mi(const fs::path& path) {
          (path.extension() == ".gz" && path.stem().extension() == ".mi");
 }
 
+/// For the light of the model itself.
+constexpr float kFNumber = 8;
+
 scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
   SceneArguments arguments;
   arguments.path = path;
@@ -71,9 +75,23 @@ void convert(const ConvertArguments& a, const std::string& to) {
     if (scene.renders.empty()) models::add_camera(scene, options);
     if (a.daylight) models::add_daylight(scene, options);
   }
-  const bool written = mi::write_scene(scene, to, diagnostics);
-  printer.print_new();
-  if (!written) throw UserError(fmt::format("cannot write '{}'", to));
+  const auto write = [&] {
+    const bool written = mi::write_scene(scene, to, diagnostics);
+    printer.print_new();
+    if (!written) throw UserError(fmt::format("cannot write '{}'", to));
+  };
+  write();
+  if (is_mi(a.model) || a.daylight) return;
+  // As it will be read: pictures are found from where the scene is.
+  scene::Scene read = read_mi(to, diagnostics);
+  if (const float shutter = metered_shutter(read, kFNumber); shutter > 0) {
+    models::add_exposure(scene, kFNumber, shutter);
+    write();
+  } else {
+    diagnostics.note("OR-MD-007", {}, "no light of the model reaches what its camera sees",
+                     "--daylight adds sun and sky");
+    printer.print_new();
+  }
 }
 
 int run_convert(const ConvertArguments& a) {

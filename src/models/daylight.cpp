@@ -83,6 +83,17 @@ Vec3 place_for(const std::vector<Vec3>& points, const Vec3& x, const Vec3& y, co
   }
 }
 
+scene::Camera* rendering_camera(scene::Scene& scene) {
+  const auto* placed = scene.get<scene::Instance>(scene.renders.back().camera);
+  return scene.get<scene::Camera>(placed->element);
+}
+
+scene::ShaderList reference(const std::string& name) {
+  scene::ShaderUse use;
+  use.reference = name;
+  return {use};
+}
+
 void add_ground(scene::Scene& scene, const Box3& box) {
   const float r = kGround * radius_of(box);
   const Vec3 c = box.center();
@@ -134,6 +145,19 @@ void add_camera(scene::Scene& scene, const DaylightOptions& options) {
   put(scene, std::move(instance));
 }
 
+void add_exposure(scene::Scene& scene, float f_number, float shutter) {
+  scene::ShaderElement exposure;
+  exposure.name = unique_name(scene, "exposure");
+  // The options' gamma is applied where pictures are written.
+  ShaderCall photographic("mia_exposure_photographic");
+  photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", shutter);
+  photographic.set("f_number", f_number).set("vignetting", 0.0f).set("burn_highlights", .3f);
+  photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
+  exposure.functions = {photographic.use()};
+  rendering_camera(scene)->lens = reference(exposure.name);
+  scene.add(std::move(exposure));
+}
+
 void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
   add_ground(scene, bounds_of(points_of(scene)));
   const float azimuth = options.sun_azimuth * kPi / 180, up = options.sun_elevation * kPi / 180;
@@ -156,28 +180,11 @@ void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
   skylight.set("y_is_up", true).set("sun_direction", to_sun).set("sun", instance.name.c_str());
   sky.functions = {skylight.use()};
 
-  scene::ShaderElement exposure;
-  exposure.name = unique_name(scene, "exposure");
-  // Sunny 16; the options' gamma is applied where pictures are written.
-  ShaderCall photographic("mia_exposure_photographic");
-  photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", 100.0f);
-  photographic.set("f_number", 16.0f).set("vignetting", 0.0f).set("burn_highlights", .3f);
-  photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
-  exposure.functions = {photographic.use()};
-
-  const auto* placed = scene.get<scene::Instance>(scene.renders.back().camera);
-  auto* camera = scene.get<scene::Camera>(placed->element);
-  const auto by_name = [](const std::string& name) {
-    scene::ShaderUse use;
-    use.reference = name;
-    return scene::ShaderList{use};
-  };
-  camera->lens = by_name(exposure.name);
-  camera->environment = by_name(sky.name);
+  rendering_camera(scene)->environment = reference(sky.name);
   scene.add(std::move(sun));
   put(scene, std::move(instance));
   scene.add(std::move(sky));
-  scene.add(std::move(exposure));
+  add_exposure(scene, 16, 100);  // a sunny day
 }
 
 }  // namespace oriel::models

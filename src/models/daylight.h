@@ -18,6 +18,9 @@ struct DaylightOptions {
 /// Checked: Daylight.TheWholeModelIsInTheFrame
 void add_camera(scene::Scene& scene, const DaylightOptions& options);
 
+/// Gives the camera that the scene renders a photographic exposure at ISO 100; shutter in 1/s.
+void add_exposure(scene::Scene& scene, float f_number, float shutter);
+
 /// Adds grey ground under the model, a physical sun and sky, and an exposure for a sunny day to the
 /// camera that the scene renders. Pixels are cd/m2 over pi.
 void add_daylight(scene::Scene& scene, const DaylightOptions& options);

@@ -173,7 +173,11 @@ class Builder {
     // It looks down -z here, and where it says there.
     const Vec3 z = normalize(-vec(source.mLookAt));
     const Vec3 x = normalize(cross(vec(source.mUp), z)), y = cross(z, x);
-    const Vec3 p = vec(source.mPosition);
+    // Of glTF, assimp 5 gives a camera its node's translation once more.
+    const aiNode* node = model_.mRootNode ? model_.mRootNode->FindNode(source.mName) : nullptr;
+    const bool twice = node && Vec3(node->mTransformation.a4, node->mTransformation.b4,
+                                    node->mTransformation.c4) == vec(source.mPosition);
+    const Vec3 p = twice ? Vec3(0) : vec(source.mPosition);
     const Mat4 own(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, p.x, p.y, p.z, 1);
     const std::string name = camera.name;
     scene_.add(std::move(camera));

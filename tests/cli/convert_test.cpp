@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// oriel convert and oriel quick, from a model on disk to a picture that shows it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <regex>
+
+#include "image/files.h"
+#include "program.h"
+
+namespace oriel {
+namespace {
+
+class ConvertTest : public ProgramTest {
+ protected:
+  /// A white square of side 4 on z = 0, a camera at (3, 0, 5) that looks straight at it, and a lamp
+  /// of that many candela at (0, 0, 2).
+  void write_square(const std::string& name, float candela) const {
+    // Little-endian floats of the four corners, then the indices 0 1 2 0 2 3 as shorts.
+    constexpr const char* kBuffer =
+        "AAAAwAAAAMAAAAAAAAAAQAAAAMAAAAAAAAAAQAAAAEAAAAAAAAAAwAAAAEAAAAAAAAABAAIAAAACAAMA";
+    write(name, fmt::format(
+                    R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0,1,2]}}],
+"extensionsUsed":["KHR_lights_punctual"],
+"extensions":{{"KHR_lights_punctual":{{"lights":[{{"type":"point","intensity":{}}}]}}}},
+"nodes":[{{"mesh":0,"name":"square"}},{{"camera":0,"name":"eye","translation":[3,0,5]}},
+{{"name":"lamp","translation":[0,0,2],"extensions":{{"KHR_lights_punctual":{{"light":0}}}}}}],
+"cameras":[{{"type":"perspective","perspective":{{"aspectRatio":1.5,"yfov":1,"znear":0.1}}}}],
+"materials":[{{"pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":1}},"doubleSided":true}}],
+"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"material":0}}]}}],
+"accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-2,-2,0],"max":[2,2,0]}},
+{{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}}],
+"bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":12}}],
+"buffers":[{{"byteLength":60,"uri":"data:application/octet-stream;base64,{}"}}]}})",
+                    candela, kBuffer));
+  }
+  float shutter_of(const std::string& scene) const {
+    const std::string text = text_of(file(scene));
+    std::smatch found;
+    return std::regex_search(text, found, std::regex("\"camera_shutter\" ([0-9.e+-]+)"))
+               ? std::stof(found[1])
+               : 0;
+  }
+};
+
+TEST_F(ConvertTest, ItsOwnLightsAreMetered) {
+  float shutter[2];
+  for (const int k : {0, 1}) {
+    write_square("square.gltf", k == 0 ? 100 : 20000);
+    const RunResult r = run({"convert", "square.gltf", "square.mi"});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    shutter[k] = shutter_of("square.mi");
+    ASSERT_EQ(run({"render", "square.mi", "-q", "--size", "48x32", "-o", "square.png"}).exit_code,
+              0);
+    const Image image = read_image(file("square.png"));
+    // Where the camera's left half sees the square.
+    const float lit = image.at(12, 16)[1];
+    EXPECT_GT(lit, .25f);
+    EXPECT_LT(lit, .9f);
+  }
+  EXPECT_GT(shutter[0], 0);
+  EXPECT_NEAR(shutter[1] / shutter[0], 200, 2);
+}
+
+// A camera stands where its node is, and is not moved by it twice.
+TEST_F(ConvertTest, CamerasOfGltfStandAtTheirNodes) {
+  write_square("square.gltf", 1000);
+  ASSERT_EQ(run({"convert", "square.gltf", "square.mi"}).exit_code, 0);
+  ASSERT_EQ(run({"render", "square.mi", "-q", "--size", "48x32", "-o", "square.exr"}).exit_code, 0);
+  const Image image = read_image(file("square.exr"));
+  // At 5 away the picture is 5.46 high and 8.19 wide: x from -1.1 to 7.1, y from -2.7 to 2.7.
+  const auto lit = [&](float x, float y) {
+    return image.at(static_cast<int>((x + 1.1f) / 8.2f * 48),
+                    static_cast<int>((2.73f - y) / 5.46f * 32))[1] > 0;
+  };
+  EXPECT_TRUE(lit(0, 0));
+  EXPECT_TRUE(lit(1.7f, 1.7f));
+  EXPECT_FALSE(lit(2.3f, 0));
+  EXPECT_FALSE(lit(0, 2.3f));
+}
+
+TEST_F(ConvertTest, AModelWithoutLightIsToldHowToGetSome) {
+  write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const RunResult r = run({"convert", "dark.obj", "dark.mi"});
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_NE(r.err.find("--daylight"), std::string::npos) << r.err;
+  EXPECT_EQ(shutter_of("dark.mi"), 0);
+}
+
+TEST_F(ConvertTest, QuickMakesAPictureInDaylight) {
+  write("box.obj",
+        "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
+        "f 5 8 7 6\nf 4 3 7 8\nf 3 2 6 7\nf 2 1 5 6\nf 1 4 8 5\n");
+  const RunResult r = run({"quick", "box.obj", "--size", "60x40", "--samples", "4"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const Image image = read_image(file("box.png"));
+  double sum = 0, squares = 0;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) {
+      sum += image.at(x, y)[1];
+      squares += double{image.at(x, y)[1]} * image.at(x, y)[1];
+    }
+  const double mean = sum / 2400, deviation = std::sqrt(squares / 2400 - mean * mean);
+  EXPECT_GT(mean, .25);
+  EXPECT_LT(mean, .85);
+  EXPECT_GT(deviation, .05) << "sides in sun and shade, ground, sky";
+  EXPECT_TRUE(std::filesystem::exists(file("box.mi")));
+}
+
+}  // namespace
+}  // namespace oriel
