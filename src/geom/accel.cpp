@@ -138,9 +138,12 @@ struct Accel::Impl {
                             std::uint32_t id) {
       if (pieces.empty()) return;
       RTCGeometry geometry = rtcNewGeometry(device, type);
-      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                 curves.points.data(), 0, sizeof(Curves::Point),
-                                 curves.points.size());
+      const auto steps = static_cast<unsigned>(curves.keys.size());
+      if (steps > 0) rtcSetGeometryTimeStepCount(geometry, steps);
+      for (unsigned step = 0; step < std::max(1u, steps); ++step)
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT4,
+                                   (steps > 0 ? curves.keys[step] : curves.points).data(), 0,
+                                   sizeof(Curves::Point), curves.points.size());
       rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, pieces.data(),
                                  0, sizeof(std::uint32_t), pieces.size());
       if (type == RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE) {

@@ -24,6 +24,9 @@ struct Curves {
   std::vector<std::uint32_t> beziers;       ///< counted after lines
   std::vector<Vec3> normals;                ///< as the scene gives them; null where it does not
   std::vector<std::vector<Vec3>> textures;  ///< one column per texture space
+  std::vector<std::vector<Vec3>> motion;    ///< one column per motion step, as Mesh::motion
+  /// The points at equal steps of a ray's time from 0 to 1; empty: they stay.
+  std::vector<std::vector<Point>> keys;
 
   bool empty() const { return lines.empty() && beziers.empty(); }
   std::size_t size() const { return lines.size() + beziers.size(); }

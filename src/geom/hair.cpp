@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <span>
 
+#include "geom/motion.h"
 #include "geom/surface.h"
+#include "scene/motion.h"
 
 namespace oriel::geom {
 
@@ -17,6 +19,8 @@ using Field = Hair::Field;
 using Kind = Field::Kind;
 
 constexpr float kFarthest = 1e18f;
+/// Most motion vectors that are kept of a point: vectors of a hair count for each of its points.
+constexpr std::size_t kMostSteps = scene::kMostMotionSteps;
 
 std::size_t width_of(const std::vector<Field>& fields) {
   std::size_t width = 0;
@@ -29,6 +33,7 @@ struct Attributes {
   float radius = 1;
   Vec3 normal{0, 0, 0};
   std::vector<Vec3> textures;
+  std::vector<Vec3> motion;  ///< from its place, at equal steps of the motion interval
 };
 
 /// Reads the numbers of `fields` over what `all` holds already.
@@ -44,8 +49,37 @@ void read_fields(const std::vector<Field>& fields, std::span<const float> number
     if (field.kind == Kind::Texture)
       for (std::size_t i = 0; i < field.numbers(); i += 3)
         all.textures.emplace_back(value(i), value(i + 1), value(i + 2));
+    if (field.kind == Kind::Motion) {
+      all.motion.clear();
+      for (std::size_t i = 0; i < field.numbers(); i += 3)
+        all.motion.emplace_back(value(i), value(i + 1), value(i + 2));
+    }
     at += field.numbers();
   }
+}
+
+bool is_near(const Vec3& p) {
+  return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;
+}
+
+/// Where motion vectors lead in a share of the interval, 0 to 1.
+Vec3 way_at(std::span<const Vec3> motion, float share) {
+  if (motion.empty()) return Vec3(0);
+  const KeysAt at(motion.size() + 1, share);
+  const Vec3 from = at.step == 0 ? Vec3(0) : motion[at.step - 1];
+  return from * (1 - at.share) + motion[at.step] * at.share;
+}
+
+/// Gives all points so far `steps` motion vectors; those that had others go their way in these.
+void set_steps(Curves& curves, std::size_t steps) {
+  std::vector<std::vector<Vec3>> columns(steps, std::vector<Vec3>(curves.points.size()));
+  std::vector<Vec3> way(curves.motion.size());
+  for (std::size_t i = 0; i < curves.points.size() && !way.empty(); ++i) {
+    for (std::size_t m = 0; m < way.size(); ++m) way[m] = curves.motion[m][i];
+    for (std::size_t m = 0; m < steps; ++m)
+      columns[m][i] = way_at(way, static_cast<float>(m + 1) / static_cast<float>(steps));
+  }
+  curves.motion = std::move(columns);
 }
 
 class HairMaker {
@@ -71,10 +105,10 @@ class HairMaker {
     for (std::size_t v = 0; v < vertices; ++v) {
       const auto numbers = all.subspan(hair_width_ + v * vertex_width_, vertex_width_);
       const Vec3 p(numbers[0], numbers[1], numbers[2]);
-      if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest))
-        return false;
       Vertex& vertex = vertices_.emplace_back(Vertex{p, common});
       read_fields(hair_.per_vertex, numbers.subspan(3), vertex.more);
+      const std::vector<Vec3>& motion = vertex.more.motion;
+      if (!is_near(p) || !std::all_of(motion.begin(), motion.end(), is_near)) return false;
     }
     const std::size_t pieces = (vertices - 1) / degree_;
     for (std::size_t i = 0; i < pieces; ++i) add_piece(i);
@@ -109,11 +143,18 @@ class HairMaker {
     v.more.radius = a.more.radius * (1 - t) + b.more.radius * t;
     for (std::size_t s = 0; s < v.more.textures.size(); ++s)
       v.more.textures[s] = a.more.textures[s] * (1 - t) + b.more.textures[s] * t;
+    for (std::size_t m = 0; m < v.more.motion.size(); ++m)
+      v.more.motion[m] = a.more.motion[m] * (1 - t) + b.more.motion[m] * t;
     return v;
   }
 
   void add_point(const Vertex& v) {
     const std::size_t before = curves_.points.size();
+    const std::size_t asked = std::min(v.more.motion.size(), kMostSteps);
+    if (curves_.motion.size() < asked) set_steps(curves_, asked);
+    const auto steps = static_cast<float>(curves_.motion.size());
+    for (std::size_t m = 0; m < curves_.motion.size(); ++m)
+      curves_.motion[m].push_back(way_at(v.more.motion, static_cast<float>(m + 1) / steps));
     curves_.points.push_back({v.p, v.more.radius});
     const auto put = [before](std::vector<Vec3>& column, const Vec3& value) {
       column.resize(before, Vec3(0));
@@ -153,16 +194,19 @@ struct CurvePoint {
   Vec3 p, tangent;
   float radius;
   std::uint32_t first, last;
+  Vec3 speed{0};       ///< per unit of a ray's time
+  float farthest = 0;  ///< coordinate of the places between which it moves
 };
 
-CurvePoint evaluate(const Curves& curves, std::size_t piece, float u) {
+CurvePoint evaluate(const Curves& curves, const std::vector<Curves::Point>& points,
+                    std::size_t piece, float u) {
   if (piece < curves.lines.size()) {
     const std::uint32_t i = curves.lines[piece];
-    const Curves::Point &a = curves.points[i], &b = curves.points[i + 1];
+    const Curves::Point &a = points[i], &b = points[i + 1];
     return {a.p * (1 - u) + b.p * u, b.p - a.p, a.radius * (1 - u) + b.radius * u, i, i + 1};
   }
   const std::uint32_t i = curves.beziers[piece - curves.lines.size()];
-  const Curves::Point* c = &curves.points[i];
+  const Curves::Point* c = &points[i];
   const float w = 1 - u;
   const float b[4] = {w * w * w, 3 * w * w * u, 3 * w * u * u, u * u * u};
   CurvePoint at{Vec3(0), Vec3(0), 0, i, i + 3};
@@ -177,6 +221,18 @@ CurvePoint evaluate(const Curves& curves, std::size_t piece, float u) {
 }
 
 float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+CurvePoint evaluate_at(const Curves& curves, std::size_t piece, float u, float time) {
+  if (curves.keys.empty()) return evaluate(curves, curves.points, piece, u);
+  const KeysAt at(curves.keys.size(), time);
+  CurvePoint point = evaluate(curves, curves.keys[at.step], piece, u);
+  const CurvePoint next = evaluate(curves, curves.keys[at.step + 1], piece, u);
+  point.speed = (next.p - point.p) * at.pieces;
+  point.farthest = std::max(largest(point.p), largest(next.p));
+  point.p = point.p * (1 - at.share) + next.p * at.share;
+  point.tangent = point.tangent * (1 - at.share) + next.tangent * at.share;
+  return point;
+}
 
 }  // namespace
 
@@ -197,8 +253,8 @@ void add_hair(Mesh& mesh, const scene::Hair& hair, Diagnostics& diagnostics) {
 void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placement,
                        SurfacePoint& point) {
   const Curves& curves = mesh.curves;
-  const CurvePoint at =
-      evaluate(curves, hit.primitive - mesh.triangles.size(), clamp(hit.u, 0.0f, 1.0f));
+  const CurvePoint at = evaluate_at(curves, hit.primitive - mesh.triangles.size(),
+                                    clamp(hit.u, 0.0f, 1.0f), hit.time);
   const Mat4* forward = placement.local_to_world;
   Vec3 outward = normalize(forward ? transform_normal(hit.ng, *forward) : hit.ng);
   if (outward == Vec3(0)) outward = Vec3(0, 0, 1);
@@ -207,12 +263,13 @@ void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placem
   point.ng = point.ns = normalize(hit.ng) == Vec3(0) ? outward : normalize(hit.ng);
   point.dpdu = forward ? transform_vector(at.tangent, *forward) : at.tangent;
   point.dpdv = cross(point.ng, normalize(point.dpdu)) * at.radius;
+  point.speed = forward ? transform_vector(at.speed, *forward) : at.speed;
   point.uv_density = 0;
   // The tracer finds the surface of a curve by steps and stops at about this much of its radius.
   constexpr float kStep = 2e-3f, kRounding = 1e-6f;
   const float stretch =
       forward ? largest(transform_vector(outward * at.radius, *forward)) : at.radius;
-  point.offset = kStep * stretch + kRounding * (largest(point.p) + largest(at.p));
+  point.offset = kStep * stretch + kRounding * (largest(point.p) + largest(at.p) + at.farthest);
   point.slot = mesh.slot_of(hit.primitive);
   point.primitive = hit.primitive;
   point.texture_count =

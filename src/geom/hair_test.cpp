@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "geom/accel.h"
+#include "geom/motion.h"
 
 namespace oriel::geom {
 namespace {
@@ -146,6 +148,106 @@ TEST(Hair, AnInstanceMayStretchAndMoveIt) {
   SurfacePoint point{};
   ASSERT_TRUE(Placed(line, to_world).hit(Vec3(5.5f, .1f, 3), Vec3(0, 0, -1), point));
   EXPECT_LT(length(point.p - Vec3(5.5f, .1f, std::sqrt(.04f - .01f))), 1e-3f);
+}
+
+/// A mesh of those hairs, its keys for ray time 0 to 1.
+Mesh moving(const std::vector<scene::Hair>& hairs) {
+  Mesh mesh;
+  Diagnostics diagnostics;
+  for (const scene::Hair& hair : hairs) add_hair(mesh, hair, diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty());
+  add_keys(mesh, 0, 1);
+  return mesh;
+}
+
+/// Whether a ray down z from (x, y) meets it at that time; what it then knows of it.
+bool meets(const Accel& accel, float x, float y, float time, SurfacePoint* point = nullptr) {
+  Ray ray{Vec3(x, y, 3), 0, Vec3(0, 0, -1)};
+  ray.time = time;
+  Hit hit;
+  const bool met = accel.intersect(ray, hit);
+  EXPECT_EQ(met, accel.occluded(ray));
+  if (met && point) accel.interpolate(hit, *point);
+  return met;
+}
+
+TEST(Hair, RaysMeetItWhereItsVectorsLead) {
+  // Right by 4 in the first half, up by 2 in the second; of lines and of both kinds of curves.
+  const std::vector<float> way = {4, 0, 0, 4, 2, 0};
+  for (const int degree : {1, 2, 3})
+    for (const bool of_hair : {false, true}) {
+      std::vector<float> scalars;
+      if (of_hair) scalars = way;
+      for (int v = 0; v <= degree; ++v) {
+        const auto at = static_cast<float>(v) / static_cast<float>(degree);
+        scalars.insert(scalars.end(), {-.5f + at, .2f, 0});
+        if (!of_hair) scalars.insert(scalars.end(), way.begin(), way.end());
+      }
+      auto hair = hair_of(degree, scalars, {0, static_cast<std::uint32_t>(scalars.size())});
+      (of_hair ? hair.per_hair : hair.per_vertex) = {{Kind::Motion, 2}};
+      Accel accel;
+      Mat4 path_end;
+      path_end.setTranslation(Vec3(0, 0, 1));
+      accel.add_instance({.mesh = accel.add_mesh(moving({hair})), .path = {Mat4(), path_end}});
+      accel.commit();
+      SurfacePoint point;
+      EXPECT_TRUE(meets(accel, 0, .25f, 0)) << degree;
+      EXPECT_FALSE(meets(accel, 0, .25f, .3f)) << degree;
+      ASSERT_TRUE(meets(accel, 2, .25f, .25f, &point)) << degree;
+      // On the tube, where hair and instance have gone, and going on as both do.
+      EXPECT_LT(length(point.p - Vec3(2, .25f, .25f + std::sqrt(.01f - sqr(.05f)))), 1e-3f);
+      EXPECT_LT(length(point.speed - Vec3(8, 0, 1)), 1e-4f) << point.speed;
+      EXPECT_FALSE(accel.occluded(spawn_ray(point, point.ng, RayMask::All)));
+      ASSERT_TRUE(meets(accel, 4.1f, 1.2f, .75f, &point)) << degree;
+      EXPECT_LT(length(point.speed - Vec3(0, 4, 1)), 1e-4f) << point.speed;
+      EXPECT_FALSE(meets(accel, 4.1f, .2f, .75f)) << degree;
+      EXPECT_TRUE(meets(accel, 4.1f, 2.2f, 1)) << degree;
+    }
+}
+
+TEST(Hair, VectorsOfAVertexGoBeforeThoseOfItsHair) {
+  // The end is held, the tip swings; the hair's own vector would carry both away.
+  auto hair = hair_of(1, {9, 9, 9, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 15});
+  hair.per_hair = {{Kind::Motion, 1}};
+  hair.per_vertex = {{Kind::Motion, 1}};
+  hair.radius = .01f;
+  Accel accel;
+  accel.add_instance({.mesh = accel.add_mesh(moving({hair}))});
+  accel.commit();
+  for (const float time : {0.0f, .4f, 1.0f}) {
+    SurfacePoint point;
+    ASSERT_TRUE(meets(accel, .75f, .75f * time, time, &point));
+    EXPECT_LT(length(point.speed - Vec3(0, .75f, 0)), 1e-2f) << point.speed;
+    EXPECT_LT(length(normalize(point.dpdu) - normalize(Vec3(1, time, 0))), 1e-3f);
+  }
+}
+
+TEST(Hair, BlocksWithFewerVectorsGoTheSameWay) {
+  auto straight = hair_of(1, {0, 0, 0, 6, 0, 0, 0, 1, 0, 6, 0, 0}, {0, 12});
+  straight.per_vertex = {{Kind::Motion, 1}};
+  auto bent =
+      hair_of(1, {0, 0, 1, 0, 3, 0, 0, 0, 3, 0, 3, 0, 0, 1, 1, 0, 3, 0, 0, 0, 3, 0, 3, 0}, {0, 24});
+  bent.per_vertex = {{Kind::Motion, 3}};
+  const auto still = hair_of(1, {0, 0, 2, 0, 1, 2}, {0, 6});
+  const std::vector<scene::Hair> all = {straight, bent, still};
+  for (const auto& order : {std::array{0, 1, 2}, {2, 1, 0}, {1, 0, 2}}) {
+    const Mesh mesh =
+        moving({all[static_cast<std::size_t>(order[0])], all[static_cast<std::size_t>(order[1])],
+                all[static_cast<std::size_t>(order[2])]});
+    ASSERT_EQ(mesh.curves.keys.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t block = 0; block < 3; ++block) {
+          const Vec3 from = mesh.curves.points[2 * block + i].p;
+          const Vec3 at = mesh.curves.keys[k][2 * block + i].p;
+          const float third = static_cast<float>(k);
+          const Vec3 bends[] = {Vec3(0), Vec3(0, 3, 0), Vec3(0, 0, 3), Vec3(0, 3, 0)};
+          const Vec3 way = order[block] == 0   ? Vec3(2 * third, 0, 0)
+                           : order[block] == 1 ? bends[k]
+                                               : Vec3(0);
+          EXPECT_LT(length(at - from - way), 1e-5f) << order[block] << ' ' << k;
+        }
+  }
 }
 
 TEST(Hair, BlocksKeepTheirSlotsAndBadHairsAreCounted) {

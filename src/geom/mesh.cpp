@@ -35,7 +35,10 @@ std::size_t Mesh::bytes() const {
   for (const std::vector<Vec3>& step : motion) sum += bytes_of(step);
   sum += bytes_of(curves.points) + bytes_of(curves.lines) + bytes_of(curves.beziers) +
          bytes_of(curves.normals);
+  sum += bytes_of(curves.textures) + bytes_of(curves.motion) + bytes_of(curves.keys);
   for (const std::vector<Vec3>& column : curves.textures) sum += bytes_of(column);
+  for (const std::vector<Vec3>& step : curves.motion) sum += bytes_of(step);
+  for (const std::vector<Curves::Point>& key : curves.keys) sum += bytes_of(key);
   for (const std::vector<Vec3>& key : keys) sum += bytes_of(key);
   return sum;
 }

@@ -13,11 +13,19 @@ namespace oriel::geom {
 /// Steps that one way may have: as many as the ray tracer takes.
 inline constexpr std::size_t kMostKeys = 129;
 
-/// Fills Mesh::keys from the motion vectors: vector i of n leads from a vertex to where it is at
-/// (i + 1) / n of the motion interval. `first`, `last`: the intervals that ray time 0 to 1 covers,
-/// at most kMostKeys steps in all; outside of 0 to 1 vertices go on as they do at its ends. Nothing
-/// for a mesh without motion vectors.
-/// Checked: Motion.*
+/// The step before a time and the share of the way to the next, of what has so many keys, at least
+/// two; as the ray tracer has them.
+struct KeysAt {
+  std::size_t step;
+  float share;   ///< 0 at `step`, 1 at the next
+  float pieces;  ///< between all keys
+  KeysAt(std::size_t keys, float time);
+};
+
+/// Fills Mesh::keys and Curves::keys from the motion vectors: vector i of n leads from a vertex to
+/// where it is at (i + 1) / n of the motion interval. `first`, `last`: the intervals that ray time
+/// 0 to 1 covers, at most kMostKeys steps in all; outside of 0 to 1 vertices go on as they do at
+/// its ends. Nothing for a mesh without motion vectors. Checked: Motion.*, Hair.*
 void add_keys(Mesh& mesh, int first, int last);
 
 /// Corners of a triangle at a time, of a mesh with keys.
