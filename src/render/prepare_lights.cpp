@@ -216,12 +216,6 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
           place_portal(*leaf.light(), light, diagnostics);
         else
           light.portal.reset();
-        if (light.portal && !light.path.empty()) {
-          diagnostics.warning("OR-RN-024", leaf.light()->where,
-                              fmt::format("portal light \"{}\" moves; it is taken to stand still",
-                                          leaf.light()->name));
-          light.path.clear();
-        }
         // The sky is seen there in any case: highlights would come on top of it.
         light.visible = light.portal != nullptr;
       }

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "color/luminance.h"
-#include "geom/motion.h"
 #include "geom/shapes.h"
+#include "runtime/moved_light.h"
 #include "runtime/world.h"
 #include "sampling/rectangle.h"
 #include "sampling/sphere.h"
@@ -84,11 +84,19 @@ std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Ve
   return s;
 }
 
-std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, Vec2 u) {
+/// The environment does not move with a portal: `moved` as below.
+Rgb radiance_behind(const Light& light, const MovedLight* moved, const Vec3& from, const Vec3& wi,
+                    float distance, float cosine) {
+  if (!moved) return portal_radiance(light, from, wi, distance, cosine);
+  return portal_radiance(light, moved->place(from), moved->direction(wi), distance, cosine);
+}
+
+std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, Vec2 u,
+                                         const MovedLight* moved) {
   const Portal& portal = *light.portal;
   const auto s = portal.table ? sample_through(light, from, u) : sample_flat(light, from, u);
   if (!s || !(s->distance > 0)) return std::nullopt;
-  const Rgb radiance = portal_radiance(light, from, s->wi, s->distance, s->cosine);
+  const Rgb radiance = radiance_behind(light, moved, from, s->wi, s->distance, s->cosine);
   if (is_black(radiance)) return std::nullopt;
   LightSample sample;
   sample.wi = s->wi;
@@ -152,36 +160,22 @@ bool has_square_corners(const Light& light) {
 
 namespace {
 
-/// A light that moves, at a time: what it lights is taken to where it stands as written, and what
-/// is found there back. Turned lights have their shader's answer as it is; stretched ones shine as
-/// if they were not.
-class MovedLight {
- public:
-  MovedLight(const Light& light, const ShadingPoint& point)
-      : there_(geom::matrix_at(light.path, point.time)),
-        back_(geom::inverse_of(there_)),
-        point_(point) {
-    point_.position = transform_point(point.position, back_);
-    point_.ray_origin = transform_point(point.ray_origin, back_);
-    point_.ray_direction = normalize(transform_vector(point.ray_direction, back_));
-    point_.normal = normalize(transform_normal(point.normal, there_));
-    point_.geometric_normal = normalize(transform_normal(point.geometric_normal, there_));
-  }
-  ShadingPoint& point() { return point_; }
-  Vec3 at_rest(const Vec3& direction) const {
-    return normalize(transform_vector(direction, back_));
-  }
-  Vec3 moved(const Vec3& direction) const { return normalize(transform_vector(direction, there_)); }
+/// What a light that moves lights, as the light has it at rest.
+ShadingPoint at_rest(const MovedLight& moved, const ShadingPoint& point) {
+  ShadingPoint rest(point);
+  rest.position = moved.place_at_rest(point.position);
+  rest.ray_origin = moved.place_at_rest(point.ray_origin);
+  rest.ray_direction = moved.direction_at_rest(point.ray_direction);
+  rest.normal = moved.normal_at_rest(point.normal);
+  rest.geometric_normal = moved.normal_at_rest(point.geometric_normal);
+  return rest;
+}
 
- private:
-  Mat4 there_, back_;
-  ShadingPoint point_;
-};
-
+/// Of a light at rest; the air is left out. `moved`: where it is in truth, null: there.
 std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point, Vec2 u,
-                                        RayKind kind) {
+                                        RayKind kind, const MovedLight* moved = nullptr) {
   const Vec3& p = point.position;
-  if (light.portal) return sample_portal(light, p, u);
+  if (light.portal) return sample_portal(light, p, u, moved);
   LightSample sample;
   if (light.shape == LightShape::Directional || light.shape == LightShape::Point) {
     if (light.shape == LightShape::Directional) {
@@ -222,14 +216,13 @@ std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point,
     sample.force_specular = value.force_specular;
   }
   if (is_black(sample.irradiance)) return std::nullopt;
-  if (kind == RayKind::Light && point.world)
-    sample.irradiance *= air_before_light(*point.world, point, sample.wi, sample.distance);
   sample.reach = sample.distance;
   return sample;
 }
 
 std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
-                                        const Vec3& direction, float t_most, RayKind kind) {
+                                        const Vec3& direction, float t_most, RayKind kind,
+                                        const MovedLight* moved = nullptr) {
   const Vec3& o = from.position;
   std::optional<geom::ShapeHit> hit;
   LightHit result;
@@ -282,15 +275,13 @@ std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
   }
   result.t = hit->t;
   if (light.portal) {
-    result.radiance = portal_radiance(light, o, direction, hit->t, cosine);
+    result.radiance = radiance_behind(light, moved, o, direction, hit->t, cosine);
     result.shadow = light.portal->shadows && light.portal->shadow_extension == 0;
     return result;
   }
   const LightValue value =
       ask_light_shader(light, from, o + direction * hit->t, -direction, hit->t, cosine, kind);
   result.radiance = radiance_of(light, value.colour, direction, hit->t, cosine);
-  if (kind == RayKind::Light && from.world)
-    result.radiance *= air_before_light(*from.world, from, direction, hit->t);
   result.shadow = value.shadow;
   result.affects_diffuse = value.affects_diffuse;
   result.affects_specular = value.affects_specular;
@@ -302,19 +293,51 @@ std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
 
 std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind) {
-  if (light.path.empty() || point.time == kAsWritten) return sample_still(light, point, u, kind);
-  MovedLight moved(light, point);
-  auto sample = sample_still(light, moved.point(), u, kind);
-  if (sample) sample->wi = moved.moved(sample->wi);
+  std::optional<LightSample> sample;
+  if (is_at_rest(light, point.time)) {
+    sample = sample_still(light, point, u, kind);
+    if (!sample) return sample;
+  } else {
+    const MovedLight moved(light, point.time);
+    ShadingPoint rest = at_rest(moved, point);
+    sample = sample_still(light, rest, u, kind, &moved);
+    if (!sample) return sample;
+    if (std::isfinite(sample->distance)) {
+      const float beyond = sample->reach - sample->distance;
+      sample->distance *= moved.stretch(sample->wi);
+      sample->reach = std::max(0.0f, sample->distance + beyond);
+    }
+    if (has_extent(light.shape)) {
+      const float crowding = moved.crowding(sample->wi);
+      sample->pdf *= crowding;
+      sample->irradiance /= crowding;
+    }
+    sample->wi = moved.direction(sample->wi);
+  }
+  if (kind == RayKind::Light && point.world && !light.portal)
+    sample->irradiance *= air_before_light(*point.world, point, sample->wi, sample->distance);
   return sample;
 }
 
 std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
                                         const Vec3& direction, float t_most, RayKind kind) {
-  if (light.path.empty() || from.time == kAsWritten)
-    return intersect_still(light, from, direction, t_most, kind);
-  MovedLight moved(light, from);
-  return intersect_still(light, moved.point(), moved.at_rest(direction), t_most, kind);
+  std::optional<LightHit> hit;
+  if (is_at_rest(light, from.time)) {
+    hit = intersect_still(light, from, direction, t_most, kind);
+    if (!hit) return hit;
+  } else {
+    const MovedLight moved(light, from.time);
+    ShadingPoint rest = at_rest(moved, from);
+    const Vec3 at_rest = moved.direction_at_rest(direction);
+    const float stretch = moved.stretch(at_rest);
+    hit = intersect_still(light, rest, at_rest, t_most / stretch, kind, &moved);
+    if (!hit) return hit;
+    hit->t *= stretch;
+    hit->pdf *= moved.crowding(at_rest);
+  }
+  if (kind == RayKind::Light && from.world && !light.portal)
+    hit->radiance *= air_before_light(*from.world, from, direction, hit->t);
+  return hit;
 }
 
 }  // namespace oriel

@@ -107,6 +107,11 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
 /// return for kind Light; the environment's light does not.
 Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi, float distance);
 
+/// Whether rays may meet it.
+inline bool has_extent(LightShape shape) {
+  return shape != LightShape::Point && shape != LightShape::Directional;
+}
+
 /// Rectangles and discs: they shine to one side.
 inline bool is_flat(LightShape shape) {
   return shape == LightShape::Rectangle || shape == LightShape::Disc;

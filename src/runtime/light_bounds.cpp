@@ -72,7 +72,7 @@ bool keeps_to_cone(const Light& light, const World& world, float distance) {
 
 Opening opening_of(const Light& light) {
   const PortalTable* table = light.portal->table.get();
-  if (!table || !table->uneven()) return {};
+  if (!table || !table->uneven() || !light.path.empty()) return {};
   const float x = dot(light.position, table->x()), y = dot(light.position, table->y());
   return {.table = table,
           .x0 = x - light.portal->half_u,

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "color/luminance.h"
-#include "geom/motion.h"
+#include "runtime/moved_light.h"
 #include "runtime/shutter_time.h"
 #include "sampling/warp.h"
 
@@ -90,8 +90,13 @@ EmittedPhoton PhotonSource::emit_through_disc(const Vec3& direction, Vec2 u) con
   const Frame frame(direction);
   const Vec2 d = sampling::sample_disc(u) * aim_radius_;
   const Vec3 place = aim_centre_ + frame.s * d.x + frame.t * d.y;
+  return {outside(place, direction), direction, kPi * sqr(aim_radius_), Vec2(0)};
+}
+
+/// Back from a place, against the direction, to outside of the scene.
+Vec3 PhotonSource::outside(const Vec3& place, const Vec3& direction) const {
   const float back = dot(scene_centre_ - place, direction) - scene_radius_ * kOutside;
-  return {place + direction * std::min(0.0f, back), direction, kPi * sqr(aim_radius_), Vec2(0)};
+  return place + direction * std::min(0.0f, back);
 }
 
 /// The direction first; then a place on the shape, uniform in the area that the direction sees, so
@@ -254,6 +259,16 @@ EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const 
 }
 
 Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) const {
+  if (!light_ || is_at_rest(*light_, photon.time) || light_->shape == LightShape::Directional)
+    return power_at_rest(photon, distance, nullptr);
+  const MovedLight moved(*light_, photon.time);
+  const Rgb power = power_at_rest(photon, distance / moved.stretch(photon.direction), &moved);
+  return has_extent(light_->shape) ? power * moved.flux(photon.direction) : power;
+}
+
+/// `moved`: where the light is in truth, null: where it is written.
+Rgb PhotonSource::power_at_rest(const EmittedPhoton& photon, float distance,
+                                const MovedLight* moved) const {
   if (!(scene_radius_ > 0) || !(distance > 0)) return Rgb(0);
   if (!light_) {
     if (!world_->environment.lights()) return Rgb(0);
@@ -275,7 +290,9 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
     const float cosine = dot(photon.direction, light.direction);
     const float way = dot(point.position - light.position, light.direction) / cosine;
     if (!(way > 0) || !(cosine > 0)) return Rgb(0);
-    return portal_radiance(light, point.position, -photon.direction, way, cosine) * photon.weight;
+    const Vec3 from = moved ? moved->place(point.position) : point.position;
+    const Vec3 direction = moved ? moved->direction(photon.direction) : photon.direction;
+    return portal_radiance(light, from, -direction, way, cosine) * photon.weight;
   }
   auto hit = intersect_light(light, point, -photon.direction, kInfinity, photon.kind);
   if (!hit) {
@@ -295,18 +312,25 @@ Rgb PhotonSource::power_by_shader(const EmittedPhoton& photon, float distance) c
 /// area light does not stop its photons.
 constexpr float kOffTheLight = 1e-5f;
 
-geom::Ray PhotonSource::first_ray(const EmittedPhoton& photon,
-                                  const sampling::Sampler& sampler) const {
+geom::Ray PhotonSource::first_ray(EmittedPhoton& photon, const sampling::Sampler& sampler) const {
   geom::Ray ray;
   ray.org = photon.origin;
   ray.dir = photon.direction;
   ray.tnear = kOffTheLight * scene_radius_;
   ray.mask = geom::RayMask::FinalGather | geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
   ray.time = shutter_time(world_->shutter, sampler);
+  photon.time = ray.time;
   if (!light_ || light_->path.empty()) return ray;
-  const Mat4 there = geom::matrix_at(light_->path, ray.time);
-  ray.org = transform_point(ray.org, there);
-  ray.dir = normalize(transform_vector(ray.dir, there));
+  const MovedLight moved(*light_, ray.time);
+  ray.dir = moved.direction(photon.direction);
+  if (light_->shape == LightShape::Directional && !by_emitter_) {
+    // The disc turns about what it aims at: where such a light stands means nothing.
+    const Vec3 from_aim = photon.origin - aim_centre_;
+    const Vec3 across = from_aim - photon.direction * dot(from_aim, photon.direction);
+    ray.org = outside(aim_centre_ + normalize(moved.way(across)) * length(across), ray.dir);
+    return ray;
+  }
+  ray.org = moved.place(photon.origin);
   return ray;
 }
 

@@ -7,11 +7,14 @@
 
 namespace oriel {
 
+class MovedLight;
+
 // Conventions
 //   World space. The mean of the power of photons is the flux of the source in the unit whose
 //   density on a surface is the irradiance of sample_light. Power is asked from sample_light and
 //   intersect_light, so that there is one place that knows how a light shader's colour becomes
 //   light. Sources infinitely far away send photons through a disc that covers what they aim at.
+//   Photons of a light that moves are known where it stands as written; their rays are not.
 
 /// A photon on its way; what it carries is known where it lands.
 struct EmittedPhoton {
@@ -21,6 +24,7 @@ struct EmittedPhoton {
   Vec2 u{0};                 ///< that chose the direction
   RayKind kind = RayKind::PhotonEmitGlobillum;  ///< for shaders of the list `emitter`
   Rgb sent{0};                                  ///< power, where such a shader sends it itself
+  float time = kAsWritten;                      ///< of a light that moves, once it has set out
 };
 
 /// Emits the photons of one light, or of the environment as diffuse surfaces see it.
@@ -45,11 +49,11 @@ class PhotonSource {
   /// Inputs: two independent draws, each uniform in [0,1)^2.
   EmittedPhoton emit(Vec2 u_place, Vec2 u_direction,
                      RayKind kind = RayKind::PhotonEmitGlobillum) const;
-  /// The ray of a photon, at a time while the shutter is open: photons are spread over it, and
-  /// those of a light that moves, which are known where it stands as written, go from where it is.
-  geom::Ray first_ray(const EmittedPhoton& photon, const sampling::Sampler& sampler) const;
-  /// Power with which a photon lands after a straight way of that length; black where the light
-  /// does not reach or send.
+  /// The ray of a photon, at a time while the shutter is open, which the photon then has: photons
+  /// are spread over it, and those of a light that moves go from where it is.
+  geom::Ray first_ray(EmittedPhoton& photon, const sampling::Sampler& sampler) const;
+  /// Power with which a photon lands after a straight way of that length from where its ray began;
+  /// black where the light does not reach or send.
   Rgb power(const EmittedPhoton& photon, float distance) const;
   /// Power where nothing was met: at the radius of the scene.
   Rgb power_unmet(const EmittedPhoton& photon) const { return power(photon, scene_radius_); }
@@ -67,7 +71,9 @@ class PhotonSource {
   EmittedPhoton emit_by_shader(Vec2 u_place, Vec2 u_direction, RayKind kind) const;
   EmittedPhoton emit_by_profile(Vec2 u_place, Vec2 u_direction) const;
   EmittedPhoton emit_through_disc(const Vec3& direction, Vec2 u) const;
+  Vec3 outside(const Vec3& place, const Vec3& direction) const;
   Rgb power_by_shader(const EmittedPhoton& photon, float distance) const;
+  Rgb power_at_rest(const EmittedPhoton& photon, float distance, const MovedLight* moved) const;
 
   const World* world_;
   const Light* light_ = nullptr;  // null: the environment

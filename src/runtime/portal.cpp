@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "color/luminance.h"
+#include "runtime/moved_light.h"
 #include "runtime/world.h"
 #include "sampling/rectangle.h"
 
@@ -174,7 +175,9 @@ PortalDirection sample_portal_direction(const Light& light, Vec2 u) {
   return {table.x() * s.local.x + table.y() * s.local.y + table.z() * s.local.z, s.pdf};
 }
 
-bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most) {
+namespace {
+
+bool crosses_at_rest(const Light& light, const Vec3& from, const Vec3& direction, float t_most) {
   const float facing = -dot(direction, light.direction);
   if (!(facing > kLeastCosine)) return false;
   const Vec3 to = light.position - from;
@@ -185,13 +188,34 @@ bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction,
   return std::abs(dot(local, portal.across_u)) <= 1 && std::abs(dot(local, portal.across_v)) <= 1;
 }
 
+/// Whether its axes stay as they are.
+bool stays_upright(const Light& light) {
+  constexpr float kParallel = 1e-5f;
+  return std::all_of(light.path.begin(), light.path.end(), [](const Mat4& m) {
+    float most = 0;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        most = std::max(most, std::abs(m[row][column] - (row == column ? 1.0f : 0.0f)));
+    return most < kParallel;
+  });
+}
+
+}  // namespace
+
+bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most,
+                    float time) {
+  if (is_at_rest(light, time)) return crosses_at_rest(light, from, direction, t_most);
+  const MovedLight moved(light, time);
+  return crosses_at_rest(light, moved.place_at_rest(from), moved.way_at_rest(direction), t_most);
+}
+
 PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
-                            float t_most, bool mapped) {
+                            float t_most, float time, bool mapped) {
   PortalsOnWay way;
   world.light_groups.portals.for_each_on_way(from, direction, t_most, [&](int index) {
     const Light& light = world.lights[static_cast<std::size_t>(index)];
     const Portal& portal = *light.portal;
-    if (!crosses_portal(light, from, direction, t_most)) return;
+    if (!crosses_portal(light, from, direction, t_most, time)) return;
     way.ends_diffuse |= portal.blocks_diffuse_rays() || mapped;
     if (portal.visible)
       way.ends_view = true;
@@ -201,11 +225,12 @@ PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& di
   return way;
 }
 
-bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most) {
+bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most,
+                      float time) {
   bool behind = false;
   world.light_groups.portals.for_each_on_way(point, to_source, t_most, [&](int index) {
-    behind |=
-        crosses_portal(world.lights[static_cast<std::size_t>(index)], point, to_source, t_most);
+    behind |= crosses_portal(world.lights[static_cast<std::size_t>(index)], point, to_source,
+                             t_most, time);
   });
   return behind;
 }
@@ -227,7 +252,8 @@ void open_portals(World& world) {
     const Vec3 normal = cross(light.edge_u, light.edge_v);
     portal.across_u = cross(light.edge_v, normal) * (2 / dot(normal, normal));
     portal.across_v = cross(normal, light.edge_u) * (2 / dot(normal, normal));
-    if (portal.shaders.empty() || !has_square_corners(light)) continue;
+    // The table is for windows of one orientation.
+    if (portal.shaders.empty() || !has_square_corners(light) || !stays_upright(light)) continue;
     const Vec3 x = normalize(light.edge_u), y = normalize(light.edge_v);
     const auto same = [&](const std::shared_ptr<const PortalTable>& t) {
       constexpr float kParallel = 1 - 1e-6f;

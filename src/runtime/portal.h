@@ -20,7 +20,7 @@ struct World;
 //   direction its radiance is that of the environment seen through it, so that all of them together
 //   bring what rays through the window would find. Diffuse rays from inside therefore end at it,
 //   and so do samples of the environment; what comes from outside passes. Mirrors, glass and the
-//   eye look through, unless the portal is visible.
+//   eye look through, unless the portal is visible. Where a portal moves, the environment does not.
 
 /// What a shader says of the portal it stands in.
 struct PortalTraits {
@@ -87,8 +87,9 @@ class PortalTable {
 /// A portal in the scene.
 struct Portal : PortalTraits {
   const World* world = nullptr;
-  NodeList shaders;                          ///< of the environment
-  std::shared_ptr<const PortalTable> table;  ///< null: even, or not at right angles
+  NodeList shaders;  ///< of the environment
+  /// Null: even, not at right angles, or it moves otherwise than straight.
+  std::shared_ptr<const PortalTable> table;
   float half_u = 0, half_v = 0;
   Vec3 across_u{0}, across_v{0};  ///< places from the centre by these: -1 to 1 on the rectangle
 
@@ -105,7 +106,7 @@ struct ShapeSample {
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u);
 /// Density with which sample_through finds a direction that meets the portal.
 float pdf_through(const Light& light, const Vec3& from, const Vec3& wi);
-/// Radiance toward a point, wi from there to the portal.
+/// Radiance toward a point, wi from there to the portal, both where they are in truth.
 Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
                     float cosine);
 /// Mean luminance of all that is behind it.
@@ -118,8 +119,9 @@ struct PortalDirection {
 };
 PortalDirection sample_portal_direction(const Light& light, Vec2 u);
 
-/// Whether a ray meets the portal from inside within (0, t_most).
-bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most);
+/// Whether a ray of that time meets the portal from inside within (0, t_most).
+bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most,
+                    float time);
 
 /// What portals do to a ray on its way.
 struct PortalsOnWay {
@@ -131,11 +133,12 @@ struct PortalsOnWay {
 inline constexpr float kShortOfPortal = 1 - 1e-4f;
 /// `mapped`: light of portals that only send photons is in a map that diffuse rays stand back for.
 PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
-                            float t_most, bool mapped = false);
+                            float t_most, float time, bool mapped = false);
 
 /// Whether a portal lies on the way to a point, so that its photons stand for those of the
 /// environment that come along here.
-bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most);
+bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most,
+                      float time);
 
 /// Turns and completes the portals among the lights, once the environment is there.
 void open_portals(World& world);

@@ -35,8 +35,9 @@ class Tracer {
                                         float reach) = 0;
 
   struct Arriving {
-    Rgb colour{0};  ///< a white Lambert surface that faces the light shows it; after shadows
-    Vec3 wi{0};     ///< unit, to the light
+    Rgb colour{0};       ///< a white Lambert surface that faces the light shows it; after shadows
+    Vec3 wi{0};          ///< unit, to the light
+    float distance = 0;  ///< infinity for directional lights
   };
   /// One sample of a light at a point; nothing where it does not reach.
   virtual std::optional<Arriving> light(int index, ShadingPoint& point) = 0;

@@ -152,7 +152,8 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   // What portals on the way, and its own, leave of it for the eye.
   Rgb view(1);
   if (request_.for_the_eye && world_.has_gels)
-    view = portals_on_way(world_, point_.position, s->wi, s->distance * kShortOfPortal).view;
+    view = portals_on_way(world_, point_.position, s->wi, s->distance * kShortOfPortal, point_.time)
+               .view;
   if (request_.for_the_eye && light.portal && light.portal->visible)
     view *= light.portal->transparency;
   // Factors of what rays could have found and of what they could not, after shadows.
@@ -200,7 +201,7 @@ void DirectSum::add_environment(const Vec2& u) {
   if (!world_.light_groups.portals.empty()) {
     const PortalsOnWay way =
         portals_on_way(world_, point_.position, s.wi, std::numeric_limits<float>::infinity(),
-                       request_.portals_mapped);
+                       point_.time, request_.portals_mapped);
     if (way.ends_diffuse) r.diffuse.value = Rgb(0);
     Rgb view(way.ends_view ? 0.0f : 1.0f);
     if (request_.for_the_eye) view *= way.view;

@@ -19,7 +19,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   if (!settings_.lamps) {
     // Photons bring the light of portals: what is behind them must not come a second time.
     if (kind_ == RayKind::FinalGather)
-      ended = portals_on_way(world_, ray_.org, ray_.dir, t_surface, true).ends_diffuse;
+      ended = portals_on_way(world_, ray_.org, ray_.dir, t_surface, ray_.time, true).ends_diffuse;
     return;
   }
   if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
@@ -38,14 +38,14 @@ void Path::meet_lights(float t_surface, bool& ended) {
   };
   const auto view_to = [&](float t) {
     if (!dims || !world_.has_gels) return Rgb(1);
-    return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal).view;
+    return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal, ray_.time).view;
   };
   const auto meet = [&](int index) {
     const Light& light = world_.lights[static_cast<std::size_t>(index)];
     if (light.shape == LightShape::Point) return;
     const Portal* portal = light.portal.get();
     // Most of many portals are missed: asked before what a hit takes to work out.
-    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface)) return;
+    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface, ray_.time)) return;
     if (sees || portal) {
       const bool ends = portal ? ends_at(*portal) : light.visible;
       const auto hit =

@@ -129,7 +129,7 @@ class PhotonWalk {
   Rgb emitted_{0};  // as of the last surface, until the photon has scattered
   Rgb factor_{1};
   MediumOnWay medium_;
-  Vec3 left_{0};
+  Vec3 start_{0}, left_{0};
   bool scattered_ = false, specular_ = false, diffuse_ = false;
   int reflections_ = 0, refractions_ = 0;
 };
@@ -402,10 +402,10 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   const Material& material = material_of(world_, hit);
   Closure closure;
   shade(material, point, closure);
-  if (!scattered_) emitted_ = source_.power(photon_, length(point.position - photon_.origin));
+  if (!scattered_) emitted_ = source_.power(photon_, length(point.position - start_));
   if (max_component(power()) <= 0) return absorb(), false;
   if (source_.is_environment() && !diffuse_ &&
-      is_behind_portal(world_, point.position, -ray_.dir, hit.t))
+      is_behind_portal(world_, point.position, -ray_.dir, hit.t, ray_.time))
     return absorb(), false;
 
   medium_.arrive(closure, point);
@@ -448,7 +448,7 @@ void PhotonWalk::run() {
       source_.emit(u_place, sampler_.next_2d(),
                    settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
   ray_ = source_.first_ray(photon_, sampler_);
-  left_ = ray_.org;
+  start_ = left_ = ray_.org;
   for (int vertex = 0; vertex < kMostVertices; ++vertex) {
     sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(vertex + 1));
     geom::Hit hit;

@@ -42,6 +42,15 @@ class SceneText {
                                       "\"additional_color\" {0} {0} {0}",
                                       radiance));
   }
+  /// Puts all instances so far into a group, and that into the root group by an instance of those
+  /// flags.
+  SceneText& group(const std::string& name, const std::string& flags) {
+    body_ += fmt::format(
+        "instgroup \"{0}\"{1} end instgroup\ninstance \"{0}_i\" \"{0}\" {2} end instance\n", name,
+        members_, flags);
+    members_.clear();
+    return member(name + "_i");
+  }
   /// Any statement at the top level of the file.
   SceneText& statement(const std::string& text) {
     body_ += text + '\n';

@@ -82,11 +82,8 @@ Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) 
 }
 
 /// Share of a light's colour that is left at a place, where light on its way does not ask.
-float dimmed(const Air& p, const Light& light, const Vec3& place, const Vec3& wi) {
-  if (light.shape != LightShape::Directional) {
-    const float way = length(light.position - place);
-    return std::exp(-p.extinction * within(p, place, wi, way).length());
-  }
+float dimmed(const Air& p, float way, const Vec3& place, const Vec3& wi) {
+  if (std::isfinite(way)) return std::exp(-p.extinction * within(p, place, wi, way).length());
   if (p.mode != 1) return 1;  // air without end would leave nothing
   if (!(wi.y > 0)) return 0;
   return std::exp(-p.extinction * std::max(0.0f, (p.height - place.y) / wi.y));
@@ -100,10 +97,10 @@ Rgb scattered(const Air& p, int index, bool dims, ShadingPoint& point) {
   const float cosine = dot(arriving->wi, point.ray_direction);
   const float share = clamp01(p.r);
   const float phase = share * lobe(cosine, p.g1) + (1 - share) * lobe(cosine, p.g2);
-  const Light& light = point.world->lights[static_cast<std::size_t>(index)];
   // A colour is irradiance over pi.
   const Rgb irradiance = arriving->colour * kPi;
-  return irradiance * (dims ? phase * dimmed(p, light, point.position, arriving->wi) : phase);
+  if (!dims) return irradiance * phase;
+  return irradiance * (phase * dimmed(p, arriving->distance, point.position, arriving->wi));
 }
 
 /// A direction about `forward`, as likely as light from there is turned to it.
