@@ -62,14 +62,6 @@ Vec3 shading_normal(const Mesh& mesh, const Triangle& t, const Weights& weights,
   return front == ng ? n : -n;
 }
 
-// Turned as `to` is turned from `from`, both unit, by the shortest way.
-Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
-  const Vec3 axis = cross(from, to);
-  const float cosine = dot(from, to);
-  if (cosine < -0.999f) return -v;
-  return v * cosine + cross(axis, v) + axis * (dot(axis, v) / (1 + cosine));
-}
-
 // Shading normal of a triangle that has moved, and its speed; the error of where it is grows with
 // how far its corners are apart in time.
 void move_triangle(const Mesh& mesh, const Triangle& t, float time, const Weights& weights,
@@ -207,6 +199,13 @@ void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse) {
   for (std::vector<Vec3>& step : mesh.motion) carry(step);
   if (determinant3(matrix) < 0)
     for (Triangle& t : mesh.triangles) std::swap(t.b, t.c);
+}
+
+Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) {
+  const Vec3 axis = cross(from, to);
+  const float cosine = dot(from, to);
+  if (cosine < -0.999f) return -v;
+  return v * cosine + cross(axis, v) + axis * (dot(axis, v) / (1 + cosine));
 }
 
 double determinant3(const Mat4& m) {

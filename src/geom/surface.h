@@ -70,6 +70,9 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement, S
 /// corners b and c of all triangles.
 void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse);
 
+/// `v` turned as `to` is turned from `from`, both unit, by the shortest way.
+Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to);
+
 /// Determinant of the upper 3x3, in double: its product of three scales leaves float's range early.
 double determinant3(const Mat4& m);
 

@@ -110,6 +110,7 @@ struct ShadingPoint {
   float ray_offset = 0;         ///< rays may start this far along the geometric normal
   int instance = -1;            ///< index into World::instances
   std::uint32_t primitive = 0;  ///< triangle of the instance's mesh
+  Vec2 on_primitive{0};         ///< weights of its corners b and c
   int light = -1;          ///< for shadow shaders, index into World::lights; -1 = none of these
   PlacedMatrix to_object;  ///< world to object space, null means identity
   PlacedMatrix to_world;

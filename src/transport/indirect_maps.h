@@ -5,13 +5,24 @@
 #include "runtime/shading_point.h"
 #include "transport/gather_cache.h"
 #include "transport/photon_map.h"
+#include "transport/surface.h"
 
 namespace oriel {
 
+/// What a map of photons says of the side of a surface that `normal` points to; as
+/// PhotonMap::irradiance.
+inline Rgb irradiance_at(const PhotonMap& map, const ShadingPoint& point, const Vec3& normal,
+                         const PhotonLookup& lookup, Rgb* by_light = nullptr,
+                         std::size_t unknown = 0, int* found = nullptr) {
+  const MapPlace place = map_place(point, normal);
+  return map.irradiance(place.position, place.normal, lookup, by_light, unknown, found);
+}
+
 /// The query `how` made at a point of the picture: place, side, radii by the width of its pixel.
 inline GatherQuery query_at(GatherQuery how, const ShadingPoint& point, const Vec3& normal) {
-  how.position = point.position;
-  how.normal = normal;
+  const MapPlace place = map_place(point, normal);
+  how.position = place.position;
+  how.normal = place.normal;
   how.radii = how.radii.in_scene(pixel_width(point));
   return how;
 }

@@ -86,6 +86,7 @@ Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
                                 sampling::Sampler stream) const {
   ShadingPoint at = point;
   at.geometric_normal = facing(point.geometric_normal, normal);
+  if (at.geometric_normal != point.geometric_normal) at.back_side = !at.back_side;
   at.normal = normal;
   if (visited_) {
     visited_->push_back({at, normal});
@@ -94,8 +95,8 @@ Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
   Rgb sum(0);
   if (reads_maps()) {
     if (settings_.maps->caustic)
-      sum += settings_.maps->caustic->irradiance(at.position, at.geometric_normal,
-                                                 settings_.maps->caustic_lookup);
+      sum += irradiance_at(*settings_.maps->caustic, at, at.geometric_normal,
+                           settings_.maps->caustic_lookup);
     LightParts parts;
     if (const auto found = mapped_irradiance(at, normal, parts)) return sum + *found;
   }

@@ -66,9 +66,8 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
     for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= settings_.further_bounces;
   }
   if (maps.global && takes_all(kReceivesGlobillum))
-    sum += maps.global->irradiance(point.position, facing(point.geometric_normal, normal),
-                                   maps.global_lookup, by_light, world_.light_layers.unknown(),
-                                   &photons);
+    sum += irradiance_at(*maps.global, point, facing(point.geometric_normal, normal),
+                         maps.global_lookup, by_light, world_.light_layers.unknown(), &photons);
   if (settings_.witness) settings_.witness->look_up(place_, 0, photons);
   return sum;
 }
@@ -121,9 +120,9 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
     const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
     if (maps.caustic && takes_all(kReceivesCaustics)) {
       parts.clear(layers);
-      const Rgb light = maps.caustic->irradiance(
-          point.position, facing(point.geometric_normal, normal), maps.caustic_lookup,
-          layers > 0 ? parts.data() : nullptr, world_.light_layers.unknown());
+      const Rgb light = irradiance_at(*maps.caustic, point, facing(point.geometric_normal, normal),
+                                      maps.caustic_lookup, layers > 0 ? parts.data() : nullptr,
+                                      world_.light_layers.unknown());
       add_to(passes ? caustic_through : caustic, passes ? caustic_through_parts : caustic_parts,
              albedo, light);
     }

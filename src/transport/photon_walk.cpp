@@ -205,8 +205,9 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
   const bool global = (diffuse_ || first) && settings_.globillum;
   const bool caustic = !diffuse_ && specular_ && settings_.caustics;
   if (!global && !caustic) return;
+  const MapPlace place = map_place(point, point.geometric_normal);
   (global ? log_.global : log_.caustic)
-      .push_back({{point.position, ray_.dir, power, point.geometric_normal}, index_});
+      .push_back({{place.position, ray_.dir, power, place.normal}, index_});
 }
 
 /// Chances of the lobes: the share of the power each would keep. Returns their sum, at most 1.

@@ -55,6 +55,7 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
   point.ray_offset = surface.offset;
   point.instance = static_cast<int>(surface.user);
   point.primitive = hit.primitive;
+  point.on_primitive = Vec2(hit.u, hit.v);
   point.to_object = &instance.to_object;
   point.to_world = &instance.to_world;
   point.time = hit.time;
@@ -83,6 +84,27 @@ Rgba raster_motion(const ShadingPoint& point) {
   };
   const Vec3 way = seen(to) - seen(from);
   return is_finite(way) ? Rgba(way.x, way.y, way.z, 0) : Rgba(0);
+}
+
+MapPlace map_place(const ShadingPoint& point, const Vec3& normal) {
+  const World& world = *point.world;
+  if (!world.shutter.on || point.instance < 0 || point.time == world.shutter.middle())
+    return {point.position, normal};
+  const auto instance = static_cast<std::uint32_t>(point.instance);
+  const geom::InstanceDesc& desc = world.accel->instance(instance);
+  const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
+  if (desc.path.empty() && mesh.keys.empty() && mesh.curves.keys.empty())
+    return {point.position, normal};
+  const Vec3 front = point.back_side ? -point.geometric_normal : point.geometric_normal;
+  const geom::Hit hit{.u = point.on_primitive.x,
+                      .v = point.on_primitive.y,
+                      .instance = instance,
+                      .primitive = point.primitive,
+                      .ng = front,
+                      .time = world.shutter.middle()};
+  geom::SurfacePoint middle;
+  world.accel->interpolate(hit, middle);
+  return {middle.p, geom::turned(normal, front, middle.ng)};
 }
 
 const Material& material_of(const World& world, const geom::Hit& hit) {

@@ -24,6 +24,15 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
 /// The material of a hit.
 const Material& material_of(const World& world, const geom::Hit& hit);
 
+/// A point of a surface and a direction there as they are in the middle of the shutter: so maps of
+/// indirect light know what moves, and what moves finds its own light in them.
+/// Inputs:  normal: world, at the point's time.
+/// Checked: MovingPhotons.OnAMovingPlateAreFoundWhereverItIs
+struct MapPlace {
+  Vec3 position, normal;
+};
+MapPlace map_place(const ShadingPoint& point, const Vec3& normal);
+
 /// Way of a surface on the picture while the shutter is open, in one motion interval for one that
 /// is closed: as it goes now, seen by the camera as that goes. Pixels to the right and up, and
 /// distance along the camera's axis; alpha 0. Null where nothing moves.
