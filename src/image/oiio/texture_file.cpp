@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 
 #include "image/oiio/gamma_input.h"
@@ -26,10 +27,11 @@ int most_open_files() {
   constexpr rlim_t kOthers = 256, kMost = 1 << 20;
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return kOthers;
-  limit.rlim_cur = std::min(limit.rlim_max, kMost);
+  limit.rlim_cur = std::max(limit.rlim_cur, std::min(limit.rlim_max, kMost));
   setrlimit(RLIMIT_NOFILE, &limit);
   getrlimit(RLIMIT_NOFILE, &limit);
-  return static_cast<int>(std::clamp(limit.rlim_cur, 2 * kOthers, kMost) - kOthers);
+  const rlim_t open = std::min(limit.rlim_cur, kMost);
+  return static_cast<int>(open - std::min(kOthers, open / 2));
 }
 
 /// OpenImageIO 2.4 closes files beyond its limit while it holds locks that another thread, which is
@@ -39,8 +41,11 @@ int most_open_files() {
 class OpenFiles {
  public:
   int limit() const { return limit_; }
-  void count_one() {
-    if (++count_ >= limit_) crowded_.store(true, std::memory_order_relaxed);
+  /// The texture system knows that file from now on.
+  void add(OIIO::ustring name) {
+    const std::lock_guard lock(mutex_);
+    names_.insert(name);
+    if (static_cast<int>(names_.size()) >= limit_) crowded_.store(true, std::memory_order_relaxed);
   }
   /// To be held while the texture system may open files.
   std::unique_lock<std::mutex> turn() {
@@ -50,7 +55,7 @@ class OpenFiles {
 
  private:
   const int limit_ = most_open_files();
-  std::atomic<int> count_{0};
+  std::set<OIIO::ustring> names_;  // frames open the same ones again
   std::atomic<bool> crowded_{false};
   std::mutex mutex_;
 };
@@ -211,7 +216,7 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma)
   } else {
     system().invalidate(name, false);  // only where the file is newer than what is cached
   }
-  open_files().count_one();
+  open_files().add(name);
   const auto turn = open_files().turn();
   System::TextureHandle* handle = system().get_texture_handle(name, perthread());
   if (!handle || !system().good(handle)) {
