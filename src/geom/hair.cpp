@@ -72,7 +72,7 @@ Vec3 way_at(std::span<const Vec3> motion, float share) {
 
 /// Gives all points so far `steps` motion vectors; those that had others go their way in these.
 void set_steps(Curves& curves, std::size_t steps) {
-  std::vector<std::vector<Vec3>> columns(steps, std::vector<Vec3>(curves.points.size()));
+  std::vector<std::vector<Vec3>> columns(steps, std::vector<Vec3>(curves.points.size(), Vec3(0)));
   std::vector<Vec3> way(curves.motion.size());
   for (std::size_t i = 0; i < curves.points.size() && !way.empty(); ++i) {
     for (std::size_t m = 0; m < way.size(); ++m) way[m] = curves.motion[m][i];
