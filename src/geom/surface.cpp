@@ -144,7 +144,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
     tilt /= length(normal);  // planes come apart as their normals get short
     point.ng = normalize_any(normal);
     point.ns = transform_normal(point.ns, *back);
-    point.speed = transform_vector(point.speed, *forward);
+    if (moves) point.speed = transform_vector(point.speed, *forward);
     point.dpdu = transform_vector(point.dpdu, *forward);
     point.dpdv = transform_vector(point.dpdv, *forward);
   }
