@@ -5,9 +5,12 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "models/import_material.h"
 #include "models/import_mesh.h"
@@ -42,9 +45,11 @@ scene::Statement statement(std::string keyword, std::vector<scene::Value> values
 /// Puts one model into a scene.
 class Builder {
  public:
-  Builder(const aiScene& model, const std::string& path, const ImportOptions& options,
+  Builder(const aiScene& model, const std::string& path,
+          const std::map<std::string, GltfExtras>& extras, const ImportOptions& options,
           Diagnostics& diagnostics)
       : model_(model),
+        extras_(extras),
         options_(options),
         textures_(options_, fs::path(path).parent_path().string(), scene_, diagnostics),
         diagnostics_(diagnostics) {}
@@ -53,7 +58,10 @@ class Builder {
     scene_.packages = {"base.mi", "physics.mi", "architectural.mi"};
     add_options();
     for (unsigned i = 0; i < model_.mNumMaterials; ++i)
-      materials_.push_back(add_material(model_, i, textures_, scene_, diagnostics_));
+      materials_.push_back(add_material(model_, i, extras_, textures_, scene_, diagnostics_));
+    if (std::any_of(materials_.begin(), materials_.end(),
+                    [](const ImportedMaterial& made) { return made.needs_own_package; }))
+      scene_.packages.emplace_back("oriel.mi");
     for (unsigned i = 0; i < model_.mNumMeshes; ++i) add_mesh(i);
     if (model_.mRootNode) add_node(*model_.mRootNode, Mat4(), 0);
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
@@ -78,7 +86,10 @@ class Builder {
     const aiMesh& mesh = *model_.mMeshes[index];
     const std::string wish =
         mesh.mName.length > 0 ? mesh.mName.C_Str() : fmt::format("mesh_{}", index);
-    scene::Object object = object_of(mesh, unique_name(scene_, wish));
+    const unsigned material = mesh.mMaterialIndex;
+    scene::Object object =
+        object_of(mesh, unique_name(scene_, wish),
+                  material < materials_.size() ? materials_[material].surface : SurfaceSpaces());
     objects_.push_back(object.groups[0].polygons.size() > 0 ? object.name : "");
     if (!objects_.back().empty()) scene_.add(std::move(object));
   }
@@ -96,7 +107,7 @@ class Builder {
       if (mesh >= objects_.size() || objects_[mesh].empty()) continue;
       const unsigned material = model_.mMeshes[mesh]->mMaterialIndex;
       place(node.mName.length > 0 ? node.mName.C_Str() : objects_[mesh], objects_[mesh], to_world,
-            material < materials_.size() ? materials_[material] : "");
+            material < materials_.size() ? materials_[material].name : "");
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
       add_node(*node.mChildren[i], to_world, depth + 1);
@@ -186,15 +197,22 @@ class Builder {
   }
 
   const aiScene& model_;
+  const std::map<std::string, GltfExtras>& extras_;
   const ImportOptions options_;
   scene::Scene scene_;
   TextureMaker textures_;
   Diagnostics& diagnostics_;
   scene::InstanceGroup root_{kRootGroup, {}, {}, {}};
-  std::vector<std::string> materials_, objects_;
+  std::vector<ImportedMaterial> materials_;
+  std::vector<std::string> objects_;
   std::map<std::string, Mat4> nodes_;
   std::string first_camera_;
 };
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 }  // namespace
 
@@ -208,19 +226,23 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
   // ones (specification, 3.7.2.1).
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
   const std::string suffix = fs::path(path).extension().string();
-  const unsigned normals =
-      suffix == ".gltf" || suffix == ".glb" ? 0 : unsigned{aiProcess_GenSmoothNormals};
-  const aiScene* model =
-      importer.ReadFile(path, normals | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                                  aiProcess_TransformUVCoords | aiProcess_GenUVCoords |
-                                  aiProcess_ValidateDataStructure | aiProcess_GlobalScale);
+  const bool gltf = suffix == ".gltf" || suffix == ".glb";
+  // assimp moves glTF's texture coordinates about another place than the file says: see
+  // gltf_extras.h.
+  const unsigned but_for_gltf =
+      gltf ? 0 : unsigned{aiProcess_GenSmoothNormals} | unsigned{aiProcess_TransformUVCoords};
+  const aiScene* model = importer.ReadFile(
+      path, but_for_gltf | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                aiProcess_GenUVCoords | aiProcess_ValidateDataStructure | aiProcess_GlobalScale);
   if (!model) {
     diagnostics.error(
         "OR-MD-001", {},
         fmt::format("'{}' is no model that can be read: {}", path, importer.GetErrorString()));
     return std::nullopt;
   }
-  return Builder(*model, path, options, diagnostics).build();
+  std::map<std::string, GltfExtras> extras;
+  if (gltf) extras = gltf_extras(content_of(path));
+  return Builder(*model, path, extras, options, diagnostics).build();
 }
 
 }  // namespace oriel::models

@@ -2,9 +2,12 @@
 // Materials of models as mia_material_x.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "base/diagnostic.h"
+#include "models/gltf_extras.h"
+#include "models/texture_space.h"
 #include "scene/scene.h"
 
 struct aiScene;
@@ -26,7 +29,14 @@ std::string unique_name(const scene::Scene& scene, const std::string& wish);
 /// Checked: ModelMaterial.GlossinessHasTheRoughnessOfTheModel
 float gloss_of_roughness(float roughness);
 
-/// Adds material number `index` of a model, and what it needs, to the scene; returns its name.
+/// What came of a material.
+struct ImportedMaterial {
+  std::string name;
+  SurfaceSpaces surface;           ///< of the objects that have it
+  bool needs_own_package = false;  ///< it uses shaders of oriel.mi
+};
+
+/// Adds material number `index` of a model, and what it needs, to the scene.
 ///
 /// Model:   metallic-roughness by interpolation: diffuse_weight 1 - metallic, reflections with the
 ///          curve 5 from F0 (from the index of refraction, .04 without one; 1 for metals) to 1,
@@ -35,12 +45,17 @@ float gloss_of_roughness(float roughness);
 ///          refr_falloff. Emission becomes additional_color, coverage cutout_opacity. Materials
 ///          without these properties (OBJ, Collada, FBX, IFC): diffuse and specular colour, gloss
 ///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), opacity as transparency.
-/// Errors:  OR-MD-003 coat, sheen and normal maps are left out, OR-MD-004 a texture that cannot be
-///          used.
-/// Source:  glTF 2.0, appendix B, and KHR_materials_{ior,transmission,volume,emissive_strength};
+///          Normals and clear coats: import_layers.h.
+/// Inputs:  extras: of glTF files, by the names of materials.
+/// Errors:  OR-MD-003 sheen and what else nothing stands for is left out, OR-MD-004 a texture that
+///          cannot be used.
+/// Source:  glTF 2.0, appendix B, and
+///          KHR_materials_{ior,specular,transmission,volume,emissive_strength};
 ///          Walter et al. 2007 for the exponent.
-/// Checked: ModelMaterial.*
-std::string add_material(const aiScene& model, unsigned index, TextureMaker& textures,
-                         scene::Scene& scene, Diagnostics& diagnostics);
+/// Checked: ModelMaterial.*, ModelTexture.*
+ImportedMaterial add_material(const aiScene& model, unsigned index,
+                              const std::map<std::string, GltfExtras>& extras,
+                              TextureMaker& textures, scene::Scene& scene,
+                              Diagnostics& diagnostics);
 
 }  // namespace oriel::models

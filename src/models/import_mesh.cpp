@@ -16,10 +16,14 @@ Vec3 vec(const aiVector3D& v) {
 }
 
 /// Appends a column of vectors; returns the index of the first.
-std::uint32_t append(scene::PolygonGroup& group, const aiVector3D* values, unsigned count) {
+template <class F>
+std::uint32_t append(scene::PolygonGroup& group, const aiVector3D* values, unsigned count, F&& f) {
   const auto first = static_cast<std::uint32_t>(group.vectors.size());
-  for (unsigned i = 0; i < count; ++i) group.vectors.push_back(vec(values[i]));
+  for (unsigned i = 0; i < count; ++i) group.vectors.push_back(f(vec(values[i])));
   return first;
+}
+std::uint32_t append(scene::PolygonGroup& group, const aiVector3D* values, unsigned count) {
+  return append(group, values, count, [](const Vec3& v) { return v; });
 }
 
 std::vector<std::uint32_t> column(std::uint32_t first, unsigned count) {
@@ -30,9 +34,30 @@ std::vector<std::uint32_t> column(std::uint32_t first, unsigned count) {
 
 scene::Statement flag(const char* keyword) { return {keyword, false, {}, {}}; }
 
+/// What is asked for; where the mesh has no such coordinates, those of the channel below.
+void add_texture_spaces(const aiMesh& mesh, const SurfaceSpaces& surface,
+                        scene::PolygonGroup& group) {
+  const unsigned channels = mesh.GetNumUVChannels(), count = mesh.mNumVertices;
+  if (channels == 0) return;
+  std::vector<TextureSpace> spaces = surface.spaces;
+  for (unsigned i = 0; i < channels && spaces.size() < kMostTextureSpaces; ++i)
+    if (std::none_of(spaces.begin(), spaces.end(),
+                     [&](const TextureSpace& space) { return space.channel == i; }))
+      spaces.push_back({.channel = i});
+  for (const TextureSpace& space : spaces) {
+    const unsigned channel = std::min(space.channel, channels - 1);
+    const std::uint32_t first = append(group, mesh.mTextureCoords[channel], count,
+                                       [&](const Vec3& uv) { return space.of(uv); });
+    group.vertices.textures.push_back({column(first, count), {}, {}});
+  }
+  if (!surface.tangents || !mesh.HasTangentsAndBitangents()) return;
+  group.vertices.textures[0].basis_u = column(append(group, mesh.mTangents, count), count);
+  group.vertices.textures[0].basis_v = column(append(group, mesh.mBitangents, count), count);
+}
+
 }  // namespace
 
-scene::Object object_of(const aiMesh& mesh, std::string name) {
+scene::Object object_of(const aiMesh& mesh, std::string name, const SurfaceSpaces& surface) {
   scene::Object object;
   object.name = std::move(name);
   object.flags = {flag("visible"), flag("shadow"), flag("trace")};
@@ -40,9 +65,7 @@ scene::Object object_of(const aiMesh& mesh, std::string name) {
   const unsigned count = mesh.mNumVertices;
   group.vertices.point = column(append(group, mesh.mVertices, count), count);
   if (mesh.HasNormals()) group.vertices.normal = column(append(group, mesh.mNormals, count), count);
-  for (unsigned i = 0; i < mesh.GetNumUVChannels(); ++i)
-    group.vertices.textures.push_back(
-        {column(append(group, mesh.mTextureCoords[i], count), count), {}, {}});
+  add_texture_spaces(mesh, surface, group);
   scene::PolygonList& polygons = group.polygons;
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     const aiFace& face = mesh.mFaces[i];

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "models/texture_space.h"
 #include "scene/scene.h"
 
 struct aiMesh;
@@ -11,8 +12,9 @@ struct aiMesh;
 namespace oriel::models {
 
 /// The mesh as an object whose polygons are as the model has them: positions, normals where there
-/// are some, and all its texture coordinates. Polygons with corners that do not exist are left out.
-/// Checked: ModelImport.*
-scene::Object object_of(const aiMesh& mesh, std::string name);
+/// are some, the texture spaces that its material asks for and after them the coordinates that it
+/// does not. Polygons with corners that do not exist are left out.
+/// Checked: ModelImport.*, ModelTexture.*
+scene::Object object_of(const aiMesh& mesh, std::string name, const SurfaceSpaces& surface);
 
 }  // namespace oriel::models

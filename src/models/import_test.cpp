@@ -2,93 +2,23 @@
 #include "models/import.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "bsdf/gloss.h"
 #include "models/daylight.h"
 #include "models/import_material.h"
+#include "models/testing/model_file.h"
 
 namespace oriel::models {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder of its own that goes with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "oriel_models_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  std::string write(const std::string& name, const std::string& content) const {
-    std::ofstream(path_ / name, std::ios::binary) << content;
-    return (path_ / name).string();
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-std::string base64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-/// A glTF file of one triangle (0,0,0) (1,0,0) (0,1,0) under a node, with a material and more.
-std::string gltf(const std::string& material, const std::string& node = "",
-                 const std::string& more = "") {
-  const float points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const std::string bytes(reinterpret_cast<const char*>(points), sizeof points);
-  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)" + more +
-         R"("nodes":[{"name":"chair","mesh":0)" + node +
-         R"(}],"meshes":[{"name":"seat","primitives":[{"attributes":{"POSITION":0},"material":0}]}],)"
-         R"("materials":[{"name":"oak",)" +
-         material +
-         R"(}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
-         R"("min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
-         R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)" +
-         base64(bytes) + "\"}]}";
-}
-
-scene::Scene imported(const std::string& name, const std::string& content) {
-  const Folder folder;
-  Diagnostics diagnostics;
-  auto scene =
-      import_model(folder.write(name, content), {folder.path() / "t", folder.path()}, diagnostics);
-  EXPECT_TRUE(scene.has_value());
-  return scene ? std::move(*scene) : scene::Scene();
-}
-
-/// Numbers of a parameter of the only call of a material; empty: not set.
-std::vector<double> set_in(const scene::Scene& scene, const char* material, const char* parameter) {
-  const auto* m = scene.get<scene::Material>(material);
-  if (!m || m->shaders.size() != 1) return {};
-  for (const scene::Argument& a : m->shaders[0].arguments)
-    if (a.name == parameter)
-      return a.value.kind == scene::Value::Kind::Boolean
-                 ? std::vector<double>{a.value.boolean ? 1.0 : 0.0}
-                 : a.value.numbers;
-  return {};
-}
+using testing::base64;
+using testing::Folder;
+using testing::gltf;
+using testing::imported;
+using testing::set_in;
 
 TEST(ModelMaterial, GlossinessHasTheRoughnessOfTheModel) {
   for (float r = .06f; r < .59f; r += .05f)

@@ -90,9 +90,9 @@ std::string TextureMaker::file_of(const aiScene& model, const std::string& writt
   return relative(path.string());
 }
 
-std::string TextureMaker::lookup(const aiScene& model, const std::string& written,
-                                 const std::string& user) {
-  const auto [known, is_new] = known_.try_emplace(written);
+std::string TextureMaker::picture(const aiScene& model, const std::string& written, Holds holds,
+                                  const std::string& user) {
+  const auto [known, is_new] = pictures_.try_emplace({written, holds});
   if (!is_new) return known->second;
   const std::string file = file_of(model, written);
   if (file.empty()) {
@@ -102,19 +102,51 @@ std::string TextureMaker::lookup(const aiScene& model, const std::string& writte
     return {};
   }
   scene::Texture texture;
-  texture.type = scene::ParamType::ColorTexture;
+  texture.type =
+      holds == Holds::Colors ? scene::ParamType::ColorTexture : scene::ParamType::VectorTexture;
   texture.name = unique_name(scene_, "picture_" + fs::path(file).stem().string());
   texture.file = file;
   texture.directory = options_.scene_folder;
-  scene::ShaderElement shader;
-  shader.name = unique_name(scene_, texture.name + "_lookup");
-  ShaderCall call("mib_texture_lookup2");
-  call.set("tex", texture.name.c_str()).set("factor", 1.0f);
-  shader.functions = {call.use()};
-  known->second = shader.name;
+  known->second = texture.name;
   scene_.add(std::move(texture));
-  scene_.add(std::move(shader));
   return known->second;
+}
+
+std::string TextureMaker::lookup(const std::string& picture, unsigned space) {
+  if (picture.empty()) return {};
+  const auto [known, is_new] = lookups_.try_emplace({picture, space});
+  if (!is_new) return known->second;
+  if (space == 0) {
+    ShaderCall call("mib_texture_lookup2");
+    call.set("tex", picture.c_str()).set("factor", 1.0f);
+    known->second = add(picture + "_lookup", call);
+  } else {
+    ShaderCall call("mib_texture_lookup");
+    call.set("tex", picture.c_str()).connect("coord", coordinate(space));
+    known->second = add(fmt::format("{}_lookup_{}", picture, space), call);
+  }
+  return known->second;
+}
+
+std::string TextureMaker::coordinate(unsigned space) {
+  std::string& known = coordinates_[space];
+  if (!known.empty()) return known;
+  ShaderCall vector("mib_texture_vector");
+  vector.set("select", static_cast<int>(space));
+  ShaderCall remap("mib_texture_remap");
+  remap.connect("input", add(fmt::format("uv_{}", space), vector));
+  remap.set("torus_x", true).set("torus_y", true);
+  known = add(fmt::format("uv_{}_repeated", space), remap);
+  return known;
+}
+
+std::string TextureMaker::add(const std::string& wish, const ShaderCall& call) {
+  scene::ShaderElement shader;
+  shader.name = unique_name(scene_, wish);
+  shader.functions = {call.use()};
+  std::string name = shader.name;
+  scene_.add(std::move(shader));
+  return name;
 }
 
 }  // namespace oriel::models

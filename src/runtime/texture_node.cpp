@@ -19,6 +19,8 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
   // Every texture is filtered: mental ray's `filter` chose a pyramid for speed, unfiltered look-ups
   // only alias. Its number scales the blur.
   node->filter_ = element.filter.value_or(1.0f);
+  // What a vector texture holds is no light.
+  if (element.type == scene::ParamType::VectorTexture) gamma = 1;
   std::string why;
   if (!element.pixels.empty() && element.size.size() >= 2) {
     const int components = element.size.size() > 2 ? element.size[2] : 3;

@@ -17,7 +17,8 @@ class TextureNode {
   explicit TextureNode(NodeList procedure) : procedure_(std::move(procedure)) {}
 
   /// Opens a file or the pixels written in the scene. A file that cannot be read is reported once
-  /// (OR-RT-020) and shows magenta.
+  /// (OR-RT-020) and shows magenta. `gamma` holds for colour and scalar textures; those of vectors
+  /// are read as they are stored.
   static std::unique_ptr<TextureNode> open(const scene::Texture& element, TextureSystem& system,
                                            float gamma, Diagnostics& diagnostics);
 

@@ -33,6 +33,7 @@
 #include "shaders/base/mib_texture_procedural.h"
 #include "shaders/hosts/host_shaders.h"
 #include "shaders/oriel/oriel_lens.h"
+#include "shaders/oriel/oriel_normal_map.h"
 #include "shaders/physics/dgs_material.h"
 #include "shaders/physics/parti_volume.h"
 
@@ -125,6 +126,7 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kOrielLensFisheye,
     &kOrielLensPanorama,
     &kOrielLensShift,
+    &kOrielNormalMap,
     &kOversamplingLens,
     &kPartiVolume,
     &kPartiVolumePhoton,

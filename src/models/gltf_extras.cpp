@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/gltf_extras.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace oriel::models {
+namespace {
+
+using nlohmann::json;
+
+/// Null where there is none.
+const json& member(const json& object, const char* name) {
+  static const json nothing;
+  if (!object.is_object()) return nothing;
+  const auto found = object.find(name);
+  return found == object.end() ? nothing : *found;
+}
+
+const json& extension(const json& object, const char* name) {
+  return member(member(object, "extensions"), name);
+}
+
+float number(const json& value, float fallback) {
+  if (!value.is_number()) return fallback;
+  const float x = value.get<float>();
+  return std::isfinite(x) ? x : fallback;
+}
+
+float number_at(const json& list, std::size_t index, float fallback) {
+  return list.is_array() && index < list.size() ? number(list[index], fallback) : fallback;
+}
+
+TextureSpace space_of(const json& texture) {
+  TextureSpace space;
+  const json& moved = extension(texture, "KHR_texture_transform");
+  const float channel = number(member(moved, "texCoord"), number(member(texture, "texCoord"), 0));
+  constexpr float kMostChannels = 8;
+  if (channel > 0 && channel < kMostChannels) space.channel = static_cast<unsigned>(channel);
+  if (!moved.is_object()) return space;
+  const json &offset = member(moved, "offset"), &scale = member(moved, "scale");
+  const float turn = number(member(moved, "rotation"), 0);
+  const float c = std::cos(turn), s = std::sin(turn);
+  const float sx = number_at(scale, 0, 1), sy = number_at(scale, 1, 1);
+  // With v = 1 - v of the file, before and after.
+  space.move = {c * sx, -s * sy, s * sy + number_at(offset, 0, 0),
+                s * sx, c * sy,  1 - c * sy - number_at(offset, 1, 0)};
+  return space;
+}
+
+/// The JSON part of a binary file; other files are that as a whole.
+std::string_view json_of(std::string_view content) {
+  constexpr std::size_t kHeader = 20;
+  if (content.size() < kHeader || content.substr(0, 4) != "glTF") return content;
+  std::uint32_t length = 0;
+  std::memcpy(&length, content.data() + 12, sizeof length);
+  return content.substr(kHeader, length);
+}
+
+GltfExtras extras_of(const json& material) {
+  GltfExtras extras;
+  const json& pbr = member(material, "pbrMetallicRoughness");
+  const json& coat = extension(material, "KHR_materials_clearcoat");
+  const auto use = [&](const json& object, const char* name, int type, unsigned index) {
+    if (const json& texture = member(object, name); texture.is_object())
+      extras.spaces[{type, index}] = space_of(texture);
+  };
+  use(pbr, "baseColorTexture", aiTextureType_BASE_COLOR, 0);
+  use(pbr, "metallicRoughnessTexture",
+      AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE);
+  use(material, "normalTexture", aiTextureType_NORMALS, 0);
+  use(material, "emissiveTexture", aiTextureType_EMISSIVE, 0);
+  use(coat, "clearcoatTexture", AI_MATKEY_CLEARCOAT_TEXTURE);
+  use(coat, "clearcoatRoughnessTexture", AI_MATKEY_CLEARCOAT_ROUGHNESS_TEXTURE);
+  use(extension(material, "KHR_materials_transmission"), "transmissionTexture",
+      AI_MATKEY_TRANSMISSION_TEXTURE);
+  extras.emissive_strength =
+      number(member(extension(material, "KHR_materials_emissive_strength"), "emissiveStrength"), 1);
+  const json& specular = extension(material, "KHR_materials_specular");
+  extras.specular = clamp01(number(member(specular, "specularFactor"), 1));
+  for (int k = 0; k < 3; ++k)
+    extras.specular_color[k] = std::max(
+        0.0f, number_at(member(specular, "specularColorFactor"), static_cast<std::size_t>(k), 1));
+  for (const auto& [name, words] : {std::pair("KHR_materials_anisotropy", "anisotropy"),
+                                    std::pair("KHR_materials_iridescence", "iridescence"),
+                                    std::pair("KHR_materials_dispersion", "dispersion")})
+    if (extension(material, name).is_object()) extras.left_out.emplace_back(words);
+  for (const char* name : {"specularTexture", "specularColorTexture"})
+    if (member(specular, name).is_object()) {
+      extras.left_out.emplace_back("specular texture");
+      break;
+    }
+  return extras;
+}
+
+}  // namespace
+
+std::map<std::string, GltfExtras> gltf_extras(const std::string& content) {
+  std::map<std::string, GltfExtras> by_name;
+  const std::string_view text = json_of(content);
+  const json file = json::parse(text.begin(), text.end(), nullptr, false);
+  const json& materials = member(file, "materials");
+  if (!materials.is_array()) return by_name;
+  std::map<std::string, int> count;
+  for (const json& material : materials) {
+    const json& written = member(material, "name");
+    const std::string name = written.is_string() ? written.get<std::string>() : "";
+    if (materials.size() > 1 && (name.empty() || ++count[name] > 1)) {
+      by_name.erase(name);
+      continue;
+    }
+    by_name[name] = extras_of(material);
+    if (materials.size() == 1) by_name[""] = by_name[name];
+  }
+  return by_name;
+}
+
+}  // namespace oriel::models

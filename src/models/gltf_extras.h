@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What glTF files say that assimp 5.2 does not pass on, or not as the specification has it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/vec.h"
+#include "models/texture_space.h"
+
+namespace oriel::models {
+
+/// Of one material.
+struct GltfExtras {
+  float emissive_strength = 1;
+  float specular = 1;  ///< KHR_materials_specular
+  Vec3 specular_color{1};
+  std::vector<std::string> left_out;  ///< in words, of extensions that nothing stands for
+  /// Where textures are looked up, by assimp's type and index of the use.
+  std::map<std::pair<int, unsigned>, TextureSpace> spaces;
+};
+
+/// The materials of a glTF file that have a name of their own, by it; that of a file with one
+/// material under "" as well.
+///
+/// Model:   KHR_texture_transform moves coordinates by T R S, u' = ox + sx cos u + sy sin v and v'
+/// =
+///          oy - sx sin u + sy cos v with v down, turned as the extension's text and example say:
+///          its line of GLSL has the matrix the other way round.
+/// Inputs:  content: of a .gltf or .glb file.
+/// Errors:  none: where it is no glTF there are no materials. assimp tells why.
+/// Source:  glTF 2.0; KHR_texture_transform, _materials_{emissive_strength,specular}.
+/// Checked: GltfExtras.*
+std::map<std::string, GltfExtras> gltf_extras(const std::string& content);
+
+}  // namespace oriel::models

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texture spaces, normals by pictures, clear coats and small extensions of glTF.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "models/gltf_extras.h"
+#include "models/import.h"
+#include "models/testing/model_file.h"
+
+namespace oriel::models {
+namespace {
+
+using testing::Folder;
+using testing::imported;
+using testing::Quad;
+using testing::set_in;
+
+const char* const kPictures =
+    R"("textures":[{"source":0},{"source":1}],"images":[{"uri":"a.ppm"},{"uri":"b.ppm"}],)";
+
+/// A scene whose pictures are there, and what was said.
+struct Imported {
+  Folder folder;
+  Diagnostics diagnostics;
+  scene::Scene scene;
+
+  explicit Imported(const std::string& content, const std::string& name = "m.gltf") {
+    for (const char* picture : {"a.ppm", "b.ppm", "wood_Normal.ppm"}) folder.write(picture, "P6");
+    auto made = import_model(folder.write(name, content), {folder.path() / "t", folder.path()},
+                             diagnostics);
+    EXPECT_TRUE(made.has_value());
+    if (made) scene = std::move(*made);
+  }
+  bool said(const std::string& words) const {
+    for (const Diagnostic& d : diagnostics.all())
+      if (diagnostics.format(d).find(words) != std::string::npos) return true;
+    return false;
+  }
+};
+
+const scene::Argument* argument(const scene::ShaderUse& use, const std::string& name) {
+  for (const scene::Argument& a : use.arguments)
+    if (a.name == name) return &a;
+  return nullptr;
+}
+
+/// The shader that a parameter names.
+const scene::ShaderUse* behind(const scene::Scene& scene, const scene::ShaderUse& use,
+                               const std::string& parameter) {
+  const scene::Argument* a = argument(use, parameter);
+  const auto* shader = a ? scene.get<scene::ShaderElement>(a->value.text) : nullptr;
+  return shader ? &shader->functions[0] : nullptr;
+}
+
+const scene::ShaderUse& material_of(const scene::Scene& scene, const char* name = "oak") {
+  return scene.get<scene::Material>(name)->shaders[0];
+}
+
+/// Coordinates of a corner in a texture space of the only object.
+Vec3 uv_of(const scene::Scene& scene, std::size_t space, std::size_t corner) {
+  const scene::PolygonGroup& group = scene.get<scene::Object>("seat")->groups[0];
+  if (space >= group.vertices.textures.size()) return Vec3(-1e9f);
+  return group.vectors[group.vertices.textures[space].coordinate[corner]];
+}
+
+TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
+  Quad quad;
+  // The extension's own example: the lower left quadrant of the picture, turned by 90 degrees.
+  quad.material =
+      R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{)"
+      R"("KHR_texture_transform":{"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]}}}})";
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_texture_transform"],)";
+  const Imported quadrant(quad.text());
+  // v up: the quadrant is 0..0.5 in both; its corner at the picture's is the file's (0, 0).
+  EXPECT_LT(length(uv_of(quadrant.scene, 0, 3) - Vec3(0, 0, 0)), 1e-6f);
+  EXPECT_LT(length(uv_of(quadrant.scene, 0, 0) - Vec3(.5f, 0, 0)), 1e-6f);
+  EXPECT_LT(length(uv_of(quadrant.scene, 0, 1) - Vec3(.5f, .5f, 0)), 1e-6f);
+  EXPECT_LT(length(uv_of(quadrant.scene, 0, 2) - Vec3(0, .5f, 0)), 1e-6f);
+  quad.material = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{)"
+                  R"("KHR_texture_transform":{"offset":[0.1,0.2],"scale":[2,3]}}}})";
+  const Imported scaled(quad.text());
+  // The file's (1, 1) goes to (2.1, 3.2), v down.
+  EXPECT_LT(length(uv_of(scaled.scene, 0, 1) - Vec3(2.1f, -2.2f, 0)), 1e-6f);
+}
+
+TEST(ModelTexture, EachUseIsLookedUpWhereItSays) {
+  Quad quad;
+  quad.uv1 = {0, .5f, .5f, .5f, .5f, 0, 0, 0};
+  quad.material = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0},)"
+                  R"("metallicRoughnessTexture":{"index":0,"texCoord":1}},"normalTexture":)"
+                  R"({"index":1,"texCoord":1})";
+  quad.more = kPictures;
+  const Imported made(quad.text());
+  // The normal map has the first space, which is the file's second set.
+  EXPECT_LT(length(uv_of(made.scene, 0, 1) - Vec3(.5f, .5f, 0)), 1e-6f);
+  EXPECT_LT(length(uv_of(made.scene, 1, 1) - Vec3(1, 0, 0)), 1e-6f);
+  const scene::ShaderUse* base = behind(made.scene, material_of(made.scene), "diffuse");
+  ASSERT_TRUE(base);
+  EXPECT_EQ(base->type, "mib_texture_lookup");
+  const scene::ShaderUse* remap = behind(made.scene, *base, "coord");
+  ASSERT_TRUE(remap);
+  const scene::ShaderUse* vector = behind(made.scene, *remap, "input");
+  ASSERT_TRUE(vector);
+  EXPECT_EQ(argument(*vector, "select")->value.numbers, std::vector<double>{1});
+  // The same file as colours and as numbers.
+  const scene::ShaderUse* gloss = behind(made.scene, material_of(made.scene), "refl_gloss");
+  ASSERT_TRUE(gloss);
+  const scene::ShaderUse* rough = behind(made.scene, *gloss, "input");
+  const scene::ShaderUse* mask = behind(made.scene, *rough, "input");
+  const scene::ShaderUse* data = behind(made.scene, *mask, "color_base");
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->type, "mib_texture_lookup2");
+  const auto kind_of = [&](const scene::ShaderUse& lookup) {
+    return made.scene.get<scene::Texture>(argument(lookup, "tex")->value.text)->type;
+  };
+  EXPECT_EQ(kind_of(*base), scene::ParamType::ColorTexture);
+  EXPECT_EQ(kind_of(*data), scene::ParamType::VectorTexture);
+}
+
+TEST(ModelBump, NormalMapsOfGltfHaveTheirScaleAndTheMeshsTangents) {
+  Quad quad;
+  quad.material = R"("normalTexture":{"index":1,"scale":0.7})";
+  quad.tangents = {0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1};
+  quad.more = kPictures;
+  const Imported made(quad.text());
+  const scene::ShaderUse& material = material_of(made.scene);
+  EXPECT_EQ(argument(material, "bump_mode")->value.numbers, std::vector<double>{5});
+  const scene::ShaderUse* normals = behind(made.scene, material, "overall_bump");
+  ASSERT_TRUE(normals);
+  EXPECT_EQ(normals->type, "oriel_normal_map");
+  EXPECT_NEAR(argument(*normals, "factor")->value.numbers.at(0), .7, 1e-6);
+  EXPECT_FALSE(made.said("left out"));
+  EXPECT_EQ(made.scene.packages.back(), "oriel.mi");
+  const scene::PolygonGroup& group = made.scene.get<scene::Object>("seat")->groups[0];
+  ASSERT_EQ(group.vertices.textures[0].basis_v.size(), 4u);
+  EXPECT_EQ(group.vectors[group.vertices.textures[0].basis_u[0]], Vec3(0, 1, 0));
+  // (n x t) w = (-1 0 0) x -1.
+  EXPECT_EQ(group.vectors[group.vertices.textures[0].basis_v[0]], Vec3(1, 0, 0));
+}
+
+TEST(ModelBump, HeightsOfObjBecomeBumpsAndNormalsByTheirName) {
+  const auto of_obj = [](const std::string& line) {
+    Folder folder;
+    folder.write("a.ppm", "P6");
+    folder.write("wood_Normal.ppm", "P6");
+    folder.write("m.mtl", "newmtl oak\nKd .8 .1 .1\n" + line + "\n");
+    Diagnostics diagnostics;
+    const auto made = import_model(
+        folder.write("m.obj",
+                     "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                     "usemtl oak\nf 1/1 2/2 3/3\n"),
+        {folder.path() / "t", folder.path()}, diagnostics);
+    EXPECT_TRUE(made);
+    return made ? *made : scene::Scene();
+  };
+  const scene::Scene heights = of_obj("map_Bump -bm 2 a.ppm");
+  EXPECT_EQ(argument(material_of(heights), "bump_mode")->value.numbers, std::vector<double>{0});
+  const scene::ShaderUse* bump = behind(heights, material_of(heights), "bump");
+  ASSERT_TRUE(bump);
+  EXPECT_EQ(bump->type, "mib_bump_map2");
+  EXPECT_EQ(argument(*bump, "factor")->value.numbers, std::vector<double>{-2});
+  for (const char* line : {"map_Bump wood_Normal.ppm", "norm a.ppm"}) {
+    const scene::Scene normals = of_obj(line);
+    const scene::ShaderUse* map = behind(normals, material_of(normals), "overall_bump");
+    ASSERT_TRUE(map) << line;
+    EXPECT_EQ(map->type, "oriel_normal_map");
+  }
+}
+
+TEST(ModelCoat, ItLiesOverTheMaterial) {
+  Quad quad;
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_clearcoat"],)";
+  quad.material =
+      R"("pbrMetallicRoughness":{"metallicFactor":1},"extensions":{"KHR_materials_clearcoat":)"
+      R"({"clearcoatFactor":0.5,"clearcoatRoughnessFactor":0.3,"clearcoatNormalTexture":)"
+      R"({"index":0}}})";
+  const Imported made(quad.text());
+  EXPECT_EQ(material_of(made.scene).type, "mib_glossy_reflection");
+  EXPECT_NEAR(set_in(made.scene, "oak", "reflection_base_weight").at(0), .02, 1e-6);
+  EXPECT_NEAR(set_in(made.scene, "oak", "reflection_edge_weight").at(0), .5, 1e-6);
+  EXPECT_NEAR(set_in(made.scene, "oak", "u_spread").at(0), .09, 1e-6);
+  const scene::ShaderUse* base = behind(made.scene, material_of(made.scene), "base_material");
+  ASSERT_TRUE(base);
+  EXPECT_EQ(base->type, "mia_material_x");
+  EXPECT_EQ(argument(*base, "brdf_0_degree_refl")->value.numbers, std::vector<double>{1});
+  EXPECT_TRUE(made.said("normal map of the clear coat left out"));
+}
+
+TEST(ModelMaterial, SpecularAndEmissiveStrengthAreThoseOfTheFile) {
+  Quad quad;
+  quad.material =
+      R"("pbrMetallicRoughness":{"metallicFactor":0},"emissiveFactor":[1,0.5,0],"extensions":{)"
+      R"("KHR_materials_emissive_strength":{"emissiveStrength":8},"KHR_materials_specular":)"
+      R"({"specularFactor":0.5,"specularColorFactor":[2,1,1]},"KHR_materials_iridescence":{}})";
+  const Imported made(quad.text());
+  EXPECT_EQ(set_in(made.scene, "oak", "additional_color"), (std::vector<double>{8, 4, 0}));
+  // min(.04 colour, 1) specular where it is seen straight, specular at the edge.
+  EXPECT_NEAR(set_in(made.scene, "oak", "brdf_0_degree_refl").at(0), .04, 1e-6);
+  EXPECT_NEAR(set_in(made.scene, "oak", "brdf_90_degree_refl").at(0), .5, 1e-6);
+  EXPECT_EQ(set_in(made.scene, "oak", "refl_color"), (std::vector<double>{1, .5, .5}));
+  EXPECT_TRUE(made.said("iridescence left out"));
+}
+
+TEST(ModelMaterial, UnlitIsMatte) {
+  Quad quad;
+  quad.more = R"("extensionsUsed":["KHR_materials_unlit"],)";
+  quad.material = R"("pbrMetallicRoughness":{"baseColorFactor":[0.2,0.4,0.6,1]},)"
+                  R"("extensions":{"KHR_materials_unlit":{}})";
+  const Imported made(quad.text());
+  EXPECT_EQ(set_in(made.scene, "oak", "reflectivity"), std::vector<double>{0});
+  EXPECT_NEAR(set_in(made.scene, "oak", "diffuse").at(1), .4, 1e-6);
+  EXPECT_TRUE(made.said("unlit"));
+}
+
+TEST(GltfExtras, NamesThatAreNotTheirOwnSayNothing) {
+  const auto extras =
+      gltf_extras(R"({"materials":[{"name":"a"},{"name":"b"},{"name":"a"},{},{"name":"a"}]})");
+  ASSERT_EQ(extras.size(), 1u);
+  EXPECT_EQ(extras.count("b"), 1u);
+  EXPECT_EQ(gltf_extras(R"({"materials":[{}]})").count(""), 1u);
+}
+
+TEST(GltfExtras, BinaryFilesBeginWithTheirText) {
+  const std::string text = R"({"materials":[{"name":"a"}]})";
+  std::string file("glTF\2\0\0\0....", 12);
+  file += {static_cast<char>(text.size()), 0, 0, 0, 'J', 'S', 'O', 'N'};
+  EXPECT_EQ(gltf_extras(file + text + "binary").count("a"), 1u);
+}
+
+TEST(GltfExtras, WhatIsWrittenWrongIsNotThere) {
+  for (
+      const char* text :
+      {"", "glTF", "[", "null", "[1]", R"({"materials":3})", R"({"materials":[3,null,"x"]})",
+       R"({"materials":[{"name":3,"normalTexture":{"texCoord":-1,"extensions":7}}]})",
+       R"({"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"texCoord":1e30,"extensions":)"
+       R"({"KHR_texture_transform":{"offset":["a"],"scale":3,"rotation":null}}}}}]})"})
+    for (const auto& [name, extras] : gltf_extras(text))
+      for (const auto& [use, space] : extras.spaces) EXPECT_EQ(space, TextureSpace()) << text;
+}
+
+}  // namespace
+}  // namespace oriel::models

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/material_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/import_material.h"
+
+namespace oriel::models {
+
+using Holds = TextureMaker::Holds;
+
+std::optional<float> MaterialSource::number(const char* key, unsigned type, unsigned index) const {
+  float value = 0;
+  if (m_.Get(key, type, index, value) != aiReturn_SUCCESS || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+std::optional<Vec3> MaterialSource::color(const char* key, unsigned type, unsigned index) const {
+  aiColor3D value;
+  if (m_.Get(key, type, index, value) != aiReturn_SUCCESS) return std::nullopt;
+  return Vec3(value.r, value.g, value.b);
+}
+
+std::optional<int> MaterialSource::choice(const char* key, unsigned type, unsigned index) const {
+  int value = 0;
+  if (m_.Get(key, type, index, value) != aiReturn_SUCCESS) return std::nullopt;
+  return value;
+}
+
+std::string MaterialSource::words(const char* key, unsigned type, unsigned index) const {
+  aiString value;
+  return m_.Get(key, type, index, value) == aiReturn_SUCCESS ? value.C_Str() : "";
+}
+
+bool MaterialSource::has(aiTextureType type, unsigned index) const {
+  return !file(type, index).empty();
+}
+
+std::string MaterialSource::file(aiTextureType type, unsigned index) const {
+  return words(_AI_MATKEY_TEXTURE_BASE, type, index);
+}
+
+unsigned MaterialSource::space(aiTextureType type, unsigned index) {
+  TextureSpace wanted;
+  if (const int channel = choice(_AI_MATKEY_UVWSRC_BASE, type, index).value_or(0); channel > 0)
+    wanted.channel = static_cast<unsigned>(channel);
+  if (extras_)
+    if (const auto found = extras_->spaces.find({type, index}); found != extras_->spaces.end())
+      wanted = found->second;
+  std::vector<TextureSpace>& spaces = surface.spaces;
+  auto at = std::find(spaces.begin(), spaces.end(), wanted);
+  if (at == spaces.end() && spaces.size() >= kMostTextureSpaces) return 0;
+  if (at == spaces.end()) at = spaces.insert(at, wanted);
+  return static_cast<unsigned>(at - spaces.begin());
+}
+
+std::string MaterialSource::texture(aiTextureType type, unsigned index) {
+  if (!has(type, index)) return {};
+  return textures_.lookup(textures_.picture(model_, file(type, index), Holds::Colors, name_),
+                          space(type, index));
+}
+
+std::string MaterialSource::data(aiTextureType type, unsigned index) {
+  if (!has(type, index)) return {};
+  return textures_.lookup(textures_.picture(model_, file(type, index), Holds::Numbers, name_),
+                          space(type, index));
+}
+
+std::string MaterialSource::picture_at_first_space(aiTextureType type, unsigned index) {
+  if (!has(type, index)) return {};
+  std::string picture = textures_.picture(model_, file(type, index), Holds::Numbers, name_);
+  if (!picture.empty()) space(type, index);
+  return picture;
+}
+
+std::string MaterialSource::add(const std::string& suffix, const ShaderCall& call) {
+  scene::ShaderElement shader;
+  shader.name = unique_name(scene_, name_ + "_" + suffix);
+  shader.functions = {call.use()};
+  std::string name = shader.name;
+  scene_.add(std::move(shader));
+  return name;
+}
+
+void MaterialSource::tinted(ShaderCall& call, const std::string& parameter,
+                            const std::string& shader, const Vec3& factor,
+                            const std::string& suffix) {
+  if (shader.empty()) {
+    call.set(parameter, factor);
+  } else if (factor == Vec3(1)) {
+    call.connect(parameter, shader);
+  } else {
+    call.connect(parameter, add(suffix, multiplied(shader, factor)));
+  }
+}
+
+ShaderCall MaterialSource::multiplied(const std::string& shader, const Vec3& factor) {
+  ShaderCall mix("mib_color_mix");
+  mix.set("num", 1).set("mode_0", 4).set("weight_0", 1.0f).set("color_0", factor);
+  return mix.connect("color_base", shader);
+}
+
+std::string MaterialSource::channel(const std::string& shader, int which,
+                                    const std::string& suffix) {
+  Vec3 mask(0);
+  mask[which] = 1;
+  const std::string masked = add(suffix + "_mask", multiplied(shader, mask));
+  ShaderCall average("mib_color_average");
+  average.connect("input", masked).set("factor", 3.0f);  // the mean of one channel of three
+  return add(suffix, average);
+}
+
+}  // namespace oriel::models

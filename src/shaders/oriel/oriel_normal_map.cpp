@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/oriel/oriel_normal_map.h"
+
+#include "runtime/bump.h"
+#include "runtime/texture_node.h"
+
+namespace oriel {
+namespace {
+
+struct NormalMap {
+  VectorTextureRef tex;
+  float factor;
+  int bump_mode;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(NormalMap, tex), .doc = "The picture; red along u, green along v, blue outward."},
+    {ORIEL_PARAM(NormalMap, factor), .fallback = {1},
+     .doc = "Times red and green; 0 is flat, below 0 hills are hollows."},
+    {ORIEL_PARAM(NormalMap, bump_mode), .fallback = {5}, .min = 0, .max = 8,
+     .doc = "As of mia_material_x: what the vector is to it; 0 turns the normal and gives none."},
+};
+
+/// The normal that the picture tells, facing the viewer as the point's own does.
+Vec3 mapped_normal(const NormalMap& p, ShadingPoint& point) {
+  if (!p.tex.texture || p.tex.texture->missing() || point.texture_spaces == 0) return point.normal;
+  const bool given = point.bump_u[0] != Vec3(0);
+  const Vec3 along_u = given ? point.bump_u[0] : point.dpdu;
+  const Vec3 along_v = given ? point.bump_v[0] : point.dpdv;
+  const Vec3 front = point.back_side ? -point.normal : point.normal;
+  const Vec3 tangent = normalize(along_u - front * dot(front, along_u));
+  if (tangent == Vec3(0)) return point.normal;
+  Vec3 bitangent = cross(front, tangent);
+  if (dot(bitangent, along_v) < 0) bitangent = -bitangent;
+  const Rgba c = p.tex.texture->lookup(Vec2(point.tex[0].x, point.tex[0].y), point, {});
+  const Vec3 n = tangent * ((2 * c.r - 1) * p.factor) + bitangent * ((2 * c.g - 1) * p.factor) +
+                 front * (2 * c.b - 1);
+  if (!(dot(n, n) > 0)) return point.normal;
+  return point.back_side ? -normalize(n) : normalize(n);
+}
+
+void give_normal(const Call& call, void* result) {
+  const auto& p = call.as<NormalMap>();
+  ShadingPoint& point = call.point;
+  auto& out = *static_cast<Vec3*>(result);
+  out = Vec3(0);
+  const Vec3 normal = mapped_normal(p, point);
+  if (p.bump_mode < 1 || p.bump_mode > 8)
+    point.normal = normal;
+  else
+    out = bump_vector(point, point.normal, normal, p.bump_mode);
+}
+
+}  // namespace
+
+const ShaderSpec kOrielNormalMap = {
+    .name = "oriel_normal_map",
+    .library = "oriel",
+    .apply = kApplyTexture,
+    .doc = "Turns the normal by a picture of normals.",
+    .params = kRows,
+    .params_size = sizeof(NormalMap),
+    .result = ParamType::Vector,
+    .result_size = sizeof(Vec3),
+    .value = give_normal,
+    .material =
+        [](const Call& call, Closure&) {
+          call.point.normal = mapped_normal(call.as<NormalMap>(), call.point);
+        },
+    .most_lobes = [](const ShaderNode&) { return 0; },
+};
+
+}  // namespace oriel
