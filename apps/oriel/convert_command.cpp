@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "command.h"
 #include "light_meter.h"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ConvertArguments {
-  std::string model, output, size = "960x640";
+  std::string model, output, size = "960x640", up;
   std::vector<float> sun;
   bool daylight = false;
   // oriel quick
@@ -67,7 +68,9 @@ void convert(const ConvertArguments& a, const std::string& to) {
   } else {
     const std::string textures =
         (fs::path(folder) / (output.stem().string() + "_textures")).string();
-    auto imported = models::import_model(a.model, {textures, folder}, diagnostics);
+    auto imported = models::import_model(
+        a.model, {textures, folder, a.up.empty() ? std::nullopt : std::optional(a.up[0])},
+        diagnostics);
     printer.print_new();
     if (!imported) throw UserError(fmt::format("'{}' could not be read", a.model));
     scene = std::move(*imported);
@@ -126,6 +129,8 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
   command.add_option("MODEL", a.model, "glTF, GLB, OBJ, FBX, Collada, IFC, ... ")
       ->required()
       ->check(CLI::ExistingFile);
+  command.add_option("--up", a.up, "axis of the model that points up; else as its format has it")
+      ->check(CLI::IsMember({"y", "z"}));
   command.add_option("--size", a.size, "picture, WIDTHxHEIGHT pixels")->capture_default_str();
   command
       .add_option("--sun", a.sun,

@@ -107,7 +107,9 @@ void add_ground(scene::Scene& scene, const Box3& box) {
   for (const char* flag : {"visible", "shadow", "trace"})
     object.flags.push_back({flag, false, {}, {}});
   scene::PolygonGroup group;
-  const float y = box.min.y;
+  // Below a floor that the model has itself: not in one plane with it.
+  constexpr float kBelow = 1e-3f;
+  const float y = box.min.y - kBelow * radius_of(box);
   group.vectors = {Vec3(c.x - r, y, c.z + r), Vec3(c.x + r, y, c.z + r), Vec3(c.x + r, y, c.z - r),
                    Vec3(c.x - r, y, c.z - r)};
   group.vertices.point = {0, 1, 2, 3};

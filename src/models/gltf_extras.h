@@ -25,10 +25,9 @@ struct GltfExtras {
 /// The materials of a glTF file that have a name of their own, by it; that of a file with one
 /// material under "" as well.
 ///
-/// Model:   KHR_texture_transform moves coordinates by T R S, u' = ox + sx cos u + sy sin v and v'
-/// =
-///          oy - sx sin u + sy cos v with v down, turned as the extension's text and example say:
-///          its line of GLSL has the matrix the other way round.
+/// Model:   KHR_texture_transform moves coordinates by T R S, u' = ox + sx cos u + sy sin v and
+///          v' = oy - sx sin u + sy cos v with v down, turned as the extension's text and example
+///          say: its line of GLSL has the matrix the other way round.
 /// Inputs:  content: of a .gltf or .glb file.
 /// Errors:  none: where it is no glTF there are no materials. assimp tells why.
 /// Source:  glTF 2.0; KHR_texture_transform, _materials_{emissive_strength,specular}.

@@ -63,7 +63,7 @@ class Builder {
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
     for (unsigned i = 0; i < model_.mNumMeshes; ++i) add_mesh(i);
-    if (model_.mRootNode) add_node(*model_.mRootNode, Mat4(), 0);
+    if (model_.mRootNode) add_node(*model_.mRootNode, upright(), 0);
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
     for (unsigned i = 0; i < model_.mNumCameras; ++i) add_camera(*model_.mCameras[i]);
     scene_.add(std::move(root_));
@@ -80,6 +80,11 @@ class Builder {
                           statement("gamma", {numbers({kTextureGamma})}),
                           statement("indirect", {text("path")}, true)};
     scene_.add(std::move(options));
+  }
+
+  /// From the file's axes to those of scenes, whose y is up.
+  Mat4 upright() const {
+    return options_.up == 'z' ? Mat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1) : Mat4();
   }
 
   void add_mesh(unsigned index) {
@@ -242,7 +247,9 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
   }
   std::map<std::string, GltfExtras> extras;
   if (gltf) extras = gltf_extras(content_of(path));
-  return Builder(*model, path, extras, options, diagnostics).build();
+  ImportOptions known = options;
+  if (!known.up) known.up = suffix == ".stl" || suffix == ".STL" ? 'z' : 'y';
+  return Builder(*model, path, extras, known, diagnostics).build();
 }
 
 }  // namespace oriel::models

@@ -15,6 +15,8 @@ struct ImportOptions {
   std::string texture_folder;
   /// Textures are named relative to it where they lie below it; the folder of the `.mi` file.
   std::string scene_folder;
+  /// Axis of the file that points up, 'y' or 'z'; unset: as its format says, else z for STL, y.
+  std::optional<char> up;
 };
 
 /// Names of what every imported scene has.

@@ -21,11 +21,10 @@ bool add_bump(MaterialSource& source, ShaderCall& material);
 /// Lays a clear coat over the material where the model has one: the material goes into a shader of
 /// its own, and a mib_glossy_reflection over it is returned.
 ///
-/// Model:   base (1 - c F) + reflection c F, F = .04 + .96 (1 - cosine)^5 for the view, of
-/// roughness
-///          squared; the coat's normal is that of the geometry.
+/// Model:   base (1 - c F) + reflection c F, F = .04 + .96 (1 - cosine)^5 for the view, as wide as
+///          the roughness squared; the coat's normal is that of the geometry.
 /// Source:  KHR_materials_clearcoat.
-/// Checked: ModelCoat.*, ClearCoat.* in tests/analytic
+/// Checked: ModelCoat.*, ClearCoatOfModels.* in tests/imported
 ShaderCall coated(MaterialSource& source, ShaderCall material);
 
 }  // namespace oriel::models

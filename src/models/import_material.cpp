@@ -2,6 +2,7 @@
 #include "models/import_material.h"
 
 #include <assimp/GltfMaterial.h>
+#include <assimp/ObjMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -63,7 +64,9 @@ class MaterialMaker {
   }
 
   void metallic_roughness(float metallic) {
-    const Vec3 base = m_.color(AI_MATKEY_BASE_COLOR).value_or(Vec3(1));
+    // FBX has numbers of this model beside the colours of the other.
+    const Vec3 base = m_.color(AI_MATKEY_BASE_COLOR)
+                          .value_or(m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1)));
     const float roughness = m_.number(AI_MATKEY_ROUGHNESS_FACTOR).value_or(1);
     const std::string map = base_map();
     const std::string both = m_.data(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE);
@@ -118,6 +121,19 @@ class MaterialMaker {
     return mix;
   }
 
+  /// Seen straight, of a Phong highlight of that strength. Where it is said to be a mirror, what it
+  /// says; else what makes the highlight of a small light as bright as Phong's, k cos^n: f0 times
+  /// the peak of a lobe with that exponent, (n + 2) / 8 times what a white surface shows. So k =
+  /// .5, which some programs write for all that is not metal, is no mirror. At least what glass
+  /// has.
+  float reflectance(float k, float exponent) const {
+    constexpr int kFirstMirror = 3, kShadowCatcher = 10;  // of MTL's `illum`
+    k = clamp01(k);
+    const int illum = m_.choice(AI_MATKEY_OBJ_ILLUM).value_or(0);
+    if (illum >= kFirstMirror && illum < kShadowCatcher) return k;
+    return std::min(k, std::max(kDielectric, 8 * k / (exponent + 2)));
+  }
+
   void classic() {
     const std::string map = m_.texture(aiTextureType_DIFFUSE);
     m_.tinted(call_, "diffuse", map, m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(.6f)),
@@ -127,9 +143,12 @@ class MaterialMaker {
     const float strength = m_.number(AI_MATKEY_SHININESS_STRENGTH).value_or(1);
     const float exponent = m_.number(AI_MATKEY_SHININESS).value_or(0);
     const float ior = std::max(m_.number(AI_MATKEY_REFRACTI).value_or(1), 1.0f);
-    const bool shines = max_component(specular) > 0 && exponent > 0;
-    // Seen straight it reflects what its colour says; the colour keeps its hue.
-    const float f0 = shines ? clamp01(max_component(specular) * strength) : 0;
+    const auto mode = m_.choice(AI_MATKEY_SHADING_MODEL);
+    // Collada's lambert gets a specular colour from assimp; OBJ's that says nothing its mode.
+    const bool matte = (mode == aiShadingMode_Flat || mode == aiShadingMode_Gouraud) &&
+                       !m_.choice(AI_MATKEY_OBJ_ILLUM);
+    const bool shines = !matte && max_component(specular) > 0 && exponent > 0;
+    const float f0 = shines ? reflectance(max_component(specular) * strength, exponent) : 0;
     call_.set("reflectivity", shines ? 1.0f : 0.0f);
     if (shines) {
       call_.set("refl_color", specular / max_component(specular));

@@ -10,6 +10,7 @@
 #include "models/daylight.h"
 #include "models/import_material.h"
 #include "models/testing/model_file.h"
+#include "scene/hierarchy.h"
 
 namespace oriel::models {
 namespace {
@@ -77,6 +78,7 @@ TEST(ModelMaterial, PhongExponentsBecomeTheWidthOfTheLobe) {
   const double gloss = set_in(*scene, "red", "refl_gloss").at(0);
   // sqrt(2 / (98 + 2)).
   EXPECT_NEAR(bsdf::gloss_to_alpha(static_cast<float>(gloss)), .1414f, 1e-3f);
+  EXPECT_NEAR(set_in(*scene, "red", "brdf_0_degree_refl").at(0), .04, 1e-6) << "8 / 100 of .5";
   EXPECT_NEAR(set_in(*scene, "red", "diffuse").at(0), .8, 1e-6);
   EXPECT_NEAR(set_in(*scene, "red", "transparency").at(0), .75, 1e-6);
   // A quad stays one.
@@ -84,6 +86,45 @@ TEST(ModelMaterial, PhongExponentsBecomeTheWidthOfTheLobe) {
     if (const auto* object = std::get_if<scene::Object>(&e)) {
       EXPECT_EQ(object->groups[0].polygons.size(), 1u);
     }
+}
+
+TEST(ModelMaterial, MirrorsOfObjReflectWhatTheySayOthersAsTheirHighlightDoes) {
+  const Folder folder;
+  folder.write("m.mtl",
+               "newmtl mirror\nKd 0 0 0\nKs .5 .5 .5\nNs 98\nillum 3\n"
+               "newmtl dull\nKd .5 .5 .5\nKs .5 .5 .5\nNs 8\nillum 2\n");
+  Diagnostics diagnostics;
+  const auto scene =
+      import_model(folder.write("m.obj",
+                                "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl mirror\n"
+                                "f 1 2 3\nusemtl dull\nf 1 2 3\n"),
+                   {folder.path() / "t", folder.path()}, diagnostics);
+  ASSERT_TRUE(scene);
+  EXPECT_NEAR(set_in(*scene, "mirror", "brdf_0_degree_refl").at(0), .5, 1e-6);
+  EXPECT_NEAR(set_in(*scene, "dull", "brdf_0_degree_refl").at(0), .4, 1e-6);
+}
+
+TEST(ModelImport, WhatIsUpIsUp) {
+  const Folder folder;
+  const std::string path =
+      folder.write("m.stl",
+                   "solid s\nfacet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                   "vertex 0 0 3\nendloop\nendfacet\nendsolid s\n");
+  const auto tip = [&](std::optional<char> up) {
+    Diagnostics diagnostics;
+    const auto scene = import_model(path, {folder.path() / "t", folder.path(), up}, diagnostics);
+    EXPECT_TRUE(scene);
+    Diagnostics ignored;
+    Vec3 highest(0);
+    for (const scene::Leaf& leaf : scene::flatten(*scene, kRootGroup, ignored))
+      for (const Vec3& v : leaf.object()->groups[0].vectors) {
+        const Vec3 p = transform_point(v, leaf.local_to_world);
+        if (length(p) > length(highest)) highest = p;
+      }
+    return highest;
+  };
+  EXPECT_LT(length(tip({}) - Vec3(0, 3, 0)), 1e-6f) << "STL: z is up";
+  EXPECT_LT(length(tip('y') - Vec3(0, 0, 3)), 1e-6f);
 }
 
 TEST(ModelMaterial, PicturesWithinTheModelBecomeFilesAndAreLookedUp) {
