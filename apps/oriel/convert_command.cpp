@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ConvertArguments {
-  std::string model, output, size = "960x640", up;
+  std::string model, output, size, up;
   std::vector<float> sun;
   bool daylight = false;
   // oriel quick
@@ -32,8 +32,10 @@ struct ConvertArguments {
 
 models::DaylightOptions daylight_options(const ConvertArguments& a) {
   models::DaylightOptions options;
-  const PictureSize size = parse_size(a.size);
-  options.width = size.width, options.height = size.height;
+  if (!a.size.empty()) {
+    const PictureSize size = parse_size(a.size);
+    options.width = size.width, options.height = size.height;
+  }
   if (!a.sun.empty()) options.sun_azimuth = a.sun[0], options.sun_elevation = a.sun[1];
   return options;
 }
@@ -75,7 +77,10 @@ void convert(const ConvertArguments& a, const std::string& to) {
     if (!imported) throw UserError(fmt::format("'{}' could not be read", a.model));
     scene = std::move(*imported);
     const models::DaylightOptions options = daylight_options(a);
-    if (scene.renders.empty()) models::add_camera(scene, options);
+    if (scene.renders.empty())
+      models::add_camera(scene, options);
+    else if (!a.size.empty())
+      models::set_picture_size(scene, options.width, options.height);
     if (a.daylight) models::add_daylight(scene, options);
   }
   const auto write = [&] {
@@ -131,7 +136,8 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
       ->check(CLI::ExistingFile);
   command.add_option("--up", a.up, "axis of the model that points up; else as its format has it")
       ->check(CLI::IsMember({"y", "z"}));
-  command.add_option("--size", a.size, "picture, WIDTHxHEIGHT pixels")->capture_default_str();
+  command.add_option("--size", a.size,
+                     "picture, WIDTHxHEIGHT pixels; else that of the model's camera, or 960x640");
   command
       .add_option("--sun", a.sun,
                   "where the sun stands: degrees clockwise from behind the model, degrees above "

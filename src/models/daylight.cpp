@@ -147,6 +147,12 @@ void add_camera(scene::Scene& scene, const DaylightOptions& options) {
   put(scene, std::move(instance));
 }
 
+void set_picture_size(scene::Scene& scene, int width, int height) {
+  scene::Camera* camera = rendering_camera(scene);
+  camera->resolution = {{width, height}};
+  camera->aspect = static_cast<float>(width) / static_cast<float>(height);
+}
+
 void add_exposure(scene::Scene& scene, float f_number, float shutter) {
   scene::ShaderElement exposure;
   exposure.name = unique_name(scene, "exposure");

@@ -18,6 +18,9 @@ struct DaylightOptions {
 /// Checked: Daylight.TheWholeModelIsInTheFrame
 void add_camera(scene::Scene& scene, const DaylightOptions& options);
 
+/// Sets the picture of the camera that the scene renders; its width shows what it showed before.
+void set_picture_size(scene::Scene& scene, int width, int height);
+
 /// Gives the camera that the scene renders a photographic exposure at ISO 100; shutter in 1/s.
 void add_exposure(scene::Scene& scene, float f_number, float shutter);
 

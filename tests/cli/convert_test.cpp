@@ -79,6 +79,13 @@ TEST_F(ConvertTest, CamerasOfGltfStandAtTheirNodes) {
   EXPECT_FALSE(lit(0, 2.3f));
 }
 
+TEST_F(ConvertTest, SizeIsThatOfThePictureWhoeverHasTheCamera) {
+  write_square("square.gltf", 1000);
+  ASSERT_EQ(run({"quick", "square.gltf", "--size", "40x10", "--samples", "1"}).exit_code, 0);
+  EXPECT_EQ(read_image(file("square.png")).width, 40);
+  EXPECT_EQ(read_image(file("square.png")).height, 10);
+}
+
 TEST_F(ConvertTest, AModelWithoutLightIsToldHowToGetSome) {
   write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const RunResult r = run({"convert", "dark.obj", "dark.mi"});

@@ -99,7 +99,8 @@ class ParamBlock {
   /// The texture everywhere one is asked for.
   void set_textures(const TextureNode* texture) {
     for (const ParamSpec& row : spec_.params)
-      if (row.type == ParamType::ColorTexture || row.type == ParamType::ScalarTexture)
+      if (row.type == ParamType::ColorTexture || row.type == ParamType::ScalarTexture ||
+          row.type == ParamType::VectorTexture)
         set(row, texture);
   }
   /// Another's value of that parameter.
