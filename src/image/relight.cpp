@@ -45,7 +45,7 @@ std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<L
       throw std::runtime_error("there is no group of lights \"" + gain.name + "\": " + list);
     }
   std::vector<Layer> out{*beauty};
-  Image& sum = out.front().image;
+  Image sum = beauty->image;
   const auto channels = static_cast<std::size_t>(sum.channels);
   for (std::size_t i = 0; i < sum.pixel_count(); ++i) std::fill_n(&sum.pixels[i * channels], 3, 0);
   for (const Layer& layer : layers)
@@ -62,10 +62,11 @@ std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<L
       for (std::size_t c = 0; c < 3; ++c) {
         float& value = scaled.image.pixels[3 * i + c];
         value *= factor[static_cast<int>(c)];
-        out.front().image.pixels[i * channels + c] += value;
+        sum.pixels[i * channels + c] += value;
       }
     out.push_back(std::move(scaled));
   }
+  out.front().image = std::move(sum);
   return out;
 }
 
