@@ -73,6 +73,8 @@ GltfExtras extras_of(const json& material) {
   use(pbr, "baseColorTexture", aiTextureType_BASE_COLOR, 0);
   use(pbr, "metallicRoughnessTexture",
       AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE);
+  use(extension(material, "KHR_materials_pbrSpecularGlossiness"), "diffuseTexture",
+      aiTextureType_DIFFUSE, 0);
   use(material, "normalTexture", aiTextureType_NORMALS, 0);
   use(material, "emissiveTexture", aiTextureType_EMISSIVE, 0);
   use(coat, "clearcoatTexture", AI_MATKEY_CLEARCOAT_TEXTURE);

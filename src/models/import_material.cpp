@@ -34,6 +34,8 @@ class MaterialMaker {
     const bool pbr = metallic || m_.number(AI_MATKEY_ROUGHNESS_FACTOR);
     if (m_.choice(AI_MATKEY_SHADING_MODEL) == aiShadingMode_Unlit)
       unlit();
+    else if (const auto glossiness = m_.number(AI_MATKEY_GLOSSINESS_FACTOR))
+      specular_glossiness(*glossiness);
     else if (pbr)
       metallic_roughness(metallic.value_or(0));
     else
@@ -55,18 +57,21 @@ class MaterialMaker {
                                                        : aiTextureType_DIFFUSE);
   }
 
+  /// FBX has numbers of one model beside the colours of the other.
+  Vec3 base_color() const {
+    const auto written = m_.color(AI_MATKEY_BASE_COLOR);
+    return written ? *written : m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1));
+  }
+
   /// White paper: what is drawn with its own light and shadow would be black in daylight.
   void unlit() {
-    m_.tinted(call_, "diffuse", base_map(), m_.color(AI_MATKEY_BASE_COLOR).value_or(Vec3(1)),
-              "base");
+    m_.tinted(call_, "diffuse", base_map(), base_color(), "base");
     call_.set("diffuse_weight", 1.0f).set("reflectivity", 0.0f);
     m_.left_out.emplace_back("unlit (it is lit as a matte surface)");
   }
 
   void metallic_roughness(float metallic) {
-    // FBX has numbers of this model beside the colours of the other.
-    const Vec3 base = m_.color(AI_MATKEY_BASE_COLOR)
-                          .value_or(m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1)));
+    const Vec3 base = base_color();
     const float roughness = m_.number(AI_MATKEY_ROUGHNESS_FACTOR).value_or(1);
     const std::string map = base_map();
     const std::string both = m_.data(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE);
@@ -121,6 +126,25 @@ class MaterialMaker {
     return mix;
   }
 
+  /// Seen straight it reflects what that colour says; the colour keeps its hue.
+  void shine(const Vec3& specular, float roughness) {
+    const float brightest = max_component(specular);
+    call_.set("reflectivity", brightest > 0 ? 1.0f : 0.0f);
+    if (brightest <= 0) return;
+    call_.set("refl_color", specular / brightest);
+    call_.set("refl_gloss", gloss_of_roughness(roughness));
+    call_.set("brdf_fresnel", false).set("brdf_0_degree_refl", clamp01(brightest));
+    call_.set("brdf_90_degree_refl", 1.0f).set("brdf_curve", kCurve);
+  }
+
+  void specular_glossiness(float glossiness) {
+    m_.tinted(call_, "diffuse", m_.texture(aiTextureType_DIFFUSE),
+              m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1)), "diffuse");
+    call_.set("diffuse_weight", 1.0f);
+    shine(m_.color(AI_MATKEY_COLOR_SPECULAR).value_or(Vec3(1)), 1 - glossiness);
+    if (m_.has(aiTextureType_SPECULAR)) m_.left_out.emplace_back("specular-glossiness texture");
+  }
+
   /// Seen straight, of a Phong highlight of that strength. Where it is said to be a mirror, what it
   /// says; else what makes the highlight of a small light as bright as Phong's, k cos^n: f0 times
   /// the peak of a lobe with that exponent, (n + 2) / 8 times what a white surface shows. So k =
@@ -147,16 +171,11 @@ class MaterialMaker {
     // Collada's lambert gets a specular colour from assimp; OBJ's that says nothing its mode.
     const bool matte = (mode == aiShadingMode_Flat || mode == aiShadingMode_Gouraud) &&
                        !m_.choice(AI_MATKEY_OBJ_ILLUM);
-    const bool shines = !matte && max_component(specular) > 0 && exponent > 0;
-    const float f0 = shines ? reflectance(max_component(specular) * strength, exponent) : 0;
-    call_.set("reflectivity", shines ? 1.0f : 0.0f);
-    if (shines) {
-      call_.set("refl_color", specular / max_component(specular));
-      // alpha = roughness squared on the other side of gloss_of_roughness.
-      call_.set("refl_gloss", gloss_of_roughness(std::sqrt(std::sqrt(2 / (exponent + 2)))));
-      call_.set("brdf_fresnel", false).set("brdf_0_degree_refl", f0);
-      call_.set("brdf_90_degree_refl", std::max(f0, 1.0f)).set("brdf_curve", kCurve);
-    }
+    const float brightest = max_component(specular);
+    const bool shines = !matte && brightest > 0 && exponent > 0;
+    // alpha = roughness squared on the other side of gloss_of_roughness.
+    shine(shines ? specular * (reflectance(brightest * strength, exponent) / brightest) : Vec3(0),
+          std::sqrt(std::sqrt(2 / (exponent + 2))));
     if (ior > 1) call_.set("refr_ior", ior);
     const float opacity = clamp01(m_.number(AI_MATKEY_OPACITY).value_or(1));
     if (const std::string mask = m_.texture(aiTextureType_OPACITY); !mask.empty())
@@ -177,7 +196,7 @@ class MaterialMaker {
       call_.connect("transparency", m_.curve(m_.channel(map, 0, "transmission"), "transparency",
                                              [&](float x) { return through * x; }));
     call_.set("thin_walled", thickness <= 0);
-    call_.set("refr_color", m_.color(AI_MATKEY_BASE_COLOR).value_or(Vec3(1)));
+    call_.set("refr_color", base_color());
     call_.set("refr_gloss", gloss_of_roughness(roughness));
     const float distance = m_.number(AI_MATKEY_VOLUME_ATTENUATION_DISTANCE).value_or(0);
     if (thickness <= 0 || !(distance > 0)) return;
@@ -199,7 +218,7 @@ class MaterialMaker {
     const std::string mode = m_.words(AI_MATKEY_GLTF_ALPHAMODE);
     if (mode.empty() || mode == "OPAQUE") return;
     const float alpha = clamp01(m_.number(AI_MATKEY_OPACITY).value_or(1));
-    const std::string map = m_.texture(aiTextureType_BASE_COLOR);
+    const std::string map = base_map();
     if (map.empty()) {
       if (alpha < 1) call_.set("cutout_opacity", alpha);
       return;

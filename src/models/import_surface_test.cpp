@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "bsdf/gloss.h"
 #include "models/gltf_extras.h"
 #include "models/import.h"
 #include "models/testing/model_file.h"
@@ -212,6 +213,33 @@ TEST(ModelMaterial, UnlitIsMatte) {
   EXPECT_EQ(set_in(made.scene, "oak", "reflectivity"), std::vector<double>{0});
   EXPECT_NEAR(set_in(made.scene, "oak", "diffuse").at(1), .4, 1e-6);
   EXPECT_TRUE(made.said("unlit"));
+}
+
+TEST(ModelMaterial, SpecularGlossinessIsNoMetal) {
+  Quad quad;
+  quad.more = R"("extensionsUsed":["KHR_materials_pbrSpecularGlossiness"],)";
+  quad.material =
+      R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.1,0.2,0.3,1],)"
+      R"("specularFactor":[0.5,0.25,0.125],"glossinessFactor":0.7}})";
+  const Imported made(quad.text());
+  EXPECT_NEAR(set_in(made.scene, "oak", "diffuse").at(2), .3, 1e-6);
+  EXPECT_EQ(set_in(made.scene, "oak", "diffuse_weight"), std::vector<double>{1});
+  EXPECT_EQ(set_in(made.scene, "oak", "brdf_0_degree_refl"), std::vector<double>{.5});
+  EXPECT_EQ(set_in(made.scene, "oak", "refl_color"), (std::vector<double>{1, .5, .25}));
+  // alpha = (1 - glossiness)^2.
+  const double gloss = set_in(made.scene, "oak", "refl_gloss").at(0);
+  EXPECT_NEAR(bsdf::gloss_to_alpha(static_cast<float>(gloss)), .09, 1e-3);
+}
+
+TEST(ModelMaterial, TransmissionGoesByItsTexture) {
+  Quad quad;
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_transmission"],)";
+  quad.material = R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":0.5,)"
+                  R"("transmissionTexture":{"index":0}}})";
+  const Imported made(quad.text());
+  const scene::ShaderUse* map = behind(made.scene, material_of(made.scene), "transparency");
+  ASSERT_TRUE(map);
+  EXPECT_EQ(argument(*map, "color_7")->value.numbers, (std::vector<double>{.5, .5, .5}));
 }
 
 TEST(GltfExtras, NamesThatAreNotTheirOwnSayNothing) {
