@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check_thumbnail.h"
 
-#include <fstream>
-#include <iterator>
-
+#include "base/file_text.h"
 #include "quick_look.h"
 #include "render/camera_output.h"
 #include "render/output.h"
@@ -21,8 +19,7 @@ std::string rendered(scene::Scene& scene, const sdk::TrustedFolders& trusted, st
     file.shaders =
         camera_output_shaders(look.camera, scene, look.host.registry(), look.world, unheard);
     write_picture(file, look.session, {});
-    std::ifstream picture(file.path, std::ios::binary);
-    png.assign(std::istreambuf_iterator<char>(picture), {});
+    png = file_text(file.path);
   });
   if (!seen) why = "the scene has no camera that could render it";
   return png;

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <optional>
 
+#include "base/file_text.h"
 #include "image/atomic_file.h"
 #include "mi/number.h"
 #include "scene/asset_path.h"
@@ -35,11 +36,6 @@ class Fingerprint {
   std::uint64_t value_ = 14695981039346656037ull;
 };
 
-std::string text_of_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 /// Everything beside a source may be included by it.
 void add_headers(const fs::path& folder, Fingerprint& fingerprint) {
   std::vector<fs::path> headers;
@@ -49,7 +45,7 @@ void add_headers(const fs::path& folder, Fingerprint& fingerprint) {
   std::sort(headers.begin(), headers.end());
   for (const fs::path& header : headers) {
     fingerprint.add(header.filename().string());
-    fingerprint.add(text_of_file(header));
+    fingerprint.add(file_text(header));
   }
 }
 
@@ -147,7 +143,7 @@ void SceneCode::link(const scene::Statement& command, scene::Scene& scene) {
       if (source.empty())
         return fail(fmt::format("the source \"{}\" was not found", value.text),
                     "it has to lie in a folder of --shader-path or below the scene's own");
-      text = text_of_file(source);
+      text = file_text(source);
       add_headers(source.parent_path(), fingerprint);
     }
   }

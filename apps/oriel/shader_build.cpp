@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "base/file_text.h"
 #include "command.h"
 #include "compiler.h"
 #include "image/atomic_file.h"
@@ -37,8 +36,7 @@ bool is_windows_entry(const fs::path& file) {
   std::string stem = file.stem().string();
   for (char& c : stem) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (stem.size() < 3 || stem.compare(stem.size() - 3, 3, "dll") != 0) return false;
-  std::ifstream stream(file);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::string text = file_text(file);
   return text.find("windows.h") != std::string::npos && text.find("DllMain") != std::string::npos;
 }
 

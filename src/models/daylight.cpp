@@ -154,16 +154,13 @@ void set_picture_size(scene::Scene& scene, int width, int height) {
 }
 
 void add_exposure(scene::Scene& scene, float f_number, float shutter) {
-  scene::ShaderElement exposure;
-  exposure.name = unique_name(scene, "exposure");
   // The options' gamma is applied where pictures are written.
   ShaderCall photographic("mia_exposure_photographic");
   photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", shutter);
   photographic.set("f_number", f_number).set("vignetting", 0.0f).set("burn_highlights", .3f);
   photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
-  exposure.functions = {photographic.use()};
-  rendering_camera(scene)->lens = reference(exposure.name);
-  scene.add(std::move(exposure));
+  const std::string exposure = add_shader(scene, "exposure", photographic);
+  rendering_camera(scene)->lens = reference(exposure);
 }
 
 void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
@@ -181,17 +178,14 @@ void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
   instance.name = unique_name(scene, sun.name + "_inst");
   instance.element = sun.name;
 
-  scene::ShaderElement sky;
-  sky.name = unique_name(scene, "sky");
   ShaderCall skylight("mia_physicalsky");
   skylight.set("rgb_unit_conversion", Vec3(kUnit)).set("ground_color", Vec3(.35f));
   skylight.set("y_is_up", true).set("sun_direction", to_sun).set("sun", instance.name.c_str());
-  sky.functions = {skylight.use()};
 
-  rendering_camera(scene)->environment = reference(sky.name);
   scene.add(std::move(sun));
   put(scene, std::move(instance));
-  scene.add(std::move(sky));
+  const std::string sky = add_shader(scene, "sky", skylight);
+  rendering_camera(scene)->environment = reference(sky);
   add_exposure(scene, 16, 100);  // a sunny day
 }
 

@@ -9,9 +9,8 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "base/file_text.h"
 #include "models/import_material.h"
 #include "models/import_mesh.h"
 #include "models/import_texture.h"
@@ -214,11 +213,6 @@ class Builder {
   std::string first_camera_;
 };
 
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
@@ -246,7 +240,7 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
     return std::nullopt;
   }
   std::map<std::string, GltfExtras> extras;
-  if (gltf) extras = gltf_extras(content_of(path));
+  if (gltf) extras = gltf_extras(file_text(path));
   ImportOptions known = options;
   if (!known.up) known.up = suffix == ".stl" || suffix == ".STL" ? 'z' : 'y';
   return Builder(*model, path, extras, known, diagnostics).build();

@@ -258,6 +258,15 @@ std::string unique_name(const scene::Scene& scene, const std::string& wish) {
       return numbered;
 }
 
+std::string add_shader(scene::Scene& scene, const std::string& wish, const ShaderCall& call) {
+  scene::ShaderElement shader;
+  shader.name = unique_name(scene, wish);
+  shader.functions = {call.use()};
+  std::string name = shader.name;
+  scene.add(std::move(shader));
+  return name;
+}
+
 float gloss_of_roughness(float roughness) {
   // The inverse of bsdf::gloss_to_alpha, alpha = 2^(-1.5 - 7 g).
   const float alpha = sqr(clamp01(roughness));

@@ -14,6 +14,7 @@ struct aiScene;
 
 namespace oriel::models {
 
+class ShaderCall;
 class TextureMaker;
 
 /// Gamma of the scene's options: 8-bit textures are read as sRGB pictures, of which 2.2 is the
@@ -23,6 +24,9 @@ inline constexpr float kTextureGamma = 2.2f;
 /// Names for elements of a scene: letters, digits and underscores of the wish, with a number where
 /// it is taken already.
 std::string unique_name(const scene::Scene& scene, const std::string& wish);
+
+/// Adds a shader of that call to the scene, under a name like `wish`, which is returned.
+std::string add_shader(scene::Scene& scene, const std::string& wish, const ShaderCall& call);
 
 /// mia_material's glossiness that has the roughness of a glTF material: alpha = roughness squared.
 /// Above roughness 0.6 it is 0, the roughest there is; below 0.05 it is 1, a mirror.
@@ -44,7 +48,8 @@ struct ImportedMaterial {
 ///          transparency, solid where a volume is given, else thin-walled; attenuation becomes
 ///          refr_falloff. Emission becomes additional_color, coverage cutout_opacity. Materials
 ///          without these properties (OBJ, Collada, FBX, IFC): diffuse and specular colour, gloss
-///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), opacity as transparency.
+///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), F0 from the brightness of its
+///          highlight, opacity as transparency. Specular-glossiness: that colour as F0.
 ///          Normals and clear coats: import_layers.h.
 /// Inputs:  extras: of glTF files, by the names of materials.
 /// Errors:  OR-MD-003 sheen and what else nothing stands for is left out, OR-MD-004 a texture that

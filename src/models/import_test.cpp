@@ -66,42 +66,30 @@ TEST(ModelMaterial, TransmissionIsThinUntilThereIsAVolume) {
 }
 
 TEST(ModelMaterial, PhongExponentsBecomeTheWidthOfTheLobe) {
-  const Folder folder;
-  folder.write("m.mtl", "newmtl red\nKd .8 .1 .1\nKs .5 .5 .5\nNs 98\nd 0.25\n");
-  Diagnostics diagnostics;
   const auto scene =
-      import_model(folder.write("m.obj",
-                                "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\n"
-                                "f 1 2 3 4\n"),
-                   {folder.path() / "t", folder.path()}, diagnostics);
-  ASSERT_TRUE(scene);
-  const double gloss = set_in(*scene, "red", "refl_gloss").at(0);
+      imported("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n",
+               "newmtl red\nKd .8 .1 .1\nKs .5 .5 .5\nNs 98\nd 0.25\n");
+  const double gloss = set_in(scene, "red", "refl_gloss").at(0);
   // sqrt(2 / (98 + 2)).
   EXPECT_NEAR(bsdf::gloss_to_alpha(static_cast<float>(gloss)), .1414f, 1e-3f);
-  EXPECT_NEAR(set_in(*scene, "red", "brdf_0_degree_refl").at(0), .04, 1e-6) << "8 / 100 of .5";
-  EXPECT_NEAR(set_in(*scene, "red", "diffuse").at(0), .8, 1e-6);
-  EXPECT_NEAR(set_in(*scene, "red", "transparency").at(0), .75, 1e-6);
+  EXPECT_NEAR(set_in(scene, "red", "brdf_0_degree_refl").at(0), .04, 1e-6) << "8 / 100 of .5";
+  EXPECT_NEAR(set_in(scene, "red", "diffuse").at(0), .8, 1e-6);
+  EXPECT_NEAR(set_in(scene, "red", "transparency").at(0), .75, 1e-6);
   // A quad stays one.
-  for (const scene::Element& e : scene->elements())
+  for (const scene::Element& e : scene.elements())
     if (const auto* object = std::get_if<scene::Object>(&e)) {
       EXPECT_EQ(object->groups[0].polygons.size(), 1u);
     }
 }
 
 TEST(ModelMaterial, MirrorsOfObjReflectWhatTheySayOthersAsTheirHighlightDoes) {
-  const Folder folder;
-  folder.write("m.mtl",
-               "newmtl mirror\nKd 0 0 0\nKs .5 .5 .5\nNs 98\nillum 3\n"
-               "newmtl dull\nKd .5 .5 .5\nKs .5 .5 .5\nNs 8\nillum 2\n");
-  Diagnostics diagnostics;
-  const auto scene =
-      import_model(folder.write("m.obj",
-                                "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl mirror\n"
-                                "f 1 2 3\nusemtl dull\nf 1 2 3\n"),
-                   {folder.path() / "t", folder.path()}, diagnostics);
-  ASSERT_TRUE(scene);
-  EXPECT_NEAR(set_in(*scene, "mirror", "brdf_0_degree_refl").at(0), .5, 1e-6);
-  EXPECT_NEAR(set_in(*scene, "dull", "brdf_0_degree_refl").at(0), .4, 1e-6);
+  const auto scene = imported("m.obj",
+                              "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl mirror\n"
+                              "f 1 2 3\nusemtl dull\nf 1 2 3\n",
+                              "newmtl mirror\nKd 0 0 0\nKs .5 .5 .5\nNs 98\nillum 3\n"
+                              "newmtl dull\nKd .5 .5 .5\nKs .5 .5 .5\nNs 8\nillum 2\n");
+  EXPECT_NEAR(set_in(scene, "mirror", "brdf_0_degree_refl").at(0), .5, 1e-6);
+  EXPECT_NEAR(set_in(scene, "dull", "brdf_0_degree_refl").at(0), .4, 1e-6);
 }
 
 TEST(ModelImport, WhatIsUpIsUp) {

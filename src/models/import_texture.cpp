@@ -119,11 +119,11 @@ std::string TextureMaker::lookup(const std::string& picture, unsigned space) {
   if (space == 0) {
     ShaderCall call("mib_texture_lookup2");
     call.set("tex", picture.c_str()).set("factor", 1.0f);
-    known->second = add(picture + "_lookup", call);
+    known->second = add_shader(scene_, picture + "_lookup", call);
   } else {
     ShaderCall call("mib_texture_lookup");
     call.set("tex", picture.c_str()).connect("coord", coordinate(space));
-    known->second = add(fmt::format("{}_lookup_{}", picture, space), call);
+    known->second = add_shader(scene_, fmt::format("{}_lookup_{}", picture, space), call);
   }
   return known->second;
 }
@@ -134,19 +134,10 @@ std::string TextureMaker::coordinate(unsigned space) {
   ShaderCall vector("mib_texture_vector");
   vector.set("select", static_cast<int>(space));
   ShaderCall remap("mib_texture_remap");
-  remap.connect("input", add(fmt::format("uv_{}", space), vector));
+  remap.connect("input", add_shader(scene_, fmt::format("uv_{}", space), vector));
   remap.set("torus_x", true).set("torus_y", true);
-  known = add(fmt::format("uv_{}_repeated", space), remap);
+  known = add_shader(scene_, fmt::format("uv_{}_repeated", space), remap);
   return known;
-}
-
-std::string TextureMaker::add(const std::string& wish, const ShaderCall& call) {
-  scene::ShaderElement shader;
-  shader.name = unique_name(scene_, wish);
-  shader.functions = {call.use()};
-  std::string name = shader.name;
-  scene_.add(std::move(shader));
-  return name;
 }
 
 }  // namespace oriel::models

@@ -14,8 +14,6 @@ struct aiScene;
 
 namespace oriel::models {
 
-class ShaderCall;
-
 /// Makes the texture elements and lookups of one import, each file's once.
 class TextureMaker {
  public:
@@ -40,7 +38,6 @@ class TextureMaker {
   std::string relative(const std::string& path) const;
   /// Name of a shader that gives a texture space within 0..1.
   std::string coordinate(unsigned space);
-  std::string add(const std::string& wish, const ShaderCall& call);
 
   const ImportOptions& options_;
   std::string folder_;

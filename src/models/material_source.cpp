@@ -57,15 +57,17 @@ unsigned MaterialSource::space(aiTextureType type, unsigned index) {
 }
 
 std::string MaterialSource::texture(aiTextureType type, unsigned index) {
-  if (!has(type, index)) return {};
-  return textures_.lookup(textures_.picture(model_, file(type, index), Holds::Colors, name_),
-                          space(type, index));
+  return lookup(type, index, Holds::Colors);
 }
 
 std::string MaterialSource::data(aiTextureType type, unsigned index) {
+  return lookup(type, index, Holds::Numbers);
+}
+
+std::string MaterialSource::lookup(aiTextureType type, unsigned index, Holds holds) {
   if (!has(type, index)) return {};
-  return textures_.lookup(textures_.picture(model_, file(type, index), Holds::Numbers, name_),
-                          space(type, index));
+  const std::string picture = textures_.picture(model_, file(type, index), holds, name_);
+  return textures_.lookup(picture, space(type, index));
 }
 
 std::string MaterialSource::picture_at_first_space(aiTextureType type, unsigned index) {
@@ -76,12 +78,7 @@ std::string MaterialSource::picture_at_first_space(aiTextureType type, unsigned 
 }
 
 std::string MaterialSource::add(const std::string& suffix, const ShaderCall& call) {
-  scene::ShaderElement shader;
-  shader.name = unique_name(scene_, name_ + "_" + suffix);
-  shader.functions = {call.use()};
-  std::string name = shader.name;
-  scene_.add(std::move(shader));
-  return name;
+  return add_shader(scene_, name_ + "_" + suffix, call);
 }
 
 void MaterialSource::tinted(ShaderCall& call, const std::string& parameter,

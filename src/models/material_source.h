@@ -76,6 +76,7 @@ class MaterialSource {
  private:
   /// The texture space of a use, a new one where there is none yet.
   unsigned space(aiTextureType type, unsigned index);
+  std::string lookup(aiTextureType type, unsigned index, TextureMaker::Holds holds);
 
   const aiScene& model_;
   const aiMaterial& m_;

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "image/files.h"
+#include "models/testing/model_file.h"
 #include "program.h"
 
 namespace oriel {
@@ -16,23 +17,19 @@ class ConvertTest : public ProgramTest {
   /// A white square of side 4 on z = 0, a camera at (3, 0, 5) that looks straight at it, and a lamp
   /// of that many candela at (0, 0, 2).
   void write_square(const std::string& name, float candela) const {
-    // Little-endian floats of the four corners, then the indices 0 1 2 0 2 3 as shorts.
-    constexpr const char* kBuffer =
-        "AAAAwAAAAMAAAAAAAAAAQAAAAMAAAAAAAAAAQAAAAEAAAAAAAAAAwAAAAEAAAAAAAAABAAIAAAACAAMA";
-    write(name, fmt::format(
-                    R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0,1,2]}}],
-"extensionsUsed":["KHR_lights_punctual"],
-"extensions":{{"KHR_lights_punctual":{{"lights":[{{"type":"point","intensity":{}}}]}}}},
-"nodes":[{{"mesh":0,"name":"square"}},{{"camera":0,"name":"eye","translation":[3,0,5]}},
-{{"name":"lamp","translation":[0,0,2],"extensions":{{"KHR_lights_punctual":{{"light":0}}}}}}],
-"cameras":[{{"type":"perspective","perspective":{{"aspectRatio":1.5,"yfov":1,"znear":0.1}}}}],
-"materials":[{{"pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":1}},"doubleSided":true}}],
-"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"material":0}}]}}],
-"accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-2,-2,0],"max":[2,2,0]}},
-{{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}}],
-"bufferViews":[{{"buffer":0,"byteLength":48}},{{"buffer":0,"byteOffset":48,"byteLength":12}}],
-"buffers":[{{"byteLength":60,"uri":"data:application/octet-stream;base64,{}"}}]}})",
-                    candela, kBuffer));
+    models::testing::Quad square;
+    square.scene = "0,1,2";
+    square.node = R"(,"translation":[-2,-2,0],"scale":[4,4,1])";
+    square.nodes = R"(,{"camera":0,"name":"eye","translation":[3,0,5]},{"name":"lamp",)"
+                   R"("translation":[0,0,2],"extensions":{"KHR_lights_punctual":{"light":0}}})";
+    square.more = fmt::format(
+        R"("extensionsUsed":["KHR_lights_punctual"],"extensions":{{"KHR_lights_punctual":)"
+        R"({{"lights":[{{"type":"point","intensity":{}}}]}}}},"cameras":[{{"type":"perspective",)"
+        R"("perspective":{{"aspectRatio":1.5,"yfov":1,"znear":0.1}}}}],)",
+        candela);
+    square.material =
+        R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1},"doubleSided":true)";
+    write(name, square.text());
   }
   float shutter_of(const std::string& scene) const {
     const std::string text = text_of(file(scene));

@@ -116,8 +116,11 @@ struct Quad {
   }
 };
 
-inline scene::Scene imported(const std::string& name, const std::string& content) {
+/// `materials`: of m.mtl beside it.
+inline scene::Scene imported(const std::string& name, const std::string& content,
+                             const std::string& materials = "") {
   const Folder folder;
+  if (!materials.empty()) folder.write("m.mtl", materials);
   Diagnostics diagnostics;
   auto scene =
       import_model(folder.write(name, content), {folder.path() / "t", folder.path()}, diagnostics);

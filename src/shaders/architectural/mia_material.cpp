@@ -384,23 +384,12 @@ const ShaderSpec kMiaMaterialX = {
     .grids = mia_grids,
 };
 
-const ShaderSpec kMiaMaterialXPasses = {
-    .name = "mia_material_x_passes",
-    .library = "architectural",
-    .version = 1,
-    .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
-    .doc = "The extended material under the name hosts with render passes write.",
-    .params = mia_material_rows(),
-    .params_size = sizeof(P),
-    .result = ParamType::Struct,
-    .results = kResults,
-    .result_size = kResultSize,
-    .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
-    .may_transmit = mia_may_transmit,
-    .may_emit = mia_may_emit,
-    .most_lobes = mia_most_lobes,
-    .has_outputs = mia_has_outputs,
-    .grids = mia_grids,
-};
+const ShaderSpec kMiaMaterialXPasses = [] {
+  ShaderSpec spec = kMiaMaterialX;
+  spec.name = "mia_material_x_passes";
+  spec.version = 1;
+  spec.doc = "The extended material under the name hosts with render passes write.";
+  return spec;
+}();
 
 }  // namespace oriel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// All bytes of a small file.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace oriel {
+
+/// Empty where it cannot be read.
+inline std::string file_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace oriel
