@@ -69,12 +69,20 @@ function(oriel_hosts_shaders target)
   endforeach()
 endfunction()
 
+# The `main` of all test programs. Its headers are its own: a program that tests headers alone gets
+# nothing of Oriel with it.
+if(ORIEL_TESTS)
+  add_library(oriel_test_main STATIC ${CMAKE_SOURCE_DIR}/tests/main.cpp)
+  target_include_directories(oriel_test_main PRIVATE ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(oriel_test_main PUBLIC GTest::gtest)
+endif()
+
 # oriel_test(NAME SOURCES files... DEPS folders...): a GoogleTest program known to ctest.
 function(oriel_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS" ${ARGN})
   list(TRANSFORM ARG_DEPS PREPEND oriel_)
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE ${ARG_DEPS} ${ARG_LIBS} GTest::gtest GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS} ${ARG_LIBS} oriel_test_main)
   target_compile_definitions(${name} PRIVATE ORIEL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()

@@ -2,10 +2,10 @@
 #include "check_thumbnail.h"
 
 #include "base/file_text.h"
+#include "base/temporary_folder.h"
 #include "quick_look.h"
 #include "render/camera_output.h"
 #include "render/output.h"
-#include "work_folder.h"
 
 namespace oriel::app {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 std::string rendered(scene::Scene& scene, const sdk::TrustedFolders& trusted, std::string& why) {
   std::string png;
   const bool seen = quick_look(scene, trusted, {}, [&](const QuickLookResult& look) {
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     Diagnostics unheard;
     PictureFile file = picture_file(folder.file("scene.png"));
     file.shaders =

@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "base/file_text.h"
+#include "base/temporary_folder.h"
 #include "command.h"
 #include "compiler.h"
 #include "image/atomic_file.h"
 #include "include_shim.h"
-#include "work_folder.h"
 
 namespace oriel::app {
 namespace {
@@ -78,7 +78,7 @@ std::vector<std::string> dialect(bool c) {
 
 /// Where the compiler looks for headers.
 std::vector<std::string> include_flags(const std::vector<std::string>& sources,
-                                       const std::string& sdk, const WorkFolder& work) {
+                                       const std::string& sdk, const TemporaryFolder& work) {
   std::vector<std::string> read = sources;
   std::vector<std::string> folders;
   for (const std::string& source : sources) {
@@ -126,7 +126,7 @@ std::vector<std::string> find_shader_sources(const std::vector<std::string>& pat
 
 void build_shaders(const ShaderBuild& build) {
   const std::string sdk = find_headers(build.include);
-  const WorkFolder work;
+  const TemporaryFolder work;
   const std::vector<std::string> includes = include_flags(build.sources, sdk, work);
   Compiler cc("C", "--cc", build.cc, "CC", {"cc", "gcc", "clang"});
   Compiler cxx("C++", "--cxx", build.cxx, "CXX", {"c++", "g++", "clang++"});

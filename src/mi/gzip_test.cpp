@@ -2,7 +2,6 @@
 #include "mi/gzip.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <filesystem>
@@ -17,9 +16,6 @@ namespace {
 class GzipFile {
  public:
   explicit GzipFile(const std::string& text) {
-    path_ = (std::filesystem::temp_directory_path() /
-             ("oriel_gzip_" + std::to_string(getpid()) + ".mi.gz"))
-                .string();
     gzFile file = gzopen(path_.c_str(), "wb9");
     gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
     gzclose(file);
@@ -31,7 +27,7 @@ class GzipFile {
   }
 
  private:
-  std::string path_;
+  const std::string path_ = testing::TempDir() + "scene.mi.gz";
 };
 
 const std::string kScene = "options \"o\" samples 0 2 end options\nset \"x\" \"y\"\n";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that include files: where they are searched, what is refused, how messages name places.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>

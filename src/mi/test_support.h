@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 
+#include "base/temporary_folder.h"
 #include "mi/codes.h"
 #include "mi/reader.h"
 
@@ -63,20 +63,18 @@ struct Snippet {
 /// A test with a folder of its own.
 class FolderTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              fmt::format("oriel_mi_{}_{}", ::getpid(),
-                          testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string write(const std::string& name, std::string_view text) {
     const auto path = folder_ / name;
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << text;
     return path.string();
   }
-  std::filesystem::path folder_;
+
+ private:
+  const TemporaryFolder temporary_;
+
+ protected:
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 /// The value of a parameter of the shader element "x" in `shader "x" "s" ( "p" <value> )`.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spellings that real exporters use and that a strict reader would trip over.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/temporary_folder.h"
+
 namespace oriel::scene {
 namespace {
 
@@ -25,7 +27,8 @@ TEST(AssetPath, NoSpellingGoesUpBesideWhatIsWritten) {
 }
 
 TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
-  const auto folder = std::filesystem::temp_directory_path() / "oriel_asset_path_test";
+  const TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   std::filesystem::create_directories(folder / "maps");
   std::ofstream(folder / "maps/oak.tif") << "below";
   const auto found = [&](const char* written) { return find_asset(written, folder.string()); };
@@ -34,7 +37,6 @@ TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
   EXPECT_EQ(found("W:\\oak.tif"), (folder / "W:\\oak.tif").string());
   std::ofstream(folder / "oak.tif") << "beside";
   EXPECT_EQ(found("/mnt/house/oak.tif"), (folder / "oak.tif").string());
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

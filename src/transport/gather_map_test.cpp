@@ -15,9 +15,6 @@ namespace {
 
 class GatherMap : public testing::Test {
  protected:
-  GatherMap()
-      : path_(testing::TempDir() + "oriel_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name() + ".fgmap") {}
   ~GatherMap() override { std::filesystem::remove(path_); }
 
   std::string bytes() const {
@@ -54,7 +51,7 @@ class GatherMap : public testing::Test {
     ASSERT_TRUE(d.all().empty());
   }
 
-  std::string path_;
+  std::string path_ = testing::TempDir() + "gathered.fgmap";
 };
 
 TEST_F(GatherMap, ComesBackAsItWas) {

@@ -2,7 +2,6 @@
 #include "transport/photon_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -14,10 +13,6 @@ namespace {
 
 class PhotonFile : public testing::Test {
  protected:
-  PhotonFile()
-      : path_((std::filesystem::temp_directory_path() /
-               ("oriel-photons-" + std::to_string(::getpid()) + ".map"))
-                  .string()) {}
   ~PhotonFile() override { std::filesystem::remove(path_); }
 
   static PhotonMaps maps() {
@@ -47,7 +42,7 @@ class PhotonFile : public testing::Test {
     return {};
   }
 
-  std::string path_;
+  const std::string path_ = testing::TempDir() + "photons.map";
 };
 
 // acceptance: H3

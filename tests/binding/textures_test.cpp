@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texture look-ups through shaders: files, pixels in the scene, procedures, coordinates, spheres.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 
+#include "base/temporary_folder.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "probe.h"
@@ -15,22 +14,6 @@ namespace {
 
 #define EXPECT_SILENT(s) EXPECT_TRUE((s).diagnostics.all().empty()) << (s).messages()
 
-/// Files of one test, removed afterwards.
-class Folder {
- public:
-  Folder()
-      : path_(std::filesystem::temp_directory_path() / fmt::format("oriel_tex_{}", ::getpid())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(std::string_view name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// 2 x 2 texels, from the top: red green / blue white.
 Image four_colours() {
@@ -63,7 +46,7 @@ void expect_rgb_near(const Rgba& c, float r, float g, float b, float tolerance =
 }
 
 TEST(Textures, FilesHaveTheirOriginAtTheLowerLeft) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_png(folder.file("four.png"), four_colours());
   write_exr(folder.file("four.exr"), {Layer{"", {"R", "G", "B"}, four_colours()}});
   for (const char* name : {"four.png", "four.exr"}) {

@@ -3,7 +3,6 @@
 // crash.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/temporary_folder.h"
 #include "mi/lexer.h"
 #include "mi/reader.h"
 
@@ -220,15 +220,13 @@ TEST(Robustness, HugeCountsCostNoMemory) {
 }
 
 TEST(Robustness, FilesThatIncludeThemselvesEnd) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / fmt::format("oriel_robust_{}", ::getpid());
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   std::ofstream(folder / "a.mi") << "$include \"b.mi\"\nshader \"a\" $include \"b.mi\"\n";
   std::ofstream(folder / "b.mi") << "$include \"a.mi\"\n$include \"/dev/zero\"\n$include \".\"\n";
   Diagnostics diagnostics;
   read_scene((folder / "a.mi").string(), {}, diagnostics);
   EXPECT_TRUE(diagnostics.has("OR-MI-012"));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

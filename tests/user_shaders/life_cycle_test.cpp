@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From `link` to the last exit: what is loaded, what is called in which order, what is said when
 // something does not fit.
-#include <unistd.h>
 
 #include <algorithm>
 

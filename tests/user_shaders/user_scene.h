@@ -3,7 +3,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "mi/reader.h"
 #include "render/lens_shaders.h"
+#include "base/temporary_folder.h"
 #include "render/prepare.h"
 #include "render/session.h"
 #include "sampling/sampler.h"
@@ -21,38 +21,24 @@
 namespace oriel::testing {
 
 /// A folder of its own that goes with the test.
-class ShaderFolder {
+class ShaderFolder : public TemporaryFolder {
  public:
-  ShaderFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "oriel_shaders_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~ShaderFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
   /// Compiles source text into NAME.so; `suffix` tells the language.
   void compile(const std::string& name, const std::string& source, const std::string& suffix = "c",
                const std::string& flags = "") const {
-    const std::filesystem::path file = path_ / (name + "." + suffix);
-    std::ofstream(file) << source;
-    compile_file(name, file, flags);
+    const std::string text = file(name + "." + suffix);
+    std::ofstream(text) << source;
+    compile_file(name, text, flags);
   }
-  void compile_file(const std::string& name, const std::filesystem::path& file,
+  void compile_file(const std::string& name, const std::filesystem::path& text,
                     const std::string& flags = "") const {
-    const bool cpp = file.extension() == ".cpp";
+    const bool cpp = text.extension() == ".cpp";
     const std::string command = std::string(cpp ? "c++ -std=c++98" : "cc -std=gnu99") +
                                 " -shared -fPIC -O1 " + flags +
                                 " -I" ORIEL_SOURCE_DIR "/include/oriel/sdk -o " +
-                                (path_ / (name + ".so")).string() + " " + file.string() + " -lm";
+                                file(name + ".so") + " " + text.string() + " -lm";
     if (std::system(command.c_str()) != 0) throw std::runtime_error("cannot compile " + name);
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// A scene read and prepared with users' shaders.
