@@ -14,7 +14,6 @@ namespace {
 
 #define EXPECT_SILENT(s) EXPECT_TRUE((s).diagnostics.all().empty()) << (s).messages()
 
-
 /// 2 x 2 texels, from the top: red green / blue white.
 Image four_colours() {
   Image image(2, 2, 3);

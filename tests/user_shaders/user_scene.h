@@ -9,9 +9,9 @@
 #include <fstream>
 #include <string>
 
+#include "base/temporary_folder.h"
 #include "mi/reader.h"
 #include "render/lens_shaders.h"
-#include "base/temporary_folder.h"
 #include "render/prepare.h"
 #include "render/session.h"
 #include "sampling/sampler.h"
