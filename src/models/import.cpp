@@ -7,10 +7,11 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
-#include "base/file_text.h"
+#include "models/gltf/read.h"
 #include "models/import_material.h"
 #include "models/import_mesh.h"
 #include "models/import_texture.h"
@@ -35,6 +36,14 @@ Mat4 matrix(const aiMatrix4x4& m) {
 }
 
 Vec3 vec(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
+
+/// The suffix in small letters, as some systems write it in capitals.
+std::string format_of(const std::string& path) {
+  std::string suffix = fs::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}
 
 scene::Statement statement(std::string keyword, std::vector<scene::Value> values,
                            bool quoted = false) {
@@ -181,6 +190,12 @@ class Builder {
     const float half = source.mHorizontalFOV / 2;
     camera.aperture = kAperture;
     camera.focal = half > 0 && half < kPi / 2 ? kAperture / 2 / std::tan(half) : kAperture;
+    if (source.mOrthographicWidth > 0) {
+      // Half of what is seen from left to right, in the units of the camera's space.
+      camera.orthographic = true;
+      camera.focal.reset();
+      camera.aperture = 2 * source.mOrthographicWidth;
+    }
     camera.aspect = source.mAspect > 0 ? source.mAspect : 1.5f;
     const int width = 960;
     camera.resolution = {
@@ -224,26 +239,30 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
   // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
   // ones (specification, 3.7.2.1).
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
-  const std::string suffix = fs::path(path).extension().string();
+  const std::string suffix = format_of(path);
   const bool gltf = suffix == ".gltf" || suffix == ".glb";
   // assimp moves glTF's texture coordinates about another place than the file says: see
-  // gltf_extras.h.
+  // gltf/extras.h.
   const unsigned but_for_gltf =
       gltf ? 0 : unsigned{aiProcess_GenSmoothNormals} | unsigned{aiProcess_TransformUVCoords};
-  const aiScene* model = importer.ReadFile(
-      path, but_for_gltf | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                aiProcess_GenUVCoords | aiProcess_ValidateDataStructure | aiProcess_GlobalScale);
-  if (!model) {
-    diagnostics.error(
-        "OR-MD-001", {},
-        fmt::format("'{}' is no model that can be read: {}", path, importer.GetErrorString()));
+  const unsigned steps = but_for_gltf | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                         aiProcess_GenUVCoords | aiProcess_ValidateDataStructure |
+                         aiProcess_GlobalScale;
+  GltfModel read;
+  if (gltf) {
+    read = read_gltf(importer, path, steps, diagnostics);
+  } else {
+    read.scene = importer.ReadFile(path, steps);
+    read.error = importer.GetErrorString();
+  }
+  if (!read.scene) {
+    diagnostics.error("OR-MD-001", {},
+                      fmt::format("'{}' is no model that can be read: {}", path, read.error));
     return std::nullopt;
   }
-  std::map<std::string, GltfExtras> extras;
-  if (gltf) extras = gltf_extras(file_text(path));
   ImportOptions known = options;
-  if (!known.up) known.up = suffix == ".stl" || suffix == ".STL" ? 'z' : 'y';
-  return Builder(*model, path, extras, known, diagnostics).build();
+  if (!known.up) known.up = suffix == ".stl" ? 'z' : 'y';
+  return Builder(*read.scene, path, read.extras, known, diagnostics).build();
 }
 
 }  // namespace oriel::models

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "models/gltf_extras.h"
+#include "models/gltf/extras.h"
 #include "models/texture_space.h"
 #include "scene/scene.h"
 

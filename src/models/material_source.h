@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "models/gltf_extras.h"
+#include "models/gltf/extras.h"
 #include "models/import_texture.h"
 #include "models/shader_call.h"
 #include "models/texture_space.h"

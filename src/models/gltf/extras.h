@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "models/gltf/json_read.h"
 #include "models/texture_space.h"
 
 namespace oriel::models {
@@ -28,10 +29,9 @@ struct GltfExtras {
 /// Model:   KHR_texture_transform moves coordinates by T R S, u' = ox + sx cos u + sy sin v and
 ///          v' = oy - sx sin u + sy cos v with v down, turned as the extension's text and example
 ///          say: its line of GLSL has the matrix the other way round.
-/// Inputs:  content: of a .gltf or .glb file.
-/// Errors:  none: where it is no glTF there are no materials. assimp tells why.
+/// Inputs:  root: a glTF file's text; whatever else it is, it has no materials.
 /// Source:  glTF 2.0; KHR_texture_transform, _materials_{emissive_strength,specular}.
 /// Checked: GltfExtras.*
-std::map<std::string, GltfExtras> gltf_extras(const std::string& content);
+std::map<std::string, GltfExtras> gltf_extras(const gltf::json& root);
 
 }  // namespace oriel::models
