@@ -58,6 +58,7 @@ class Builder {
           Diagnostics& diagnostics)
       : model_(model),
         extras_(extras),
+        colors_(colors_of(format_of(path))),
         options_(options),
         textures_(options_, fs::path(path).parent_path().string(), scene_, diagnostics),
         diagnostics_(diagnostics) {}
@@ -66,7 +67,8 @@ class Builder {
     scene_.packages = {"base.mi", "physics.mi", "architectural.mi"};
     add_options();
     for (unsigned i = 0; i < model_.mNumMaterials; ++i)
-      materials_.push_back(add_material(model_, i, extras_, textures_, scene_, diagnostics_));
+      materials_.push_back(
+          add_material(model_, i, extras_, colors_, textures_, scene_, diagnostics_));
     if (std::any_of(materials_.begin(), materials_.end(),
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
@@ -217,6 +219,7 @@ class Builder {
 
   const aiScene& model_;
   const std::map<std::string, GltfExtras>& extras_;
+  const ColorsAre colors_;
   const ImportOptions options_;
   scene::Scene scene_;
   TextureMaker textures_;

@@ -59,8 +59,12 @@ GltfExtras extras_of(const json& material) {
   for (int k = 0; k < 3; ++k)
     extras.specular_color[k] = std::max(
         0.0f, number_at(member(specular, "specularColorFactor"), static_cast<std::size_t>(k), 1));
-  for (const auto& [name, words] : {std::pair("KHR_materials_anisotropy", "anisotropy"),
-                                    std::pair("KHR_materials_iridescence", "iridescence"),
+  const json& brushed = extension(material, "KHR_materials_anisotropy");
+  extras.anisotropy = clamp01(number(member(brushed, "anisotropyStrength"), 0));
+  extras.anisotropy_turn = number(member(brushed, "anisotropyRotation"), 0);
+  if (extras.anisotropy > 0 && member(brushed, "anisotropyTexture").is_object())
+    extras.left_out.emplace_back("anisotropy texture");
+  for (const auto& [name, words] : {std::pair("KHR_materials_iridescence", "iridescence"),
                                     std::pair("KHR_materials_dispersion", "dispersion")})
     if (extension(material, name).is_object()) extras.left_out.emplace_back(words);
   for (const char* name : {"specularTexture", "specularColorTexture"})

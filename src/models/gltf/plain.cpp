@@ -83,10 +83,9 @@ std::optional<Plain> make_plain(const std::string& content, const std::string& f
   PlainMeshes meshes = plain_meshes(root, buffers, file);
   PlainNodes nodes = plain_nodes(root, buffers);
   Plain plain;
-  if (meshes.read == 0 && meshes.left_out > 0) {
-    plain.error = meshes.why;
-    return plain;
-  }
+  if (nodes.roots.empty()) plain.error = "there is nothing in its scene";
+  if (meshes.read == 0 && meshes.left_out > 0) plain.error = meshes.why;
+  if (!plain.error.empty()) return plain;
   if (meshes.left_out > 0)
     diagnostics.warning(
         "OR-MD-020", {},
