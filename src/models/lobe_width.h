@@ -13,9 +13,8 @@ float gloss_of_roughness(float roughness);
 struct Brushed {
   float gloss = 0, ratio = 1;  ///< of mia_material: refl_gloss, anisotropy
 };
-/// Model:   roughness r^2 across the tangent, mix(r^2, 1, strength^2) along it: their mean and
-/// their
-///          ratio. It stays within what mia_material can do, 10 and the mean of gloss 0.
+/// Model:   roughness r^2 across the tangent, mix(r^2, 1, strength^2) along it: their mean
+///          and their ratio. It stays within what mia_material can do, 10 and the mean of gloss 0.
 /// Source:  KHR_materials_anisotropy, "Implementation".
 /// Checked: ModelMaterial.AnisotropyHasTheWidthsOfTheExtension
 Brushed brushed(float roughness, float strength);

@@ -42,7 +42,8 @@ float number_at(const json& list, std::size_t index, float fallback) {
 std::optional<std::size_t> whole(const json& value) {
   // Beyond it, numbers with a point are no longer whole ones apart.
   constexpr std::uint64_t kMost = std::uint64_t{1} << 53;
-  if (value.is_number_unsigned()) {
+  if (value.is_number_integer()) {
+    if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return std::nullopt;
     const auto n = value.get<std::uint64_t>();
     return n <= kMost ? std::optional<std::size_t>(n) : std::nullopt;
   }
