@@ -3,19 +3,12 @@
 #pragma once
 
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "models/gltf/document.h"
 
 namespace oriel::models::gltf {
-
-/// Why a part of the file cannot be read, in words. Thrown and caught while loading.
-class Unreadable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Reads each buffer and view once, when it is asked for.
 class Buffers {

@@ -3,11 +3,19 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "models/gltf/json_read.h"
 
 namespace oriel::models::gltf {
+
+/// Why a part of the file cannot be read, in words. Thrown and caught while loading.
+class Unreadable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 struct Document {
   json root;                ///< an object
@@ -15,8 +23,10 @@ struct Document {
 };
 
 /// Inputs:  content: of a .gltf or .glb file; the document refers to it.
-/// Returns: unset where it is no glTF 2: damaged text, or glTF 1.0. What is nested deeper than a
-///          hundred levels is left out, which glTF's own parts never are.
+/// Returns: unset where it is no glTF 2: damaged text, or glTF 1.0.
+/// Errors:  Unreadable where it is nested deeper than a hundred levels, which glTF's own parts
+/// never
+///          are: what reads it takes a piece of the stack for each.
 /// Source:  glTF 2.0, 4.4 (binary form).
 /// Checked: GltfDocument.*
 std::optional<Document> parse(std::string_view content);

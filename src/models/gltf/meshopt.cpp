@@ -3,7 +3,7 @@
 
 #include <meshoptimizer.h>
 
-#include "models/gltf/buffers.h"
+#include "models/gltf/document.h"
 
 namespace oriel::models::gltf {
 namespace {

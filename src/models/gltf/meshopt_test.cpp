@@ -8,7 +8,6 @@
 #include <cstring>
 #include <vector>
 
-#include "models/gltf/buffers.h"
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models::gltf {

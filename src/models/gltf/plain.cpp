@@ -69,15 +69,11 @@ void keep_other_parts(const json& root, json& made) {
     if (name.is_string() && name != "KHR_draco_mesh_compression") used.push_back(name);
 }
 
-}  // namespace
-
-std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
-                                Diagnostics& diagnostics) {
-  const auto document = parse(content);
-  if (!document) return std::nullopt;
-  const json& root = document->root;
+Plain plain_of(const Document& document, std::size_t content_size, const std::string& folder,
+               Diagnostics& diagnostics) {
+  const json& root = document.root;
   tell_unknown(root, diagnostics);
-  Buffers buffers(*document, folder, content.size());
+  Buffers buffers(document, folder, content_size);
   PlainFile file;
   keep_other_parts(root, file.root);
   PlainMeshes meshes = plain_meshes(root, buffers, file);
@@ -101,6 +97,21 @@ std::optional<Plain> make_plain(const std::string& content, const std::string& f
   file.root["scenes"] = json::array({{{"nodes", std::move(nodes.roots)}}});
   plain.binary = file.binary();
   plain.root = std::move(file.root);
+  return plain;
+}
+
+}  // namespace
+
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+                                Diagnostics& diagnostics) {
+  Plain plain;
+  try {
+    const auto document = parse(content);
+    if (!document) return std::nullopt;
+    plain = plain_of(*document, content.size(), folder, diagnostics);
+  } catch (const Unreadable& error) {
+    plain.error = error.what();
+  }
   return plain;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF files from their text to scenes: what is stored in unusual ways is there as it is meant.
+#include "models/gltf/plain.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -164,6 +166,13 @@ TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
   none.import(file.text());
   EXPECT_FALSE(none.scene);
   EXPECT_TRUE(none.said("there is no accessor 99"));
+}
+
+TEST(GltfPlain, TextThatIsNestedTooDeepIsNoModel) {
+  Made made;
+  made.import(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300'000, '['));
+  EXPECT_FALSE(made.scene);
+  EXPECT_TRUE(made.said("its text is nested too deep"));
 }
 
 TEST(GltfPlain, RequiredExtensionsThatNobodyKnowsAreNamedOnce) {
