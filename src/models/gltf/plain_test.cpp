@@ -217,6 +217,22 @@ TEST(GltfPictures, WebPGoesFirstAndBasisUniversalIsNotRead) {
   EXPECT_EQ(picture_of(3), "");
 }
 
+TEST(GltfPictures, PicturesInTheBufferAreFilesOfTheirKind) {
+  GltfFile file;
+  file.add_triangle();
+  const std::string webp("RIFF\0\0\0\0WEBPVP8 ", 16);
+  file.root["images"] =
+      json::array({{{"bufferView", file.add_view(webp)}, {"mimeType", "image/webp"}}});
+  file.root["textures"] = json::array({{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}});
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  Made made;
+  made.import(file.binary(), "m.glb");
+  ASSERT_TRUE(made.scene);
+  EXPECT_TRUE(made.diagnostics.all().empty());
+  std::ifstream written(made.folder.path() / "t" / "texture_0.webp", std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), webp);
+}
+
 TEST(GltfNodes, InstancesStandWhereTheirAttributesSay) {
   GltfFile file;
   file.add_triangle();
