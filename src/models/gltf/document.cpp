@@ -66,8 +66,9 @@ std::optional<Document> parse(std::string_view content) {
   if (!is_shallow(text)) throw Unreadable("its text is nested too deep");
   document.root = json::parse(text.begin(), text.end(), nullptr, false);
   if (!document.root.is_object()) return std::nullopt;
-  if (words(member(member(document.root, "asset"), "version")).substr(0, 2) == "1.")
-    return std::nullopt;
+  // glTF 1.0 has its parts by name.
+  for (const char* name : {"meshes", "nodes", "accessors"})
+    if (member(document.root, name).is_object()) return std::nullopt;
   return document;
 }
 

@@ -28,7 +28,7 @@ TEST(GltfDocument, BinaryFilesHaveTextAndBytes) {
 }
 
 TEST(GltfDocument, OtherFilesAreNone) {
-  for (const char* text : {"", "glTF", "[", "null", "[1]", "3", R"({"asset":{"version":"1.0"}})"})
+  for (const char* text : {"", "glTF", "[", "null", "[1]", "3", R"({"meshes":{"a":{}}})"})
     EXPECT_FALSE(parse(text)) << text;
   std::string no_text("glTF\2\0\0\0....", 12);
   no_text += std::string({4, 0, 0, 0, 'B', 'I', 'N', 0}) + "abcd";

@@ -87,6 +87,11 @@ Plain plain_of(const Document& document, std::size_t content_size, const std::st
         "OR-MD-020", {},
         fmt::format("{} parts of meshes are left out: {}", meshes.left_out, meshes.why),
         "export the model again");
+  if (meshes.lost_triangles > 0)
+    diagnostics.warning(
+        "OR-MD-020", {},
+        fmt::format("{} triangles name corners that do not exist; they are left out",
+                    meshes.lost_triangles));
   if (!nodes.left_out.empty())
     diagnostics.warning("OR-MD-020", {}, "instances are left out: " + nodes.left_out);
   for (const std::string& words : plain_pictures(root, buffers, folder, file))

@@ -14,13 +14,16 @@ namespace oriel::models::gltf {
 namespace {
 
 constexpr std::size_t kTexcoords = 8;
+constexpr std::size_t kTriangles = 4, kFan = 6;  // modes of primitives
+
+std::string texcoord(std::size_t index) { return fmt::format("TEXCOORD_{}", index); }
 
 /// How many numbers an attribute has; 0 for those that nothing here asks for.
 std::size_t width_of(const std::string& name) {
   if (name == "POSITION" || name == "NORMAL") return 3;
   if (name == "TANGENT" || name == "COLOR_0") return 4;
   for (std::size_t i = 0; i < kTexcoords; ++i)
-    if (name == fmt::format("TEXCOORD_{}", i)) return 2;
+    if (name == texcoord(i)) return 2;
   return 0;
 }
 
@@ -37,6 +40,14 @@ bool fit(Column& column, const std::string& name) {
     column = {4, std::move(with_alpha)};
   }
   return column.components == width;
+}
+
+/// Sets of coordinates are counted from 0 without gaps; where one is missing the next stands for
+/// it.
+void fill_gaps(json& attributes) {
+  for (std::size_t i = kTexcoords - 1; i > 0; --i)
+    if (attributes.contains(texcoord(i)) && !attributes.contains(texcoord(i - 1)))
+      attributes[texcoord(i - 1)] = attributes[texcoord(i)];
 }
 
 class MeshMaker {
@@ -82,14 +93,15 @@ class MeshMaker {
       if (added) attributes[name] = *added;
     }
     if (!attributes.contains("POSITION")) throw Unreadable("a mesh's positions are no points");
+    fill_gaps(attributes);
     if (const json& corners = member(primitive, "indices"); !corners.is_null())
-      made["indices"] = shared_corners(whole(corners, static_cast<std::size_t>(-1)), count);
+      made["indices"] = shared_corners(whole(corners, static_cast<std::size_t>(-1)), count,
+                                       made["mode"] == kTriangles);
     return made;
   }
 
   json common(const json& primitive) const {
     json made = json::object();
-    constexpr std::size_t kTriangles = 4, kFan = 6;
     made["mode"] = whole(member(primitive, "mode"), kTriangles);
     if (made["mode"].get<std::size_t>() > kFan)
       throw Unreadable("a mesh is made of something that has no name");
@@ -110,7 +122,8 @@ class MeshMaker {
     for (const std::uint32_t corner : mesh.corners)
       if (corner >= mesh.attributes["POSITION"].count())
         throw Unreadable("a packed mesh names corners that do not exist");
-    made["mode"] = 4;
+    fill_gaps(attributes);
+    made["mode"] = kTriangles;
     made["indices"] = file_.add_indices(mesh.corners);
     return made;
   }
@@ -132,16 +145,28 @@ class MeshMaker {
     return known->second.index;
   }
 
-  std::size_t shared_corners(std::size_t accessor, std::size_t count) {
+  std::size_t shared_corners(std::size_t accessor, std::size_t count, bool triangles) {
     const auto [known, is_new] = corners_.try_emplace(accessor);
     if (is_new) {
       const auto read = read_indices(root_, buffers_, accessor);
       const auto most = std::max_element(read.begin(), read.end());
       known->second = {file_.add_indices(read), most == read.end() ? 0 : std::size_t{*most} + 1};
     }
-    if (known->second.count > count)
+    return known->second.count <= count ? known->second.index : rest_of(accessor, count, triangles);
+  }
+
+  /// The triangles whose corners exist, where there are some.
+  std::size_t rest_of(std::size_t accessor, std::size_t count, bool triangles) {
+    const std::vector<std::uint32_t> all = read_indices(root_, buffers_, accessor);
+    std::vector<std::uint32_t> left;
+    for (std::size_t i = 0; triangles && i + 3 <= all.size(); i += 3) {
+      const auto* const first = all.data() + i;
+      if (*std::max_element(first, first + 3) < count) left.insert(left.end(), first, first + 3);
+    }
+    if (left.empty())
       throw Unreadable(fmt::format("accessor {} names corners that do not exist", accessor));
-    return known->second.index;
+    result_.lost_triangles += (all.size() - left.size()) / 3;
+    return file_.add_indices(left);
   }
 
   static bool moved_by(const json& primitive, const json& weights, const std::string& name) {

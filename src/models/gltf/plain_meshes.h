@@ -14,6 +14,7 @@ struct PlainMeshes {
   json meshes = json::array();
   std::size_t read = 0, left_out = 0;  ///< primitives
   std::string why;                     ///< the first reason, in words
+  std::size_t lost_triangles = 0;      ///< that name corners which do not exist
 };
 
 /// Adds what all meshes need to the file; each keeps its index.

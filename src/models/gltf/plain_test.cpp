@@ -168,6 +168,30 @@ TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
   EXPECT_TRUE(none.said("there is no accessor 99"));
 }
 
+TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
+  GltfFile file;
+  file.add_triangle();
+  file.primitive()["indices"] =
+      file.add<std::uint16_t>({0, 1, 2, 2, 1, 3, 0, 2, 1}, testing::kUnsignedShort, "SCALAR", 1);
+  Made made;
+  made.import(file.text());
+  EXPECT_EQ(made.group().polygons.size(), 2u);
+  EXPECT_TRUE(made.said("1 triangles name corners that do not exist"));
+}
+
+TEST(GltfPlain, CoordinatesThatDoNotFitAreReplacedByTheNextSet) {
+  GltfFile file;
+  file.add_triangle();
+  json& attributes = file.primitive()["attributes"];
+  attributes["TEXCOORD_0"] = file.add<float>({9, 9}, testing::kFloat, "VEC2", 2);
+  attributes["TEXCOORD_1"] = file.add<float>({0, 0, 1, 0, 0, 1}, testing::kFloat, "VEC2", 2);
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_EQ(made.uv(0, 1), Vec3(1, 1, 0));
+  EXPECT_EQ(made.uv(1, 1), Vec3(1, 1, 0));
+}
+
 TEST(GltfPlain, TextThatIsNestedTooDeepIsNoModel) {
   Made made;
   made.import(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300'000, '['));
