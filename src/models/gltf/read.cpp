@@ -3,7 +3,6 @@
 
 #include <assimp/scene.h>
 
-#include <assimp/Importer.hpp>
 #include <filesystem>
 
 #include "base/file_text.h"

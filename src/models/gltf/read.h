@@ -2,16 +2,12 @@
 // glTF files as assimp's scenes.
 #pragma once
 
+#include <assimp/Importer.hpp>
 #include <map>
 #include <string>
 
 #include "base/diagnostic.h"
 #include "models/gltf/extras.h"
-
-struct aiScene;
-namespace Assimp {
-class Importer;
-}
 
 namespace oriel::models {
 
