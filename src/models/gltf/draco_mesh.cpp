@@ -4,6 +4,10 @@
 #include <draco/compression/decode.h>
 
 #include <array>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
 
 namespace oriel::models::gltf {
 namespace {
@@ -30,6 +34,21 @@ Column column_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute
   return column;
 }
 
+std::unique_ptr<draco::Mesh> decode(draco::DecoderBuffer& source) {
+  const std::string what = "a packed mesh cannot be unpacked";
+  try {
+    draco::Decoder decoder;
+    auto decoded = decoder.DecodeMeshFromBuffer(&source);
+    if (decoded.ok()) return std::move(decoded).value();
+    throw Unreadable(what + ": " + decoded.status().error_msg());
+  } catch (const std::bad_alloc&) {
+    // It believes what the data says about sizes.
+    throw Unreadable(what);
+  } catch (const std::length_error&) {
+    throw Unreadable(what);
+  }
+}
+
 }  // namespace
 
 UnpackedMesh unpack_draco(const json& root, Buffers& buffers, const json& primitive) {
@@ -39,12 +58,8 @@ UnpackedMesh unpack_draco(const json& root, Buffers& buffers, const json& primit
   const std::string_view bytes = buffers.view(*view);
   draco::DecoderBuffer source;
   source.Init(bytes.data(), bytes.size());
-  draco::Decoder decoder;
-  auto decoded = decoder.DecodeMeshFromBuffer(&source);
-  if (!decoded.ok())
-    throw Unreadable(std::string("a packed mesh cannot be unpacked: ") +
-                     decoded.status().error_msg());
-  const draco::Mesh& mesh = *decoded.value();
+  const std::unique_ptr<draco::Mesh> decoded = decode(source);
+  const draco::Mesh& mesh = *decoded;
   UnpackedMesh made;
   for (const auto& [name, id] : member(packed, "attributes").items()) {
     const auto accessor = whole(member(member(primitive, "attributes"), name.c_str()));

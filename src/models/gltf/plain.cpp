@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -47,11 +48,13 @@ void tell_unknown(const json& root, Diagnostics& diagnostics) {
 json named_materials(const json& written) {
   json materials = json::array();
   std::set<std::string> taken;
+  std::map<std::string, int> next;  // number to try; or many of one name would take long
   for (const json& material : written) {
     json made = material.is_object() ? material : json::object();
     const std::string wish = words(member(made, "name"));
     std::string name = wish.empty() ? fmt::format("material_{}", materials.size()) : wish;
-    for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", wish, i);
+    for (int& i = next.try_emplace(wish, 2).first->second; !taken.insert(name).second; ++i)
+      name = fmt::format("{}_{}", wish, i);
     made["name"] = name;
     materials.push_back(std::move(made));
   }

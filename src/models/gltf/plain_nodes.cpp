@@ -113,7 +113,8 @@ class NodeMaker {
       count_ += count;
       for (std::size_t i = 0; i < count; ++i) {
         json instance = {{"mesh", node["mesh"]}};
-        if (node.contains("name")) instance["name"] = node["name"];
+        if (node.contains("name"))  // its own: to look for a free one takes ever longer
+          instance["name"] = fmt::format("{}_{}", node["name"].get<std::string>(), i);
         for (const Place& place : places) {
           if (place.column.components == 0) continue;
           json& list = instance[place.name] = json::array();

@@ -274,6 +274,7 @@ TEST(GltfNodes, InstancesStandWhereTheirAttributesSay) {
   made.import(file.text());
   ASSERT_TRUE(made.scene);
   EXPECT_TRUE(made.diagnostics.all().empty());
+  EXPECT_TRUE(made.scene->get<scene::Instance>("thing_1_inst"));
   const std::vector<Vec3> points = world_points(*made.scene);
   const std::vector<Vec3> wanted{{101, 2, 3}, {102, 2, 3}, {101, 3, 3},
                                  {104, 5, 6}, {104, 7, 6}, {101, 5, 6}};
