@@ -8,6 +8,7 @@
 
 #include "models/gltf/document.h"
 #include "models/testing/model_file.h"
+#include "scene/hierarchy.h"
 
 namespace oriel::models::testing {
 
@@ -103,5 +104,16 @@ struct Made {
     return g.vectors.at(g.vertices.textures.at(space).coordinate.at(corner));
   }
 };
+
+/// Where the points of all placed objects are.
+inline std::vector<Vec3> world_points(const scene::Scene& scene) {
+  std::vector<Vec3> points;
+  Diagnostics ignored;
+  for (const scene::Leaf& leaf : scene::flatten(scene, kRootGroup, ignored))
+    if (const auto* object = leaf.object())
+      for (const std::uint32_t i : object->groups[0].vertices.point)
+        points.push_back(transform_point(object->groups[0].vectors[i], leaf.local_to_world));
+  return points;
+}
 
 }  // namespace oriel::models::testing
