@@ -103,8 +103,8 @@ class DirectSum {
 
   /// One sample of a light that is asked `rate` times in the mean.
   void add_light(int index, float rate, const Vec2& u);
-  /// One sample of the environment.
-  void add_environment(const Vec2& u);
+  /// One sample of the environment, or by chance none.
+  void add_environment(Vec2 u);
   const DirectLight& sum() const { return sum_; }
 
  private:
@@ -192,9 +192,12 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
       straight + glass + leak);
 }
 
-void DirectSum::add_environment(const Vec2& u) {
-  const auto s = request_.estimator == Estimator::LightOnly ? world_.environment.sample_alone(u)
-                                                            : world_.environment.sample(u);
+void DirectSum::add_environment(Vec2 u) {
+  if (u.x >= request_.environment_rate) return;
+  u.x = std::min(u.x / request_.environment_rate, 0x1.fffffep-1f);
+  auto s = request_.estimator == Estimator::LightOnly ? world_.environment.sample_alone(u)
+                                                      : world_.environment.sample(u);
+  s.pdf *= request_.environment_rate;
   Response r = evaluate_closure(closure_, lobes_, point_, wo_, s.wi);
   if (!request_.environment_on_diffuse) r.diffuse.value = Rgb(0);
   Rgb reflection = request_.environment_in_reflections ? r.reflection.value : Rgb(0);
@@ -252,7 +255,7 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
     sampler.skip();
   lights.sample(u_light,
                 [&](int index, float rate) { direct.add_light(index, rate, sampler.next_2d()); });
-  if (request.environment) direct.add_environment(sampler.next_2d());
+  if (request.environment_rate > 0) direct.add_environment(sampler.next_2d());
   return direct.sum();
 }
 

@@ -54,7 +54,7 @@ class LightChoice {
 
 /// What direct light is asked for.
 struct DirectRequest {
-  bool environment = false;
+  float environment_rate = 0;          ///< how often it is asked, in the mean; at most 1
   bool environment_on_diffuse = true;  ///< false: what is gathered for them has it
   /// False where reflection rays end early or look up the environment their own way: they find it
   /// alone.

@@ -153,13 +153,14 @@ void Path::meet_environment() {
     result_->alpha -= (1 - clamp01(c.a)) * (throughput_.x + throughput_.y + throughput_.z) / 3;
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
-  if (from_.weighed && from_.environment_sampled && !environment_) {
+  if (from_.weighed && from_.environment_rate > 0 && !environment_) {
     // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
     // In the shadow of what this ray does not see, no sample found any of it.
     const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
-    const float weight = alone ? 1.0f
-                               : bsdf_sample_weight(settings_.estimator, from_.pdf,
-                                                    world_.environment.pdf(direction));
+    const float weight =
+        alone ? 1.0f
+              : bsdf_sample_weight(settings_.estimator, from_.pdf,
+                                   world_.environment.pdf(direction) * from_.environment_rate);
     if (kind == RayKind::FinalGather) {
       radiance *= weight;
     } else {

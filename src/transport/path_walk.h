@@ -69,7 +69,7 @@ class Path {
     bool weighed = false;  ///< a non-delta vertex that sampled lights
     ShadingPoint point;
     LightChoice lights;
-    bool environment_sampled = false;
+    float environment_rate = 0;  ///< samples of it in the mean
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
     LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
@@ -176,8 +176,9 @@ class Path {
   void choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
-                   bool environment, bool diffuse);
+                   float environment, bool diffuse);
   void occlude(const Closure& closure, const ShadingPoint& point);
+  float environment_rate(const Material& material) const;
   int rays_at_first(float samples, float importance) const;
   bool go_on(const Closure& closure, const LobeChoice& choice, const Material& material,
              ShadingPoint& point, int lobe, float u_rest, bool weighed = true);
