@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "base/file_text.h"
+#include "models/axes.h"
 #include "models/import_material.h"
 #include "models/import_mesh.h"
 #include "models/import_texture.h"
@@ -62,7 +63,7 @@ class Builder {
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
     for (unsigned i = 0; i < model_.mNumMeshes; ++i) add_mesh(i);
-    if (model_.mRootNode) add_node(*model_.mRootNode, upright(), 0);
+    if (model_.mRootNode) add_node(*model_.mRootNode, upright(model_, options_.up), 0);
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
     for (unsigned i = 0; i < model_.mNumCameras; ++i) add_camera(*model_.mCameras[i]);
     scene_.add(std::move(root_));
@@ -79,11 +80,6 @@ class Builder {
                           statement("gamma", {numbers({kTextureGamma})}),
                           statement("indirect", {text("path")}, true)};
     scene_.add(std::move(options));
-  }
-
-  /// From the file's axes to those of scenes, whose y is up.
-  Mat4 upright() const {
-    return options_.up == 'z' ? Mat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1) : Mat4();
   }
 
   void add_mesh(unsigned index) {
@@ -220,7 +216,8 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  // Else it leaves the inverse of PostRotation out and moves children by geometric transforms.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
   // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
   // ones (specification, 3.7.2.1).
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
@@ -242,7 +239,7 @@ std::optional<scene::Scene> import_model(const std::string& path, const ImportOp
   std::map<std::string, GltfExtras> extras;
   if (gltf) extras = gltf_extras(file_text(path));
   ImportOptions known = options;
-  if (!known.up) known.up = suffix == ".stl" || suffix == ".STL" ? 'z' : 'y';
+  if (!known.up && (suffix == ".stl" || suffix == ".STL")) known.up = 'z';
   return Builder(*model, path, extras, known, diagnostics).build();
 }
 
