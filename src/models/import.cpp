@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/import.h"
 
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <filesystem>
 
@@ -15,6 +13,8 @@
 #include "models/import_material.h"
 #include "models/import_mesh.h"
 #include "models/import_texture.h"
+#include "models/import_view.h"
+#include "models/read_model.h"
 #include "models/shader_call.h"
 
 namespace oriel::models {
@@ -24,18 +24,12 @@ namespace fs = std::filesystem;
 
 /// Nodes within nodes; deeper ones are left out.
 constexpr int kMostDepth = 500;
-/// Degrees between faces; a guess that keeps edges of buildings sharp.
-constexpr float kSmoothBelow = 45;
-/// Film width of cameras, which then have the angle of the model's: full frame, millimetres.
-constexpr float kAperture = 36;
 
 /// Row vectors here, column vectors there.
 Mat4 matrix(const aiMatrix4x4& m) {
   return Mat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4,
               m.c4, m.d4);
 }
-
-Vec3 vec(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
 
 scene::Statement statement(std::string keyword, std::vector<scene::Value> values,
                            bool quoted = false) {
@@ -135,64 +129,27 @@ class Builder {
     return name;
   }
 
-  Mat4 space_of(const aiString& node) const {
-    const auto found = nodes_.find(node.C_Str());
-    return found == nodes_.end() ? Mat4() : found->second;
-  }
-
-  /// Pixels become cd/m2 where the model's lights are in candela and lux, as glTF has them.
   void add_light(const aiLight& source) {
-    scene::Light light;
-    light.name = unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "light");
-    const Vec3 color(source.mColorDiffuse.r, source.mColorDiffuse.g, source.mColorDiffuse.b);
-    if (source.mType == aiLightSource_DIRECTIONAL) {
-      ShaderCall call("mib_light_infinite");
-      call.set("color", color / kPi).set("shadow", true);
-      light.shaders = {call.use()};
-      light.direction = vec(source.mDirection);
-    } else if (source.mType == aiLightSource_POINT || source.mType == aiLightSource_SPOT) {
-      // It spreads its colour over 4 pi; a surface facing it shows it over pi.
-      ShaderCall call("physical_light");
-      call.set("color", color * 4.0f);
-      light.origin = vec(source.mPosition);
-      if (source.mType == aiLightSource_SPOT) {
-        light.direction = vec(source.mDirection);
-        light.spread = std::cos(std::min(source.mAngleOuterCone, kPi));
-        call.set("cone", std::cos(std::min(source.mAngleInnerCone, kPi)));
-      }
-      light.shaders = {call.use()};
-    } else {
+    const std::string name =
+        unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "light");
+    auto light = light_of(source, nodes_);
+    if (!light) {
       diagnostics_.note("OR-MD-006", {},
-                        fmt::format("light \"{}\" is of a kind that is left out", light.name));
+                        fmt::format("light \"{}\" is of a kind that is left out", name));
       return;
     }
-    const std::string name = light.name;
-    scene_.add(std::move(light));
-    place(name, name, space_of(source.mName));
+    light->element.name = name;
+    scene_.add(std::move(light->element));
+    place(name, name, light->to_world);
   }
 
   void add_camera(const aiCamera& source) {
-    scene::Camera camera;
-    camera.name = unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "camera");
-    const float half = source.mHorizontalFOV / 2;
-    camera.aperture = kAperture;
-    camera.focal = half > 0 && half < kPi / 2 ? kAperture / 2 / std::tan(half) : kAperture;
-    camera.aspect = source.mAspect > 0 ? source.mAspect : 1.5f;
-    const int width = 960;
-    camera.resolution = {
-        {width, std::max(1, static_cast<int>(std::lround(width / *camera.aspect)))}};
-    // It looks down -z here, and where it says there.
-    const Vec3 z = normalize(-vec(source.mLookAt));
-    const Vec3 x = normalize(cross(vec(source.mUp), z)), y = cross(z, x);
-    // Of glTF, assimp 5 gives a camera its node's translation once more.
-    const aiNode* node = model_.mRootNode ? model_.mRootNode->FindNode(source.mName) : nullptr;
-    const bool twice = node && Vec3(node->mTransformation.a4, node->mTransformation.b4,
-                                    node->mTransformation.c4) == vec(source.mPosition);
-    const Vec3 p = twice ? Vec3(0) : vec(source.mPosition);
-    const Mat4 own(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, p.x, p.y, p.z, 1);
-    const std::string name = camera.name;
-    scene_.add(std::move(camera));
-    const std::string placed = place(name, name, own * space_of(source.mName));
+    const std::string name =
+        unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "camera");
+    auto camera = camera_of(model_, source, nodes_);
+    camera.element.name = name;
+    scene_.add(std::move(camera.element));
+    const std::string placed = place(name, name, camera.to_world);
     if (first_camera_.empty()) first_camera_ = placed;
   }
 
@@ -205,7 +162,7 @@ class Builder {
   scene::InstanceGroup root_{kRootGroup, {}, {}, {}};
   std::vector<ImportedMaterial> materials_;
   std::vector<std::string> objects_;
-  std::map<std::string, Mat4> nodes_;
+  NodePlaces nodes_;
   std::string first_camera_;
 };
 
@@ -213,33 +170,12 @@ class Builder {
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  // Else it leaves the inverse of PostRotation out and moves children by geometric transforms.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
-  // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
-  // ones (specification, 3.7.2.1).
-  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
-  const std::string suffix = fs::path(path).extension().string();
-  const bool gltf = suffix == ".gltf" || suffix == ".glb";
-  // assimp moves glTF's texture coordinates about another place than the file says: see
-  // gltf_extras.h.
-  const unsigned but_for_gltf =
-      gltf ? 0 : unsigned{aiProcess_GenSmoothNormals} | unsigned{aiProcess_TransformUVCoords};
-  const aiScene* model = importer.ReadFile(
-      path, but_for_gltf | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                aiProcess_GenUVCoords | aiProcess_ValidateDataStructure | aiProcess_GlobalScale);
-  if (!model) {
-    diagnostics.error(
-        "OR-MD-001", {},
-        fmt::format("'{}' is no model that can be read: {}", path, importer.GetErrorString()));
-    return std::nullopt;
-  }
+  const std::unique_ptr<const aiScene> model = read_model(path, diagnostics);
+  if (!model) return std::nullopt;
   std::map<std::string, GltfExtras> extras;
-  if (gltf) extras = gltf_extras(file_text(path));
+  if (is_gltf(suffix_of(path))) extras = gltf_extras(file_text(path));
   ImportOptions known = options;
-  if (!known.up && (suffix == ".stl" || suffix == ".STL")) known.up = 'z';
+  if (!known.up && suffix_of(path) == ".stl") known.up = 'z';
   return Builder(*model, path, extras, known, diagnostics).build();
 }
 

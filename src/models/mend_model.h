@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a model file says and nobody can have meant.
+#pragma once
+
+#include "base/diagnostic.h"
+
+struct aiScene;
+
+namespace oriel::models {
+
+/// Takes polygons without area out of the meshes; corners that do not exist are left to others.
+/// Errors:  OR-MD-009 one note of how many.
+/// Checked: ModelMend.PolygonsWithoutAreaGoInOneNote
+void drop_polygons_without_area(aiScene& model, Diagnostics& diagnostics);
+
+/// Materials that are entirely transparent become opaque. Old exporters of 3ds Max write that of
+/// each material, `<transparency> 0` with a white `<transparent>`, having the scale the other way
+/// round; what was never to be seen would not have been modelled.
+/// Errors:  OR-MD-010 one note with their names.
+/// Checked: ModelMend.ColladaThatIsNotThereAtAllIsOpaque
+void show_invisible_materials(aiScene& model, Diagnostics& diagnostics);
+
+}  // namespace oriel::models
