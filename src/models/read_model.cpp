@@ -9,6 +9,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
 #include "base/file_text.h"
 #include "models/mend_model.h"
@@ -41,6 +42,15 @@ unsigned steps_for(const std::string& suffix) {
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
 }
 
+/// assimp looks for the end of a PLY header beyond the end of the file, without end.
+bool has_header(const std::string& ply) {
+  constexpr std::size_t kLongest = 1 << 20;  // far more than any has
+  std::string start(kLongest, '\0');
+  std::ifstream file(ply, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start.find("\nend_header") != start.npos || start.find("\rend_header") != start.npos;
+}
+
 }  // namespace
 
 std::string suffix_of(const std::string& path) {
@@ -53,6 +63,12 @@ std::string suffix_of(const std::string& path) {
 std::unique_ptr<const aiScene> read_model(const std::string& path, Diagnostics& diagnostics) {
   const std::string suffix = suffix_of(path);
   const unsigned steps = steps_for(suffix);
+  const auto unreadable = [&](const char* why) {
+    diagnostics.error("OR-MD-001", {},
+                      fmt::format("'{}' is no model that can be read: {}", path, why));
+    return nullptr;
+  };
+  if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
   Assimp::Importer importer;
   set_up(importer);
   importer.SetIOHandler(new TextFiles(false));
@@ -61,12 +77,7 @@ std::unique_ptr<const aiScene> read_model(const std::string& path, Diagnostics& 
     importer.SetIOHandler(new TextFiles(true));
     read = importer.ReadFile(path, steps) != nullptr;
   }
-  if (!read) {
-    diagnostics.error(
-        "OR-MD-001", {},
-        fmt::format("'{}' is no model that can be read: {}", path, importer.GetErrorString()));
-    return nullptr;
-  }
+  if (!read) return unreadable(importer.GetErrorString());
   std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
   drop_polygons_without_area(*model, diagnostics);
   if (suffix == ".dae") show_invisible_materials(*model, diagnostics);
