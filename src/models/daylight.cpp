@@ -162,6 +162,8 @@ void add_exposure(scene::Scene& scene, float f_number, float shutter) {
   photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", shutter);
   photographic.set("f_number", f_number).set("vignetting", 0.0f).set("burn_highlights", .3f);
   photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
+  const scene::ShaderList before = rendering_camera(scene)->lens;
+  for (const scene::ShaderUse& use : before) scene.remove(use.reference);
   const std::string exposure = add_shader(scene, "exposure", photographic);
   rendering_camera(scene)->lens = reference(exposure);
 }

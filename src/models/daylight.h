@@ -24,7 +24,8 @@ void add_camera(scene::Scene& scene, const DaylightOptions& options);
 /// Sets the picture of the camera that the scene renders; its width shows what it showed before.
 void set_picture_size(scene::Scene& scene, int width, int height);
 
-/// Gives the camera that the scene renders a photographic exposure at ISO 100; shutter in 1/s.
+/// Gives the camera that the scene renders a photographic exposure at ISO 100, in place of the
+/// one it had; shutter in 1/s.
 void add_exposure(scene::Scene& scene, float f_number, float shutter);
 
 /// Adds grey ground under the model and its camera, a physical sun and sky, and an exposure for a
