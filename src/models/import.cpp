@@ -61,6 +61,9 @@ class Builder {
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
     for (unsigned i = 0; i < model_.mNumCameras; ++i) add_camera(*model_.mCameras[i]);
     scene_.add(std::move(root_));
+    if (std::all_of(objects_.begin(), objects_.end(),
+                    [](const std::string& name) { return name.empty(); }))
+      diagnostics_.warning("OR-MD-012", {}, "the file has no surfaces; there is nothing to see");
     if (!first_camera_.empty()) scene_.renders.push_back({kRootGroup, first_camera_, kOptions, {}});
     return std::move(scene_);
   }
