@@ -85,6 +85,19 @@ TEST(ModelFbx, GeometricTransformsStayWithTheirNode) {
   expect_near(testing::to_world(scene, "child_inst").translation(), Vec3(0, 0, 0));
 }
 
+TEST(ModelFbx, SpotsAreWrittenWithTheirWholeAngle) {
+  FbxFile file;
+  file.sun = property("Lcl Translation", {0, 400, 0});
+  file.light =
+      "P: \"LightType\", \"enum\", \"\", \"\",2\nP: \"InnerAngle\", \"Number\", \"\", \"A\",40\n"
+      "P: \"OuterAngle\", \"Number\", \"\", \"A\",60\n";
+  const scene::Scene scene = imported("m.fbx", file.text());
+  const auto* spot = scene.get<scene::Light>("sun");
+  ASSERT_TRUE(spot && spot->spread);
+  EXPECT_NEAR(*spot->spread, std::cos(30 * kPi / 180), 1e-6f);
+  EXPECT_NEAR(spot->shaders[0].arguments.at(1).value.numbers.at(0), std::cos(20 * kPi / 180), 1e-6);
+}
+
 TEST(ModelFbx, WhatHasATargetLooksAtIt) {
   FbxFile file;
   file.camera = property("Lcl Translation", {100, 200, 500});

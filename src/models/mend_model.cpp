@@ -70,4 +70,13 @@ void show_invisible_materials(aiScene& model, Diagnostics& diagnostics) {
                                  fmt::join(names, ", ")));
 }
 
+void halve_cones(aiScene& model, const std::string& suffix) {
+  if (suffix != ".fbx" && suffix != ".dae") return;
+  for (unsigned i = 0; i < model.mNumLights; ++i) {
+    aiLight& light = *model.mLights[i];
+    light.mAngleInnerCone /= 2;
+    light.mAngleOuterCone = suffix == ".dae" ? light.mAngleInnerCone : light.mAngleOuterCone / 2;
+  }
+}
+
 }  // namespace oriel::models

@@ -2,6 +2,8 @@
 // What a model file says and nobody can have meant.
 #pragma once
 
+#include <string>
+
 #include "base/diagnostic.h"
 
 struct aiScene;
@@ -19,5 +21,15 @@ void drop_polygons_without_area(aiScene& model, Diagnostics& diagnostics);
 /// Errors:  OR-MD-010 one note with their names.
 /// Checked: ModelMend.ColladaThatIsNotThereAtAllIsOpaque
 void show_invisible_materials(aiScene& model, Diagnostics& diagnostics);
+
+/// Spots of formats that write the whole angle of a cone get the half of it, as glTF has it and as
+/// scenes are built from.
+///
+/// Model:   FBX: both angles. Collada: `falloff_angle`, outside of which there is no light; assimp
+///          gives it as the inner angle, with an outer one of its own.
+/// Inputs:  suffix: of the file, in lower case; nothing is done for others.
+/// Source:  FbxLight::InnerAngle, OuterAngle; Collada 1.4.1, <spot>; what Blender writes for both.
+/// Checked: ModelFbx.SpotsAreWrittenWithTheirWholeAngle, ModelMend.ColladaSpots*
+void halve_cones(aiScene& model, const std::string& suffix);
 
 }  // namespace oriel::models

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "models/testing/model_file.h"
 #include "models/text_files.h"
@@ -87,6 +88,23 @@ TEST(ModelMend, ColladaThatIsNotThereAtAllIsOpaque) {
   EXPECT_EQ(transparency("0"), 0);
   EXPECT_NEAR(transparency("0.25"), .75, 1e-6) << "what can be meant is taken as it stands";
   EXPECT_EQ(transparency("1"), 0);
+}
+
+TEST(ModelMend, ColladaSpotsAreWrittenWithTheirWholeAngle) {
+  std::string text = collada("");
+  const auto insert = [&](const char* before, const char* what) {
+    text.insert(text.find(before), what);
+  };
+  insert(
+      "<library_effects>",
+      "<library_lights><light id=\"l\" name=\"lamp\"><technique_common><spot><color>1 1 1</color>"
+      "<falloff_angle>40</falloff_angle><falloff_exponent>0</falloff_exponent></spot>"
+      "</technique_common></light></library_lights>");
+  insert("</visual_scene>", "<node id=\"lamp\"><instance_light url=\"#l\"/></node>");
+  const scene::Scene scene = imported("m.dae", text);
+  const auto* lamp = scene.get<scene::Light>("lamp");
+  ASSERT_TRUE(lamp && lamp->spread);
+  EXPECT_NEAR(*lamp->spread, std::cos(20 * kPi / 180), 1e-5f);
 }
 
 TEST(ModelTextFiles, Utf16BecomesUtf8) {

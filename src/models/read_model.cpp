@@ -81,6 +81,7 @@ std::unique_ptr<const aiScene> read_model(const std::string& path, Diagnostics& 
   std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
   drop_polygons_without_area(*model, diagnostics);
   if (suffix == ".dae") show_invisible_materials(*model, diagnostics);
+  halve_cones(*model, suffix);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
   return model;
 }

@@ -3,6 +3,7 @@
 
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -29,8 +30,9 @@ constexpr float kLens = 2400;
 /// In the space of the file.
 struct View {
   aiVector3D position, target;
-  float roll = 0, lens = 0;  ///< degrees, millimetres
-  bool aimed = false;        ///< it has a target
+  float roll = 0, lens = 0;    ///< degrees, millimetres
+  float inner = 0, outer = 0;  ///< degrees across the cone of a spot
+  bool aimed = false;          ///< it has a target
 };
 
 class Reader {
@@ -98,6 +100,8 @@ std::map<std::string, View> views_of(const std::string& bytes) {
         what.chunks([&](std::uint16_t part, Reader spot) {
           if (part != kSpot) return;
           view.target = spot.vector();
+          view.inner = spot.real();
+          view.outer = std::max(spot.real(), view.inner);
           view.aimed = true;
         });
       } else {
@@ -159,7 +163,10 @@ void mend_views_3ds(aiScene& model, const std::string& bytes) {
     if (!view) continue;
     const aiMatrix4x4 to_node = into_node(model, light.mName);
     light.mPosition = to_node * view->position;
-    if (view->aimed) light.mDirection = aiMatrix3x3(to_node) * (view->target - view->position);
+    if (!view->aimed) continue;
+    light.mDirection = aiMatrix3x3(to_node) * (view->target - view->position);
+    light.mAngleInnerCone = view->inner / 2 * kDegree;
+    light.mAngleOuterCone = view->outer / 2 * kDegree;
   }
 }
 

@@ -74,6 +74,8 @@ void expect_views(const scene::Scene& scene) {
   const Mat4 m = testing::to_world(scene, "lamp_inst");
   expect_near(transform_point(*lamp->origin, m), Vec3(30, 40, 0), 1e-3f);
   expect_near(normalize(transform_vector(*lamp->direction, m)), Vec3(0, -1, 0));
+  ASSERT_TRUE(lamp->spread);
+  EXPECT_NEAR(*lamp->spread, std::cos(20 * kPi / 180), 1e-5f) << "40 degrees across";
 }
 
 TEST(Model3ds, ViewsAreWhereTheFileHasThem) {

@@ -23,9 +23,10 @@ struct FbxFile {
   double unit = 1;                            ///< in centimetres
   std::array<int, 6> axes{1, 1, 2, 1, 0, 1};  ///< up, front, right: axis and sign of each
   std::string triangle;                       ///< properties of its node "chair"
-  std::string camera, sun;                    ///< of "eye" and "sun", none where empty
-  std::string more;                           ///< further objects
-  std::string links;                          ///< and their connections
+  const char* light = "P: \"LightType\", \"enum\", \"\", \"\",1\n";  ///< what the sun is
+  std::string camera, sun;  ///< of "eye" and "sun", none where empty
+  std::string more;         ///< further objects
+  std::string links;        ///< and their connections
 
   std::string text() const {
     const auto node = [](int id, const char* name, const char* kind,
@@ -56,8 +57,7 @@ struct FbxFile {
       joined += "C: \"OO\",21,0\nC: \"OO\",20,21\n";
     }
     if (!sun.empty()) {
-      objects += node(31, "sun", "Light", sun) +
-                 attribute(30, "Light", "P: \"LightType\", \"enum\", \"\", \"\",1\n");
+      objects += node(31, "sun", "Light", sun) + attribute(30, "Light", light);
       joined += "C: \"OO\",31,0\nC: \"OO\",30,31\n";
     }
     return fmt::format(
