@@ -62,6 +62,23 @@ TEST(CameraView, TheFirstThatSeesTheModelTakesThePicture) {
   EXPECT_TRUE(none.all().empty());
 }
 
+TEST(CameraView, TheGroundIsBelowACameraThatStandsDeeperThanTheModel) {
+  for (const float height : {2.0f, -2.0f}) {
+    testing::Quad square;
+    square.scene = "0,1";
+    square.material = R"("doubleSided":true)";
+    square.nodes =
+        R"(,{"camera":0,"name":"eye","translation":[0,)" + std::to_string(height) + ",5]}";
+    square.more = R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],)";
+    scene::Scene scene = testing::imported("m.gltf", square.text());
+    add_daylight(scene, {});
+    const float ground = scene.get<scene::Object>("ground")->groups[0].vectors[0].y;
+    // The square stands on y = 0.
+    EXPECT_LT(ground, std::min(height, 0.0f));
+    EXPECT_GT(ground, std::min(height, 0.0f) - .1f);
+  }
+}
+
 TEST(CameraView, WhereNoneSeesItOneIsAdded) {
   scene::Scene scene = seen_from(2, {{9, 5}, {0, -5}});
   Diagnostics diagnostics;

@@ -70,6 +70,22 @@ void show_invisible_materials(aiScene& model, Diagnostics& diagnostics) {
                                  fmt::join(names, ", ")));
 }
 
+void widen_narrow_cameras(aiScene& model, Diagnostics& diagnostics) {
+  constexpr float kNarrow = 1.5f, kDegree = kPi / 180;
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < model.mNumCameras; ++i) {
+    aiCamera& camera = *model.mCameras[i];
+    const float written = camera.mHorizontalFOV / kDegree;
+    if (!(written > 0 && written < kNarrow)) continue;
+    camera.mHorizontalFOV = written;
+    names.push_back(fmt::format("\"{}\"", camera.mName.C_Str()));
+  }
+  if (!names.empty())
+    diagnostics.note("OR-MD-014", {},
+                     fmt::format("camera {}: its angle, below {} degrees, is taken as radians",
+                                 fmt::join(names, ", "), kNarrow));
+}
+
 void halve_cones(aiScene& model, const std::string& suffix) {
   if (suffix != ".fbx" && suffix != ".dae") return;
   for (unsigned i = 0; i < model.mNumLights; ++i) {

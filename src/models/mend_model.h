@@ -32,4 +32,10 @@ void show_invisible_materials(aiScene& model, Diagnostics& diagnostics);
 /// Checked: ModelFbx.SpotsAreWrittenWithTheirWholeAngle, ModelMend.ColladaSpots*
 void halve_cones(aiScene& model, const std::string& suffix);
 
+/// Cameras that see less than a degree and a half across: some exporters to Collada wrote radians,
+/// and lenses of that length (1.4 m on full frame) are for the moon.
+/// Errors:  OR-MD-014 one note with their names.
+/// Checked: ModelMend.CamerasInRadiansAreToldOf
+void widen_narrow_cameras(aiScene& model, Diagnostics& diagnostics);
+
 }  // namespace oriel::models

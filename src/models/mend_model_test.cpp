@@ -107,6 +107,30 @@ TEST(ModelMend, ColladaSpotsAreWrittenWithTheirWholeAngle) {
   EXPECT_NEAR(*lamp->spread, std::cos(20 * kPi / 180), 1e-5f);
 }
 
+TEST(ModelMend, CamerasInRadiansAreToldOf) {
+  for (const bool radians : {true, false}) {
+    std::string text = collada("");
+    text.insert(
+        text.find("<library_effects>"),
+        std::string("<library_cameras><camera id=\"c\" name=\"eye\"><optics><technique_common>"
+                    "<perspective><xfov>") +
+            (radians ? "1" : "3") +
+            "</xfov></perspective></technique_common></optics></camera></library_cameras>");
+    text.insert(text.find("</visual_scene>"),
+                "<node id=\"eye\"><instance_camera url=\"#c\"/></node>");
+    const Folder folder;
+    Diagnostics diagnostics;
+    const auto scene = import_model(folder.write("m.dae", text),
+                                    {folder.path() / "t", folder.path()}, diagnostics);
+    ASSERT_TRUE(scene);
+    const auto* camera = scene->get<scene::Camera>("eye");
+    ASSERT_TRUE(camera);
+    EXPECT_NEAR(2 * std::atan(*camera->aperture / 2 / *camera->focal), radians ? 1 : 3 * kPi / 180,
+                1e-4f);
+    EXPECT_EQ(count_of(diagnostics, "OR-MD-014"), radians ? 1 : 0);
+  }
+}
+
 TEST(ModelTextFiles, Utf16BecomesUtf8) {
   // U+0041, U+00E9, U+20AC, U+1F600 and a lone surrogate; their UTF-8 by the table of Unicode 3-6.
   const std::string big("\xfe\xff\x00\x41\x00\xe9\x20\xac\xd8\x3d\xde\x00\xd8\x3d", 14);

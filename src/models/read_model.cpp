@@ -80,7 +80,10 @@ std::unique_ptr<const aiScene> read_model(const std::string& path, Diagnostics& 
   if (!read) return unreadable(importer.GetErrorString());
   std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
   drop_polygons_without_area(*model, diagnostics);
-  if (suffix == ".dae") show_invisible_materials(*model, diagnostics);
+  if (suffix == ".dae") {
+    show_invisible_materials(*model, diagnostics);
+    widen_narrow_cameras(*model, diagnostics);
+  }
   halve_cones(*model, suffix);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
   return model;

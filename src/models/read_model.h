@@ -19,7 +19,7 @@ inline bool is_gltf(const std::string& suffix) { return suffix == ".gltf" || suf
 /// unit.
 ///
 /// Returns: to be used where assimp/scene.h is known.
-/// Errors:  OR-MD-001 not readable, null; OR-MD-009, OR-MD-010: see mend_model.h. A damaged file
+/// Errors:  OR-MD-001 not readable, null; OR-MD-009, 010, 014: see mend_model.h. A damaged file
 /// can
 ///          end the program by a signal: assimp trusts what it reads in some places.
 /// Source:  assimp 5.2.
