@@ -49,8 +49,7 @@ void drop_polygons_without_area(aiScene& model, Diagnostics& diagnostics) {
     mesh.mNumFaces = kept;  // those behind go with the array
   }
   if (dropped > 0)
-    diagnostics.note("OR-MD-009", {},
-                     fmt::format("{} polygons without area are left out", dropped));
+    diagnostics.note("OR-MD-009", {}, fmt::format("polygons without area left out: {}", dropped));
 }
 
 void show_invisible_materials(aiScene& model, Diagnostics& diagnostics) {
