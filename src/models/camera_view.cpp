@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "models/import.h"
@@ -17,22 +16,29 @@ namespace {
 class Frame {
  public:
   explicit Frame(const scene::Camera& camera) {
-    const float wide = camera.aperture.value_or(1) / 2 / camera.focal.value_or(1);
-    const float high = wide / camera.aspect.value_or(1);
-    sides_ = {Vec3(1, 0, -wide), Vec3(-1, 0, -wide), Vec3(0, 1, -high), Vec3(0, -1, -high)};
+    const float half = camera.aperture.value_or(1) / 2, shape = camera.aspect.value_or(1);
+    if (camera.orthographic) {
+      sides_ = {Side{Vec3(1, 0, 0), half}, Side{Vec3(-1, 0, 0), half},
+                Side{Vec3(0, 1, 0), half / shape}, Side{Vec3(0, -1, 0), half / shape},
+                Side{Vec3(0, 0, -1), 0}};
+      return;
+    }
+    const float wide = half / camera.focal.value_or(1), high = wide / shape;
+    sides_ = {Side{Vec3(1, 0, -wide), 0}, Side{Vec3(-1, 0, -wide), 0}, Side{Vec3(0, 1, -high), 0},
+              Side{Vec3(0, -1, -high), 0}};
   }
 
   bool holds(const Vec3& p) const {
     return std::all_of(sides_.begin(), sides_.end(),
-                       [&](const Vec3& side) { return dot(side, p) > 0; });
+                       [&](const Side& side) { return side.depth(p) > 0; });
   }
   /// Of a convex polygon at least; one with notches can be in it a little early.
   bool meets(std::vector<Vec3>& polygon) {
-    for (const Vec3& side : sides_) {
+    for (const Side& side : sides_) {
       cut_.clear();
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const float da = dot(side, a), db = dot(side, b);
+        const float da = side.depth(a), db = side.depth(b);
         if (da > 0) cut_.push_back(a);
         if ((da > 0) != (db > 0)) cut_.push_back(a + (b - a) * (da / (da - db)));
       }
@@ -42,7 +48,13 @@ class Frame {
   }
 
  private:
-  std::array<Vec3, 4> sides_;  ///< normals of planes through the eye, inward
+  /// A plane of the frame: inward, and how far behind it the eye is.
+  struct Side {
+    Vec3 normal{0};
+    float offset = 0;
+    float depth(const Vec3& p) const { return dot(normal, p) + offset; }
+  };
+  std::vector<Side> sides_;
   std::vector<Vec3> cut_;
 };
 

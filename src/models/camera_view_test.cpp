@@ -42,6 +42,21 @@ TEST(CameraView, WhatIsInTheFrameIsSeen) {
   EXPECT_FALSE(sees_model(scene, "eye3_inst")) << "it is behind";
 }
 
+TEST(CameraView, ParallelCamerasSeeWhatIsBeforeTheirFilm) {
+  scene::Scene scene = seen_from(2, {{0, 5}, {2.9f, 5}, {3.1f, 5}, {0, -5}});
+  for (const char* name : {"eye0", "eye1", "eye2", "eye3"}) {
+    auto* camera = scene.get<scene::Camera>(name);
+    ASSERT_TRUE(camera) << name;
+    camera->orthographic = true;
+    camera->focal.reset();
+    camera->aperture = 4;  // the square's edge is 1.9 to the left, then 2.1
+  }
+  EXPECT_TRUE(sees_model(scene, "eye0_inst"));
+  EXPECT_TRUE(sees_model(scene, "eye1_inst"));
+  EXPECT_FALSE(sees_model(scene, "eye2_inst"));
+  EXPECT_FALSE(sees_model(scene, "eye3_inst")) << "it is behind";
+}
+
 TEST(CameraView, AWallFillsTheFrameWithItsCornersOutside) {
   const scene::Scene scene = seen_from(200, {{0, 5}, {99, -5}});
   EXPECT_TRUE(sees_model(scene, "eye0_inst"));
