@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/file_text.h"
 #include "models/axes.h"
 #include "models/import_material.h"
 #include "models/import_mesh.h"
@@ -44,6 +43,7 @@ class Builder {
           Diagnostics& diagnostics)
       : model_(model),
         extras_(extras),
+        colors_(colors_of(suffix_of(path))),
         options_(options),
         textures_(options_, fs::path(path).parent_path().string(), scene_, diagnostics),
         diagnostics_(diagnostics) {}
@@ -52,7 +52,8 @@ class Builder {
     scene_.packages = {"base.mi", "physics.mi", "architectural.mi"};
     add_options();
     for (unsigned i = 0; i < model_.mNumMaterials; ++i)
-      materials_.push_back(add_material(model_, i, extras_, textures_, scene_, diagnostics_));
+      materials_.push_back(
+          add_material(model_, i, extras_, colors_, textures_, scene_, diagnostics_));
     if (std::any_of(materials_.begin(), materials_.end(),
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
@@ -158,6 +159,7 @@ class Builder {
 
   const aiScene& model_;
   const std::map<std::string, GltfExtras>& extras_;
+  const ColorsAre colors_;
   const ImportOptions options_;
   scene::Scene scene_;
   TextureMaker textures_;
@@ -173,13 +175,11 @@ class Builder {
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  const std::unique_ptr<const aiScene> model = read_model(path, diagnostics);
-  if (!model) return std::nullopt;
-  std::map<std::string, GltfExtras> extras;
-  if (is_gltf(suffix_of(path))) extras = gltf_extras(file_text(path));
+  const ReadModel read = read_model(path, diagnostics);
+  if (!read.scene) return std::nullopt;
   ImportOptions known = options;
   if (!known.up && suffix_of(path) == ".stl") known.up = 'z';
-  return Builder(*model, path, extras, known, diagnostics).build();
+  return Builder(*read.scene, path, read.extras, known, diagnostics).build();
 }
 
 }  // namespace oriel::models

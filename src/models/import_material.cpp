@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "models/import_layers.h"
+#include "models/lobe_width.h"
 #include "models/material_source.h"
 
 namespace oriel::models {
@@ -29,7 +30,7 @@ class MaterialMaker {
 
   ImportedMaterial make(Diagnostics& diagnostics) {
     ImportedMaterial made;
-    made.needs_own_package = add_bump(m_, call_);
+    m_.needs_own_package = add_bump(m_, call_);
     const auto metallic = m_.number(AI_MATKEY_METALLIC_FACTOR);
     const bool pbr = metallic || m_.number(AI_MATKEY_ROUGHNESS_FACTOR);
     if (m_.choice(AI_MATKEY_SHADING_MODEL) == aiShadingMode_Unlit)
@@ -46,15 +47,19 @@ class MaterialMaker {
     call_ = coated(m_, std::move(call_));
     leave_out(diagnostics);
     made.name = m_.name();
+    made.needs_own_package = m_.needs_own_package;
     made.surface = std::move(m_.surface);
     return made;
   }
   const ShaderCall& call() const { return call_; }
 
  private:
+  /// What multiplies the base colour, once: a picture, the corners' colours, or both.
   std::string base_map() {
-    return m_.texture(m_.has(aiTextureType_BASE_COLOR) ? aiTextureType_BASE_COLOR
-                                                       : aiTextureType_DIFFUSE);
+    if (!base_map_)
+      base_map_ = m_.colored(m_.texture(m_.has(aiTextureType_BASE_COLOR) ? aiTextureType_BASE_COLOR
+                                                                         : aiTextureType_DIFFUSE));
+    return *base_map_;
   }
 
   /// FBX has numbers of one model beside the colours of the other.
@@ -86,7 +91,9 @@ class MaterialMaker {
     call_.set("brdf_curve", kCurve).set("refr_ior", std::max(ior, 1.0f));
     if (both.empty()) {
       call_.set("diffuse_weight", 1 - metallic);
-      call_.set("refl_gloss", gloss_of_roughness(roughness));
+      const Brushed lobe = brushed(roughness, extras_.anisotropy);
+      call_.set("refl_gloss", lobe.gloss);
+      if (stretches()) call_.set("anisotropy", lobe.ratio);
       call_.set("brdf_0_degree_refl", lerp(f0, 1, metallic));
       call_.set("brdf_90_degree_refl", lerp(edge, 1, metallic));
       if (metallic <= 0)
@@ -110,11 +117,25 @@ class MaterialMaker {
     else
       call_.set("brdf_90_degree_refl", 1.0f);
     call_.connect("refl_gloss", m_.curve(rough, "gloss", [&](float x) {
-      return gloss_of_roughness(roughness * x);
+      return brushed(roughness * x, extras_.anisotropy).gloss;
     }));
+    if (stretches())
+      call_.connect("anisotropy", m_.curve(rough, "stretched", [&](float x) {
+        return brushed(roughness * x, extras_.anisotropy).ratio;
+      }));
     ShaderCall tint = blended(hue, map, base, 1);
     tint.connect("weight_0", m_.curve(metal, "metal", [&](float x) { return metallic * x; }));
     call_.connect("refl_color", m_.add("tint", tint));
+  }
+
+  /// Whether reflections are stretched; then along the coordinates that the tangents run along.
+  bool stretches() {
+    if (extras_.anisotropy <= 0) return false;
+    m_.need_a_space();
+    constexpr int kDerivatives = -3;
+    call_.set("anisotropy_channel", kDerivatives);
+    call_.set("anisotropy_rotation", extras_.anisotropy_turn / kTwoPi);
+    return true;
   }
 
   /// A colour, and over it the base colour with a weight.
@@ -138,8 +159,8 @@ class MaterialMaker {
   }
 
   void specular_glossiness(float glossiness) {
-    m_.tinted(call_, "diffuse", m_.texture(aiTextureType_DIFFUSE),
-              m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1)), "diffuse");
+    m_.tinted(call_, "diffuse", base_map(), m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1)),
+              "diffuse");
     call_.set("diffuse_weight", 1.0f);
     shine(m_.color(AI_MATKEY_COLOR_SPECULAR).value_or(Vec3(1)), 1 - glossiness);
     if (m_.has(aiTextureType_SPECULAR)) m_.left_out.emplace_back("specular-glossiness texture");
@@ -160,8 +181,9 @@ class MaterialMaker {
 
   void classic() {
     const std::string map = m_.texture(aiTextureType_DIFFUSE);
-    m_.tinted(call_, "diffuse", map, m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(.6f)),
-              "diffuse");
+    const bool colored = m_.colors().are == ColorsAre::Pictures;
+    m_.tinted(call_, "diffuse", m_.colored(map),
+              colored ? Vec3(1) : m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(.6f)), "diffuse");
     call_.set("diffuse_weight", 1.0f);
     const Vec3 specular = m_.color(AI_MATKEY_COLOR_SPECULAR).value_or(Vec3(0));
     const float strength = m_.number(AI_MATKEY_SHININESS_STRENGTH).value_or(1);
@@ -241,6 +263,7 @@ class MaterialMaker {
 
   MaterialSource m_;
   const GltfExtras extras_;
+  std::optional<std::string> base_map_;
   ShaderCall call_{"mia_material_x"};
 };
 
@@ -267,15 +290,8 @@ std::string add_shader(scene::Scene& scene, const std::string& wish, const Shade
   return name;
 }
 
-float gloss_of_roughness(float roughness) {
-  // The inverse of bsdf::gloss_to_alpha, alpha = 2^(-1.5 - 7 g).
-  const float alpha = sqr(clamp01(roughness));
-  if (alpha < 1e-5f) return 1;
-  return clamp01(-(std::log2(alpha) + 1.5f) / 7);
-}
-
 ImportedMaterial add_material(const aiScene& model, unsigned index,
-                              const std::map<std::string, GltfExtras>& extras,
+                              const std::map<std::string, GltfExtras>& extras, ColorsAre colors,
                               TextureMaker& textures, scene::Scene& scene,
                               Diagnostics& diagnostics) {
   const aiMaterial& source = *model.mMaterials[index];
@@ -286,8 +302,8 @@ ImportedMaterial add_material(const aiScene& model, unsigned index,
   const std::string name = material.name;
   scene.add(material);  // the name is taken before its shaders get theirs
   const auto more = extras.find(written);
-  MaterialMaker maker(
-      {model, source, more == extras.end() ? nullptr : &more->second, name, textures, scene});
+  MaterialMaker maker({model, source, more == extras.end() ? nullptr : &more->second,
+                       vertex_colors(model, index, colors), name, textures, scene});
   ImportedMaterial made = maker.make(diagnostics);
   material.shaders = {maker.call().use()};
   // Behind the shaders that it names.

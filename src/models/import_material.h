@@ -6,8 +6,9 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "models/gltf_extras.h"
+#include "models/gltf/extras.h"
 #include "models/texture_space.h"
+#include "models/vertex_colors.h"
 #include "scene/scene.h"
 
 struct aiScene;
@@ -28,11 +29,6 @@ std::string unique_name(const scene::Scene& scene, const std::string& wish);
 /// Adds a shader of that call to the scene, under a name like `wish`, which is returned.
 std::string add_shader(scene::Scene& scene, const std::string& wish, const ShaderCall& call);
 
-/// mia_material's glossiness that has the roughness of a glTF material: alpha = roughness squared.
-/// Above roughness 0.6 it is 0, the roughest there is; below 0.05 it is 1, a mirror.
-/// Checked: ModelMaterial.GlossinessHasTheRoughnessOfTheModel
-float gloss_of_roughness(float roughness);
-
 /// What came of a material.
 struct ImportedMaterial {
   std::string name;
@@ -51,15 +47,17 @@ struct ImportedMaterial {
 ///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), F0 from the brightness of its
 ///          highlight, opacity as transparency. Specular-glossiness: that colour as F0.
 ///          Normals and clear coats: import_layers.h.
-/// Inputs:  extras: of glTF files, by the names of materials.
+///          Colours of corners: in place of the diffuse colour, times its texture (PLY, OBJ, OFF);
+///          times base colour and coverage (glTF).
+/// Inputs:  extras: of glTF files, by the names of materials; colors: of the format's corners.
 /// Errors:  OR-MD-003 sheen and what else nothing stands for is left out, OR-MD-004 a texture that
 ///          cannot be used.
 /// Source:  glTF 2.0, appendix B, and
-///          KHR_materials_{ior,specular,transmission,volume,emissive_strength};
+///          KHR_materials_{ior,specular,transmission,volume,emissive_strength,anisotropy};
 ///          Walter et al. 2007 for the exponent.
 /// Checked: ModelMaterial.*, ModelTexture.*
 ImportedMaterial add_material(const aiScene& model, unsigned index,
-                              const std::map<std::string, GltfExtras>& extras,
+                              const std::map<std::string, GltfExtras>& extras, ColorsAre colors,
                               TextureMaker& textures, scene::Scene& scene,
                               Diagnostics& diagnostics);
 

@@ -34,22 +34,52 @@ std::vector<std::uint32_t> column(std::uint32_t first, unsigned count) {
 
 scene::Statement flag(const char* keyword) { return {keyword, false, {}, {}}; }
 
+/// Light of a corner's colour; its alpha where that is asked for.
+Vec3 color_of(const aiMesh& mesh, unsigned corner, bool alpha, float gamma) {
+  const aiColor4D& c = mesh.mColors[0][corner];
+  const auto light = [&](float x) { return x > 0 && std::isfinite(x) ? std::pow(x, gamma) : 0; };
+  return alpha ? Vec3(c.a >= 0 ? std::min(c.a, 1.0f) : 0)
+               : Vec3(light(c.r), light(c.g), light(c.b));
+}
+
+/// One texture space: a moved channel, or colours.
+std::vector<std::uint32_t> coordinates(const aiMesh& mesh, const TextureSpace& space, float gamma,
+                                       scene::PolygonGroup& group) {
+  const unsigned channels = mesh.GetNumUVChannels(), count = mesh.mNumVertices;
+  const auto first = static_cast<std::uint32_t>(group.vectors.size());
+  if (space.channel >= kColorChannel) {
+    if (!mesh.HasVertexColors(0)) {
+      group.vectors.emplace_back(1);
+      return std::vector<std::uint32_t>(count, first);
+    }
+    for (unsigned i = 0; i < count; ++i)
+      group.vectors.push_back(color_of(mesh, i, space.channel == kAlphaChannel, gamma));
+    return column(first, count);
+  }
+  if (channels == 0) {
+    group.vectors.emplace_back(0);
+    return std::vector<std::uint32_t>(count, first);
+  }
+  append(group, mesh.mTextureCoords[std::min(space.channel, channels - 1)], count,
+         [&](const Vec3& uv) { return space.of(uv); });
+  return column(first, count);
+}
+
 /// What is asked for; where the mesh has no such coordinates, those of the channel below.
 void add_texture_spaces(const aiMesh& mesh, const SurfaceSpaces& surface,
                         scene::PolygonGroup& group) {
   const unsigned channels = mesh.GetNumUVChannels(), count = mesh.mNumVertices;
-  if (channels == 0) return;
   std::vector<TextureSpace> spaces = surface.spaces;
+  const auto asks_for = [&](unsigned channel) {
+    return std::any_of(spaces.begin(), spaces.end(),
+                       [&](const TextureSpace& space) { return space.channel == channel; });
+  };
+  if (channels == 0 && !asks_for(kColorChannel)) return;
   for (unsigned i = 0; i < channels && spaces.size() < kMostTextureSpaces; ++i)
-    if (std::none_of(spaces.begin(), spaces.end(),
-                     [&](const TextureSpace& space) { return space.channel == i; }))
-      spaces.push_back({.channel = i});
-  for (const TextureSpace& space : spaces) {
-    const unsigned channel = std::min(space.channel, channels - 1);
-    const std::uint32_t first = append(group, mesh.mTextureCoords[channel], count,
-                                       [&](const Vec3& uv) { return space.of(uv); });
-    group.vertices.textures.push_back({column(first, count), {}, {}});
-  }
+    if (!asks_for(i)) spaces.push_back({.channel = i});
+  for (const TextureSpace& space : spaces)
+    group.vertices.textures.push_back(
+        {coordinates(mesh, space, surface.color_gamma, group), {}, {}});
   if (!surface.tangents || !mesh.HasTangentsAndBitangents()) return;
   group.vertices.textures[0].basis_u = column(append(group, mesh.mTangents, count), count);
   group.vertices.textures[0].basis_v = column(append(group, mesh.mBitangents, count), count);

@@ -8,7 +8,7 @@
 
 #include "bsdf/gloss.h"
 #include "models/daylight.h"
-#include "models/import_material.h"
+#include "models/lobe_width.h"
 #include "models/testing/model_file.h"
 #include "scene/hierarchy.h"
 

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "models/import_material.h"
 #include "models/shader_call.h"
@@ -47,8 +48,13 @@ bool write_targa(const aiTexture& picture, std::ostream& file) {
   return file.good();
 }
 
-/// Letters and digits of the format that a compressed picture says it has.
+/// Letters and digits of the format that a compressed picture says it has; assimp has room for
+/// three of them, which WebP has not.
 std::string suffix_of(const aiTexture& picture) {
+  constexpr std::size_t kNameEnds = 12;  // "RIFF", a size, "WEBP"
+  const std::string_view start(reinterpret_cast<const char*>(picture.pcData),
+                               picture.mHeight == 0 && picture.mWidth >= kNameEnds ? kNameEnds : 0);
+  if (start.substr(0, 4) == "RIFF" && start.substr(8) == "WEBP") return "webp";
   std::string suffix;
   for (const char* c = picture.achFormatHint; *c && suffix.size() < 5; ++c)
     if (std::isalnum(static_cast<unsigned char>(*c))) suffix += *c;

@@ -50,6 +50,12 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
   const float half = source.mHorizontalFOV / 2;
   camera.aperture = kAperture;
   camera.focal = half > 0 && half < kPi / 2 ? kAperture / 2 / std::tan(half) : kAperture;
+  if (source.mOrthographicWidth > 0) {
+    // Half of what is seen from left to right, in the units of the camera's space.
+    camera.orthographic = true;
+    camera.focal.reset();
+    camera.aperture = 2 * source.mOrthographicWidth;
+  }
   camera.aspect = source.mAspect > 0 ? source.mAspect : 1.5f;
   constexpr int kWidth = 960;
   camera.resolution = {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/material_source.h"
 
+#include <assimp/GltfMaterial.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,11 +51,31 @@ unsigned MaterialSource::space(aiTextureType type, unsigned index) {
   if (extras_)
     if (const auto found = extras_->spaces.find({type, index}); found != extras_->spaces.end())
       wanted = found->second;
+  return space(wanted).value_or(0);
+}
+
+std::optional<unsigned> MaterialSource::space(const TextureSpace& wanted) {
   std::vector<TextureSpace>& spaces = surface.spaces;
   auto at = std::find(spaces.begin(), spaces.end(), wanted);
-  if (at == spaces.end() && spaces.size() >= kMostTextureSpaces) return 0;
+  if (at == spaces.end() && spaces.size() >= kMostTextureSpaces) return std::nullopt;
   if (at == spaces.end()) at = spaces.insert(at, wanted);
   return static_cast<unsigned>(at - spaces.begin());
+}
+
+std::string MaterialSource::colored(const std::string& picture) {
+  if (colors_.are == ColorsAre::Unknown) return picture;
+  const auto color = space({.channel = kColorChannel});
+  if (!color) return picture;
+  surface.color_gamma = colors_.are == ColorsAre::Pictures ? kTextureGamma : 1;
+  ShaderCall call("oriel_vertex_color");
+  if (!picture.empty()) call.connect("color", picture);
+  call.set("space", static_cast<int>(*color));
+  const std::string mode = words(AI_MATKEY_GLTF_ALPHAMODE);
+  const bool covers = colors_.transparent && (mode == "MASK" || mode == "BLEND");
+  const auto alpha = covers ? space({.channel = kAlphaChannel}) : std::optional<unsigned>();
+  if (alpha) call.set("alpha_space", static_cast<int>(*alpha));
+  needs_own_package = true;
+  return add("colors", call);
 }
 
 std::string MaterialSource::texture(aiTextureType type, unsigned index) {

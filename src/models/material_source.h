@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "models/gltf_extras.h"
+#include "models/gltf/extras.h"
 #include "models/import_texture.h"
 #include "models/shader_call.h"
 #include "models/texture_space.h"
+#include "models/vertex_colors.h"
 
 namespace oriel::models {
 
@@ -20,16 +21,19 @@ class MaterialSource {
  public:
   /// Inputs:  extras: of a glTF file, null for other formats.
   MaterialSource(const aiScene& model, const aiMaterial& material, const GltfExtras* extras,
-                 std::string name, TextureMaker& textures, scene::Scene& scene)
+                 const VertexColors& colors, std::string name, TextureMaker& textures,
+                 scene::Scene& scene)
       : model_(model),
         m_(material),
         extras_(extras),
+        colors_(colors),
         name_(std::move(name)),
         textures_(textures),
         scene_(scene) {}
 
   const std::string& name() const { return name_; }
   GltfExtras extras() const { return extras_ ? *extras_ : GltfExtras(); }
+  const VertexColors& colors() const { return colors_; }
 
   // Properties by assimp's macros of key, type and index; unset where they are missing.
   std::optional<float> number(const char* key, unsigned type, unsigned index) const;
@@ -48,6 +52,14 @@ class MaterialSource {
   /// Name of the texture element, of numbers, for a shader that looks it up at the first texture
   /// space: asked before any other, the space is the one of this use.
   std::string picture_at_first_space(aiTextureType type, unsigned index = 0);
+
+  /// Name of a shader that multiplies a picture (empty: white) by the colours of the meshes'
+  /// corners; the picture where there are none.
+  std::string colored(const std::string& picture);
+  /// Makes the texture space of the mesh's first coordinates, where there is none yet.
+  void need_a_space() {
+    if (surface.spaces.empty()) surface.spaces.emplace_back();
+  }
 
   /// Adds a shader under a name of its own, which it returns.
   std::string add(const std::string& suffix, const ShaderCall& call);
@@ -72,15 +84,19 @@ class MaterialSource {
 
   SurfaceSpaces surface;              ///< what was asked for so far
   std::vector<std::string> left_out;  ///< in words
+  bool needs_own_package = false;     ///< it uses shaders of oriel.mi
 
  private:
   /// The texture space of a use, a new one where there is none yet.
   unsigned space(aiTextureType type, unsigned index);
+  /// Unset where there are as many as there can be.
+  std::optional<unsigned> space(const TextureSpace& wanted);
   std::string lookup(aiTextureType type, unsigned index, TextureMaker::Holds holds);
 
   const aiScene& model_;
   const aiMaterial& m_;
   const GltfExtras* extras_;
+  VertexColors colors_;
   std::string name_;
   TextureMaker& textures_;
   scene::Scene& scene_;

@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "base/file_text.h"
+#include "models/gltf/read.h"
 #include "models/mend_model.h"
 #include "models/text_files.h"
 #include "models/views_3ds.h"
@@ -38,7 +39,7 @@ unsigned steps_for(const std::string& suffix) {
                          aiProcess_GlobalScale;
   // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
   // ones (specification, 3.7.2.1). And assimp moves glTF's texture coordinates about another place
-  // than the file says: see gltf_extras.h.
+  // than the file says: see gltf/extras.h.
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
 }
 
@@ -60,18 +61,32 @@ std::string suffix_of(const std::string& path) {
   return suffix;
 }
 
-std::unique_ptr<const aiScene> read_model(const std::string& path, Diagnostics& diagnostics) {
+ReadModel::ReadModel() = default;
+ReadModel::ReadModel(ReadModel&&) noexcept = default;
+ReadModel::~ReadModel() = default;
+
+ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
   const std::string suffix = suffix_of(path);
   const unsigned steps = steps_for(suffix);
-  const auto unreadable = [&](const char* why) {
+  ReadModel result;
+  const auto unreadable = [&](const std::string& why) {
     diagnostics.error("OR-MD-001", {},
                       fmt::format("'{}' is no model that can be read: {}", path, why));
-    return nullptr;
+    return std::move(result);
   };
   if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
   Assimp::Importer importer;
   set_up(importer);
   importer.SetIOHandler(new TextFiles(false));
+  if (is_gltf(suffix)) {
+    GltfModel gltf = read_gltf(importer, path, steps, diagnostics);
+    if (!gltf.scene) return unreadable(gltf.error);
+    result.extras = std::move(gltf.extras);
+    std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
+    drop_polygons_without_area(*model, diagnostics);
+    result.scene = std::move(model);
+    return result;
+  }
   bool read = importer.ReadFile(path, steps) != nullptr;
   if (!read && suffix == ".dae") {
     importer.SetIOHandler(new TextFiles(true));
@@ -86,7 +101,8 @@ std::unique_ptr<const aiScene> read_model(const std::string& path, Diagnostics& 
   }
   halve_cones(*model, suffix);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
-  return model;
+  result.scene = std::move(model);
+  return result;
 }
 
 }  // namespace oriel::models

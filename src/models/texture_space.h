@@ -12,6 +12,9 @@ namespace oriel::models {
 /// As many as shaders can ask for.
 inline constexpr std::size_t kMostTextureSpaces = 8;
 
+/// In place of a channel: the colours of a mesh's corners, and their alpha.
+inline constexpr unsigned kColorChannel = 1000, kAlphaChannel = 1001;
+
 /// A channel of a mesh's texture coordinates, moved: (u, v) to (m0 u + m1 v + m2, m3 u + m4 v +
 /// m5), v up.
 struct TextureSpace {
@@ -31,6 +34,7 @@ struct TextureSpace {
 struct SurfaceSpaces {
   std::vector<TextureSpace> spaces;  ///< in the order of the object's texture spaces
   bool tangents = false;  ///< the first has the mesh's tangents as its bump basis, where there are
+  float color_gamma = 1;  ///< power that makes light of the mesh's colours
 };
 
 }  // namespace oriel::models

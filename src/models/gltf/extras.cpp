@@ -1,40 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/gltf_extras.h"
+#include "models/gltf/extras.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <nlohmann/json.hpp>
 
 namespace oriel::models {
 namespace {
 
-using nlohmann::json;
-
-/// Null where there is none.
-const json& member(const json& object, const char* name) {
-  static const json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(name);
-  return found == object.end() ? nothing : *found;
-}
-
-const json& extension(const json& object, const char* name) {
-  return member(member(object, "extensions"), name);
-}
-
-float number(const json& value, float fallback) {
-  if (!value.is_number()) return fallback;
-  const float x = value.get<float>();
-  return std::isfinite(x) ? x : fallback;
-}
-
-float number_at(const json& list, std::size_t index, float fallback) {
-  return list.is_array() && index < list.size() ? number(list[index], fallback) : fallback;
-}
+using gltf::extension;
+using gltf::json;
+using gltf::member;
+using gltf::number;
+using gltf::number_at;
 
 TextureSpace space_of(const json& texture) {
   TextureSpace space;
@@ -51,15 +31,6 @@ TextureSpace space_of(const json& texture) {
   space.move = {c * sx, -s * sy, s * sy + number_at(offset, 0, 0),
                 s * sx, c * sy,  1 - c * sy - number_at(offset, 1, 0)};
   return space;
-}
-
-/// The JSON part of a binary file; other files are that as a whole.
-std::string_view json_of(std::string_view content) {
-  constexpr std::size_t kHeader = 20;
-  if (content.size() < kHeader || content.substr(0, 4) != "glTF") return content;
-  std::uint32_t length = 0;
-  std::memcpy(&length, content.data() + 12, sizeof length);
-  return content.substr(kHeader, length);
 }
 
 GltfExtras extras_of(const json& material) {
@@ -88,8 +59,12 @@ GltfExtras extras_of(const json& material) {
   for (int k = 0; k < 3; ++k)
     extras.specular_color[k] = std::max(
         0.0f, number_at(member(specular, "specularColorFactor"), static_cast<std::size_t>(k), 1));
-  for (const auto& [name, words] : {std::pair("KHR_materials_anisotropy", "anisotropy"),
-                                    std::pair("KHR_materials_iridescence", "iridescence"),
+  const json& brushed = extension(material, "KHR_materials_anisotropy");
+  extras.anisotropy = clamp01(number(member(brushed, "anisotropyStrength"), 0));
+  extras.anisotropy_turn = number(member(brushed, "anisotropyRotation"), 0);
+  if (extras.anisotropy > 0 && member(brushed, "anisotropyTexture").is_object())
+    extras.left_out.emplace_back("anisotropy texture");
+  for (const auto& [name, words] : {std::pair("KHR_materials_iridescence", "iridescence"),
                                     std::pair("KHR_materials_dispersion", "dispersion")})
     if (extension(material, name).is_object()) extras.left_out.emplace_back(words);
   for (const char* name : {"specularTexture", "specularColorTexture"})
@@ -102,11 +77,9 @@ GltfExtras extras_of(const json& material) {
 
 }  // namespace
 
-std::map<std::string, GltfExtras> gltf_extras(const std::string& content) {
+std::map<std::string, GltfExtras> gltf_extras(const json& root) {
   std::map<std::string, GltfExtras> by_name;
-  const std::string_view text = json_of(content);
-  const json file = json::parse(text.begin(), text.end(), nullptr, false);
-  const json& materials = member(file, "materials");
+  const json& materials = member(root, "materials");
   if (!materials.is_array()) return by_name;
   std::map<std::string, int> count;
   for (const json& material : materials) {

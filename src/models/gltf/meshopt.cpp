@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/gltf/meshopt.h"
+
+#include <meshoptimizer.h>
+
+#include "models/gltf/document.h"
+
+namespace oriel::models::gltf {
+namespace {
+
+using Mode = MeshoptStream::Mode;
+using Filter = MeshoptStream::Filter;
+
+/// What the decoder asserts, and does not look after itself.
+bool is_allowed(const MeshoptStream& s) {
+  constexpr std::size_t kMostCount = std::size_t{1} << 31, kMostStride = 256;
+  if (s.count > kMostCount) return false;
+  if (s.mode != Mode::Attributes)
+    return (s.stride == 2 || s.stride == 4) && s.filter == Filter::None &&
+           (s.mode != Mode::Triangles || s.count % 3 == 0);
+  if (s.stride == 0 || s.stride > kMostStride || s.stride % 4 != 0) return false;
+  if (s.filter == Filter::Octahedral) return s.stride == 4 || s.stride == 8;
+  return s.filter != Filter::Quaternion || s.stride == 8;
+}
+
+}  // namespace
+
+MeshoptStream meshopt_stream(const json& packed, const std::string& what) {
+  MeshoptStream stream;
+  stream.count = whole(member(packed, "count"), 0);
+  stream.stride = whole(member(packed, "byteStride"), 0);
+  const std::string mode = words(member(packed, "mode")), filter = words(member(packed, "filter"));
+  if (mode == "TRIANGLES")
+    stream.mode = Mode::Triangles;
+  else if (mode == "INDICES")
+    stream.mode = Mode::Indices;
+  else if (mode != "ATTRIBUTES")
+    throw Unreadable(what + " is packed in a way that nobody here knows");
+  if (filter == "OCTAHEDRAL")
+    stream.filter = Filter::Octahedral;
+  else if (filter == "QUATERNION")
+    stream.filter = Filter::Quaternion;
+  else if (filter == "EXPONENTIAL")
+    stream.filter = Filter::Exponential;
+  else if (!filter.empty() && filter != "NONE")
+    throw Unreadable(what + " is packed with a filter that nobody here knows");
+  if (!is_allowed(stream)) throw Unreadable(what + " is packed in sizes that do not fit together");
+  return stream;
+}
+
+std::string unpacked(const MeshoptStream& stream, std::string_view data, const std::string& what) {
+  std::string bytes(stream.size(), '\0');
+  if (bytes.empty()) return bytes;
+  const auto* source = reinterpret_cast<const unsigned char*>(data.data());
+  int failed = 0;
+  if (stream.mode == Mode::Triangles)
+    failed =
+        meshopt_decodeIndexBuffer(bytes.data(), stream.count, stream.stride, source, data.size());
+  else if (stream.mode == Mode::Indices)
+    failed =
+        meshopt_decodeIndexSequence(bytes.data(), stream.count, stream.stride, source, data.size());
+  else
+    failed =
+        meshopt_decodeVertexBuffer(bytes.data(), stream.count, stream.stride, source, data.size());
+  if (failed != 0) throw Unreadable(what + " cannot be unpacked");
+  if (stream.filter == Filter::Octahedral)
+    meshopt_decodeFilterOct(bytes.data(), stream.count, stream.stride);
+  else if (stream.filter == Filter::Quaternion)
+    meshopt_decodeFilterQuat(bytes.data(), stream.count, stream.stride);
+  else if (stream.filter == Filter::Exponential)
+    meshopt_decodeFilterExp(bytes.data(), stream.count, stream.stride);
+  return bytes;
+}
+
+}  // namespace oriel::models::gltf

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/gltf/plain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "models/gltf/buffers.h"
+#include "models/gltf/document.h"
+#include "models/gltf/plain_file.h"
+#include "models/gltf/plain_meshes.h"
+#include "models/gltf/plain_nodes.h"
+#include "models/gltf/plain_pictures.h"
+
+namespace oriel::models::gltf {
+namespace {
+
+/// Extensions without which a file can be read as it is meant, as far as materials allow: those
+/// that are left out of one are told there.
+bool is_known(const std::string& name) {
+  static constexpr std::string_view kKnown[] = {
+      "KHR_mesh_quantization",   "EXT_meshopt_compression", "KHR_meshopt_compression",
+      "KHR_texture_transform",   "EXT_texture_webp",        "KHR_draco_mesh_compression",
+      "EXT_mesh_gpu_instancing", "KHR_lights_punctual",     "KHR_texture_basisu",
+      "MSFT_texture_dds",        "EXT_texture_avif"};
+  return name.starts_with("KHR_materials_") ||
+         std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
+}
+
+void tell_unknown(const json& root, Diagnostics& diagnostics) {
+  std::set<std::string> unknown;
+  for (const json& required : member(root, "extensionsRequired"))
+    if (const std::string name = words(required); !name.empty() && !is_known(name))
+      unknown.insert(name);
+  if (!unknown.empty())
+    diagnostics.warning(
+        "OR-MD-021", {},
+        fmt::format("the file requires {}, which nobody here knows; what it is for is missing",
+                    fmt::join(unknown, ", ")),
+        "export it without");
+}
+
+/// Materials are found by their names later: each gets one of its own.
+json named_materials(const json& written) {
+  json materials = json::array();
+  std::set<std::string> taken;
+  std::map<std::string, int> next;  // number to try; or many of one name would take long
+  for (const json& material : written) {
+    json made = material.is_object() ? material : json::object();
+    const std::string wish = words(member(made, "name"));
+    std::string name = wish.empty() ? fmt::format("material_{}", materials.size()) : wish;
+    for (int& i = next.try_emplace(wish, 2).first->second; !taken.insert(name).second; ++i)
+      name = fmt::format("{}_{}", wish, i);
+    made["name"] = name;
+    materials.push_back(std::move(made));
+  }
+  return materials;
+}
+
+void keep_other_parts(const json& root, json& made) {
+  made["asset"] = {{"version", "2.0"}};
+  made["materials"] = named_materials(member(root, "materials"));
+  if (const json& cameras = member(root, "cameras"); cameras.is_array()) made["cameras"] = cameras;
+  if (const json& lights = extension(root, "KHR_lights_punctual"); lights.is_object())
+    made["extensions"]["KHR_lights_punctual"] = lights;
+  json& used = made["extensionsUsed"] = json::array();
+  for (const json& name : member(root, "extensionsUsed"))
+    if (name.is_string() && name != "KHR_draco_mesh_compression") used.push_back(name);
+}
+
+Plain plain_of(const Document& document, std::size_t content_size, const std::string& folder,
+               Diagnostics& diagnostics) {
+  const json& root = document.root;
+  tell_unknown(root, diagnostics);
+  Buffers buffers(document, folder, content_size);
+  PlainFile file;
+  keep_other_parts(root, file.root);
+  PlainMeshes meshes = plain_meshes(root, buffers, file);
+  PlainNodes nodes = plain_nodes(root, buffers);
+  Plain plain;
+  if (nodes.roots.empty()) plain.error = "there is nothing in its scene";
+  if (meshes.read == 0 && meshes.left_out > 0) plain.error = meshes.why;
+  if (!plain.error.empty()) return plain;
+  if (meshes.left_out > 0)
+    diagnostics.warning(
+        "OR-MD-020", {},
+        fmt::format("{} parts of meshes are left out: {}", meshes.left_out, meshes.why),
+        "export the model again");
+  if (meshes.lost_triangles > 0)
+    diagnostics.warning(
+        "OR-MD-020", {},
+        fmt::format("{} triangles name corners that do not exist; they are left out",
+                    meshes.lost_triangles));
+  if (!nodes.left_out.empty())
+    diagnostics.warning("OR-MD-020", {}, "instances are left out: " + nodes.left_out);
+  for (const std::string& words : plain_pictures(root, buffers, folder, file))
+    diagnostics.warning("OR-MD-022", {}, words, "export the model with PNG or JPEG pictures");
+  file.root["meshes"] = std::move(meshes.meshes);
+  file.root["nodes"] = std::move(nodes.nodes);
+  file.root["scene"] = 0;
+  file.root["scenes"] = json::array({{{"nodes", std::move(nodes.roots)}}});
+  plain.binary = file.binary();
+  plain.root = std::move(file.root);
+  return plain;
+}
+
+}  // namespace
+
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+                                Diagnostics& diagnostics) {
+  Plain plain;
+  try {
+    const auto document = parse(content);
+    if (!document) return std::nullopt;
+    plain = plain_of(*document, content.size(), folder, diagnostics);
+  } catch (const Unreadable& error) {
+    plain.error = error.what();
+  }
+  return plain;
+}
+
+}  // namespace oriel::models::gltf

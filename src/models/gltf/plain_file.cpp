@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/gltf/plain_file.h"
+
+#include "models/gltf/document.h"
+
+namespace oriel::models::gltf {
+namespace {
+
+constexpr int kUnsignedInt = 5125, kFloat = 5126;
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+}  // namespace
+
+std::size_t PlainFile::add_view(std::string_view content) {
+  bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
+  views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", content.size()}});
+  bytes_ += content;
+  return views_.size() - 1;
+}
+
+std::size_t PlainFile::add_accessor(std::string_view content, int component_type, std::size_t count,
+                                    const char* type) {
+  accessors_.push_back({{"bufferView", add_view(content)},
+                        {"componentType", component_type},
+                        {"count", count},
+                        {"type", type}});
+  return accessors_.size() - 1;
+}
+
+std::size_t PlainFile::add_numbers(const std::vector<float>& values, std::size_t components) {
+  static constexpr const char* kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  return add_accessor(bytes_of(values), kFloat, values.size() / components, kTypes[components]);
+}
+
+std::size_t PlainFile::add_indices(const std::vector<std::uint32_t>& indices) {
+  return add_accessor(bytes_of(indices), kUnsignedInt, indices.size(), "SCALAR");
+}
+
+std::string PlainFile::binary() const {
+  json whole = root;
+  whole["accessors"] = accessors_;
+  whole["bufferViews"] = views_;
+  whole["buffers"] = json::array({{{"byteLength", bytes_.size()}}});
+  return glb(whole, bytes_);
+}
+
+}  // namespace oriel::models::gltf

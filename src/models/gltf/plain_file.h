@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A glTF file in the making whose buffer holds nothing but floats, corners and pictures.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/gltf/json_read.h"
+
+namespace oriel::models::gltf {
+
+class PlainFile {
+ public:
+  json root = json::object();
+
+  /// Each returns the index of what it adds.
+  std::size_t add_view(std::string_view content);
+  std::size_t add_numbers(const std::vector<float>& values, std::size_t components);
+  std::size_t add_indices(const std::vector<std::uint32_t>& indices);
+
+  /// The whole as a binary file.
+  std::string binary() const;
+
+ private:
+  std::size_t add_accessor(std::string_view content, int component_type, std::size_t count,
+                           const char* type);
+
+  json views_ = json::array(), accessors_ = json::array();
+  std::string bytes_;
+};
+
+}  // namespace oriel::models::gltf

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+// glTF files from their text to scenes: what is stored in unusual ways is there as it is meant.
+#include "models/gltf/plain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "models/testing/gltf_file.h"
+#include "scene/hierarchy.h"
+
+namespace oriel::models {
+namespace {
+
+using testing::GltfFile;
+using testing::json;
+using testing::Made;
+
+/// Where the points of all placed objects are.
+std::vector<Vec3> world_points(const scene::Scene& scene) {
+  std::vector<Vec3> points;
+  Diagnostics ignored;
+  for (const scene::Leaf& leaf : scene::flatten(scene, kRootGroup, ignored))
+    if (const auto* object = leaf.object())
+      for (const std::uint32_t i : object->groups[0].vertices.point)
+        points.push_back(transform_point(object->groups[0].vectors[i], leaf.local_to_world));
+  return points;
+}
+
+/// The unit sphere: strips of quads between circles of latitude, which share their points.
+void add_sphere(GltfFile& file, bool quantized) {
+  constexpr int kRings = 12, kSides = 24;
+  std::vector<float> points;
+  std::vector<std::uint16_t> corners;
+  for (int r = 0; r <= kRings; ++r)
+    for (int s = 0; s < kSides; ++s) {
+      const double up = M_PI * r / kRings, around = 2 * M_PI * s / kSides;
+      for (const double x :
+           {std::sin(up) * std::cos(around), std::cos(up), std::sin(up) * std::sin(around)})
+        points.push_back(static_cast<float>(x));
+      if (r == kRings) continue;
+      const auto at = [&](int ring, int side) {
+        return static_cast<std::uint16_t>(ring * kSides + side % kSides);
+      };
+      // At the poles one of the two has no area.
+      if (r < kRings - 1) corners.insert(corners.end(), {at(r, s), at(r + 1, s + 1), at(r + 1, s)});
+      if (r > 0) corners.insert(corners.end(), {at(r, s), at(r, s + 1), at(r + 1, s + 1)});
+    }
+  json& primitive = file.primitive();
+  if (quantized) {
+    std::vector<std::int16_t> stored;
+    for (const float x : points)
+      stored.push_back(static_cast<std::int16_t>(std::lround(x * 32767)));
+    primitive["attributes"]["POSITION"] = file.add(stored, testing::kShort, "VEC3", 3, true);
+    file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+  } else {
+    primitive["attributes"]["POSITION"] = file.add(points, testing::kFloat, "VEC3", 3);
+  }
+  primitive["indices"] = file.add(corners, testing::kUnsignedShort, "SCALAR", 1);
+}
+
+TEST(GltfPlain, AQuantizedSphereIsOne) {
+  for (const bool quantized : {false, true}) {
+    GltfFile file;
+    add_sphere(file, quantized);
+    file.node()["scale"] = {2, 2, 2};
+    Made made;
+    made.import(file.binary(), "ball.glb");
+    ASSERT_TRUE(made.scene);
+    EXPECT_TRUE(made.diagnostics.all().empty());
+    EXPECT_EQ(made.group().polygons.size(), 11u * 24 * 2);
+    // Half a step of each coordinate, times two.
+    for (const Vec3& p : world_points(*made.scene)) EXPECT_NEAR(length(p), 2, 2e-4 / 3);
+  }
+}
+
+TEST(GltfPlain, TextureCoordinatesMayBeFractionsOfWholeNumbers) {
+  GltfFile file;
+  file.add_triangle();
+  file.primitive()["attributes"]["TEXCOORD_0"] = file.add<std::uint16_t>(
+      {0, 65535, 13107, 0, 65535, 65535}, testing::kUnsignedShort, "VEC2", 2, true);
+  file.primitive()["attributes"]["TEXCOORD_1"] = file.add<std::uint8_t>(
+      {0, 255, 51, 0, 255, 255, 0, 0}, testing::kUnsignedByte, "VEC2", 2, true);
+  file.root["accessors"].back()["count"] = 3;
+  Made made;
+  made.import(file.text());
+  // v up here, down in the file.
+  for (const std::size_t space : {0u, 1u}) {
+    EXPECT_LT(length(made.uv(space, 0) - Vec3(0, 0, 0)), 1e-6f);
+    EXPECT_LT(length(made.uv(space, 1) - Vec3(.2f, 1, 0)), 1e-6f);
+    EXPECT_LT(length(made.uv(space, 2) - Vec3(1, 0, 0)), 1e-6f);
+  }
+}
+
+TEST(GltfPlain, BuffersAndPicturesAreFoundByEscapedNames) {
+  GltfFile file;
+  file.add_triangle();
+  file.primitive()["attributes"]["TEXCOORD_0"] =
+      file.add<float>({0, 0, 1, 0, 0, 1}, testing::kFloat, "VEC2", 2);
+  file.root["buffers"][0] = {{"uri", "my%20\xE2\x99\xBB.bin"}, {"byteLength", file.bytes.size()}};
+  file.root["images"] = json::array({{{"uri", "my%20wood.ppm"}}});
+  file.root["textures"] = json::array({{{"source", 0}}});
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  Made made;
+  made.folder.write("my \xE2\x99\xBB.bin", file.bytes);
+  made.folder.write("my wood.ppm", "P6");
+  made.import(file.root.dump());
+  ASSERT_TRUE(made.scene);
+  EXPECT_TRUE(made.diagnostics.all().empty());
+  EXPECT_EQ(made.point(1), Vec3(1, 0, 0));
+  const auto* picture = made.scene->get<scene::Texture>("picture_my_wood");
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->file, "my wood.ppm");
+}
+
+TEST(GltfPlain, NamesInCapitalsAreGltf) {
+  GltfFile file;
+  file.add_triangle();
+  file.primitive()["attributes"]["COLOR_0"] = file.add<std::uint8_t>(
+      {255, 0, 0, 9, 255, 0, 0, 9, 255, 0, 0, 9}, testing::kUnsignedByte, "VEC3", 4, true);
+  file.root["bufferViews"].back()["byteStride"] = 4;
+  for (const char* name : {"M.GLTF", "M.GLB"}) {
+    Made made;
+    made.import(name[2] == 'G' && name[4] == 'B' ? file.binary() : file.text(), name);
+    ASSERT_TRUE(made.scene) << name;
+    // No smooth normals, and the colours of corners: as of glTF alone.
+    EXPECT_TRUE(made.group().vertices.normal.empty());
+    EXPECT_EQ(made.uv(0, 0), Vec3(1, 0, 0));
+  }
+}
+
+TEST(GltfPlain, TheMeshesOwnWeightsMoveIt) {
+  GltfFile file;
+  file.add_triangle();
+  file.primitive()["targets"] = json::array();
+  for (int i = 0; i < 2; ++i)
+    file.primitive()["targets"].push_back(
+        {{"POSITION", file.add<float>({0, 0, 1, 0, 0, 2, 0, 1, 0}, testing::kFloat, "VEC3", 3)}});
+  file.root["meshes"][0]["weights"] = {.5, 0};
+  Made made;
+  made.import(file.text());
+  EXPECT_EQ(made.point(0), Vec3(0, 0, .5f));
+  EXPECT_EQ(made.point(1), Vec3(1, 0, 1));
+  EXPECT_EQ(made.point(2), Vec3(0, 1.5f, 0));
+}
+
+TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
+  GltfFile file;
+  file.add_triangle();
+  json broken = file.primitive();
+  broken["attributes"]["POSITION"] = 99;
+  file.root["meshes"][0]["primitives"].push_back(broken);
+  json far = file.primitive();
+  far["indices"] = file.add<std::uint16_t>({0, 1, 3}, testing::kUnsignedShort, "SCALAR", 1);
+  file.root["meshes"][0]["primitives"].push_back(far);
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_EQ(world_points(*made.scene).size(), 3u);
+  EXPECT_TRUE(made.said("2 parts of meshes are left out: there is no accessor 99"));
+  EXPECT_EQ(made.diagnostics.all().size(), 1u);
+  // Where nothing is left there is no model.
+  file.root["meshes"][0]["primitives"].erase(0);
+  Made none;
+  none.import(file.text());
+  EXPECT_FALSE(none.scene);
+  EXPECT_TRUE(none.said("there is no accessor 99"));
+}
+
+TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
+  GltfFile file;
+  file.add_triangle();
+  file.primitive()["indices"] =
+      file.add<std::uint16_t>({0, 1, 2, 2, 1, 3, 0, 2, 1}, testing::kUnsignedShort, "SCALAR", 1);
+  Made made;
+  made.import(file.text());
+  EXPECT_EQ(made.group().polygons.size(), 2u);
+  EXPECT_TRUE(made.said("1 triangles name corners that do not exist"));
+}
+
+TEST(GltfPlain, CoordinatesThatDoNotFitAreReplacedByTheNextSet) {
+  GltfFile file;
+  file.add_triangle();
+  json& attributes = file.primitive()["attributes"];
+  attributes["TEXCOORD_0"] = file.add<float>({9, 9}, testing::kFloat, "VEC2", 2);
+  attributes["TEXCOORD_1"] = file.add<float>({0, 0, 1, 0, 0, 1}, testing::kFloat, "VEC2", 2);
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_EQ(made.uv(0, 1), Vec3(1, 1, 0));
+  EXPECT_EQ(made.uv(1, 1), Vec3(1, 1, 0));
+}
+
+TEST(GltfPlain, TextThatIsNestedTooDeepIsNoModel) {
+  Made made;
+  made.import(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300'000, '['));
+  EXPECT_FALSE(made.scene);
+  EXPECT_TRUE(made.said("its text is nested too deep"));
+}
+
+TEST(GltfPlain, RequiredExtensionsThatNobodyKnowsAreNamedOnce) {
+  GltfFile file;
+  file.add_triangle();
+  file.root["extensionsUsed"] = file.root["extensionsRequired"] = {
+      "ACME_b", "ACME_a", "ACME_a", "KHR_mesh_quantization", "KHR_materials_unlit"};
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_TRUE(made.said("the file requires ACME_a, ACME_b, which nobody here knows"));
+  EXPECT_EQ(made.diagnostics.all().size(), 1u);
+}
+
+TEST(GltfPictures, WebPGoesFirstAndBasisUniversalIsNotRead) {
+  GltfFile file;
+  file.add_triangle();
+  file.root["images"] = json::array(
+      {{{"uri", "a.ppm"}}, {{"uri", "b.webp"}}, {{"uri", "c.ktx2"}}, {{"uri", "d.webp"}}});
+  file.root["textures"] = json::array();
+  json& textures = file.root["textures"];
+  textures.push_back({{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}});
+  textures.push_back({{"extensions", {{"EXT_texture_webp", {{"source", 3}}}}}});
+  textures.push_back({{"source", 0}, {"extensions", {{"KHR_texture_basisu", {{"source", 2}}}}}});
+  textures.push_back({{"extensions", {{"KHR_texture_basisu", {{"source", 2}}}}}});
+  json& material = file.material();
+  const auto picture_of = [&](int texture) {
+    material = {{"name", "paint"},
+                {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}};
+    Made made;
+    for (const char* name : {"a.ppm", "b.webp", "c.ktx2", "d.webp"}) made.folder.write(name, "P6");
+    made.import(file.text());
+    EXPECT_TRUE(made.said("2 textures are of Basis Universal"));
+    EXPECT_EQ(made.diagnostics.all().size(), 1u);
+    for (const scene::Element& e : made.scene->elements())
+      if (const auto* found = std::get_if<scene::Texture>(&e)) return found->file;
+    return std::string();
+  };
+  EXPECT_EQ(picture_of(0), "b.webp");
+  EXPECT_EQ(picture_of(1), "d.webp");
+  EXPECT_EQ(picture_of(2), "a.ppm");
+  EXPECT_EQ(picture_of(3), "");
+}
+
+TEST(GltfPictures, PicturesInTheBufferAreFilesOfTheirKind) {
+  GltfFile file;
+  file.add_triangle();
+  const std::string webp("RIFF\0\0\0\0WEBPVP8 ", 16);
+  file.root["images"] =
+      json::array({{{"bufferView", file.add_view(webp)}, {"mimeType", "image/webp"}}});
+  file.root["textures"] = json::array({{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}});
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  Made made;
+  made.import(file.binary(), "m.glb");
+  ASSERT_TRUE(made.scene);
+  EXPECT_TRUE(made.diagnostics.all().empty());
+  std::ifstream written(made.folder.path() / "t" / "texture_0.webp", std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), webp);
+}
+
+TEST(GltfNodes, InstancesStandWhereTheirAttributesSay) {
+  GltfFile file;
+  file.add_triangle();
+  const float half = std::sqrt(.5f);
+  json& attributes = file.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes["TRANSLATION"] = file.add<float>({1, 2, 3, 4, 5, 6}, testing::kFloat, "VEC3", 3);
+  // A quarter turn about z: x to y.
+  const auto s = static_cast<std::int16_t>(std::lround(half * 32767));
+  attributes["ROTATION"] =
+      file.add<std::int16_t>({0, 0, 0, 32767, 0, 0, s, s}, testing::kShort, "VEC4", 4, true);
+  attributes["SCALE"] = file.add<float>({1, 1, 1, 2, 3, 1}, testing::kFloat, "VEC3", 3);
+  file.node()["translation"] = {100, 0, 0};
+  file.root["extensionsUsed"] = file.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_TRUE(made.diagnostics.all().empty());
+  EXPECT_TRUE(made.scene->get<scene::Instance>("thing_1_inst"));
+  const std::vector<Vec3> points = world_points(*made.scene);
+  const std::vector<Vec3> wanted{{101, 2, 3}, {102, 2, 3}, {101, 3, 3},
+                                 {104, 5, 6}, {104, 7, 6}, {101, 5, 6}};
+  ASSERT_EQ(points.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_LT(length(points[i] - wanted[i]), 2e-4f) << i;
+}
+
+TEST(GltfNodes, InstancesThatCannotBeAreLeftOutAndTheMeshStays) {
+  for (const char* type : {"SCALAR", "VEC3"}) {
+    GltfFile file;
+    file.add_triangle();
+    file.root["accessors"].push_back({{"componentType", testing::kFloat},
+                                      {"count", type[0] == 'S' ? 2 : 300000},
+                                      {"type", type}});
+    file.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 1;
+    Made made;
+    made.import(file.text());
+    ASSERT_TRUE(made.scene);
+    EXPECT_TRUE(made.said("instances are left out")) << type;
+    EXPECT_EQ(world_points(*made.scene).size(), 3u);
+  }
+}
+
+TEST(GltfNodes, CirclesAndNodesBelowTwoAreReachedOnce) {
+  GltfFile file;
+  file.add_triangle();
+  file.node()["children"] = {0, 1, 1, 99, -1};
+  file.root["nodes"].push_back({{"mesh", 0}, {"children", {0, 1}}});
+  file.root["scenes"][0]["nodes"] = {0, 0, 1};
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_EQ(world_points(*made.scene).size(), 6u);
+}
+
+TEST(GltfNodes, ChainsOfNodesAreCut) {
+  GltfFile file;
+  file.add_triangle();
+  file.root["nodes"] = json::array();
+  constexpr int kChain = 100'000;
+  for (int i = 0; i < kChain; ++i)
+    file.root["nodes"].push_back({{"children", json::array({i + 1})}, {"mesh", 0}});
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_TRUE(made.said("nodes nested deeper than 500"));
+}
+
+TEST(GltfNodes, FilesWithoutASceneShowTheirTrees) {
+  GltfFile file;
+  file.add_triangle();
+  file.root["nodes"] =
+      json::array({{{"mesh", 0}}, {{"children", {0}}, {"translation", {0, 0, 1}}}});
+  file.root.erase("scene");
+  file.root.erase("scenes");
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  EXPECT_EQ(world_points(*made.scene), (std::vector<Vec3>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}));
+}
+
+TEST(GltfNodes, ParallelCamerasSeeTwiceTheirMagnification) {
+  GltfFile file;
+  file.add_triangle();
+  file.node()["camera"] = 0;
+  file.root["cameras"] =
+      json::array({{{"type", "orthographic"},
+                    {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", .1}, {"zfar", 10}}}}});
+  Made made;
+  made.import(file.text());
+  ASSERT_TRUE(made.scene);
+  const scene::Camera* camera = nullptr;
+  for (const scene::Element& e : made.scene->elements())
+    if (const auto* found = std::get_if<scene::Camera>(&e)) camera = found;
+  ASSERT_TRUE(camera);
+  EXPECT_TRUE(camera->orthographic);
+  EXPECT_FALSE(camera->focal);
+  // xmag is half of the width: specification, 3.10.3.4 (orthographic projection).
+  EXPECT_FLOAT_EQ(*camera->aperture, 6);
+  EXPECT_FLOAT_EQ(*camera->aspect, 1.5f);
+}
+
+}  // namespace
+}  // namespace oriel::models

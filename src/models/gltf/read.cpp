@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/gltf/read.h"
+
+#include <assimp/scene.h>
+
+#include <filesystem>
+
+#include "base/file_text.h"
+#include "models/gltf/plain.h"
+
+namespace oriel::models {
+
+namespace fs = std::filesystem;
+
+GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigned steps,
+                    Diagnostics& diagnostics) {
+  GltfModel model;
+  std::error_code error;
+  const std::string content = fs::is_regular_file(path, error) ? file_text(path) : std::string();
+  const auto plain = gltf::make_plain(content, fs::path(path).parent_path().string(), diagnostics);
+  if (!plain) {
+    // glTF 1.0, or damaged in a way that assimp has words for.
+    model.scene = importer.ReadFile(path, steps);
+  } else if (!plain->error.empty()) {
+    model.error = plain->error;
+    return model;
+  } else {
+    model.scene =
+        importer.ReadFileFromMemory(plain->binary.data(), plain->binary.size(), steps, "glb");
+    model.extras = gltf_extras(plain->root);
+  }
+  if (!model.scene) model.error = importer.GetErrorString();
+  return model;
+}
+
+}  // namespace oriel::models

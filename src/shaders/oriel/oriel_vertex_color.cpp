@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/oriel/oriel_vertex_color.h"
+
+namespace oriel {
+namespace {
+
+struct VertexColor {
+  Rgba color;
+  int space;
+  int alpha_space;
+};
+
+constexpr ParamSpec kRows[] = {
+    {ORIEL_PARAM(VertexColor, color), .fallback = {1, 1, 1, 1},
+     .doc = "What the colours of the mesh multiply."},
+    {ORIEL_PARAM(VertexColor, space), .fallback = {0}, .min = -1, .max = 64,
+     .doc = "Texture space whose coordinates are red, green and blue; -1: none."},
+    {ORIEL_PARAM(VertexColor, alpha_space), .fallback = {-1}, .min = -1, .max = 64,
+     .doc = "Texture space whose first coordinate is the alpha; -1: none."},
+};
+
+/// 1 where the surface has no such space.
+Vec3 coordinates(const ShadingPoint& point, int space) {
+  return space >= 0 && space < point.texture_spaces ? point.tex[space] : Vec3(1);
+}
+
+void give_color(const Call& call, void* result) {
+  const auto& p = call.as<VertexColor>();
+  const Vec3 c = coordinates(call.point, p.space);
+  const float a = coordinates(call.point, p.alpha_space).x;
+  *static_cast<Rgba*>(result) = {p.color.r * c.x, p.color.g * c.y, p.color.b * c.z, p.color.a * a};
+}
+
+}  // namespace
+
+const ShaderSpec kOrielVertexColor = {
+    .name = "oriel_vertex_color",
+    .library = "oriel",
+    .apply = kApplyTexture,
+    .doc = "Colours that a mesh's corners have.",
+    .params = kRows,
+    .params_size = sizeof(VertexColor),
+    .value = give_color,
+};
+
+}  // namespace oriel
