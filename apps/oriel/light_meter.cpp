@@ -8,6 +8,25 @@
 #include "quick_look.h"
 
 namespace oriel::app {
+namespace {
+
+constexpr int kBlock = 8;  // pixels
+
+/// Mean luminance of the pixels of a block that see something; 0: none does.
+double block_mean(const Film& film, int left, int top) {
+  double sum = 0;
+  int seen = 0;
+  for (int y = top; y < std::min(top + kBlock, film.height()); ++y)
+    for (int x = left; x < std::min(left + kBlock, film.width()); ++x) {
+      const double value = luminance(rgb(film.pixel(x, y).beauty));
+      if (!std::isfinite(value)) continue;
+      sum += std::max(value, 0.0);
+      ++seen;
+    }
+  return seen > 0 ? sum / seen : 0;
+}
+
+}  // namespace
 
 float metered_shutter(scene::Scene& scene, float f_number) {
   constexpr double kMeter = 12.5, kIso = 100;
@@ -16,10 +35,12 @@ float metered_shutter(scene::Scene& scene, float f_number) {
   int lit = 0;
   quick_look(scene, {}, kLook, [&](const QuickLookResult& look) {
     const Film& film = look.session.film();
-    for (int y = 0; y < film.height(); ++y)
-      for (int x = 0; x < film.width(); ++x) {
-        const double value = luminance(rgb(film.pixel(x, y).beauty));
-        if (!(value > 0) || !std::isfinite(value)) continue;
+    // A pixel that light reaches by rare paths is black or far too bright: a block of them is
+    // neither.
+    for (int top = 0; top < film.height(); top += kBlock)
+      for (int left = 0; left < film.width(); left += kBlock) {
+        const double value = block_mean(film, left, top);
+        if (!(value > 0)) continue;
         sum += std::log(value);
         ++lit;
       }

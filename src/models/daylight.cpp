@@ -94,8 +94,9 @@ scene::ShaderList reference(const std::string& name) {
   return {use};
 }
 
-void add_ground(scene::Scene& scene, const Box3& box) {
-  const float r = kGround * radius_of(box);
+/// Inputs:  eye: of the camera that renders; the ground is below it as well.
+void add_ground(scene::Scene& scene, const Box3& box, const Vec3& eye) {
+  const float size = radius_of(box), r = kGround * size;
   const Vec3 c = box.center();
   scene::Material material;
   material.name = unique_name(scene, "ground_material");
@@ -109,7 +110,9 @@ void add_ground(scene::Scene& scene, const Box3& box) {
   scene::PolygonGroup group;
   // Below a floor that the model has itself: not in one plane with it.
   constexpr float kBelow = 1e-3f;
-  const float y = box.min.y - kBelow * radius_of(box);
+  constexpr float kEyeHeight = .1f;
+  const float lowest = eye.y < box.min.y ? eye.y - kEyeHeight * size : box.min.y;
+  const float y = lowest - kBelow * size;
   group.vectors = {Vec3(c.x - r, y, c.z + r), Vec3(c.x + r, y, c.z + r), Vec3(c.x + r, y, c.z - r),
                    Vec3(c.x - r, y, c.z - r)};
   group.vertices.point = {0, 1, 2, 3};
@@ -159,12 +162,16 @@ void add_exposure(scene::Scene& scene, float f_number, float shutter) {
   photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", shutter);
   photographic.set("f_number", f_number).set("vignetting", 0.0f).set("burn_highlights", .3f);
   photographic.set("crush_blacks", .15f).set("gamma", 1.0f);
+  const scene::ShaderList before = rendering_camera(scene)->lens;
+  for (const scene::ShaderUse& use : before) scene.remove(use.reference);
   const std::string exposure = add_shader(scene, "exposure", photographic);
   rendering_camera(scene)->lens = reference(exposure);
 }
 
 void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
-  add_ground(scene, bounds_of(points_of(scene)));
+  const auto* placed = scene.get<scene::Instance>(scene.renders.back().camera);
+  const Vec3 eye = placed->transform.value_or(Mat4()).inverse().translation();
+  add_ground(scene, bounds_of(points_of(scene)), eye);
   const float azimuth = options.sun_azimuth * kPi / 180, up = options.sun_elevation * kPi / 180;
   const Vec3 to_sun(std::cos(up) * std::sin(azimuth), std::sin(up),
                     -std::cos(up) * std::cos(azimuth));
@@ -186,7 +193,7 @@ void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
   put(scene, std::move(instance));
   const std::string sky = add_shader(scene, "sky", skylight);
   rendering_camera(scene)->environment = reference(sky);
-  add_exposure(scene, 16, 100);  // a sunny day
+  add_exposure(scene, kSunnyFNumber, kSunnyShutter);
 }
 
 }  // namespace oriel::models

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/import.h"
 
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
-#include "models/gltf/read.h"
+#include "models/axes.h"
 #include "models/import_material.h"
 #include "models/import_mesh.h"
 #include "models/import_texture.h"
+#include "models/import_view.h"
+#include "models/read_model.h"
 #include "models/shader_call.h"
 
 namespace oriel::models {
@@ -24,25 +23,11 @@ namespace fs = std::filesystem;
 
 /// Nodes within nodes; deeper ones are left out.
 constexpr int kMostDepth = 500;
-/// Degrees between faces; a guess that keeps edges of buildings sharp.
-constexpr float kSmoothBelow = 45;
-/// Film width of cameras, which then have the angle of the model's: full frame, millimetres.
-constexpr float kAperture = 36;
 
 /// Row vectors here, column vectors there.
 Mat4 matrix(const aiMatrix4x4& m) {
   return Mat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4,
               m.c4, m.d4);
-}
-
-Vec3 vec(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
-
-/// The suffix in small letters, as some systems write it in capitals.
-std::string format_of(const std::string& path) {
-  std::string suffix = fs::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
 }
 
 scene::Statement statement(std::string keyword, std::vector<scene::Value> values,
@@ -58,7 +43,7 @@ class Builder {
           Diagnostics& diagnostics)
       : model_(model),
         extras_(extras),
-        colors_(colors_of(format_of(path))),
+        colors_(colors_of(suffix_of(path))),
         options_(options),
         textures_(options_, fs::path(path).parent_path().string(), scene_, diagnostics),
         diagnostics_(diagnostics) {}
@@ -73,10 +58,13 @@ class Builder {
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
     for (unsigned i = 0; i < model_.mNumMeshes; ++i) add_mesh(i);
-    if (model_.mRootNode) add_node(*model_.mRootNode, upright(), 0);
+    if (model_.mRootNode) add_node(*model_.mRootNode, upright(model_, options_.up), 0);
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
     for (unsigned i = 0; i < model_.mNumCameras; ++i) add_camera(*model_.mCameras[i]);
     scene_.add(std::move(root_));
+    if (std::all_of(objects_.begin(), objects_.end(),
+                    [](const std::string& name) { return name.empty(); }))
+      diagnostics_.warning("OR-MD-012", {}, "the file has no surfaces; there is nothing to see");
     if (!first_camera_.empty()) scene_.renders.push_back({kRootGroup, first_camera_, kOptions, {}});
     return std::move(scene_);
   }
@@ -90,11 +78,6 @@ class Builder {
                           statement("gamma", {numbers({kTextureGamma})}),
                           statement("indirect", {text("path")}, true)};
     scene_.add(std::move(options));
-  }
-
-  /// From the file's axes to those of scenes, whose y is up.
-  Mat4 upright() const {
-    return options_.up == 'z' ? Mat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1) : Mat4();
   }
 
   void add_mesh(unsigned index) {
@@ -150,70 +133,27 @@ class Builder {
     return name;
   }
 
-  Mat4 space_of(const aiString& node) const {
-    const auto found = nodes_.find(node.C_Str());
-    return found == nodes_.end() ? Mat4() : found->second;
-  }
-
-  /// Pixels become cd/m2 where the model's lights are in candela and lux, as glTF has them.
   void add_light(const aiLight& source) {
-    scene::Light light;
-    light.name = unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "light");
-    const Vec3 color(source.mColorDiffuse.r, source.mColorDiffuse.g, source.mColorDiffuse.b);
-    if (source.mType == aiLightSource_DIRECTIONAL) {
-      ShaderCall call("mib_light_infinite");
-      call.set("color", color / kPi).set("shadow", true);
-      light.shaders = {call.use()};
-      light.direction = vec(source.mDirection);
-    } else if (source.mType == aiLightSource_POINT || source.mType == aiLightSource_SPOT) {
-      // It spreads its colour over 4 pi; a surface facing it shows it over pi.
-      ShaderCall call("physical_light");
-      call.set("color", color * 4.0f);
-      light.origin = vec(source.mPosition);
-      if (source.mType == aiLightSource_SPOT) {
-        light.direction = vec(source.mDirection);
-        light.spread = std::cos(std::min(source.mAngleOuterCone, kPi));
-        call.set("cone", std::cos(std::min(source.mAngleInnerCone, kPi)));
-      }
-      light.shaders = {call.use()};
-    } else {
+    const std::string name =
+        unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "light");
+    auto light = light_of(source, nodes_);
+    if (!light) {
       diagnostics_.note("OR-MD-006", {},
-                        fmt::format("light \"{}\" is of a kind that is left out", light.name));
+                        fmt::format("light \"{}\" is of a kind that is left out", name));
       return;
     }
-    const std::string name = light.name;
-    scene_.add(std::move(light));
-    place(name, name, space_of(source.mName));
+    light->element.name = name;
+    scene_.add(std::move(light->element));
+    place(name, name, light->to_world);
   }
 
   void add_camera(const aiCamera& source) {
-    scene::Camera camera;
-    camera.name = unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "camera");
-    const float half = source.mHorizontalFOV / 2;
-    camera.aperture = kAperture;
-    camera.focal = half > 0 && half < kPi / 2 ? kAperture / 2 / std::tan(half) : kAperture;
-    if (source.mOrthographicWidth > 0) {
-      // Half of what is seen from left to right, in the units of the camera's space.
-      camera.orthographic = true;
-      camera.focal.reset();
-      camera.aperture = 2 * source.mOrthographicWidth;
-    }
-    camera.aspect = source.mAspect > 0 ? source.mAspect : 1.5f;
-    const int width = 960;
-    camera.resolution = {
-        {width, std::max(1, static_cast<int>(std::lround(width / *camera.aspect)))}};
-    // It looks down -z here, and where it says there.
-    const Vec3 z = normalize(-vec(source.mLookAt));
-    const Vec3 x = normalize(cross(vec(source.mUp), z)), y = cross(z, x);
-    // Of glTF, assimp 5 gives a camera its node's translation once more.
-    const aiNode* node = model_.mRootNode ? model_.mRootNode->FindNode(source.mName) : nullptr;
-    const bool twice = node && Vec3(node->mTransformation.a4, node->mTransformation.b4,
-                                    node->mTransformation.c4) == vec(source.mPosition);
-    const Vec3 p = twice ? Vec3(0) : vec(source.mPosition);
-    const Mat4 own(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, p.x, p.y, p.z, 1);
-    const std::string name = camera.name;
-    scene_.add(std::move(camera));
-    const std::string placed = place(name, name, own * space_of(source.mName));
+    const std::string name =
+        unique_name(scene_, source.mName.length > 0 ? source.mName.C_Str() : "camera");
+    auto camera = camera_of(model_, source, nodes_);
+    camera.element.name = name;
+    scene_.add(std::move(camera.element));
+    const std::string placed = place(name, name, camera.to_world);
     if (first_camera_.empty()) first_camera_ = placed;
   }
 
@@ -227,7 +167,7 @@ class Builder {
   scene::InstanceGroup root_{kRootGroup, {}, {}, {}};
   std::vector<ImportedMaterial> materials_;
   std::vector<std::string> objects_;
-  std::map<std::string, Mat4> nodes_;
+  NodePlaces nodes_;
   std::string first_camera_;
 };
 
@@ -235,36 +175,10 @@ class Builder {
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-  // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
-  // ones (specification, 3.7.2.1).
-  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
-  const std::string suffix = format_of(path);
-  const bool gltf = suffix == ".gltf" || suffix == ".glb";
-  // assimp moves glTF's texture coordinates about another place than the file says: see
-  // gltf/extras.h.
-  const unsigned but_for_gltf =
-      gltf ? 0 : unsigned{aiProcess_GenSmoothNormals} | unsigned{aiProcess_TransformUVCoords};
-  const unsigned steps = but_for_gltf | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                         aiProcess_GenUVCoords | aiProcess_ValidateDataStructure |
-                         aiProcess_GlobalScale;
-  GltfModel read;
-  if (gltf) {
-    read = read_gltf(importer, path, steps, diagnostics);
-  } else {
-    read.scene = importer.ReadFile(path, steps);
-    read.error = importer.GetErrorString();
-  }
-  if (!read.scene) {
-    diagnostics.error("OR-MD-001", {},
-                      fmt::format("'{}' is no model that can be read: {}", path, read.error));
-    return std::nullopt;
-  }
+  const ReadModel read = read_model(path, diagnostics);
+  if (!read.scene) return std::nullopt;
   ImportOptions known = options;
-  if (!known.up) known.up = suffix == ".stl" ? 'z' : 'y';
+  if (!known.up && suffix_of(path) == ".stl") known.up = 'z';
   return Builder(*read.scene, path, read.extras, known, diagnostics).build();
 }
 

@@ -27,9 +27,11 @@ inline constexpr const char* kOptions = "model_options";
 /// where one stands, a mia_material_x for each material, its lights and cameras, options that ask
 /// for path tracing, and a render command for its first camera, if there is one.
 ///
-/// Model:   lengths are metres where the file says its unit; y is up, as the formats have it.
-///          Materials: see import_material.h. The root group holds all instances.
-/// Errors:  OR-MD-001 not readable, unset; OR-MD-002.. for what is left out or approximated.
+/// Model:   lengths are metres where the file says its unit; y is up: see axes.h.
+///          Materials: see import_material.h; cameras and lights: import_view.h. The root group
+///          holds all instances.
+/// Errors:  OR-MD-001 not readable, unset; OR-MD-002.. for what is left out or approximated,
+///          OR-MD-012 nothing is left. Damaged files: see read_model.h.
 /// Source:  assimp 5.2; glTF 2.0 specification, section 3.
 /// Checked: ModelImport.*
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,

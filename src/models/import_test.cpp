@@ -169,6 +169,18 @@ TEST(ModelImport, LightsAreInCandela) {
   EXPECT_EQ(light->shaders[0].arguments[0].value.numbers, (std::vector<double>{200, 200, 200}));
 }
 
+TEST(ModelImport, AFileWithoutSurfacesIsToldOf) {
+  const Folder folder;
+  Diagnostics diagnostics;
+  const auto scene =
+      import_model(folder.write("m.gltf", R"({"asset":{"version":"2.0"},"scene":0,)"
+                                          R"("scenes":[{"nodes":[0]}],"nodes":[{"name":"a"}]})"),
+                   {folder.path() / "t", folder.path()}, diagnostics);
+  EXPECT_TRUE(scene);
+  ASSERT_EQ(diagnostics.all().size(), 1u);
+  EXPECT_EQ(diagnostics.all()[0].code, "OR-MD-012");
+}
+
 TEST(ModelImport, WhatIsNoModelIsToldOf) {
   const Folder folder;
   Diagnostics diagnostics;

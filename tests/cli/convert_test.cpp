@@ -31,6 +31,25 @@ class ConvertTest : public ProgramTest {
         R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1},"doubleSided":true)";
     write(name, square.text());
   }
+  /// A white room from 0 to 1 with a camera in its middle that looks at the wall z = 0, away from
+  /// the wall z = 1, of which a part of that height is there.
+  void write_room(const std::string& name, float height) const {
+    models::testing::Quad wall;
+    wall.scene = "0,1,2,3,4,5,6";
+    const auto at = [](const char* columns) {
+      return fmt::format(R"(,{{"mesh":0,"matrix":[{}]}})", columns);
+    };
+    wall.nodes =
+        fmt::format(R"(,{{"mesh":0,"translation":[0,0,1],"scale":[1,{},1]}})", height) +
+        at("0,0,1,0, 0,1,0,0, 1,0,0,0, 0,0,0,1") + at("0,0,1,0, 0,1,0,0, 1,0,0,0, 1,0,0,1") +
+        at("1,0,0,0, 0,0,1,0, 0,1,0,0, 0,0,0,1") + at("1,0,0,0, 0,0,1,0, 0,1,0,0, 0,1,0,1") +
+        R"(,{"camera":0,"name":"eye","translation":[0.5,0.5,0.5]})";
+    wall.more = R"("cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.01}}],)";
+    wall.material =
+        R"("pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0,)"
+        R"("roughnessFactor":1},"doubleSided":true)";
+    write(name, wall.text());
+  }
   float shutter_of(const std::string& scene) const {
     const std::string text = text_of(file(scene));
     std::smatch found;
@@ -89,6 +108,52 @@ TEST_F(ConvertTest, AModelWithoutLightIsToldHowToGetSome) {
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_NE(r.err.find("--daylight"), std::string::npos) << r.err;
   EXPECT_EQ(shutter_of("dark.mi"), 0);
+}
+
+TEST_F(ConvertTest, ADamagedFileIsToldOfAndNoCrash) {
+  // The header ends in no line: assimp 5.2 reads beyond it.
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header";
+  write("broken.ply", header + "\xff" + std::string(36, '\0') + "\3" + std::string(12, '\0'));
+  write("endless.ply", header.substr(0, header.rfind('\n')) + "\n");
+  for (const char* name : {"broken.ply", "endless.ply"}) {
+    const RunResult r = run({"convert", name, "broken.mi"});
+    EXPECT_EQ(r.exit_code, 1) << r.err;
+    EXPECT_NE(r.err.find(fmt::format("'{}' is no model that can be read", name)), std::string::npos)
+        << r.err;
+    EXPECT_FALSE(std::filesystem::exists(file("broken.mi")));
+  }
+}
+
+TEST_F(ConvertTest, InARoomTheFilesCameraIsExposedForWhatItSees) {
+  write_room("room.gltf", .98f);
+  const RunResult r = run({"convert", "--daylight", "room.gltf", "room.mi"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_LT(shutter_of("room.mi"), 100 / 8.0f);
+  EXPECT_GT(shutter_of("room.mi"), 0);
+}
+
+TEST_F(ConvertTest, InsideOfWhatIsClosedTheFilesCameraIsPassedOver) {
+  write_room("box.gltf", 1);
+  const RunResult r = run({"quick", "box.gltf", "--size", "48x32", "--samples", "4"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("OR-MD-013"), std::string::npos) << r.err;
+  EXPECT_EQ(shutter_of("box.mi"), 100);
+  const Image image = read_image(file("box.png"));
+  EXPECT_GT(image.at(24, 16)[1], .2f);
+  EXPECT_NE(text_of(file("box.mi")).find("eye_inst"), std::string::npos);
+}
+
+TEST_F(ConvertTest, QuickUsesAsManyThreadsAsAllowed) {
+  write_square("square.gltf", 1);
+  const auto quick = [&](const char* threads) {
+    return run({"quick", "square.gltf", "--size", "8x8", "--samples", "1", "--threads", threads});
+  };
+  EXPECT_EQ(quick("1").exit_code, 0);
+  EXPECT_EQ(quick("-1").exit_code, 2);
 }
 
 TEST_F(ConvertTest, QuickMakesAPictureInDaylight) {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "convert_model.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "command.h"
+#include "light_meter.h"
+#include "mi/reader.h"
+#include "mi/writer.h"
+#include "models/camera_view.h"
+#include "models/daylight.h"
+#include "models/import.h"
+#include "numbers.h"
+#include "reader_guard.h"
+#include "scene_file.h"
+#include "shaders/registry.h"
+
+namespace oriel::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// For the light of the model itself.
+constexpr float kFNumber = 8;
+/// What the light meter has to say, in parts of a sunny day, for a camera of the file to take the
+/// picture in daylight: as outside, and as in a room with windows. Guesses: rooms have a
+/// thousandth of the light outside, cupboards none.
+constexpr float kOutside = 1 / 8.0f, kRoom = 1 / 20000.0f;
+
+models::DaylightOptions daylight_options(const ConvertArguments& a) {
+  models::DaylightOptions options;
+  if (!a.size.empty()) {
+    const PictureSize size = parse_size(a.size);
+    options.width = size.width, options.height = size.height;
+  }
+  if (!a.sun.empty()) options.sun_azimuth = a.sun[0], options.sun_elevation = a.sun[1];
+  return options;
+}
+
+scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
+  SceneArguments arguments;
+  arguments.path = path;
+  mi::Reader reader(path, read_options(arguments, builtin_shaders()), diagnostics);
+  if (!reader.opened()) throw UserError(fmt::format("cannot read '{}'", path));
+  return mi::read_all(reader);
+}
+
+/// One conversion, with what it says.
+class Conversion {
+ public:
+  Conversion(const ConvertArguments& a, std::string to) : a_(a), to_(std::move(to)) {}
+
+  void run() {
+    const fs::path output(to_);
+    const std::string folder = output.parent_path().empty() ? "." : output.parent_path().string();
+    if (!fs::is_directory(folder))
+      throw UserError(fmt::format("cannot write '{}': there is no folder '{}'", to_, folder));
+    if (is_mi(a_.model)) {
+      scene_ = read_mi(a_.model, diagnostics_);
+      write();
+      return;
+    }
+    how_ = {(fs::path(folder) / (output.stem().string() + "_textures")).string(), folder,
+            a_.up.empty() ? std::nullopt : std::optional(a_.up[0])};
+    const models::DaylightOptions options = daylight_options(a_);
+    read(diagnostics_);
+    const bool of_file = models::choose_camera(scene_, options, diagnostics_);
+    printer_.print_new();
+    if (!a_.size.empty()) models::set_picture_size(scene_, options.width, options.height);
+    if (a_.daylight) models::add_daylight(scene_, options);
+    write();
+    if (!a_.daylight)
+      expose();
+    else if (of_file)
+      expose_in_daylight(options);
+  }
+
+ private:
+  void read(Diagnostics& diagnostics) {
+    std::optional<scene::Scene> read;
+    {
+      const ReaderGuard guard(a_.model);
+      read = models::import_model(a_.model, how_, diagnostics);
+    }
+    printer_.print_new();
+    if (!read) throw UserError(fmt::format("'{}' could not be read", a_.model));
+    scene_ = std::move(*read);
+  }
+
+  void write() {
+    const bool written = mi::write_scene(scene_, to_, diagnostics_);
+    printer_.print_new();
+    if (!written) throw UserError(fmt::format("cannot write '{}'", to_));
+  }
+
+  /// As it will be read: pictures are found from where the scene is.
+  float metered(float f_number) {
+    scene::Scene written = read_mi(to_, diagnostics_);
+    return metered_shutter(written, f_number);
+  }
+
+  void expose() {
+    if (const float shutter = metered(kFNumber); shutter > 0) {
+      models::add_exposure(scene_, kFNumber, shutter);
+      write();
+    } else {
+      diagnostics_.note("OR-MD-007", {}, "no light of the model reaches what its camera sees",
+                        "--daylight adds sun and sky");
+      printer_.print_new();
+    }
+  }
+
+  void expose_in_daylight(const models::DaylightOptions& options) {
+    const float shutter = metered(models::kSunnyFNumber);
+    if (shutter > models::kSunnyShutter * kOutside) return;
+    if (shutter > models::kSunnyShutter * kRoom) {
+      models::add_exposure(scene_, models::kSunnyFNumber, shutter);
+    } else {
+      diagnostics_.warning("OR-MD-013", {},
+                           "next to no daylight comes to what the file's camera sees; the model is "
+                           "shown from its front",
+                           "the file's camera stays in the scene");
+      Diagnostics heard_already;
+      read(heard_already);
+      models::add_camera(scene_, options);
+      models::add_daylight(scene_, options);
+    }
+    write();
+  }
+
+  const ConvertArguments& a_;
+  const std::string to_;
+  models::ImportOptions how_;
+  Diagnostics diagnostics_;
+  DiagnosticPrinter printer_{diagnostics_, false, true};
+  scene::Scene scene_;
+};
+
+}  // namespace
+
+bool is_mi(const fs::path& path) {
+  return path.extension() == ".mi" ||
+         (path.extension() == ".gz" && path.stem().extension() == ".mi");
+}
+
+void convert_model(const ConvertArguments& a, const std::string& to) { Conversion(a, to).run(); }
+
+}  // namespace oriel::app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a model of another program, or a scene, to a .mi file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace oriel::app {
+
+/// What the user asked for.
+struct ConvertArguments {
+  std::string model, output, size, up;
+  std::vector<float> sun;  ///< azimuth and elevation, degrees; or empty
+  bool daylight = false;
+};
+
+bool is_mi(const std::filesystem::path& path);
+
+/// Reads the model, adds what a picture needs and writes the scene to `to`.
+///
+/// Model:   A camera of the file that sees the model takes the picture, else one of our own. For
+///          the model's own lights a light meter exposes. In daylight the exposure is that of a
+///          sunny day; where a camera of the file stands in the dark, that of the meter, and where
+///          next to no light comes, as inside of what is closed, the camera is one of our own.
+/// Errors:  UserError where something cannot be read or written; OR-MD-007, OR-MD-013.
+/// Checked: ConvertTest.*
+void convert_model(const ConvertArguments& a, const std::string& to);
+
+}  // namespace oriel::app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which way FBX files are turned, and how large they are.
+#include "models/axes.h"
+
+#include <gtest/gtest.h>
+
+#include "models/testing/fbx_file.h"
+#include "models/testing/model_file.h"
+
+namespace oriel::models {
+namespace {
+
+using testing::expect_near;
+using testing::FbxFile;
+using testing::property;
+
+/// Where the corner of a triangle that is its own node's x axis, y axis comes to lie.
+struct Corners {
+  Vec3 origin{0}, x{0}, y{0};
+};
+
+Corners corners(const FbxFile& file, std::optional<char> up = {}) {
+  const testing::Folder folder;
+  Diagnostics diagnostics;
+  const auto scene = import_model(folder.write("m.fbx", file.text()),
+                                  {folder.path() / "t", folder.path(), up}, diagnostics);
+  EXPECT_TRUE(scene);
+  if (!scene) return {};
+  const Mat4 m = testing::to_world(*scene, "chair_inst");
+  const auto* seat = scene->get<scene::Object>("seat");
+  EXPECT_TRUE(seat);
+  Corners found;
+  if (!seat) return found;
+  for (const Vec3& v : seat->groups[0].vectors) {
+    const Vec3 p = transform_point(v, m);
+    if (v.x == 0 && v.y == 0 && v.z == 0) found.origin = p;
+    if (v.x > 0) found.x = p;
+    if (v.y > 0) found.y = p;
+  }
+  return found;
+}
+
+TEST(ModelAxes, AMetreIsAMetreWhateverTheFilesUnit) {
+  FbxFile file;  // centimetres
+  file.triangle = property("Lcl Translation", {0, 0, 500});
+  expect_near(corners(file).x, Vec3(1, 0, 5));
+  file.unit = 2.54;
+  expect_near(corners(file).y, Vec3(0, 2.54f, 12.7f));
+}
+
+TEST(ModelAxes, WhatFbxSaysIsUpIsUp) {
+  FbxFile file;
+  file.triangle = property("Lcl Translation", {100, 200, 300});
+  expect_near(corners(file).origin, Vec3(1, 2, 3));
+  file.axes = {2, 1, 1, -1, 0, 1};  // 3ds Max: z up, -y to the viewer
+  expect_near(corners(file).origin, Vec3(1, 3, -2));
+  expect_near(corners(file).y, Vec3(1, 3, -3));
+  file.axes = {0, 1, 2, 1, 1, -1};  // x up, -y to the right
+  expect_near(corners(file).origin, Vec3(-2, 1, 3));
+}
+
+TEST(ModelAxes, WhoSaysWhatIsUpKnowsBetterThanTheFile) {
+  FbxFile file;
+  file.axes = {2, 1, 1, -1, 0, 1};
+  file.triangle = property("Lcl Translation", {100, 200, 300});
+  expect_near(corners(file, 'y').origin, Vec3(1, 2, 3));
+  file.axes = {1, 1, 2, 1, 0, 1};
+  expect_near(corners(file, 'z').origin, Vec3(1, 3, -2));
+}
+
+TEST(ModelAxes, NonsenseIsLeftAside) {
+  FbxFile file;
+  file.triangle = property("Lcl Translation", {100, 200, 300});
+  for (const auto& axes : {std::array{2, 1, 2, 1, 0, 1}, std::array{7, 1, 1, 1, 0, 1},
+                           std::array{2, 0, 1, -1, 0, 1}, std::array{-1, 1, 1, -1, 0, 1}}) {
+    file.axes = axes;
+    expect_near(corners(file).origin, Vec3(1, 2, 3));
+  }
+}
+
+}  // namespace
+}  // namespace oriel::models

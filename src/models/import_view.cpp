@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/import_view.h"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/shader_call.h"
+
+namespace oriel::models {
+namespace {
+
+/// Film width of cameras, which then have the angle of the model's: full frame, millimetres.
+constexpr float kAperture = 36;
+
+Vec3 vec(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
+
+Mat4 place_of(const NodePlaces& nodes, const aiString& name) {
+  const auto found = nodes.find(name.C_Str());
+  return found == nodes.end() ? Mat4() : found->second;
+}
+
+/// Where it is to look; unset: as it stands.
+std::optional<Vec3> target_of(const NodePlaces& nodes, const aiString& name) {
+  const auto found = nodes.find(std::string(name.C_Str()) + ".Target");
+  if (found == nodes.end()) return std::nullopt;
+  return found->second.translation();
+}
+
+/// Axes of what stands at p and looks along -z; `up` lies in its plane of y and z.
+Mat4 looking(const Vec3& p, const Vec3& z, const Vec3& up) {
+  const Vec3 x = normalize(cross(up, z)), y = cross(z, x);
+  return Mat4(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, p.x, p.y, p.z, 1);
+}
+
+/// As it stands, turned to what it is to look at, if there is something apart from above or below.
+Mat4 turned(const Mat4& to_world, const std::optional<Vec3>& target) {
+  if (!target) return to_world;
+  const Vec3 p = to_world.translation(), back = p - *target;
+  const bool steep = std::hypot(back.x, back.z) <= 1e-6f * length(back);
+  return steep ? to_world : looking(p, normalize(back), Vec3(0, 1, 0));
+}
+
+}  // namespace
+
+Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
+                                const NodePlaces& nodes) {
+  scene::Camera camera;
+  const float half = source.mHorizontalFOV / 2;
+  camera.aperture = kAperture;
+  camera.focal = half > 0 && half < kPi / 2 ? kAperture / 2 / std::tan(half) : kAperture;
+  if (source.mOrthographicWidth > 0) {
+    // Half of what is seen from left to right, in the units of the camera's space.
+    camera.orthographic = true;
+    camera.focal.reset();
+    camera.aperture = 2 * source.mOrthographicWidth;
+  }
+  camera.aspect = source.mAspect > 0 ? source.mAspect : 1.5f;
+  constexpr int kWidth = 960;
+  camera.resolution = {
+      {kWidth, std::max(1, static_cast<int>(std::lround(kWidth / *camera.aspect)))}};
+  // Of glTF, assimp 5 gives a camera its node's translation once more.
+  const aiNode* node = model.mRootNode ? model.mRootNode->FindNode(source.mName) : nullptr;
+  const bool twice = node && Vec3(node->mTransformation.a4, node->mTransformation.b4,
+                                  node->mTransformation.c4) == vec(source.mPosition);
+  const Vec3 p = twice ? Vec3(0) : vec(source.mPosition);
+  const Mat4 own = looking(p, normalize(-vec(source.mLookAt)), vec(source.mUp));
+  return {std::move(camera),
+          turned(own * place_of(nodes, source.mName), target_of(nodes, source.mName))};
+}
+
+std::optional<Placed<scene::Light>> light_of(const aiLight& source, const NodePlaces& nodes) {
+  scene::Light light;
+  const std::optional<Vec3> target = target_of(nodes, source.mName);
+  const Vec3 color(source.mColorDiffuse.r, source.mColorDiffuse.g, source.mColorDiffuse.b);
+  const bool spot = source.mType == aiLightSource_SPOT;
+  if (source.mType == aiLightSource_DIRECTIONAL) {
+    ShaderCall call("mib_light_infinite");
+    call.set("color", color / kPi).set("shadow", true);
+    light.shaders = {call.use()};
+    light.direction = vec(source.mDirection);
+  } else if (source.mType == aiLightSource_POINT || spot) {
+    // It spreads its colour over 4 pi; a surface facing it shows it over pi.
+    ShaderCall call("physical_light");
+    call.set("color", color * 4.0f);
+    light.origin = vec(source.mPosition);
+    if (spot) {
+      light.direction = vec(source.mDirection);
+      light.spread = std::cos(std::min(source.mAngleOuterCone, kPi));
+      call.set("cone", std::cos(std::min(source.mAngleInnerCone, kPi)));
+    }
+    light.shaders = {call.use()};
+  } else {
+    return std::nullopt;
+  }
+  Mat4 to_world = place_of(nodes, source.mName);
+  if (light.direction && target) {
+    to_world = turned(to_world, target);
+    light.direction = Vec3(0, 0, -1);
+  }
+  return Placed<scene::Light>{std::move(light), to_world};
+}
+
+}  // namespace oriel::models

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/read_model.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "base/file_text.h"
+#include "models/gltf/read.h"
+#include "models/mend_model.h"
+#include "models/text_files.h"
+#include "models/views_3ds.h"
+
+namespace oriel::models {
+namespace {
+
+/// Degrees between faces; a guess that keeps edges of buildings sharp.
+constexpr float kSmoothBelow = 45;
+
+void set_up(Assimp::Importer& importer) {
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  // Else it leaves the inverse of PostRotation out and moves children by geometric transforms.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
+  // Else files without meshes get some that stand for the nodes.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
+}
+
+unsigned steps_for(const std::string& suffix) {
+  const unsigned steps = unsigned{aiProcess_JoinIdenticalVertices} | aiProcess_SortByPType |
+                         aiProcess_GenUVCoords | aiProcess_ValidateDataStructure |
+                         aiProcess_GlobalScale;
+  // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
+  // ones (specification, 3.7.2.1). And assimp moves glTF's texture coordinates about another place
+  // than the file says: see gltf/extras.h.
+  return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
+}
+
+/// assimp looks for the end of a PLY header beyond the end of the file, without end.
+bool has_header(const std::string& ply) {
+  constexpr std::size_t kLongest = 1 << 20;  // far more than any has
+  std::string start(kLongest, '\0');
+  std::ifstream file(ply, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start.find("\nend_header") != start.npos || start.find("\rend_header") != start.npos;
+}
+
+}  // namespace
+
+std::string suffix_of(const std::string& path) {
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}
+
+ReadModel::ReadModel() = default;
+ReadModel::ReadModel(ReadModel&&) noexcept = default;
+ReadModel::~ReadModel() = default;
+
+ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
+  const std::string suffix = suffix_of(path);
+  const unsigned steps = steps_for(suffix);
+  ReadModel result;
+  const auto unreadable = [&](const std::string& why) {
+    diagnostics.error("OR-MD-001", {},
+                      fmt::format("'{}' is no model that can be read: {}", path, why));
+    return std::move(result);
+  };
+  if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
+  Assimp::Importer importer;
+  set_up(importer);
+  importer.SetIOHandler(new TextFiles(false));
+  if (is_gltf(suffix)) {
+    GltfModel gltf = read_gltf(importer, path, steps, diagnostics);
+    if (!gltf.scene) return unreadable(gltf.error);
+    result.extras = std::move(gltf.extras);
+    std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
+    drop_polygons_without_area(*model, diagnostics);
+    result.scene = std::move(model);
+    return result;
+  }
+  bool read = importer.ReadFile(path, steps) != nullptr;
+  if (!read && suffix == ".dae") {
+    importer.SetIOHandler(new TextFiles(true));
+    read = importer.ReadFile(path, steps) != nullptr;
+  }
+  if (!read) return unreadable(importer.GetErrorString());
+  std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
+  drop_polygons_without_area(*model, diagnostics);
+  if (suffix == ".dae") {
+    show_invisible_materials(*model, diagnostics);
+    widen_narrow_cameras(*model, diagnostics);
+  }
+  halve_cones(*model, suffix);
+  if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
+  result.scene = std::move(model);
+  return result;
+}
+
+}  // namespace oriel::models

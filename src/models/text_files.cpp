@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/text_files.h"
+
+#include <assimp/MemoryIOWrapper.h>
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+
+#include "base/file_text.h"
+
+namespace oriel::models {
+namespace {
+
+constexpr std::string_view kLittleEndian = "\xff\xfe", kBigEndian = "\xfe\xff";
+
+void append_utf8(std::string& text, char32_t c) {
+  const auto tail = [&](int shift) { text += static_cast<char>(0x80 | (c >> shift & 0x3f)); };
+  if (c < 0x80) {
+    text += static_cast<char>(c);
+  } else if (c < 0x800) {
+    text += static_cast<char>(0xc0 | c >> 6);
+    tail(0);
+  } else if (c < 0x10000) {
+    text += static_cast<char>(0xe0 | c >> 12);
+    tail(6), tail(0);
+  } else {
+    text += static_cast<char>(0xf0 | c >> 18);
+    tail(12), tail(6), tail(0);
+  }
+}
+
+bool is_utf16(std::string_view bytes) {
+  return bytes.starts_with(kLittleEndian) || bytes.starts_with(kBigEndian);
+}
+
+/// Without reading all of it.
+bool is_utf16_file(const char* file) {
+  char mark[2] = {};
+  std::ifstream(file, std::ios::binary).read(mark, sizeof mark);
+  return is_utf16({mark, sizeof mark});
+}
+
+}  // namespace
+
+std::string utf8_of(std::string_view bytes) {
+  if (!is_utf16(bytes)) return std::string(bytes);
+  constexpr char32_t kReplacement = 0xfffd;
+  const std::size_t high = bytes.starts_with(kBigEndian) ? 0 : 1;
+  const auto unit = [&](std::size_t i) -> char32_t {
+    return static_cast<unsigned char>(bytes[i + high]) * 256u +
+           static_cast<unsigned char>(bytes[i + 1 - high]);
+  };
+  std::string text;
+  text.reserve(bytes.size() / 2);
+  std::size_t i = 2;
+  for (; i + 1 < bytes.size(); i += 2) {
+    const char32_t c = unit(i);
+    const bool first = c >= 0xd800 && c < 0xdc00, second = c >= 0xdc00 && c < 0xe000;
+    const char32_t next = first && i + 3 < bytes.size() ? unit(i + 2) : 0;
+    if (first && next >= 0xdc00 && next < 0xe000) {
+      append_utf8(text, 0x10000 + ((c - 0xd800) << 10) + (next - 0xdc00));
+      i += 2;
+    } else {
+      append_utf8(text, first || second ? kReplacement : c);
+    }
+  }
+  if (i < bytes.size()) append_utf8(text, kReplacement);
+  return text;
+}
+
+std::string without_blanks_before_numbers(std::string_view xml) {
+  constexpr std::string_view kBlanks = " \t\r\n", kNumbers = "+-.0123456789";
+  std::string tidy;
+  tidy.reserve(xml.size());
+  for (std::size_t i = 0; i < xml.size();) {
+    const char c = xml[i++];
+    tidy += c;
+    if (c != '>') continue;
+    const std::size_t next = xml.find_first_not_of(kBlanks, i);
+    if (next != xml.npos && kNumbers.find(xml[next]) != kNumbers.npos) i = next;
+  }
+  return tidy;
+}
+
+Assimp::IOStream* TextFiles::Open(const char* file, const char* mode) {
+  const bool utf16 = is_utf16_file(file);
+  if (!mode || std::strchr(mode, 'w') || !(utf16 || tidy_numbers_))
+    return DefaultIOSystem::Open(file, mode);
+  auto found = changed_.find(file);
+  if (found == changed_.end()) {
+    std::string text = utf8_of(file_text(file));
+    if (tidy_numbers_) text = without_blanks_before_numbers(text);
+    if (text.empty()) return DefaultIOSystem::Open(file, mode);
+    found = changed_.emplace(file, std::move(text)).first;
+  }
+  const std::string& text = found->second;
+  return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text.data()),
+                                    text.size());
+}
+
+}  // namespace oriel::models
