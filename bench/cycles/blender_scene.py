@@ -40,13 +40,13 @@ def node_material(name, m):
         surface = node("ShaderNodeBsdfDiffuse", m["diffuse"])
     elif m["kind"] == "metal":
         surface = node("ShaderNodeBsdfGlossy", m["colour"], Roughness=m["roughness"])
-        surface.distribution = "GGX"
+        surface.distribution = "MULTI_GGX"
     elif m["kind"] == "glass":
         surface = node("ShaderNodeBsdfGlass", (1, 1, 1), Roughness=0, IOR=m["ior"])
         surface.distribution = "SHARP"
     else:
         coat = node("ShaderNodeBsdfGlossy", (1, 1, 1), Roughness=m["roughness"])
-        coat.distribution = "GGX"
+        coat.distribution = "MULTI_GGX"
         surface = node("ShaderNodeMixShader")
         fresnel = node("ShaderNodeFresnel", IOR=1.5)
         tree.links.new(fresnel.outputs[0], surface.inputs[0])

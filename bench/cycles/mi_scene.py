@@ -61,7 +61,7 @@ def material(m):
         p.update({"transparency": 1.0, "reflectivity": 1.0, "refr_ior": m["ior"], "refr_gloss": 1.0,
                   "refl_gloss": 1.0, "diffuse_weight": 0.0, "brdf_fresnel": True,
                   "refr_color": (1, 1, 1), "refl_color": (1, 1, 1),
-                  "do_refractive_caustics": True})
+                  "do_refractive_caustics": True, "skip_inside_refl": False})
     def text(v):
         if isinstance(v, bool):
             return "on" if v else "off"
