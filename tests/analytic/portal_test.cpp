@@ -59,6 +59,23 @@ TEST(Portal, PathsWithAndWithoutItAreTheSame) {
   }
 }
 
+TEST(Portal, WhatItLeavesOpenIsFoundBesideIt) {
+  const Opening o;
+  const float middle = (o.y0 + o.y1) / 2;
+  for (const char* environment : {kSky, kLamps}) {
+    const SceneText open = room(environment, .8f);
+    SceneText half = open;
+    add_portal(half, "half", Vec3(0, (o.y0 + middle) / 2, (o.z0 + o.z1) / 2), middle - o.y0,
+               o.z1 - o.z0, "\"cutoff_threshold\" 0");
+    const Probe a = probe_of(open), b = probe_of(half);
+    // The front wall has light from other walls alone.
+    for (const Spot& s : {kSpots[5], Spot{"front wall", Vec3(0, 0, .5f), Vec3(1, 0, 0)}})
+      expect_same(std::string(environment == kSky ? "sky, " : "lamps, ") + s.name,
+                  b.onto(s.position, s.normal, 20, 1 << 16, .1f),
+                  a.onto(s.position, s.normal, 20, 1 << 16, .1f), .03f);
+  }
+}
+
 // acceptance: L1
 TEST(Portal, EvenLightFollowsTheFormFactorByEachEstimator) {
   const auto card = [](const std::string& more) {
