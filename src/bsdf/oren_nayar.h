@@ -22,6 +22,7 @@ namespace oriel::bsdf {
 class OrenNayar {
  public:
   explicit OrenNayar(float sigma = 0) {
+    if (sigma == 0) return;
     const float s2 = sigma * sigma;
     const float a = 1 - 0.5f * s2 / (s2 + 0.33f);
     const float b = 0.45f * s2 / (s2 + 0.09f);
@@ -62,7 +63,7 @@ class OrenNayar {
   float albedo(float cos_o) const;
 
  private:
-  float a_, b_;
+  float a_ = 1, b_ = 0;
 };
 
 }  // namespace oriel::bsdf

@@ -11,9 +11,11 @@ namespace {
 /// which grows, passes it. f is given at boundaries.
 template <class F>
 std::size_t cell_of(std::size_t first, std::size_t last, double target, const F& f) {
-  while (last - first > 1) {
-    const std::size_t middle = (first + last) / 2;
-    (f(middle) <= target ? first : last) = middle;
+  // Without branches: the processor cannot guess where a random number lands.
+  for (std::size_t left = last - first; left > 1;) {
+    const std::size_t half = left / 2;
+    first += f(first + half) <= target ? half : 0;
+    left -= half;
   }
   return first;
 }
@@ -54,15 +56,19 @@ double WindowedDistribution2D::sum(const Place& x, const Place& y) const {
   return left + (right - left) * x.share;
 }
 
-double WindowedDistribution2D::precise_integral(const Window& window) const {
-  const Place x0 = place(window.lo.x, width_), x1 = place(window.hi.x, width_);
-  const Place y0 = place(window.lo.y, height_), y1 = place(window.hi.y, height_);
-  const double all = (sum(x1, y1) - sum(x0, y1)) - (sum(x1, y0) - sum(x0, y0));
+WindowedDistribution2D::Corners WindowedDistribution2D::corners(const Window& window) const {
+  return {place(window.lo.x, width_), place(window.hi.x, width_), place(window.lo.y, height_),
+          place(window.hi.y, height_)};
+}
+
+double WindowedDistribution2D::precise_integral(const Corners& at) const {
+  const double all =
+      (sum(at.x1, at.y1) - sum(at.x0, at.y1)) - (sum(at.x1, at.y0) - sum(at.x0, at.y0));
   return std::max(0.0, all) / static_cast<double>(width_ * height_);
 }
 
 float WindowedDistribution2D::integral(const Window& window) const {
-  return static_cast<float>(precise_integral(window));
+  return static_cast<float>(precise_integral(corners(window)));
 }
 
 float WindowedDistribution2D::value(const Vec2& uv) const {
@@ -70,16 +76,16 @@ float WindowedDistribution2D::value(const Vec2& uv) const {
 }
 
 float WindowedDistribution2D::pdf(const Vec2& uv, const Window& window) const {
-  const double all = precise_integral(window);
+  const double all = precise_integral(corners(window));
   return all > 0 ? static_cast<float>(static_cast<double>(value(uv)) / all) : 0;
 }
 
 WindowedDistribution2D::Sample WindowedDistribution2D::sample(const Vec2& u,
                                                               const Window& window) const {
-  const double all = precise_integral(window);
+  const Corners ends = corners(window);
+  const auto& [x0, x1, y0, y1] = ends;
+  const double all = precise_integral(ends);
   if (!(all > 0)) return {};
-  const Place y0 = place(window.lo.y, height_), y1 = place(window.hi.y, height_);
-  const Place x0 = place(window.lo.x, width_), x1 = place(window.hi.x, width_);
   // Along u: what lies between the window's rows, left of a boundary.
   const auto left_of = [&](std::size_t x) { return column(x, y1) - column(x, y0); };
   const double first = sum(x0, y1) - sum(x0, y0);

@@ -50,10 +50,14 @@ class WindowedDistribution2D {
     std::size_t cell;
     double share;  // of that cell
   };
+  struct Corners {
+    Place x0, x1, y0, y1;
+  };
   Place place(float x, std::size_t cells) const;
+  Corners corners(const Window& window) const;
   double sum(const Place& x, const Place& y) const;
   double column(std::size_t x, const Place& y) const;
-  double precise_integral(const Window& window) const;
+  double precise_integral(const Corners& at) const;
 
   std::size_t width_, height_;
   std::vector<float> values_;

@@ -50,13 +50,13 @@ struct LobeChoice {
   float rays[Closure::kMostLobes] = {};  ///< expected number
   bool any = false;
 
-  /// Makes shares of the numbers, so that one ray in all is expected.
-  void share_one_ray() {
+  /// Makes shares of the numbers of the closure's lobes, so that one ray in all is expected.
+  void share_one_ray(int lobes) {
     float total = 0;
-    for (const float r : rays) total += r;
+    for (int i = 0; i < lobes; ++i) total += rays[i];
     any = total > 0;
     if (any)
-      for (float& r : rays) r /= total;
+      for (int i = 0; i < lobes; ++i) rays[i] /= total;
   }
 };
 

@@ -92,7 +92,7 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
       }
     }
   }
-  choice.share_one_ray();
+  choice.share_one_ray(closure.count);
 }
 
 }  // namespace oriel

@@ -208,7 +208,7 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
         visited_->push_back({point, side, quality});
     }
   }
-  choice.share_one_ray();
+  choice.share_one_ray(closure.count);
   if (!choice.any) return false;
   float u = sampler_.next_1d();
   const int lobe = choose_lobe(closure, choice, u);

@@ -25,10 +25,6 @@ void Path::meet_lights(float t_surface, bool& ended) {
   if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   const bool sees = !from_.weighed;
   float nearest = t_surface;
-  ShadingPoint origin;
-  origin.position = ray_.org;
-  origin.time = ray_.time;
-  origin.world = &world_;
   Rgb seen(0);
   int seen_light = -1;
   // What visible portals show the eye of themselves, hidden ones of what is behind them.
@@ -40,6 +36,13 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (!dims || !world_.has_gels) return Rgb(1);
     return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal, ray_.time).view;
   };
+  const auto end_at = [&](const Light& light) {
+    ShadingPoint origin;
+    origin.position = ray_.org;
+    origin.time = ray_.time;
+    origin.world = &world_;
+    return intersect_light(light, origin, ray_.dir, nearest, kind_);
+  };
   const auto meet = [&](int index) {
     const Light& light = world_.lights[static_cast<std::size_t>(index)];
     if (light.shape == LightShape::Point) return;
@@ -48,8 +51,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface, ray_.time)) return;
     if (sees || portal) {
       const bool ends = portal ? ends_at(*portal) : light.visible;
-      const auto hit =
-          ends ? intersect_light(light, origin, ray_.dir, nearest, kind_) : std::nullopt;
+      const auto hit = ends ? end_at(light) : std::nullopt;
       if (hit) {
         nearest = hit->t;
         seen = sees ? hit->radiance * own_view(light) : Rgb(0);
@@ -85,6 +87,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
   };
   world_.light_groups.lamps.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
   world_.light_groups.portals.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
+  const bool dimmed = dims && world_.has_gels;
+  if (!ended && !dimmed) return;
   const Rgb view = view_to(nearest);
   if (!ended) return dim(view);
   const float kept = fading_.kept(nearest);

@@ -95,7 +95,7 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) cons
     // Less than one ray for diffuse lobes is a smaller share, more is a split.
     if (lobe.kind == LobeKind::Diffuse) choice.rays[i] *= clamp(lobe.controls.samples, 0.05f, 1);
   }
-  choice.share_one_ray();
+  choice.share_one_ray(closure.count);
 }
 
 /// How often light from the environment is sampled at this vertex, in the mean.
@@ -358,7 +358,11 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   from_.visible = light_in_reflection(closure, true);
   from_.hidden_portal = hidden_portal_in_reflection(closure);
   if (!splits) {
-    float u = sampler_.next_1d();
+    float u = 0;
+    if (closure.count == 1 && is_diffuse(closure.lobes[0].kind))
+      sampler_.skip();  // there is nothing to choose
+    else
+      u = sampler_.next_1d();
     const int lobe = choose_lobe(closure, choice, u);
     return go_on(closure, choice, material, point, lobe, u);
   }
