@@ -83,15 +83,14 @@ float WindowedDistribution2D::pdf(const Vec2& uv, const Window& window) const {
 WindowedDistribution2D::Sample WindowedDistribution2D::sample(const Vec2& u,
                                                               const Window& window) const {
   const Corners ends = corners(window);
-  const auto& [x0, x1, y0, y1] = ends;
   const double all = precise_integral(ends);
   if (!(all > 0)) return {};
   // Along u: what lies between the window's rows, left of a boundary.
-  const auto left_of = [&](std::size_t x) { return column(x, y1) - column(x, y0); };
-  const double first = sum(x0, y1) - sum(x0, y0);
+  const auto left_of = [&](std::size_t x) { return column(x, ends.y1) - column(x, ends.y0); };
+  const double first = sum(ends.x0, ends.y1) - sum(ends.x0, ends.y0);
   const double x_target =
       first + static_cast<double>(u.x) * all * static_cast<double>(width_ * height_);
-  const std::size_t i = cell_of(x0.cell, x1.cell + 1, x_target, left_of);
+  const std::size_t i = cell_of(ends.x0.cell, ends.x1.cell + 1, x_target, left_of);
   const double low = left_of(i), cell = left_of(i + 1) - low;
   const double across = cell > 0 ? (x_target - low) / cell : 0.5;
   Sample s;
@@ -106,9 +105,9 @@ WindowedDistribution2D::Sample WindowedDistribution2D::sample(const Vec2& u,
   const auto below_at = [&](const Place& y) {
     return below(y.cell) + (below(y.cell + 1) - below(y.cell)) * y.share;
   };
-  const double bottom = below_at(y0);
-  const double y_target = bottom + static_cast<double>(u.y) * (below_at(y1) - bottom);
-  const std::size_t j = cell_of(y0.cell, y1.cell + 1, y_target, below);
+  const double bottom = below_at(ends.y0);
+  const double y_target = bottom + static_cast<double>(u.y) * (below_at(ends.y1) - bottom);
+  const std::size_t j = cell_of(ends.y0.cell, ends.y1.cell + 1, y_target, below);
   const double step = below(j + 1) - below(j);
   const double up = step > 0 ? (y_target - below(j)) / step : 0.5;
   s.uv.y = clamp(static_cast<float>((static_cast<double>(j) + up) / static_cast<double>(height_)),

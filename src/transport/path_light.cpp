@@ -11,6 +11,19 @@ bool Path::ends_at(const Portal& portal) const {
   return kind_ == RayKind::FinalGather ? portal.blocks_diffuse_rays() : portal.visible;
 }
 
+/// Light of a lamp that the last vertex's lobe has found, where samples of it are weighed as well.
+void Path::add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
+                     std::size_t layer) {
+  if (from_.group == LobeGroup::Reflection) {
+    add(after_vertex(Component::Reflection), arriving * view * (in.as_reflection * kept), layer);
+    add(after_vertex(Component::Specular), arriving * in.as_highlight, layer);
+  } else {
+    // Light sources on diffuse lobes are direct light, however they are found.
+    add(after_vertex(component_ == Component::Indirect ? Component::Diffuse : component_),
+        arriving * view, layer);
+  }
+}
+
 /// Lights with a shape that the ray meets before the surface. A visible light ends rays that see it
 /// as an object (camera and mirrors); bundles only collect its weighed light and go on, since
 /// lights do not shadow each other. Portals end bundles as well: what is behind them is in their
@@ -73,17 +86,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const Rgb arriving = lights_ * hit->radiance * from_.affected(*hit) *
                          transmittance(medium_.medium, hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
-    const std::size_t layer = layer_of_light(index);
-    if (from_.group == LobeGroup::Reflection) {
-      const LightInReflection in = from_.shown(light, *hit);
-      add(after_vertex(Component::Reflection),
-          arriving * view * (in.as_reflection * fading_.kept(hit->t)), layer);
-      add(after_vertex(Component::Specular), arriving * in.as_highlight, layer);
-    } else {
-      // Light sources on diffuse lobes are direct light, however they are found.
-      add(after_vertex(component_ == Component::Indirect ? Component::Diffuse : component_),
-          arriving * view, layer);
-    }
+    add_found(from_.shown(light, *hit), fading_.kept(hit->t), arriving, view,
+              layer_of_light(index));
   };
   world_.light_groups.lamps.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
   world_.light_groups.portals.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);

@@ -157,6 +157,8 @@ class Path {
 
   // path_light.cpp
   void meet_lights(float t_surface, bool& ended);
+  void add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
+                 std::size_t layer);
   bool ends_at(const Portal& portal) const;
   void meet_environment();
   void darken_near(float t);
