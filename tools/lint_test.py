@@ -107,7 +107,23 @@ class Files(unittest.TestCase):
         self.assertEqual([], messages("src/base/a.h", HEAD + 'const char* t = "/tmp/XXXXXX";\n'))
 
 
+    def test_functions_of_the_c_library_that_depend_on_the_processor_are_found(self):
+        text = HEAD + "float f(float x) { return std::%s(x); }\n"
+        for function in ("sin", "atan2", "pow", "exp2", "log1p", "acos"):
+            self.assertEqual(1, len(messages("src/sky/a.h", text % function)), function)
+            self.assertEqual([], messages("src/sky/a_test.cpp", text % function))
+        for function in ("sqrt", "floor", "abs", "logical_not<>{}"):
+            self.assertEqual([], messages("src/sky/a.h", text % function), function)
+
+
 class Headers(unittest.TestCase):
+    def test_heavy_includes_are_found_in_headers_only(self):
+        for header in ("regex", "iostream", "nlohmann/json.hpp", "x86intrin.h"):
+            text = HEAD + f"#include <{header}>\n"
+            self.assertEqual(1, len(messages("src/sky/a.h", text)), header)
+            self.assertEqual([], messages("src/sky/b.cpp", text))
+        self.assertEqual([], messages("src/sky/a.h", HEAD + "#include <nlohmann/json_fwd.hpp>\n"))
+
     def test_header_without_guard_is_found(self):
         found = messages("src/base/a.h", "// " + lint.SPDX + "\nint a();\n")
         self.assertEqual(["header without #pragma once"], found)

@@ -10,14 +10,14 @@ namespace {
 
 using nlohmann::json;
 
-json json_of(const Rgb& c) { return {c.x, c.y, c.z}; }
-json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+json explain_json_of(const Rgb& c) { return {c.x, c.y, c.z}; }
+json explain_json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 json lobes_json(const ExplainedSurface& s) {
   json lobes = json::array();
   for (const ExplainedLobe& lobe : s.lobes)
     lobes.push_back({{"kind", lobe_name(lobe.kind)},
-                     {"level", json_of(lobe.level)},
+                     {"level", explain_json_of(lobe.level)},
                      {"roughness", lobe.roughness},
                      {"eta", lobe.eta}});
   return lobes;
@@ -44,7 +44,7 @@ json surface_json(const ExplainReport& r, std::size_t index) {
   for (const ExplainedLight& l : s.light)
     light.push_back({{"part", output_name(l.part)},
                      {"source", r.facts.sources[l.source]},
-                     {"light", json_of(l.light)},
+                     {"light", explain_json_of(l.light)},
                      {"variance", l.variance}});
   json out = {{"light", light}};
   if (index == 0) return out;
@@ -53,15 +53,15 @@ json surface_json(const ExplainReport& r, std::size_t index) {
   out["instance"] = instance_name(r.world, s.instance);
   out["material"] = s.material->name;
   out["met"] = s.met;
-  out["position"] = json_of(s.position);
-  out["normal"] = json_of(s.normal);
+  out["position"] = explain_json_of(s.position);
+  out["normal"] = explain_json_of(s.normal);
   out["distance"] = s.distance;
   out["cosine"] = s.cosine;
   out["back_side"] = s.back_side;
   out["bounces"] = s.behind;
   if (s.behind) return out;
   out["lobes"] = lobes_json(s);
-  out["emission"] = json_of(s.emission);
+  out["emission"] = explain_json_of(s.emission);
   out["opacity"] = s.opacity;
   out["lamps"] = lamps_json(r, s);
   out["records"] = s.records;
@@ -123,24 +123,25 @@ json explain_json(const ExplainReport& r) {
   const Explanation& e = r.facts;
   json out = {{"pixel", {e.x, e.y}},
               {"samples", e.samples},
-              {"colour", json_of(e.colour)},
-              {"variance", json_of(e.variance)},
-              {"shown", json_of(e.shown)},
+              {"colour", explain_json_of(e.colour)},
+              {"variance", explain_json_of(e.variance)},
+              {"shown", explain_json_of(e.shown)},
               {"indirect", r.plan.name()},
               {"unit_luminance", r.unit.cd_m2},
               {"unit_luminance_by", r.unit.by},
-              {"unexplained", json_of(e.unexplained)}};
+              {"unexplained", explain_json_of(e.unexplained)}};
   for (std::size_t i = 0; i < kComponents; ++i) {
     const auto c = static_cast<Component>(i);
-    out["outputs"][output_name(c)] = {{"light", json_of(e.parts[i])}, {"variance", e.noise[i]}};
+    out["outputs"][output_name(c)] = {{"light", explain_json_of(e.parts[i])},
+                                      {"variance", e.noise[i]}};
   }
   for (std::size_t i = 0; i < e.surfaces.size(); ++i) out["surfaces"].push_back(surface_json(r, i));
   out["mappings"] = json::array();
   for (const ExplainedMapping& m : e.mappings)
     out["mappings"].push_back({{"shader", m.shader->spec().name},
                                {"role", m.output ? "output" : "lens"},
-                               {"before", json_of(m.before)},
-                               {"after", json_of(m.after)}});
+                               {"before", explain_json_of(m.before)},
+                               {"after", explain_json_of(m.after)}});
   return out;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explain_text.h"
+#include "base/math.h"
 
 #include <fmt/format.h>
 
@@ -78,7 +79,7 @@ class Writer {
     line("  material   {}", material_name(s.material));
     line("  place      {}, {:.4g} away, seen {} at {:.0f} degrees from its normal {}",
          text_of(s.position), s.distance, s.back_side > .5f ? "from behind" : "from its front",
-         std::acos(clamp(s.cosine, -1, 1)) * 180 / kPi, text_of(s.normal));
+         math::acos(clamp(s.cosine, -1, 1)) * 180 / kPi, text_of(s.normal));
     std::string lobes;
     for (const ExplainedLobe& lobe : s.lobes)
       if (!is_black(lobe.level)) lobes += (lobes.empty() ? "" : "; ") + lobe_words(lobe);

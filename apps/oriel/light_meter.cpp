@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light_meter.h"
+#include "base/math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +42,12 @@ float metered_shutter(scene::Scene& scene, float f_number) {
       for (int left = 0; left < film.width(); left += kBlock) {
         const double value = block_mean(film, left, top);
         if (!(value > 0)) continue;
-        sum += std::log(value);
+        sum += math::log(value);
         ++lit;
       }
   });
   if (lit == 0) return 0;
-  const double shutter = std::exp(sum / lit) * kIso / (kMeter * f_number * f_number);
+  const double shutter = math::exp(sum / lit) * kIso / (kMeter * f_number * f_number);
   return static_cast<float>(std::clamp(shutter, 1e-6, 1e6));
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "interrupt.h"
@@ -190,7 +191,7 @@ json json_of(const Measurement& m) {
 std::string text_of(const Reading& r) {
   const double width = std::max(r.half_width, 1e-3 * std::abs(r.value));
   const int digits =
-      width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, 6) : 0;
+      width > 0 ? std::clamp(1 - static_cast<int>(std::floor(math::log10(width))), 0, 6) : 0;
   return fmt::format("{:.{}f} +- {:.{}f}", r.value, digits, r.half_width, digits);
 }
 

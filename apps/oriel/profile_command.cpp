@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/math.h"
 #include "command.h"
 #include "image/atomic_file.h"
 #include "photometry/profile_file.h"
@@ -35,9 +36,9 @@ struct Angles {
   float vertical, horizontal;
 };
 Angles angles_of(const Vec3& d) {
-  const float across = std::hypot(d.x, d.y);
-  const float horizontal = across > 1e-6f ? std::atan2(d.y, d.x) * 180 / kPi : 0;
-  return {std::atan2(across, -d.z) * 180 / kPi,
+  const float across = math::hypot(d.x, d.y);
+  const float horizontal = across > 1e-6f ? math::atan2(d.y, d.x) * 180 / kPi : 0;
+  return {math::atan2(across, -d.z) * 180 / kPi,
           horizontal < -1e-4f ? horizontal + 360 : horizontal};
 }
 

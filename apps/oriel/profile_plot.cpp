@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile_plot.h"
+#include "base/math.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ constexpr float kDegree = kPi / 180;
 /// The next round number that `circles` times is at least x.
 float step_for(float x, int circles) {
   const float wanted = x / static_cast<float>(circles);
-  const float power = std::pow(10.0f, std::floor(std::log10(wanted)));
+  const float power = math::pow(10.0f, std::floor(math::log10(wanted)));
   for (const float s : {1.0f, 1.25f, 1.5f, 2.0f, 2.5f, 3.0f, 4.0f, 5.0f, 7.5f})
     if (s * power >= wanted * 0.9999f) return s * power;
   return 10 * power;
@@ -43,10 +44,10 @@ std::string curve(const photometry::LightProfile& profile, const Vec3& along, fl
   std::string points;
   for (int deg = 0; deg <= 360; ++deg) {
     const float a = static_cast<float>(deg) * kDegree;
-    const Vec3 d = Vec3(0, 0, -std::cos(a)) + along * std::sin(a);
+    const Vec3 d = Vec3(0, 0, -math::cos(a)) + along * math::sin(a);
     const float r = profile.evaluate(d) / outer_candela * kRadius;
-    points += fmt::format("{:.1f},{:.1f} ", kSize / 2 + r * std::sin(a),
-                          kTop + kSize / 2 + r * std::cos(a));
+    points += fmt::format("{:.1f},{:.1f} ", kSize / 2 + r * math::sin(a),
+                          kTop + kSize / 2 + r * math::cos(a));
   }
   return fmt::format("<polygon points=\"{}\" {}/>\n", points, style);
 }
@@ -67,8 +68,8 @@ std::string polar_plot(const photometry::LightProfile& profile, const std::strin
                        kRadius * static_cast<float>(i) / kCircles);
   for (int deg = 0; deg < 360; deg += 30)
     svg += fmt::format("<path d=\"M{} {} L{:.1f} {:.1f}\"/>\n", middle_x, middle_y,
-                       middle_x + kRadius * std::sin(static_cast<float>(deg) * kDegree),
-                       middle_y + kRadius * std::cos(static_cast<float>(deg) * kDegree));
+                       middle_x + kRadius * math::sin(static_cast<float>(deg) * kDegree),
+                       middle_y + kRadius * math::cos(static_cast<float>(deg) * kDegree));
   svg += "</g>\n";
   const float outer = step * kCircles;
   svg += curve(profile, Vec3(0, 1, 0), outer,
@@ -83,8 +84,8 @@ std::string polar_plot(const photometry::LightProfile& profile, const std::strin
   for (int deg = 0; deg < 360; deg += 30) {
     const float a = static_cast<float>(deg) * kDegree;
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}&#176;</text>\n",
-                       middle_x + (kRadius + 20) * std::sin(a),
-                       middle_y + 4 + (kRadius + 18) * std::cos(a), deg > 180 ? 360 - deg : deg);
+                       middle_x + (kRadius + 20) * math::sin(a),
+                       middle_y + 4 + (kRadius + 18) * math::cos(a), deg > 180 ? 360 - deg : deg);
   }
   const float below = kTop + kSize + 12;
   svg += fmt::format(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_frames.h"
+#include "base/math.h"
 
 #include <fmt/format.h>
 
@@ -274,10 +275,10 @@ class FrameRenderer {
         {"oriel.maxSamples", fmt::format("{}", b.max_samples)},
         {"oriel.noiseTarget", fmt::format("{:.6g}", b.noise)},
         {"oriel.window", fmt::format("{} {} {} {}", w.x0, w.y0, w.x1 - 1, w.y1 - 1)}};
-    const Camera& c = world_->camera;
+    const oriel::Camera& c = world_->camera;
     if (!c.orthographic)
       m[kFieldOfViewKey] =
-          fmt::format("{:.9g}", 2 * std::atan(c.aperture / (2 * c.focal)) * 180 / kPi);
+          fmt::format("{:.9g}", 2 * math::atan(c.aperture / (2 * c.focal)) * 180 / kPi);
     if (has_photometric_layers())
       m[kUnitLuminanceKey] = fmt::format("{:.9g}", session_->unit_luminance());
     if (session_->film().light_layers() > 0)

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "command.h"
 #include "sky/daylight.h"
@@ -27,7 +28,7 @@ struct Daylight {
 /// Of mia_physicalsun and mia_physicalsky at that haze, by luminance.
 Daylight daylight(float elevation_deg, float haze) {
   const float e = elevation_deg * kPi / 180;
-  const Vec3 to_sun(std::cos(e), 0, std::sin(e));
+  const Vec3 to_sun(math::cos(e), 0, math::sin(e));
   sky::SkyParameters p;
   p.rgb_unit_conversion = Rgb(1);
   p.haze = haze;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "color/srgb.h"
 #include "command.h"
@@ -62,7 +63,7 @@ class PixelCosine {
     const float degrees = a.field_of_view ? *a.field_of_view : field_of_view(a.input);
     if (!(degrees > 0 && degrees < 180))
       throw UsageError("--fov: the angle that the picture's width spans, between 0 and 180");
-    per_pixel_ = 2 * std::tan(degrees * kPi / 360) / width_;
+    per_pixel_ = 2 * math::tan(degrees * kPi / 360) / width_;
   }
   float operator()(int x, int y) const {
     const float fx = (static_cast<float>(x) + 0.5f - width_ / 2) * per_pixel_;

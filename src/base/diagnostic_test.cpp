@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel {
-namespace {
+namespace diagnostic_test {
 
 TEST(Diagnostics, NamesThePlaceThroughIncludes) {
   Diagnostics d;
@@ -29,5 +29,5 @@ TEST(NearestName, FindsASlipAndRefusesAStranger) {
   EXPECT_EQ(nearest_name("zzz", names), "");
 }
 
-}  // namespace
+}  // namespace diagnostic_test
 }  // namespace oriel

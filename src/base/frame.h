@@ -34,7 +34,10 @@ struct Frame {
   }
 
   Vec3 to_local(const Vec3& v) const { return Vec3(dot(v, s), dot(v, t), dot(v, n)); }
-  Vec3 to_world(const Vec3& v) const { return s * v.x + t * v.y + n * v.z; }
+  Vec3 to_world(const Vec3& v) const {
+    return Vec3(fma(s.x, v.x, fma(t.x, v.y, n.x * v.z)), fma(s.y, v.x, fma(t.y, v.y, n.y * v.z)),
+                fma(s.z, v.x, fma(t.z, v.y, n.z * v.z)));
+  }
 };
 
 }  // namespace oriel

@@ -27,7 +27,10 @@ inline constexpr float kPi = 3.14159265358979323846f;
 inline constexpr float kInvPi = 0.31830988618379067154f;
 inline constexpr float kTwoPi = 2 * kPi;
 
-inline float dot(const Vec3& a, const Vec3& b) { return a.dot(b); }
+/// a * b + c, rounded once: the compiler does not fuse by itself (cmake/OrielBuild.cmake).
+inline float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+
+inline float dot(const Vec3& a, const Vec3& b) { return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x)); }
 inline Vec3 cross(const Vec3& a, const Vec3& b) { return a.cross(b); }
 inline float length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 /// Unit vector of v; a null vector stays null.
@@ -36,7 +39,7 @@ inline Vec3 normalize(const Vec3& v) {
   return len > 0 ? v * (1 / len) : v;
 }
 inline float sqr(float x) { return x * x; }
-inline float lerp(float a, float b, float t) { return a + t * (b - a); }
+inline float lerp(float a, float b, float t) { return fma(t, b - a, a); }
 inline float clamp(float x, float lo, float hi) { return x < lo ? lo : (x > hi ? hi : x); }
 inline float clamp01(float x) { return clamp(x, 0.0f, 1.0f); }
 /// Hermite step from 0 at a to 1 at b.
@@ -54,21 +57,21 @@ inline bool is_finite(const Vec3& v) {
 
 /// Point through an affine matrix (no perspective division).
 inline Vec3 transform_point(const Vec3& p, const Mat4& m) {
-  return Vec3(p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-              p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-              p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]);
+  return Vec3(fma(p.x, m[0][0], fma(p.y, m[1][0], fma(p.z, m[2][0], m[3][0]))),
+              fma(p.x, m[0][1], fma(p.y, m[1][1], fma(p.z, m[2][1], m[3][1]))),
+              fma(p.x, m[0][2], fma(p.y, m[1][2], fma(p.z, m[2][2], m[3][2]))));
 }
 /// Direction or displacement through the upper 3x3 of m.
 inline Vec3 transform_vector(const Vec3& v, const Mat4& m) {
-  return Vec3(v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
-              v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
-              v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]);
+  return Vec3(fma(v.x, m[0][0], fma(v.y, m[1][0], v.z * m[2][0])),
+              fma(v.x, m[0][1], fma(v.y, m[1][1], v.z * m[2][1])),
+              fma(v.x, m[0][2], fma(v.y, m[1][2], v.z * m[2][2])));
 }
 /// Normal carried by a transform whose *inverse* is `inverse` (multiplies with its transpose).
 inline Vec3 transform_normal(const Vec3& n, const Mat4& inverse) {
-  return Vec3(n.x * inverse[0][0] + n.y * inverse[0][1] + n.z * inverse[0][2],
-              n.x * inverse[1][0] + n.y * inverse[1][1] + n.z * inverse[1][2],
-              n.x * inverse[2][0] + n.y * inverse[2][1] + n.z * inverse[2][2]);
+  return Vec3(fma(n.x, inverse[0][0], fma(n.y, inverse[0][1], n.z * inverse[0][2])),
+              fma(n.x, inverse[1][0], fma(n.y, inverse[1][1], n.z * inverse[1][2])),
+              fma(n.x, inverse[2][0], fma(n.y, inverse[2][1], n.z * inverse[2][2])));
 }
 
 }  // namespace oriel

@@ -10,7 +10,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::bsdf {
-namespace {
+namespace diffuse_test {
 
 Vec3 direction(double theta_deg, double phi_deg = 0) {
   const double t = theta_deg * M_PI / 180, p = phi_deg * M_PI / 180;
@@ -107,5 +107,5 @@ TEST(Phong, IsTheBareCosinePower) {
   EXPECT_EQ(lobe.eval(direction(40), -direction(40)), 0);
 }
 
-}  // namespace
+}  // namespace diffuse_test
 }  // namespace oriel::bsdf

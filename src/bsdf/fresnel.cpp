@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bsdf/fresnel.h"
 
+#include "base/math.h"
+
 namespace oriel::bsdf {
 namespace {
 
@@ -10,9 +12,9 @@ namespace {
 double mean_from_outside(double n) {
   const double n2 = n * n, n4 = n2 * n2;
   return 0.5 + (n - 1) * (3 * n + 1) / (6 * (n + 1) * (n + 1)) +
-         n2 * (n2 - 1) * (n2 - 1) / std::pow(n2 + 1, 3) * std::log((n - 1) / (n + 1)) -
+         n2 * (n2 - 1) * (n2 - 1) / math::pow(n2 + 1, 3) * math::log((n - 1) / (n + 1)) -
          2 * n * n2 * (n2 + 2 * n - 1) / ((n2 + 1) * (n4 - 1)) +
-         8 * n4 * (n4 + 1) / ((n2 + 1) * (n4 - 1) * (n4 - 1)) * std::log(n);
+         8 * n4 * (n4 + 1) / ((n2 + 1) * (n4 - 1) * (n4 - 1)) * math::log(n);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/math.h"
 #include "base/vec.h"
 
 namespace oriel::bsdf {
@@ -58,7 +59,7 @@ struct ReflectivityCurve {
 
   float operator()(float cos_o) const {
     const float m = 1 - clamp01(cos_o);
-    const float shape = exponent == 5 ? sqr(m * m) * m : std::pow(m, exponent);
+    const float shape = exponent == 5 ? sqr(m * m) * m : math::pow(m, exponent);
     return at_0 + (at_90 - at_0) * shape;
   }
   /// Cosine-weighted mean over the hemisphere.

@@ -13,7 +13,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::bsdf {
-namespace {
+namespace ggx_test {
 
 using sampling::Sampler;
 
@@ -199,5 +199,5 @@ TEST(RoughThinTransmission, CentresOnTheStraightWay) {
   EXPECT_GT(dot(normalize(mean), -wo), 0.9999f);
 }
 
-}  // namespace
+}  // namespace ggx_test
 }  // namespace oriel::bsdf

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "base/vec.h"
 
 namespace oriel::bsdf {
@@ -28,7 +29,7 @@ enum class GlossModel {
 inline float gloss_to_alpha(float gloss, GlossModel model = GlossModel::Nvidia) {
   const float g = clamp01(gloss);
   if (g >= 1) return 0;
-  return model == GlossModel::Nvidia ? std::exp2(-1.5f - 7 * g) : sqr(1 - g);
+  return model == GlossModel::Nvidia ? math::exp2(-1.5f - 7 * g) : sqr(1 - g);
 }
 
 /// Roughness along x and y of the local frame.

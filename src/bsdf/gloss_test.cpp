@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::bsdf {
-namespace {
+namespace gloss_test {
 
 TEST(Gloss, MatchesThePublishedMap) {
   const float table[][2] = {{0, .353553f},   {.1f, .217638f},  {.25f, .105112f}, {.3f, .082469f},
@@ -38,5 +38,5 @@ TEST(Gloss, LimitsKeepTheRatio) {
   EXPECT_GE(anisotropic_roughness(kMinAlpha, 10).ay, kMinAlpha);
 }
 
-}  // namespace
+}  // namespace gloss_test
 }  // namespace oriel::bsdf

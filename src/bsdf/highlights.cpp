@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "bsdf/fresnel.h"
 
 namespace oriel::bsdf {
@@ -18,7 +19,7 @@ float TorranceHighlight::eval(const Vec3& wo, const Vec3& wi) const {
   if (wo.z <= 0 || wi.z <= 0) return 0;
   const Vec3 h = normalize(wo + wi);
   const float m2 = sqr(std::max(slope, kLeastSlope)), cos2 = h.z * h.z;
-  const float facets = std::exp((cos2 - 1) / (cos2 * m2)) / (kPi * m2 * cos2 * cos2);
+  const float facets = math::exp((cos2 - 1) / (cos2 * m2)) / (kPi * m2 * cos2 * cos2);
   const float oh = dot(wo, h);
   const float seen = std::min(1.0f, 2 * h.z * std::min(wo.z, wi.z) / oh);
   return fresnel_dielectric(oh, std::max(eta, 1.0f)) * facets * seen / (4 * wo.z);
@@ -29,13 +30,13 @@ float WardHighlight::eval(const Vec3& wo, const Vec3& wi) const {
   const Vec3 h = normalize(wo + wi);
   const float ax = std::max(alpha_x, kLeastSlope), ay = std::max(alpha_y, kLeastSlope);
   const float slope2 = (sqr(h.x / ax) + sqr(h.y / ay)) / sqr(h.z);
-  return std::exp(-slope2) * std::sqrt(wi.z / wo.z) / (4 * kPi * ax * ay);
+  return math::exp(-slope2) * std::sqrt(wi.z / wo.z) / (4 * kPi * ax * ay);
 }
 
 float HairHighlight::eval(const Vec3& wo, const Vec3& wi) const {
   const auto sine = [](float c) { return std::sqrt(std::max(0.0f, 1 - c * c)); };
   const float c = sine(wo.x) * sine(wi.x) - wo.x * wi.x;
-  return c > 0 ? std::pow(c, exponent) * kInvPi : 0;
+  return c > 0 ? math::pow(c, exponent) * kInvPi : 0;
 }
 
 }  // namespace oriel::bsdf

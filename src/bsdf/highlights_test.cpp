@@ -8,7 +8,7 @@
 #include "bsdf/fresnel.h"
 
 namespace oriel::bsdf {
-namespace {
+namespace highlights_test {
 
 Vec3 direction(float degrees, float azimuth_degrees = 0) {
   const float a = degrees * kPi / 180, phi = azimuth_degrees * kPi / 180;
@@ -103,5 +103,5 @@ TEST(Highlights, NothingShinesFromBehindASurface) {
   EXPECT_EQ((TorranceHighlight{}.eval(direction(100), direction(10))), 0);
 }
 
-}  // namespace
+}  // namespace highlights_test
 }  // namespace oriel::bsdf

@@ -17,7 +17,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::bsdf {
-namespace {
+namespace lobe_contract_test {
 
 using sampling::Sampler;
 
@@ -184,5 +184,5 @@ TEST(DeltaLobes, HaveOneDirectionThatNothingElseFinds) {
   check(ClearThinTransmission{});
 }
 
-}  // namespace
+}  // namespace lobe_contract_test
 }  // namespace oriel::bsdf

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel::bsdf {
 
 // Azimuths integrate to 2 over the facing half. What is left is sin(max) tan(min) cos sin over the
@@ -10,7 +12,7 @@ namespace oriel::bsdf {
 float OrenNayar::albedo(float cos_o) const {
   const float c = clamp(cos_o, 1e-6f, 1.0f);
   const float s = std::sqrt(1 - c * c);
-  const float below = 0.5f * s * (std::acos(c) - s * c);
+  const float below = 0.5f * s * (math::acos(c) - s * c);
   const float above = s / c * (1 - s * s * s) / 3;
   return a_ + 2 * kInvPi * b_ * (below + above);
 }

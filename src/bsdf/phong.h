@@ -2,8 +2,7 @@
 // mental ray's Phong highlight, for the base shaders that use it.
 #pragma once
 
-#include <cmath>
-
+#include "base/math.h"
 #include "bsdf/lobe_sample.h"
 
 namespace oriel::bsdf {
@@ -23,7 +22,7 @@ struct PhongHighlight {
   float eval(const Vec3& wo, const Vec3& wi) const {
     if (wo.z <= 0 || wi.z <= 0) return 0;
     const float c = wo.z * wi.z - wo.x * wi.x - wo.y * wi.y;
-    return c > 0 ? std::pow(c, exponent) * kInvPi : 0;
+    return c > 0 ? math::pow(c, exponent) * kInvPi : 0;
   }
 };
 

@@ -10,7 +10,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::bsdf {
-namespace {
+namespace refraction_test {
 
 using sampling::Sampler;
 
@@ -114,5 +114,5 @@ TEST(RoughRefraction, EqualIndicesGoStraight) {
   EXPECT_TRUE(s->delta);
 }
 
-}  // namespace
+}  // namespace refraction_test
 }  // namespace oriel::bsdf

@@ -9,7 +9,7 @@
 #include "sampling/warp.h"
 
 namespace oriel::bsdf {
-namespace {
+namespace terminator_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -69,5 +69,5 @@ TEST(Terminator, FallsContinuouslyToZeroAtTheGeometricHorizon) {
   }
 }
 
-}  // namespace
+}  // namespace terminator_test
 }  // namespace oriel::bsdf

@@ -2,6 +2,7 @@
 // Black bodies: Planck's law integrated against analytic colour matching functions.
 #include "color/black_body.h"
 
+#include "base/math.h"
 #include "color/srgb.h"
 
 namespace oriel {
@@ -18,14 +19,14 @@ constexpr double kPi64 = 3.14159265358979323846;
 /// Spectral radiance, W m^-2 sr^-1 per metre of wavelength.
 double planck(double wavelength_m, double kelvin) {
   const double hc = kPlanck * kLightSpeed;
-  return 2 * hc * kLightSpeed / std::pow(wavelength_m, 5) /
-         std::expm1(hc / (wavelength_m * kBoltzmann * kelvin));
+  return 2 * hc * kLightSpeed / math::pow(wavelength_m, 5) /
+         math::expm1(hc / (wavelength_m * kBoltzmann * kelvin));
 }
 
 /// Gaussian with one width below its centre and another above.
 float lobe(float x, float centre, float below, float above) {
   const float t = (x - centre) * (x < centre ? below : above);
-  return std::exp(-0.5f * t * t);
+  return math::exp(-0.5f * t * t);
 }
 
 }  // namespace

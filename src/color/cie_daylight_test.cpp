@@ -6,7 +6,7 @@
 #include "color/luminance.h"
 
 namespace oriel {
-namespace {
+namespace cie_daylight_test {
 
 TEST(CieDaylight, IsD65At6504Kelvin) {
   const Vec2 xy = cie_daylight_chromaticity(6504);
@@ -34,5 +34,5 @@ TEST(CieDaylight, HasLuminanceOneFromWarmToBlue) {
   EXPECT_NEAR(cie_daylight_color(7000).z, cie_daylight_color(7001).z, 1e-3);
 }
 
-}  // namespace
+}  // namespace cie_daylight_test
 }  // namespace oriel

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel {
-namespace {
+namespace color_test {
 
 TEST(Luminance, WeightsSumToOne) {
   for (const Rgb& w : {kRec709Luminance, kNtscLuminance}) EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-6f);
@@ -105,5 +105,5 @@ TEST(BlackBody, IsFiniteAtTheEdges) {
   }
 }
 
-}  // namespace
+}  // namespace color_test
 }  // namespace oriel

@@ -2,6 +2,7 @@
 // The sRGB colour space: between CIE XYZ and linear sRGB, and between linear and encoded values.
 #pragma once
 
+#include "base/math.h"
 #include "base/vec.h"
 
 namespace oriel {
@@ -32,14 +33,14 @@ inline Vec3 linear_srgb_to_xyz(const Rgb& c) {
 /// Checked: Srgb.MidGreyEncodesTo0461, Srgb.TransferRoundTripIsIdentity
 inline float srgb_encode(float linear) {
   const float v = std::fabs(linear);
-  const float e = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+  const float e = v <= 0.0031308f ? 12.92f * v : 1.055f * math::pow(v, 1 / 2.4f) - 0.055f;
   return std::copysign(e, linear);
 }
 
 /// Linear value of an encoded one: the inverse of srgb_encode.
 inline float srgb_decode(float encoded) {
   const float v = std::fabs(encoded);
-  const float l = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+  const float l = v <= 0.04045f ? v / 12.92f : math::pow((v + 0.055f) / 1.055f, 2.4f);
   return std::copysign(l, encoded);
 }
 

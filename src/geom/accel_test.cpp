@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 
 namespace oriel::geom {
-namespace {
+namespace accel_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -421,5 +421,5 @@ TEST(AccelTest, MemoryStaysWithinTheBudgetPerTriangle) {
   EXPECT_GE(memory.bytes_per_triangle(), 40) << "Embree's part is counted";
 }
 
-}  // namespace
+}  // namespace accel_test
 }  // namespace oriel::geom

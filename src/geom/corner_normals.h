@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "base/math.h"
 #include "geom/refined_surface.h"
 
 namespace oriel::geom {
@@ -119,7 +119,7 @@ class CornerNormals {
       return refined_.positions[static_cast<std::size_t>(corners[i % corners.size()])];
     };
     const Vec3 a = normalize(p(k + 1) - p(k)), b = normalize(p(k + corners.size() - 1) - p(k));
-    return std::acos(clamp(dot(a, b), -1.0f, 1.0f));
+    return math::acos(clamp(dot(a, b), -1.0f, 1.0f));
   }
 
   const RefinedSurface& refined_;

@@ -7,15 +7,15 @@ namespace oriel::geom {
 
 namespace {
 
-using Column = std::vector<std::uint32_t>;
+using IndexColumn = std::vector<std::uint32_t>;
 
 /// Kinds at one point that a vertex is compared with.
 constexpr int kMostCompared = 16;
 
 /// The columns beside the point.
-std::vector<const Column*> columns_of(const scene::VertexList& list) {
-  std::vector<const Column*> columns;
-  const auto add = [&](const Column& column) {
+std::vector<const IndexColumn*> columns_of(const scene::VertexList& list) {
+  std::vector<const IndexColumn*> columns;
+  const auto add = [&](const IndexColumn& column) {
     if (column.size() == list.size()) columns.push_back(&column);
   };
   add(list.normal);
@@ -24,24 +24,24 @@ std::vector<const Column*> columns_of(const scene::VertexList& list) {
     add(texture.basis_u);
     add(texture.basis_v);
   }
-  for (const Column& column : list.derivative) add(column);
-  for (const Column& column : list.motion) add(column);
+  for (const IndexColumn& column : list.derivative) add(column);
+  for (const IndexColumn& column : list.motion) add(column);
   return columns;
 }
 
 }  // namespace
 
 DifferentVertices find_equal_vertices(const scene::VertexList& list, std::size_t vectors) {
-  const std::vector<const Column*> columns = columns_of(list);
+  const std::vector<const IndexColumn*> columns = columns_of(list);
   const auto equal = [&](std::uint32_t a, std::uint32_t b) {
     return std::all_of(columns.begin(), columns.end(),
-                       [=](const Column* column) { return (*column)[a] == (*column)[b]; });
+                       [=](const IndexColumn* column) { return (*column)[a] == (*column)[b]; });
   };
   DifferentVertices out;
   out.number_of.reserve(list.size());
   out.kept.reserve(std::min(list.size(), vectors));
   // The kinds at each point as a chain, the latest first; numbers are those of the kinds.
-  Column latest(vectors, scene::kNone), earlier;
+  IndexColumn latest(vectors, scene::kNone), earlier;
   earlier.reserve(out.kept.capacity());
   for (std::uint32_t vertex = 0; vertex < list.size(); ++vertex) {
     const std::uint32_t point = list.point[vertex];

@@ -16,7 +16,7 @@ namespace {
 
 using scene::Hair;
 using Field = Hair::Field;
-using Kind = Field::Kind;
+using FieldKind = Field::Kind;
 
 constexpr float kFarthest = 1e18f;
 /// Most motion vectors that are kept of a point: vectors of a hair count for each of its points.
@@ -44,12 +44,12 @@ void read_fields(const std::vector<Field>& fields, std::span<const float> number
     const auto value = [&](std::size_t i) {
       return i < field.numbers() && at + i < numbers.size() ? numbers[at + i] : 0.0f;
     };
-    if (field.kind == Kind::Radius) all.radius = std::max(0.0f, value(0));
-    if (field.kind == Kind::Normal) all.normal = normalize(Vec3(value(0), value(1), value(2)));
-    if (field.kind == Kind::Texture)
+    if (field.kind == FieldKind::Radius) all.radius = std::max(0.0f, value(0));
+    if (field.kind == FieldKind::Normal) all.normal = normalize(Vec3(value(0), value(1), value(2)));
+    if (field.kind == FieldKind::Texture)
       for (std::size_t i = 0; i < field.numbers(); i += 3)
         all.textures.emplace_back(value(i), value(i + 1), value(i + 2));
-    if (field.kind == Kind::Motion) {
+    if (field.kind == FieldKind::Motion) {
       all.motion.clear();
       for (std::size_t i = 0; i < field.numbers(); i += 3)
         all.motion.emplace_back(value(i), value(i + 1), value(i + 2));

@@ -11,7 +11,7 @@
 #include "geom/motion.h"
 
 namespace oriel::geom {
-namespace {
+namespace hair_test {
 
 using Kind = scene::Hair::Field::Kind;
 
@@ -266,5 +266,5 @@ TEST(Hair, BlocksKeepTheirSlotsAndBadHairsAreCounted) {
   EXPECT_EQ(mesh.slots[mesh.slot_of(1)].name, "m");
 }
 
-}  // namespace
+}  // namespace hair_test
 }  // namespace oriel::geom

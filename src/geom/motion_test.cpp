@@ -10,7 +10,7 @@
 #include "geom/accel.h"
 
 namespace oriel::geom {
-namespace {
+namespace motion_test {
 
 Mesh square(std::vector<std::vector<Vec3>> motion = {}) {
   Mesh mesh;
@@ -181,5 +181,5 @@ TEST(Motion, RaysNeverMeetTheMovingSurfaceTheyStartOn) {
     }
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace oriel::geom

@@ -9,7 +9,7 @@
 #include <set>
 
 namespace oriel::geom {
-namespace {
+namespace polygon_test {
 
 using Imath::V3d;
 
@@ -257,5 +257,5 @@ TEST(PolygonTriangulator, BigOutlinesKeepTheirArea) {
   expect_exact_cover({circle(0, 0, 1, 50000), {}}, 1e-9);
 }
 
-}  // namespace
+}  // namespace polygon_test
 }  // namespace oriel::geom

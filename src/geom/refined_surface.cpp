@@ -71,8 +71,8 @@ Refiner refine(const SubdivisionCage& cage, int level) {
 }
 
 /// Brings columns of the cage to the last level.
-struct Columns {
-  explicit Columns(const Far::TopologyRefiner& r)
+struct RefinedColumns {
+  explicit RefinedColumns(const Far::TopologyRefiner& r)
       : refiner(r), primvars(r), last(r.GetMaxLevel()) {}
 
   static std::vector<Vec3> plain(const Values& values) {
@@ -120,22 +120,22 @@ std::unique_ptr<RefinedSurface> RefinedSurface::make(const SubdivisionCage& cage
 
 RefinedSurface::RefinedSurface(const SubdivisionCage& cage, Refiner refiner)
     : cage_(cage), refiner_(std::move(refiner)) {
-  const Columns columns(*refiner_);
+  const RefinedColumns columns(*refiner_);
   const Values points = columns.to_last_level(cage.points);
   if (columns.last > 0) {
     Values limit(points.size()), du(points.size()), dv(points.size());
     columns.primvars.Limit(points, limit, du, dv);
     for (std::size_t i = 0; i < points.size(); ++i)
       tangent_normals.push_back(normalize(cross(du[i].v, dv[i].v)));
-    positions = Columns::plain(limit);
+    positions = RefinedColumns::plain(limit);
   } else {
-    positions = Columns::plain(points);
+    positions = RefinedColumns::plain(points);
   }
   for (const std::vector<Vec3>& step : cage.motion) {
     const Values values = columns.to_last_level(step);
     Values limit = values;
     if (columns.last > 0) columns.primvars.Limit(values, limit);
-    motion.push_back(Columns::plain(limit));
+    motion.push_back(RefinedColumns::plain(limit));
   }
   for (int c = 0; c < static_cast<int>(cage.channels.size()); ++c) {
     const SubdivisionCage::Channel& from = cage.channels[static_cast<std::size_t>(c)];

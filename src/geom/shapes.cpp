@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/frame.h"
+#include "base/math.h"
 
 namespace oriel::geom {
 
@@ -30,7 +31,7 @@ std::optional<PlaneHit> intersect_plane(const Vec3& center, const Vec3& u, const
 }
 
 float turn_fraction(float y, float x) {
-  const float angle = std::atan2(y, x) / kTwoPi;
+  const float angle = math::atan2(y, x) / kTwoPi;
   return angle < 0 ? angle + 1 : angle;
 }
 
@@ -79,7 +80,7 @@ std::optional<ShapeHit> intersect(const Sphere& shape, const Vec3& org, const Ve
     if (!(t > tnear && t < tfar)) continue;
     const Vec3 n = normalize(f + d * t);
     return ShapeHit{t, shape.center + n * shape.radius, n,
-                    Vec2(turn_fraction(n.y, n.x), std::acos(clamp(-n.z, -1.0f, 1.0f)) * kInvPi)};
+                    Vec2(turn_fraction(n.y, n.x), math::acos(clamp(-n.z, -1.0f, 1.0f)) * kInvPi)};
   }
   return {};
 }

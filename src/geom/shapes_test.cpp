@@ -7,7 +7,7 @@
 #include <random>
 
 namespace oriel::geom {
-namespace {
+namespace shapes_test {
 
 constexpr float kFar = 1e30f;
 
@@ -120,5 +120,5 @@ TEST(Shapes, HitsLieOnTheRayAndOnTheShape) {
   EXPECT_GT(hits, 3000);
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace oriel::geom

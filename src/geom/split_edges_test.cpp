@@ -9,7 +9,7 @@
 #include <map>
 
 namespace oriel::geom {
-namespace {
+namespace split_edges_test {
 
 /// A unit square of two triangles with a vertex per corner of each: a seam along the diagonal.
 Mesh square_with_seam() {
@@ -115,5 +115,5 @@ TEST(EdgeSplitter, FacetNormalsPartTheVerticesOfAMeshWithoutNormals) {
   EXPECT_EQ(mesh.positions[4], Vec3(0, 0, 1));
 }
 
-}  // namespace
+}  // namespace split_edges_test
 }  // namespace oriel::geom

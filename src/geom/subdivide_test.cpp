@@ -10,7 +10,7 @@
 #include "geom/append_mesh.h"
 
 namespace oriel::geom {
-namespace {
+namespace subdivide_test {
 
 using scene::SubdivisionSurface;
 using Form = SubdivisionSurface::Form;
@@ -375,5 +375,5 @@ TEST(AppendMesh, ColumnsThatOnePartLacksHoldNullVectors) {
   EXPECT_EQ(a.slots[1].name, "m");
 }
 
-}  // namespace
+}  // namespace subdivide_test
 }  // namespace oriel::geom

@@ -16,10 +16,11 @@ using TextureRule = scene::SubdivisionSurface::TextureRule;
 /// Sharpness from which an edge never gets smooth, and what a crease of 1 becomes.
 /// Source: OpenSubdiv, Sdc::Crease::SHARPNESS_INFINITE.
 constexpr float kSharpForEver = 10;
-constexpr float kFarthest = 1e18f;
+constexpr float kFarthestCagePoint = 1e18f;
 
 bool is_usable(const Vec3& p) {
-  return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;
+  return std::abs(p.x) < kFarthestCagePoint && std::abs(p.y) < kFarthestCagePoint &&
+         std::abs(p.z) < kFarthestCagePoint;
 }
 
 class CageMaker {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/math.h"
 #include "geom/subdivide.h"
 
 namespace oriel::geom {
@@ -53,7 +54,7 @@ Extent measure(const SubdivisionCage& cage, const Approximation& approximation,
       const auto [other, is_new] = normals.try_emplace(std::minmax(a, b), normal);
       if (!is_new)
         extent.angle =
-            std::max(extent.angle, std::acos(clamp(dot(other->second, normal), -1.0f, 1.0f)));
+            std::max(extent.angle, math::acos(clamp(dot(other->second, normal), -1.0f, 1.0f)));
     }
     first += size;
   }
@@ -68,7 +69,7 @@ Extent measure(const SubdivisionCage& cage, const Approximation& approximation,
 int refinements(float extent, float wanted, float by) {
   if (!(extent > wanted)) return 0;
   constexpr float kMost = 16;
-  return static_cast<int>(std::min(kMost, std::ceil(std::log(extent / wanted) / std::log(by))));
+  return static_cast<int>(std::min(kMost, std::ceil(math::log(extent / wanted) / math::log(by))));
 }
 
 }  // namespace

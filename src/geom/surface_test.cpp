@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::geom {
-namespace {
+namespace surface_test {
 
 Mesh triangle(const Vec3& na, const Vec3& nb, const Vec3& nc) {
   Mesh mesh;
@@ -91,5 +91,5 @@ TEST(Surface, MirroringAMeshKeepsItsFront) {
   EXPECT_EQ(at(mesh, 0.3f, 0.3f).ns, Vec3(0, 0, 1));
 }
 
-}  // namespace
+}  // namespace surface_test
 }  // namespace oriel::geom

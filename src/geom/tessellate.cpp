@@ -19,10 +19,11 @@ namespace oriel::geom {
 namespace {
 
 // Embree leaves out what lies further away; so do we, and say so.
-constexpr float kFarthest = 1e18f;
+constexpr float kFarthestVertex = 1e18f;
 
-bool is_usable(const Vec3& p) {
-  return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;
+bool is_usable_vertex(const Vec3& p) {
+  return std::abs(p.x) < kFarthestVertex && std::abs(p.y) < kFarthestVertex &&
+         std::abs(p.z) < kFarthestVertex;
 }
 
 class Tessellator {
@@ -43,8 +44,8 @@ class Tessellator {
     };
     // No triangle uses these any more.
     std::replace_if(
-        mesh_.positions.begin(), mesh_.positions.end(), [](const Vec3& p) { return !is_usable(p); },
-        Vec3(0));
+        mesh_.positions.begin(), mesh_.positions.end(),
+        [](const Vec3& p) { return !is_usable_vertex(p); }, Vec3(0));
     mesh_.positions.push_back(Vec3(0));
     mesh_.positions.shrink_to_fit();
     mesh_.triangles.shrink_to_fit();
@@ -96,7 +97,7 @@ class Tessellator {
     for (const std::uint32_t vertex : different_.kept) {
       const std::uint32_t i = list.point[vertex];
       const Vec3 p = i < group.vectors.size() ? group.vectors[i] : Vec3(NAN);
-      usable_ = usable_ && is_usable(p);
+      usable_ = usable_ && is_usable_vertex(p);
       mesh_.positions.push_back(p);
     }
     add_column(group, list.normal, mesh_.normals, true);
@@ -162,7 +163,7 @@ class Tessellator {
         return;
       }
       c = static_cast<std::uint32_t>(base_) + different_.number_of[c];
-      finite = finite && (usable_ || is_usable(mesh_.positions[c]));
+      finite = finite && (usable_ || is_usable_vertex(mesh_.positions[c]));
     }
     if (!finite) {
       ++not_finite;

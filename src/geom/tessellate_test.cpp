@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace oriel::geom {
-namespace {
+namespace tessellate_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -195,5 +195,5 @@ TEST(Tessellate, EmptyObjectsGiveEmptyMeshes) {
   EXPECT_TRUE(mesh.bounds().isEmpty());
 }
 
-}  // namespace
+}  // namespace tessellate_test
 }  // namespace oriel::geom

@@ -8,7 +8,7 @@
 #include "image/test_files.h"
 
 namespace oriel {
-namespace {
+namespace atomic_file_test {
 
 TEST(AtomicFile, ReplacesTheOldFileAndLeavesNothingElse) {
   const TestFolder folder;
@@ -37,5 +37,5 @@ TEST(AtomicFile, KeepsTheOldFileWhenTheWriterThrows) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-}  // namespace
+}  // namespace atomic_file_test
 }  // namespace oriel

@@ -11,7 +11,7 @@
 #include "image/flip.h"
 
 namespace oriel {
-namespace {
+namespace compare_test {
 
 TEST(Compare, FiguresFollowTheirFormulas) {
   Image reference(3, 2, 2, 1), test = reference;
@@ -98,5 +98,5 @@ TEST(Flip, FineNoiseCountsLessFromFarAway) {
             0.5 * mean_value(flip_error(checker, flat, 20)));
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace oriel

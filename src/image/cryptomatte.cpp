@@ -19,7 +19,7 @@ std::uint32_t byte_at(std::string_view text, std::size_t i) {
 }
 
 /// As a string of JSON. Names are bytes; what is no plain character is escaped or stays.
-std::string quoted(std::string_view name) {
+std::string json_string(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) {
     if (c == '"' || c == '\\')
@@ -82,7 +82,7 @@ std::map<std::string, std::string> cryptomatte_metadata(std::string_view type,
       fmt::format("cryptomatte/{}/", fmt::format("{:08x}", murmur3_32(type)).substr(0, 7));
   std::string manifest;
   for (const std::string& name : std::set<std::string>(names.begin(), names.end()))
-    manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "" : ",", quoted(name),
+    manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "" : ",", json_string(name),
                             std::bit_cast<std::uint32_t>(cryptomatte_id(name)));
   return {{key + "name", std::string(type)},
           {key + "hash", "MurmurHash3_32"},

@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace oriel {
-namespace {
+namespace cryptomatte_test {
 
 TEST(Cryptomatte, HashesAreThoseOfTheSpecification) {
   // The manifests printed in the specification.
@@ -67,5 +67,5 @@ TEST(Cryptomatte, TheHeaderTellsTypeHashAndNames) {
   EXPECT_NE(manifest.find(R"("a \"b\"\\":")"), std::string::npos) << manifest;
 }
 
-}  // namespace
+}  // namespace cryptomatte_test
 }  // namespace oriel

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/math.h"
 #include "base/parallel.h"
 
 namespace oriel::denoising {
@@ -75,8 +76,8 @@ Planes read_features(const DenoiseInput& input) {
   if (input.depth) {
     Planes depth = read(input.depth, 1);
     const float furthest = *std::max_element(depth.values.begin(), depth.values.end());
-    const float nothing = furthest > 0 ? std::log(furthest) + kNothing : 0.0f;
-    for (float& d : depth.values) d = kDepthScale * (d > 0 ? std::log(d) : nothing);
+    const float nothing = furthest > 0 ? math::log(furthest) + kNothing : 0.0f;
+    for (float& d : depth.values) d = kDepthScale * (d > 0 ? math::log(d) : nothing);
     copy(depth, 6);
   }
   return out;

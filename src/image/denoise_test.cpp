@@ -15,7 +15,7 @@
 #include "image/compare.h"
 
 namespace oriel {
-namespace {
+namespace denoise_test {
 
 /// A picture as a renderer would bring it, with its truth.
 struct Render {
@@ -270,5 +270,5 @@ TEST(Denoise, MissingAndMismatchedInputsAreTold) {
   EXPECT_THROW(denoise({.color = &color, .variance = &small}), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace denoise_test
 }  // namespace oriel

@@ -14,7 +14,7 @@
 #include "image/test_files.h"
 
 namespace oriel {
-namespace {
+namespace exr_test {
 
 Image noise(int width, int height, int channels, unsigned seed) {
   std::mt19937 random(seed);
@@ -174,5 +174,5 @@ TEST(Exr, SmallFileMayNotClaimAHugePicture) {
   }
 }
 
-}  // namespace
+}  // namespace exr_test
 }  // namespace oriel

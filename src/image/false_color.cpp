@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/math.h"
 #include "image/glyphs.h"
 
 namespace oriel {
@@ -29,7 +30,7 @@ constexpr double kShareOutside = 0.01;
 
 /// The next 1, 2, 5 times a power of ten from a value upward, or downward.
 float round_number(float value, bool up) {
-  const float decade = std::pow(10.0f, std::floor(std::log10(value)));
+  const float decade = math::pow(10.0f, std::floor(math::log10(value)));
   const float digit = value / decade;
   // A little over a round number is that number.
   constexpr float kSlack = 1.0001f;
@@ -50,17 +51,17 @@ std::vector<float> linear_ticks(const ValueScale& s) {
 }
 
 std::vector<float> logarithmic_ticks(const ValueScale& s) {
-  const float decades = std::log10(s.high / s.low);
+  const float decades = math::log10(s.high / s.low);
   if (decades < 1) return linear_ticks(s);
   std::vector<float> ticks;
-  const int first = static_cast<int>(std::floor(std::log10(s.low)));
-  const int last = static_cast<int>(std::ceil(std::log10(s.high)));
+  const int first = static_cast<int>(std::floor(math::log10(s.low)));
+  const int last = static_cast<int>(std::ceil(math::log10(s.high)));
   const int stride = std::max(1, static_cast<int>(std::lround(decades / 8)));
   for (int e = first; e <= last; ++e)
     for (const float digit : {1.0f, 2.0f, 5.0f}) {
       if (digit > 1 && decades > 3) continue;
       if (digit == 1 && (e - first) % stride != 0) continue;
-      const float value = digit * std::pow(10.0f, static_cast<float>(e));
+      const float value = digit * math::pow(10.0f, static_cast<float>(e));
       if (value >= s.low * .999f && value <= s.high * 1.001f) ticks.push_back(value);
     }
   return ticks;
@@ -120,7 +121,7 @@ Rgb viridis(float t) {
 }
 
 float ValueScale::position(float value) const {
-  const float t = logarithmic ? std::log(std::max(value, low) / low) / std::log(high / low)
+  const float t = logarithmic ? math::log(std::max(value, low) / low) / math::log(high / low)
                               : (value - low) / (high - low);
   return std::clamp(t, 0.0f, 1.0f);
 }

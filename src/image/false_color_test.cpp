@@ -12,7 +12,7 @@
 #include "image/glyphs.h"
 
 namespace oriel {
-namespace {
+namespace false_color_test {
 
 /// CIE 1976 lightness, 0...1 for what lies far enough from black.
 float lightness(const Rgb& display) {
@@ -114,5 +114,5 @@ TEST(Glyphs, AllThatLegendsSayCanBeWritten) {
   EXPECT_EQ(text_width("12", 2), 22);
 }
 
-}  // namespace
+}  // namespace false_color_test
 }  // namespace oriel

@@ -16,7 +16,7 @@
 #include "image/texture.h"
 
 namespace oriel {
-namespace {
+namespace files_test {
 
 bool openimageio_is_loaded() {
   std::ifstream maps("/proc/self/maps");
@@ -137,5 +137,5 @@ TEST(Files, UnknownOrMissingFilesThrowWithTheirName) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace oriel

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
@@ -45,7 +46,7 @@ const Vec3 kWhite = xyz_of(Vec3(1, 1, 1));
 
 float decoded(float v) {
   const float c = v > 0 ? std::min(v, 1.0f) : 0.0f;
-  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+  return c <= 0.04045f ? c / 12.92f : math::pow((c + 0.055f) / 1.055f, 2.4f);
 }
 
 Vec3 ycxcz_of(const Vec3& linear) {
@@ -62,7 +63,7 @@ Vec3 hunt_lab_of(const Vec3& linear) {
   const Vec3 t = xyz_of(linear) / kWhite;
   const auto f = [](float v) {
     constexpr float kDelta = 6.0f / 29;
-    return v > kDelta * kDelta * kDelta ? std::cbrt(v) : v / (3 * kDelta * kDelta) + 4.0f / 29;
+    return v > kDelta * kDelta * kDelta ? math::cbrt(v) : v / (3 * kDelta * kDelta) + 4.0f / 29;
   };
   const float lightness = 116 * f(t.y) - 16;
   return Vec3(lightness, 0.01f * lightness * 500 * (f(t.x) - f(t.y)),
@@ -70,7 +71,7 @@ Vec3 hunt_lab_of(const Vec3& linear) {
 }
 
 float hyab(const Vec3& a, const Vec3& b) {
-  return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+  return std::abs(a.x - b.x) + math::hypot(a.y - b.y, a.z - b.z);
 }
 
 // --- separable filters ---
@@ -117,7 +118,7 @@ Plane contrast_filtered(const Plane& in, int width, int height, const std::vecto
     std::vector<float> k;
     float sum = 0;
     for (int i = -r; i <= r; ++i) {
-      k.push_back(std::exp(-sqr(kPi * float(i) / pixels_per_degree) / g.width));
+      k.push_back(math::exp(-sqr(kPi * float(i) / pixels_per_degree) / g.width));
       sum += k.back();
     }
     for (float& v : k) v /= sum;
@@ -181,7 +182,7 @@ Features features_of(const Picture& p, float ppd) {
   std::vector<float> smooth, slope, bend;
   float sum = 0;
   for (int i = -r; i <= r; ++i) {
-    const float g = std::exp(-sqr(float(i)) / (2 * sqr(sigma)));
+    const float g = math::exp(-sqr(float(i)) / (2 * sqr(sigma)));
     smooth.push_back(g);
     slope.push_back(-float(i) * g);
     bend.push_back((sqr(float(i) / sigma) - 1) * g);
@@ -197,7 +198,7 @@ Features features_of(const Picture& p, float ppd) {
   const auto magnitude = [&](const std::vector<float>& k) {
     Plane x = filtered(grey, p.width, p.height, k, smooth);
     const Plane y = filtered(grey, p.width, p.height, smooth, k);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::hypot(x[i], y[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = math::hypot(x[i], y[i]);
     return x;
   };
   return {magnitude(slope), magnitude(bend)};
@@ -206,8 +207,8 @@ Features features_of(const Picture& p, float ppd) {
 /// Spreads the colour distance over 0...1: most of the range for what is well below the largest.
 float colour_error(const Vec3& a, const Vec3& b) {
   static const float largest =
-      std::pow(hyab(hunt_lab_of(Vec3(0, 1, 0)), hunt_lab_of(Vec3(0, 0, 1))), kColourExponent);
-  const float e = std::pow(hyab(a, b), kColourExponent);
+      math::pow(hyab(hunt_lab_of(Vec3(0, 1, 0)), hunt_lab_of(Vec3(0, 0, 1))), kColourExponent);
+  const float e = math::pow(hyab(a, b), kColourExponent);
   const float at = kBreakShare * largest;
   if (e < at) return kBreakError * e / at;
   return std::min(1.0f, kBreakError + (e - at) / (largest - at) * (1 - kBreakError));
@@ -228,8 +229,8 @@ Image flip_error(const Image& test, const Image& reference, float pixels_per_deg
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     const float change =
         std::max(std::abs(fa.edge[i] - fb.edge[i]), std::abs(fa.point[i] - fb.point[i]));
-    const float feature = std::min(1.0f, std::pow(change / std::sqrt(2.0f), kFeatureExponent));
-    out.pixels[i] = std::pow(colour_error(seen_a[i], seen_b[i]), 1 - feature);
+    const float feature = std::min(1.0f, math::pow(change / std::sqrt(2.0f), kFeatureExponent));
+    out.pixels[i] = math::pow(colour_error(seen_a[i], seen_b[i]), 1 - feature);
   }
   return out;
 }

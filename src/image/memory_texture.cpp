@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/math.h"
 #include "image/texture.h"
 #include "image/texture_wrap.h"
 
@@ -101,7 +102,7 @@ class MemoryTexture final : public Texture {
 
     // Average the probes along the longer axis.
     Rgba sum(0, 0, 0, 0);
-    const float level = std::log2(width);
+    const float level = math::log2(width);
     for (int i = 0; i < probes; ++i) {
       const float t = (i + 0.5f) / probes - 0.5f;
       sum += trilinear(*u + major.x * t, *v + major.y * t, level, how);
@@ -133,7 +134,7 @@ std::unique_ptr<Texture> make_memory_texture(int width, int height, int componen
 
   std::array<float, 256> decoded;
   for (int i = 0; i < 256; ++i)
-    decoded[i] = gamma > 0 && gamma != 1 ? std::pow(i / 255.0f, gamma) : i / 255.0f;
+    decoded[i] = gamma > 0 && gamma != 1 ? math::pow(i / 255.0f, gamma) : i / 255.0f;
 
   Level finest{width, height, std::vector<Rgba>(std::size_t(width) * height)};
   for (int y = 0; y < height; ++y) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace oriel {
-namespace {
+namespace noise_test {
 
 TEST(Noise, MatchesThePublishedFunction) {
   // The value that implementations of the 2002 reference code agree on.
@@ -45,5 +45,5 @@ TEST(Noise, RepeatsAfter256AndIsTotal) {
   EXPECT_EQ(gradient_noise(Vec3(none, 0, 0)), 0);
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace oriel

@@ -18,7 +18,7 @@
 namespace oriel {
 namespace {
 
-constexpr png_uint_32 kLargestSide = 1 << 16;
+constexpr png_uint_32 kLargestPngSide = 1 << 16;
 constexpr std::size_t kMostBytes = std::size_t(1) << 30;
 
 struct CloseFile {
@@ -70,7 +70,7 @@ bool encode(Session& s, std::FILE* file, const Image& image, const PngOptions& o
   constexpr int kColourType[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                  PNG_COLOR_TYPE_RGB_ALPHA};
   png_init_io(s.png, file);
-  png_set_user_limits(s.png, kLargestSide, kLargestSide);
+  png_set_user_limits(s.png, kLargestPngSide, kLargestPngSide);
   png_set_IHDR(s.png, s.info, image.width, image.height, options.bits,
                kColourType[image.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
@@ -128,7 +128,7 @@ struct Shape {
 bool decode_header(Session& s, std::FILE* file, Shape& shape) {
   if (setjmp(png_jmpbuf(s.png))) return false;
   png_init_io(s.png, file);
-  png_set_user_limits(s.png, kLargestSide, kLargestSide);
+  png_set_user_limits(s.png, kLargestPngSide, kLargestPngSide);
   png_set_chunk_malloc_max(s.png, 1 << 24);
   png_read_info(s.png, s.info);
   const int type = png_get_color_type(s.png, s.info);

@@ -12,7 +12,7 @@
 #include "image/test_files.h"
 
 namespace oriel {
-namespace {
+namespace png_test {
 
 /// Every value is a whole step of the given number of bits.
 Image steps(int width, int height, int channels, int bits) {
@@ -110,5 +110,5 @@ TEST(Png, UnknownShapesAreRefused) {
   EXPECT_THROW(write_png(folder.file("a.png"), Image(2, 2, 3), options), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace png_test
 }  // namespace oriel

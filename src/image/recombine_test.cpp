@@ -11,7 +11,7 @@
 #include "image/test_layers.h"
 
 namespace oriel {
-namespace {
+namespace recombine_test {
 
 Image& image_of(std::vector<Layer>& layers, const std::string& name) {
   for (Layer& layer : layers)
@@ -126,5 +126,5 @@ TEST(Recombine, WhatCannotBeUsedIsNamed) {
   EXPECT_EQ(unusable_outputs({}).front(), "the picture itself (R, G, B) is missing");
 }
 
-}  // namespace
+}  // namespace recombine_test
 }  // namespace oriel

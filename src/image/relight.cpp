@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
+#include "base/math.h"
 #include "color/luminance.h"
 
 namespace oriel {
@@ -25,7 +25,7 @@ std::vector<std::string> light_layer_names(const std::vector<Layer>& layers) {
 }
 
 Rgb tinted(float factor, float warmth) {
-  const Rgb tint(std::exp2(warmth), 1, std::exp2(-warmth));
+  const Rgb tint(math::exp2(warmth), 1, math::exp2(-warmth));
   return tint * (factor / luminance(tint));
 }
 

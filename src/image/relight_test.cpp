@@ -9,7 +9,7 @@
 #include "color/luminance.h"
 
 namespace oriel {
-namespace {
+namespace relight_test {
 
 const std::vector<std::string> kRgb = {"R", "G", "B"};
 
@@ -67,5 +67,5 @@ TEST(Relight, WhatCannotBeIsToldWithTheGroupsThereAre) {
   EXPECT_NE(message(layers, "key").find("missing"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace relight_test
 }  // namespace oriel

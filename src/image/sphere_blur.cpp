@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "base/parallel.h"
 
 namespace oriel::image {
@@ -25,7 +26,7 @@ float texel_width(int side) { return std::sqrt(4 * kPi / 6) / static_cast<float>
 
 /// Cosine below which lies the share u of the kernel exp(k (cos t - 1)).
 float cosine_at(float u, float k) {
-  return std::max(-1.0f, 1 + std::log(1 - u * (1 - std::exp(-2 * k))) / k);
+  return std::max(-1.0f, 1 + math::log(1 - u * (1 - math::exp(-2 * k))) / k);
 }
 
 /// The map under a kernel of that variance, at points spread evenly over it.
@@ -41,7 +42,7 @@ CubeMap blurred(const CubeMap& map, float variance) {
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
     const float golden = 0.61803399f * static_cast<float>(i);
     const float phi = kTwoPi * (golden - std::floor(golden));
-    offsets.emplace_back(r * std::cos(phi), r * std::sin(phi), z);
+    offsets.emplace_back(r * math::cos(phi), r * math::sin(phi), z);
   }
   CubeMap out(map.side());
   out.fill([&](int face, int x, int y) {
@@ -72,15 +73,15 @@ Vec3 CubeMap::direction(int face, float x, float y) const {
   const int axis = face / 2;
   Vec3 d;
   d[axis] = face % 2 == 0 ? 1.0f : -1.0f;
-  d[(axis + 1) % 3] = std::tan(step * x - kPi / 4);
-  d[(axis + 2) % 3] = std::tan(step * y - kPi / 4);
+  d[(axis + 1) % 3] = math::tan(step * x - kPi / 4);
+  d[(axis + 2) % 3] = math::tan(step * y - kPi / 4);
   return normalize(d);
 }
 
 float CubeMap::solid_angle(float x, float y) const {
   const float step = kPi / 2 / static_cast<float>(side_);
-  const float a = sqr(std::tan(step * x - kPi / 4)), b = sqr(std::tan(step * y - kPi / 4));
-  return sqr(step) * (1 + a) * (1 + b) / std::pow(1 + a + b, 1.5f);
+  const float a = sqr(math::tan(step * x - kPi / 4)), b = sqr(math::tan(step * y - kPi / 4));
+  return sqr(step) * (1 + a) * (1 + b) / math::pow(1 + a + b, 1.5f);
 }
 
 Rgba CubeMap::lookup(const Vec3& d) const {
@@ -88,7 +89,7 @@ Rgba CubeMap::lookup(const Vec3& d) const {
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
   const int face = 2 * axis + (d[axis] < 0 ? 1 : 0);
   const auto split = [&](float tangent, float* weights) {
-    const float x = (std::atan(tangent) * (2 * kInvPi) + 0.5f) * static_cast<float>(side_);
+    const float x = (math::atan(tangent) * (2 * kInvPi) + 0.5f) * static_cast<float>(side_);
     const int i = std::clamp(static_cast<int>(x), 0, side_ - 1);
     const float f = x - static_cast<float>(i) - 0.5f;
     weights[0] = 0.5f * sqr(0.5f - f);
@@ -193,15 +194,15 @@ SphereBlur::Weights SphereBlur::weights_of(const std::function<float(float)>& ke
   double total = 0;
   for (std::size_t i = 0; i < kRings; ++i) {
     const auto edge = [&](std::size_t at) {
-      return at == 0 ? 0.0f : least * std::pow(kPi / least, static_cast<float>(at) / kRings);
+      return at == 0 ? 0.0f : least * math::pow(kPi / least, static_cast<float>(at) / kRings);
     };
     const float a = edge(i), b = edge(i + 1), middle = 0.5f * (a + b);
-    const double ring = static_cast<double>(b - a) * std::sin(middle);
+    const double ring = static_cast<double>(b - a) * math::sin(middle);
     wanted[i] = ring * std::max(0.0f, kernel(middle));
     total += wanted[i];
     for (std::size_t j = 0; j < kLevels; ++j) {
       const float k = 1 / sqr(width(static_cast<int>(j)));
-      has[i][j] = ring * std::exp(k * (std::cos(middle) - 1));
+      has[i][j] = ring * math::exp(k * (math::cos(middle) - 1));
       all[j] += has[i][j];
     }
   }

@@ -10,7 +10,7 @@
 #include "base/frame.h"
 
 namespace oriel::image {
-namespace {
+namespace sphere_blur_test {
 
 /// Directions all around, evenly.
 Vec3 spread(int i, int n) {
@@ -71,5 +71,5 @@ TEST(SphereBlur, LevelsAreAsWideAsTheySay) {
   }
 }
 
-}  // namespace
+}  // namespace sphere_blur_test
 }  // namespace oriel::image

@@ -28,12 +28,12 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOpenImage
 #endif
 
 namespace oriel {
-namespace {
+namespace texture_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
 /// Makes the same texture from a TIFF file or from bytes; rows from the top, three components.
-class TextureTest : public testing::TestWithParam<const char*> {
+class TextureTest : public ::testing::TestWithParam<const char*> {
  protected:
   const Texture* make(int width, int height, const Bytes& rgb, float gamma = 1) {
     if (std::string(GetParam()) == "memory") {
@@ -70,7 +70,7 @@ class TextureTest : public testing::TestWithParam<const char*> {
   int count_ = 0;
 };
 
-INSTANTIATE_TEST_SUITE_P(Sources, TextureTest, testing::Values("file", "memory"),
+INSTANTIATE_TEST_SUITE_P(Sources, TextureTest, ::testing::Values("file", "memory"),
                          [](const auto& source) { return std::string(source.param); });
 
 TEST_P(TextureTest, OriginIsLowerLeftAndTexelCentresAreExact) {
@@ -392,8 +392,8 @@ TEST(TextureFiles, MayBeMoreThanCanBeOpen) {
     std::filesystem::create_hard_link(files[0], files.back());
   }
   testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process that opened nothing before
-  EXPECT_EXIT(look_into(files), testing::ExitedWithCode(EXIT_SUCCESS), "");
+  EXPECT_EXIT(look_into(files), ::testing::ExitedWithCode(EXIT_SUCCESS), "");
 }
 
-}  // namespace
+}  // namespace texture_test
 }  // namespace oriel

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "base/parallel.h"
 
 namespace oriel {
@@ -37,7 +38,7 @@ Rgba view_color(const Rgba& linear, const ViewOptions& options) {
 
   const float exponent = options.gamma > 0 ? 1 / options.gamma : 1;
   if (exponent != 1)
-    for (int i = 0; i < 3; ++i) c[i] = c[i] > 0 ? std::pow(c[i], exponent) : 0.0f;
+    for (int i = 0; i < 3; ++i) c[i] = c[i] > 0 ? math::pow(c[i], exponent) : 0.0f;
 
   c = Rgb(clamp01(c.x), clamp01(c.y), clamp01(c.z));
   alpha = clamp01(alpha);

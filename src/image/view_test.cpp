@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace oriel {
-namespace {
+namespace view_test {
 
 void expect_near(const Rgba& got, const Rgba& want, float tolerance = 1e-6f) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(got[i], want[i], tolerance) << "component " << i;
@@ -81,5 +81,5 @@ TEST(View, PictureIsTreatedPixelByPixelWhateverItsChannels) {
   }
 }
 
-}  // namespace
+}  // namespace view_test
 }  // namespace oriel

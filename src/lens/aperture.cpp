@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/math.h"
+
 namespace oriel::lens {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr int kMostBlades = 1 << 16;
 
 float usable(float v) { return v > 0 && std::isfinite(v) ? v : 0.0f; }
 
-Vec2 on_circle(float turns) { return Vec2(std::cos(kTwoPi * turns), std::sin(kTwoPi * turns)); }
+Vec2 on_circle(float turns) { return Vec2(math::cos(kTwoPi * turns), math::sin(kTwoPi * turns)); }
 
 }  // namespace
 
@@ -49,7 +51,7 @@ Aperture::Sample Aperture::sample(const Vec2& u) const {
         cell(uv.y, table_.height()) * table_.width() + cell(uv.x, table_.width());
     return {Vec2(2 * uv.x - 1, 2 * uv.y - 1), weights_[at]};
   }
-  const float r = std::pow(u.x, exponent_);
+  const float r = math::pow(u.x, exponent_);
   if (blades_ == 0) return {on_circle(u.y + angle_) * r, Rgb(1)};
   const float n = static_cast<float>(blades_);
   const float blade = std::min(std::floor(u.y * n), n - 1);

@@ -9,7 +9,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel::lens {
-namespace {
+namespace aperture_test {
 
 constexpr int kSamples = 1 << 16;
 
@@ -119,5 +119,5 @@ TEST(Aperture, OddParametersGivePoints) {
   });
 }
 
-}  // namespace
+}  // namespace aperture_test
 }  // namespace oriel::lens

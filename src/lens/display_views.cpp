@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/math.h"
+
 namespace oriel::lens {
 namespace {
 
@@ -42,10 +44,10 @@ const Insets& insets() {
 /// A branch of the curve: height over (or depth under) the pivot at `distance` from it, reaching
 /// `to.y` at `to.x`.
 float branch(float distance, const Vec2& to, float slope, float power) {
-  const float scale = std::pow(
-      std::pow(slope * to.x, -power) * (std::pow(slope * to.x / to.y, power) - 1), -1 / power);
+  const float scale = math::pow(
+      math::pow(slope * to.x, -power) * (math::pow(slope * to.x / to.y, power) - 1), -1 / power);
   const float t = slope * distance / scale;
-  return scale * t / std::pow(1 + std::pow(t, power), 1 / power);
+  return scale * t / math::pow(1 + math::pow(t, power), 1 / power);
 }
 
 float not_negative(float v) { return v > 0 ? std::min(v, 1e30f) : 0.0f; }
@@ -67,7 +69,7 @@ Rgb agx(const Rgb& linear) {
                       Rgb(not_negative(linear.x), not_negative(linear.y), not_negative(linear.z)));
   Rgb out(0);
   for (int i = 0; i < 3; ++i) {
-    const float stops = std::log2(std::max(c[i], 1e-30f) / kGrey);
+    const float stops = math::log2(std::max(c[i], 1e-30f) / kGrey);
     out[i] = agx_curve((stops + kStopsBelow) / (kStopsBelow + kStopsAbove));
   }
   out = apply(insets().outset, out);

@@ -9,7 +9,7 @@
 #include "color/srgb.h"
 
 namespace oriel::lens {
-namespace {
+namespace display_views_test {
 
 TEST(DisplayViews, AgxCurveAgreesWithItsPublishedPolynomialFit) {
   // B. Wrensch, "Minimal AgX Implementation", 2023: mean squared error below 1e-5.
@@ -113,5 +113,5 @@ TEST(DisplayViews, OddInputGivesColours) {
       }
 }
 
-}  // namespace
+}  // namespace display_views_test
 }  // namespace oriel::lens

@@ -2,6 +2,7 @@
 // Photographic and simple exposure: constants worked out once, curves per colour.
 #include "lens/exposure.h"
 
+#include "base/math.h"
 #include "color/luminance.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ Rgb tame(const Rgb& c) { return Rgb(tame(c.x), tame(c.y), tame(c.z)); }
 /// v^exponent for v >= 0, skipping the exponents that most scenes ask for.
 float power(float v, float exponent) {
   if (exponent == 1) return v;
-  return v > 0 ? std::pow(v, exponent) : 0.0f;
+  return v > 0 ? math::pow(v, exponent) : 0.0f;
 }
 
 float inverse_of_gamma(float gamma) { return gamma > 0 ? 1 / gamma : 1.0f; }

@@ -5,24 +5,25 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.h"
 #include "color/luminance.h"
 
 namespace oriel::lens {
 namespace {
 
-float tame(float v) { return v > 0 ? std::min(v, std::numeric_limits<float>::max()) : 0.0f; }
-Rgb tame(const Rgb& c) { return Rgb(tame(c.x), tame(c.y), tame(c.z)); }
+float compress(float v) { return v > 0 ? std::min(v, std::numeric_limits<float>::max()) : 0.0f; }
+Rgb compress(const Rgb& c) { return Rgb(compress(c.x), compress(c.y), compress(c.z)); }
 
 /// x >= 0 where lerp(x^exponent, x, share) is `value`: by Newton's steps, which come down to it
 /// from any larger x, since the function rises and is convex for exponents from 1.
 double before_toe(double value, double exponent, double share) {
   if (!(value > 0)) return 0;
   // Neither of the two terms can be more than their sum.
-  double x = std::pow(value / std::max(1 - share, 1e-12), 1 / exponent);
+  double x = math::pow(value / std::max(1 - share, 1e-12), 1 / exponent);
   if (share > 0) x = std::min(x, value / share);
   constexpr int kMostSteps = 30;
   for (int i = 0; i < kMostSteps; ++i) {
-    const double toe = (1 - share) * std::pow(x, exponent);
+    const double toe = (1 - share) * math::pow(x, exponent);
     const double step = (toe + share * x - value) / (exponent * toe / x + share);
     x -= step;
     if (!(step > 1e-8 * x)) break;
@@ -92,7 +93,7 @@ Rgb ReversePhotographicExposure::uncrushed(const Rgb& c) const {
 Rgb ReversePhotographicExposure::unsaturated(const Rgb& c) const {
   if (saturation_ == 1) return c;
   const Rgb grey(luminance(c));
-  return saturation_ > 0 ? tame(grey + (c - grey) / saturation_) : grey;
+  return saturation_ > 0 ? compress(grey + (c - grey) / saturation_) : grey;
 }
 
 float ReversePhotographicExposure::unburnt(float value) const {
@@ -108,13 +109,13 @@ float ReversePhotographicExposure::unburnt(float value) const {
 }
 
 Rgb ReversePhotographicExposure::operator()(const Rgb& display, float cos_to_film_plane) const {
-  Rgb c = tame(display);
-  for (int k = 0; k < 3; ++k) c[k] = std::pow(c[k], gamma_);
-  c = unsaturated(uncrushed(tame(c)));
+  Rgb c = compress(display);
+  for (int k = 0; k < 3; ++k) c[k] = math::pow(c[k], gamma_);
+  c = unsaturated(uncrushed(compress(c)));
   for (int k = 0; k < 3; ++k) c[k] = unburnt(c[k]);
   if (vignetting_ != 0 && cos_to_film_plane < 1)
-    c /= std::pow(std::max(cos_to_film_plane, kLeastCosine), vignetting_);
-  return tame(c * inverse_scale_);
+    c /= math::pow(std::max(cos_to_film_plane, kLeastCosine), vignetting_);
+  return compress(c * inverse_scale_);
 }
 
 }  // namespace oriel::lens

@@ -11,7 +11,7 @@
 #include "color/luminance.h"
 
 namespace oriel::lens {
-namespace {
+namespace exposure_reverse_test {
 
 std::vector<PhotographicParameters> table() {
   std::vector<PhotographicParameters> all;
@@ -112,5 +112,5 @@ TEST(ReverseExposure, WhatCannotHaveBeenShownIsFinite) {
   EXPECT_EQ(ReversePhotographicExposure(p)(Rgb(.5f)), Rgb(0));
 }
 
-}  // namespace
+}  // namespace exposure_reverse_test
 }  // namespace oriel::lens

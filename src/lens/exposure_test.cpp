@@ -10,7 +10,7 @@
 #include <random>
 
 namespace oriel::lens {
-namespace {
+namespace exposure_test {
 
 /// Nothing but exposure: linear curve, no gamma.
 PhotographicParameters linear() {
@@ -314,5 +314,5 @@ TEST(Exposure, IsFiniteAndNeverNegative) {
   }
 }
 
-}  // namespace
+}  // namespace exposure_test
 }  // namespace oriel::lens

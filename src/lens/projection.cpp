@@ -4,18 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel::lens {
 
 Vec3 cylindrical(const Vec2& uv, float horizontal, float vertical) {
   const float longitude = (uv.x - 0.5f) * horizontal;
-  const float height = (2 * uv.y - 1) * std::tan(vertical / 2);
-  return normalize(Vec3(std::sin(longitude), height, -std::cos(longitude)));
+  const float height = (2 * uv.y - 1) * math::tan(vertical / 2);
+  return normalize(Vec3(math::sin(longitude), height, -math::cos(longitude)));
 }
 
 Vec3 spherical(const Vec2& uv, float horizontal, float vertical) {
   const float longitude = (uv.x - 0.5f) * horizontal, latitude = (uv.y - 0.5f) * vertical;
-  const float level = std::cos(latitude);
-  return Vec3(std::sin(longitude) * level, std::sin(latitude), -std::cos(longitude) * level);
+  const float level = math::cos(latitude);
+  return Vec3(math::sin(longitude) * level, math::sin(latitude), -math::cos(longitude) * level);
 }
 
 std::optional<Vec3> fisheye(const Vec2& place, Fisheye mapping, float half_angle) {
@@ -26,17 +28,17 @@ std::optional<Vec3> fisheye(const Vec2& place, Fisheye mapping, float half_angle
     case Fisheye::Equidistant:
       break;
     case Fisheye::Equisolid:
-      angle = 2 * std::asin(r * std::sin(half_angle / 2));
+      angle = 2 * math::asin(r * math::sin(half_angle / 2));
       break;
     case Fisheye::Stereographic:
-      angle = 2 * std::atan(r * std::tan(half_angle / 2));
+      angle = 2 * math::atan(r * math::tan(half_angle / 2));
       break;
     case Fisheye::Orthographic:
-      angle = std::asin(r * std::sin(half_angle));
+      angle = math::asin(r * math::sin(half_angle));
       break;
   }
-  const float aside = r > 0 ? std::sin(angle) / r : 0;
-  return Vec3(place.x * aside, place.y * aside, -std::cos(angle));
+  const float aside = r > 0 ? math::sin(angle) / r : 0;
+  return Vec3(place.x * aside, place.y * aside, -math::cos(angle));
 }
 
 Vec3 cube(const Vec2& uv, CubeLayout layout) {

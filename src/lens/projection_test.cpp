@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::lens {
-namespace {
+namespace projection_test {
 
 constexpr float kDegree = kPi / 180;
 
@@ -95,5 +95,5 @@ TEST(LensProjection, AnUprightBackKeepsVerticalsParallel) {
   }
 }
 
-}  // namespace
+}  // namespace projection_test
 }  // namespace oriel::lens

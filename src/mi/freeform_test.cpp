@@ -7,7 +7,7 @@
 #include "mi/test_support.h"
 
 namespace oriel::mi {
-namespace {
+namespace freeform_test {
 
 using Points = std::vector<scene::ControlPoint>;
 using Parameters = std::vector<float>;
@@ -90,5 +90,5 @@ TEST(FreeFormReader, WhatIsCutShortIsOneErrorAndTheFileGoesOn) {
   }
 }
 
-}  // namespace
+}  // namespace freeform_test
 }  // namespace oriel::mi

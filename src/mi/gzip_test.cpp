@@ -10,7 +10,7 @@
 #include "mi/reader.h"
 
 namespace oriel::mi {
-namespace {
+namespace gzip_test {
 
 /// A file of its own that goes with the test.
 class GzipFile {
@@ -27,7 +27,7 @@ class GzipFile {
   }
 
  private:
-  const std::string path_ = testing::TempDir() + "scene.mi.gz";
+  const std::string path_ = ::testing::TempDir() + "scene.mi.gz";
 };
 
 const std::string kScene = "options \"o\" samples 0 2 end options\nset \"x\" \"y\"\n";
@@ -57,5 +57,5 @@ TEST(Gzip, TextBeyondTheLimitIsRefusedHoweverSmallItsFile) {
   EXPECT_NE(reason.find("larger"), std::string::npos) << reason;
 }
 
-}  // namespace
+}  // namespace gzip_test
 }  // namespace oriel::mi

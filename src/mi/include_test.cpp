@@ -8,7 +8,7 @@
 #include "mi/test_support.h"
 
 namespace oriel::mi {
-namespace {
+namespace include_test {
 
 std::string include_line(int i) { return fmt::format("$include \"f{}.mi\"\n", i); }
 
@@ -106,5 +106,5 @@ TEST_F(Include, AnUnreadableSceneIsAnErrorAndEmpty) {
   EXPECT_EQ(diagnostics_.count(Severity::Error), 1u);
 }
 
-}  // namespace
+}  // namespace include_test
 }  // namespace oriel::mi

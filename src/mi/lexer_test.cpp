@@ -11,7 +11,7 @@
 #include "mi/test_support.h"
 
 namespace oriel::mi {
-namespace {
+namespace lexer_test {
 
 using scene::Value;
 
@@ -180,5 +180,5 @@ TEST(Lexer, ValuesOfEveryKindAreKeptAsWritten) {
             (std::vector<double>{0, 1, 2}));
 }
 
-}  // namespace
+}  // namespace lexer_test
 }  // namespace oriel::mi

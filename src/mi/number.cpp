@@ -19,9 +19,10 @@ constexpr double kExactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7
 constexpr int kMostExactPower = 22;
 constexpr int kMostExactDigits = 15;
 
-bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
+bool is_decimal_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 bool continues_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_' || c == '.';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_decimal_digit(c) || c == '_' ||
+         c == '.';
 }
 
 // What the first pass over the characters finds.
@@ -39,7 +40,7 @@ inline bool scan_decimal(const char* p, Decimal& d) {
   d.digits_begin = p;
   const auto take = [&] {
     const char* const start = p;
-    for (; is_digit(*p); ++p) {
+    for (; is_decimal_digit(*p); ++p) {
       d.mantissa = d.mantissa * 10 + static_cast<unsigned char>(*p - '0');
       d.digits += d.mantissa != 0;
     }
@@ -58,9 +59,9 @@ inline bool scan_decimal(const char* p, Decimal& d) {
     const char* q = p + 1;
     const bool minus = *q == '-';
     if (*q == '-' || *q == '+') ++q;
-    if (!is_digit(*q)) return false;
+    if (!is_decimal_digit(*q)) return false;
     int e = 0;
-    for (; is_digit(*q); ++q) e = e < 100000 ? e * 10 + (*q - '0') : e;
+    for (; is_decimal_digit(*q); ++q) e = e < 100000 ? e * 10 + (*q - '0') : e;
     d.exponent += minus ? -e : e;
     d.integral = false;
     p = q;

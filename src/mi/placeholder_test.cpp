@@ -13,7 +13,7 @@
 #include "scene/hierarchy.h"
 
 namespace oriel::mi {
-namespace {
+namespace placeholder_test {
 
 class Placeholder : public FolderTest {
  protected:
@@ -115,5 +115,5 @@ TEST_F(Placeholder, AFileThatNamesItselfIsReadOnce) {
   EXPECT_FALSE(scene.get<scene::Object>("x")->content.empty());
 }
 
-}  // namespace
+}  // namespace placeholder_test
 }  // namespace oriel::mi

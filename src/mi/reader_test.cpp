@@ -5,7 +5,7 @@
 #include "mi/test_support.h"
 
 namespace oriel::mi {
-namespace {
+namespace reader_test {
 
 using scene::kNone;
 
@@ -458,5 +458,5 @@ TEST(Errors, AForgottenEndStopsAtTheNextElement) {
   EXPECT_EQ(*read.get<scene::Camera>("c").focal, 50);
 }
 
-}  // namespace
+}  // namespace reader_test
 }  // namespace oriel::mi

@@ -10,7 +10,7 @@
 #include "mi/writer.h"
 
 namespace oriel::mi {
-namespace {
+namespace round_trip_test {
 
 using namespace scene;
 
@@ -159,7 +159,7 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
 
 // acceptance: H1
 TEST(RoundTrip, RandomScenesComeBackWhole) {
-  for (std::uint32_t seed = 1; seed <= 200 && !testing::Test::HasFailure(); ++seed) {
+  for (std::uint32_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     expect_round_trip(RandomScene(seed).make());
   }
@@ -172,5 +172,5 @@ TEST(RoundTrip, WrittenTextIsAFixedPoint) {
   EXPECT_EQ(written(read_text(once, with_packages(), diagnostics)), once);
 }
 
-}  // namespace
+}  // namespace round_trip_test
 }  // namespace oriel::mi

@@ -10,7 +10,7 @@
 #define EXPECT_SILENT(read) EXPECT_TRUE((read).diagnostics.all().empty()) << (read).messages()
 
 namespace oriel::mi {
-namespace {
+namespace subdivision_test {
 
 using scene::SubdivisionSurface;
 
@@ -97,5 +97,5 @@ TEST(Hair, OffsetsBeyondTheNumbersAreDropped) {
   EXPECT_EQ(read.get<scene::Object>("h").hairs.at(0).first, (std::vector<std::uint32_t>{0, 2}));
 }
 
-}  // namespace
+}  // namespace subdivision_test
 }  // namespace oriel::mi

@@ -61,7 +61,7 @@ struct Snippet {
 };
 
 /// A test with a folder of its own.
-class FolderTest : public testing::Test {
+class FolderTest : public ::testing::Test {
  protected:
   std::string write(const std::string& name, std::string_view text) {
     const auto path = folder_ / name;

@@ -8,7 +8,7 @@
 #include "mi/test_support.h"
 
 namespace oriel::mi {
-namespace {
+namespace wild_test {
 
 using scene::kNone;
 using scene::Value;
@@ -364,5 +364,5 @@ TEST(Wild, AnExportersSceneIsReadWithOnlyItsMissingPackagesReported) {
   EXPECT_GT(scene.get<scene::Options>("opt")->statements.size(), 80u);
 }
 
-}  // namespace
+}  // namespace wild_test
 }  // namespace oriel::mi

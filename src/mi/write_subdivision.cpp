@@ -8,11 +8,11 @@ namespace oriel::mi {
 namespace {
 
 using scene::SubdivisionSurface;
-using Form = SubdivisionSurface::Form;
+using SubdivisionForm = SubdivisionSurface::Form;
 using TextureRule = SubdivisionSurface::TextureRule;
 
 void write_head(TextSink& out, const SubdivisionSurface& surface) {
-  const bool ccmesh = surface.form == Form::CcMesh;
+  const bool ccmesh = surface.form == SubdivisionForm::CcMesh;
   out.put(ccmesh ? "        ccmesh " : "        subdivision surface ");
   out.quoted(surface.name);
   for (std::size_t i = 0; i < surface.announced.size(); ++i) {
@@ -31,12 +31,13 @@ void write_head(TextSink& out, const SubdivisionSurface& surface) {
 
 /// The creases of one face, which stand next to each other; `crease` moves behind them.
 template <typename Iterator>
-void write_creases(TextSink& out, Form form, std::uint32_t face, Iterator& crease, Iterator end) {
+void write_creases(TextSink& out, SubdivisionForm form, std::uint32_t face, Iterator& crease,
+                   Iterator end) {
   const Iterator begin = crease;
   while (crease != end && crease->face == face) ++crease;
   if (begin == crease) return;
   out.put(" crease");
-  if (form == Form::CcMesh) {
+  if (form == SubdivisionForm::CcMesh) {
     std::uint32_t edge = 0;
     for (Iterator c = begin; c != crease; ++c) {
       for (; edge < c->edge; ++edge) out.put(" 0");
@@ -110,8 +111,8 @@ void write_subdivision(TextSink& out, const SubdivisionSurface& surface, FaceMat
     }
     out.put('\n');
   }
-  out.put(surface.form == Form::CcMesh ? "        end ccmesh\n"
-                                       : "        end subdivision surface\n");
+  out.put(surface.form == SubdivisionForm::CcMesh ? "        end ccmesh\n"
+                                                  : "        end subdivision surface\n");
 }
 
 }  // namespace oriel::mi

@@ -11,7 +11,7 @@
 #include "mi/text_sink.h"
 
 namespace oriel::mi {
-namespace {
+namespace writer_test {
 
 using namespace scene;
 
@@ -344,5 +344,5 @@ TEST(Writer, AFileThatCannotBeWrittenIsSaidAndLeavesNothingBehind) {
   std::filesystem::remove(path);
 }
 
-}  // namespace
+}  // namespace writer_test
 }  // namespace oriel::mi

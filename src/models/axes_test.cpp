@@ -8,7 +8,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel::models {
-namespace {
+namespace axes_test {
 
 using testing::expect_near;
 using testing::FbxFile;
@@ -78,5 +78,5 @@ TEST(ModelAxes, NonsenseIsLeftAside) {
   }
 }
 
-}  // namespace
+}  // namespace axes_test
 }  // namespace oriel::models

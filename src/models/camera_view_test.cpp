@@ -9,7 +9,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel::models {
-namespace {
+namespace camera_view_test {
 
 /// A square of side `size` about the origin, on z = 0, and cameras half a radian high and wide
 /// that look along -z from (x, 0, z).
@@ -103,5 +103,5 @@ TEST(CameraView, WhereNoneSeesItOneIsAdded) {
   for (const char* kept : {"eye0_inst", "eye1_inst"}) EXPECT_TRUE(scene.find(kept)) << kept;
 }
 
-}  // namespace
+}  // namespace camera_view_test
 }  // namespace oriel::models

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "models/import.h"
 #include "models/import_material.h"
 #include "models/shader_call.h"
@@ -173,8 +174,8 @@ void add_daylight(scene::Scene& scene, const DaylightOptions& options) {
   const Vec3 eye = placed->transform.value_or(Mat4()).inverse().translation();
   add_ground(scene, bounds_of(points_of(scene)), eye);
   const float azimuth = options.sun_azimuth * kPi / 180, up = options.sun_elevation * kPi / 180;
-  const Vec3 to_sun(std::cos(up) * std::sin(azimuth), std::sin(up),
-                    -std::cos(up) * std::cos(azimuth));
+  const Vec3 to_sun(math::cos(up) * math::sin(azimuth), math::sin(up),
+                    -math::cos(up) * math::cos(azimuth));
   scene::Light sun;
   sun.name = unique_name(scene, "sun");
   ShaderCall sunlight("mia_physicalsun");

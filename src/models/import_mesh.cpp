@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.h"
+
 namespace oriel::models {
 namespace {
 
@@ -37,7 +39,7 @@ scene::Statement flag(const char* keyword) { return {keyword, false, {}, {}}; }
 /// Light of a corner's colour; its alpha where that is asked for.
 Vec3 color_of(const aiMesh& mesh, unsigned corner, bool alpha, float gamma) {
   const aiColor4D& c = mesh.mColors[0][corner];
-  const auto light = [&](float x) { return x > 0 && std::isfinite(x) ? std::pow(x, gamma) : 0; };
+  const auto light = [&](float x) { return x > 0 && std::isfinite(x) ? math::pow(x, gamma) : 0; };
   return alpha ? Vec3(c.a >= 0 ? std::min(c.a, 1.0f) : 0)
                : Vec3(light(c.r), light(c.g), light(c.b));
 }

@@ -11,7 +11,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel::models {
-namespace {
+namespace import_surface_test {
 
 using testing::Folder;
 using testing::imported;
@@ -265,5 +265,5 @@ TEST(GltfExtras, WhatIsWrittenWrongIsNotThere) {
       for (const auto& [use, space] : extras.spaces) EXPECT_EQ(space, TextureSpace()) << text;
 }
 
-}  // namespace
+}  // namespace import_surface_test
 }  // namespace oriel::models

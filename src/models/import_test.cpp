@@ -13,7 +13,7 @@
 #include "scene/hierarchy.h"
 
 namespace oriel::models {
-namespace {
+namespace import_test {
 
 using testing::base64;
 using testing::Folder;
@@ -220,5 +220,5 @@ TEST(Daylight, TheWholeModelIsInTheFrame) {
   EXPECT_EQ(camera->environment.size(), 1u);
 }
 
-}  // namespace
+}  // namespace import_test
 }  // namespace oriel::models

@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "models/shader_call.h"
 
 namespace oriel::models {
 namespace {
 
 /// Film width of cameras, which then have the angle of the model's: full frame, millimetres.
-constexpr float kAperture = 36;
+constexpr float kApertureMillimetres = 36;
 
-Vec3 vec(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
+Vec3 vec_of(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
 
 Mat4 place_of(const NodePlaces& nodes, const aiString& name) {
   const auto found = nodes.find(name.C_Str());
@@ -38,7 +39,7 @@ Mat4 looking(const Vec3& p, const Vec3& z, const Vec3& up) {
 Mat4 turned(const Mat4& to_world, const std::optional<Vec3>& target) {
   if (!target) return to_world;
   const Vec3 p = to_world.translation(), back = p - *target;
-  const bool steep = std::hypot(back.x, back.z) <= 1e-6f * length(back);
+  const bool steep = math::hypot(back.x, back.z) <= 1e-6f * length(back);
   return steep ? to_world : looking(p, normalize(back), Vec3(0, 1, 0));
 }
 
@@ -48,8 +49,9 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
                                 const NodePlaces& nodes) {
   scene::Camera camera;
   const float half = source.mHorizontalFOV / 2;
-  camera.aperture = kAperture;
-  camera.focal = half > 0 && half < kPi / 2 ? kAperture / 2 / std::tan(half) : kAperture;
+  camera.aperture = kApertureMillimetres;
+  camera.focal = half > 0 && half < kPi / 2 ? kApertureMillimetres / 2 / math::tan(half)
+                                            : kApertureMillimetres;
   if (source.mOrthographicWidth > 0) {
     // Half of what is seen from left to right, in the units of the camera's space.
     camera.orthographic = true;
@@ -63,9 +65,9 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
   // Of glTF, assimp 5 gives a camera its node's translation once more.
   const aiNode* node = model.mRootNode ? model.mRootNode->FindNode(source.mName) : nullptr;
   const bool twice = node && Vec3(node->mTransformation.a4, node->mTransformation.b4,
-                                  node->mTransformation.c4) == vec(source.mPosition);
-  const Vec3 p = twice ? Vec3(0) : vec(source.mPosition);
-  const Mat4 own = looking(p, normalize(-vec(source.mLookAt)), vec(source.mUp));
+                                  node->mTransformation.c4) == vec_of(source.mPosition);
+  const Vec3 p = twice ? Vec3(0) : vec_of(source.mPosition);
+  const Mat4 own = looking(p, normalize(-vec_of(source.mLookAt)), vec_of(source.mUp));
   return {std::move(camera),
           turned(own * place_of(nodes, source.mName), target_of(nodes, source.mName))};
 }
@@ -79,16 +81,16 @@ std::optional<Placed<scene::Light>> light_of(const aiLight& source, const NodePl
     ShaderCall call("mib_light_infinite");
     call.set("color", color / kPi).set("shadow", true);
     light.shaders = {call.use()};
-    light.direction = vec(source.mDirection);
+    light.direction = vec_of(source.mDirection);
   } else if (source.mType == aiLightSource_POINT || spot) {
     // It spreads its colour over 4 pi; a surface facing it shows it over pi.
     ShaderCall call("physical_light");
     call.set("color", color * 4.0f);
-    light.origin = vec(source.mPosition);
+    light.origin = vec_of(source.mPosition);
     if (spot) {
-      light.direction = vec(source.mDirection);
-      light.spread = std::cos(std::min(source.mAngleOuterCone, kPi));
-      call.set("cone", std::cos(std::min(source.mAngleInnerCone, kPi)));
+      light.direction = vec_of(source.mDirection);
+      light.spread = math::cos(std::min(source.mAngleOuterCone, kPi));
+      call.set("cone", math::cos(std::min(source.mAngleInnerCone, kPi)));
     }
     light.shaders = {call.use()};
   } else {

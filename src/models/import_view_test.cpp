@@ -10,7 +10,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel::models {
-namespace {
+namespace import_view_test {
 
 using testing::expect_near;
 using testing::FbxFile;
@@ -115,5 +115,5 @@ TEST(ModelFbx, WhatHasATargetLooksAtIt) {
   expect_near(shining(scene), normalize(Vec3(1, -2, 3)));
 }
 
-}  // namespace
+}  // namespace import_view_test
 }  // namespace oriel::models

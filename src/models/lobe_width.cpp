@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "base/vec.h"
 #include "bsdf/gloss.h"
 
@@ -13,7 +14,7 @@ float gloss_of_roughness(float roughness) {
   // The inverse of bsdf::gloss_to_alpha, alpha = 2^(-1.5 - 7 g).
   const float alpha = sqr(clamp01(roughness));
   if (alpha < 1e-5f) return 1;
-  return clamp01(-(std::log2(alpha) + 1.5f) / 7);
+  return clamp01(-(math::log2(alpha) + 1.5f) / 7);
 }
 
 Brushed brushed(float roughness, float strength) {

@@ -11,7 +11,7 @@
 #include "models/text_files.h"
 
 namespace oriel::models {
-namespace {
+namespace mend_model_test {
 
 using testing::Folder;
 using testing::imported;
@@ -155,5 +155,5 @@ TEST(ModelTextFiles, ColladaMayHaveBlanksAroundNumbers) {
   EXPECT_NEAR(set_in(scene, "oak", "diffuse").at(1), .4, 1e-6);
 }
 
-}  // namespace
+}  // namespace mend_model_test
 }  // namespace oriel::models

@@ -11,7 +11,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models {
-namespace {
+namespace vertex_colors_test {
 
 using testing::GltfFile;
 using testing::json;
@@ -125,5 +125,5 @@ TEST(ModelMaterial, AnisotropyHasTheWidthsOfTheExtension) {
   EXPECT_EQ(brushed(.05f, 1).ratio, 10);
 }
 
-}  // namespace
+}  // namespace vertex_colors_test
 }  // namespace oriel::models

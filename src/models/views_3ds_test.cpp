@@ -12,7 +12,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel::models {
-namespace {
+namespace views_3ds_test {
 
 using testing::expect_near;
 using testing::imported;
@@ -118,5 +118,5 @@ TEST(Model3ds, EveryBeginningOfAFileIsSurvived) {
   EXPECT_TRUE(scene.get<scene::Camera>("eye"));
 }
 
-}  // namespace
+}  // namespace views_3ds_test
 }  // namespace oriel::models

@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace oriel::photometry {
-namespace {
+namespace eulumdat_test {
 
 /// Direction of C and gamma as the header states: C90 is +x, C0 is -y, C runs counter-clockwise.
 Vec3 direction(float c, float gamma) {
@@ -105,5 +105,5 @@ TEST(EulumdatFile, PlanesLieAcrossTheLuminaireAndRunAgainstTheClock) {
   EXPECT_NEAR(profile_of(file_of({}, only(180))).evaluate(Vec3(0, 1, 0)), 1000, .1);
 }
 
-}  // namespace
+}  // namespace eulumdat_test
 }  // namespace oriel::photometry

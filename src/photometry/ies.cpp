@@ -12,7 +12,7 @@
 namespace oriel::photometry {
 namespace {
 
-constexpr const char* kDamaged = "the file is damaged or cut off: get it again from its maker";
+constexpr const char* kDamagedIes = "the file is damaged or cut off: get it again from its maker";
 
 /// The text of a file, line by line and then number by number.
 class Reader {
@@ -36,7 +36,7 @@ class Reader {
   double number(const char* what) {
     const std::string_view word = next_word();
     if (word.empty())
-      throw ProfileError(line_, fmt::format("the file ends before {}", what), kDamaged);
+      throw ProfileError(line_, fmt::format("the file ends before {}", what), kDamagedIes);
     const auto value = parse_number(word);
     if (!value)
       throw ProfileError(line_,

@@ -8,7 +8,7 @@
 #include <fstream>
 
 namespace oriel::photometry {
-namespace {
+namespace ies_test {
 
 std::string list(const std::vector<float>& values) {
   return fmt::format("{}\n", fmt::join(values, " "));
@@ -191,7 +191,7 @@ TEST(IesFile, TiltFactorsAreThoseOfTheLuminaireAsMeasured) {
   const std::string rest = "1 -1 1 2 1 1 2 0 0 0 1 1 40 0 90 0 7 7\n";
   const ProfileData included = parse_ies("IESNA91\nTILT=INCLUDE\n1\n3\n0 45 90\n.5 .9 .8\n" + rest);
   EXPECT_FLOAT_EQ(included.table.candela[0], 3.5f);
-  const std::string folder = testing::TempDir();
+  const std::string folder = ::testing::TempDir();
   std::ofstream(folder + "/oriel-ies-test.tlt") << "1\n2\n0 90\n.25 .9\n";
   const ProfileData beside = parse_ies("IESNA91\nTILT=oriel-ies-test.tlt\n" + rest, folder);
   EXPECT_FLOAT_EQ(beside.table.candela[0], 1.75f);
@@ -201,5 +201,5 @@ TEST(IesFile, TiltFactorsAreThoseOfTheLuminaireAsMeasured) {
   EXPECT_EQ(absent.report.notes.size(), 1u);
 }
 
-}  // namespace
+}  // namespace ies_test
 }  // namespace oriel::photometry

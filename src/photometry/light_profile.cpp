@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/math.h"
 
 namespace oriel::photometry {
 namespace {
@@ -31,8 +32,8 @@ Place place_in(const std::vector<float>& values, float x) {
 /// near angles.
 double ring_integral(double from, double to, double t0, double t1) {
   const double h = t1 - t0;
-  const double ramp = std::sin(t1) - std::sin(t0) - h * std::cos(t1);
-  return from * (std::cos(t0) - std::cos(t1)) + (to - from) * ramp / h;
+  const double ramp = math::sin(t1) - math::sin(t0) - h * math::cos(t1);
+  return from * (math::cos(t0) - math::cos(t1)) + (to - from) * ramp / h;
 }
 
 /// The share of [0, 1] at which the integral of a line from a to b reaches u of its whole.
@@ -47,12 +48,12 @@ double sample_ring(double from, double to, double t0, double t1, double u) {
   const double target = u * ring_integral(from, to, t0, t1);
   const double slope = (to - from) / (t1 - t0);
   double low = t0, high = t1,
-         t = t0 + sample_line(from * std::sin(t0), to * std::sin(t1), u) * (t1 - t0);
+         t = t0 + sample_line(from * math::sin(t0), to * math::sin(t1), u) * (t1 - t0);
   for (int i = 0; i < 40; ++i) {
     const double here = from + slope * (t - t0);
     const double error = (t > t0 ? ring_integral(from, here, t0, t) : 0) - target;
     (error > 0 ? high : low) = t;
-    const double density = here * std::sin(t);
+    const double density = here * math::sin(t);
     double next = density > 0 ? t - error / density : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - t) < 1e-9) return next;
@@ -179,11 +180,11 @@ LightProfile::Corners LightProfile::corners(std::size_t plane, std::size_t band)
 }
 
 Vec3 LightProfile::direction(double polar, double azimuth) const {
-  const auto ring = static_cast<float>(std::sin(polar));
+  const auto ring = static_cast<float>(math::sin(polar));
   const PolarFrame& f = table_.frame;
-  return normalize(f.pole * static_cast<float>(std::cos(polar)) +
-                   f.zero * (ring * static_cast<float>(std::cos(azimuth))) +
-                   f.side * (ring * static_cast<float>(std::sin(azimuth))));
+  return normalize(f.pole * static_cast<float>(math::cos(polar)) +
+                   f.zero * (ring * static_cast<float>(math::cos(azimuth))) +
+                   f.side * (ring * static_cast<float>(math::sin(azimuth))));
 }
 
 void LightProfile::measure() {
@@ -232,8 +233,8 @@ float LightProfile::interpolate(float polar, float azimuth) const {
 float LightProfile::evaluate(const Vec3& direction) const {
   const PolarFrame& f = table_.frame;
   const float x = dot(direction, f.zero), y = dot(direction, f.side);
-  return interpolate(std::atan2(std::sqrt(x * x + y * y), dot(direction, f.pole)),
-                     std::atan2(y, x));
+  return interpolate(math::atan2(std::sqrt(x * x + y * y), dot(direction, f.pole)),
+                     math::atan2(y, x));
 }
 
 LightProfile::Sample LightProfile::sample(const Vec2& u) const {
@@ -259,7 +260,7 @@ float beam_width_deg(const LightProfile& profile, const Vec3& axis, const Vec3& 
   const Vec3 across = normalize(toward - axis * dot(toward, axis));
   const auto intensity = [&](float deg, float sign) {
     const float a = deg * kDegree;
-    return profile.evaluate(axis * std::cos(a) + across * (sign * std::sin(a)));
+    return profile.evaluate(axis * math::cos(a) + across * (sign * math::sin(a)));
   };
   float sum = 0;
   for (const float sign : {1.0f, -1.0f}) {

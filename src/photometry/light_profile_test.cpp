@@ -9,7 +9,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::photometry {
-namespace {
+namespace light_profile_test {
 
 /// A table of that function of polar angle and azimuth, both in degrees.
 CandelaTable table_of(const std::function<float(float, float)>& f, float polar_step,
@@ -139,5 +139,5 @@ TEST(LightProfile, ATableOfZeroesGivesNoSample) {
   EXPECT_EQ(dark.sample(Vec2(.3f, .4f)).pdf, 0);
 }
 
-}  // namespace
+}  // namespace light_profile_test
 }  // namespace oriel::photometry

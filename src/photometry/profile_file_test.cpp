@@ -12,7 +12,7 @@
 #include "photometry/ies.h"
 
 namespace oriel::photometry {
-namespace {
+namespace profile_file_test {
 
 /// An IES file whose parts can be replaced.
 struct Parts {
@@ -161,5 +161,5 @@ TEST(ProfileFile, AnyBytesEndInAProfileOrAMessage) {
   }
 }
 
-}  // namespace
+}  // namespace profile_file_test
 }  // namespace oriel::photometry

@@ -10,7 +10,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace camera_output_test {
 
 namespace fs = std::filesystem;
 using testing::PreparedScene;
@@ -283,5 +283,5 @@ TEST(CameraOutput, NumberedBuffersAreLeftOutWithOneMessage) {
   EXPECT_NE(among.prepared.only("OR-RN-054"), nullptr) << among.prepared.messages();
 }
 
-}  // namespace
+}  // namespace camera_output_test
 }  // namespace oriel

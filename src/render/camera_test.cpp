@@ -7,7 +7,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace camera_test {
 
 using testing::PreparedScene;
 
@@ -113,5 +113,5 @@ TEST(CameraStatements, AWindowIsCutOutOfTheWholePicture) {
                 whole.session->film().pixel(w.x0 + x, 40 - w.y1 + y).beauty);
 }
 
-}  // namespace
+}  // namespace camera_test
 }  // namespace oriel

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "base/math.h"
 #include "render/lens_shaders.h"
 #include "render/unit_luminance.h"
 
@@ -63,8 +64,8 @@ void check_units(const World& world, const std::vector<PictureFile>& files,
     for (const auto& node : world.nodes) {
       const std::optional<float> put = luminance_of_unit(*node);
       if (!put) continue;
-      const float stops = std::log2(taken / *put);
-      if (std::abs(stops) < std::log2(kWrongFactor)) continue;
+      const float stops = math::log2(taken / *put);
+      if (std::abs(stops) < math::log2(kWrongFactor)) continue;
       return diagnostics.warning(
           "OR-RN-044", {},
           fmt::format("{} takes one unit of a pixel for {:.4g} cd/m2, {} makes it {:.4g}: the "

@@ -7,7 +7,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace exposure_check_test {
 
 using testing::PreparedScene;
 
@@ -87,5 +87,5 @@ TEST(ExposureCheck, ScenesWithoutSunOrSkyMayHaveAnyUnit) {
   EXPECT_EQ(Checked(photographic("\"cm2_factor\" 1")).messages(), "");
 }
 
-}  // namespace
+}  // namespace exposure_check_test
 }  // namespace oriel

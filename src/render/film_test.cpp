@@ -8,7 +8,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace film_test {
 
 FilterSampler box() { return FilterSampler(scene::PixelFilter{}); }
 FilterSampler mitchell(bool clip) {
@@ -352,5 +352,5 @@ TEST(Film, NinetyFivePercentIntervalsHoldTheTruth) {
   EXPECT_LT(coverage(128, true), 0.97);
 }
 
-}  // namespace
+}  // namespace film_test
 }  // namespace oriel

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "base/math.h"
+
 namespace oriel {
 namespace {
 
@@ -19,7 +21,7 @@ float mitchell(float x) {
   return (7 * x * x * x - 12 * x * x + 16.0f / 3) / 6;
 }
 
-float sinc(float x) { return std::abs(x) < 1e-4f ? 1.0f : std::sin(kPi * x) / (kPi * x); }
+float sinc(float x) { return std::abs(x) < 1e-4f ? 1.0f : math::sin(kPi * x) / (kPi * x); }
 
 float cell_centre(int i) { return (static_cast<float>(i) + 0.5f) * 2 / kCells - 1; }
 
@@ -38,7 +40,7 @@ float filter_value(FilterKind kind, float t) {
       return 1 - std::abs(t);
     case FilterKind::Gauss:
       // exp(-x^2 / 2 sigma^2) with sigma = width / 6: t is three standard deviations at the end.
-      return std::exp(-4.5f * t * t) - std::exp(-4.5f);
+      return math::exp(-4.5f * t * t) - math::exp(-4.5f);
     case FilterKind::Mitchell:
     case FilterKind::ClipMitchell:
       return mitchell(2 * t);

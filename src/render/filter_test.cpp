@@ -8,7 +8,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace filter_test {
 
 using scene::FilterKind;
 
@@ -45,7 +45,7 @@ double filtered_mean(const FilterSampler& filter, const G& g) {
          (minuses ? filter.negative_share() * minus / minuses : 0.0);
 }
 
-class EveryFilter : public testing::TestWithParam<FilterKind> {};
+class EveryFilter : public ::testing::TestWithParam<FilterKind> {};
 
 TEST_P(EveryFilter, SamplesHaveTheMomentsOfTheFilter) {
   const FilterKind kind = GetParam();
@@ -77,9 +77,9 @@ TEST_P(EveryFilter, StaysWithinItsWidth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryFilter,
-                         testing::Values(FilterKind::Box, FilterKind::Triangle, FilterKind::Gauss,
-                                         FilterKind::Mitchell, FilterKind::Lanczos,
-                                         FilterKind::ClipMitchell, FilterKind::ClipLanczos));
+                         ::testing::Values(FilterKind::Box, FilterKind::Triangle, FilterKind::Gauss,
+                                           FilterKind::Mitchell, FilterKind::Lanczos,
+                                           FilterKind::ClipMitchell, FilterKind::ClipLanczos));
 
 TEST(Filter, HasTheClosedFormVariances) {
   EXPECT_NEAR(moment_of_filter(FilterKind::Box, 2), 1.0 / 3, 1e-4);
@@ -104,5 +104,5 @@ TEST(Filter, OnlyTheClipVariantsClip) {
   EXPECT_TRUE(sampler_of(FilterKind::ClipLanczos, 4, 4).clips());
 }
 
-}  // namespace
+}  // namespace filter_test
 }  // namespace oriel

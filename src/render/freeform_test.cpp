@@ -9,7 +9,7 @@
 #include "sampling/warp.h"
 
 namespace oriel {
-namespace {
+namespace freeform_test {
 
 /// A sphere of rational splines about `centre`, as text; `statements` end its group.
 std::string sphere(Vec3 centre, float radius, std::string_view statements) {
@@ -129,5 +129,5 @@ TEST(FreeFormPicture, AnInstanceMayAskForAnotherApproximation) {
   EXPECT_EQ(testing::PreparedScene(finer).report.triangles, 2u * 100 * 50 - 2 * 100);
 }
 
-}  // namespace
+}  // namespace freeform_test
 }  // namespace oriel

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
 
@@ -101,7 +102,7 @@ class BounceSolver {
       const bool settled = change <= kSettled * total;
       if (settled && change_before > change) {
         const double ratio = change / change_before, rounds_left = wanted - b.held - 1;
-        const double tail = ratio * (1 - std::pow(ratio, rounds_left)) / (1 - ratio);
+        const double tail = ratio * (1 - math::pow(ratio, rounds_left)) / (1 - ratio);
         add_tail(before, static_cast<float>(std::min(kMostTail, tail)));
       }
       cache_ = {};

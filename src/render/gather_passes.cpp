@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "base/math.h"
 #include "base/parallel.h"
 
 namespace oriel {
@@ -52,7 +53,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
                         const std::function<void()>& after_pass) {
   const int finest = finest_step(passes.density);
   // A pass has four times the points of the one before; most of them need no record.
-  double done = 0, share = std::pow(4.0, -kPasses) * 3 / (1 - std::pow(4.0, -kPasses));
+  double done = 0, share = math::pow(4.0, -kPasses) * 3 / (1 - math::pow(4.0, -kPasses));
   for (int pass = 0; pass < kPasses && !watch.cancelled(); ++pass, share *= 4) {
     const int step = finest << (kPasses - 1 - pass);
     std::vector<int> rows;

@@ -9,7 +9,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace lens_projection_test {
 
 using testing::PreparedScene;
 
@@ -159,5 +159,5 @@ TEST(LensProjections, CropsAreTheSamePixels) {
   }
 }
 
-}  // namespace
+}  // namespace lens_projection_test
 }  // namespace oriel

@@ -10,7 +10,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace mattes_test {
 
 using testing::PreparedScene;
 
@@ -146,5 +146,5 @@ TEST(Mattes, ManifestsListTheNames) {
     EXPECT_NE(all.find("\"" + std::string(name) + "\":"), std::string::npos) << name << all;
 }
 
-}  // namespace
+}  // namespace mattes_test
 }  // namespace oriel

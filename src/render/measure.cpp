@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "render/lens_shaders.h"
@@ -179,7 +180,7 @@ Rgb open_sky_irradiance(const World& world, const Vec3& up) {
     const float r = std::sqrt(sin2), z = std::sqrt(1 - sin2);
     for (int sector = 0; sector < kSectors; ++sector) {
       const float phi = kTwoPi * (static_cast<float>(sector) + .5f) / kSectors;
-      const Vec3 w = frame.to_world(Vec3(r * std::cos(phi), r * std::sin(phi), z));
+      const Vec3 w = frame.to_world(Vec3(r * math::cos(phi), r * math::sin(phi), z));
       const Rgb c =
           rgb(environment_radiance(shaders, world, Vec3(0), w, RayKind::FinalGather, false));
       sum += Imath::Vec3<double>(c.x, c.y, c.z);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace oriel {
-namespace {
+namespace measure_test {
 
 /// Light that few samples find, and then much of it: mean 1, spread 3.
 double rare(sampling::Sampler& sampler) { return sampler.next_1d() < .1f ? 10 : 0; }
@@ -78,5 +78,5 @@ TEST(MeasureStatistics, TheMeanOfReadingsHasItsOwnInterval) {
   EXPECT_EQ(mean.samples, 96u);
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace oriel

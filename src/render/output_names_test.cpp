@@ -6,7 +6,7 @@
 #include <set>
 
 namespace oriel {
-namespace {
+namespace output_names_test {
 
 std::string meant_by(std::string_view buffer) {
   const int index = output_of_frame_buffer(buffer);
@@ -45,5 +45,5 @@ TEST(OutputNames, ALetterBeforeTheNameMakesAnotherWord) {
   EXPECT_EQ(meant_by(""), "");
 }
 
-}  // namespace
+}  // namespace output_names_test
 }  // namespace oriel

@@ -9,7 +9,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace output_test {
 
 using testing::PreparedScene;
 
@@ -177,5 +177,5 @@ TEST(Output, FormatMayDifferFromTheSuffix) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-}  // namespace
+}  // namespace output_test
 }  // namespace oriel

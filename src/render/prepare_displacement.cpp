@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "geom/surface.h"
 #include "transport/surface.h"
@@ -43,7 +44,7 @@ Facet facet_of(const std::vector<Vec3>& positions, const Triangle& t) {
   facet.normal = Vec3(n / area);
   for (int k = 0; k < 3; ++k)
     facet.angle[k] =
-        static_cast<float>(std::atan2(area, (p[(k + 1) % 3] - p[k]).dot(p[(k + 2) % 3] - p[k])));
+        static_cast<float>(math::atan2(area, (p[(k + 1) % 3] - p[k]).dot(p[(k + 2) % 3] - p[k])));
   return facet;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "geom/motion.h"
 #include "render/prepare_parts.h"
 
@@ -40,7 +41,7 @@ std::vector<float> numbers_of(const Statement& s) {
 float scale_of(const Mat4& m) {
   const Vec3 x = transform_vector(Vec3(1, 0, 0), m), y = transform_vector(Vec3(0, 1, 0), m),
              z = transform_vector(Vec3(0, 0, 1), m);
-  return std::cbrt(std::abs(dot(cross(x, y), z)));
+  return math::cbrt(std::abs(dot(cross(x, y), z)));
 }
 
 void place_area(const scene::Light& element, const Mat4& to_world, Light& light,

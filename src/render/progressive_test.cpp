@@ -11,7 +11,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace progressive_test {
 
 constexpr int kWidth = 50, kHeight = 40;  // no multiple of a tile
 
@@ -165,5 +165,5 @@ TEST(Budget, WhatIsAskedReplacesTheScene) {
             (RenderBudget{.max_samples = kMostSamples, .seconds = 3}));
 }
 
-}  // namespace
+}  // namespace progressive_test
 }  // namespace oriel

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "geom/split_edges.h"
 
 namespace oriel {
@@ -87,7 +88,7 @@ class DisplacementRefiner {
   /// `done` times.
   bool is_coarse(const Approximation& ap, int done, std::uint32_t a, std::uint32_t b) const {
     if (ap.technique == Technique::Parametric) return static_cast<float>(done) < ap.u;
-    if (ap.technique == Technique::Regular) return std::exp2(static_cast<float>(done)) < ap.u;
+    if (ap.technique == Technique::Regular) return math::exp2(static_cast<float>(done)) < ap.u;
     if (done < ap.min_subdivisions) return true;
     if (done >= ap.max_subdivisions) return false;
     unsigned asked = 0, unmet = 0;
@@ -114,7 +115,7 @@ class DisplacementRefiner {
   /// Between the displaced normals; beyond any limit before there is something to measure.
   float angle_of(std::uint32_t a, std::uint32_t b) const {
     if (shape_.normals.empty()) return kPi;
-    return std::acos(clamp(dot(shape_.normals[a], shape_.normals[b]), -1.0f, 1.0f));
+    return math::acos(clamp(dot(shape_.normals[a], shape_.normals[b]), -1.0f, 1.0f));
   }
 
   geom::Mesh& mesh_;

@@ -14,7 +14,7 @@
 #include "sampling/warp.h"
 
 namespace oriel {
-namespace {
+namespace refine_displacement_test {
 
 constexpr float kWaves = 9;  // per unit
 
@@ -231,5 +231,5 @@ TEST(DisplacementDetail, SharpEdgesOfPolygonsStaySharpAndDoNotOpen) {
   EXPECT_GT(s.below(.99f, .5f).ns.z, .9f);
 }
 
-}  // namespace
+}  // namespace refine_displacement_test
 }  // namespace oriel

@@ -16,7 +16,7 @@ namespace oriel {
 namespace {
 
 /// How often the work before the picture tells how far it is, and shows what it knows.
-constexpr double kSecondsBetweenReports = 0.2, kSecondsBetweenPreviews = 10;
+constexpr double kSecondsBetweenPassReports = 0.2, kSecondsBetweenPreviews = 10;
 
 /// The one that is asked for, cut to the picture, else the camera's.
 Window window_of(const World& world, const std::optional<Window>& asked) {
@@ -166,7 +166,7 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
   if (callbacks.progress)
     watch.progress = [&](const char* name, double share) {
       const std::lock_guard lock(mutex);
-      if (name == stage && seconds() - told < kSecondsBetweenReports) return;
+      if (name == stage && seconds() - told < kSecondsBetweenPassReports) return;
       stage = name;
       told = seconds();
       Progress p;

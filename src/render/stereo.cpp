@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/math.h"
+
 namespace oriel {
 namespace {
 
@@ -45,7 +47,7 @@ void take_eye(const scene::Camera& element, Eye eye, Camera& camera) {
   Mat4 to_middle;
   if (method == "toein" && distance > 0) {
     // Turns -z towards the middle: (-aside, 0, -distance).
-    const float hypotenuse = std::hypot(aside, distance);
+    const float hypotenuse = math::hypot(aside, distance);
     const float cosine = distance / hypotenuse, sine = aside / hypotenuse;
     to_middle[0][0] = to_middle[2][2] = cosine;
     to_middle[2][0] = sine, to_middle[0][2] = -sine;

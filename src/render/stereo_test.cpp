@@ -6,7 +6,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace stereo_test {
 
 using testing::PreparedScene;
 
@@ -112,5 +112,5 @@ TEST(Stereo, CamerasWithoutItHaveOneEye) {
   EXPECT_EQ(eye_path("room.exr", Eye::Middle), "room.exr");
 }
 
-}  // namespace
+}  // namespace stereo_test
 }  // namespace oriel

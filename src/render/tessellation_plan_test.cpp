@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel {
-namespace {
+namespace tessellation_plan_test {
 
 scene::Statement approximate(const char* technique, double number) {
   scene::Value kind, word, row;
@@ -64,5 +64,5 @@ TEST(TessellationPlan, PixelsAreMeasuredAtTheNearestPlacement) {
   EXPECT_NEAR(plan.jobs[0].context.view.pixels({-1, 0, 0}, {1, 0, 0}), 40 / std::sqrt(2.0f), 1e-3f);
 }
 
-}  // namespace
+}  // namespace tessellation_plan_test
 }  // namespace oriel

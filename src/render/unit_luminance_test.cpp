@@ -6,7 +6,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace unit_luminance_test {
 
 using testing::PreparedScene;
 
@@ -50,5 +50,5 @@ TEST(UnitLuminance, DisagreementIsTold) {
   EXPECT_NE(u.only("OR-RN-045"), nullptr) << u.messages();
 }
 
-}  // namespace
+}  // namespace unit_luminance_test
 }  // namespace oriel

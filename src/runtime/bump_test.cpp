@@ -7,7 +7,7 @@
 #include "runtime/world.h"
 
 namespace oriel {
-namespace {
+namespace bump_test {
 
 void expect_near(const Vec3& actual, const Vec3& expected, const char* what) {
   EXPECT_LT(length(actual - expected), 1e-6f)
@@ -107,5 +107,5 @@ TEST_F(BumpNormal, VectorsGiveTheNormalBack) {
     }
 }
 
-}  // namespace
+}  // namespace bump_test
 }  // namespace oriel

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "runtime/world.h"
@@ -38,11 +39,11 @@ Vec3 direction_of(const Vec2& uv) {
   const float z = 1 - 2 * uv.y;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
   const float phi = kTwoPi * uv.x;
-  return Vec3(r * std::cos(phi), r * std::sin(phi), z);
+  return Vec3(r * math::cos(phi), r * math::sin(phi), z);
 }
 
 Vec2 uv_of(const Vec3& d) {
-  float u = std::atan2(d.y, d.x) / kTwoPi;
+  float u = math::atan2(d.y, d.x) / kTwoPi;
   if (u < 0) u += 1;
   return Vec2(std::min(u, 0x1.fffffep-1f), clamp((1 - d.z) / 2, 0.0f, 0x1.fffffep-1f));
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "geom/shapes.h"
 #include "runtime/moved_light.h"
@@ -71,7 +72,7 @@ std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Ve
     const float half = length(light.edge_u);
     const Frame frame(light.edge_u * (1 / half));
     const float phi = kTwoPi * u.x;
-    const Vec3 radial = frame.s * std::cos(phi) + frame.t * std::sin(phi);
+    const Vec3 radial = frame.s * math::cos(phi) + frame.t * math::sin(phi);
     s.position = light.position + frame.n * (half * (2 * u.y - 1)) + radial * light.radius;
     const Vec3 to = s.position - from;
     s.distance = length(to);
@@ -183,7 +184,7 @@ std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point,
       if (light.cone_angle > 0)
         direction = Frame(light.direction)
                         .to_world(sampling::sample_cone(
-                            u, sampling::one_minus_cos(sqr(std::sin(light.cone_angle)))));
+                            u, sampling::one_minus_cos(sqr(math::sin(light.cone_angle)))));
       sample.wi = -direction;
       sample.distance = kInfinity;
     } else {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "runtime/light_tree.h"
 #include "runtime/world.h"
@@ -43,7 +44,7 @@ Vec3 half_size(const Light& light) {
         half[k] = (u + v) / 2;
         break;
       case LightShape::Disc:
-        half[k] = light.radius * std::hypot(u, v);
+        half[k] = light.radius * math::hypot(u, v);
         break;
       case LightShape::Cylinder:
         half[k] = u + light.radius;

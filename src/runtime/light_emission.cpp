@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "runtime/moved_light.h"
 #include "runtime/shutter_time.h"
@@ -14,7 +15,7 @@
 namespace oriel {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFarAway = std::numeric_limits<float>::infinity();
 /// Photons by which a shader's flux is known when `energy` replaces it.
 constexpr int kFluxSamples = 4096;
 /// Photons from afar begin this much outside of the scene, so that what lies on its rim is met.
@@ -39,7 +40,7 @@ float flat_radiance(const World& world, const Light& light, float cosine, float 
   const Vec3 direction = frame.to_world(Vec3(std::sqrt(1 - sqr(cosine)), 0, cosine));
   ShadingPoint point = lit_point(world, light.position + direction * distance, direction);
   const auto hit =
-      intersect_light(light, point, -direction, kInfinity, RayKind::PhotonEmitGlobillum);
+      intersect_light(light, point, -direction, kFarAway, RayKind::PhotonEmitGlobillum);
   return hit ? luminance(hit->radiance) : 0;
 }
 
@@ -230,7 +231,7 @@ EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const 
     const float half = length(light.edge_u);
     const Frame axis(light.edge_u * (1 / half));
     const float phi = kTwoPi * u_place.x;
-    normal = axis.s * std::cos(phi) + axis.t * std::sin(phi);
+    normal = axis.s * math::cos(phi) + axis.t * math::sin(phi);
     photon.origin = light.position + light.edge_u * (2 * u_place.y - 1) + normal * light.radius;
     area = kTwoPi * light.radius * 2 * half;
   }
@@ -294,7 +295,7 @@ Rgb PhotonSource::power_at_rest(const EmittedPhoton& photon, float distance,
     const Vec3 direction = moved ? moved->direction(photon.direction) : photon.direction;
     return portal_radiance(light, from, -direction, way, cosine) * photon.weight;
   }
-  auto hit = intersect_light(light, point, -photon.direction, kInfinity, photon.kind);
+  auto hit = intersect_light(light, point, -photon.direction, kFarAway, photon.kind);
   if (!hit) {
     // Rounding may pass the rim of the shape: look a little farther in.
     constexpr float kInward = 1e-3f;
@@ -303,7 +304,7 @@ Rgb PhotonSource::power_at_rest(const EmittedPhoton& photon, float distance,
       centre += light.edge_u * (dot(photon.origin - light.position, light.edge_u) /
                                 dot(light.edge_u, light.edge_u));
     const Vec3 inner = photon.origin + (centre - photon.origin) * kInward;
-    hit = intersect_light(light, point, normalize(inner - point.position), kInfinity, photon.kind);
+    hit = intersect_light(light, point, normalize(inner - point.position), kFarAway, photon.kind);
   }
   return hit ? hit->radiance * photon.weight : Rgb(0);
 }

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/math.h"
 #include "runtime/portal.h"
 
 namespace oriel {
@@ -56,29 +57,29 @@ float seen_through(const Opening& o, const Vec3& from) {
 
 /// Solid angle that the cone shines to, weighed by the cosine beyond its normals.
 float orientation_of(const LightBounds& b) {
-  const float spread = std::acos(clamp(b.normals.cosine, -1, 1));
+  const float spread = math::acos(clamp(b.normals.cosine, -1, 1));
   const float sine = safe_sqrt(1 - sqr(b.normals.cosine));
-  const float end = std::min(spread + std::acos(clamp(b.cos_reach, -1, 1)), kPi);
+  const float end = std::min(spread + math::acos(clamp(b.cos_reach, -1, 1)), kPi);
   return kTwoPi * (1 - b.normals.cosine) +
          kPi / 2 *
-             (2 * end * sine - std::cos(spread - 2 * end) - 2 * spread * sine + b.normals.cosine);
+             (2 * end * sine - math::cos(spread - 2 * end) - 2 * spread * sine + b.normals.cosine);
 }
 
 }  // namespace
 
 DirectionCone joined(const DirectionCone& a, const DirectionCone& b) {
   if (a.all() || b.all()) return {};
-  const float angle_a = std::acos(clamp(a.cosine, -1, 1)),
-              angle_b = std::acos(clamp(b.cosine, -1, 1));
-  const float between = std::acos(clamp(dot(a.axis, b.axis), -1, 1));
+  const float angle_a = math::acos(clamp(a.cosine, -1, 1)),
+              angle_b = math::acos(clamp(b.cosine, -1, 1));
+  const float between = math::acos(clamp(dot(a.axis, b.axis), -1, 1));
   if (std::min(between + angle_b, kPi) <= angle_a) return a;
   if (std::min(between + angle_a, kPi) <= angle_b) return b;
   const float angle = (angle_a + between + angle_b) / 2;
   const Vec3 across = b.axis - a.axis * dot(a.axis, b.axis);
   if (angle >= kPi || !(dot(across, across) > 0)) return {};
   const float turn = angle - angle_a;
-  const Vec3 axis = a.axis * std::cos(turn) + normalize(across) * std::sin(turn);
-  return {normalize(axis), std::cos(angle)};
+  const Vec3 axis = a.axis * math::cos(turn) + normalize(across) * math::sin(turn);
+  return {normalize(axis), math::cos(angle)};
 }
 
 LightBounds joined(const LightBounds& a, const LightBounds& b) {

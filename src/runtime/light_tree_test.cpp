@@ -10,7 +10,7 @@
 #include "base/frame.h"
 
 namespace oriel {
-namespace {
+namespace light_tree_test {
 
 std::vector<LightBounds> random_lamps(int n, std::uint32_t seed) {
   std::mt19937 engine(seed);
@@ -175,5 +175,5 @@ TEST(DirectionCone, TwoConesFitInTheirUnion) {
   }
 }
 
-}  // namespace
+}  // namespace light_tree_test
 }  // namespace oriel

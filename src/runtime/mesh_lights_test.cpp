@@ -7,7 +7,7 @@
 #include <random>
 
 namespace oriel {
-namespace {
+namespace mesh_lights_test {
 
 struct Triangles {
   std::vector<GlowingTriangle> list;
@@ -101,5 +101,5 @@ TEST(MeshLights, ClustersKeepApartWhatLiesApart) {
   EXPECT_GT(near, .999);
 }
 
-}  // namespace
+}  // namespace mesh_lights_test
 }  // namespace oriel

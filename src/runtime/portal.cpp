@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "runtime/moved_light.h"
@@ -34,7 +35,7 @@ float solid_angle_of(float a, float b) {
 }
 
 float uv_of(float tangent_y, float tangent_x) {
-  return std::atan2(tangent_y, tangent_x) / kPi + 0.5f;
+  return math::atan2(tangent_y, tangent_x) / kPi + 0.5f;
 }
 
 /// Arc tangent within 0.004, continuous: enough for estimates.
@@ -75,7 +76,7 @@ PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lo
         const auto tangent = [&](std::size_t cell, bool upper) {
           const float at =
               (static_cast<float>(cell) + (upper ? 0.75f : 0.25f)) / static_cast<float>(side);
-          return std::tan((at - 0.5f) * kPi);
+          return math::tan((at - 0.5f) * kPi);
         };
         const float a = tangent(i, k & 1), b = tangent(j, k & 2);
         const float angle = solid_angle_of(a, b) / 4;
@@ -110,7 +111,7 @@ PortalTable::PortalTable(const NodeList& shaders, const World& world, RayKind lo
 PortalTable::Sample PortalTable::sample(Vec2 u, const sampling::Window& window) const {
   const auto s = table_->sample(u, window);
   if (!(s.pdf > 0)) return {};
-  const float a = std::tan((s.uv.x - 0.5f) * kPi), b = std::tan((s.uv.y - 0.5f) * kPi);
+  const float a = math::tan((s.uv.x - 0.5f) * kPi), b = math::tan((s.uv.y - 0.5f) * kPi);
   return {normalize(Vec3(a, b, 1)), s.pdf / (sqr(kPi) * solid_angle_of(a, b))};
 }
 

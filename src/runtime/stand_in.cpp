@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/math.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "runtime/shade_input.h"
@@ -83,7 +84,8 @@ Rgba looked_up(const Guess& p, const Call& call) {
     at = p.coord;
   } else if (point.environment) {
     const Vec3& d = point.ray_direction;
-    at = Vec3(0.5f + std::atan2(d.x, -d.z) / kTwoPi, 0.5f + std::asin(clamp(d.y, -1, 1)) / kPi, 0);
+    at =
+        Vec3(0.5f + math::atan2(d.x, -d.z) / kTwoPi, 0.5f + math::asin(clamp(d.y, -1, 1)) / kPi, 0);
   } else if (point.texture_spaces == 0) {
     at = Vec3(0);
   }

@@ -8,7 +8,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::sampling {
-namespace {
+namespace distribution_test {
 
 constexpr int kCount = 100000;
 
@@ -114,5 +114,5 @@ TEST(Distribution2D, PdfIntegratesToOne) {
   EXPECT_NEAR(sum, 1, 1e-5);
 }
 
-}  // namespace
+}  // namespace distribution_test
 }  // namespace oriel::sampling

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/math.h"
+
 namespace oriel::sampling {
 
 SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner, const Vec3& edge_u,
@@ -30,7 +32,7 @@ SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner, co
     return len2 > 0 ? v / std::sqrt(len2) : 0.0f;
   };
   const float n0 = -slope(y0_), n1 = slope(x1_), n2 = slope(y1_), n3 = -slope(x0_);
-  const auto arc = [](float c) { return std::asin(clamp(c, -1.0f, 1.0f)); };
+  const auto arc = [](float c) { return math::asin(clamp(c, -1.0f, 1.0f)); };
   // The four angles minus 2 pi; written with arc sines nothing large has to cancel.
   const float a0 = arc(n0 * n1), a1 = arc(n1 * n2), a2 = arc(n2 * n3), a3 = arc(n3 * n0);
   solid_angle_ = std::max(0.0f, (a0 + a1) + (a2 + a3));
@@ -48,7 +50,7 @@ SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& u) const {
   } else {
     // Column: the x whose strip holds the share u.x of the solid angle.
     const float au = u.x * solid_angle_ + k_;
-    const float fu = (std::cos(au) * b0_ - b1_) / std::sin(au);
+    const float fu = (math::cos(au) * b0_ - b1_) / math::sin(au);
     const float r2 = fu * fu + b0_ * b0_;
     const float cu = std::copysign(1 / std::sqrt(std::max(r2, 1.0f)), fu);
     x = clamp(-cu * z0_ / std::sqrt(std::max(1 - cu * cu, 1e-12f)), x0_, x1_);

@@ -10,7 +10,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::sampling {
-namespace {
+namespace sampler_test {
 
 TEST(Sampler, IsAFunctionOfItsKeyAlone) {
   Sampler a(3, 5, 7, 11), b;
@@ -234,5 +234,5 @@ TEST(Sampler, NeighbouringPixelsAreIndependent) {
   EXPECT_GT(testing::chi_square(observed, expected).p_value, 0.01);
 }
 
-}  // namespace
+}  // namespace sampler_test
 }  // namespace oriel::sampling

@@ -22,8 +22,9 @@ struct SinCos {
 inline SinCos sincos_octant(float x) {
   const float x2 = x * x;
   const float s =
-      1 + x2 * (-1 / 6.0f + x2 * (1 / 120.0f + x2 * (-1 / 5040.0f + x2 * (1 / 362880.0f))));
-  const float c = 1 + x2 * (-0.5f + x2 * (1 / 24.0f + x2 * (-1 / 720.0f + x2 * (1 / 40320.0f))));
+      fma(x2, fma(x2, fma(x2, fma(x2, 1 / 362880.0f, -1 / 5040.0f), 1 / 120.0f), -1 / 6.0f), 1);
+  const float c =
+      fma(x2, fma(x2, fma(x2, fma(x2, 1 / 40320.0f, -1 / 720.0f), 1 / 24.0f), -0.5f), 1);
   return {x * s, c};
 }
 /// Sine and cosine of u turns, u in [0, 1].

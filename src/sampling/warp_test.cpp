@@ -11,7 +11,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel::sampling {
-namespace {
+namespace warp_test {
 
 constexpr int kCount = 100000;
 // Six direction tests in this file share a significance of 0.01.
@@ -199,5 +199,5 @@ TEST(SphereCone, IrradianceIsTheInverseSquare) {
   EXPECT_NEAR(sum, 0.785398, 1e-4);
 }
 
-}  // namespace
+}  // namespace warp_test
 }  // namespace oriel::sampling

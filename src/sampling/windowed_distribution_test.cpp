@@ -8,7 +8,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel::sampling {
-namespace {
+namespace windowed_distribution_test {
 
 constexpr std::size_t kWidth = 4, kHeight = 2;
 constexpr std::array<float, 8> kTable = {1, 2, 0, 5,  //
@@ -89,5 +89,5 @@ TEST(WindowedDistribution, WindowsWithoutWeightGiveNothing) {
   EXPECT_EQ(table.sample(Vec2(.5f), flat).pdf, 0);
 }
 
-}  // namespace
+}  // namespace windowed_distribution_test
 }  // namespace oriel::sampling

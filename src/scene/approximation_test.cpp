@@ -6,7 +6,7 @@
 #include "scene/elements.h"
 
 namespace oriel::scene {
-namespace {
+namespace approximation_test {
 
 using Kind = Approximation::Kind;
 using Technique = Approximation::Technique;
@@ -190,5 +190,5 @@ TEST(TessellationView, LengthsAreInPixelDiagonalsAndFallWithDistance) {
   EXPECT_EQ(TessellationView{}.pixels({0, 0, 0}, {1, 0, 0}), 0);
 }
 
-}  // namespace
+}  // namespace approximation_test
 }  // namespace oriel::scene

@@ -9,7 +9,7 @@
 #include "base/temporary_folder.h"
 
 namespace oriel::scene {
-namespace {
+namespace asset_path_test {
 
 using Names = std::vector<std::string>;
 
@@ -39,5 +39,5 @@ TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
   EXPECT_EQ(found("/mnt/house/oak.tif"), (folder / "oak.tif").string());
 }
 
-}  // namespace
+}  // namespace asset_path_test
 }  // namespace oriel::scene

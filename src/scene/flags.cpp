@@ -43,7 +43,7 @@ struct FlagRow {
 
 // Source: reference of the language, Object (shadow and trace off = 2), Instance (shadow off = 6,
 // that is off-cast and on-receive; trace off = 12).
-constexpr FlagRow kRows[] = {
+constexpr FlagRow kFlagRows[] = {
     {"visible", {kVisible}, 1, 0, 12},
     {"shadow", {kShadow}, 1, 2, 6},
     {"trace", {kReflection, kRefraction, kFinalGather}, 3, 2, 12},
@@ -56,7 +56,7 @@ constexpr FlagRow kRows[] = {
 };
 
 const FlagRow* find_row(std::string_view keyword) {
-  for (const FlagRow& row : kRows)
+  for (const FlagRow& row : kFlagRows)
     if (row.keyword == keyword) return &row;
   return nullptr;
 }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::scene {
-namespace {
+namespace flags_test {
 
 Statement flag(std::string keyword) {
   Statement s;
@@ -179,5 +179,5 @@ TEST(Flags, ValuesThatDoNotFitAreReportedAndSkipped) {
   EXPECT_EQ(d.all()[2].hint, "expected: face front|back|both");
 }
 
-}  // namespace
+}  // namespace flags_test
 }  // namespace oriel::scene

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::scene {
-namespace {
+namespace hierarchy_test {
 
 Statement flag(std::string keyword) {
   Statement s;
@@ -287,5 +287,5 @@ TEST(Hierarchy, AHundredThousandInstancesAreFlattenedWithoutQuadraticWork) {
   EXPECT_EQ(leaves[99'999].world_to_local[3][0], 99'999);
 }
 
-}  // namespace
+}  // namespace hierarchy_test
 }  // namespace oriel::scene

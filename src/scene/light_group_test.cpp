@@ -6,7 +6,7 @@
 #include "scene/render_options.h"
 
 namespace oriel::scene {
-namespace {
+namespace light_group_test {
 
 TEST(LightGroup, PatternsMatchWholeNames) {
   EXPECT_TRUE(matches("lamp", "lamp"));
@@ -61,5 +61,5 @@ TEST(LightGroup, OptionsNameGroups) {
   EXPECT_TRUE(options.unknown_strings.empty());
 }
 
-}  // namespace
+}  // namespace light_group_test
 }  // namespace oriel::scene

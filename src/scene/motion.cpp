@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel::scene {
 namespace {
 
@@ -52,7 +54,7 @@ class Way {
     // Of the two ways round the shorter.
     const double sign = q.r < 0 ? -1 : 1;
     const double sine = q.v.length();
-    half_angle_ = std::atan2(sine, sign * q.r);
+    half_angle_ = math::atan2(sine, sign * q.r);
     axis_ = sine > 0 ? q.v * (sign / sine) : Imath::V3d(0, 0, 1);
   }
 
@@ -65,7 +67,7 @@ class Way {
     const double share = std::clamp(time, 0.0, 1.0);
     const Linear stretch = Linear() * (1 - share) + stretch_ * share;
     const double half = half_angle_ * time;
-    const Imath::Quatd q(std::cos(half), axis_ * std::sin(half));
+    const Imath::Quatd q(math::cos(half), axis_ * math::sin(half));
     const Linear turned = linear_part(from_) * stretch * q.toMatrix33();
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) m[row][column] = turned[row][column];

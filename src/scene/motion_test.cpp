@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::scene {
-namespace {
+namespace motion_test {
 
 Mat4 moved(float x, float y, float z) {
   Mat4 m;
@@ -120,5 +120,5 @@ TEST(MotionPath, MotionOffHoldsWhatIsAboveAndItself) {
   expect_at(path[1], {0, 0, 0}, {0, 0, 1});
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace oriel::scene

@@ -153,13 +153,14 @@ constexpr std::string_view kDepth = "int [int [int]]", kColor = "float [float fl
                            kMapsUnused = "shadows are traced instead of mapped",
                            kAcceleration = "acceleration structure",
                            kImportance = "importance and reach of rays";
-constexpr auto kCaustic = &O::caustic, kGlobillum = &O::globillum, kPhotonvol = &O::photonvol;
+constexpr auto kCausticFlags = &O::caustic, kGlobillumFlags = &O::globillum,
+               kPhotonvol = &O::photonvol;
 constexpr auto kGather = &O::finalgather;
 constexpr auto kMotion = &O::motion;
 
 // One row, one statement: the formatter would break rows in the middle.
 // clang-format off
-constexpr OptionRow kRows[] = {
+constexpr OptionRow kOptionRows[] = {
     // Sampling
     {"samples", "int [int [int int]]", Effective, "max, or min max: levels n of 4^n", set_samples},
     {"samples collect", "int", Harmless, "rasteriser"},
@@ -226,17 +227,17 @@ constexpr OptionRow kRows[] = {
     {"autovolume", "bool", NotYet, "finds the volumes around the eye", to<&O::autovolume>},
     {"lightmap", "off|on|only", NotYet, "light map shaders", to<&O::lightmap>},
     // Photons
-    {"caustic", "bool|int", Effective, "photons; flags of objects", set_photons<kCaustic>},
-    {"globillum", "bool|int", Effective, "photons; flags of objects", set_photons<kGlobillum>},
-    {"caustic accuracy", "int [float]", Effective, "photons, radius", set_accuracy<kCaustic>},
-    {"globillum accuracy", "int [float]", Effective, "photons, radius", set_accuracy<kGlobillum>},
+    {"caustic", "bool|int", Effective, "photons; flags of objects", set_photons<kCausticFlags>},
+    {"globillum", "bool|int", Effective, "photons; flags of objects", set_photons<kGlobillumFlags>},
+    {"caustic accuracy", "int [float]", Effective, "photons, radius", set_accuracy<kCausticFlags>},
+    {"globillum accuracy", "int [float]", Effective, "photons, radius", set_accuracy<kGlobillumFlags>},
     {"photonvol accuracy", "int [float]", NotYet, "photons, radius", set_accuracy<kPhotonvol>},
     {"caustic filter", "box|cone|gauss [float]", Effective, "weight within the radius",
-     set_photon_filter<kCaustic>},
+     set_photon_filter<kCausticFlags>},
     {"globillum filter", "box|cone|gauss [float]", Effective, "weight within the radius",
-     set_photon_filter<kGlobillum>},
-    {"caustic scale", kColor, Effective, "factor", to<kCaustic, &P::scale>},
-    {"globillum scale", kColor, Effective, "factor", to<kGlobillum, &P::scale>},
+     set_photon_filter<kGlobillumFlags>},
+    {"caustic scale", kColor, Effective, "factor", to<kCausticFlags, &P::scale>},
+    {"globillum scale", kColor, Effective, "factor", to<kGlobillumFlags, &P::scale>},
     {"photonvol scale", kColor, NotYet, "factor", to<kPhotonvol, &P::scale>},
     {"photon trace depth", kDepth, Effective, kDepthMeaning, to<&O::photon_depth>},
     {"photon autovolume", "bool", NotYet, "volumes around lights", to<&O::photon_autovolume>},
@@ -293,8 +294,8 @@ constexpr OptionRow kRows[] = {
     {"\"finalgather rays\"", "int", Effective, "rays", to<kGather, &F::rays>},
     {"\"finalgather normal tolerance\"", "float", Effective, "degrees",
      to<kGather, &F::normal_tolerance>},
-    {"\"caustic merge\"", "float", Effective, "distance", to<kCaustic, &P::merge>},
-    {"\"globillum merge\"", "float", Effective, "distance", to<kGlobillum, &P::merge>},
+    {"\"caustic merge\"", "float", Effective, "distance", to<kCausticFlags, &P::merge>},
+    {"\"globillum merge\"", "float", Effective, "distance", to<kGlobillumFlags, &P::merge>},
     {"\"photonvol merge\"", "float", NotYet, "distance", to<kPhotonvol, &P::merge>},
 };
 // clang-format on
@@ -342,7 +343,7 @@ TraceDepth OptionValues::depth() const {
   return {r, t, size() > 2 ? integer(2) : r + t};
 }
 
-std::span<const OptionRow> option_table() { return kRows; }
+std::span<const OptionRow> option_table() { return kOptionRows; }
 
 bool fits_form(std::string_view form, std::span<OptionItem> items) {
   std::size_t used = 0;

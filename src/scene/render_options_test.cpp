@@ -9,7 +9,7 @@
 #include "scene/option_table.h"
 
 namespace oriel::scene {
-namespace {
+namespace render_options_test {
 
 /// A statement from its text: words before the first value are the keyword; a keyword in quotes
 /// makes a string option.
@@ -243,5 +243,5 @@ TEST(OptionTable, RowsAreUniqueAndActingOnesHaveASetter) {
   EXPECT_EQ(std::adjacent_find(keywords.begin(), keywords.end()), keywords.end());
 }
 
-}  // namespace
+}  // namespace render_options_test
 }  // namespace oriel::scene

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/highlights.h"
 #include "bsdf/phong.h"
@@ -61,7 +62,7 @@ miScalar mi_blinn_specular(const miVector* di, const miVector* dr, const miVecto
 miScalar mi_blong_specular(miScalar exponent, miState* state, const miVector* dir) {
   const Local l(&state->dir, dir, vec(state->normal));
   if (l.wo.z <= 0 || l.wi.z <= 0) return 0;
-  return std::pow(std::max(0.0f, normalize(l.wo + l.wi).z), exponent);
+  return oriel::math::pow(std::max(0.0f, normalize(l.wo + l.wi).z), exponent);
 }
 
 miBoolean mi_cooktorr_specular(miColor* result, const miVector* di, const miVector* dr,

@@ -10,7 +10,7 @@
 #include "sdk/ward_lobe.h"
 
 namespace oriel::sdk {
-namespace {
+namespace brdf_test {
 
 using testing::BareState;
 using testing::integrate;
@@ -160,5 +160,5 @@ TEST(Colours, WhiteIsD65AndComesBack) {
   EXPECT_NEAR(c.b, 1, 1e-5f);
 }
 
-}  // namespace
+}  // namespace brdf_test
 }  // namespace oriel::sdk

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "bsdf/fresnel.h"
 #include "oriel/sdk/shader/direction.h"
 #include "sampling/warp.h"
@@ -178,5 +179,5 @@ void mi_scattering_dir_directional(miVector* dir, miState* state, miScalar direc
 
 miScalar mi_scattering_pathlength(miState* state, miScalar k) {
   if (!(k > 0)) return miHUGE_SCALAR;
-  return -std::log1p(-oriel::sdk::next(state).x) / k;
+  return -oriel::math::log1p(-oriel::sdk::next(state).x) / k;
 }

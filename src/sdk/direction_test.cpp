@@ -10,7 +10,7 @@
 #include "sdk/ward_lobe.h"
 
 namespace oriel::sdk {
-namespace {
+namespace direction_test {
 
 using testing::BareState;
 using testing::DirectionTest;
@@ -186,5 +186,5 @@ TEST(Directions, FreePathsAreExponential) {
   EXPECT_EQ(mi_scattering_pathlength(&bare.state(), 0), miHUGE_SCALAR);
 }
 
-}  // namespace
+}  // namespace direction_test
 }  // namespace oriel::sdk

@@ -14,7 +14,7 @@
 #include "sdk/testing/bare_state.h"
 
 namespace oriel::sdk {
-namespace {
+namespace image_test {
 
 /// Lets shaders write into a folder of the test.
 struct Writable {
@@ -178,5 +178,5 @@ TEST(ShaderImages, HaveTypesAndFormatsByName) {
   EXPECT_STREQ(mi_img_format_name(miIMG_FORMAT_TARGA), "tga");
 }
 
-}  // namespace
+}  // namespace image_test
 }  // namespace oriel::sdk

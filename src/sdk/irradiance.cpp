@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "sdk/call.h"
 
 namespace oriel::sdk {
@@ -84,7 +85,7 @@ miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options,
     const float sine2 = u.x * (1 - least * least), phi = kTwoPi * u.y;
     const float sine = std::sqrt(sine2);
     const Vec3 w = frame.to_world(
-        Vec3(sine * std::cos(phi), sine * std::sin(phi), std::sqrt(std::max(0.0f, 1 - sine2))));
+        Vec3(sine * math::cos(phi), sine * math::sin(phi), std::sqrt(std::max(0.0f, 1 - sine2))));
     if (dot(w, point.geometric_normal) <= 0 || c.tracer()->probe_from(point, w, reach))
       ++met;
     else

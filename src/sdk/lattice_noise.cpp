@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/math.h"
 #include "sampling/sampler.h"
 
 namespace oriel::sdk {
@@ -26,11 +27,11 @@ const std::array<std::array<float, kDimensions>, kDirections>& directions() {
       if constexpr (kDimensions == 1) {
         all[i] = {even};
       } else if constexpr (kDimensions == 2) {
-        all[i] = {std::cos(3.14159265f * even), std::sin(3.14159265f * even)};
+        all[i] = {math::cos(3.14159265f * even), math::sin(3.14159265f * even)};
       } else {
         // A spiral by the golden angle.
         const float turn = 2.39996323f * static_cast<float>(i), r = std::sqrt(1 - even * even);
-        all[i] = {r * std::cos(turn), r * std::sin(turn), even};
+        all[i] = {r * math::cos(turn), r * math::sin(turn), even};
       }
     }
     return all;

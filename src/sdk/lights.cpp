@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/math.h"
 #include "photometry/light_profile.h"
 #include "runtime/luminaire.h"
 #include "sdk/call.h"
@@ -146,7 +147,7 @@ miScalar mi_lightprofile_value(const void* profile, miScalar phi, miScalar costh
   const float sine = std::sqrt(std::max(0.0f, 1 - costheta * costheta));
   // The profile's axis is -z: theta counts from straight down.
   const Vec3 direction =
-      pos ? normalize(vec(*pos)) : Vec3(sine * std::cos(phi), sine * std::sin(phi), -costheta);
+      pos ? normalize(vec(*pos)) : Vec3(sine * math::cos(phi), sine * math::sin(phi), -costheta);
   return profile_value(*static_cast<const photometry::LightProfile*>(profile), direction,
                        rel != miFALSE);
 }

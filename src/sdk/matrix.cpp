@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.h"
 #include "oriel/sdk/shader/vector.h"
 
 namespace {
@@ -109,7 +110,7 @@ void mi_matrix_rotate_axis(miMatrix m, const miVector* axis, miScalar angle) {
   miVector a = *axis;
   mi_vector_normalize_d(&a);
   if (mi_vector_dot(&a, &a) == 0) return;
-  const float s = std::sin(angle), c = std::cos(angle), t = 1 - c;
+  const float s = oriel::math::sin(angle), c = oriel::math::cos(angle), t = 1 - c;
   m[0] = t * a.x * a.x + c;
   m[1] = t * a.x * a.y + s * a.z;
   m[2] = t * a.x * a.z - s * a.y;

@@ -6,7 +6,7 @@
 #include "oriel/sdk/shader/texture.h"
 #include "oriel/sdk/shader/vector.h"
 
-namespace {
+namespace matrix_test {
 
 constexpr miMatrix kPlaced = {2, 0, 0, 0, 0, .5f, .25f, 0, .5f, -1, 3, 0, 7, -2, 1, 1};
 
@@ -15,8 +15,6 @@ void expect_near(const miVector& v, float x, float y, float z, float tolerance =
   EXPECT_NEAR(v.y, y, tolerance);
   EXPECT_NEAR(v.z, z, tolerance);
 }
-
-}  // namespace
 
 TEST(Matrix, TimesItsInverseIsTheIdentity) {
   miMatrix inverse, product;
@@ -125,3 +123,5 @@ TEST(TextureFilter, TransformTakesThreePointsToTheirCoordinates) {
   p[2] = {102, 50, 0};
   EXPECT_FALSE(mi_texture_filter_transform(st, p, t));
 }
+
+}  // namespace matrix_test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "oriel/sdk/shader/sample.h"
 #include "sdk/lattice_noise.h"
 
@@ -33,7 +34,7 @@ NoiseAt<kDimensions> shaped(const std::array<float, kDimensions>& at, const Curv
   const float x = n.value, x2 = x * x;
   const float odds = x * (curve.linear + x2 * (curve.cubic + x2 * curve.quintic));
   const float rise = curve.linear + x2 * (3 * curve.cubic + x2 * 5 * curve.quintic);
-  n.value = 1 / (1 + std::exp(-odds));
+  n.value = 1 / (1 + oriel::math::exp(-odds));
   for (float& s : n.slope) s *= n.value * (1 - n.value) * rise;
   return n;
 }

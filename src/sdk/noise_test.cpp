@@ -10,7 +10,7 @@
 #include "sampling/sampler.h"
 #include "sdk/lattice_noise.h"
 
-namespace {
+namespace noise_test {
 
 using oriel::sampling::Sampler;
 
@@ -40,8 +40,6 @@ std::vector<float> sorted_values(const Kind& kind) {
   std::sort(values.begin(), values.end());
   return values;
 }
-
-}  // namespace
 
 TEST(Noise, IsABellAboutOneHalfWithinZeroAndOne) {
   for (const Kind& kind : kBells) {
@@ -156,3 +154,5 @@ TEST(Spline, IsCatmullAndRoms) {
   const miScalar points[4] = {1, 4, 2, 8};
   EXPECT_NEAR(mi_spline(.5f, 4, points), (-1 + 36 + 18 - 8) / 16.0f, 1e-5f);
 }
+
+}  // namespace noise_test

@@ -8,7 +8,7 @@
 #include "sdk/testing/bare_state.h"
 
 namespace oriel::sdk {
-namespace {
+namespace sample_test {
 
 using testing::BareState;
 
@@ -115,5 +115,5 @@ TEST(Random, OfASeedIsThatOfPosix) {
   }
 }
 
-}  // namespace
+}  // namespace sample_test
 }  // namespace oriel::sdk

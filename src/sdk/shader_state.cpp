@@ -10,7 +10,7 @@
 namespace oriel::sdk {
 namespace {
 
-struct Value {
+struct StateValue {
   std::string key;
   std::unique_ptr<std::byte[]> bytes;
   int size, lifetime;
@@ -18,7 +18,7 @@ struct Value {
 };
 
 struct Store {
-  std::vector<Value> values;
+  std::vector<StateValue> values;
   int depth = 0;
   float raster_x = -1, raster_y = -1;
 };
@@ -40,7 +40,7 @@ void begin_eye_ray(const miState& state) {
   if (s.raster_x == state.raster_x && s.raster_y == state.raster_y) return;
   const bool same_pixel = static_cast<int>(s.raster_x) == static_cast<int>(state.raster_x) &&
                           static_cast<int>(s.raster_y) == static_cast<int>(state.raster_y);
-  drop([&](const Value& v) {
+  drop([&](const StateValue& v) {
     return v.lifetime == miSS_LIFETIME_EYERAY || (v.lifetime == miSS_LIFETIME_RECT && !same_pixel);
   });
   s.raster_x = state.raster_x;
@@ -59,18 +59,21 @@ ShaderStateScope::~ShaderStateScope() {
   Store& s = store();
   s.depth = depth_;  // deeper scopes of a shader that crashed are gone as well
   if (!s.values.empty())
-    drop([&](const Value& v) { return v.lifetime == miSS_LIFETIME_SUBRAYS && v.depth > depth_; });
+    drop([&](const StateValue& v) {
+      return v.lifetime == miSS_LIFETIME_SUBRAYS && v.depth > depth_;
+    });
 }
 
 void* leave_value(const char* key, const void* value, int size, int lifetime) {
   Store& s = store();
   if (!value || size <= 0) {
-    drop([&](const Value& v) { return v.key == key; });
+    drop([&](const StateValue& v) { return v.key == key; });
     return nullptr;
   }
-  auto found = std::find_if(s.values.rbegin(), s.values.rend(),
-                            [&](const Value& v) { return v.key == key && v.depth == s.depth; });
-  Value* target = found != s.values.rend() ? &*found : nullptr;
+  auto found = std::find_if(s.values.rbegin(), s.values.rend(), [&](const StateValue& v) {
+    return v.key == key && v.depth == s.depth;
+  });
+  StateValue* target = found != s.values.rend() ? &*found : nullptr;
   if (!target) {
     s.values.push_back({key, nullptr, 0, lifetime, s.depth});
     target = &s.values.back();
@@ -86,8 +89,8 @@ void* leave_value(const char* key, const void* value, int size, int lifetime) {
 void* left_value(const char* key, int* size) {
   auto& values = store().values;
   // The one left last, by the innermost call.
-  const auto found =
-      std::find_if(values.rbegin(), values.rend(), [&](const Value& v) { return v.key == key; });
+  const auto found = std::find_if(values.rbegin(), values.rend(),
+                                  [&](const StateValue& v) { return v.key == key; });
   if (found == values.rend()) return nullptr;
   if (size) *size = found->size;
   return found->bytes.get();
@@ -112,7 +115,7 @@ void* mi_shaderstate_get(miState*, const char* key, int* size) {
 void mi_shaderstate_enumerate(miState*, void (*cb)(void*, char*, void*, int, int), void* arg) {
   // By copies of the keys: the callback may take values away.
   std::vector<std::pair<std::string, int>> keys;
-  for (const Value& v : store().values) keys.emplace_back(v.key, v.lifetime);
+  for (const StateValue& v : store().values) keys.emplace_back(v.key, v.lifetime);
   for (auto& [key, lifetime] : keys) {
     int size = 0;
     if (void* value = left_value(key.c_str(), &size)) cb(arg, key.data(), value, size, lifetime);

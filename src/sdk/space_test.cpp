@@ -5,7 +5,7 @@
 #include "sdk/testing/bare_state.h"
 
 namespace oriel::sdk {
-namespace {
+namespace space_test {
 
 using testing::BareState;
 
@@ -101,5 +101,5 @@ TEST(Spaces, RasterUnitIsOnePixelOnTheScreen) {
   EXPECT_FALSE(mi_raster_unit(&bare.state(), &x, &y)) << "behind the camera";
 }
 
-}  // namespace
+}  // namespace space_test
 }  // namespace oriel::sdk

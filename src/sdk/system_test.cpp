@@ -13,7 +13,7 @@
 #include "sdk/testing/bare_state.h"
 
 namespace oriel::sdk {
-namespace {
+namespace system_test {
 
 using testing::BareState;
 
@@ -114,5 +114,5 @@ TEST(StringSubstitute, PutsVariablesInAndTurnsSlashes) {
   EXPECT_STREQ(text, "012");
 }
 
-}  // namespace
+}  // namespace system_test
 }  // namespace oriel::sdk

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "sampling/warp.h"
 
 namespace oriel::sdk {
@@ -21,7 +22,7 @@ float slope_of(float shiny) { return std::max(kLeastSlope, 1 / std::max(shiny, 1
 WardLobe::WardLobe(float shiny_u, float shiny_v) : ax_(slope_of(shiny_u)), ay_(slope_of(shiny_v)) {}
 
 Vec3 WardLobe::sample(const Vec3& wo, const Vec2& u) const {
-  const float r = std::sqrt(-std::log1p(-u.x));
+  const float r = std::sqrt(-math::log1p(-u.x));
   const sampling::SinCos turn = sampling::sincos_turns(u.y);
   const Vec3 h = normalize(Vec3(ax_ * r * turn.cos, ay_ * r * turn.sin, 1));
   Vec3 wi = h * (2 * dot(wo, h)) - wo;
@@ -33,7 +34,7 @@ float WardLobe::mirror_pdf(const Vec3& wo, const Vec3& wi) const {
   const Vec3 h = normalize(wo + wi);
   if (h.z == 0) return 0;
   const float slope2 = (sqr(h.x / ax_) + sqr(h.y / ay_)) / sqr(h.z);
-  const float facets = std::exp(-slope2) / (kPi * ax_ * ay_ * std::abs(h.z) * sqr(h.z));
+  const float facets = math::exp(-slope2) / (kPi * ax_ * ay_ * std::abs(h.z) * sqr(h.z));
   return facets / (4 * std::abs(dot(wo, h)));
 }
 

@@ -7,7 +7,7 @@
 #include "shaders/testing/declared.h"
 
 namespace oriel {
-namespace {
+namespace base_declarations_test {
 
 constexpr std::string_view kAmbOcclusionTable = R"(
 samples | integer | 16
@@ -221,5 +221,5 @@ TEST(Declarations, BaseShadersHaveTheirParametersInOrder) {
   }
 }
 
-}  // namespace
+}  // namespace base_declarations_test
 }  // namespace oriel

@@ -13,7 +13,7 @@
 #include "shaders/testing/declared.h"
 
 namespace oriel {
-namespace {
+namespace declarations_test {
 
 // One line a parameter: name | type | declared default, "-" where the declaration has none. In the
 // order of the declaration, later editions' additions last.
@@ -272,5 +272,5 @@ TEST(Declarations, EveryTableIsSound) {
   }
 }
 
-}  // namespace
+}  // namespace declarations_test
 }  // namespace oriel

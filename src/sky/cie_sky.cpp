@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/math.h"
 #include "sky/physical_sky.h"
 #include "sky/units.h"
 
@@ -11,12 +12,14 @@ namespace {
 
 /// Brightness around the sun.
 float indicatrix(float cos_gamma) {
-  const float gamma = std::acos(clamp(cos_gamma, -1, 1));
-  return 0.91f + 10 * std::exp(-3 * gamma) + 0.45f * sqr(cos_gamma);
+  const float gamma = math::acos(clamp(cos_gamma, -1, 1));
+  return 0.91f + 10 * math::exp(-3 * gamma) + 0.45f * sqr(cos_gamma);
 }
 
 /// Brightness from the zenith to the horizon; on the horizon the exponential is gone.
-float gradation(float cos_theta) { return cos_theta > 0 ? 1 - std::exp(-0.32f / cos_theta) : 1.0f; }
+float gradation(float cos_theta) {
+  return cos_theta > 0 ? 1 - math::exp(-0.32f / cos_theta) : 1.0f;
+}
 
 }  // namespace
 
@@ -34,7 +37,7 @@ float cie_clear_horizontal(float sun_z) {
     const float r = std::sqrt(sin2), z = std::sqrt(1 - sin2);
     for (int j = 0; j < kSectors; ++j) {
       const float phi = kTwoPi * (static_cast<float>(j) + 0.5f) / kSectors;
-      sum += cie_clear_relative(z, r * std::cos(phi) * sun_x + z * sun_z, sun_z);
+      sum += cie_clear_relative(z, r * math::cos(phi) * sun_x + z * sun_z, sun_z);
     }
   }
   return static_cast<float>(sum * kPi / (kRings * kSectors));

@@ -7,7 +7,7 @@
 #include "sky/units.h"
 
 namespace oriel::sky {
-namespace {
+namespace cie_sky_test {
 
 constexpr float kDeg = kPi / 180;
 
@@ -108,5 +108,5 @@ TEST(CieSky, YIsUpTurnsIt) {
   EXPECT_FLOAT_EQ(y.luminance(Vec3(d.x, d.z, d.y)), z.luminance(d));
 }
 
-}  // namespace
+}  // namespace cie_sky_test
 }  // namespace oriel::sky

@@ -2,6 +2,7 @@
 // Parts of the physical sky: illuminance integrals, the energy of disc and glow, aerial haze.
 #include "sky/daylight.h"
 
+#include "base/math.h"
 #include "sky/physical_sky.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ Vec2 concentric_disc(float x, float y) {
   const bool wide = std::fabs(x) > std::fabs(y);
   const float r = wide ? x : y;
   const float phi = wide ? kPi / 4 * (y / x) : kPi / 2 - kPi / 4 * (x / y);
-  return Vec2(r * std::cos(phi), r * std::sin(phi));
+  return Vec2(r * math::cos(phi), r * math::sin(phi));
 }
 
 /// Integral of the glow profile over the sphere, 2 (1 - a/g)^3 against 2 pi sin a da, for a glow
@@ -25,7 +26,7 @@ double glow_integral(double g) {
   constexpr double kPi64 = 3.14159265358979323846;
   const double g2 = g * g;
   if (g < 0.5) return 24 * kPi64 * g2 * (1.0 / 120 - g2 * (1.0 / 5040 - g2 / 362880));
-  return 4 * kPi64 - 24 * kPi64 / g2 + 24 * kPi64 * std::sin(g) / (g2 * g);
+  return 4 * kPi64 - 24 * kPi64 / g2 + 24 * kPi64 * math::sin(g) / (g2 * g);
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ Rgb horizontal_illuminance(const PreethamSky& sky) {
     const float r = std::sqrt(sin2), z = std::sqrt(1 - sin2);
     for (int j = 0; j < kSectors; ++j) {
       const float phi = kTwoPi * (static_cast<float>(j) + 0.5f) / kSectors;
-      const Rgb c = sky.radiance(Vec3(r * std::cos(phi), r * std::sin(phi), z));
+      const Rgb c = sky.radiance(Vec3(r * math::cos(phi), r * math::sin(phi), z));
       for (int k = 0; k < 3; ++k) sum[k] += c[k];
     }
   }
@@ -68,7 +69,7 @@ DiscScale physical_disc_scale(float disc_scale, float disc_intensity, float glow
                      static_cast<float>(glow_integral(10.0 * static_cast<double>(radius)));
   const float kept = std::min(glow, 0.5f * target);
   // The cap's area by the half angle: 1 - cos loses all digits at this size.
-  const float cap = 4 * kPi * sqr(std::sin(0.5f * std::min(radius, kPi)));
+  const float cap = 4 * kPi * sqr(math::sin(0.5f * std::min(radius, kPi)));
   DiscScale scale;
   scale.glow = glow > 0 ? kept / glow : 1;
   scale.disc = (target - kept) / (cap * 100 * disc_intensity);
@@ -85,7 +86,7 @@ float aerial_haze(float distance, float visibility_distance, float haze) {
   if (!(visibility_distance > 0) || !(distance > 0)) return 0;
   constexpr float kTenPercent = 0.1053605f;  // -ln 0.9
   const float depth = kTenPercent * (1 + std::max(haze, 0.0f)) * distance / visibility_distance;
-  return -std::expm1(-depth);
+  return -math::expm1(-depth);
 }
 
 }  // namespace oriel::sky

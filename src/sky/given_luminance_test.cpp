@@ -8,7 +8,7 @@
 #include "sky/physical_sky.h"
 
 namespace oriel::sky {
-namespace {
+namespace given_luminance_test {
 
 constexpr float kDeg = kPi / 180;
 const Vec3 kUp(0, 0, 1);
@@ -131,5 +131,5 @@ TEST(Sun, GivenIlluminanceIsMetInTheHazesColour) {
   EXPECT_TRUE(is_black(sun_colour(p, toward(25))));
 }
 
-}  // namespace
+}  // namespace given_luminance_test
 }  // namespace oriel::sky

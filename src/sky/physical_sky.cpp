@@ -2,6 +2,7 @@
 // The physical sun and sky: what is fixed by the parameters, and the look-up.
 #include "sky/physical_sky.h"
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "sky/daylight.h"
 
@@ -111,7 +112,7 @@ void PhysicalSky::set_up_disc(const SkyParameters& p) {
           ? physical_disc_scale(p.sun_disk_scale, p.sun_disk_intensity, p.sun_glow_intensity)
           : DiscScale{};
   glow_radius_ = 10 * kSunAngularRadius * p.sun_disk_scale;
-  cos_glow_radius_ = glow_radius_ < kPi ? std::cos(glow_radius_) : -1;
+  cos_glow_radius_ = glow_radius_ < kPi ? math::cos(glow_radius_) : -1;
   glow_ = std::max(p.sun_glow_intensity, 0.0f) * scale.glow;
   disc_ = std::max(p.sun_disk_intensity, 0.0f) * scale.disc;
   disc_edge_ = disc_softness_end(p.haze);
@@ -124,7 +125,7 @@ Vec3 PhysicalSky::seen(const Vec3& direction) const {
 float PhysicalSky::disc_and_glow(const Vec3& seen_direction, SkyPart part) const {
   if (dot(seen_direction, to_sun_) < cos_glow_radius_) return 0;
   // By the chord: the arc cosine has no digits left this near to the sun.
-  const float angle = 2 * std::asin(std::min(0.5f * length(seen_direction - to_sun_), 1.0f));
+  const float angle = 2 * math::asin(std::min(0.5f * length(seen_direction - to_sun_), 1.0f));
   const float f = 1 - angle / glow_radius_;
   if (f <= 0) return 0;
   const float glow = glow_ * glow_profile(f);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::sky {
-namespace {
+namespace physical_sky_sun_test {
 
 constexpr float kDeg = kPi / 180;
 
@@ -250,5 +250,5 @@ TEST(AerialPerspective, GrowsWithHazeAndDistance) {
   }
 }
 
-}  // namespace
+}  // namespace physical_sky_sun_test
 }  // namespace oriel::sky

@@ -12,7 +12,7 @@
 #include <random>
 
 namespace oriel::sky {
-namespace {
+namespace physical_sky_test {
 
 constexpr float kDeg = kPi / 180;
 
@@ -369,5 +369,5 @@ TEST(PhysicalSky, IsFiniteAndNeverNegative) {
   }
 }
 
-}  // namespace
+}  // namespace physical_sky_test
 }  // namespace oriel::sky

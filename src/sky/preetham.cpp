@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/math.h"
+
 namespace oriel::sky {
 namespace {
 
@@ -48,7 +50,8 @@ Vec3 lifted_above_horizon(const Vec3& direction) {
 
 float zenith_luminance(float turbidity, float sun_zenith_angle) {
   const float chi = (4.0f / 9.0f - turbidity / 120) * (kPi - 2 * sun_zenith_angle);
-  const float kcd = (4.0453f * turbidity - 4.9710f) * std::tan(chi) - 0.2155f * turbidity + 2.4192f;
+  const float kcd =
+      (4.0453f * turbidity - 4.9710f) * math::tan(chi) - 0.2155f * turbidity + 2.4192f;
   return std::max(1000 * kcd, 0.0f);
 }
 
@@ -77,8 +80,8 @@ Rgb sun_illuminance(float sun_z, float turbidity) {
   if (!(sun_z > 0)) return Rgb(0.0f);
 
   // Relative optical mass, Kasten 1966.
-  const float zenith_deg = std::acos(std::min(sun_z, 1.0f)) * (180 / kPi);
-  const float mass = 1 / (sun_z + 0.15f * std::pow(93.885f - zenith_deg, -1.253f));
+  const float zenith_deg = math::acos(std::min(sun_z, 1.0f)) * (180 / kPi);
+  const float mass = 1 / (sun_z + 0.15f * math::pow(93.885f - zenith_deg, -1.253f));
 
   // Optical depth of Rayleigh scattering, aerosol (Angstrom) and ozone at each wavelength.
   constexpr float kWavelengthUm[3] = {0.610f, 0.550f, 0.470f};
@@ -87,9 +90,9 @@ Rgb sun_illuminance(float sun_z, float turbidity) {
   const float beta = 0.04608f * turbidity - 0.04586f;
   Rgb sun = sun_illuminance_outside_atmosphere();
   for (int i = 0; i < 3; ++i) {
-    const float rayleigh = 0.008735f * std::pow(kWavelengthUm[i], -4.08f);
-    const float aerosol = beta * std::pow(kWavelengthUm[i], -1.3f);
-    sun[i] *= std::exp(-mass * (rayleigh + aerosol + kOzonePerCm[i] * kOzone));
+    const float rayleigh = 0.008735f * math::pow(kWavelengthUm[i], -4.08f);
+    const float aerosol = beta * math::pow(kWavelengthUm[i], -1.3f);
+    sun[i] *= math::exp(-mass * (rayleigh + aerosol + kOzonePerCm[i] * kOzone));
   }
   return sun;
 }
@@ -97,7 +100,7 @@ Rgb sun_illuminance(float sun_z, float turbidity) {
 PreethamSky::PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOptions& options)
     : to_sun_(lifted_above_horizon(to_sun)), clamp_antisolar_(options.clamp_antisolar) {
   const float t = clamp(turbidity, 2.0f, kMostTurbidity);
-  const float zenith_angle = std::acos(std::min(to_sun_.z, 1.0f));
+  const float zenith_angle = math::acos(std::min(to_sun_.z, 1.0f));
 
   // The paper's constant in A of x is -0.259188; the port's follows the sun's height and meets it
   // near a zenith angle of 83 degrees.
@@ -132,7 +135,7 @@ void PreethamSky::distribute(const PerezCoefficients& k) {
 
 void PreethamSky::evaluate(float cos_theta, float cos_gamma, float (&value)[kLanes]) const {
   const float inverse_cos = 1 / cos_theta;
-  const float gamma = std::acos(cos_gamma);
+  const float gamma = math::acos(cos_gamma);
   float gammas[kLanes] = {gamma, gamma, gamma, gamma};
   float cosines[kLanes] = {cos_gamma, cos_gamma, cos_gamma, cos_gamma};
   if (clamp_antisolar_ && cos_gamma < 0) {

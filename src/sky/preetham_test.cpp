@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::sky {
-namespace {
+namespace preetham_test {
 
 constexpr float kDeg = kPi / 180;
 
@@ -157,5 +157,5 @@ TEST(Preetham, RadianceCarriesTheModelsLuminance) {
   }
 }
 
-}  // namespace
+}  // namespace preetham_test
 }  // namespace oriel::sky

@@ -5,14 +5,16 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel::sky {
 namespace {
 
 constexpr double kDeg = 0.017453292519943295;  // radians
 constexpr double kArcsecond = 1.0 / 3600;      // degrees
 
-double sine(double degrees) { return std::sin(degrees * kDeg); }
-double cosine(double degrees) { return std::cos(degrees * kDeg); }
+double sine(double degrees) { return math::sin(degrees * kDeg); }
+double cosine(double degrees) { return math::cos(degrees * kDeg); }
 /// 0 .. 360
 double turn(double degrees) {
   const double d = std::fmod(degrees, 360);
@@ -74,7 +76,8 @@ double perturbations(double days) {
 double refraction(double elevation, const Place& place) {
   constexpr double kUpperLimbSets = -0.26667 - 0.5667;
   if (elevation < kUpperLimbSets) return 0;
-  const double at_standard = 1.02 / (60 * std::tan((elevation + 10.3 / (elevation + 5.11)) * kDeg));
+  const double at_standard =
+      1.02 / (60 * math::tan((elevation + 10.3 / (elevation + 5.11)) * kDeg));
   return place.pressure / 1010 * 283 / (273 + place.temperature) * at_standard;
 }
 
@@ -136,8 +139,8 @@ SolarPosition solar_position(double julian_day, const Place& place) {
 
   SolarPosition sun;
   sun.right_ascension =
-      turn(std::atan2(cosine(obliquity) * sine(longitude), cosine(longitude)) / kDeg);
-  sun.declination = std::asin(sine(obliquity) * sine(longitude)) / kDeg;
+      turn(math::atan2(cosine(obliquity) * sine(longitude), cosine(longitude)) / kDeg);
+  sun.declination = math::asin(sine(obliquity) * sine(longitude)) / kDeg;
 
   const double sidereal =
       280.46061837 + 360.98564736629 * days + 0.000387933 * t * t + nutation * cosine(obliquity);
@@ -147,9 +150,9 @@ SolarPosition solar_position(double julian_day, const Place& place) {
   const double south = sine(place.latitude) * cosine(sun.declination) * cosine(hour) -
                        cosine(place.latitude) * sine(sun.declination);
   const double west = cosine(sun.declination) * sine(hour);
-  sun.azimuth = turn(180 + std::atan2(west, south) / kDeg);
+  sun.azimuth = turn(180 + math::atan2(west, south) / kDeg);
   const double parallax = 8.794 * kArcsecond / distance;
-  const double seen_from_centre = std::atan2(up, std::hypot(south, west)) / kDeg;
+  const double seen_from_centre = math::atan2(up, math::hypot(south, west)) / kDeg;
   sun.geometric_elevation = seen_from_centre - parallax * cosine(seen_from_centre);
   sun.elevation = sun.geometric_elevation + refraction(sun.geometric_elevation, place);
   return sun;

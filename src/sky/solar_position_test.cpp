@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::sky {
-namespace {
+namespace solar_position_test {
 
 constexpr double kTolerance = 0.003;  // degrees, what the algorithm promises
 
@@ -92,5 +92,5 @@ TEST(SolarPosition, DirectionsFollowNorthAndTheAxisThatIsUp) {
   expect(direction_to_sun(270, 0, 90, true), Vec3(0, 0, -1));
 }
 
-}  // namespace
+}  // namespace solar_position_test
 }  // namespace oriel::sky

@@ -12,7 +12,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace gather_cache_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -459,5 +459,5 @@ TEST(GatherCache, DISABLED_LookUpsPerSecond) {
     }
 }
 
-}  // namespace
+}  // namespace gather_cache_test
 }  // namespace oriel

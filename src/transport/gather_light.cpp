@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel {
 namespace {
 
@@ -23,7 +25,7 @@ struct Polar {
     one = cap;
     z = 0.5f * s2;
     zz = cap * (1 + mu + mu2) / 3;
-    s = 0.5f * (std::atan2(sine, mu) - sine * mu);
+    s = 0.5f * (math::atan2(sine, mu) - sine * mu);
     sz = s2 * sine / 3;
     ss = one - zz;
   }
@@ -46,7 +48,7 @@ Solution2 fit_azimuthal(const Rgb& even, const Rgb& odd) {
 HemisphereMoments hemisphere_moments(std::span<const Rgb> radiance, int rings, int sectors) {
   HemisphereMoments m;
   const float half = kPi / static_cast<float>(sectors);
-  const float first = 2 * std::sin(half), second = std::sin(2 * half);
+  const float first = 2 * math::sin(half), second = math::sin(2 * half);
   Polar inner(0);
   for (int j = 0; j < rings; ++j) {
     const Polar outer(static_cast<float>(j + 1) / static_cast<float>(rings));
@@ -56,7 +58,7 @@ HemisphereMoments hemisphere_moments(std::span<const Rgb> radiance, int rings, i
       const Rgb& l = radiance[static_cast<std::size_t>(j) * static_cast<std::size_t>(sectors) +
                               static_cast<std::size_t>(k)];
       const float phi = half * static_cast<float>(2 * k + 1);
-      const float cosine = std::cos(phi), sine = std::sin(phi);
+      const float cosine = math::cos(phi), sine = math::sin(phi);
       sum += l;
       c += l * cosine;
       s += l * sine;
@@ -125,7 +127,7 @@ IncomingLight fit_incoming(const HemisphereMoments& m, const Frame& frame) {
 
 Rgb blurred_radiance(const IncomingLight& light, const Vec3& w, float roughness) {
   const float a2 = sqr(clamp01(roughness));
-  const float first = std::exp(-2 * a2 / (1 + 4 * a2));
+  const float first = math::exp(-2 * a2 / (1 + 4 * a2));
   const float second = first * first * first;
   const auto& l = light.linear;
   const auto& q = light.quadratic;

@@ -11,9 +11,9 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace gather_map_test {
 
-class GatherMap : public testing::Test {
+class GatherMap : public ::testing::Test {
  protected:
   ~GatherMap() override { std::filesystem::remove(path_); }
 
@@ -51,7 +51,7 @@ class GatherMap : public testing::Test {
     ASSERT_TRUE(d.all().empty());
   }
 
-  std::string path_ = testing::TempDir() + "gathered.fgmap";
+  std::string path_ = ::testing::TempDir() + "gathered.fgmap";
 };
 
 TEST_F(GatherMap, ComesBackAsItWas) {
@@ -76,9 +76,9 @@ TEST_F(GatherMap, EmptyMapIsAMap) {
 
 TEST_F(GatherMap, MissingFileAndFolderAreRefused) {
   EXPECT_NE(refusal().find("could not be read"), std::string::npos);
-  path_ = testing::TempDir();
+  path_ = ::testing::TempDir();
   EXPECT_NE(refusal().find("could not be read"), std::string::npos);
-  path_ = testing::TempDir() + "no/such/folder/map";
+  path_ = ::testing::TempDir() + "no/such/folder/map";
   Diagnostics d;
   EXPECT_FALSE(save_gather_map(some(1), path_, d));
   EXPECT_TRUE(d.has("OR-TR-101"));
@@ -146,5 +146,5 @@ TEST_F(GatherMap, ImpossiblePointsAreRefused) {
   EXPECT_NE(refusal().find("cannot be"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace gather_map_test
 }  // namespace oriel

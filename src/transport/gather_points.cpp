@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "transport/gather_share.h"
 #include "transport/path_walk.h"
 
@@ -65,7 +66,7 @@ GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherR
   using Mode = scene::FinalGatherOptions::Mode;
   GatherQuery q;
   q.radii = radii;
-  if (options.normal_tolerance > 0) q.min_cosine = std::cos(options.normal_tolerance * kPi / 180);
+  if (options.normal_tolerance > 0) q.min_cosine = math::cos(options.normal_tolerance * kPi / 180);
   q.gradients = options.mode != Mode::StrictRadius;
   if (options.mode == Mode::Automatic) {
     q.by_error = true;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel {
 namespace {
 
@@ -50,8 +52,8 @@ std::array<Vec3, 3> translational_gradient(const GatherHemisphere& hemisphere,
     // Borders of rings move along the middle of the sector, borders of sectors across their edge.
     const float middle = half * static_cast<float>(2 * k + 1);
     const float edge = half * static_cast<float>(2 * k);
-    const Vec3 outward(std::cos(middle), std::sin(middle), 0);
-    const Vec3 along_edge(std::cos(edge), std::sin(edge), 0);
+    const Vec3 outward(math::cos(middle), math::sin(middle), 0);
+    const Vec3 along_edge(math::cos(edge), math::sin(edge), 0);
     const auto moves = [&](const GatherSample& a, const GatherSample& b, const Vec3& azimuth,
                            float sin2) {
       const Vec3 border = hemisphere.frame.to_world(
@@ -66,7 +68,7 @@ std::array<Vec3, 3> translational_gradient(const GatherHemisphere& hemisphere,
       const float outer = std::sqrt(static_cast<float>(j + 1) / n);
       across += moves(at(j, k), at(j, before), along_edge, inner2 + 0.5f / n) * (outer - inner);
     }
-    add(outward, along * (2 * std::sin(half)));
+    add(outward, along * (2 * math::sin(half)));
     add(Vec3(-along_edge.y, along_edge.x, 0), across);
   }
   return gradient;
@@ -133,7 +135,7 @@ GatherHemisphere GatherHemisphere::for_rays(const Vec3& normal, int rays, float 
   // An even number, so that strata alternate all around.
   h.sectors = std::max(4, 2 * static_cast<int>(std::lround(n / static_cast<float>(2 * h.rings))));
   const Frame f(normal);
-  const float c = std::cos(kTwoPi * turn), s = std::sin(kTwoPi * turn);
+  const float c = math::cos(kTwoPi * turn), s = math::sin(kTwoPi * turn);
   h.frame = Frame(f.s * c + f.t * s, f.t * c - f.s * s, normal);
   return h;
 }
@@ -145,7 +147,7 @@ Vec3 GatherHemisphere::direction(int i, const Vec2& u) const {
   const float sine = std::sqrt(sin2);
   // A tiny positive cosine keeps a rim ray above the surface.
   return frame.to_world(
-      Vec3(sine * std::cos(phi), sine * std::sin(phi), std::sqrt(std::max(1e-12f, 1 - sin2))));
+      Vec3(sine * math::cos(phi), sine * math::sin(phi), std::sqrt(std::max(1e-12f, 1 - sin2))));
 }
 
 float gather_sector(const Vec3& normal, const Vec3& v) {

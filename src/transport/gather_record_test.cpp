@@ -10,7 +10,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace gather_record_test {
 
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 const Vec3 kUp(0, 0, 1);
@@ -286,5 +286,5 @@ TEST(GatherLight, RoughnessOneIsNearlyACosineLobe) {
   EXPECT_NEAR(blurred_radiance(r, w, 0).x, 1 + dot(g, w), 0.02f);
 }
 
-}  // namespace
+}  // namespace gather_record_test
 }  // namespace oriel

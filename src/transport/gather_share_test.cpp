@@ -9,7 +9,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace gather_share_test {
 
 constexpr int kRays = 60;
 
@@ -89,5 +89,5 @@ TEST(GatherShare, StaysUnbiasedAndLessNoisy) {
   EXPECT_LT(shared_variance, .5 * plain_variance);
 }
 
-}  // namespace
+}  // namespace gather_share_test
 }  // namespace oriel

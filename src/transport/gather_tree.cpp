@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.h"
 #include "base/parallel.h"
 #include "transport/gather_cache.h"
 
@@ -167,7 +168,7 @@ float GatherCache::straight(std::uint32_t index, const GatherRecord& r, float ra
     const float found = gather_brightness(other.irradiance), own = gather_brightness(r.irradiance);
     const float scale = std::max(found, own);
     if (!(scale > 0)) continue;
-    const float noise = std::hypot(r.noise * own, other.noise * found) / scale;
+    const float noise = math::hypot(r.noise * own, other.noise * found) / scale;
     const float wrong = std::abs(foretold - found) / scale - kNoise * noise;
     if (wrong > tolerance) radius = std::min(radius, std::sqrt(distance2 * tolerance / wrong));
   }

@@ -7,7 +7,7 @@ namespace oriel {
 namespace {
 
 /// Tells this stream from those of lobes, which number from 0.
-constexpr std::uint32_t kBranch = 3000;
+constexpr std::uint32_t kMeterBranch = 3000;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void Path::meter(const Closure& closure, const ShadingPoint& point) {
   settings.by_light = nullptr;
   settings.witness = nullptr;
   settings.meters = false;
-  sampling::Sampler stream = sampler_.split(0, 1, kBranch);
+  sampling::Sampler stream = sampler_.split(0, 1, kMeterBranch);
   ShadingPoint above = point;
   PathResult received;
   const bool mapped = closure.any([](const Lobe& lobe) { return is_diffuse(lobe.kind); });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/math.h"
 #include "bsdf/ggx.h"
 #include "bsdf/glossy_reflection.h"
 #include "transport/occlusion.h"
@@ -285,7 +286,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
 
 bool Path::survive() {
   if (bounces_ < kRouletteDepth) return max_component(throughput_) > 0;
-  const float p = clamp(std::pow(max_component(throughput_), kRoulettePower), 0.05f, 0.95f);
+  const float p = clamp(math::pow(max_component(throughput_), kRoulettePower), 0.05f, 0.95f);
   if (sampler_.next_1d() >= p) return false;
   dim(Rgb(1 / p));
   return true;

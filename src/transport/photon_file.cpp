@@ -14,20 +14,20 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "photon files are little endian");
 
-constexpr char kMagic[8] = {'O', 'R', 'I', 'E', 'L', 'P', 'H', 'O'};
-constexpr std::uint32_t kVersion = 1, kByteOrder = 0x01020304;
+constexpr char kPhotonMagic[8] = {'O', 'R', 'I', 'E', 'L', 'P', 'H', 'O'};
+constexpr std::uint32_t kPhotonVersion = 1, kPhotonByteOrder = 0x01020304;
 /// Unit vectors may be this much off after rounding.
 constexpr float kUnitTolerance = 1e-2f;
 /// What a file holds of each photon: its vectors, which stand first.
 constexpr std::size_t kBytesInFile = 12 * sizeof(float);
 static_assert(offsetof(Photon, layer) == kBytesInFile);
 
-struct Header {
+struct PhotonHeader {
   char magic[8];
   std::uint32_t version, byte_order;
   std::uint64_t global, caustic;
 };
-static_assert(sizeof(Header) == 32);
+static_assert(sizeof(PhotonHeader) == 32);
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw std::runtime_error("cannot read the photon map '" + path + "': " + why);
@@ -52,8 +52,9 @@ std::vector<Photon> read_photons(std::ifstream& in, std::uint64_t count, const s
 void save_photon_maps(const std::string& path, const PhotonMaps& maps) {
   write_atomically(path, [&](const std::string& temporary) {
     std::ofstream out(temporary, std::ios::binary);
-    Header header{{}, kVersion, kByteOrder, maps.global.size(), maps.caustic.size()};
-    std::memcpy(header.magic, kMagic, sizeof(kMagic));
+    PhotonHeader header{
+        {}, kPhotonVersion, kPhotonByteOrder, maps.global.size(), maps.caustic.size()};
+    std::memcpy(header.magic, kPhotonMagic, sizeof(kPhotonMagic));
     out.write(reinterpret_cast<const char*>(&header), sizeof(header));
     for (const PhotonMap* map : {&maps.global, &maps.caustic})
       for (const Photon& p : map->photons())
@@ -69,17 +70,17 @@ PhotonMaps load_photon_maps(const std::string& path) {
   in.seekg(0, std::ios::end);
   const auto bytes = static_cast<std::uint64_t>(std::max<std::streamoff>(0, in.tellg()));
   in.seekg(0);
-  Header header;
+  PhotonHeader header;
   in.read(reinterpret_cast<char*>(&header), sizeof(header));
-  if (!in || std::memcmp(header.magic, kMagic, sizeof(kMagic)) != 0)
+  if (!in || std::memcmp(header.magic, kPhotonMagic, sizeof(kPhotonMagic)) != 0)
     refuse(path, "it is not a photon map of Oriel; other programs' maps cannot be used");
-  if (header.byte_order != kByteOrder) refuse(path, "it has another byte order");
-  if (header.version != kVersion)
+  if (header.byte_order != kPhotonByteOrder) refuse(path, "it has another byte order");
+  if (header.version != kPhotonVersion)
     refuse(path, "it has version " + std::to_string(header.version) + ", this program reads " +
-                     std::to_string(kVersion));
+                     std::to_string(kPhotonVersion));
   if (header.global > kMostPhotonsInFile || header.caustic > kMostPhotonsInFile - header.global)
     refuse(path, "it claims more photons than a map may hold");
-  if (bytes != sizeof(Header) + (header.global + header.caustic) * kBytesInFile)
+  if (bytes != sizeof(PhotonHeader) + (header.global + header.caustic) * kBytesInFile)
     refuse(path, "its size does not fit the number of its photons");
   PhotonMaps maps;
   maps.global = PhotonMap(read_photons(in, header.global, path));

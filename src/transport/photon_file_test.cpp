@@ -9,9 +9,9 @@
 #include <iterator>
 
 namespace oriel {
-namespace {
+namespace photon_file_test {
 
-class PhotonFile : public testing::Test {
+class PhotonFile : public ::testing::Test {
  protected:
   ~PhotonFile() override { std::filesystem::remove(path_); }
 
@@ -42,7 +42,7 @@ class PhotonFile : public testing::Test {
     return {};
   }
 
-  const std::string path_ = testing::TempDir() + "photons.map";
+  const std::string path_ = ::testing::TempDir() + "photons.map";
 };
 
 // acceptance: H3
@@ -93,5 +93,5 @@ TEST_F(PhotonFile, BrokenFilesAreRefused) {
   EXPECT_NE(reason().find("not a photon map"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace photon_file_test
 }  // namespace oriel

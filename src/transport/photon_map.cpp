@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/math.h"
 #include "transport/photon_merge.h"
 
 namespace oriel {
@@ -15,7 +16,7 @@ namespace {
 using Filter = scene::PhotonOptions::Filter;
 
 /// Ranges shorter than this are searched one by one, without an axis.
-constexpr std::size_t kLeaf = 4;
+constexpr std::size_t kPhotonsOfLeaf = 4;
 
 /// The numbers of a photon as bits, since floats have two zeros.
 std::array<std::uint32_t, 13> bits(const Photon& p) {
@@ -47,13 +48,13 @@ class FilterWeight {
       inverse_constant_ = 1 / std::max(1.0f, lookup.filter_constant);
       norm_ = 1 / (1 - inverse_constant_ * (2 / 3.0f));
     } else if (filter_ == Filter::Gauss) {
-      norm_ = 1 / (1 - (1 - (1 - std::exp(-kBeta / 2)) / (kBeta / 2)) / (1 - std::exp(-kBeta)));
+      norm_ = 1 / (1 - (1 - (1 - math::exp(-kBeta / 2)) / (kBeta / 2)) / (1 - math::exp(-kBeta)));
     }
   }
   float operator()(float share) const {
     if (filter_ == Filter::Cone) return norm_ * (1 - std::sqrt(share) * inverse_constant_);
     if (filter_ == Filter::Gauss)
-      return norm_ * (1 - (1 - std::exp(-share * (kBeta / 2))) / (1 - std::exp(-kBeta)));
+      return norm_ * (1 - (1 - math::exp(-share * (kBeta / 2))) / (1 - math::exp(-kBeta)));
     return 1;
   }
 
@@ -123,7 +124,7 @@ PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) : photons_(std::m
 }
 
 void PhotonMap::balance(std::size_t begin, std::size_t end) {
-  while (end - begin > kLeaf) {
+  while (end - begin > kPhotonsOfLeaf) {
     geom::Box3 box;
     for (std::size_t i = begin; i < end; ++i) box.extendBy(photons_[i].position);
     const Vec3 size = box.size();
@@ -163,7 +164,7 @@ Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const Photon
   while (count > 0) {
     Range range = waiting[--count];
     if (range.plane2 >= nearest.reach2()) continue;
-    while (range.end - range.begin > kLeaf) {
+    while (range.end - range.begin > kPhotonsOfLeaf) {
       const std::size_t middle = range.begin + (range.end - range.begin) / 2;
       const float to_plane = position[axis_[middle]] - photons_[middle].position[axis_[middle]];
       Range far{middle + 1, range.end, sqr(to_plane)};

@@ -9,7 +9,7 @@
 #include "sampling/sampler.h"
 
 namespace oriel {
-namespace {
+namespace photon_map_test {
 
 using Filter = scene::PhotonOptions::Filter;
 const Vec3 kUp(0, 0, 1);
@@ -184,5 +184,5 @@ TEST(PhotonMap, TakesAnyPhotons) {
   EXPECT_TRUE(is_finite(one.irradiance(Vec3(0), kUp, {.count = -3, .radius = 1})));
 }
 
-}  // namespace
+}  // namespace photon_map_test
 }  // namespace oriel

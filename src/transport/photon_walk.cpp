@@ -17,15 +17,15 @@ namespace oriel {
 namespace {
 
 /// Surfaces of any kind, cut-outs included, before a photon is given up.
-constexpr int kMostVertices = 256;
+constexpr int kMostPhotonVertices = 256;
 /// Draws reserved for each vertex, so that a vertex uses the same dimensions in every photon.
-constexpr std::uint32_t kDrawsPerVertex = 8;
+constexpr std::uint32_t kDrawsPerPhotonVertex = 8;
 /// Photons are asked for by other numbers than pixels are.
 constexpr int kStreamRow = 0x70686f74;
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// Photons that graze a surface whose shading normal faces them would gain without bound.
-constexpr float kLeastCosine = 1e-3f;
+constexpr float kLeastPhotonCosine = 1e-3f;
 
 /// What a photon is after it was scattered.
 RayKind scattered_as(LobeKind kind, bool crosses) {
@@ -265,7 +265,7 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   const Rgb value = evaluate_closure(closure, {}, seen, sample.wi, point.wo()).of(kind).value;
   const float in = std::abs(dot(point.wo(), point.geometric_normal));
   const float out = std::abs(dot(sample.wi, point.geometric_normal));
-  return value * (out / (std::max(in, kLeastCosine) * sample.pdf));
+  return value * (out / (std::max(in, kLeastPhotonCosine) * sample.pdf));
 }
 
 /// Scatters, passes straight, or ends. False: it ends.
@@ -450,8 +450,8 @@ void PhotonWalk::run() {
                    settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
   ray_ = source_.first_ray(photon_, sampler_);
   start_ = left_ = ray_.org;
-  for (int vertex = 0; vertex < kMostVertices; ++vertex) {
-    sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(vertex + 1));
+  for (int vertex = 0; vertex < kMostPhotonVertices; ++vertex) {
+    sampler_.set_dimension(kDrawsPerPhotonVertex * static_cast<std::uint32_t>(vertex + 1));
     geom::Hit hit;
     ++log_.counts.gather;
     if (!world_.accel->intersect(ray_, hit)) {
@@ -469,7 +469,7 @@ void PhotonWalk::run() {
       break;
     }
     if (!arrive(hit)) break;
-    if (vertex == kMostVertices - 1) log_.balance.stopped += precise(power());
+    if (vertex == kMostPhotonVertices - 1) log_.balance.stopped += precise(power());
   }
   log_.balance.emitted += precise(emitted_);
   ++log_.balance.photons;

@@ -9,7 +9,7 @@
 #include <string>
 
 namespace oriel {
-namespace {
+namespace resolve_outputs_test {
 
 /// The outputs of a pixel by name.
 struct Resolved {
@@ -115,5 +115,5 @@ TEST(ResolveOutputs, BothFormsGiveTheSumOfTheResults) {
   }
 }
 
-}  // namespace
+}  // namespace resolve_outputs_test
 }  // namespace oriel

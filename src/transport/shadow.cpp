@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.h"
 #include "transport/lobes.h"
 #include "transport/medium.h"
 #include "transport/surface.h"
@@ -12,7 +13,7 @@ namespace oriel {
 namespace {
 
 /// Transparent blockers on one shadow ray before the rest counts as dark.
-constexpr int kMostBlockers = 128;
+constexpr int kMostShadowBlockers = 128;
 /// Light samples are approached to this share of their distance, so that a light's own housing at
 /// the sample does not block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
@@ -38,8 +39,8 @@ void pass(const Material& material, const Closure& closure, ShadingPoint& blocke
 }  // namespace
 
 Rgb transmittance(const Medium& medium, float distance) {
-  Rgb t(std::exp(-medium.absorption.x * distance), std::exp(-medium.absorption.y * distance),
-        std::exp(-medium.absorption.z * distance));
+  Rgb t(math::exp(-medium.absorption.x * distance), math::exp(-medium.absorption.y * distance),
+        math::exp(-medium.absorption.z * distance));
   if (medium.black_distance > 0) t *= clamp01(1 - distance / medium.black_distance);
   return t;
 }
@@ -108,7 +109,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
   };
   MediumOnWay way;
   Vec3 left = point.position;
-  for (int i = 0; i < kMostBlockers; ++i) {
+  for (int i = 0; i < kMostShadowBlockers; ++i) {
     geom::Hit hit;
     ++counts.shadow;
     if (!world.accel->intersect(ray, hit)) {

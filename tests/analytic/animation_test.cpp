@@ -5,7 +5,7 @@
 #include "render/output.h"
 
 namespace oriel::analytic {
-namespace {
+namespace animation_test {
 
 /// The elements of a small scene as texts, so that a file may say them differently from scratch.
 struct Parts {
@@ -200,5 +200,5 @@ TEST(Animation, ManyFramesEndWhereOneWouldHaveBegun) {
   EXPECT_EQ(all.back().pixels, all.front().pixels);
 }
 
-}  // namespace
+}  // namespace animation_test
 }  // namespace oriel::analytic

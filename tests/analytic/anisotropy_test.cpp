@@ -7,7 +7,7 @@
 #include "shaders/architectural/mia_material.h"
 
 namespace oriel::analytic {
-namespace {
+namespace anisotropy_test {
 
 /// "test_axis": as environment the doubled azimuth of the direction, (1 + cos 2 phi) / 2 and
 /// (1 + sin 2 phi) / 2, and 1: means over a lobe give its axis whatever its shape.
@@ -277,5 +277,5 @@ TEST(AnisotropyRotation, TheAxisTurnsByTheStepOfTheSeamOnly) {
   }
 }
 
-}  // namespace
+}  // namespace anisotropy_test
 }  // namespace oriel::analytic

@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace bump_cases_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -243,5 +243,5 @@ TEST(ChainLink, DiffersFromTransparencyOfTheSameMap) {
   EXPECT_NEAR(measure(cut, .5f), .5f, 1e-4f);
 }
 
-}  // namespace
+}  // namespace bump_cases_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "picture.h"
 
 namespace oriel::analytic {
-namespace {
+namespace caustics_test {
 
 /// The sun shines along x, past two balls of tinted glass, on a wall at x = 1.5 that shows 1; the
 /// camera sees the wall beside them. The upper ball makes refractive caustics.
@@ -61,5 +61,5 @@ TEST(RefractiveCaustics, MixWithTransparentShadowsInOnePicture) {
   EXPECT_NEAR(without.at(0), 1, .01);
 }
 
-}  // namespace
+}  // namespace caustics_test
 }  // namespace oriel::analytic

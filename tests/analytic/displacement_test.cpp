@@ -9,7 +9,7 @@
 #include "sampling/warp.h"
 
 namespace oriel::analytic {
-namespace {
+namespace displacement_test {
 
 /// "test_height": base + slope . object position + wave sin(20 u) of texture space 0, and nothing
 /// where it is not asked for displacement.
@@ -380,5 +380,5 @@ TEST(MaterialEnvironment, IsReflectedByThatMaterialOnly) {
   EXPECT_LT((probe.ray(Vec3(0, 0, 1), Vec3(0, 0, 1), 64).mean - Rgb(.25f)).length(), 1e-5f);
 }
 
-}  // namespace
+}  // namespace displacement_test
 }  // namespace oriel::analytic

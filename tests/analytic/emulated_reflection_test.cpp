@@ -7,7 +7,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel::analytic {
-namespace {
+namespace emulated_reflection_test {
 
 /// A board that looks down on a red floor and up at a blue ceiling at a slant, seen from below.
 struct Board {
@@ -94,5 +94,5 @@ TEST(EmulatedReflection, TakesOverWhereTheMaterialsDepthEnds) {
   EXPECT_GT(facing(kGather), 0.2f);
 }
 
-}  // namespace
+}  // namespace emulated_reflection_test
 }  // namespace oriel::analytic

@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace envblur_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -258,5 +258,5 @@ TEST(EnvBlur, StandsInMaterialsAndTakesTheCamerasEnvironmentByDefault) {
             1e-4f);
 }
 
-}  // namespace
+}  // namespace envblur_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace environment_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -81,5 +81,5 @@ TEST(MaterialEnvironment, EachSurfaceHasItsOwn) {
   expect_exact("none", seen(false, false), kCamera);
 }
 
-}  // namespace
+}  // namespace environment_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace estimators_test {
 
 SceneText room(const std::string& lamp_flags) {
   const std::string glossy = "\"diffuse\" .6 .4 .2, \"reflectivity\" .5, \"refl_gloss\" ";
@@ -89,5 +89,5 @@ TEST(Estimators, LightsWithoutShadowsPassBlockers) {
   EXPECT_LT(Probe(sky).onto(Vec3(0), Vec3(0, 0, 1), 10, 4096, .05f).mean.x, .001f);
 }
 
-}  // namespace
+}  // namespace estimators_test
 }  // namespace oriel::analytic

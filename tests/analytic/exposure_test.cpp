@@ -10,7 +10,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace exposure_test {
 
 using testing::PreparedScene;
 
@@ -246,5 +246,5 @@ TEST(LensList, TheLastShaderMapsFirst) {
   expect_near(r.session->film().shown(8, 6), (r.film(8, 6) + Rgb(.1f)) * 3.0f, 1e-5f);
 }
 
-}  // namespace
+}  // namespace exposure_test
 }  // namespace oriel

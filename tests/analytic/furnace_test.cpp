@@ -6,7 +6,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace furnace_test {
 
 // A ball of the material in a sky of radiance 1, the whole picture of it.
 Measured ball_in_furnace(const std::string& material, int samples) {
@@ -169,5 +169,5 @@ TEST(Furnace, PowderLitFromTheViewerIsFlat) {
   }
 }
 
-}  // namespace
+}  // namespace furnace_test
 }  // namespace oriel::analytic

@@ -4,7 +4,7 @@
 #include "picture.h"
 
 namespace oriel::analytic {
-namespace {
+namespace gather_options_test {
 
 /// A grey floor at z = -2 between two white walls under a sky of radiance 1. All that is seen is
 /// gathered.
@@ -154,5 +154,5 @@ TEST(GatherOptions, PassesAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(with(1), with(2));
 }
 
-}  // namespace
+}  // namespace gather_options_test
 }  // namespace oriel::analytic

@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace glass_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr double kRadians = std::numbers::pi / 180;
@@ -280,5 +280,5 @@ TEST(Glass, SkyThroughASlabIsTheSameByEitherEstimator) {
     }
 }
 
-}  // namespace
+}  // namespace glass_test
 }  // namespace oriel::analytic

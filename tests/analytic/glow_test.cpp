@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace glow_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr float kRadiance = 10;
@@ -257,5 +257,5 @@ TEST(Glow, RoomsThatGlowAllOverAreLeftToRays) {
   EXPECT_TRUE(probe.world().mesh_lights.empty());
 }
 
-}  // namespace
+}  // namespace glow_test
 }  // namespace oriel::analytic

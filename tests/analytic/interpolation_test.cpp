@@ -12,7 +12,7 @@
 #include "transport/glossy_grid.h"
 
 namespace oriel {
-namespace {
+namespace interpolation_test {
 
 using testing::PreparedScene;
 
@@ -184,5 +184,5 @@ TEST(Interpolation, RefractionsAreSmoothedToo) {
   EXPECT_GE(edge(two_edges(glass + ", \"refr_interpolate\" on")), 6);
 }
 
-}  // namespace
+}  // namespace interpolation_test
 }  // namespace oriel

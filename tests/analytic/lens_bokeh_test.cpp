@@ -10,7 +10,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel {
-namespace {
+namespace lens_bokeh_test {
 
 using testing::PreparedScene;
 
@@ -253,5 +253,5 @@ TEST(LensBokeh, ScaledCamerasBlurInSceneUnits) {
               Rendered(glow_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"))).spread(), 1e-3);
 }
 
-}  // namespace
+}  // namespace lens_bokeh_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel::analytic {
-namespace {
+namespace light_layers_test {
 
 constexpr int kSize = 12;
 
@@ -204,5 +204,5 @@ TEST(LightLayers, TheyChangeNothingElse) {
   EXPECT_TRUE(light_layer_names(without).empty());
 }
 
-}  // namespace
+}  // namespace light_layers_test
 }  // namespace oriel::analytic

@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace light_surface_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -26,7 +26,7 @@ Rgb seen(const Probe& probe, const Vec3& place, RayKind kind = RayKind::Eye) {
 
 /// A lamp of 50 cd that shines down only, in an instance moved to (1, 2, 3).
 SceneText lamp_scene(const std::string& parameters) {
-  const std::string path = testing::TempDir() + "/oriel-down.ies";
+  const std::string path = ::testing::TempDir() + "/oriel-down.ies";
   std::ofstream(path) << "IESNA91\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 40\n0 90\n0\n50 50\n";
   SceneText scene;
   scene
@@ -171,5 +171,5 @@ TEST(LightFlags, LightsLeaveOutDiffuseLightOrHighlights) {
   }
 }
 
-}  // namespace
+}  // namespace light_surface_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace light_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -197,5 +197,5 @@ TEST(Translucency, TranslucentSheetShowsTheLightBehindIt) {
   }
 }
 
-}  // namespace
+}  // namespace light_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace lightmap_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -58,5 +58,5 @@ TEST(LightMaps, MaterialsThatAskForOneAreReportedAndRendered) {
   EXPECT_NEAR(closure.emission.x, .3f, 1e-6f);
 }
 
-}  // namespace
+}  // namespace lightmap_test
 }  // namespace oriel::analytic

@@ -7,7 +7,7 @@
 #include "picture.h"
 
 namespace oriel::analytic {
-namespace {
+namespace map_files_test {
 
 /// A lamp in a grey box, with statements of its options.
 std::string lit_box(const std::string& options) {
@@ -155,5 +155,5 @@ TEST(PhotonOptions, ScaleRadiusAndCountsAct) {
   EXPECT_NEAR(mean("globillum filter gauss").x / plain.x, 1, .05);
 }
 
-}  // namespace
+}  // namespace map_files_test
 }  // namespace oriel::analytic

@@ -4,7 +4,7 @@
 #include "render/output.h"
 
 namespace oriel::analytic {
-namespace {
+namespace measure_layers_test {
 
 /// A plate facing the camera under an even sky of 100 and a lamp of 1000 cd at 2 before it.
 constexpr double kExact = 100 * kPi + 250;
@@ -65,5 +65,5 @@ TEST(MeasureLayers, LuminanceOfAWhiteSurfaceIsItsIlluminanceByPi) {
   EXPECT_NEAR(sum / static_cast<double>(luminance.pixels.size()), kExact / kPi, .01 * kExact / kPi);
 }
 
-}  // namespace
+}  // namespace measure_layers_test
 }  // namespace oriel::analytic

@@ -7,7 +7,7 @@
 #include "render/session.h"
 
 namespace oriel::analytic {
-namespace {
+namespace measure_rooms_test {
 
 TEST(MeasureRooms, APortalChangesNoReadingBehindIt) {
   const SceneText open = room(kSky, .5f);
@@ -57,5 +57,5 @@ TEST(MeasureRooms, TheLayerIsTheSameByPathsAndByGathering) {
   EXPECT_NEAR(gathered, path, .02 * path);
 }
 
-}  // namespace
+}  // namespace measure_rooms_test
 }  // namespace oriel::analytic

@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace measure_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr float kFar = 2000;  ///< how wide boards are that hide the rest of the sky
@@ -213,5 +213,5 @@ TEST(Measure, NinetyFiveOfAHundredIntervalsHoldTheClosedForm) {
   if (std::getenv("ORIEL_FIGURES")) fmt::print("| intervals that hold | {} of {} |\n", held, kAll);
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace oriel::analytic

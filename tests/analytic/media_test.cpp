@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace media_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr double kRadians = std::numbers::pi / 180;
@@ -311,5 +311,5 @@ TEST(NestedMedia, EachAbsorbsOverItsOwnThickness) {
   EXPECT_NEAR(floor_under(true) / floor_under(false), both, 1e-4f);
 }
 
-}  // namespace
+}  // namespace media_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "motion_scenes.h"
 
 namespace oriel::analytic {
-namespace {
+namespace motion_gather_test {
 
 /// A court whose floor gets dark toward its walls, under a sky; and the camera above it. All goes
 /// the same way.
@@ -34,5 +34,5 @@ TEST(MovingGather, WhatGoesAlongLooksAsIfItStood) {
   EXPECT_LT(difference, .01 * sum);
 }
 
-}  // namespace
+}  // namespace motion_gather_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "motion_scenes.h"
 
 namespace oriel::analytic {
-namespace {
+namespace motion_hair_test {
 
 constexpr float kRadius = .7f;
 
@@ -81,5 +81,5 @@ TEST(MotionLayer, TellsTheWayOfHair) {
   }
 }
 
-}  // namespace
+}  // namespace motion_hair_test
 }  // namespace oriel::analytic

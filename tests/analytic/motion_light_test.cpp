@@ -7,7 +7,7 @@
 #include "transport/photon_trace.h"
 
 namespace oriel::analytic {
-namespace {
+namespace motion_light_test {
 
 constexpr Estimator kEstimators[] = {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly};
 constexpr const char* kShutter = "trace depth 8 8 12 shadow segments motion steps 15 shutter 1";
@@ -274,5 +274,5 @@ TEST(MovingPortals, PhotonsOfTheSkyDoNotComeThroughAsWell) {
   EXPECT_LT(arriving(true), .01 * arriving(false));
 }
 
-}  // namespace
+}  // namespace motion_light_test
 }  // namespace oriel::analytic

@@ -6,7 +6,7 @@
 #include "transport/photon_trace.h"
 
 namespace oriel::analytic {
-namespace {
+namespace motion_photon_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr const char* kOptions =
@@ -179,5 +179,5 @@ TEST(MovingPhotons, CausticsOfAMovingMirrorAreTheMeanOfPaths) {
   expect_agreement("mirror", scene, {Vec3(.3f, 0, 0), .4f, .5f}, .03f);
 }
 
-}  // namespace
+}  // namespace motion_photon_test
 }  // namespace oriel::analytic

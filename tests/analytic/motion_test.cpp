@@ -4,7 +4,7 @@
 #include "render/lens_shaders.h"
 
 namespace oriel::analytic {
-namespace {
+namespace motion_test {
 
 SceneText streak(const std::string& shutter, const std::string& flags) {
   SceneText scene(shutter);
@@ -226,5 +226,5 @@ TEST(MotionLayer, TellsTheWayOnThePicture) {
   expect(camera, {3, -1, 0});
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace oriel::analytic

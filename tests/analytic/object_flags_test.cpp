@@ -5,7 +5,7 @@
 #include "transport/photon_trace.h"
 
 namespace oriel::analytic {
-namespace {
+namespace object_flags_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -293,5 +293,5 @@ TEST(ObjectFlags, WithoutSendingGatherRaysNothingIsGatheredOrReadAtAnObject) {
   EXPECT_EQ(wall({.room_flags = "finalgather 8"}, maps), Rgb(0));
 }
 
-}  // namespace
+}  // namespace object_flags_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "picture.h"
 
 namespace oriel::analytic {
-namespace {
+namespace occlusion_gathered_test {
 
 /// A floor with a dull or a glowing ball on it under an even sky, seen from above.
 float floor_level(const std::string& occlusion, const std::string& method, float glow) {
@@ -56,5 +56,5 @@ TEST(GatheredOcclusion, DarkensOrBringsTheNeighboursLight) {
   EXPECT_GT(colors, dims) << "the glowing ball still shines on the floor";
 }
 
-}  // namespace
+}  // namespace occlusion_gathered_test
 }  // namespace oriel::analytic

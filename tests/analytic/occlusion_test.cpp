@@ -7,7 +7,7 @@
 #include "transport/occlusion.h"
 
 namespace oriel::analytic {
-namespace {
+namespace occlusion_test {
 
 const Vec3 kUp(0, 0, 1);
 /// Half the side of what stands for an infinite plane. Floors are small: rays leave a surface as
@@ -430,5 +430,5 @@ TEST(Occlusion, DarknessAboveOneTakesNoMoreThanAll) {
   EXPECT_GE(Probe(scene).onto(Vec3(0), kUp, 30, 4096, .05f).mean.y, 0);
 }
 
-}  // namespace
+}  // namespace occlusion_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace options_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -215,5 +215,5 @@ TEST(LightLists, EachModeShowsItsLights) {
   for (const Case& c : cases) expect_exact(c.name, lit(c.arguments, c.link), c.exact);
 }
 
-}  // namespace
+}  // namespace options_test
 }  // namespace oriel::analytic

@@ -8,7 +8,7 @@
 #include "picture.h"
 
 namespace oriel::analytic {
-namespace {
+namespace outputs_sum_test {
 
 /// What a random scene is made of, in the language's words.
 class RandomScene {
@@ -220,5 +220,5 @@ TEST(Outputs, ClippedPixelsAreTheSumOfTheirPartsToo) {
   EXPECT_EQ(o[Component::Other].x, 0) << "no light out of nowhere in a black pixel";
 }
 
-}  // namespace
+}  // namespace outputs_sum_test
 }  // namespace oriel::analytic

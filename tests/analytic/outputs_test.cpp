@@ -4,7 +4,7 @@
 #include "picture.h"
 
 namespace oriel::analytic {
-namespace {
+namespace outputs_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -328,5 +328,5 @@ TEST(Outputs, SwitchingThemOffLeavesFewPathsTheSameRays) {
   EXPECT_EQ(picture("on").layer("").pixels, picture("off").layer("").pixels);
 }
 
-}  // namespace
+}  // namespace outputs_test
 }  // namespace oriel::analytic

@@ -7,7 +7,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace photon_emission_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -155,7 +155,7 @@ TEST(PhotonEmission, FirstHitsBringWhatDirectLightBrings) {
 
 /// A lopsided lamp, mostly downward, and its element.
 std::string measured_lamp() {
-  const std::string path = testing::TempDir() + "/oriel-emission.ies";
+  const std::string path = ::testing::TempDir() + "/oriel-emission.ies";
   std::ofstream(path) << "IESNA91\nTILT=NONE\n1 -1 1 5 3 1 2 0 0 0 1 1 40\n0 30 60 90 180\n"
                          "0 90 180\n9 8 3 1 0\n9 14 6 1 0\n9 5 1 0 0\n";
   return fmt::format("lightprofile \"lp\" format ies file \"{}\" end lightprofile", path);
@@ -311,5 +311,5 @@ TEST(PhotonEmission, EnergyReplacesTheFlux) {
     EXPECT_NEAR(same.power(photon, 2)[k], plain.power(photon, 2)[k], 1e-4f);
 }
 
-}  // namespace
+}  // namespace photon_emission_test
 }  // namespace oriel::analytic

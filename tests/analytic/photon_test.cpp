@@ -8,7 +8,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace photon_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -420,5 +420,5 @@ TEST(PhotonTrace, TranslucentSheetsStoreOnTheSideThatIsLit) {
   EXPECT_GT(floor, .5 * 4 * kPi * .5);
 }
 
-}  // namespace
+}  // namespace photon_test
 }  // namespace oriel::analytic

@@ -5,7 +5,7 @@
 #include "render/lens_shaders.h"
 
 namespace oriel::analytic {
-namespace {
+namespace physics_nodes_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -270,5 +270,5 @@ TEST(LensNodes, OversamplingChangesNothing) {
   expect_rgb(through_lens("\"oversampling_lens\" ( )", Rgb(.1f, .2f, 3)), Rgb(.1f, .2f, 3));
 }
 
-}  // namespace
+}  // namespace physics_nodes_test
 }  // namespace oriel::analytic

@@ -4,7 +4,7 @@
 #include "portal_scenes.h"
 
 namespace oriel::analytic {
-namespace {
+namespace portal_noise_test {
 
 constexpr int kWidth = 24, kHeight = 18;
 constexpr std::size_t kPixels = std::size_t{kWidth} * kHeight;
@@ -89,5 +89,5 @@ TEST(Portal, MakesNoiseFiveTimesLowerWithNoMoreRays) {
   }
 }
 
-}  // namespace
+}  // namespace portal_noise_test
 }  // namespace oriel::analytic

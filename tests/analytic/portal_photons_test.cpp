@@ -4,7 +4,7 @@
 #include "transport/photon_trace.h"
 
 namespace oriel::analytic {
-namespace {
+namespace portal_photons_test {
 
 /// Flux on a card of the floor by first hits, and by direct light.
 void expect_photons_agree(const char* environment, const std::string& parameters) {
@@ -115,5 +115,5 @@ TEST(Portal, OneBounceOfGatheringHasABounceOfTheSky) {
   EXPECT_GT(wall(true).y, .01f);
 }
 
-}  // namespace
+}  // namespace portal_photons_test
 }  // namespace oriel::analytic

@@ -3,7 +3,7 @@
 #include "portal_scenes.h"
 
 namespace oriel::analytic {
-namespace {
+namespace portal_test {
 
 struct Spot {
   const char* name;
@@ -334,5 +334,5 @@ TEST(Portal, ShadowRaysBeginInsideOrOutside) {
                1);
 }
 
-}  // namespace
+}  // namespace portal_test
 }  // namespace oriel::analytic

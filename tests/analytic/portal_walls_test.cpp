@@ -6,7 +6,7 @@
 #include "portal_scenes.h"
 
 namespace oriel::analytic {
-namespace {
+namespace portal_walls_test {
 
 constexpr float kAlbedo = .5f;
 constexpr Vec3 kLow(0, -1.5f, 0), kHigh(4, 1.5f, 3);
@@ -227,5 +227,5 @@ TEST(PortalRoom, HasTheLightOfAnHdrPictureOnEveryWall) {
                   {normalize(Vec3(.968f, -.218f, .122f)), .954f});
 }
 
-}  // namespace
+}  // namespace portal_walls_test
 }  // namespace oriel::analytic

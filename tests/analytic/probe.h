@@ -92,7 +92,8 @@ struct Measured {
   RayCounts counts;  ///< of all samples together
   double samples = 0;
   float alpha = 0;
-  Outputs outputs;  ///< mean results and levels, where Probe::outputs() asked for them
+  float extent = 1;  ///< diagonal of the scene's bounds, scene units
+  Outputs outputs;   ///< mean results and levels, where Probe::outputs() asked for them
 
   /// Mean number of rays of one kind for each path, as in `m.each(m.counts.reflect)`.
   double each(std::uint64_t count) const { return double(count) / samples; }
@@ -232,6 +233,8 @@ class Probe {
         m.error[k] = std::max(m.error[k], step / std::sqrt(kBatches * 1.0f));
     }
     m.samples = double(per_batch) * kBatches;
+    if (const geom::Box3 box = world_->accel->bounds(); !box.isEmpty())
+      m.extent = box.size().length();
     return m;
   }
 
@@ -243,6 +246,15 @@ class Probe {
 
 /// Rounding of a path's products and of tessellated, shifted ray origins; relative.
 inline constexpr float kRounding = 2e-5f;
+
+/// What rounding may add to a channel of which `exact` is expected beside others up to `brightest`.
+/// Where zero is expected no relative error bounds it: then it is the rounding of places in a scene
+/// of that extent, a few units of the last place of a float.
+inline float rounding_of(float exact, float brightest, float extent) {
+  constexpr float kPlaces = 4 * 6.0e-8f;
+  const float relative = kRounding * std::max(1e-4f, brightest);
+  return exact == 0 ? std::max(relative, kPlaces * extent) : relative;
+}
 
 /// Prints a row of the table of figures when ORIEL_FIGURES is set.
 inline void figure(const std::string& name, double exact, double measured, double error) {
@@ -257,7 +269,7 @@ inline void expect_exact(const std::string& name, const Measured& m, const Rgb& 
                          float largest_error = 0.005f) {
   const float scale = std::max(1e-4f, max_component(exact));
   for (int k = 0; k < 3; ++k) {
-    const float tolerance = 4 * m.error[k] + kRounding * scale;
+    const float tolerance = 4 * m.error[k] + rounding_of(exact[k], max_component(exact), m.extent);
     EXPECT_NEAR(m.mean[k], exact[k], tolerance)
         << name << " channel " << k << ", standard error " << m.error[k];
     EXPECT_LE(m.error[k], largest_error * (exact[k] > 0 ? exact[k] : scale))
@@ -275,7 +287,8 @@ inline void expect_same(const std::string& name, const Measured& a, const Measur
                         float largest_error = 0.005f) {
   for (int k = 0; k < 3; ++k) {
     const float error = std::hypot(a.error[k], b.error[k]);
-    EXPECT_NEAR(a.mean[k], b.mean[k], 4 * error + kRounding * std::abs(b.mean[k]))
+    EXPECT_NEAR(a.mean[k], b.mean[k],
+                4 * error + rounding_of(b.mean[k], std::abs(b.mean[k]), b.extent))
         << name << " channel " << k;
     EXPECT_LE(error, largest_error * std::max(std::abs(b.mean[k]), 1e-6f)) << name << ": too noisy";
   }

@@ -9,7 +9,7 @@
 #include "photometry/profile_file.h"
 
 namespace oriel::photometry {
-namespace {
+namespace profile_files_test {
 
 ProfileData read(const std::string& name) {
   return read_profile(std::string(ORIEL_TEST_DATA) + "/ies/" + name);
@@ -71,5 +71,5 @@ TEST(ProfileFiles, AQuadrantIsMirroredIntoTheOthers) {
             << v << ' ' << h << ' ' << other;
 }
 
-}  // namespace
+}  // namespace profile_files_test
 }  // namespace oriel::photometry

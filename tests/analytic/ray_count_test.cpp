@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace ray_count_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -280,5 +280,5 @@ TEST(SingleEnvironmentSample, LooksUpTheMirrorsDirectionOnceForAllRays) {
     }
 }
 
-}  // namespace
+}  // namespace ray_count_test
 }  // namespace oriel::analytic

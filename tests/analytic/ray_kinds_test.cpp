@@ -8,7 +8,7 @@
 #include "transport/photon_trace.h"
 
 namespace oriel::analytic {
-namespace {
+namespace ray_kinds_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -60,17 +60,17 @@ const Registry& registry() {
 }
 
 /// A prepared scene of which nothing was asked yet.
-Probe probe_of(const SceneText& scene) {
+Probe kind_probe_of(const SceneText& scene) {
   Probe probe(scene.str(), registry());
   for (auto& kinds : asked) kinds = 0;
   return probe;
 }
 
-testing::AssertionResult was_asked_by(int slot, std::initializer_list<RayKind> kinds) {
+::testing::AssertionResult was_asked_by(int slot, std::initializer_list<RayKind> kinds) {
   unsigned wanted = 0;
   for (const RayKind kind : kinds) wanted |= bit(kind);
-  if (asked[slot] == wanted) return testing::AssertionSuccess();
-  auto failure = testing::AssertionFailure() << "slot " << slot << " was asked by kinds";
+  if (asked[slot] == wanted) return ::testing::AssertionSuccess();
+  auto failure = ::testing::AssertionFailure() << "slot " << slot << " was asked by kinds";
   for (unsigned i = 0; i < 32; ++i)
     if (asked[slot] & (1u << i)) failure << ' ' << i;
   return failure;
@@ -98,7 +98,7 @@ Measured seen_by(const char* plate, float height) {
   scene.material("plate", plate)
       .square("plate", Vec3(0), 2, kUp)
       .square("seen", Vec3(0, 0, height), 50, height > 0 ? -kUp : kUp);
-  return probe_of(scene).onto(Vec3(0), kUp, 20, 256);
+  return kind_probe_of(scene).onto(Vec3(0), kUp, 20, 256);
 }
 
 // acceptance: H5
@@ -143,7 +143,7 @@ TEST(RayKinds, AreNumberedAsMiRayType) {
 // acceptance: H5
 TEST(RayKinds, SurfacesTellEyeRaysFromMirrorsGlassAndGathering) {
   const SceneText direct = with_target().square("seen", Vec3(0), 2, kUp);
-  expect_exact("eye", probe_of(direct).onto(Vec3(0), kUp, 20, 64), 1.0f);
+  expect_exact("eye", kind_probe_of(direct).onto(Vec3(0), kUp, 20, 64), 1.0f);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Eye}));
   expect_exact("mirror", seen_by(kMirror, 1), 1.0f, .01f);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Reflect}));
@@ -169,7 +169,7 @@ TEST(RayKinds, ShadersMayShowEachKindAnotherColour) {
           .material("plate", seen == RayKind::Reflect ? kMirror : kPane)
           .square("seen", Vec3(0, 0, seen == RayKind::Reflect ? 1 : -1), 50, kUp);
       if (seen != RayKind::Eye) scene.square("plate", Vec3(0), 2, kUp);
-      expect_exact("seen", probe_of(scene).onto(Vec3(0), kUp, 20, 256), seen == shown ? 1 : 0,
+      expect_exact("seen", kind_probe_of(scene).onto(Vec3(0), kUp, 20, 256), seen == shown ? 1 : 0,
                    .01f);
     }
 }
@@ -183,7 +183,7 @@ TEST(RayKinds, LightsAreAskedForLightOrSeen) {
         .light("lamp", fmt::format("\"test_kind\" ( ) origin 0 0 1 direction 0 0 -1 "
                                    "rectangle 20 0 0 0 20 0 {}",
                                    flags));
-    return probe_of(scene);
+    return kind_probe_of(scene);
   };
   const char* const lambert = "\"reflectivity\" 0, \"diffuse\" .5 .5 .5";
   EXPECT_GT(lit("", lambert).direct_only().onto(Vec3(0), kUp, 20, 256).mean.x, 0);
@@ -214,11 +214,11 @@ TEST(RayKinds, BlockersAreAskedForTheirShadow) {
       .square("plate", Vec3(0), 2, kUp)
       .square("filter", Vec3(0, 0, 1), 50, kUp)
       .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
-  EXPECT_GT(probe_of(scene).direct_only().onto(Vec3(0), kUp, 20, 64).mean.x, .4f);
+  EXPECT_GT(kind_probe_of(scene).direct_only().onto(Vec3(0), kUp, 20, 64).mean.x, .4f);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Shadow}));
   EXPECT_TRUE(was_asked_by(2, {RayKind::Shadow}));
   // Diffuse rays see the surface, and pass it as shadow rays do.
-  probe_of(scene).onto(Vec3(0), kUp, 20, 256);
+  kind_probe_of(scene).onto(Vec3(0), kUp, 20, 256);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Shadow}));
   EXPECT_TRUE(was_asked_by(2, {RayKind::Shadow}));
   EXPECT_EQ(asked[1] & ~(bit(RayKind::FinalGather) | bit(RayKind::Shadow)), 0u);
@@ -232,10 +232,10 @@ TEST(RayKinds, EnvironmentsAreAskedByTheRayThatMetNothing) {
     scene.material("plate", plate)
         .square("plate", Vec3(0), 2, kUp)
         .environment("\"test_kind\" ( )");
-    const Probe probe = probe_of(scene);
+    const Probe probe = kind_probe_of(scene);
     expect_exact(plate, probe.onto(Vec3(0), kUp, 20, 256), 1.0f, noise);
   };
-  const Probe nothing = probe_of(SceneText().environment("\"test_kind\" ( )"));
+  const Probe nothing = kind_probe_of(SceneText().environment("\"test_kind\" ( )"));
   nothing.ray(Vec3(0), kUp, 64);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Eye}));
   seen(kMirror);
@@ -257,7 +257,7 @@ TEST(RayKinds, LensesVolumesAndOutputsHaveTheirs) {
       .camera(
           "focal 1 aperture 1 aspect 1 resolution 8 8 lens \"test_kind\" ( ) "
           "volume \"test_kind\" ( \"slot\" 1, \"color\" .5 .5 .5 )");
-  const Probe probe = probe_of(scene);
+  const Probe probe = kind_probe_of(scene);
   expect_exact("volume", probe.ray(Vec3(0), -kUp, 64), .5f);
   EXPECT_TRUE(was_asked_by(1, {RayKind::Eye}));
   const World& world = probe.world();
@@ -292,7 +292,7 @@ TEST(RayKinds, CutOutsAreProbed) {
       .material("plate", "\"reflectivity\" 0, \"diffuse\" 0 0 0, \"additional_color\" = \"open\"")
       .square("plate", Vec3(0), 2, kUp)
       .square("leaf", Vec3(0, 0, 1), 5, -kUp);
-  expect_exact("open", probe_of(scene).direct_only().onto(Vec3(0), kUp, 20, 64), 1.0f);
+  expect_exact("open", kind_probe_of(scene).direct_only().onto(Vec3(0), kUp, 20, 64), 1.0f);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Probe}));
 }
 
@@ -305,7 +305,7 @@ PhotonMaps photons_on(const char* plate, bool caustics, const char* emitter = ""
       .light("spot", fmt::format("\"test_kind\" ( \"slot\" 1 ) {} origin 0 0 1 direction 0 0 -1 "
                                  "spread .9",
                                  emitter));
-  const Probe probe = probe_of(scene);
+  const Probe probe = kind_probe_of(scene);
   PhotonSettings settings;
   settings.globillum = !caustics;
   settings.caustics = caustics;
@@ -342,7 +342,7 @@ TEST(RayKinds, PhotonsAreOfTheirLastScattering) {
   // Straight from the light onto the target.
   SceneText scene = with_target();
   scene.box("seen", Vec3(-3), Vec3(3), true).light("lamp", "\"test_kind\" ( \"slot\" 1 )");
-  const Probe probe = probe_of(scene);
+  const Probe probe = kind_probe_of(scene);
   PhotonSettings settings;
   settings.each.global.emit = 2048;
   RayCounts counts;
@@ -358,14 +358,14 @@ TEST(RayKinds, AirIsAskedByLightAndScattersPhotons) {
       .square("plate", Vec3(0), 2, kUp)
       .light("lamp", "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 1")
       .camera(std::string(camera) + "\"test_kind\" ( )");
-  probe_of(lit).direct_only().onto(Vec3(0), kUp, 20, 64);
+  kind_probe_of(lit).direct_only().onto(Vec3(0), kUp, 20, 64);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Eye, RayKind::Light}));
 
   SceneText scene = with_target();
   scene.box("seen", Vec3(-3), Vec3(3), true)
       .light("lamp", "\"mib_light_point\" ( \"color\" 1 1 1 )")
       .camera(std::string(camera) + "\"parti_volume\" ( \"extinction\" .3, \"scatter\" 1 1 1 )");
-  const Probe probe = probe_of(scene);
+  const Probe probe = kind_probe_of(scene);
   PhotonSettings settings;
   settings.each.global.emit = 2048;
   RayCounts counts;
@@ -386,5 +386,5 @@ TEST(RayKinds, EmittersAreToldForWhichMap) {
   EXPECT_TRUE(was_asked_by(1, {RayKind::Light}));
 }
 
-}  // namespace
+}  // namespace ray_kinds_test
 }  // namespace oriel::analytic

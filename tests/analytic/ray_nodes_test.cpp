@@ -4,7 +4,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace ray_nodes_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -191,5 +191,5 @@ TEST(Illumination, CookTorranceShiftsInColourAtGrazingAngles) {
   EXPECT_LT(ratio(80), 2.5f);
 }
 
-}  // namespace
+}  // namespace ray_nodes_test
 }  // namespace oriel::analytic

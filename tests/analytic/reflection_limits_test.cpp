@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace reflection_limits_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -294,5 +294,5 @@ TEST(Highlight, FollowsLevelCurveAndAnisotropyOfReflections) {
   }
 }
 
-}  // namespace
+}  // namespace reflection_limits_test
 }  // namespace oriel::analytic

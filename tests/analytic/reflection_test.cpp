@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace reflection_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -290,5 +290,5 @@ TEST(AdditionalColor, AnyShaderIsAddedAsItIs) {
                  Probe(scene).onto(Vec3(x, 0, 0), kUp, 0, 4096), Rgb(.5f + 3 * x, .5f, .5f));
 }
 
-}  // namespace
+}  // namespace reflection_test
 }  // namespace oriel::analytic

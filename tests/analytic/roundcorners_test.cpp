@@ -4,7 +4,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace roundcorners_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -392,5 +392,5 @@ TEST(RoundCorners, ATextureMayDriveTheRadius) {
                     fillet(kUp, Vec3(1, 0, 0), d, .2f * y, kPi / 2), fmt::format("{} {}", y, d));
 }
 
-}  // namespace
+}  // namespace roundcorners_test
 }  // namespace oriel::analytic

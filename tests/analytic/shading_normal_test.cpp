@@ -7,7 +7,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace shading_normal_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -81,5 +81,5 @@ TEST(ShadingNormal, TheEdgeOfShadowFallsSoftlyOnCoarseBalls) {
   std::printf("steepest step at the edge of shadow: %.3f\n", double{steepest});
 }
 
-}  // namespace
+}  // namespace shading_normal_test
 }  // namespace oriel::analytic

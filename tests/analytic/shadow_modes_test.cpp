@@ -7,7 +7,7 @@
 #include "transport/shadow.h"
 
 namespace oriel::analytic {
-namespace {
+namespace shadow_modes_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -339,5 +339,5 @@ TEST(ShadowShader, WhatPassesIsDirectLightAndInNoMap) {
   EXPECT_TRUE(maps.global.empty());
 }
 
-}  // namespace
+}  // namespace shadow_modes_test
 }  // namespace oriel::analytic

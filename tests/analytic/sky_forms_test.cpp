@@ -7,7 +7,7 @@
 #include "sky/physical_sky.h"
 
 namespace oriel::analytic {
-namespace {
+namespace sky_forms_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr const char* kMirror =
@@ -339,5 +339,5 @@ TEST(Sky, IrradianceOfTheSkyIsFoundWithFewSamples) {
   }
 }
 
-}  // namespace
+}  // namespace sky_forms_test
 }  // namespace oriel::analytic

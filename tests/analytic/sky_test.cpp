@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace sky_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -190,5 +190,5 @@ TEST(Sky, SunShadowsAreAsWideAsTheSun) {
   }
 }
 
-}  // namespace
+}  // namespace sky_test
 }  // namespace oriel::analytic

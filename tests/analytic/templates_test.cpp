@@ -7,7 +7,7 @@
 #include "probe.h"
 
 namespace oriel::analytic {
-namespace {
+namespace templates_test {
 
 const Vec3 kUp(0, 0, 1);
 constexpr double kRadians = std::numbers::pi / 180;
@@ -159,5 +159,5 @@ TEST(Templates, GlassIsTotallyReflectingTowardLiquidOnlyBeyond62Degrees) {
   }
 }
 
-}  // namespace
+}  // namespace templates_test
 }  // namespace oriel::analytic

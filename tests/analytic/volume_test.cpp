@@ -7,7 +7,7 @@
 #include "transport/photon_trace.h"
 
 namespace oriel::analytic {
-namespace {
+namespace volume_test {
 
 const Vec3 kUp(0, 1, 0);  // the air ends along y
 
@@ -204,5 +204,5 @@ TEST(RayMarcher, RefinesWhereNeighboursDiffer) {
   EXPECT_GT(error("\"num\" 2, \"subdiv\" 12, \"contrast\" 2 2 2"), .1f);
 }
 
-}  // namespace
+}  // namespace volume_test
 }  // namespace oriel::analytic

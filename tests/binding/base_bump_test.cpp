@@ -7,7 +7,7 @@
 #include "runtime/material.h"
 
 namespace oriel {
-namespace {
+namespace base_bump_test {
 
 // 4 x 1 texels, grey grows by 0.2 a texel; alpha falls by 0.2.
 const std::string kRamp =
@@ -171,5 +171,5 @@ TEST(BaseBump, BasisTurnsWithTheInstance) {
   expect_vector(reinterpret_cast<const BasisOut*>(bytes)->u, Vec3(0, 1, 0));
 }
 
-}  // namespace
+}  // namespace base_bump_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "runtime/texture_node.h"
 
 namespace oriel {
-namespace {
+namespace base_values_test {
 
 /// One call of a shader, evaluated at a point.
 struct Node {
@@ -402,5 +402,5 @@ TEST(BaseLookups, CylinderGoesFromXTowardsYAndHasNoCaps) {
   EXPECT_EQ(on(tall, Vec3(1, 0, 1.5f)).a, 1);
 }
 
-}  // namespace
+}  // namespace base_values_test
 }  // namespace oriel

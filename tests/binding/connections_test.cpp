@@ -7,7 +7,7 @@
 #include "probe.h"
 
 namespace oriel {
-namespace {
+namespace connections_test {
 
 #define EXPECT_SILENT(s) EXPECT_TRUE((s).diagnostics.all().empty()) << (s).messages()
 
@@ -273,5 +273,5 @@ TEST(Phenomena, InterfaceOutsideIsReported) {
   EXPECT_EQ(s.params().amount_half, 0.5f);
 }
 
-}  // namespace
+}  // namespace connections_test
 }  // namespace oriel

@@ -7,7 +7,7 @@
 #include "runtime/material.h"
 
 namespace oriel {
-namespace {
+namespace host_shaders_test {
 
 /// As Maya's translator writes: no declaration at hand, an engine around the surface.
 const std::string kScene =
@@ -358,5 +358,5 @@ TEST(GuessedShaders, NothingIsGuessedFromStrangeNamesOrAroundMisspeltOnes) {
   EXPECT_GT(c.lobes[0].level.x, 4 * c.lobes[0].level.y) << "magenta";
 }
 
-}  // namespace
+}  // namespace host_shaders_test
 }  // namespace oriel

@@ -9,7 +9,7 @@
 #include "probe.h"
 
 namespace oriel {
-namespace {
+namespace lens_test {
 
 /// A camera with one exposure and what it makes of a colour.
 struct Exposed : testing::PreparedScene {
@@ -129,5 +129,5 @@ TEST(LensShaders, ShadersOfOtherRolesAreReportedAndSkipped) {
   EXPECT_TRUE(s.world->lens.empty());
 }
 
-}  // namespace
+}  // namespace lens_test
 }  // namespace oriel

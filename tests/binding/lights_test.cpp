@@ -9,7 +9,7 @@
 #include "transport/direct.h"
 
 namespace oriel {
-namespace {
+namespace lights_test {
 
 constexpr std::string_view kGrey =
     "material \"m\" \"mib_illum_lambert\" ( \"diffuse\" .5 .5 .5 ) end material\n";
@@ -145,5 +145,5 @@ TEST(LightLists, InstancesLinkTheirLights) {
   EXPECT_EQ(lights_of("\"lights\" [ \"c\" ], \"mode\" 1", "light [ \"a\" ]"), (Names{"c"}));
 }
 
-}  // namespace
+}  // namespace lights_test
 }  // namespace oriel

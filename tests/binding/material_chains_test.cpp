@@ -7,7 +7,7 @@
 #include "runtime/material.h"
 
 namespace oriel {
-namespace {
+namespace material_chains_test {
 
 const std::string kLambert =
     "shader \"l\" \"mib_illum_lambert\" ( \"ambience\" 1 1 1, \"ambient\" .2 .2 .2, "
@@ -226,5 +226,5 @@ TEST(MaterialChains, LightPassesAsFarAsSomePartOfTheChainLetsIt) {
   EXPECT_TRUE(transmits("\"mib_twosided\" ( \"front\" = \"l\", \"back\" = \"t\" )"));
 }
 
-}  // namespace
+}  // namespace material_chains_test
 }  // namespace oriel

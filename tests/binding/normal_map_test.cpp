@@ -8,7 +8,7 @@
 #include "runtime/material.h"
 
 namespace oriel {
-namespace {
+namespace normal_map_test {
 
 // 2 c / 255 - 1 of the bytes cc, 99, ff: .6, .2, 1.
 const std::string kTilted = "vector texture \"t\" [1 1 3] 'cc99ff'\n";
@@ -110,5 +110,5 @@ TEST(NormalMap, NormalStaysWhereThereIsNoFrame) {
   EXPECT_GT(NormalScene("", "vector texture \"t\" [1 1 3] '808080'\n").vector().z, .5f);
 }
 
-}  // namespace
+}  // namespace normal_map_test
 }  // namespace oriel

@@ -5,7 +5,7 @@
 #include "probe.h"
 
 namespace oriel {
-namespace {
+namespace parameters_test {
 
 #define EXPECT_SILENT(s) EXPECT_TRUE((s).diagnostics.all().empty()) << (s).messages()
 
@@ -232,5 +232,5 @@ TEST(Parameters, GeneratedDeclarationsReadBackSilentlyAndTheSame) {
   }
 }
 
-}  // namespace
+}  // namespace parameters_test
 }  // namespace oriel

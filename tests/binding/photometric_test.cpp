@@ -10,7 +10,7 @@
 #include "transport/direct.h"
 
 namespace oriel {
-namespace {
+namespace photometric_test {
 
 std::string written(const std::string& name, const std::string& text) {
   const std::string path = ::testing::TempDir() + "/oriel-" + name;
@@ -231,5 +231,5 @@ TEST(PhotometricLights, ABadProfileIsOneMessageWithFileLineAndAdvice) {
   EXPECT_NE(misspelt.scene.messages().find("did you mean \"lp\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace photometric_test
 }  // namespace oriel

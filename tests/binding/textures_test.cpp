@@ -10,7 +10,7 @@
 #include "probe.h"
 
 namespace oriel {
-namespace {
+namespace textures_test {
 
 #define EXPECT_SILENT(s) EXPECT_TRUE((s).diagnostics.all().empty()) << (s).messages()
 
@@ -286,5 +286,5 @@ TEST(LookupBackground, ZoomAndPanAreInPictures) {
   EXPECT_NEAR(environment(s, left).r, .05f + .125f, .13f);
 }
 
-}  // namespace
+}  // namespace textures_test
 }  // namespace oriel

@@ -3,7 +3,7 @@
 #include "probe.h"
 
 namespace oriel {
-namespace {
+namespace vertex_color_test {
 
 Rgba color_at(const std::string& parameters, int spaces) {
   const testing::PreparedScene scene(testing::scene_text(
@@ -32,5 +32,5 @@ TEST(VertexColor, SpacesThatAreNotThereAreWhite) {
   EXPECT_EQ(color_at("\"color\" .5 1 2 .5, \"space\" -1", 3), Rgba(.5f, 1, 2, .5f));
 }
 
-}  // namespace
+}  // namespace vertex_color_test
 }  // namespace oriel

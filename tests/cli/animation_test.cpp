@@ -4,7 +4,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace animation_test {
 
 class Animation : public ProgramTest {
  protected:
@@ -90,5 +90,5 @@ TEST_F(Animation, CamerasNameTheirFilesFrameByFrame) {
   EXPECT_TRUE(exists("two.0003.exr"));
 }
 
-}  // namespace
+}  // namespace animation_test
 }  // namespace oriel

@@ -5,7 +5,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace check_report_test {
 
 constexpr const char* kHostile = "<script>alert('x')</script>&\"";
 
@@ -75,5 +75,5 @@ TEST_F(CheckReport, TextAndPageSayTheSameOfParameters) {
   EXPECT_EQ(calls, 2) << "the lamp's and the material's";
 }
 
-}  // namespace
+}  // namespace check_report_test
 }  // namespace oriel

@@ -10,7 +10,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace convert_test {
 
 class ConvertTest : public ProgramTest {
  protected:
@@ -176,5 +176,5 @@ TEST_F(ConvertTest, QuickMakesAPictureInDaylight) {
   EXPECT_TRUE(std::filesystem::exists(file("box.mi")));
 }
 
-}  // namespace
+}  // namespace convert_test
 }  // namespace oriel

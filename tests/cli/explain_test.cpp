@@ -7,7 +7,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace explain_test {
 
 class ExplainProgram : public ProgramTest {};
 
@@ -62,5 +62,5 @@ TEST_F(ExplainProgram, PixelsOutsideAndScenesThatAreNotThereAreUserErrors) {
   EXPECT_EQ(run({"explain", "missing.mi", "--pixel", "1,1"}).exit_code, 1);
 }
 
-}  // namespace
+}  // namespace explain_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace exposure_test {
 
 class ExposureProgram : public ProgramTest {
  protected:
@@ -61,5 +61,5 @@ TEST_F(ExposureProgram, GammaTwiceIsToldForOutputShadersToo) {
   }
 }
 
-}  // namespace
+}  // namespace exposure_test
 }  // namespace oriel

@@ -6,7 +6,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace light_groups_test {
 
 constexpr const char* kScene = R"(
 options "opt" object space trace on trace depth 2 2 3 "indirect" "path" end options
@@ -104,5 +104,5 @@ TEST_F(LightGroupProgram, MistakesAreToldInOneLine) {
   EXPECT_EQ(run({"recombine", "a.exr", "--light", "key=1"}).exit_code, 2) << "no file named";
 }
 
-}  // namespace
+}  // namespace light_groups_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace measure_test {
 
 /// A lamp of 1000 cd, 2 over a black floor that the camera looks down at, and nothing else.
 class MeasureProgram : public ProgramTest {
@@ -154,5 +154,5 @@ TEST_F(MeasureProgram, LayersAreInLuxAndCandela) {
             0);
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace oriel

@@ -5,7 +5,7 @@
 #include "render/output_names.h"
 
 namespace oriel {
-namespace {
+namespace outputs_test {
 
 class OutputsProgram : public ProgramTest {
  protected:
@@ -76,8 +76,6 @@ TEST_F(OutputsProgram, AFileGivesItsPictureBackWhateverTheFilter) {
   const RunResult r = run({"recombine", "a.exr"});
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
 }
-
-}  // namespace
 TEST_F(OutputsProgram, CryptomattesStandInTheFileWithTheirNames) {
   write_scene();
   const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--cryptomatte", "--samples", "4"});
@@ -134,4 +132,5 @@ TEST_F(OutputsProgram, CamerasWithTwoEyesWriteTwoFiles) {
   EXPECT_NE(left.layers.front().image.pixels, right.layers.front().image.pixels);
 }
 
+}  // namespace outputs_test
 }  // namespace oriel

@@ -5,7 +5,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace profile_test {
 
 using nlohmann::json;
 
@@ -49,5 +49,5 @@ TEST_F(ProfileProgram, ABadFileIsOneLineWithPlaceAndAdvice) {
   EXPECT_EQ(run({"profile", "none.ies"}).exit_code, 1);
 }
 
-}  // namespace
+}  // namespace profile_test
 }  // namespace oriel

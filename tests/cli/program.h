@@ -34,7 +34,7 @@ inline std::string text_of(const std::string& path) {
 }
 
 /// A folder with the program in it, so to say.
-class ProgramTest : public testing::Test {
+class ProgramTest : public ::testing::Test {
  protected:
   std::string file(const std::string& name) const { return folder_.file(name); }
 

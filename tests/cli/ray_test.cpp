@@ -5,7 +5,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace ray_test {
 
 /// A call, the files a user of the old program would look for, and what is said.
 struct Call {
@@ -178,5 +178,5 @@ TEST_F(RayProgram, HelpListsFlagsAndLevelsOfMessagesCutWhatIsSaid) {
   EXPECT_EQ(ray({"-verbose", "off", "scene.mi"}).err, "");
 }
 
-}  // namespace
+}  // namespace ray_test
 }  // namespace oriel

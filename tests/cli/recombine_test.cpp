@@ -9,7 +9,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace recombine_test {
 
 class RecombineProgram : public ProgramTest {
  protected:
@@ -151,5 +151,5 @@ TEST_F(RecombineProgram, FrameBuffersHoldTheLayersOfTheirNames) {
   }
 }
 
-}  // namespace
+}  // namespace recombine_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace render_test {
 
 class RenderProgram : public ProgramTest {
  protected:
@@ -215,5 +215,5 @@ TEST_F(RenderProgram, SceneWithoutRenderStatementSaysSo) {
   EXPECT_NE(r.err.find("no render statement"), std::string::npos) << r.err;
 }
 
-}  // namespace
+}  // namespace render_test
 }  // namespace oriel

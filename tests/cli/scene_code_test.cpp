@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace scene_code_test {
 
 namespace fs = std::filesystem;
 
@@ -140,5 +140,5 @@ TEST_F(SceneCode, ACacheThatOthersWriteToIsNotUsed) {
   EXPECT_NE(r.err.find("OR-SDK-031"), std::string::npos) << r.err;
 }
 
-}  // namespace
+}  // namespace scene_code_test
 }  // namespace oriel

@@ -6,7 +6,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace shader_build_test {
 
 namespace fs = std::filesystem;
 
@@ -148,5 +148,5 @@ TEST_F(ShaderBuildProgram, WhatCannotBeBuiltIsSaidInOneLine) {
   EXPECT_TRUE(offers("both.so", "plain"));
 }
 
-}  // namespace
+}  // namespace shader_build_test
 }  // namespace oriel

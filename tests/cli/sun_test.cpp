@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace sun_test {
 
 using nlohmann::json;
 
@@ -159,5 +159,5 @@ TEST_F(SunProgram, ScenesWithoutASunAreToldSo) {
   EXPECT_NE(r.err.find("no light with mia_physicalsun"), std::string::npos) << r.err;
 }
 
-}  // namespace
+}  // namespace sun_test
 }  // namespace oriel

@@ -9,7 +9,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace templates_test {
 
 const char* const kWanted[] = {"wood_floor",
                                "linoleum",
@@ -126,5 +126,5 @@ TEST_F(TemplatesProgram, ScenesOwnFileComesFirst) {
   expect_clean(checked("$include \"templates.mi\"", {"own"}), 1);
 }
 
-}  // namespace
+}  // namespace templates_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace oriel {
-namespace {
+namespace tools_test {
 
 class CheckProgram : public ProgramTest {};
 class ShadersProgram : public ProgramTest {};
@@ -264,5 +264,5 @@ TEST_F(DiffProgram, ValuesThatAreNoNumbersAreNeverFine) {
   EXPECT_EQ(run({"diff", "b.exr", "a.exr", "--threshold", "rmse=1"}).exit_code, 1);
 }
 
-}  // namespace
+}  // namespace tools_test
 }  // namespace oriel

@@ -11,7 +11,7 @@
 #include "sampling/testing/chi_square.h"
 
 namespace oriel {
-namespace {
+namespace light_contract_test {
 
 struct Case {
   std::string shader;
@@ -246,5 +246,5 @@ INSTANTIATE_TEST_SUITE_P(AllLights, ExtendedLightContract, ::testing::ValuesIn(c
                            return param.param.shader + "_" + param.param.shape_name;
                          });
 
-}  // namespace
+}  // namespace light_contract_test
 }  // namespace oriel

@@ -15,7 +15,7 @@
 #include "transport/lobes.h"
 
 namespace oriel {
-namespace {
+namespace material_contract_test {
 
 using testing::ParamBlock;
 
@@ -219,5 +219,5 @@ std::vector<const ShaderSpec*> materials() {
 INSTANTIATE_TEST_SUITE_P(AllMaterials, MaterialContract, ::testing::ValuesIn(materials()),
                          [](const auto& param) { return std::string(param.param->name); });
 
-}  // namespace
+}  // namespace material_contract_test
 }  // namespace oriel

@@ -17,7 +17,7 @@
 #include "transport/resolve_outputs.h"
 
 namespace oriel {
-namespace {
+namespace outputs_contract_test {
 
 using testing::ParamBlock;
 
@@ -268,5 +268,5 @@ TEST(RandomArchitecturalMaterial, OutputsOfEveryPathAreItsRadiance) {
   RecordProperty("largest_sum_difference", std::to_string(worst_sum));
 }
 
-}  // namespace
+}  // namespace outputs_contract_test
 }  // namespace oriel

@@ -12,7 +12,7 @@
 #include "sampling/warp.h"
 
 namespace oriel {
-namespace {
+namespace view_contract_test {
 
 // double: the yardstick of a density over 131072 cells.
 constexpr double kPiDouble = 3.14159265358979323846;
@@ -234,5 +234,5 @@ std::vector<const ShaderSpec*> lenses() {
 INSTANTIATE_TEST_SUITE_P(AllLenses, LensContract, ::testing::ValuesIn(lenses()),
                          [](const auto& param) { return std::string(param.param->name); });
 
-}  // namespace
+}  // namespace view_contract_test
 }  // namespace oriel

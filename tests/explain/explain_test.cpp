@@ -5,7 +5,7 @@
 #include "color/luminance.h"
 
 namespace oriel::analytic {
-namespace {
+namespace explain_test {
 
 const Vec3 kUp(0, 0, 1);
 
@@ -214,5 +214,5 @@ TEST(Explain, ParametersThatShadersGiveHaveTheirValues) {
   EXPECT_NEAR(p.values[2], .5f, 1e-5);
 }
 
-}  // namespace
+}  // namespace explain_test
 }  // namespace oriel::analytic

@@ -8,7 +8,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel {
-namespace {
+namespace colors_test {
 
 using analytic::Probe;
 using models::testing::GltfFile;
@@ -146,5 +146,5 @@ TEST(BrushedMetalOfModels, HighlightsStretchAlongTheTangent) {
   EXPECT_NEAR(shine(false, kPi / 2), with, .02 * with);
 }
 
-}  // namespace
+}  // namespace colors_test
 }  // namespace oriel

@@ -9,7 +9,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel {
-namespace {
+namespace imported_test {
 
 using analytic::expect_exact;
 using analytic::Measured;
@@ -226,5 +226,5 @@ TEST(ClearCoatOfModels, LightsShineInIt) {
   EXPECT_NEAR(m.mean.x, once / albedo_from_normal(alpha), .01 * once);
 }
 
-}  // namespace
+}  // namespace imported_test
 }  // namespace oriel

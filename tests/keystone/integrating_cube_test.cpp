@@ -3,7 +3,7 @@
 #include "comparison.h"
 
 namespace oriel::keystone {
-namespace {
+namespace integrating_cube_test {
 
 // By flux conservation: a lamp of flux F in a closed room of area S and albedo r brings
 // F r / (S (1 - r)) of indirect light to the walls in the mean. The camera in the middle sees just
@@ -37,5 +37,5 @@ TEST(IntegratingCube, HasItsMeanIndirectIlluminanceByEveryMethod) {
   }
 }
 
-}  // namespace
+}  // namespace integrating_cube_test
 }  // namespace oriel::keystone

@@ -3,7 +3,7 @@
 #include "scenes.h"
 
 namespace oriel::keystone {
-namespace {
+namespace methods_test {
 
 /// Largest difference of the means of pictures.
 constexpr double kTolerance = .02;
@@ -59,5 +59,5 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"sky_portal", sky_portal, 32, 2 * kTolerance}),
     [](const auto& i) { return std::string(i.param.name); });
 
-}  // namespace
+}  // namespace methods_test
 }  // namespace oriel::keystone

@@ -3,7 +3,7 @@
 #include "scenes.h"
 
 namespace oriel::keystone {
-namespace {
+namespace smoothness_test {
 
 constexpr int kWidth = 160, kHeight = 120, kBlock = 8;
 
@@ -88,5 +88,5 @@ TEST(FinalGather, ComesNearerToThePathsWithRaysAndDensity) {
   for (const float density : {.06f, .25f, 1.f, 4.f}) error(400, density);
 }
 
-}  // namespace
+}  // namespace smoothness_test
 }  // namespace oriel::keystone

@@ -12,7 +12,7 @@
 #include "transport/path.h"
 
 namespace oriel {
-namespace {
+namespace render_robustness_test {
 
 using testing::PreparedScene;
 using testing::scene_text;
@@ -461,5 +461,5 @@ TEST(RenderRobustness, LensesSurviveAbsurdParameters) {
   }
 }
 
-}  // namespace
+}  // namespace render_robustness_test
 }  // namespace oriel

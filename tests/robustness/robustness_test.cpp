@@ -17,7 +17,7 @@
 #include "mi/reader.h"
 
 namespace oriel::mi {
-namespace {
+namespace robustness_test {
 
 std::string sample_scene() {
   std::ifstream file(ORIEL_SOURCE_DIR "/scenes/nine-tiles/nine-tiles.mi", std::ios::binary);
@@ -229,5 +229,5 @@ TEST(Robustness, FilesThatIncludeThemselvesEnd) {
   EXPECT_TRUE(diagnostics.has("OR-MI-012"));
 }
 
-}  // namespace
+}  // namespace robustness_test
 }  // namespace oriel::mi

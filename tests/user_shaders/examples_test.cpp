@@ -6,7 +6,7 @@
 #include "user_picture.h"
 
 namespace oriel {
-namespace {
+namespace examples_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -249,5 +249,5 @@ TEST(Examples, VignetteDarkensByTheCosineToTheFourth) {
   }
 }
 
-}  // namespace
+}  // namespace examples_test
 }  // namespace oriel

@@ -4,7 +4,7 @@
 #include "user_picture.h"
 
 namespace oriel {
-namespace {
+namespace frame_buffers_test {
 
 using testing::ShaderFolder;
 using testing::UserPicture;
@@ -211,5 +211,5 @@ TEST(UserFrameBuffers, TheManualsWrapperWritesWhatTheMaterialSaysOfItself) {
   EXPECT_EQ(wrapped.messages() + bare.messages(), "");
 }
 
-}  // namespace
+}  // namespace frame_buffers_test
 }  // namespace oriel

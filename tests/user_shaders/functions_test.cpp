@@ -9,7 +9,7 @@
 #include "../cli/program.h"
 
 namespace oriel {
-namespace {
+namespace functions_test {
 
 namespace fs = std::filesystem;
 
@@ -166,5 +166,5 @@ TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
   EXPECT_EQ(text_of(kTable.string()), made) << "docs/c-interface-functions.md is out of date";
 }
 
-}  // namespace
+}  // namespace functions_test
 }  // namespace oriel

@@ -3,7 +3,7 @@
 #include "user_scene.h"
 
 namespace oriel {
-namespace {
+namespace kinds_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -277,5 +277,5 @@ TEST(UserShaders, GeometryShadersMakeObjects) {
   expect_color(scene.pixel(4, 4), Rgb(2.5f), 1e-4f);
 }
 
-}  // namespace
+}  // namespace kinds_test
 }  // namespace oriel

@@ -8,7 +8,7 @@
 #include "user_scene.h"
 
 namespace oriel {
-namespace {
+namespace life_cycle_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -178,5 +178,5 @@ TEST_F(CrashingShader, EndsTheFrameWithItsNameAndThePictureSoFar) {
   EXPECT_TRUE(std::filesystem::exists(file("a.exr")));
 }
 
-}  // namespace
+}  // namespace life_cycle_test
 }  // namespace oriel

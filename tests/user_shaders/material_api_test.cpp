@@ -5,7 +5,7 @@
 #include "user_picture.h"
 
 namespace oriel {
-namespace {
+namespace material_api_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -197,5 +197,5 @@ TEST(MaterialApi, LightsReadGlossAndImportanceOfWhatTheyLight) {
   EXPECT_NEAR(behind.y / behind.z, .5f, 1e-4f);
 }
 
-}  // namespace
+}  // namespace material_api_test
 }  // namespace oriel

@@ -3,7 +3,7 @@
 #include "user_scene.h"
 
 namespace oriel {
-namespace {
+namespace parameters_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -137,5 +137,5 @@ TEST(UserParameters, TheDeclarationTellsThemAsText) {
   expect_color(scene.pixel(4, 4, 1), Rgb(1, 0, 0), 0);
 }
 
-}  // namespace
+}  // namespace parameters_test
 }  // namespace oriel

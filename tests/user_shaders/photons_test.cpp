@@ -7,7 +7,7 @@
 #include "user_picture.h"
 
 namespace oriel {
-namespace {
+namespace photons_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -181,5 +181,5 @@ TEST(UserPhotons, PhotonsOfAnEmitterLightThePictureAsThoseOfASpot) {
   EXPECT_GT(by_user.mean.x, .01f);
 }
 
-}  // namespace
+}  // namespace photons_test
 }  // namespace oriel

@@ -3,7 +3,7 @@
 #include "user_picture.h"
 
 namespace oriel {
-namespace {
+namespace state_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -71,5 +71,5 @@ TEST(UserState, AShaderOfAnotherKindIsToldOfAndLeftOut) {
   EXPECT_NE(scene.messages().find("OR-RN-012"), std::string::npos) << scene.messages();
 }
 
-}  // namespace
+}  // namespace state_test
 }  // namespace oriel

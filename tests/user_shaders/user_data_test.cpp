@@ -5,7 +5,7 @@
 #include "user_scene.h"
 
 namespace oriel {
-namespace {
+namespace user_data_test {
 
 using testing::expect_color;
 using testing::ShaderFolder;
@@ -105,5 +105,5 @@ TEST(UserQueries, BoundsOfTheObjectAndTheMembersOfTheRootAreTold) {
   expect_color(scene.pixel(4, 4, 1), Rgb(2, 4 + 1, 21), 1e-4f);
 }
 
-}  // namespace
+}  // namespace user_data_test
 }  // namespace oriel

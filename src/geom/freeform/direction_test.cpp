@@ -7,7 +7,7 @@
 #include <functional>
 
 namespace oriel::geom::freeform {
-namespace {
+namespace direction_test {
 
 using Kind = scene::Basis::Kind;
 
@@ -136,5 +136,5 @@ TEST(FreeFormDirection, WhatDoesNotFitIsRefusedWithAReason) {
   EXPECT_TRUE(refused({"m", Kind::Matrix, false, 1, 0, {1, 0, 0, 1}}, {0, 1}));
 }
 
-}  // namespace
+}  // namespace direction_test
 }  // namespace oriel::geom::freeform

@@ -4,7 +4,7 @@
 #include "geom/freeform/test_model.h"
 
 namespace oriel::geom::testing {
-namespace {
+namespace freeform_test {
 
 // A rational Bezier patch of degree 2 x 2 that is an octant of the unit sphere; its last row is one
 // place, the pole. G. Farin, "Curves and Surfaces for CAGD", 5th ed., section 18.4.
@@ -424,5 +424,5 @@ TEST(FreeForm, HugeSubdivisionsStayWithinMemory) {
   EXPECT_EQ(model.diagnostics.all()[0].code, "OR-GEOM-034");
 }
 
-}  // namespace
+}  // namespace freeform_test
 }  // namespace oriel::geom::testing

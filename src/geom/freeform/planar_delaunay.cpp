@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geom/freeform/planar_delaunay.h"
 
-#include <cmath>
 #include <deque>
 #include <utility>
+
+#include "base/math.h"
 
 namespace oriel::geom::freeform {
 namespace {
@@ -28,7 +29,7 @@ bool in_circle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
 }
 
 double distance(GridPoint a, GridPoint b) {
-  return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
+  return math::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
 }
 
 }  // namespace

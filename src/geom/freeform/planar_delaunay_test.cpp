@@ -7,7 +7,7 @@
 #include <random>
 
 namespace oriel::geom::freeform {
-namespace {
+namespace planar_delaunay_test {
 
 /// Twice the area of all faces without corners of the triangle around all.
 std::int64_t area_of_hull(PlanarDelaunay& mesh) {
@@ -113,5 +113,5 @@ TEST(PlanarDelaunay, PointsTooCloseOrOutsideTheRegionAreRefused) {
   EXPECT_GT(mesh.insert_clear({20, 20}, 5, 1), b);
 }
 
-}  // namespace
+}  // namespace planar_delaunay_test
 }  // namespace oriel::geom::freeform

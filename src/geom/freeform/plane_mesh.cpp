@@ -10,7 +10,7 @@
 namespace oriel::geom::freeform {
 namespace {
 
-using Kind = scene::SurfaceLoop::Kind;
+using LoopKind = scene::SurfaceLoop::Kind;
 using Technique = scene::Approximation::Technique;
 constexpr std::uint8_t kInside = 1;
 
@@ -89,14 +89,14 @@ class Trimmer {
   void add_line(const Polyline& line) {
     std::vector<std::uint32_t> ids;
     for (const EdgePoint& p : line.points) ids.push_back(add(p));
-    const bool closed = line.kind != Kind::Special;
+    const bool closed = line.kind != LoopKind::Special;
     for (std::size_t i = 0; i + (closed ? 0 : 1) < ids.size(); ++i) {
       const std::uint32_t to = ids[i + 1 < ids.size() ? i + 1 : 0];
       if (!delaunay_.fix_edge(ids[i], to)) ++crossing;
     }
     if (!closed) return;
     Loop& loop = loops_.emplace_back();
-    loop.hole = line.kind == Kind::Hole;
+    loop.hole = line.kind == LoopKind::Hole;
     for (const std::uint32_t id : ids) loop.points.push_back(delaunay_.points()[id]);
     edge_.insert(edge_.end(), ids.begin(), ids.end());
   }
@@ -261,13 +261,13 @@ PlaneMesh trimmed_mesh(const OutlineInput& input, const std::vector<Polyline>& l
                        const std::vector<EdgePoint>& points, Budget& budget,
                        std::size_t& crossing) {
   Trimmer trimmer(input, budget);
-  const auto is_trim = [](const Polyline& line) { return line.kind == Kind::Trim; };
+  const auto is_trim = [](const Polyline& line) { return line.kind == LoopKind::Trim; };
   if (std::none_of(lines.begin(), lines.end(), is_trim)) trimmer.add_line(border(input, budget));
   for (const Polyline& line : lines)
-    if (line.kind != Kind::Special) trimmer.add_line(line);
+    if (line.kind != LoopKind::Special) trimmer.add_line(line);
   trimmer.classify();
   for (const Polyline& line : lines)
-    if (line.kind == Kind::Special) trimmer.add_line(line);
+    if (line.kind == LoopKind::Special) trimmer.add_line(line);
   for (const EdgePoint& p : points) trimmer.add_point(p);
   trimmer.add_cells();
   crossing = trimmer.crossing;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <queue>
 
+#include "base/math.h"
+
 namespace oriel::geom::freeform {
 namespace {
 
@@ -14,7 +16,7 @@ using Technique = scene::Approximation::Technique;
 constexpr int kMostPieces = 1 << scene::kMostSubdivisions;
 
 double angle_between(const V3d& a, const V3d& b) {
-  return std::atan2(a.cross(b).length(), a.dot(b));
+  return math::atan2(a.cross(b).length(), a.dot(b));
 }
 
 int ceiled(double pieces) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/math.h"
+
 namespace oriel::oiio {
 namespace {
 
@@ -79,7 +81,7 @@ class GammaInput final : public OIIO::ImageInput {
     const int n = m_spec.nchannels;
     for (std::size_t i = 0; i < values.size(); ++i)
       if (int(i % n) != m_spec.alpha_channel)
-        values[i] = values[i] > 0 ? std::pow(values[i], gamma_) : 0.0f;
+        values[i] = values[i] > 0 ? math::pow(values[i], gamma_) : 0.0f;
     return OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT, values.data(), m_spec.format, data,
                                       int(values.size()));
   }

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/math.h"
+
 namespace oriel::models::gltf {
 namespace {
 
@@ -136,7 +138,7 @@ float NumberFormat::meaning(double stored) const {
   double most = 1;
   if (normalized && component_type != kFloat) {
     const bool is_signed = component_type == kByte || component_type == kShort;
-    most = std::exp2(8 * static_cast<double>(component_size()) - (is_signed ? 1 : 0)) - 1;
+    most = math::exp2(8 * static_cast<double>(component_size()) - (is_signed ? 1 : 0)) - 1;
     stored = std::max(stored / most, -1.0);
   }
   return static_cast<float>(stored);

@@ -6,7 +6,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models::gltf {
-namespace {
+namespace accessor_test {
 
 using testing::GltfFile;
 
@@ -140,5 +140,5 @@ TEST(GltfBuffers, OnlyWhatLiesBesideTheModelIsRead) {
   EXPECT_THROW(read((folder.path() / "a b.bin").string(), 10), Unreadable);
 }
 
-}  // namespace
+}  // namespace accessor_test
 }  // namespace oriel::models::gltf

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace oriel::models::gltf {
-namespace {
+namespace document_test {
 
 TEST(GltfDocument, BinaryFilesHaveTextAndBytes) {
   // Glued by hand from the specification's figure: header, JSON chunk, BIN chunk.
@@ -59,5 +59,5 @@ TEST(GltfJson, AnythingHasAnAnswer) {
   EXPECT_TRUE(at(list, 99).is_null());
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace oriel::models::gltf

@@ -11,7 +11,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models::gltf {
-namespace {
+namespace draco_mesh_test {
 
 using testing::GltfFile;
 using Points = std::array<std::array<std::int16_t, 3>, 3>;
@@ -79,5 +79,5 @@ TEST(GltfDraco, WhatIsDamagedIsToldOf) {
   EXPECT_THROW(unpack(file), Unreadable);
 }
 
-}  // namespace
+}  // namespace draco_mesh_test
 }  // namespace oriel::models::gltf

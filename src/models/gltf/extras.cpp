@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
+
 namespace oriel::models {
 namespace {
 
@@ -25,7 +27,7 @@ TextureSpace space_of(const json& texture) {
   if (!moved.is_object()) return space;
   const json &offset = member(moved, "offset"), &scale = member(moved, "scale");
   const float turn = number(member(moved, "rotation"), 0);
-  const float c = std::cos(turn), s = std::sin(turn);
+  const float c = math::cos(turn), s = math::sin(turn);
   const float sx = number_at(scale, 0, 1), sy = number_at(scale, 1, 1);
   // With v = 1 - v of the file, before and after.
   space.move = {c * sx, -s * sy, s * sy + number_at(offset, 0, 0),

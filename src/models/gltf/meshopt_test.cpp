@@ -11,7 +11,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models::gltf {
-namespace {
+namespace meshopt_test {
 
 using testing::bytes_of;
 
@@ -108,5 +108,5 @@ TEST(GltfMeshopt, SizesThatTheDecoderTakesForGrantedAreAsked) {
   EXPECT_THROW(stream(3, 4, "MAGIC"), Unreadable);
 }
 
-}  // namespace
+}  // namespace meshopt_test
 }  // namespace oriel::models::gltf

@@ -6,7 +6,7 @@
 namespace oriel::models::gltf {
 namespace {
 
-constexpr int kUnsignedInt = 5125, kFloat = 5126;
+constexpr int kIndexType = 5125, kFloatType = 5126;
 
 template <class T>
 std::string_view bytes_of(const std::vector<T>& values) {
@@ -33,11 +33,11 @@ std::size_t PlainFile::add_accessor(std::string_view content, int component_type
 
 std::size_t PlainFile::add_numbers(const std::vector<float>& values, std::size_t components) {
   static constexpr const char* kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
-  return add_accessor(bytes_of(values), kFloat, values.size() / components, kTypes[components]);
+  return add_accessor(bytes_of(values), kFloatType, values.size() / components, kTypes[components]);
 }
 
 std::size_t PlainFile::add_indices(const std::vector<std::uint32_t>& indices) {
-  return add_accessor(bytes_of(indices), kUnsignedInt, indices.size(), "SCALAR");
+  return add_accessor(bytes_of(indices), kIndexType, indices.size(), "SCALAR");
 }
 
 std::string PlainFile::binary() const {

@@ -9,7 +9,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models {
-namespace {
+namespace plain_nodes_test {
 
 using testing::GltfFile;
 using testing::json;
@@ -117,5 +117,5 @@ TEST(GltfNodes, ParallelCamerasSeeTwiceTheirMagnification) {
   EXPECT_FLOAT_EQ(*camera->aspect, 1.5f);
 }
 
-}  // namespace
+}  // namespace plain_nodes_test
 }  // namespace oriel::models

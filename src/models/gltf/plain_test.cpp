@@ -10,7 +10,7 @@
 #include "models/testing/gltf_file.h"
 
 namespace oriel::models {
-namespace {
+namespace plain_test {
 
 using testing::GltfFile;
 using testing::json;
@@ -246,5 +246,5 @@ TEST(GltfPictures, PicturesInTheBufferAreFilesOfTheirKind) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), webp);
 }
 
-}  // namespace
+}  // namespace plain_test
 }  // namespace oriel::models

@@ -6,7 +6,7 @@
 #include "models/testing/model_file.h"
 
 namespace oriel::models::gltf {
-namespace {
+namespace uri_test {
 
 TEST(GltfUri, EscapesAreBytes) {
   EXPECT_EQ(unescaped("my%20model.bin"), "my model.bin");
@@ -43,5 +43,5 @@ TEST(GltfUri, OnlyNamesBelowTheFolderStayThere) {
     EXPECT_FALSE(stays_below(name)) << name;
 }
 
-}  // namespace
+}  // namespace uri_test
 }  // namespace oriel::models::gltf

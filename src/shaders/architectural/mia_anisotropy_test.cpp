@@ -14,7 +14,7 @@
 #include "shaders/architectural/mia_material.h"
 
 namespace oriel {
-namespace {
+namespace mia_anisotropy_test {
 
 using P = MiaMaterialParams;
 
@@ -182,5 +182,5 @@ TEST(MiaAnisotropy, FramesStayOrthonormalWhereTheBaseDirectionIsMissing) {
   }
 }
 
-}  // namespace
+}  // namespace mia_anisotropy_test
 }  // namespace oriel

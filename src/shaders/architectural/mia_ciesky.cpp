@@ -7,7 +7,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaCieskyParams {
   bool on;
   Rgba rgb_unit_conversion;
   bool auto_luminance;
@@ -17,24 +17,28 @@ struct P {
   bool y_is_up;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sky on."},
-    {ORIEL_PARAM(P, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f}, .unit = "1/lux",
+constexpr ParamSpec kMiaCieskyRows[] = {
+    {ORIEL_PARAM(MiaCieskyParams, on), .fallback = {1}, .doc = "Turns the sky on."},
+    {ORIEL_PARAM(MiaCieskyParams, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f},
+     .unit = "1/lux",
      .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1; 0.318 gives pixels in cd/m2."},
-    {ORIEL_PARAM(P, auto_luminance), .fallback = {1},
+    {ORIEL_PARAM(MiaCieskyParams, auto_luminance), .fallback = {1},
      .doc = "Luminance by the sun's height where neither of the next two is given."},
-    {ORIEL_PARAM(P, zenith_luminance), .unit = "cd/m2", .doc = "Of the zenith, where above 0."},
-    {ORIEL_PARAM(P, diffuse_horizontal_illuminance), .unit = "lux",
+    {ORIEL_PARAM(MiaCieskyParams, zenith_luminance), .unit = "cd/m2",
+     .doc = "Of the zenith, where above 0."},
+    {ORIEL_PARAM(MiaCieskyParams, diffuse_horizontal_illuminance), .unit = "lux",
      .doc = "Of the sky alone, where above 0 and the zenith's luminance is not."},
-    {ORIEL_PARAM(P, overcast), .min = 0, .max = 1, .doc = "0 CIE clear, 1 CIE overcast sky."},
-    {ORIEL_PARAM(P, sun_direction), .doc = "Toward the sun, when `sun` is not given.",
+    {ORIEL_PARAM(MiaCieskyParams, overcast), .min = 0, .max = 1,
+     .doc = "0 CIE clear, 1 CIE overcast sky."},
+    {ORIEL_PARAM(MiaCieskyParams, sun_direction), .doc = "Toward the sun, when `sun` is not given.",
      .declared_default = false},
-    {ORIEL_PARAM(P, sun), .doc = "Instance of the sun's light.", .declared_default = false},
-    {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
+    {ORIEL_PARAM(MiaCieskyParams, sun), .doc = "Instance of the sun's light.",
+     .declared_default = false},
+    {ORIEL_PARAM(MiaCieskyParams, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
 };
 
-struct SkyState final : ShaderState {
-  explicit SkyState(const sky::CieParameters& parameters) : sky(parameters) {}
+struct CieSkyState final : ShaderState {
+  explicit CieSkyState(const sky::CieParameters& parameters) : sky(parameters) {}
   sky::CieSky sky;
 };
 
@@ -46,17 +50,17 @@ const ShaderSpec kMiaCieSky = {
     .version = 1,
     .apply = kApplyEnvironment | kApplyTexture,
     .doc = "The CIE standard clear and overcast skies, grey, for the analysis of daylight.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaCieskyRows,
+    .params_size = sizeof(MiaCieskyParams),
     .value =
         [](const Call& call, void* result) {
-          const auto& state = *static_cast<const SkyState*>(call.state);
+          const auto& state = *static_cast<const CieSkyState*>(call.state);
           const Rgb c = state.sky.radiance(call.point.ray_direction);
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
         },
     .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
-      const P& p = *static_cast<const P*>(params);
-      return std::make_unique<SkyState>(sky::CieParameters{
+      const MiaCieskyParams& p = *static_cast<const MiaCieskyParams*>(params);
+      return std::make_unique<CieSkyState>(sky::CieParameters{
           .on = p.on,
           .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
           .auto_luminance = p.auto_luminance,

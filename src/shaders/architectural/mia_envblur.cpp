@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.h"
 #include "bsdf/gloss.h"
 #include "bsdf/glossy_reflection.h"
 #include "image/sphere_blur.h"
@@ -15,20 +16,21 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaEnvblurParams {
   ShaderRef environment;
   float blur;
   bool mia_material_blur;
   int resolution;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, environment), .doc = "What is blurred; none: the camera's environment."},
-    {ORIEL_PARAM(P, blur), .min = 0, .max = 1,
+constexpr ParamSpec kMiaEnvblurRows[] = {
+    {ORIEL_PARAM(MiaEnvblurParams, environment),
+     .doc = "What is blurred; none: the camera's environment."},
+    {ORIEL_PARAM(MiaEnvblurParams, blur), .min = 0, .max = 1,
      .doc = "Amount, as a reflection of glossiness 1 - blur; 0 leaves it sharp."},
-    {ORIEL_PARAM(P, mia_material_blur), .fallback = {1},
+    {ORIEL_PARAM(MiaEnvblurParams, mia_material_blur), .fallback = {1},
      .doc = "Blur by the glossiness of the reflection that looks it up."},
-    {ORIEL_PARAM(P, resolution), .fallback = {200}, .min = 16, .max = 4096,
+    {ORIEL_PARAM(MiaEnvblurParams, resolution), .fallback = {200}, .min = 16, .max = 4096,
      .doc = "Samples each way of the map that is blurred."},
 };
 
@@ -43,16 +45,17 @@ struct BlurState final : ShaderState {
         // A lobe is as wide as a kernel of the map where 1.29 alpha is 1.18 widths: half maxima.
         least(0.91f * map.width(0)) {
     for (std::size_t i = 0; i < kMixtures; ++i) {
-      const float alpha = least * std::pow(bsdf::kMaxAlpha / least, static_cast<float>(i) / kSteps);
+      const float alpha =
+          least * math::pow(bsdf::kMaxAlpha / least, static_cast<float>(i) / kSteps);
       const Vec3 up(0, 0, 1);
       const bsdf::GlossyReflection lobe(alpha, alpha, up);
       mixtures[i] = map.weights_of(
-          [&](float angle) { return lobe.eval(up, Vec3(std::sin(angle), 0, std::cos(angle))); });
+          [&](float angle) { return lobe.eval(up, Vec3(math::sin(angle), 0, math::cos(angle))); });
     }
   }
 
   Rgba blurred(const Vec3& direction, float alpha) const {
-    const float at = clamp(std::log(alpha / least) / std::log(bsdf::kMaxAlpha / least), 0, 1);
+    const float at = clamp(math::log(alpha / least) / math::log(bsdf::kMaxAlpha / least), 0, 1);
     const float step = at * kSteps;
     const auto i = std::min(static_cast<std::size_t>(step), kMixtures - 2);
     const float t = step - static_cast<float>(i);
@@ -81,7 +84,7 @@ Rgba sharp(const BlurState& state, ShadingPoint& point) {
 }
 
 void blur(const Call& call, void* result) {
-  const auto& p = call.as<P>();
+  const auto& p = call.as<MiaEnvblurParams>();
   auto& out = *static_cast<Rgba*>(result);
   out = Rgba(0);
   if (!call.state) return;
@@ -90,14 +93,14 @@ void blur(const Call& call, void* result) {
   const bool light = point.ray_kind == RayKind::FinalGather || point.ray_kind == RayKind::Light;
   const float own = p.blur > 0 ? bsdf::gloss_to_alpha(1 - p.blur) : 0.0f;
   const float lobe = p.mia_material_blur ? point.roughness : 0.0f;
-  const float alpha = light ? 0.0f : std::hypot(own, lobe);
+  const float alpha = light ? 0.0f : math::hypot(own, lobe);
   const float share = clamp01(alpha / state.least);
   if (share < 1) out = sharp(state, point) * (1 - share);
   if (share > 0) out += state.blurred(normalize(point.ray_direction), alpha) * share;
 }
 
 std::unique_ptr<ShaderState> prepare(const void* params, const World& world) {
-  const P& p = *static_cast<const P*>(params);
+  const MiaEnvblurParams& p = *static_cast<const MiaEnvblurParams*>(params);
   NodeList source = p.environment.node ? NodeList{p.environment.node} : world.environment.shaders();
   if (source.empty()) return nullptr;
   return std::make_unique<BlurState>(std::move(source), std::clamp(p.resolution, 16, 4096), world);
@@ -111,8 +114,8 @@ const ShaderSpec kMiaEnvBlur = {
     .version = 1,
     .apply = kApplyEnvironment | kApplyTexture,
     .doc = "An environment looked up blurred, for smooth glossy reflections of it.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaEnvblurRows,
+    .params_size = sizeof(MiaEnvblurParams),
     .value = blur,
     .prepare = prepare,
 };

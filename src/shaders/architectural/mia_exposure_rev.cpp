@@ -10,7 +10,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaExposureRevParams {
   Rgba input;
   float cm2_factor;
   Rgba whitepoint;
@@ -18,29 +18,34 @@ struct P {
       gamma;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, input),
+constexpr ParamSpec kMiaExposureRevRows[] = {
+    {ORIEL_PARAM(MiaExposureRevParams, input),
      .doc = "The picture's colour. Only the shader's name is known: this parameter is named here.",
      .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(P, cm2_factor), .fallback = {1}, .doc = "As the exposure's; so are all below."},
-    {ORIEL_PARAM(P, whitepoint), .fallback = {1, 1, 1}, .doc = "The colour shown as grey."},
-    {ORIEL_PARAM(P, film_iso), .fallback = {100}, .min = 0, .unit = "ISO",
+    {ORIEL_PARAM(MiaExposureRevParams, cm2_factor), .fallback = {1},
+     .doc = "As the exposure's; so are all below."},
+    {ORIEL_PARAM(MiaExposureRevParams, whitepoint), .fallback = {1, 1, 1},
+     .doc = "The colour shown as grey."},
+    {ORIEL_PARAM(MiaExposureRevParams, film_iso), .fallback = {100}, .min = 0, .unit = "ISO",
      .doc = "Film speed; 0 = arbitrary mode."},
-    {ORIEL_PARAM(P, camera_shutter), .fallback = {100}, .min = 0, .unit = "1/s",
+    {ORIEL_PARAM(MiaExposureRevParams, camera_shutter), .fallback = {100}, .min = 0, .unit = "1/s",
      .doc = "Shutter: 100 is 1/100 s."},
-    {ORIEL_PARAM(P, f_number), .fallback = {16}, .min = 0, .doc = "Aperture number."},
-    {ORIEL_PARAM(P, vignetting), .fallback = {1}, .min = 0,
+    {ORIEL_PARAM(MiaExposureRevParams, f_number), .fallback = {16}, .min = 0,
+     .doc = "Aperture number."},
+    {ORIEL_PARAM(MiaExposureRevParams, vignetting), .fallback = {1}, .min = 0,
      .doc = "Exponent of the cosine that darkens the edges."},
-    {ORIEL_PARAM(P, burn_highlights), .min = 0, .max = 1, .doc = "1 linear, 0 never over-exposed."},
-    {ORIEL_PARAM(P, crush_blacks), .fallback = {.25f}, .min = 0, .max = 1,
+    {ORIEL_PARAM(MiaExposureRevParams, burn_highlights), .min = 0, .max = 1,
+     .doc = "1 linear, 0 never over-exposed."},
+    {ORIEL_PARAM(MiaExposureRevParams, crush_blacks), .fallback = {.25f}, .min = 0, .max = 1,
      .doc = "Pushes dark values toward black."},
-    {ORIEL_PARAM(P, saturation), .fallback = {1}, .min = 0, .doc = "Of the result."},
-    {ORIEL_PARAM(P, gamma), .fallback = {2.2f}, .min = 0,
+    {ORIEL_PARAM(MiaExposureRevParams, saturation), .fallback = {1}, .min = 0,
+     .doc = "Of the result."},
+    {ORIEL_PARAM(MiaExposureRevParams, gamma), .fallback = {2.2f}, .min = 0,
      .doc = "Display gamma that the input still has; 1 where its texture took it out."},
 };
 
 struct State final : ShaderState {
-  explicit State(const P& p) : reverse(photographic_parameters(p)) {}
+  explicit State(const MiaExposureRevParams& p) : reverse(photographic_parameters(p)) {}
   lens::ReversePhotographicExposure reverse;
 };
 
@@ -61,11 +66,11 @@ const ShaderSpec kMiaExposurePhotographicRev = {
     .library = "architectural",
     .apply = kApplyTexture | kApplyEnvironment,
     .doc = "Undoes the photographic exposure: light from a finished picture.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaExposureRevRows,
+    .params_size = sizeof(MiaExposureRevParams),
     .value =
         [](const Call& call, void* result) {
-          const auto& p = call.as<P>();
+          const auto& p = call.as<MiaExposureRevParams>();
           const World* world = call.point.world;
           const float cosine =
               world && p.vignetting != 0 ? cos_to_film(world->camera, call.point.ray_direction) : 1;
@@ -73,7 +78,7 @@ const ShaderSpec kMiaExposurePhotographicRev = {
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, p.input.a);
         },
     .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<State>(*static_cast<const P*>(params));
+      return std::make_unique<State>(*static_cast<const MiaExposureRevParams*>(params));
     },
 };
 

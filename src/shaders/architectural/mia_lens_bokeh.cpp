@@ -21,7 +21,7 @@ struct Bokeh {
   ColorTextureRef bokeh;
 };
 
-constexpr ParamSpec kRows[] = {
+constexpr ParamSpec kMiaLensBokehRows[] = {
     {ORIEL_PARAM(Bokeh, on), .fallback = {1}, .doc = "Off: no depth of field."},
     {ORIEL_PARAM(Bokeh, plane), .fallback = {100}, .unit = "scene units",
      .doc = "Distance at which things are sharp."},
@@ -107,7 +107,7 @@ const ShaderSpec kMiaLensBokeh = {
     .version = 4,
     .apply = kApplyLens,
     .doc = "Depth of field, with the shape of the lens opening.",
-    .params = kRows,
+    .params = kMiaLensBokehRows,
     .params_size = sizeof(Bokeh),
     .lens_ray =
         [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {

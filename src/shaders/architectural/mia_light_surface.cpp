@@ -12,7 +12,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaLightSurfaceParams {
   Rgba color;
   float intensity, fg_contrib, refl_contrib;
   bool use_lights;
@@ -21,21 +21,26 @@ struct P {
   ArrayView<LightRef> lights;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, color), .fallback = {1, 1, 1}, .doc = "Scales all of it."},
-    {ORIEL_PARAM(P, intensity), .fallback = {1}, .doc = "What it shows by itself."},
-    {ORIEL_PARAM(P, fg_contrib), .min = 0,
+constexpr ParamSpec kMiaLightSurfaceRows[] = {
+    {ORIEL_PARAM(MiaLightSurfaceParams, color), .fallback = {1, 1, 1}, .doc = "Scales all of it."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, intensity), .fallback = {1},
+     .doc = "What it shows by itself."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, fg_contrib), .min = 0,
      .doc = "Share that diffuse surfaces see: 1 = it lights the scene."},
-    {ORIEL_PARAM(P, refl_contrib), .min = 0, .doc = "Share that reflections show."},
-    {ORIEL_PARAM(P, use_lights), .doc = "Adds what the lights bring.", .declared_default = false},
-    {ORIEL_PARAM(P, lights_multiplier), .fallback = {1}, .doc = "Scales what the lights bring."},
-    {ORIEL_PARAM(P, lights_eval_point), .unit = "scene units",
+    {ORIEL_PARAM(MiaLightSurfaceParams, refl_contrib), .min = 0,
+     .doc = "Share that reflections show."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, use_lights), .doc = "Adds what the lights bring.",
+     .declared_default = false},
+    {ORIEL_PARAM(MiaLightSurfaceParams, lights_multiplier), .fallback = {1},
+     .doc = "Scales what the lights bring."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, lights_eval_point), .unit = "scene units",
      .doc = "Where the lights are asked, in their own space; 0 = at the point seen."},
-    {ORIEL_PARAM(P, lights), .doc = "Instances of lights to ask.", .declared_default = false},
+    {ORIEL_PARAM(MiaLightSurfaceParams, lights), .doc = "Instances of lights to ask.",
+     .declared_default = false},
 };
 
 /// What the lights bring, per colour of a light (runtime/light.h).
-Rgb light_sum(const P& p, const ShadingPoint& point) {
+Rgb light_sum(const MiaLightSurfaceParams& p, const ShadingPoint& point) {
   Rgb sum(0);
   for (const LightRef ref : p.lights) {
     if (ref.index < 0) continue;
@@ -52,14 +57,14 @@ Rgb light_sum(const P& p, const ShadingPoint& point) {
 }
 
 /// How much of it a ray of that kind sees.
-float share_seen(const P& p, RayKind kind) {
+float share_seen(const MiaLightSurfaceParams& p, RayKind kind) {
   if (kind == RayKind::FinalGather) return p.fg_contrib;
   if (kind == RayKind::Reflect) return p.refl_contrib;
   return 1;
 }
 
 void value(const Call& call, void* result) {
-  const P& p = call.as<P>();
+  const MiaLightSurfaceParams& p = call.as<MiaLightSurfaceParams>();
   Rgb shown(0);
   const float share = share_seen(p, call.point.ray_kind);
   if (share != 0) {
@@ -78,8 +83,8 @@ const ShaderSpec kMiaLightSurface = {
     .version = 3,
     .apply = kApplyTexture,
     .doc = "The visible part of a lamp, as bright as a light and told apart for each kind of ray.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaLightSurfaceRows,
+    .params_size = sizeof(MiaLightSurfaceParams),
     .value = value,
 };
 

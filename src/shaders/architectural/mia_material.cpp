@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/math.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
 #include "runtime/bump.h"
@@ -15,14 +16,12 @@
 namespace oriel {
 namespace {
 
-using P = MiaMaterialParams;
-
 Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)); }
 
 Rgb saturate(const Rgba& c, bool conserve) { return conserve ? clamped(c) : rgb(c); }
 
 /// The direction along which highlights stretch before rotation.
-Vec3 stretch_direction(const P& p, const ShadingPoint& point) {
+Vec3 stretch_direction(const MiaMaterialParams& p, const ShadingPoint& point) {
   const int space = p.anisotropy_channel;
   if (space >= 0 && space < point.texture_spaces)
     return space == 0 ? point.dpdu : point.bump_u[space];
@@ -44,12 +43,12 @@ Vec3 stretch_direction(const P& p, const ShadingPoint& point) {
   }
 }
 
-Frame stretched_frame(const P& p, const ShadingPoint& point, const Vec3& normal) {
+Frame stretched_frame(const MiaMaterialParams& p, const ShadingPoint& point, const Vec3& normal) {
   if (p.anisotropy == 1 || p.anisotropy <= 0) return Frame(normal);
   const Frame frame = Frame::along(normal, stretch_direction(p, point));
   const float angle = p.anisotropy_rotation * kTwoPi;
   if (angle == 0) return frame;
-  const float c = std::cos(angle), s = std::sin(angle);
+  const float c = math::cos(angle), s = math::sin(angle);
   return Frame(frame.s * c + frame.t * s, frame.t * c - frame.s * s, normal);
 }
 
@@ -60,7 +59,7 @@ struct Normals {
 /// The normal after one bump input. A shader there may return nothing and move it itself.
 Vec3 after_bump(const Call& call, std::size_t offset, const Vec3& v, const Vec3& normal) {
   const ShadingPoint& point = call.point;
-  if (v != Vec3(0)) return bump_normal(point, normal, v, call.as<P>().bump_mode);
+  if (v != Vec3(0)) return bump_normal(point, normal, v, call.as<MiaMaterialParams>().bump_mode);
   const ShaderNode* source = call.node ? call.node->source(offset) : nullptr;
   if (!source) return normal;
   ShadingPoint moved = point;
@@ -71,15 +70,16 @@ Vec3 after_bump(const Call& call, std::size_t offset, const Vec3& v, const Vec3&
 
 /// The normals after the bump inputs, on the viewer's side.
 Normals bumped_normals(const Call& call, bool extended) {
-  const P& p = call.as<P>();
+  const MiaMaterialParams& p = call.as<MiaMaterialParams>();
   const ShadingPoint& point = call.point;
   Normals n{point.normal, point.normal, point.normal};
   const auto is_still = [&](std::size_t offset, const Vec3& v) {
     return v == Vec3(0) && !(call.node && call.node->source(offset));
   };
-  if (extended && p.bump_mode != 0 && is_still(offsetof(P, overall_bump), p.overall_bump) &&
-      is_still(offsetof(P, standard_bump), p.standard_bump) &&
-      is_still(offsetof(P, refl_base_bump), p.refl_base_bump)) {
+  if (extended && p.bump_mode != 0 &&
+      is_still(offsetof(MiaMaterialParams, overall_bump), p.overall_bump) &&
+      is_still(offsetof(MiaMaterialParams, standard_bump), p.standard_bump) &&
+      is_still(offsetof(MiaMaterialParams, refl_base_bump), p.refl_base_bump)) {
     n.diffuse = n.specular = n.base = facing_viewer(point.normal, point);
     return n;
   }
@@ -91,11 +91,14 @@ Normals bumped_normals(const Call& call, bool extended) {
       if (!p.no_diffuse_bump) n.diffuse = n.specular;
     }
   } else {
-    const Vec3 overall = after_bump(call, offsetof(P, overall_bump), p.overall_bump, point.normal);
-    const Vec3 standard = after_bump(call, offsetof(P, standard_bump), p.standard_bump, overall);
+    const Vec3 overall =
+        after_bump(call, offsetof(MiaMaterialParams, overall_bump), p.overall_bump, point.normal);
+    const Vec3 standard =
+        after_bump(call, offsetof(MiaMaterialParams, standard_bump), p.standard_bump, overall);
     n.specular = standard;
     n.diffuse = p.no_diffuse_bump ? overall : standard;
-    n.base = after_bump(call, offsetof(P, refl_base_bump), p.refl_base_bump, overall);
+    n.base =
+        after_bump(call, offsetof(MiaMaterialParams, refl_base_bump), p.refl_base_bump, overall);
     n.base = facing_viewer(n.base, point);
   }
   n.diffuse = facing_viewer(n.diffuse, point);
@@ -108,7 +111,7 @@ void set_roughness(Lobe& lobe, const bsdf::Roughness& roughness) {
   lobe.alpha_y = roughness.ay;
 }
 
-int grid_density(const P& p) { return std::clamp(p.intr_grid_density, 0, 5); }
+int grid_density(const MiaMaterialParams& p) { return std::clamp(p.intr_grid_density, 0, 5); }
 
 /// One of the two reflecting layers.
 struct ReflectingLayer {
@@ -117,7 +120,7 @@ struct ReflectingLayer {
   int samples;
 };
 
-LobeControls reflection_controls(const P& p, int samples) {
+LobeControls reflection_controls(const MiaMaterialParams& p, int samples) {
   LobeControls controls;
   controls.samples = static_cast<float>(std::max(samples, 1));
   controls.depth = p.refl_depth;
@@ -136,7 +139,7 @@ LobeControls reflection_controls(const P& p, int samples) {
   return controls;
 }
 
-void add_reflection(const P& p, const ReflectingLayer& layer, const Frame& frame,
+void add_reflection(const MiaMaterialParams& p, const ReflectingLayer& layer, const Frame& frame,
                     Closure& closure) {
   const bsdf::Roughness roughness = bsdf::gloss_to_roughness(layer.gloss, p.anisotropy);
   const bool mirror = roughness.is_mirror();
@@ -157,8 +160,8 @@ void add_reflection(const P& p, const ReflectingLayer& layer, const Frame& frame
   }
 }
 
-void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, const Rgb& level,
-                    float eta, Closure& closure) {
+void add_refraction(const MiaMaterialParams& p, const ShadingPoint& point, const Vec3& normal,
+                    const Rgb& level, float eta, Closure& closure) {
   if (is_black(level)) return;
   const bsdf::Roughness roughness = bsdf::gloss_to_roughness(p.refr_gloss, p.anisotropy);
   const bool clear = p.refr_gloss_samples == 0 || roughness.is_mirror();
@@ -176,7 +179,7 @@ void add_refraction(const P& p, const ShadingPoint& point, const Vec3& normal, c
   lobe.controls.cutoff = p.refr_cutoff;
 }
 
-Medium inside_of(const P& p) {
+Medium inside_of(const MiaMaterialParams& p) {
   Medium medium;
   if (!p.refr_falloff_on || p.refr_falloff_dist <= 0 || p.thin_walled) return medium;
   if (!p.refr_falloff_color_on) {
@@ -187,18 +190,19 @@ Medium inside_of(const P& p) {
   constexpr float kDarkest = 1e-6f;
   for (int i = 0; i < 3; ++i) {
     const float c = (&p.refr_falloff_color.r)[i];
-    medium.absorption[i] = -std::log(clamp(c, kDarkest, 1.0f)) / p.refr_falloff_dist;
+    medium.absorption[i] = -math::log(clamp(c, kDarkest, 1.0f)) / p.refr_falloff_dist;
   }
   return medium;
 }
 
 /// Diffuse rays for one of the scene's (manual 1.6.8.3).
-float gather_quality(const P& p) {
+float gather_quality(const MiaMaterialParams& p) {
   return p.fg_quality_w == 0 ? std::max(0.0f, p.fg_quality)
                              : std::max(1.0f, p.fg_quality * p.fg_quality_w);
 }
 
-void add_diffuse(const P& p, const Rgb& level, const Vec3& normal, Closure& closure) {
+void add_diffuse(const MiaMaterialParams& p, const Rgb& level, const Vec3& normal,
+                 Closure& closure) {
   if (is_black(level)) return;
   Lobe& lobe = closure.add(LobeKind::Diffuse, Channel::Diffuse, level, Frame(normal));
   // Beyond this nothing changes but the square overflows.
@@ -210,7 +214,7 @@ void add_diffuse(const P& p, const Rgb& level, const Vec3& normal, Closure& clos
 }
 
 void shade_mia(const Call& call, Closure& closure, bool extended) {
-  const P& p = call.as<P>();
+  const MiaMaterialParams& p = call.as<MiaMaterialParams>();
   ShadingPoint& point = call.point;
   closure.opacity = clamp01(p.cutout_opacity);
   closure.seen_from_back = !p.backface_cull;
@@ -253,39 +257,45 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
 }
 
 bool mia_may_transmit(const ShaderNode& node) {
-  const P& p = node.constants<P>();
-  return p.transparency > 0 || p.cutout_opacity < 1 || node.connected(offsetof(P, transparency)) ||
-         node.connected(offsetof(P, cutout_opacity));
+  const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
+  return p.transparency > 0 || p.cutout_opacity < 1 ||
+         node.connected(offsetof(MiaMaterialParams, transparency)) ||
+         node.connected(offsetof(MiaMaterialParams, cutout_opacity));
 }
 
 bool mia_may_emit(const ShaderNode& node) {
-  return !is_black(rgb(node.constants<P>().additional_color)) ||
-         node.connected(offsetof(P, additional_color)) || !node.material_inputs().empty();
+  return !is_black(rgb(node.constants<MiaMaterialParams>().additional_color)) ||
+         node.connected(offsetof(MiaMaterialParams, additional_color)) ||
+         !node.material_inputs().empty();
 }
 
 bool mia_has_outputs(const ShaderNode& node) {
-  return node.constants<P>().multiple_outputs || node.connected(offsetof(P, multiple_outputs));
+  return node.constants<MiaMaterialParams>().multiple_outputs ||
+         node.connected(offsetof(MiaMaterialParams, multiple_outputs));
 }
 
 unsigned mia_grids(const ShaderNode& node) {
-  const P& p = node.constants<P>();
+  const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
   const bool interpolates = p.refl_interpolate || p.refr_interpolate ||
-                            node.connected(offsetof(P, refl_interpolate)) ||
-                            node.connected(offsetof(P, refr_interpolate));
+                            node.connected(offsetof(MiaMaterialParams, refl_interpolate)) ||
+                            node.connected(offsetof(MiaMaterialParams, refr_interpolate));
   return interpolates ? 1u << grid_density(p) : 0u;
 }
 
 int mia_most_lobes(const ShaderNode& node) {
-  const P& p = node.constants<P>();
+  const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
   // A highlight stands beside mirror rays.
   const auto reflects = [&](int samples, std::size_t offset) {
     return samples == 0 || node.connected(offset) ? 2 : 1;
   };
-  int lobes = 1 + reflects(p.refl_gloss_samples, offsetof(P, refl_gloss_samples));
-  if (p.refl_base > 0 || node.connected(offsetof(P, refl_base)))
-    lobes += reflects(p.refl_base_gloss_samples, offsetof(P, refl_base_gloss_samples));
-  if (p.transparency > 0 || node.connected(offsetof(P, transparency)))
-    lobes += p.refr_translucency || node.connected(offsetof(P, refr_translucency)) ? 2 : 1;
+  int lobes = 1 + reflects(p.refl_gloss_samples, offsetof(MiaMaterialParams, refl_gloss_samples));
+  if (p.refl_base > 0 || node.connected(offsetof(MiaMaterialParams, refl_base)))
+    lobes +=
+        reflects(p.refl_base_gloss_samples, offsetof(MiaMaterialParams, refl_base_gloss_samples));
+  if (p.transparency > 0 || node.connected(offsetof(MiaMaterialParams, transparency)))
+    lobes += p.refr_translucency || node.connected(offsetof(MiaMaterialParams, refr_translucency))
+                 ? 2
+                 : 1;
   return lobes;
 }
 
@@ -357,7 +367,7 @@ const ShaderSpec kMiaMaterial = {
         "Architectural material: diffuse, glossy reflection, refraction and translucency that "
         "share the light.",
     .params = mia_material_rows().first(kMiaMaterialRows),
-    .params_size = sizeof(P),
+    .params_size = sizeof(MiaMaterialParams),
     .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, false); },
     .may_transmit = mia_may_transmit,
     .may_emit = mia_may_emit,
@@ -372,7 +382,7 @@ const ShaderSpec kMiaMaterialX = {
     .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
     .doc = "The architectural material with vector bump inputs.",
     .params = mia_material_rows(),
-    .params_size = sizeof(P),
+    .params_size = sizeof(MiaMaterialParams),
     .result = ParamType::Struct,
     .results = kResults,
     .result_size = kResultSize,

@@ -15,7 +15,7 @@
 #include "runtime/closure.h"
 
 namespace oriel {
-namespace {
+namespace mia_material_test {
 
 using P = MiaMaterialParams;
 
@@ -481,5 +481,5 @@ TEST(MiaMaterial, NamesOfAllThreeInterfacesShareOneTable) {
   EXPECT_EQ(kMiaMaterialXPasses.params.data(), kMiaMaterialX.params.data());
 }
 
-}  // namespace
+}  // namespace mia_material_test
 }  // namespace oriel

@@ -10,12 +10,13 @@
 // Units:  with factors of 1, I cd bring I / d^2 lux in scenes of metres, and pixels are cd/m2.
 #include "shaders/architectural/mia_photometric_light.h"
 
+#include "base/math.h"
 #include "shaders/base/light_falloff.h"
 
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaPhotometricLightParams {
   bool on;
   float multiplier;
   Rgba color;
@@ -30,26 +31,29 @@ struct P {
 enum IntensityMode { kPeak = 0, kFlux = 1, kFromProfile = 2 };
 enum DistributionMode { kIsotropic = 0, kSpot = 1, kProfile = 2 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the light on."},
-    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
-    {ORIEL_PARAM(P, color), .fallback = {1, 1, 1}, .doc = "Colours the light."},
-    {ORIEL_PARAM(P, intensity_mode), .min = 0, .max = 2,
+constexpr ParamSpec kMiaPhotometricLightRows[] = {
+    {ORIEL_PARAM(MiaPhotometricLightParams, on), .fallback = {1}, .doc = "Turns the light on."},
+    {ORIEL_PARAM(MiaPhotometricLightParams, multiplier), .fallback = {1}, .min = 0,
+     .doc = "Scales the light."},
+    {ORIEL_PARAM(MiaPhotometricLightParams, color), .fallback = {1, 1, 1},
+     .doc = "Colours the light."},
+    {ORIEL_PARAM(MiaPhotometricLightParams, intensity_mode), .min = 0, .max = 2,
      .doc = "How bright: 0 by peak intensity, 1 by flux, 2 as the profile says."},
-    {ORIEL_PARAM(P, manual_peak_intensity_cd), .min = 0, .unit = "cd",
+    {ORIEL_PARAM(MiaPhotometricLightParams, manual_peak_intensity_cd), .min = 0, .unit = "cd",
      .doc = "Intensity in the brightest direction, for `intensity_mode` 0."},
-    {ORIEL_PARAM(P, manual_flux_lm), .min = 0, .unit = "lm",
+    {ORIEL_PARAM(MiaPhotometricLightParams, manual_flux_lm), .min = 0, .unit = "lm",
      .doc = "Flux of the whole distribution, for `intensity_mode` 1."},
-    {ORIEL_PARAM(P, distribution_mode), .min = 0, .max = 2,
+    {ORIEL_PARAM(MiaPhotometricLightParams, distribution_mode), .min = 0, .max = 2,
      .doc = "Where to: 0 evenly, 1 as a spot, 2 by the profile."},
-    {ORIEL_PARAM(P, spotlight_cosine_bias), .min = 0,
+    {ORIEL_PARAM(MiaPhotometricLightParams, spotlight_cosine_bias), .min = 0,
      .doc = "A spot's intensity is this power of the cosine to its axis; 0 = even.",
      .support = Support::Approximated},
-    {ORIEL_PARAM(P, profile), .doc = "Candela by direction, else that of the light's own element.",
+    {ORIEL_PARAM(MiaPhotometricLightParams, profile),
+     .doc = "Candela by direction, else that of the light's own element.",
      .declared_default = false},
-    {ORIEL_PARAM(P, units_to_meter_scale), .fallback = {1}, .min = 0,
+    {ORIEL_PARAM(MiaPhotometricLightParams, units_to_meter_scale), .fallback = {1}, .min = 0,
      .doc = "Metres in a unit of the scene."},
-    {ORIEL_PARAM(P, cm2_factor), .fallback = {1}, .min = 0,
+    {ORIEL_PARAM(MiaPhotometricLightParams, cm2_factor), .fallback = {1}, .min = 0,
      .doc = "Scales photometric units to those of the picture; 1 = pixels in cd/m2."},
 };
 
@@ -58,16 +62,16 @@ struct Distribution {
   float here, flux, peak;
 };
 
-Distribution spot(const P& p, const LightCall& l) {
+Distribution spot(const MiaPhotometricLightParams& p, const LightCall& l) {
   const float rim = l.light.spread < -1 ? 0 : std::min(l.light.spread, 0.999999f);
   const float cosine = dot(l.direction, l.light.direction), bias = p.spotlight_cosine_bias;
   if (!(bias > 0)) return {cosine > rim ? 1.0f : 0.0f, kTwoPi * (1 - rim), 1};
   const float low = std::max(rim, 0.0f);
-  return {cosine > low ? std::pow(cosine, bias) : 0,
-          kTwoPi * (1 - std::pow(low, bias + 1)) / (bias + 1), 1};
+  return {cosine > low ? math::pow(cosine, bias) : 0,
+          kTwoPi * (1 - math::pow(low, bias + 1)) / (bias + 1), 1};
 }
 
-Distribution distribution(const P& p, const LightCall& l) {
+Distribution distribution(const MiaPhotometricLightParams& p, const LightCall& l) {
   if (p.distribution_mode == kSpot) return spot(p, l);
   const photometry::LightProfile* profile = l.light.luminaire.profile;
   const bool inside = in_spread(l.light, l.direction);
@@ -78,7 +82,7 @@ Distribution distribution(const P& p, const LightCall& l) {
 }
 
 /// Candela in the call's direction.
-float intensity(const P& p, const LightCall& l) {
+float intensity(const MiaPhotometricLightParams& p, const LightCall& l) {
   const Distribution d = distribution(p, l);
   const photometry::LightProfile* profile = p.profile.profile;
   if (p.intensity_mode == kFlux) return d.flux > 0 ? d.here * p.manual_flux_lm / d.flux : 0;
@@ -91,7 +95,7 @@ float intensity(const P& p, const LightCall& l) {
 }
 
 LightValue value(const Call& call, const LightCall& l) {
-  const P& p = call.as<P>();
+  const MiaPhotometricLightParams& p = call.as<MiaPhotometricLightParams>();
   LightValue v;
   if (!p.on) return v;
   const float decay = distance_decay(l.light, l.distance * p.units_to_meter_scale);
@@ -100,7 +104,7 @@ LightValue value(const Call& call, const LightCall& l) {
 }
 
 const photometry::LightProfile* profile(const void* params, const Light& light) {
-  const P& p = *static_cast<const P*>(params);
+  const MiaPhotometricLightParams& p = *static_cast<const MiaPhotometricLightParams*>(params);
   if (p.distribution_mode != kProfile) return nullptr;
   return p.profile.profile ? p.profile.profile : light.luminaire.profile;
 }
@@ -113,8 +117,8 @@ const ShaderSpec kMiaPhotometricLight = {
     .version = 2,
     .apply = kApplyLight | kApplyEmitter,
     .doc = "A light of so many candela or lumen, evenly, as a spot, or as measured.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaPhotometricLightRows,
+    .params_size = sizeof(MiaPhotometricLightParams),
     .light = value,
     .profile = profile,
     // Its photons are as strong as its light, whatever energy the element writes.

@@ -8,7 +8,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaPhysicalskyParams {
   bool on;
   float multiplier;
   Rgba rgb_unit_conversion;
@@ -33,57 +33,71 @@ constexpr int kExactGround = 1;        ///< ground lit by the whole sky, not by 
 constexpr int kPaperChromaticity = 2;  ///< the paper's constant in the chromaticity x
 constexpr int kClampAntisolar = 4;     ///< PreethamOptions::clamp_antisolar
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sky on."},
-    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
-    {ORIEL_PARAM(P, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f}, .unit = "1/lux",
+constexpr ParamSpec kMiaPhysicalskyRows[] = {
+    {ORIEL_PARAM(MiaPhysicalskyParams, on), .fallback = {1}, .doc = "Turns the sky on."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, multiplier), .fallback = {1}, .min = 0,
+     .doc = "Scales the light."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f},
+     .unit = "1/lux",
      .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1; 0.318 gives pixels in cd/m2."},
-    {ORIEL_PARAM(P, haze), .min = 0, .max = 15, .doc = "Haze in the air: 0 clear, 15 overcast."},
-    {ORIEL_PARAM(P, redblueshift), .min = -1, .max = 1, .doc = "-1 very blue, 1 very red."},
-    {ORIEL_PARAM(P, saturation), .fallback = {1}, .min = 0, .max = 2, .doc = "0 grey, 1 as is."},
-    {ORIEL_PARAM(P, horizon_height), .min = -10, .max = 10,
+    {ORIEL_PARAM(MiaPhysicalskyParams, haze), .min = 0, .max = 15,
+     .doc = "Haze in the air: 0 clear, 15 overcast."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, redblueshift), .min = -1, .max = 1,
+     .doc = "-1 very blue, 1 very red."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, saturation), .fallback = {1}, .min = 0, .max = 2,
+     .doc = "0 grey, 1 as is."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, horizon_height), .min = -10, .max = 10,
      .doc = "Level of the horizon: -10 straight down, 10 at the zenith."},
-    {ORIEL_PARAM(P, horizon_blur), .fallback = {.1f}, .min = 0, .max = 10,
+    {ORIEL_PARAM(MiaPhysicalskyParams, horizon_blur), .fallback = {.1f}, .min = 0, .max = 10,
      .doc = "Blur of the horizon, 0 sharp."},
-    {ORIEL_PARAM(P, ground_color), .fallback = {.2f, .2f, .2f},
+    {ORIEL_PARAM(MiaPhysicalskyParams, ground_color), .fallback = {.2f, .2f, .2f},
      .doc = "Albedo of the virtual ground."},
-    {ORIEL_PARAM(P, night_color), .doc = "The sky is never darker than this."},
-    {ORIEL_PARAM(P, sun_direction), .doc = "Toward the sun, when `sun` is not given.",
+    {ORIEL_PARAM(MiaPhysicalskyParams, night_color), .doc = "The sky is never darker than this."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, sun_direction),
+     .doc = "Toward the sun, when `sun` is not given.", .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, sun), .doc = "Instance of the sun's light.",
      .declared_default = false},
-    {ORIEL_PARAM(P, sun), .doc = "Instance of the sun's light.", .declared_default = false},
-    {ORIEL_PARAM(P, sun_disk_intensity), .fallback = {1}, .min = 0,
+    {ORIEL_PARAM(MiaPhysicalskyParams, sun_disk_intensity), .fallback = {1}, .min = 0,
      .doc = "Intensity of the visible disc."},
-    {ORIEL_PARAM(P, sun_disk_scale), .fallback = {4}, .min = 0,
+    {ORIEL_PARAM(MiaPhysicalskyParams, sun_disk_scale), .fallback = {4}, .min = 0,
      .doc = "Size of the visible disc, 1 = the true one."},
-    {ORIEL_PARAM(P, sun_glow_intensity), .fallback = {1}, .min = 0, .doc = "Glow around it."},
-    {ORIEL_PARAM(P, use_background), .doc = "The camera sees `background`, or nothing.",
-     .declared_default = false},
-    {ORIEL_PARAM(P, background), .doc = "Shader the camera sees behind the scene.",
-     .declared_default = false},
-    {ORIEL_PARAM(P, visibility_distance), .unit = "scene units",
+    {ORIEL_PARAM(MiaPhysicalskyParams, sun_glow_intensity), .fallback = {1}, .min = 0,
+     .doc = "Glow around it."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, use_background),
+     .doc = "The camera sees `background`, or nothing.", .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, background),
+     .doc = "Shader the camera sees behind the scene.", .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, visibility_distance), .unit = "scene units",
      .doc = "As lens or volume shader: where 10 % haze is visible; 0 = none.",
      .declared_default = false},
-    {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
-    {ORIEL_PARAM(P, flags),
+    {ORIEL_PARAM(MiaPhysicalskyParams, y_is_up), .doc = "Y is up, else Z.",
+     .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, flags),
      .doc = "0. Bits: 1 ground lit by the whole sky, 2 the paper's colours, 4 even antisolar half.",
      .declared_default = false},
-    {ORIEL_PARAM(P, sky_luminance_mode), .doc = "Not 0: luminance by the seven below."},
-    {ORIEL_PARAM(P, zenith_luminance), .unit = "cd/m2", .doc = "Of the zenith, where above 0."},
-    {ORIEL_PARAM(P, diffuse_horizontal_illuminance), .unit = "lux",
+    {ORIEL_PARAM(MiaPhysicalskyParams, sky_luminance_mode),
+     .doc = "Not 0: luminance by the seven below."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, zenith_luminance), .unit = "cd/m2",
+     .doc = "Of the zenith, where above 0."},
+    {ORIEL_PARAM(MiaPhysicalskyParams, diffuse_horizontal_illuminance), .unit = "lux",
      .doc = "Of the sky alone, where above 0 and the zenith's luminance is not."},
-    {ORIEL_PARAM(P, a), .doc = "Perez: brightness of the horizon; all five 0: as the haze has it.",
+    {ORIEL_PARAM(MiaPhysicalskyParams, a),
+     .doc = "Perez: brightness of the horizon; all five 0: as the haze has it.",
      .declared_default = false},
-    {ORIEL_PARAM(P, b), .doc = "Perez: how steeply it rises there, below 0.",
+    {ORIEL_PARAM(MiaPhysicalskyParams, b), .doc = "Perez: how steeply it rises there, below 0.",
      .declared_default = false},
-    {ORIEL_PARAM(P, c), .doc = "Perez: brightness around the sun.", .declared_default = false},
-    {ORIEL_PARAM(P, d), .doc = "Perez: width of that, below 0.", .declared_default = false},
-    {ORIEL_PARAM(P, e), .doc = "Perez: light scattered back.", .declared_default = false},
-    {ORIEL_PARAM(P, physically_scaled_sun), .doc = "Disc and glow carry the sun's true energy.",
+    {ORIEL_PARAM(MiaPhysicalskyParams, c), .doc = "Perez: brightness around the sun.",
      .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, d), .doc = "Perez: width of that, below 0.",
+     .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, e), .doc = "Perez: light scattered back.",
+     .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalskyParams, physically_scaled_sun),
+     .doc = "Disc and glow carry the sun's true energy.", .declared_default = false},
 };
 
-struct SkyState final : ShaderState {
-  explicit SkyState(const sky::SkyParameters& parameters)
+struct PhysicalSkyState final : ShaderState {
+  explicit PhysicalSkyState(const sky::SkyParameters& parameters)
       : sky(parameters), on(parameters.on && parameters.multiplier > 0) {}
   sky::PhysicalSky sky;
   bool on;
@@ -101,7 +115,7 @@ sky::SkyPart visible_part(const ShadingPoint& point) {
 }
 
 void sky_value(const Call& call, void* result) {
-  const P& p = call.as<P>();
+  const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
   auto& out = *static_cast<Rgba*>(result);
   if (p.use_background && call.point.environment && call.point.ray_kind == RayKind::Eye) {
     out = p.background.node && p.background.node->spec().value
@@ -109,22 +123,22 @@ void sky_value(const Call& call, void* result) {
               : Rgba(0);
     return;
   }
-  const auto& state = *static_cast<const SkyState*>(call.state);
+  const auto& state = *static_cast<const PhysicalSkyState*>(call.state);
   const Rgb c = state.sky.radiance(call.point.ray_direction, visible_part(call.point));
   out = Rgba(c.x, c.y, c.z, 1);
 }
 
 /// Aerial perspective: what is far fades to the horizon behind it.
 AirValue air(const Call& call) {
-  const P& p = call.as<P>();
-  const auto& state = *static_cast<const SkyState*>(call.state);
+  const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
+  const auto& state = *static_cast<const PhysicalSkyState*>(call.state);
   if (!state.on) return {};
   const float haze = sky::aerial_haze(call.point.ray_length, p.visibility_distance, p.haze);
   if (haze == 0) return {};
   return {Rgb(1 - haze), state.sky.horizon_radiance(call.point.ray_direction) * haze};
 }
 
-sky::SkyParameters parameters_of(const P& p, const World& world) {
+sky::SkyParameters parameters_of(const MiaPhysicalskyParams& p, const World& world) {
   sky::SkyParameters s{.on = p.on,
                        .multiplier = p.multiplier,
                        .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
@@ -166,12 +180,13 @@ const ShaderSpec kMiaPhysicalSky = {
     .version = 5,
     .apply = kApplyEnvironment | kApplyTexture | kApplyLens | kApplyVolume,
     .doc = "The daylight sky as environment, with the sun's disc and a virtual ground plane.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaPhysicalskyRows,
+    .params_size = sizeof(MiaPhysicalskyParams),
     .value = sky_value,
     .volume = air,
     .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<SkyState>(parameters_of(*static_cast<const P*>(params), world));
+      return std::make_unique<PhysicalSkyState>(
+          parameters_of(*static_cast<const MiaPhysicalskyParams*>(params), world));
     },
 };
 

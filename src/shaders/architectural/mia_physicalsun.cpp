@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaPhysicalsunParams {
   bool on;
   float multiplier;
   Rgba rgb_unit_conversion;
@@ -23,35 +23,41 @@ struct P {
   float direct_normal_illuminance;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the sun on."},
-    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0, .doc = "Scales the light."},
-    {ORIEL_PARAM(P, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f}, .unit = "1/lux",
-     .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1."},
-    {ORIEL_PARAM(P, haze), .min = 0, .max = 15, .doc = "Haze in the air: 0 clear, 15 overcast."},
-    {ORIEL_PARAM(P, redblueshift), .min = -1, .max = 1, .doc = "-1 very blue, 1 very red."},
-    {ORIEL_PARAM(P, saturation), .fallback = {1}, .min = 0, .max = 2, .doc = "0 grey, 1 as is."},
-    {ORIEL_PARAM(P, horizon_height), .min = -10, .max = 10, .doc = "Where the sun sets."},
-    {ORIEL_PARAM(P, shadow_softness), .fallback = {1}, .min = 0,
+constexpr ParamSpec kMiaPhysicalsunRows[] = {
+    {ORIEL_PARAM(MiaPhysicalsunParams, on), .fallback = {1}, .doc = "Turns the sun on."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, multiplier), .fallback = {1}, .min = 0,
+     .doc = "Scales the light."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f},
+     .unit = "1/lux", .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, haze), .min = 0, .max = 15,
+     .doc = "Haze in the air: 0 clear, 15 overcast."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, redblueshift), .min = -1, .max = 1,
+     .doc = "-1 very blue, 1 very red."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, saturation), .fallback = {1}, .min = 0, .max = 2,
+     .doc = "0 grey, 1 as is."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, horizon_height), .min = -10, .max = 10,
+     .doc = "Where the sun sets."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, shadow_softness), .fallback = {1}, .min = 0,
      .doc = "Size of the sun for shadows, 1 = the true one."},
-    {ORIEL_PARAM(P, samples), .fallback = {8}, .min = 0,
+    {ORIEL_PARAM(MiaPhysicalsunParams, samples), .fallback = {8}, .min = 0,
      .doc = "0: hard shadows. Any other count: soft, as many samples as the picture takes."},
-    {ORIEL_PARAM(P, photon_bbox_min), .doc = "Box photons are aimed at, in the light's space.",
-     .declared_default = false},
-    {ORIEL_PARAM(P, photon_bbox_max), .doc = "Its other corner; both 0 0 0: the whole scene.",
-     .declared_default = false},
-    {ORIEL_PARAM(P, automatic_photon_energy),
+    {ORIEL_PARAM(MiaPhysicalsunParams, photon_bbox_min),
+     .doc = "Box photons are aimed at, in the light's space.", .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalsunParams, photon_bbox_max),
+     .doc = "Its other corner; both 0 0 0: the whole scene.", .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalsunParams, automatic_photon_energy),
      .doc = "Photons as strong as the light, whatever its energy says.", .declared_default = false},
-    {ORIEL_PARAM(P, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
-    {ORIEL_PARAM(P, illuminance_mode),
+    {ORIEL_PARAM(MiaPhysicalsunParams, y_is_up), .doc = "Y is up, else Z.",
+     .declared_default = false},
+    {ORIEL_PARAM(MiaPhysicalsunParams, illuminance_mode),
      .doc = "Not 0: as strong as direct_normal_illuminance, in the haze's colour."},
-    {ORIEL_PARAM(P, direct_normal_illuminance), .unit = "lux",
+    {ORIEL_PARAM(MiaPhysicalsunParams, direct_normal_illuminance), .unit = "lux",
      .doc = "Illuminance of a surface facing the sun."},
 };
 
 /// Energy and aim of the sun's photons. A box that is turned is aimed at as a ball around it.
 void photons_of(const void* params, const Light& light, LightPhotons& photons) {
-  const P& p = *static_cast<const P*>(params);
+  const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
   if (p.automatic_photon_energy) photons.emission.energy.reset();
   const Vec3 centre = (p.photon_bbox_min + p.photon_bbox_max) / 2;
   const Vec3 corner = transform_vector(p.photon_bbox_max - centre, light.to_world);
@@ -72,8 +78,8 @@ const ShaderSpec kMiaPhysicalSun = {
     .version = 6,
     .apply = kApplyLight | kApplyEmitter,
     .doc = "Sunlight for a directional light: colour and strength by haze and height.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaPhysicalsunRows,
+    .params_size = sizeof(MiaPhysicalsunParams),
     .light =
         [](const Call&, const LightCall& call) {
           LightValue value;
@@ -82,7 +88,7 @@ const ShaderSpec kMiaPhysicalSun = {
           return value;
         },
     .prepare_light = [](const void* params, const Light& light) -> std::unique_ptr<ShaderState> {
-      const P& p = *static_cast<const P*>(params);
+      const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
       auto state = std::make_unique<SunState>();
       // Directional lights only, as the manual says.
       if (light.shape == LightShape::Directional)
@@ -103,7 +109,7 @@ const ShaderSpec kMiaPhysicalSun = {
     },
     .light_cone =
         [](const void* params) {
-          const P& p = *static_cast<const P*>(params);
+          const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
           return p.samples == 0 ? 0.0f : sky::sun_cone_angle(p.shadow_softness, p.haze);
         },
     .photons = photons_of,

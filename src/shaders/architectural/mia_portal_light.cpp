@@ -6,7 +6,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaPortalLightParams {
   bool on;
   float multiplier;
   Rgba tint_color;
@@ -20,31 +20,34 @@ struct P {
   Rgba transparency;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, on), .fallback = {1}, .doc = "Turns the light on."},
-    {ORIEL_PARAM(P, multiplier), .fallback = {1}, .min = 0,
+constexpr ParamSpec kMiaPortalLightRows[] = {
+    {ORIEL_PARAM(MiaPortalLightParams, on), .fallback = {1}, .doc = "Turns the light on."},
+    {ORIEL_PARAM(MiaPortalLightParams, multiplier), .fallback = {1}, .min = 0,
      .doc = "Scales the light; 1 = as much as comes through the opening."},
-    {ORIEL_PARAM(P, tint_color), .fallback = {1, 1, 1}, .doc = "Colours the light."},
-    {ORIEL_PARAM(P, reverse), .doc = "Shines to -z of its space, else to +z."},
-    {ORIEL_PARAM(P, cutoff_threshold), .fallback = {.005f}, .min = 0,
+    {ORIEL_PARAM(MiaPortalLightParams, tint_color), .fallback = {1, 1, 1},
+     .doc = "Colours the light."},
+    {ORIEL_PARAM(MiaPortalLightParams, reverse), .doc = "Shines to -z of its space, else to +z."},
+    {ORIEL_PARAM(MiaPortalLightParams, cutoff_threshold), .fallback = {.005f}, .min = 0,
      .doc = "Light that arrives weaker than this is dropped, and no shadow ray sent."},
-    {ORIEL_PARAM(P, shadows), .fallback = {1}, .doc = "Cast shadows."},
-    {ORIEL_PARAM(P, use_custom_environment),
+    {ORIEL_PARAM(MiaPortalLightParams, shadows), .fallback = {1}, .doc = "Cast shadows."},
+    {ORIEL_PARAM(MiaPortalLightParams, use_custom_environment),
      .doc = "Asks `custom_environment`, else the camera's; on without a shader: a white card."},
-    {ORIEL_PARAM(P, custom_environment), .doc = "Environment of this window.",
+    {ORIEL_PARAM(MiaPortalLightParams, custom_environment), .doc = "Environment of this window.",
      .declared_default = false},
-    {ORIEL_PARAM(P, visible), .doc = "The camera, mirrors and glass see the surface."},
-    {ORIEL_PARAM(P, lookup_using_fg_rays), .fallback = {1},
+    {ORIEL_PARAM(MiaPortalLightParams, visible),
+     .doc = "The camera, mirrors and glass see the surface."},
+    {ORIEL_PARAM(MiaPortalLightParams, lookup_using_fg_rays), .fallback = {1},
      .doc = "Asks as final gather rays do: without the sun's disc and glow."},
-    {ORIEL_PARAM(P, shadow_ray_extension), .unit = "scene units",
+    {ORIEL_PARAM(MiaPortalLightParams, shadow_ray_extension), .unit = "scene units",
      .doc = "Shadow rays begin this far outside, negative: inside."},
-    {ORIEL_PARAM(P, emit_direct_photons), .doc = "Gives photons and no direct light."},
-    {ORIEL_PARAM(P, transparency), .fallback = {1, 1, 1},
+    {ORIEL_PARAM(MiaPortalLightParams, emit_direct_photons),
+     .doc = "Gives photons and no direct light."},
+    {ORIEL_PARAM(MiaPortalLightParams, transparency), .fallback = {1, 1, 1},
      .doc = "Scales what is seen of the surface, or through it; the light stays."},
 };
 
 bool portal(const void* params, PortalTraits& traits) {
-  const P& p = *static_cast<const P*>(params);
+  const MiaPortalLightParams& p = *static_cast<const MiaPortalLightParams*>(params);
   traits.own_environment = p.use_custom_environment;
   const ShaderNode* own = p.custom_environment.node;
   if (own && own->spec().value) traits.environment = own;
@@ -68,8 +71,8 @@ const ShaderSpec kMiaPortalLight = {
     .version = 9,
     .apply = kApplyLight | kApplyEmitter,
     .doc = "A rectangle in a window that shines with the sky or environment behind it.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaPortalLightRows,
+    .params_size = sizeof(MiaPortalLightParams),
     .portal = portal,
 };
 

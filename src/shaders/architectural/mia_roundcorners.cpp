@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "runtime/bump.h"
 #include "runtime/shader_node.h"
 #include "runtime/tracer.h"
@@ -13,7 +14,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MiaRoundcornersParams {
   float radius;
   bool allow_different_materials;
   ShaderRef bump;
@@ -22,21 +23,21 @@ struct P {
   int edges;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, radius), .min = 0, .unit = "scene units",
+constexpr ParamSpec kMiaRoundcornersRows[] = {
+    {ORIEL_PARAM(MiaRoundcornersParams, radius), .min = 0, .unit = "scene units",
      .doc = "Distance from an edge at which it begins to round.", .declared_default = false},
-    {ORIEL_PARAM(P, allow_different_materials),
+    {ORIEL_PARAM(MiaRoundcornersParams, allow_different_materials),
      .doc = "Round against faces of any material, else of the same alone.",
      .declared_default = false},
-    {ORIEL_PARAM(P, bump), .doc = "A shader that moves the normal before (bump_mode 0).",
-     .declared_default = false},
-    {ORIEL_PARAM(P, bump_mode), .min = 0, .max = 8,
+    {ORIEL_PARAM(MiaRoundcornersParams, bump),
+     .doc = "A shader that moves the normal before (bump_mode 0).", .declared_default = false},
+    {ORIEL_PARAM(MiaRoundcornersParams, bump_mode), .min = 0, .max = 8,
      .doc = "0 moves the normal, returns 0 0 0; 1-4 add, 5-8 set: in internal, world, object, "
             "camera space, for bump_vector and for the result.",
      .declared_default = false},
-    {ORIEL_PARAM(P, bump_vector), .doc = "Normal or change of it before (bump_mode 1-8).",
-     .declared_default = false},
-    {ORIEL_PARAM(P, edges), .min = 0, .max = 2,
+    {ORIEL_PARAM(MiaRoundcornersParams, bump_vector),
+     .doc = "Normal or change of it before (bump_mode 1-8).", .declared_default = false},
+    {ORIEL_PARAM(MiaRoundcornersParams, edges), .min = 0, .max = 2,
      .doc = "Oriel's own: which edges are rounded; 0 all, 1 those that stand out, 2 those that "
             "turn in.",
      .declared_default = false},
@@ -143,8 +144,8 @@ class EdgeSearch {
         point_.position - across * (side * before) + point_.geometric_normal * depth_;
     const auto there = point_.tracer->probe(above, -point_.geometric_normal, 3 * depth_);
     if (!there) return 0;
-    const float turned = std::acos(clamp(dot(there->normal, point_.normal), -1, 1)) /
-                         std::acos(clamp(cosine, -1, 1));
+    const float turned = math::acos(clamp(dot(there->normal, point_.normal), -1, 1)) /
+                         math::acos(clamp(cosine, -1, 1));
     return 1 - smoothstep(0.1f, 0.3f, turned);
   }
 
@@ -168,7 +169,7 @@ class EdgeSearch {
 };
 
 void round_corners(const Call& call, void* result) {
-  const auto& p = call.as<P>();
+  const auto& p = call.as<MiaRoundcornersParams>();
   ShadingPoint& point = call.point;
   auto& out = *static_cast<Vec3*>(result);
   out = Vec3(0);
@@ -200,8 +201,8 @@ const ShaderSpec kMiaRoundCorners = {
     .version = 3,
     .apply = kApplyTexture,
     .doc = "Shades edges as if they were rounded.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMiaRoundcornersRows,
+    .params_size = sizeof(MiaRoundcornersParams),
     .result = ParamType::Vector,
     .result_size = sizeof(Vec3),
     .value = round_corners,

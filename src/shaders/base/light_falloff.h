@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "runtime/light.h"
 
 namespace oriel {
@@ -13,7 +14,7 @@ namespace oriel {
 inline float distance_decay(const Light& light, float distance) {
   if (light.shape == LightShape::Directional) return 1;
   const float d = std::max(distance, 1e-6f);
-  return light.exponent == 2 ? 1 / sqr(d) : std::pow(d, -light.exponent);
+  return light.exponent == 2 ? 1 / sqr(d) : math::pow(d, -light.exponent);
 }
 
 /// False outside of the outer cone of a spot.

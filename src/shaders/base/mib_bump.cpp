@@ -2,8 +2,8 @@
 #include "shaders/base/mib_bump.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/math.h"
 #include "runtime/shade_input.h"
 #include "runtime/texture_node.h"
 
@@ -87,7 +87,7 @@ BasisOut basis_of(const Basis& p, const ShadingPoint& point) {
     case 6: {
       const Vec3 at =
           point.to_object ? transform_point(point.position, *point.to_object) : point.position;
-      const float r = std::hypot(at.x, at.z);
+      const float r = math::hypot(at.x, at.z);
       if (!(r > 0)) return {world(x), world(y)};
       const Vec3 round(at.z / r, 0, -at.x / r);
       const Vec3 up = p.project == 6 ? y : Vec3(-at.x * at.y / r, r, -at.z * at.y / r);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "shaders/base/light_falloff.h"
 
 namespace oriel {
@@ -101,7 +102,7 @@ LightValue physical_value(const Call& call, const LightCall& l) {
     c *= distance_decay(l.light, l.distance) * spread;
     const float exponent = p.cos_exp > 0 ? p.cos_exp : 1;
     if (l.emitter_cos < 1 && !measured)
-      c *= exponent == 1 ? l.emitter_cos : std::pow(std::max(0.0f, l.emitter_cos), exponent);
+      c *= exponent == 1 ? l.emitter_cos : math::pow(std::max(0.0f, l.emitter_cos), exponent);
     c *= spot_share(l.light, l.direction, p.cone);
   }
   if (max_component(c) >= p.threshold) value.colour = c;

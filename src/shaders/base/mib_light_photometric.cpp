@@ -10,29 +10,31 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MibLightPhotometricParams {
   Rgba color;
   bool shadow;
   float factor, start, stop;
   LightProfileRef profile;
 };
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, color), .doc = "Scales the measured intensity.", .declared_default = false},
-    {ORIEL_PARAM(P, shadow), .doc = "Cast shadows.", .declared_default = false},
-    {ORIEL_PARAM(P, factor), .min = 0, .max = 1,
-     .doc = "Share of the light that passes an opaque blocker.", .declared_default = false},
-    {ORIEL_PARAM(P, start), .unit = "scene units",
-     .doc = "Full strength up to here, when `stop` lies beyond.", .declared_default = false},
-    {ORIEL_PARAM(P, stop), .unit = "scene units", .doc = "Nothing from here; 0 = no end.",
+constexpr ParamSpec kMibLightPhotometricRows[] = {
+    {ORIEL_PARAM(MibLightPhotometricParams, color), .doc = "Scales the measured intensity.",
      .declared_default = false},
-    {ORIEL_PARAM(P, profile),
+    {ORIEL_PARAM(MibLightPhotometricParams, shadow), .doc = "Cast shadows.",
+     .declared_default = false},
+    {ORIEL_PARAM(MibLightPhotometricParams, factor), .min = 0, .max = 1,
+     .doc = "Share of the light that passes an opaque blocker.", .declared_default = false},
+    {ORIEL_PARAM(MibLightPhotometricParams, start), .unit = "scene units",
+     .doc = "Full strength up to here, when `stop` lies beyond.", .declared_default = false},
+    {ORIEL_PARAM(MibLightPhotometricParams, stop), .unit = "scene units",
+     .doc = "Nothing from here; 0 = no end.", .declared_default = false},
+    {ORIEL_PARAM(MibLightPhotometricParams, profile),
      .doc = "Candela by direction, else that of the light's own element; none: 1 cd evenly.",
      .declared_default = false},
 };
 
-LightValue value(const Call& call, const LightCall& l) {
-  const P& p = call.as<P>();
+LightValue photometric_value(const Call& call, const LightCall& l) {
+  const MibLightPhotometricParams& p = call.as<MibLightPhotometricParams>();
   LightValue v{.shadow = p.shadow, .shadow_factor = clamp01(p.factor)};
   if (!in_spread(l.light, l.direction)) return v;
   const float candela = l.light.luminaire ? l.light.luminaire.candela(l.direction) : 1;
@@ -50,12 +52,13 @@ const ShaderSpec kMibLightPhotometric = {
     .library = "base",
     .apply = kApplyLight,
     .doc = "A light with a measured distribution, in candela.",
-    .params = kRows,
-    .params_size = sizeof(P),
-    .light = value,
+    .params = kMibLightPhotometricRows,
+    .params_size = sizeof(MibLightPhotometricParams),
+    .light = photometric_value,
     .profile =
         [](const void* params, const Light& light) {
-          const photometry::LightProfile* own = static_cast<const P*>(params)->profile.profile;
+          const photometry::LightProfile* own =
+              static_cast<const MibLightPhotometricParams*>(params)->profile.profile;
           return own ? own : light.luminaire.profile;
         },
 };

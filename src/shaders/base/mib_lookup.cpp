@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/math.h"
 #include "runtime/texture_node.h"
 #include "runtime/world.h"
 
@@ -43,8 +44,8 @@ void spherical(const Call& call, void* result) {
   if (!p.tex.texture) return;
   const Vec3 d = normalize(p.dir == Vec3(0) ? call.point.ray_direction : p.dir);
   // The middle of the picture lies along -z, u grows to the right as seen from inside, y is up.
-  const float u = 0.5f + (std::atan2(d.x, -d.z) + p.rotate) / kTwoPi;
-  const float v = 0.5f + std::asin(clamp(d.y, -1, 1)) / kPi;
+  const float u = 0.5f + (math::atan2(d.x, -d.z) + p.rotate) / kTwoPi;
+  const float v = 0.5f + math::asin(clamp(d.y, -1, 1)) / kPi;
   out = p.tex.texture->lookup(Vec2(u - std::floor(u), v), call.point,
                               {.wrap_u = Wrap::Periodic, .wrap_v = Wrap::Clamp});
 }

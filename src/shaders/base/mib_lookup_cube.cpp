@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/math.h"
 #include "runtime/texture_node.h"
 
 namespace oriel {
@@ -128,7 +129,7 @@ void cube6(const Call& call, void* result) {
 
 /// Azimuth in [0, 2 pi) from x towards y.
 float azimuth(const Vec3& p) {
-  const float a = std::atan2(p.y, p.x);
+  const float a = math::atan2(p.y, p.x);
   return a < 0 ? a + kTwoPi : a;
 }
 

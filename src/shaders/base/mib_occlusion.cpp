@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "runtime/tracer.h"
 #include "runtime/world.h"
 #include "sampling/warp.h"
@@ -46,25 +47,25 @@ struct BentEnv {
   Mat4 matrix;
 };
 
-constexpr const char* kSamples = "Rays for a pixel.";
+constexpr const char* kSamplesDoc = "Rays for a pixel.";
 constexpr const char* kBright = "Colour where all is open.";
 constexpr const char* kDark = "Colour where all is closed.";
-constexpr const char* kDistance = "How far rays go; 0 = any way.";
+constexpr const char* kDistanceDoc = "How far rays go; 0 = any way.";
 constexpr const char* kReflective = "About the mirrored view, not the normal.";
-constexpr const char* kMode =
+constexpr const char* kModeDoc =
     "0 occlusion, 1 environment, 2 3 4 the mean open direction in world, camera, object space.";
 constexpr const char* kInAlpha = "In modes but 0: the open share as alpha.";
 constexpr const char* kLabels = "Labels of objects; all objects count.";
 
 constexpr ParamSpec kAmbRows[] = {
-    {ORIEL_PARAM(Amb, samples), .fallback = {16}, .min = 0, .doc = kSamples},
+    {ORIEL_PARAM(Amb, samples), .fallback = {16}, .min = 0, .doc = kSamplesDoc},
     {ORIEL_PARAM(Amb, bright), .fallback = {1, 1, 1, 1}, .doc = kBright},
     {ORIEL_PARAM(Amb, dark), .fallback = {0, 0, 0, 0}, .doc = kDark},
     {ORIEL_PARAM(Amb, spread), .fallback = {.8f}, .min = 0, .max = 1,
      .doc = "Width of the cone: 1 = the hemisphere."},
-    {ORIEL_PARAM(Amb, max_distance), .min = 0, .unit = "scene units", .doc = kDistance},
+    {ORIEL_PARAM(Amb, max_distance), .min = 0, .unit = "scene units", .doc = kDistanceDoc},
     {ORIEL_PARAM(Amb, reflective), .doc = kReflective},
-    {ORIEL_PARAM(Amb, output_mode), .min = 0, .max = 4, .doc = kMode},
+    {ORIEL_PARAM(Amb, output_mode), .min = 0, .max = 4, .doc = kModeDoc},
     {ORIEL_PARAM(Amb, occlusion_in_alpha), .doc = kInAlpha},
     {ORIEL_PARAM(Amb, falloff), .fallback = {1}, .min = 0,
      .doc = "Shape of the fade towards max_distance.", .support = Support::Approximated},
@@ -72,17 +73,18 @@ constexpr ParamSpec kAmbRows[] = {
     {ORIEL_PARAM(Amb, id_nonself), .doc = kLabels, .support = Support::Ignored},
 };
 constexpr ParamSpec kFastRows[] = {
-    {ORIEL_PARAM(Fast, samples), .min = 0, .doc = kSamples, .declared_default = false},
+    {ORIEL_PARAM(Fast, samples), .min = 0, .doc = kSamplesDoc, .declared_default = false},
     {ORIEL_PARAM(Fast, bright), .doc = kBright, .declared_default = false},
     {ORIEL_PARAM(Fast, dark), .doc = kDark, .declared_default = false},
     {ORIEL_PARAM(Fast, spread), .min = 0, .max = 1,
      .doc = "Cosine of the cone's half angle: 0 = the hemisphere.", .declared_default = false},
     {ORIEL_PARAM(Fast, spread_exp), .fallback = {1}, .min = 0,
      .doc = "Narrows the rays within the cone.", .support = Support::Approximated},
-    {ORIEL_PARAM(Fast, max_distance), .min = 0, .unit = "scene units", .doc = kDistance,
+    {ORIEL_PARAM(Fast, max_distance), .min = 0, .unit = "scene units", .doc = kDistanceDoc,
      .declared_default = false},
     {ORIEL_PARAM(Fast, reflective), .doc = kReflective, .declared_default = false},
-    {ORIEL_PARAM(Fast, output_mode), .min = 0, .max = 4, .doc = kMode, .declared_default = false},
+    {ORIEL_PARAM(Fast, output_mode), .min = 0, .max = 4, .doc = kModeDoc,
+     .declared_default = false},
     {ORIEL_PARAM(Fast, occlusion_in_alpha), .doc = kInAlpha, .declared_default = false},
     {ORIEL_PARAM(Fast, cache_points), .doc = "Points of the cache; there is none.",
      .support = Support::Ignored, .declared_default = false},
@@ -127,9 +129,9 @@ struct Around {
 Vec3 sample(const Cone& cone, const Vec2& u) {
   const float least = 1 - cone.one_minus_cos, n = cone.exponent + 2;
   // Density in proportion to cosine^(n - 1) from `least` to 1.
-  const float c = std::pow(lerp(std::pow(least, n), 1, u.x), 1 / n);
+  const float c = math::pow(lerp(math::pow(least, n), 1, u.x), 1 / n);
   const float s = std::sqrt(std::max(0.0f, 1 - c * c));
-  return Vec3(s * std::cos(kTwoPi * u.y), s * std::sin(kTwoPi * u.y), c);
+  return Vec3(s * math::cos(kTwoPi * u.y), s * math::sin(kTwoPi * u.y), c);
 }
 
 Vec3 axis_of(const Cone& cone, const ShadingPoint& point) {
@@ -156,7 +158,7 @@ Around look_around(const Cone& cone, ShadingPoint& point) {
     } else if (const auto met = point.tracer->probe_from(point, way, reach)) {
       open = 0;
       if (cone.reach > 0)
-        open = 1 - std::pow(clamp01(1 - met->distance / cone.reach), cone.falloff);
+        open = 1 - math::pow(clamp01(1 - met->distance / cone.reach), cone.falloff);
     }
     out.open += open / static_cast<float>(rays);
     out.direction += way * open;
@@ -193,7 +195,7 @@ void amb(const Call& call, void* result) {
   const auto& p = call.as<Amb>();
   // The cone's half angle is this share of a right angle.
   const float half = clamp01(p.spread) * kPi / 2;
-  const Cone cone{p.samples, 1 - std::cos(half), 0, p.max_distance, p.falloff, p.reflective};
+  const Cone cone{p.samples, 1 - math::cos(half), 0, p.max_distance, p.falloff, p.reflective};
   *static_cast<Rgba*>(result) = answer(p, look_around(cone, call.point), call.point);
 }
 
@@ -226,7 +228,7 @@ void bent_env(const Call& call, void* result) {
   Vec3 way = axis;
   if (point.tracer && p.samples_spread > 0 && axis != Vec3(0))
     way = Frame(axis).to_world(
-        sampling::sample_cone(point.tracer->next(), 1 - std::cos(p.samples_spread * kPi / 2)));
+        sampling::sample_cone(point.tracer->next(), 1 - math::cos(p.samples_spread * kPi / 2)));
   const Rgb open = p.occlusion_in_alpha ? Rgb(p.bent_normals.a) : rgb(p.occlusion);
   const Rgb c = environment(p.environment.node, way, point) * open * p.strength;
   *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);

@@ -39,7 +39,7 @@ struct IndexOut {
 };
 
 constexpr const char* kInput = "Colour or material that the ray is blended over.";
-constexpr const char* kIor = "Index of the side entered over that of the side left; 0 = 1.";
+constexpr const char* kIorDoc = "Index of the side entered over that of the side left; 0 = 1.";
 
 constexpr ParamSpec kReflectRows[] = {
     {ORIEL_PARAM(Reflect, input), .doc = kInput, .declared_default = false, .takes_material = true},
@@ -50,7 +50,7 @@ constexpr ParamSpec kReflectRows[] = {
 constexpr ParamSpec kRefractRows[] = {
     {ORIEL_PARAM(Refract, input), .doc = kInput, .declared_default = false, .takes_material = true},
     {ORIEL_PARAM(Refract, refract), .doc = "Share of the refraction.", .declared_default = false},
-    {ORIEL_PARAM(Refract, ior), .min = 0, .doc = kIor, .declared_default = false},
+    {ORIEL_PARAM(Refract, ior), .min = 0, .doc = kIorDoc, .declared_default = false},
 };
 constexpr ParamSpec kTransparencyRows[] = {
     {ORIEL_PARAM(Transparency, input), .doc = kInput, .declared_default = false,
@@ -77,7 +77,7 @@ constexpr ParamSpec kDielectricRows[] = {
      .support = Support::Approximated, .declared_default = false},
     {ORIEL_PARAM(Dielectric, refract), .min = 0, .max = 1, .doc = "Share of the refraction.",
      .declared_default = false},
-    {ORIEL_PARAM(Dielectric, ior), .min = 0, .doc = kIor, .declared_default = false},
+    {ORIEL_PARAM(Dielectric, ior), .min = 0, .doc = kIorDoc, .declared_default = false},
 };
 constexpr ParamSpec kIndexRows[] = {
     {ORIEL_PARAM(Index, mtl_ior), .min = 0, .doc = "Index of the material; 0 = 1.",

@@ -9,7 +9,7 @@
 namespace oriel {
 namespace {
 
-struct P {
+struct MibRayMarcherParams {
   ShaderRef shader;
   float distance;
   int num, subdiv;
@@ -23,22 +23,23 @@ constexpr int kMostSubdivisions = 16;
 /// Places of one ray in all.
 constexpr int kMostAsked = 1 << 16;
 
-constexpr ParamSpec kRows[] = {
-    {ORIEL_PARAM(P, shader), .doc = "Asked at each place.", .declared_default = false},
-    {ORIEL_PARAM(P, distance), .min = 0, .unit = "scene units",
+constexpr ParamSpec kMibRayMarcherRows[] = {
+    {ORIEL_PARAM(MibRayMarcherParams, shader), .doc = "Asked at each place.",
+     .declared_default = false},
+    {ORIEL_PARAM(MibRayMarcherParams, distance), .min = 0, .unit = "scene units",
      .doc = "Most between two places; 0 = any.", .declared_default = false},
-    {ORIEL_PARAM(P, num), .min = 0,
+    {ORIEL_PARAM(MibRayMarcherParams, num), .min = 0,
      .doc = "Places at first, the ends among them; 0 = by distance, or 4.",
      .declared_default = false},
-    {ORIEL_PARAM(P, subdiv), .min = 0, .max = kMostSubdivisions,
+    {ORIEL_PARAM(MibRayMarcherParams, subdiv), .min = 0, .max = kMostSubdivisions,
      .doc = "How often a stretch is halved.", .declared_default = false},
-    {ORIEL_PARAM(P, contrast), .doc = "Difference of neighbours from which it is.",
-     .declared_default = false},
+    {ORIEL_PARAM(MibRayMarcherParams, contrast),
+     .doc = "Difference of neighbours from which it is.", .declared_default = false},
 };
 
 class March {
  public:
-  March(const P& p, const ShadingPoint& end)
+  March(const MibRayMarcherParams& p, const ShadingPoint& end)
       : p_(p), place_(end), subdiv_(std::clamp(p.subdiv, 0, kMostSubdivisions)) {
     place_.normal = place_.geometric_normal = -end.ray_direction;
     place_.texture_spaces = 0;
@@ -85,14 +86,14 @@ class March {
     return between(t0, c0, t, c, left - 1) + between(t, c, t1, c1, left - 1);
   }
 
-  const P& p_;
+  const MibRayMarcherParams& p_;
   ShadingPoint place_;
   int subdiv_;
   int asked_ = 0;
 };
 
 Rgb march(const Call& call) {
-  const auto& p = call.as<P>();
+  const auto& p = call.as<MibRayMarcherParams>();
   const float length = call.point.ray_length;
   if (!p.shader.node || !(length > 0) || std::isinf(length)) return Rgb(0);
   return March(p, call.point).sum(length);
@@ -105,8 +106,8 @@ const ShaderSpec kMibRayMarcher = {
     .library = "base",
     .apply = kApplyMaterial | kApplyTexture | kApplyVolume,
     .doc = "What a shader says along a ray, added up.",
-    .params = kRows,
-    .params_size = sizeof(P),
+    .params = kMibRayMarcherRows,
+    .params_size = sizeof(MibRayMarcherParams),
     .value =
         [](const Call& call, void* result) {
           const Rgb c = march(call);

@@ -8,26 +8,26 @@
 namespace oriel {
 namespace {
 
-struct Transparency {
+struct ShadowTransparency {
   Rgba color, transp;
   int mode;
   ArrayView<LightRef> lights;
 };
 
-constexpr ParamSpec kTransparencyRows[] = {
-    {ORIEL_PARAM(Transparency, color),
+constexpr ParamSpec kShadowTransparencyRows[] = {
+    {ORIEL_PARAM(ShadowTransparency, color),
      .doc = "Colour that light is multiplied with; its alpha 0 lets all of that pass.",
      .declared_default = false},
-    {ORIEL_PARAM(Transparency, transp), .doc = "Share that passes where alpha is 1.",
+    {ORIEL_PARAM(ShadowTransparency, transp), .doc = "Share that passes where alpha is 1.",
      .declared_default = false},
-    {ORIEL_PARAM(Transparency, mode),
+    {ORIEL_PARAM(ShadowTransparency, mode),
      .doc = "Which lights: 0 the list or all, 1 the list, 2 all but it, 4 all.",
      .declared_default = false},
-    {ORIEL_PARAM(Transparency, lights), .doc = "The list.", .declared_default = false},
+    {ORIEL_PARAM(ShadowTransparency, lights), .doc = "The list.", .declared_default = false},
 };
 
 /// Whether the light's shadows are filtered; -1 is on no list.
-bool applies(const Transparency& p, int light) {
+bool applies(const ShadowTransparency& p, int light) {
   const bool listed = std::any_of(p.lights.begin(), p.lights.end(),
                                   [&](LightRef l) { return l.index == light && light >= 0; });
   if (p.mode == 1 || (p.mode == 0 && p.lights.size > 0)) return listed;
@@ -35,7 +35,7 @@ bool applies(const Transparency& p, int light) {
   return true;
 }
 
-Rgb passes(const Transparency& p) {
+Rgb passes(const ShadowTransparency& p) {
   return rgb(p.color) * (Rgb(1) - (Rgb(1) - rgb(p.transp)) * p.color.a);
 }
 
@@ -47,20 +47,20 @@ const ShaderSpec kMibShadowTransparency = {
     .version = 1,
     .apply = kApplyShadow,
     .doc = "Filters the light that passes an object, in its material's slot shadow.",
-    .params = kTransparencyRows,
-    .params_size = sizeof(Transparency),
+    .params = kShadowTransparencyRows,
+    .params_size = sizeof(ShadowTransparency),
     .shadow =
         [](const Call& call, const Rgb& light) {
-          const auto& p = call.as<Transparency>();
+          const auto& p = call.as<ShadowTransparency>();
           return applies(p, call.point.light) ? light * passes(p) : light;
         },
     .may_transmit =
         [](const ShaderNode& node) {
-          const auto& p = node.constants<Transparency>();
+          const auto& p = node.constants<ShadowTransparency>();
           return max_component(passes(p)) > 0 || p.lights.size > 0 || p.mode == 1 ||
-                 node.connected(offsetof(Transparency, color)) ||
-                 node.connected(offsetof(Transparency, transp)) ||
-                 node.connected(offsetof(Transparency, mode));
+                 node.connected(offsetof(ShadowTransparency, color)) ||
+                 node.connected(offsetof(ShadowTransparency, transp)) ||
+                 node.connected(offsetof(ShadowTransparency, mode));
         },
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
 #include "runtime/world.h"
@@ -105,11 +106,11 @@ Vec3 projected(int project, const Vec3& v) {
       return Vec3(v.y, v.z, 0);
     case 4: {
       const float r = length(v);
-      const float elevation = r > 0 ? std::asin(clamp(v.y / r, -1, 1)) : 0;
-      return Vec3(0.5f + std::atan2(v.x, v.z) / kTwoPi, 0.5f + elevation / kPi, r);
+      const float elevation = r > 0 ? math::asin(clamp(v.y / r, -1, 1)) : 0;
+      return Vec3(0.5f + math::atan2(v.x, v.z) / kTwoPi, 0.5f + elevation / kPi, r);
     }
     case 5:
-      return Vec3(0.5f + std::atan2(v.x, v.z) / kTwoPi, v.y, 0);
+      return Vec3(0.5f + math::atan2(v.x, v.z) / kTwoPi, v.y, 0);
     default:
       return v;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
 
@@ -111,7 +112,7 @@ void rotate(const Call& call, void* result) {
   const float turn = p.angle * ((unset ? 0.25f : p.max) - p.min) + p.min;
   const Vec3 along = p.input == Vec3(0) ? call.point.dpdu : p.input;
   const Frame frame = Frame::along(call.point.normal, along);
-  const float c = std::cos(turn * kTwoPi), s = std::sin(turn * kTwoPi);
+  const float c = math::cos(turn * kTwoPi), s = math::sin(turn * kTwoPi);
   *static_cast<Tangents*>(result) = {frame.s * c + frame.t * s, frame.t * c - frame.s * s};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "image/noise.h"
 
 namespace oriel {
@@ -112,10 +113,10 @@ void turbulence(const Call& call, void* result) {
   const auto& p = call.as<Turbulence>();
   Vec3 at = p.coord;
   if (p.polar_dim == 1) at.y = 0;
-  if (p.polar_dim >= 2) at = Vec3(std::hypot(at.x - 0.5f, at.y - 0.5f), 0, 0);
+  if (p.polar_dim >= 2) at = Vec3(math::hypot(at.x - 0.5f, at.y - 0.5f), 0, 0);
   at *= or_one(p.spacing);
   const int passes = p.iteration == 0 ? 2 : std::clamp(p.iteration, 1, 8);
-  const float weaker = std::exp2(-or_one(p.power));
+  const float weaker = math::exp2(-or_one(p.power));
   float sum = 0, weight = 1;
   for (int k = 0; k < passes; ++k, at *= 2.0f, weight *= weaker)
     sum += weight * std::abs(gradient_noise(at));
@@ -126,8 +127,9 @@ void wave(const Call& call, void* result) {
   const auto& p = call.as<Wave>();
   // Whole turns are taken out first, so that far coordinates keep their digits.
   const Vec3 c = in_cell(p.coord) * kTwoPi;
-  *static_cast<Rgba*>(result) = Rgba(p.offset + p.amplitude_x * std::cos(c.x) +
-                                     p.amplitude_y * std::cos(c.y) + p.amplitude_z * std::cos(c.z));
+  *static_cast<Rgba*>(result) =
+      Rgba(p.offset + p.amplitude_x * math::cos(c.x) + p.amplitude_y * math::cos(c.y) +
+           p.amplitude_z * math::cos(c.z));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "shaders/base/light_falloff.h"
 #include "shaders/hosts/host_rows.h"
 #include "shaders/hosts/max_shaders.h"
@@ -71,7 +72,7 @@ LightValue lamp(const Lamp& p, float distance) {
   if (p.UseFarAttenuation) value.colour *= 1 - smoothstep(p.FarStart, p.FarEnd, distance);
   const float from = std::max(p.DecayRadius, 1e-6f);
   if (p.Decay > 0 && distance > from)
-    value.colour *= std::pow(from / distance, static_cast<float>(p.Decay));
+    value.colour *= math::pow(from / distance, static_cast<float>(p.Decay));
   return value;
 }
 
@@ -81,7 +82,7 @@ LightValue spot(const Call& call, const LightCall& l) {
   if (!in_spread(l.light, l.direction)) return {};
   if (!l.light.has_direction && l.light.spread < -1) return value;
   const float inner = angle_of(p.HotSpot) / 2, outer = std::max(inner, angle_of(p.Falloff) / 2);
-  const float angle = std::acos(clamp(dot(l.direction, l.light.direction), -1, 1));
+  const float angle = math::acos(clamp(dot(l.direction, l.light.direction), -1, 1));
   value.colour *= outer > inner ? 1 - smoothstep(inner, outer, angle) : angle <= inner ? 1.0f : 0;
   return value;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "shaders/hosts/host_rows.h"
@@ -69,7 +70,7 @@ float share(float x) { return clamp01(x > 1 ? x / 100 : x); }
 
 Rgb mix(const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; }
 
-float exponent_of(float glossiness) { return std::exp2(10 * share(glossiness)); }
+float exponent_of(float glossiness) { return math::exp2(10 * share(glossiness)); }
 
 void add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame, Closure& closure) {
   if (is_black(level)) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "base/math.h"
 #include "runtime/coordinate_footprint.h"
 #include "runtime/texture_node.h"
 #include "shaders/hosts/host_rows.h"
@@ -86,7 +87,7 @@ Vec3 generated(const Generator& p, const ShadingPoint& point) {
   const Vec3 at = channel < point.texture_spaces ? point.tex[channel]
                   : point.texture_spaces > 0     ? point.tex[0]
                                                  : Vec3(0);
-  const float angle = angle_of(p.WAngle), c = std::cos(angle), s = std::sin(angle);
+  const float angle = angle_of(p.WAngle), c = math::cos(angle), s = math::sin(angle);
   const float x = at.x - .5f - p.UOffset, y = at.y - .5f - p.VOffset;
   Vec3 uv((c * x - s * y) * p.UScale + .5f, (s * x + c * y) * p.VScale + .5f, 0);
   const auto tile = [](float& t, bool wrap, bool mirror) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "shaders/hosts/host_rows.h"
 #include "shaders/hosts/maya_utility.h"
@@ -154,7 +155,7 @@ Vec3 multiplied(const Binary& p) {
       case 2:
         return p.input2[i] != 0 ? p.input1[i] / p.input2[i] : 0.0f;
       case 3:
-        return finite(std::pow(p.input1[i], p.input2[i]));
+        return finite(math::pow(p.input1[i], p.input2[i]));
       default:
         return p.input1[i];
     }
@@ -220,7 +221,7 @@ void vector_of(const Call& call, void* result) {
 Vec3 reversed(const Unary& p) { return Vec3(1) - p.input; }
 Vec3 corrected(const Range& p) {
   return by_component([&](int i) {
-    return p.gamma[i] > 0 ? std::pow(std::max(0.0f, p.value[i]), 1 / p.gamma[i]) : 0.0f;
+    return p.gamma[i] > 0 ? math::pow(std::max(0.0f, p.value[i]), 1 / p.gamma[i]) : 0.0f;
   });
 }
 Vec3 bounded(const Range& p) {

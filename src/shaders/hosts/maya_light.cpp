@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "shaders/base/light_falloff.h"
 #include "shaders/hosts/host_rows.h"
 
@@ -62,7 +63,7 @@ LightValue lamp(const Lamp& p) {
 LightValue point_light(const Lamp& p, float distance) {
   LightValue value = lamp(p);
   if (p.decayRate > 0)
-    value.colour *= std::pow(std::max(distance, 1e-6f), -static_cast<float>(p.decayRate));
+    value.colour *= math::pow(std::max(distance, 1e-6f), -static_cast<float>(p.decayRate));
   return value;
 }
 
@@ -73,7 +74,7 @@ float cone_share(const Lamp& p, const LightCall& l) {
   const float half = angle_of(p.coneAngle) / 2, rim = angle_of(p.penumbraAngle);
   const float inner = std::max(0.0f, half + std::min(rim, 0.0f));
   const float outer = std::min(kPi, half + std::max(rim, 0.0f));
-  const float angle = std::acos(clamp(dot(l.direction, l.light.direction), -1, 1));
+  const float angle = math::acos(clamp(dot(l.direction, l.light.direction), -1, 1));
   if (angle > outer) return 0;
   return outer > inner ? clamp01((outer - angle) / (outer - inner)) : 1;
 }
@@ -82,7 +83,7 @@ LightValue spot_light(const Lamp& p, const LightCall& l) {
   LightValue value = point_light(p, l.distance);
   value.colour *= cone_share(p, l);
   if (p.dropoff > 0)
-    value.colour *= std::pow(std::max(0.0f, dot(l.direction, l.light.direction)), p.dropoff);
+    value.colour *= math::pow(std::max(0.0f, dot(l.direction, l.light.direction)), p.dropoff);
   return value;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "shaders/hosts/maya_place.h"
 #include "shaders/hosts/maya_texture.h"
@@ -90,7 +91,7 @@ float along(int type, const Vec3& uv) {
     case 2:
       return (u + v) / 2;
     case 3:
-      return .5f + std::atan2(y, x) / kTwoPi;
+      return .5f + math::atan2(y, x) / kTwoPi;
     case 4:
       return std::min(1.0f, std::sqrt(2 * (x * x + y * y)));
     case 5:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "runtime/bump.h"
 #include "runtime/shade_input.h"
 #include "shaders/hosts/host_rows.h"
@@ -164,7 +165,7 @@ void anisotropic(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
   const Vec3 normal = coated(p, call.point, closure);
   const Frame frame = Frame::along(normal, call.point.dpdu);
-  const float angle = angle_of(p.angle), c = std::cos(angle), s = std::sin(angle);
+  const float angle = angle_of(p.angle), c = math::cos(angle), s = math::sin(angle);
   Lobe& lobe = shine(LobeKind::WardHighlight, rgb(p.specularColor),
                      Frame::along(normal, frame.s * c + frame.t * s), closure);
   lobe.alpha_x = clamp(p.roughness / std::max(.1f, p.spreadX), .01f, 1);

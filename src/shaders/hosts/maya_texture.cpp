@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "color/luminance.h"
 #include "image/noise.h"
 #include "runtime/bump.h"
@@ -120,7 +121,7 @@ constexpr auto kBumpRows = about({
 float fraction(float x) { return x - std::floor(x); }
 
 Vec3 turned(const Vec3& uv, float angle) {
-  const float c = std::cos(angle), s = std::sin(angle), x = uv.x - .5f, y = uv.y - .5f;
+  const float c = math::cos(angle), s = math::sin(angle), x = uv.x - .5f, y = uv.y - .5f;
   return Vec3(.5f + c * x - s * y, .5f + s * x + c * y, uv.z);
 }
 
@@ -222,7 +223,7 @@ void bump(const Call& call, void* result) {
   if (varies && volume != 0 && p.bumpDepth != 0) {
     const TextureFootprint print = texture_footprint(point);
     const float step =
-        clamp(std::max(std::hypot(print.dx.x, print.dx.y), std::hypot(print.dy.x, print.dy.y)),
+        clamp(std::max(math::hypot(print.dx.x, print.dx.y), math::hypot(print.dy.x, print.dy.y)),
               kLeastStep, kMostStep);
     const float u = slope(call, Vec2(step, 0)), v = slope(call, Vec2(0, step));
     const Vec3 gradient =

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "lens/projection.h"
 
 namespace oriel {
@@ -86,7 +87,7 @@ Rgb unroll(const Call& call, const Camera& camera, const Vec2&, Camera::Ray& ray
     const float vertical = p.vertical > 0 ? p.vertical * kDegree : std::min(square, kPi);
     look(camera, lens::spherical(uv, horizontal, vertical), spread, ray);
   } else {
-    const float vertical = p.vertical > 0 ? p.vertical * kDegree : 2 * std::atan(square / 2);
+    const float vertical = p.vertical > 0 ? p.vertical * kDegree : 2 * math::atan(square / 2);
     look(camera, lens::cylindrical(uv, horizontal, std::min(vertical, kMostCylindrical)), spread,
          ray);
   }
@@ -100,7 +101,7 @@ Rgb bend_round(const Call& call, const Camera& camera, const Vec2&, Camera::Ray&
   if (mapping == lens::Fisheye::Orthographic) half = std::min(half, kPi / 2);
   if (mapping == lens::Fisheye::Stereographic) half = std::min(half, kMostStereographic);
   const float width = 1, height = 1 / camera.aspect;
-  const float rim = p.full_frame ? std::hypot(width, height) : std::min(width, height);
+  const float rim = p.full_frame ? math::hypot(width, height) : std::min(width, height);
   const Vec2 uv = place_in_picture(call, camera);
   const auto direction = lens::fisheye(
       Vec2((2 * uv.x - 1) * width / rim, (2 * uv.y - 1) * height / rim), mapping, half);

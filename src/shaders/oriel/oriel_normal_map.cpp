@@ -13,7 +13,7 @@ struct NormalMap {
   int bump_mode;
 };
 
-constexpr ParamSpec kRows[] = {
+constexpr ParamSpec kOrielNormalMapRows[] = {
     {ORIEL_PARAM(NormalMap, tex), .doc = "The picture; red along u, green along v, blue outward."},
     {ORIEL_PARAM(NormalMap, factor), .fallback = {1},
      .doc = "Times red and green; 0 is flat, below 0 hills are hollows."},
@@ -58,7 +58,7 @@ const ShaderSpec kOrielNormalMap = {
     .library = "oriel",
     .apply = kApplyTexture,
     .doc = "Turns the normal by a picture of normals.",
-    .params = kRows,
+    .params = kOrielNormalMapRows,
     .params_size = sizeof(NormalMap),
     .result = ParamType::Vector,
     .result_size = sizeof(Vec3),

@@ -10,7 +10,7 @@ struct VertexColor {
   int alpha_space;
 };
 
-constexpr ParamSpec kRows[] = {
+constexpr ParamSpec kOrielVertexColorRows[] = {
     {ORIEL_PARAM(VertexColor, color), .fallback = {1, 1, 1, 1},
      .doc = "What the colours of the mesh multiply."},
     {ORIEL_PARAM(VertexColor, space), .fallback = {0}, .min = -1, .max = 64,
@@ -38,7 +38,7 @@ const ShaderSpec kOrielVertexColor = {
     .library = "oriel",
     .apply = kApplyTexture,
     .doc = "Colours that a mesh's corners have.",
-    .params = kRows,
+    .params = kOrielVertexColorRows,
     .params_size = sizeof(VertexColor),
     .value = give_color,
 };

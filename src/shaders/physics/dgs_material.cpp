@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
 #include "runtime/bump.h"
@@ -172,7 +173,7 @@ void dielectric(const Call& call, Closure& closure) {
   // col^d = exp(-absorption d); what is black is so within a hundredth of a unit.
   constexpr float kDarkest = 1e-30f;
   const Rgb col = rgb(p.col);
-  for (int k = 0; k < 3; ++k) closure.inside.absorption[k] = -std::log(clamp(col[k], kDarkest, 1));
+  for (int k = 0; k < 3; ++k) closure.inside.absorption[k] = -math::log(clamp(col[k], kDarkest, 1));
 }
 
 void photon_basic(const Call& call, Closure& closure) {

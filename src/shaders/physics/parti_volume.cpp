@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/frame.h"
+#include "base/math.h"
 #include "runtime/shader_node.h"
 #include "runtime/tracer.h"
 #include "runtime/world.h"
@@ -23,7 +24,7 @@ struct Air {
 
 constexpr Support kNone = Support::Ignored;
 
-constexpr ParamSpec kRows[] = {
+constexpr ParamSpec kPartiVolumeRows[] = {
     {ORIEL_PARAM(Air, mode), .min = 0, .max = 1, .doc = "0 everywhere, 1 below height.",
      .declared_default = false},
     {ORIEL_PARAM(Air, scatter), .doc = "Share that is scattered of what is taken away.",
@@ -58,7 +59,7 @@ float lobe(float cosine, float g) {
   /// Narrower lobes are needles that no sample finds.
   constexpr float kMost = 0.99f;
   const float a = clamp(g, -kMost, kMost);
-  return (1 - a * a) / (4 * kPi * std::pow(1 + a * a - 2 * a * cosine, 1.5f));
+  return (1 - a * a) / (4 * kPi * math::pow(1 + a * a - 2 * a * cosine, 1.5f));
 }
 
 /// The stretch of a ray that runs through the air.
@@ -83,10 +84,10 @@ Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) 
 
 /// Share of a light's colour that is left at a place, where light on its way does not ask.
 float dimmed(const Air& p, float way, const Vec3& place, const Vec3& wi) {
-  if (std::isfinite(way)) return std::exp(-p.extinction * within(p, place, wi, way).length());
+  if (std::isfinite(way)) return math::exp(-p.extinction * within(p, place, wi, way).length());
   if (p.mode != 1) return 1;  // air without end would leave nothing
   if (!(wi.y > 0)) return 0;
-  return std::exp(-p.extinction * std::max(0.0f, (p.height - place.y) / wi.y));
+  return math::exp(-p.extinction * std::max(0.0f, (p.height - place.y) / wi.y));
 }
 
 /// Light of one source scattered toward the eye at a place, per unit of scattering.
@@ -115,7 +116,7 @@ Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
   }
   cosine = clamp(cosine, -1, 1);
   const float sine = std::sqrt(1 - cosine * cosine), phi = kTwoPi * u.y;
-  return Frame(forward).to_world(Vec3(sine * std::cos(phi), sine * std::sin(phi), cosine));
+  return Frame(forward).to_world(Vec3(sine * math::cos(phi), sine * math::sin(phi), cosine));
 }
 
 AirValue air(const Call& call) {
@@ -128,11 +129,11 @@ AirValue air(const Call& call) {
   const float depth = p.extinction * s.length();
   if (!(depth > 0)) return {};
   AirValue out;
-  out.kept = Rgb(std::exp(-depth));
+  out.kept = Rgb(math::exp(-depth));
   if (light || !eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
   // A place on the stretch, as likely as light from there gets through.
-  const float taken = -std::expm1(-depth);
-  const float t = -std::log1p(-eye.tracer->next().x * taken) / p.extinction;
+  const float taken = -math::expm1(-depth);
+  const float t = -math::log1p(-eye.tracer->next().x * taken) / p.extinction;
   ShadingPoint place = eye;
   place.position = eye.ray_origin + eye.ray_direction * (s.begin + std::min(t, s.length()));
   const Vec2 choice = eye.tracer->next();
@@ -161,7 +162,7 @@ const ShaderSpec kPartiVolume = {
     .version = 3,
     .apply = kApplyVolume,
     .doc = "Air that dims and scatters light.",
-    .params = kRows,
+    .params = kPartiVolumeRows,
     .params_size = sizeof(Air),
     .volume = air,
     .dims_light = [](const ShaderNode&) { return true; },
@@ -174,7 +175,7 @@ const ShaderSpec kPartiVolumePhoton = {
     .version = 3,
     .apply = kApplyPhoton,
     .doc = "Accepted; photons are scattered as the camera's own volume says.",
-    .params = kRows,
+    .params = kPartiVolumeRows,
     .params_size = sizeof(Air),
     .volume = air,
 };

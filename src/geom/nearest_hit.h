@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of several surfaces at the same distance Embree reports.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cstdint>
+#include <limits>
+
+namespace oriel::geom {
+
+/// Hits whose distances differ by less than this share are equal: coincident surfaces, and
+/// triangles on both sides of an edge. Embree's distances differ by less between processors.
+inline constexpr float kTie = 1e-6f;
+
+struct NearestContext {
+  RTCIntersectContext embree;  // first: Embree passes its address
+  float t = std::numeric_limits<float>::infinity();
+  std::uint64_t id = 0;
+};
+
+/// Of hits at the same distance the one with the smallest number is the nearest, so that rounding
+/// does not decide. Embree calls this for every hit nearer than tfar.
+inline void keep_nearest(const RTCFilterFunctionNArguments* args) {
+  auto& nearest = *reinterpret_cast<NearestContext*>(args->context);
+  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
+  const auto& found = *reinterpret_cast<const RTCHit*>(args->hit);
+  const float t = ray.tfar;
+  const unsigned instance =
+      found.instID[0] == RTC_INVALID_GEOMETRY_ID ? found.geomID : found.instID[0];
+  const std::uint64_t id = std::uint64_t{instance} << 32 | found.primID;
+  if (t > nearest.t * (1 - kTie) && id > nearest.id) {
+    args->valid[0] = 0;
+    return;
+  }
+  nearest.t = t;
+  nearest.id = id;
+  ray.tfar = t * (1 + kTie);
+}
+
+}  // namespace oriel::geom
