@@ -53,7 +53,7 @@ build_progress() {
     fi
   done
   ((drawn)) && printf '\r\e[K'
-  if ((total > 0)); then
+  if ((finished > 0)); then
     echo "built: $finished of $total steps in $(clock "$elapsed")"
   fi
 }
