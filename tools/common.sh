@@ -3,6 +3,9 @@
 # Functions that tools/start, tools/test, tools/dev, tools/package and .ci/run share: headings,
 # building with progress and time left. Sourced from the repository's root.
 
+# Worktrees share the compiler cache: paths are relative in it. tools/dev sets this for good.
+export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD} CCACHE_NOHASHDIR=1
+
 say() { printf '\n== %s\n' "$*"; }
 
 # Compiler processes at once: every core, but never more than memory holds at 2 GB each.
