@@ -62,6 +62,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION share/doc/oriel/docs
         FILES_MATCHING PATTERN "*.md" PATTERN "*.html" PATTERN "*.png" PATTERN "*.jpg"
         PATTERN "*.svg" PATTERN "dev" EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/scenes/nine-tiles/nine-tiles.mi
+              ${CMAKE_SOURCE_DIR}/scenes/guide/room.mi
         DESTINATION share/oriel/examples/scenes)
 function(oriel_install_page file folder)
   if(EXISTS ${CMAKE_SOURCE_DIR}/packaging/${file})

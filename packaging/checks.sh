@@ -12,7 +12,7 @@ check_files() {
   for file in bin/oriel lib/oriel/liboriel_image_files.so share/oriel/templates.mi \
       share/oriel/mi/{base,architectural,physics,oriel}.mi include/oriel/sdk/shader.h \
       lib/cmake/OrielShaders/OrielShadersConfig.cmake lib/pkgconfig/oriel-shaders.pc \
-      share/oriel/examples/scenes/nine-tiles.mi; do
+      share/oriel/examples/scenes/{nine-tiles,room}.mi; do
     [[ -f $1/$file ]] || fail "no $file"
   done
 }
