@@ -5,6 +5,11 @@
 # people. All of it may be moved: the program finds its files from where it stands itself.
 include(GNUInstallDirs)
 
+# The archive of tools/package has copies of all shared libraries in lib/oriel/libraries. RPATH in
+# place of RUNPATH: it also holds for what the libraries and the module need in turn, and comes before
+# LD_LIBRARY_PATH, which other programs set for their own libraries.
+set_target_properties(oriel PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/oriel/libraries")
+target_link_options(oriel PRIVATE LINKER:--disable-new-dtags)
 install(TARGETS oriel RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # "lib" by name: the program looks in ../lib/oriel, whatever the system calls its library folder.
 install(TARGETS oriel_image_files LIBRARY DESTINATION lib/oriel)
@@ -57,6 +62,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION share/doc/oriel/docs
         FILES_MATCHING PATTERN "*.md" PATTERN "*.html" PATTERN "*.png" PATTERN "*.jpg"
         PATTERN "*.svg" PATTERN "dev" EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/scenes/nine-tiles/nine-tiles.mi
+              ${CMAKE_SOURCE_DIR}/scenes/guide/room.mi
         DESTINATION share/oriel/examples/scenes)
 function(oriel_install_page file folder)
   if(EXISTS ${CMAKE_SOURCE_DIR}/packaging/${file})

@@ -37,6 +37,8 @@ if(ORIEL_TESTS)
            ${CMAKE_BINARY_DIR})
   add_test(NAME packaging.Debian COMMAND ${CMAKE_SOURCE_DIR}/packaging/test-debian
            ${CMAKE_BINARY_DIR})
-  set_tests_properties(packaging.Installed packaging.Debian PROPERTIES
+  add_test(NAME packaging.Archive COMMAND ${CMAKE_SOURCE_DIR}/packaging/test-archive
+           ${CMAKE_BINARY_DIR})
+  set_tests_properties(packaging.Installed packaging.Debian packaging.Archive PROPERTIES
                        SKIP_RETURN_CODE 77 TIMEOUT 300 RUN_SERIAL ON)
 endif()

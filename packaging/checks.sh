@@ -12,7 +12,7 @@ check_files() {
   for file in bin/oriel lib/oriel/liboriel_image_files.so share/oriel/templates.mi \
       share/oriel/mi/{base,architectural,physics,oriel}.mi include/oriel/sdk/shader.h \
       lib/cmake/OrielShaders/OrielShadersConfig.cmake lib/pkgconfig/oriel-shaders.pc \
-      share/oriel/examples/scenes/nine-tiles.mi; do
+      share/oriel/examples/scenes/{nine-tiles,room}.mi; do
     [[ -f $1/$file ]] || fail "no $file"
   done
 }
@@ -44,4 +44,25 @@ check_shader_build() {
   run "$1" shader-build "$1/share/oriel/examples/shaders/material" -o "$root/example.so" \
     >"$root/said" 2>&1 || { cat "$root/said"; fail "shader-build"; }
   [[ -s $root/example.so ]] || fail "no library of shaders"
+}
+
+# check_bundle PREFIX: every library of the program and its module is in the installation, except
+# glibc's, and each has its licence there.
+check_bundle() {
+  local folder=$1/lib/oriel/libraries doc=$1/share/doc/oriel/libraries name path
+  # The RPATH of the program finds what the module needs, so both are in one process here.
+  (cd "$1/lib/oriel" && env -i LD_TRACE_LOADED_OBJECTS=1 LD_PRELOAD=./liboriel_image_files.so \
+    "$1/bin/oriel") >"$root/needed" || fail "the libraries cannot be listed"
+  ! grep 'not found' "$root/needed" || fail "libraries are missing"
+  while read -r path; do
+    [[ $(realpath "$path") == "$folder"/* ||
+      $path =~ /(libc|libm|libdl|libpthread|librt|libresolv|libutil|libmvec|libanl)\.so\.[0-9]+$ ]] ||
+      fail "a library of the system is used: $path"
+  done < <(sed -n 's/^.* => \(.*\) (0x[0-9a-f]*)$/\1/p' "$root/needed")
+  [[ $(find "$folder" -name 'lib*.so*' | wc -l) -gt 100 ]] || fail "too few libraries"
+  for path in "$folder"/*; do
+    name=$(basename "$path")
+    name=$(awk -v name="$name" '$2 == name { print $4 }' "$doc/LIBRARIES.md")
+    [[ -n $name && -s $doc/$name.copyright ]] || fail "no licence of $path"
+  done
 }

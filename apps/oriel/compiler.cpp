@@ -63,8 +63,8 @@ bool Compiler::run(const std::vector<std::string>& arguments) {
     tried.push_back(fmt::format("'{}' ({})", words[0], std::strerror(error)));
   }
   throw UserError(
-      fmt::format("there is no {} compiler: tried {}; install gcc or clang, or name one "
-                  "with {}",
+      fmt::format("there is no {} compiler: tried {}; install one (on Debian and Ubuntu: "
+                  "apt install g++) or name one with {}",
                   language_, fmt::join(tried, ", "), option_));
 }
 

@@ -13,8 +13,10 @@ namespace oriel::app {
 namespace {
 
 constexpr int kBarWidth = 24;
-/// Between lines where nobody watches a bar.
+/// Without a terminal: minimum time between lines, in seconds and as a share of the elapsed time.
+/// One hour gives about 80 lines.
 constexpr double kSecondsBetweenLines = 5;
+constexpr double kShareBetweenLines = 0.05;
 
 /// Share of the work that is done, as far as time tells.
 double done_share(const Progress& p) {
@@ -61,7 +63,8 @@ void ProgressLine::update(const Progress& p) {
   if (style_ == Style::Json) return print_json(to_json(p));
   if (style_ == Style::Lines) {
     if (p.elapsed < last_line_) last_line_ = 0;  // the picture began
-    if (p.elapsed - last_line_ < kSecondsBetweenLines) return;
+    if (p.elapsed - last_line_ < std::max(kSecondsBetweenLines, kShareBetweenLines * last_line_))
+      return;
     last_line_ = p.elapsed;
     fmt::print(stderr, "{}\n", progress_text(p));
     return;
