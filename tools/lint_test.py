@@ -66,8 +66,8 @@ class Levels(unittest.TestCase):
         self.assertEqual([], messages("tests/render/a_test.cpp", text))
 
     def test_a_library_stays_in_its_folder(self):
-        self.assertEqual([], messages("src/geom/a.h", HEAD + "#include <embree3/rtcore.h>\n"))
-        self.assertEqual(1, len(messages("src/transport/a.h",
+        self.assertEqual([], messages("src/geom/a.cpp", HEAD + "#include <embree3/rtcore.h>\n"))
+        self.assertEqual(1, len(messages("src/transport/a.cpp",
                                          HEAD + "#include <embree3/rtcore.h>\n")))
         self.assertEqual(1, len(messages("src/base/a.h", HEAD + "#include <png.h>\n")))
 

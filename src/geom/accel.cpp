@@ -35,6 +35,10 @@ bool is_usable(const InstanceDesc& desc) {
 /// Numbers of geometries in the scene of an instanced mesh, beside the triangles' 0.
 constexpr std::uint32_t kLines = 1, kBeziers = 2;
 
+/// Embree's robust mode reports hits at tnear itself: from there on only what is behind the surface
+/// that a ray starts on.
+float behind(float tnear) { return tnear + std::numeric_limits<float>::min(); }
+
 bool count_memory(void* total, ssize_t bytes, bool /*after*/) {
   static_cast<std::atomic<std::int64_t>*>(total)->fetch_add(bytes, std::memory_order_relaxed);
   return true;
@@ -373,7 +377,7 @@ bool Accel::intersect(const Ray& ray, Hit& hit) const {
   query.ray.org_x = ray.org.x;
   query.ray.org_y = ray.org.y;
   query.ray.org_z = ray.org.z;
-  query.ray.tnear = ray.tnear;
+  query.ray.tnear = behind(ray.tnear);
   query.ray.dir_x = ray.dir.x;
   query.ray.dir_y = ray.dir.y;
   query.ray.dir_z = ray.dir.z;
@@ -407,7 +411,7 @@ bool Accel::occluded(const Ray& ray) const {
   query.org_x = ray.org.x;
   query.org_y = ray.org.y;
   query.org_z = ray.org.z;
-  query.tnear = ray.tnear;
+  query.tnear = behind(ray.tnear);
   query.dir_x = ray.dir.x;
   query.dir_y = ray.dir.y;
   query.dir_z = ray.dir.z;
