@@ -61,9 +61,11 @@ inline void expect_only(const Picture& p, const std::set<std::string>& wanted,
   }
 }
 
+/// Where b is zero or nearly so, the brightest channel bounds the rounding.
 inline void expect_near(const Rgb& a, const Rgb& b, float relative, const std::string& what) {
+  const float floor = 2e-7f * std::max(1.0f, max_component(b));
   for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(a[k], b[k], relative * std::max(std::abs(b[k]), 1e-6f)) << what << ' ' << k;
+    EXPECT_NEAR(a[k], b[k], std::max(relative * std::abs(b[k]), floor)) << what << ' ' << k;
 }
 
 }  // namespace oriel::analytic
