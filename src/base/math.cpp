@@ -272,16 +272,6 @@ float cos(float x) {
   return static_cast<float>((a.quarter + 1) & 2 ? -value : value);
 }
 
-SinCos sin_cos(float x) {
-  if (x == 0) return {x, 1};
-  if (has_no_angle(x)) return {static_cast<float>(kNaN), static_cast<float>(kNaN)};
-  const Reduced a = reduce_angle(x);
-  const double s = sine_of(a.r), c = cosine_of(a.r);
-  const double sine = a.quarter & 1 ? c : s, cosine = a.quarter & 1 ? s : c;
-  return {static_cast<float>(a.quarter & 2 ? -sine : sine),
-          static_cast<float>((a.quarter + 1) & 2 ? -cosine : cosine)};
-}
-
 float tan(float x) {
   if (x == 0) return x;
   if (has_no_angle(x)) return static_cast<float>(kNaN);

@@ -46,10 +46,4 @@ double log10(double x);
 double pow(double x, double y);
 double hypot(double x, double y);
 
-struct SinCos {
-  float sin, cos;
-};
-/// Both of one angle, for little more than the time of one.
-SinCos sin_cos(float x);
-
 }  // namespace oriel::math

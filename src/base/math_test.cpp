@@ -174,27 +174,5 @@ TEST(Math, SpecialValuesFollowTheStandardLibrary) {
   }
 }
 
-TEST(Math, SineAndCosineTogetherEqualEachAlone) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> even(-100, 100);
-  for (int i = 0; i < 10'000; ++i) {
-    const float x = even(random);
-    const math::SinCos both = math::sin_cos(x);
-    EXPECT_EQ(both.sin, math::sin(x));
-    EXPECT_EQ(both.cos, math::cos(x));
-  }
-}
-
-TEST(Math, SineOfFloatsRoundsAsTheExactValueDoes) {
-  std::mt19937 random(13);
-  std::uniform_real_distribution<float> even(-7, 7);
-  int different = 0;
-  for (int i = 0; i < 100'000; ++i) {
-    const float x = even(random);
-    different += math::sin(x) != static_cast<float>(std::sin(static_cast<long double>(x))) ? 1 : 0;
-  }
-  EXPECT_LT(different, 20);  // ties that 40 bits cannot decide
-}
-
 }  // namespace math_test
 }  // namespace oriel
