@@ -75,23 +75,13 @@ void move_triangle(const Mesh& mesh, const Triangle& t, float time, const Weight
   point.ns = turned(shading_normal(mesh, t, weights, rest), rest, point.ng);
 }
 
-// Derivatives of the position by the first two coordinates of texture space 0, and the ratio of
-// areas; corners' differences e1, e2 as in the mesh.
+// Derivatives by texture space 0, or those of the scene, and the ratio of areas.
 void derive(const Mesh& mesh, const Triangle& t, const Weights& weights, const Vec3& e1,
             const Vec3& e2, SurfacePoint& point) {
-  point.dpdu = point.dpdv = Vec3(0);
-  point.uv_density = 0;
-  if (!mesh.textures.empty() && !mesh.textures[0].coordinate.empty()) {
-    const std::vector<Vec3>& uv = mesh.textures[0].coordinate;
-    const Vec3 d1 = uv[t.b] - uv[t.a], d2 = uv[t.c] - uv[t.a];
-    const float area = d1.x * d2.y - d1.y * d2.x;
-    point.uv_density = std::abs(area);
-    if (area != 0) {
-      point.dpdu = (e1 * d2.y - e2 * d1.y) * (1 / area);
-      point.dpdv = (e2 * d1.x - e1 * d2.x) * (1 / area);
-      if (!is_finite(point.dpdu) || !is_finite(point.dpdv)) point.dpdu = point.dpdv = Vec3(0);
-    }
-  }
+  const TextureDerivatives by = texture_derivatives(mesh, t, 0, e1, e2);
+  point.dpdu = by.by_u;
+  point.dpdv = by.by_v;
+  point.uv_density = by.area;
   if (!mesh.dpdu.empty() && !mesh.dpdv.empty()) {
     point.dpdu = weights(mesh.dpdu, t);
     point.dpdv = weights(mesh.dpdv, t);
@@ -99,6 +89,23 @@ void derive(const Mesh& mesh, const Triangle& t, const Weights& weights, const V
 }
 
 }  // namespace
+
+TextureDerivatives texture_derivatives(const Mesh& mesh, const Triangle& t, std::size_t space,
+                                       const Vec3& e1, const Vec3& e2) {
+  TextureDerivatives by;
+  if (space >= mesh.textures.size() || mesh.textures[space].coordinate.empty()) return by;
+  const std::vector<Vec3>& uv = mesh.textures[space].coordinate;
+  const Vec3 d1 = uv[t.b] - uv[t.a], d2 = uv[t.c] - uv[t.a];
+  const float area = d1.x * d2.y - d1.y * d2.x;
+  by.area = std::abs(area);
+  if (area == 0) return by;
+  const Vec3 by_u = (e1 * d2.y - e2 * d1.y) * (1 / area);
+  const Vec3 by_v = (e2 * d1.x - e1 * d2.x) * (1 / area);
+  if (!is_finite(by_u) || !is_finite(by_v)) return by;
+  by.by_u = by_u;
+  by.by_v = by_v;
+  return by;
+}
 
 void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
                  SurfacePoint& point) {

@@ -66,6 +66,16 @@ struct Placement {
 /// Checked: AccelTest.RaysNeverMeetTheSurfaceTheyStartOn, Surface.*
 void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement, SurfacePoint& point);
 
+/// Derivatives of the place on a flat triangle by the first two coordinates of a texture space, in
+/// the mesh's space; null vectors where the space has none or its area there is 0.
+struct TextureDerivatives {
+  Vec3 by_u{0}, by_v{0};
+  float area = 0;  ///< twice the triangle's in the texture space
+};
+/// e1, e2: corners b and c less corner a.
+TextureDerivatives texture_derivatives(const Mesh& mesh, const Triangle& t, std::size_t space,
+                                       const Vec3& e1, const Vec3& e2);
+
 /// Carries all columns of `mesh` through `matrix` and keeps its front: a mirroring matrix swaps
 /// corners b and c of all triangles.
 void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse);

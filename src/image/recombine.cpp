@@ -10,12 +10,13 @@ namespace oriel {
 namespace {
 
 /// Every layer the two forms take, but `opacity`.
-constexpr const char* kColours[] = {
-    "diffuse_result",  "diffuse_raw",  "diffuse_level", "spec_result", "spec_raw",
-    "spec_level",      "refl_result",  "refl_raw",      "refl_level",  "refr_result",
-    "refr_raw",        "refr_level",   "tran_result",   "tran_raw",    "tran_level",
-    "indirect_result", "indirect_raw", "ao_raw",        "add_result",  "opacity_result",
-    "opacity_raw",     "other"};
+constexpr const char* kColours[] = {"diffuse_result",  "diffuse_raw",      "diffuse_level",
+                                    "spec_result",     "spec_raw",         "spec_level",
+                                    "refl_result",     "refl_raw",         "refl_level",
+                                    "refr_result",     "refr_raw",         "refr_level",
+                                    "tran_result",     "tran_raw",         "tran_level",
+                                    "indirect_result", "indirect_post_ao", "add_result",
+                                    "opacity_result",  "opacity_raw",      "other"};
 
 std::string with_unit(int channels) {
   return std::to_string(channels) + (channels == 1 ? " channel" : " channels");
@@ -58,9 +59,9 @@ class Sum {
   }
   void add_diffuse() {
     const Image &level = image("diffuse_level"), &direct = image("diffuse_raw"),
-                &indirect = image("indirect_raw"), &ao = image("ao_raw");
+                &indirect = image("indirect_post_ao");
     for (std::size_t i = 0; i < total.pixels.size(); ++i)
-      total.pixels[i] += level.pixels[i] * (direct.pixels[i] + indirect.pixels[i] * ao.pixels[i]);
+      total.pixels[i] += level.pixels[i] * (direct.pixels[i] + indirect.pixels[i]);
   }
   void add_background() {
     const Image &opacity = image("opacity"), &raw = image("opacity_raw");

@@ -33,7 +33,7 @@ struct Recombination {
 
 /// Model:   simple  = diffuse_result + indirect_result + spec_result + refl_result + refr_result
 ///                    + tran_result + add_result + opacity_result + other
-///          complex = diffuse_level (diffuse_raw + indirect_raw ao_raw) + spec_level spec_raw
+///          complex = diffuse_level (diffuse_raw + indirect_post_ao) + spec_level spec_raw
 ///                    + refl_level refl_raw + refr_level refr_raw + tran_level tran_raw
 ///                    + add_result + (1 - opacity) opacity_raw + other
 /// Errors:  std::runtime_error when unusable_outputs() is not empty.

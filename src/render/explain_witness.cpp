@@ -63,8 +63,7 @@ int numbers_of(ParamType type) {
   }
 }
 
-std::vector<float> values_of(const ParamSpec& p, const void* params) {
-  const std::byte* at = static_cast<const std::byte*>(params) + p.offset;
+std::vector<float> values_of(const ParamSpec& p, const std::byte* at) {
   if (p.type == ParamType::Boolean) return {*reinterpret_cast<const bool*>(at) ? 1.0f : 0.0f};
   if (p.type == ParamType::Integer) return {static_cast<float>(*reinterpret_cast<const int*>(at))};
   std::vector<float> values(static_cast<std::size_t>(numbers_of(p.type)));
@@ -79,9 +78,15 @@ std::vector<ExplainedParameter> parameters_at(const Material& material, ShadingP
     const ShaderSpec& spec = node->spec();
     if (!spec.material || spec.deferred) continue;
     node->with_params(point, [&](const Call& call) {
-      for (const ParamSpec& p : spec.params)
-        if (const ShaderNode* source = node->source(p.offset); source && numbers_of(p.type) > 0)
-          found.push_back({p.name, source->spec().name, values_of(p, call.params)});
+      for (const ParamSpec& p : spec.params) {
+        const ShaderNode* source = node->source(p.offset);
+        if (!source || numbers_of(p.type) == 0) continue;
+        const std::byte* at = static_cast<const std::byte*>(call.params) + p.offset;
+        alignas(16) std::byte asked[sizeof(Rgba)];
+        ShadingPoint own = point;
+        if (p.asked_for && node->ask(p.offset, own, asked)) at = asked;
+        found.push_back({p.name, source->spec().name, values_of(p, at)});
+      }
     });
   }
   return found;

@@ -87,6 +87,7 @@ void OutputMeans::add(const Outputs* outputs) {
   for (std::size_t i = 0; i < kComponents; ++i) mix(mean.result[i], o.result[i]);
   for (std::size_t i = 0; i < kLevels; ++i) mix(mean.level[i], o.level[i]);
   mix(mean.occlusion, o.occlusion);
+  mix(mean.dimming, o.dimming);
   mean.opacity += (finite_or_zero(o.opacity) - mean.opacity) * share;
 }
 
@@ -223,6 +224,7 @@ Outputs Film::outputs(int x, int y) const {
   for (std::size_t c = 0; c < kLevels; ++c)
     out.level[c] = p.level[c] * s.plain + m.level[c] * s.marked;
   out.occlusion = p.occlusion * s.plain + m.occlusion * s.marked;
+  out.dimming = p.dimming * s.plain + m.dimming * s.marked;
   out.opacity = p.opacity * s.plain + m.opacity * s.marked;
   if (clips_) {
     // Parts of what the filter clips to nothing are nothing.

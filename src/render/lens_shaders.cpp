@@ -155,6 +155,7 @@ void add_outputs(Outputs& sum, const Outputs& part, const Rgb& weight, float sha
   for (std::size_t i = 0; i < kComponents; ++i) sum.result[i] += part.result[i] * weight * share;
   for (std::size_t i = 0; i < kLevels; ++i) sum.level[i] += part.level[i] * share;
   sum.occlusion += part.occlusion * share;
+  sum.dimming += part.dimming * share;
   sum.opacity += part.opacity * share;
 }
 
@@ -181,7 +182,7 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
   each.paths_of_pixel *= static_cast<float>(rays);
   PathResult sum;
   Outputs parts;
-  parts.occlusion = Rgb(0), parts.opacity = 0;
+  parts.occlusion = parts.dimming = Rgb(0), parts.opacity = 0;
   LightParts own_lights;
   const std::size_t layers = settings.by_light ? world.light_layers.count() : 0;
   float hits = 0;

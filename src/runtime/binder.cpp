@@ -27,13 +27,6 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return near.empty() ? std::string() : fmt::format("did you mean \"{}\"?", near);
 }
 
-/// Grids of a material and of those it is connected to.
-unsigned grids_of(const ShaderNode& node) {
-  unsigned grids = node.spec().grids ? node.spec().grids(node) : 0;
-  for (const MaterialInput& input : node.material_inputs()) grids |= grids_of(*input.source);
-  return grids;
-}
-
 }  // namespace
 
 Binder::Binder(const scene::Scene& scene, const Registry& registry, World& world,
@@ -184,7 +177,7 @@ const ShaderNode* Binder::bind_call(const std::string& type,
   }
   for (const scene::Argument& argument : args) bind_argument(*node, argument, scope);
   count_lobes(*node, where);
-  if (spec->deferred) node->deferred_.swap(node->connections_);
+  node->defer_connections();
   if (spec->prepare) node->state_ = spec->prepare(node->constants_.data(), world_);
   if (spec->prepare_call)
     node->state_ =
@@ -233,6 +226,19 @@ NodeList Binder::bind_displacement(const scene::ShaderList& list, Scope* scope) 
       diagnostics_.warning(
           "OR-RT-030", list.front().where,
           fmt::format("shader \"{}\" gives no value to displace by; skipped", node->spec().name));
+  }
+  return nodes;
+}
+
+NodeList Binder::bind_volume(const scene::ShaderList& list, Scope* scope) {
+  NodeList nodes;
+  for (const ShaderNode* node : bind_list(list, scope)) {
+    if (node->spec().volume)
+      nodes.push_back(node);
+    else if (node != stand_in_)
+      diagnostics_.warning(
+          "OR-RT-046", list.front().where,
+          fmt::format("shader \"{}\" does not act as a volume; skipped", node->spec().name));
   }
   return nodes;
 }
@@ -315,13 +321,8 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("displace"))
     bound.displace = bind_displacement(*list, scope);
   if (const auto* list = material.slot("shadow")) bind_shadow(*list, scope, bound);
-  if (const auto* list = material.slot("volume"); list && !list->empty() && !volume_told_) {
-    volume_told_ = true;
-    diagnostics_.warning(
-        "OR-RT-046", list->front().where,
-        fmt::format("material \"{}\": volume shaders of materials do not act", material.name),
-        "the camera's `volume` does; said once");
-  }
+  if (const auto* list = material.slot("volume"); list && world_.options.volume)
+    bound.volume = bind_volume(*list, scope);
   if (const auto* list = material.slot("photon"))
     for (const ShaderNode* node : bind_list(*list, scope))
       if (node->spec().photon) bound.photon.push_back(node);
@@ -346,7 +347,6 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
   for (const ShaderNode* node : bound.surface) {
     if (node->spec().has_outputs) bound.outputs = node->spec().has_outputs(*node);
-    bound.grids |= grids_of(*node);
   }
   return bound;
 }

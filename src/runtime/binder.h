@@ -76,6 +76,7 @@ class Binder {
   void bind_shadow(const scene::ShaderList& list, Scope* scope, Material& bound);
   /// Those of the list that give a value to move by.
   NodeList bind_displacement(const scene::ShaderList& list, Scope* scope);
+  NodeList bind_volume(const scene::ShaderList& list, Scope* scope);
   const ShaderNode* find_named(const std::string& name, Scope* scope);
   /// Among the shaders of the phenomena around; null when there is none.
   const ShaderNode* find_local(const std::string& name, Scope* scope);
@@ -142,7 +143,6 @@ class Binder {
   std::vector<std::unique_ptr<Scope>> scopes_;
   std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;
-  bool volume_told_ = false;
   const ShaderNode* stand_in_ = nullptr;
   std::map<std::string, int> reported_;
   BindingReport report_;

@@ -7,12 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <vector>
 
 #include "base/assert.h"
 #include "base/frame.h"
 #include "runtime/param.h"
 
 namespace oriel {
+
+using NodeList = std::vector<const ShaderNode*>;
 
 enum class LobeKind : std::uint8_t {
   Diffuse,           ///< Oren-Nayar; `roughness` in radians
@@ -110,7 +113,10 @@ struct Closure {
   Rgb emission{0};                   ///< added, whatever lights are there
   float alpha = 1;                   ///< of the picture where the eye sees the surface
   float opacity = 1;                 ///< cut-out: share of the surface that exists
-  Medium inside;                     ///< of the solid behind the surface
+  const NodeList* volume = nullptr;  ///< volume shaders of the object behind the surface
+  /// Of the solid behind the surface; of a thin wall, of what is seen through it up to the next
+  /// surface.
+  Medium inside;
   bool thin_walled = true;           ///< false: a boundary of a solid, `inside` and eta apply
   bool refractive_caustics = false;  ///< light reaches what lies behind refracted, shadows opaque
   bool propagate_alpha = false;

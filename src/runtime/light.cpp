@@ -138,19 +138,24 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
 
 Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi,
                      float distance) {
+  if (world.air_on_light.empty()) return Rgb(1);
+  return kept_by_air(world, world.air_on_light, point.position, wi, distance);
+}
+
+Rgb kept_by_air(const World& world, const NodeList& air, const Vec3& at, const Vec3& wi,
+                float distance) {
   Rgb kept(1);
-  if (world.air_on_light.empty()) return kept;
   ShadingPoint way;
   way.ray_kind = RayKind::Light;
-  way.position = point.position;
+  way.position = at;
   way.normal = way.geometric_normal = wi;
-  way.ray_origin = std::isinf(distance) ? point.position : point.position + wi * distance;
+  way.ray_origin = std::isinf(distance) ? at : at + wi * distance;
   way.ray_direction = -wi;
   way.ray_length = distance;
   way.world = &world;
-  for (const ShaderNode* node : world.air_on_light)
-    kept *=
-        node->with_params(way, [&](const Call& call) { return node->spec().volume(call); }).kept;
+  for (const ShaderNode* node : air)
+    if (const ShaderSpec& spec = node->spec(); spec.dims_light && spec.dims_light(*node))
+      kept *= node->with_params(way, [&](const Call& call) { return spec.volume(call); }).kept;
   return kept;
 }
 
@@ -201,6 +206,7 @@ std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point,
     sample.affects_diffuse = value.affects_diffuse;
     sample.affects_specular = value.affects_specular;
     sample.force_specular = value.force_specular;
+    sample.is_sun = value.is_sun;
   } else {
     const auto s = is_flat(light.shape) ? sample_flat(light, p, u) : sample_round(light, p, u);
     if (!s || !(s->distance > 0)) return std::nullopt;
@@ -215,6 +221,7 @@ std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point,
     sample.affects_diffuse = value.affects_diffuse;
     sample.affects_specular = value.affects_specular;
     sample.force_specular = value.force_specular;
+    sample.is_sun = value.is_sun;
   }
   if (is_black(sample.irradiance)) return std::nullopt;
   sample.reach = sample.distance;

@@ -60,7 +60,7 @@ struct LightSample {
   bool shadow = true;
   float shadow_factor = 0;
   float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue
-  bool force_specular = false;
+  bool force_specular = false, is_sun = false;
 };
 
 /// A point's time to which lights that move stand as written.
@@ -106,6 +106,10 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
 /// long, infinity for what is endlessly far. sample_light and intersect_light have it in what they
 /// return for kind Light; the environment's light does not.
 Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi, float distance);
+
+/// The same of volume shaders; those count that act on light.
+Rgb kept_by_air(const World& world, const NodeList& air, const Vec3& at, const Vec3& wi,
+                float distance);
 
 /// Whether rays may meet it.
 inline bool has_extent(LightShape shape) {

@@ -14,6 +14,7 @@ struct Material {
   NodeList surface;
   NodeList environment;
   NodeList photon;    ///< what becomes of photons, in place of the surface's closure
+  NodeList volume;    ///< acts between where a ray enters the object and where it leaves
   NodeList displace;  ///< added up, they move the vertices of the surface along their normals
   // What decides in place of the surface's closure how much light passes. Both are empty where the
   // surface stands in its own slot `shadow`.
@@ -23,7 +24,6 @@ struct Material {
   bool may_transmit = false;       ///< shadow rays must ask the surface
   bool may_have_holes = false;     ///< cut-outs, for rays that pass nothing else
   bool opaque = false;
-  unsigned grids = 0;   ///< bit d: glossy rays are interpolated over the grid of density d
   bool outputs = true;  ///< false: the material may only have its result (multiple_outputs off)
 
   /// Whether light passes by other shaders than the surface's.

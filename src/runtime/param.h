@@ -147,6 +147,8 @@ struct ParamSpec {
   /// Textures connected here give the nearest texel as it stands: values that wrap around, such as
   /// angles, have no mean.
   bool unfiltered = false;
+  /// The shader asks for what is connected here itself (ShaderNode::ask).
+  bool asked_for = false;
   /// Another material may stand here, by connection or as a shader: see runtime/shade_input.h.
   bool takes_material = false;
   const char* text = nullptr;            ///< default of a string; null = empty

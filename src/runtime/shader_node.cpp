@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 
 #include "base/assert.h"
 #include "runtime/tracer.h"
@@ -106,9 +107,21 @@ bool ShaderNode::connected(std::size_t offset) const {
 }
 
 const ShaderNode* ShaderNode::source(std::size_t offset) const {
-  for (const Connection& c : connections_)
-    if (c.offset == offset) return c.source;
+  for (const std::vector<Connection>* list : {&connections_, &deferred_})
+    for (const Connection& c : *list)
+      if (c.offset == offset) return c.source;
   return nullptr;
+}
+
+bool ShaderNode::ask(std::size_t offset, ShadingPoint& point, void* target) const {
+  for (const Connection& c : deferred_) {
+    if (c.offset != offset) continue;
+    alignas(16) std::byte result[kMostParamBytes];
+    c.source->value(point, result);
+    convert_value(c.source_type, result + c.source_offset, c.type, target);
+    return true;
+  }
+  return false;
 }
 
 const ShaderNode* ShaderNode::material_input(std::size_t offset) const {
@@ -122,6 +135,18 @@ bool ShaderNode::inputs_may_transmit() const {
     const ShaderSpec& spec = i.source->spec();
     return spec.may_transmit && spec.may_transmit(*i.source);
   });
+}
+
+void ShaderNode::defer_connections() {
+  const auto is_asked_for = [&](const Connection& c) {
+    return spec_->deferred ||
+           std::any_of(spec_->params.begin(), spec_->params.end(),
+                       [&](const ParamSpec& p) { return p.asked_for && p.offset == c.offset; });
+  };
+  const auto first =
+      std::stable_partition(connections_.begin(), connections_.end(), std::not_fn(is_asked_for));
+  deferred_.insert(deferred_.end(), first, connections_.end());
+  connections_.erase(first, connections_.end());
 }
 
 void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) const {

@@ -50,8 +50,12 @@ class ShaderNode {
   /// The material that stands for the parameter at `offset`; null when there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }
-  /// Connections that nobody asks but the shader itself (ShaderSpec::deferred).
+  /// Connections that nobody asks but the shader itself (ShaderSpec::deferred,
+  /// ParamSpec::asked_for).
   const std::vector<Connection>& connections() const { return deferred_; }
+  /// Writes what is connected to the parameter at `offset`, converted to its type. False: nothing
+  /// is.
+  bool ask(std::size_t offset, ShadingPoint& point, void* target) const;
   /// Whether light may pass one of these materials straight.
   bool inputs_may_transmit() const;
 
@@ -79,6 +83,8 @@ class ShaderNode {
  private:
   friend class Binder;
   void evaluate_connections(ShadingPoint& point, std::byte* scratch) const;
+  /// Takes those connections aside that the shader asks for itself.
+  void defer_connections();
 
   const ShaderSpec* spec_;
   std::vector<std::max_align_t> storage_;

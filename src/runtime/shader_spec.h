@@ -73,6 +73,7 @@ struct LightValue {
   /// Shares of the light that diffuse lobes take, and glossy reflections and highlights.
   float affects_diffuse = 1, affects_specular = 1;
   bool force_specular = false;  ///< a highlight even though the light itself is seen
+  bool is_sun = false;          ///< the physical sun's, for shaders that treat it apart
 };
 
 /// What a lens shader that maps colours knows beside the colour.

@@ -38,6 +38,8 @@ class Tracer {
     Rgb colour{0};       ///< a white Lambert surface that faces the light shows it; after shadows
     Vec3 wi{0};          ///< unit, to the light
     float distance = 0;  ///< infinity for directional lights
+    float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue
+    bool force_specular = false, is_sun = false;
   };
   /// One sample of a light at a point; nothing where it does not reach.
   virtual std::optional<Arriving> light(int index, ShadingPoint& point) = 0;
@@ -75,7 +77,7 @@ class Tracer {
   virtual Rgb irradiance(const ShadingPoint& point, const Vec3& normal) = 0;
 
   /// The colour of materials at the point, each shader on what the one before left, and what
-  /// it consists of where `outputs` is not null. Alpha 1.
+  /// it consists of where `outputs` is not null. Alpha as the eye sees it there.
   virtual Rgba shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) = 0;
 
   /// Leaves a value for World::user_buffers[slot] of this sample, and what was left there; false

@@ -166,6 +166,10 @@ struct RenderOptions {
   std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
   std::vector<std::string> unknown_strings;   ///< string options nobody here knows, each once
 
+  /// Whether photons bring the light that glass bends. Paths do not: where they find the light,
+  /// glass casts transparent shadows.
+  bool brings_caustics() const { return caustic.on && indirect != IndirectMethod::Path; }
+
   bool operator==(const RenderOptions&) const = default;
 };
 

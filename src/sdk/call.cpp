@@ -246,7 +246,14 @@ ShadingPoint point_of(const miState* state) {
   if (state->type >= miRAY_EYE && state->type < miRAY_NO_TYPES)
     point.ray_kind = static_cast<RayKind>(state->type);
   if (point.texture_spaces == 0) point.tex[0] = vec(state->tex);
+  take_over_tex(*state, point);
   return point;
+}
+
+void take_over_tex(const miState& state, ShadingPoint& point) {
+  const Vec3 tex = vec(state.tex);
+  const Vec3 given = point.texture_spaces > 0 ? point.tex[0] : Vec3(0);
+  if (tex != given) point.tex_vector = tex;
 }
 
 bool is_own_instance(const miState* state) {

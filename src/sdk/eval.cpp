@@ -70,6 +70,7 @@ const ShaderNode* shader_of(const Material& material, miShader_type type) {
     case miSHADER_PHOTON:
       return first(material.photon);
     case miSHADER_VOLUME:
+      return first(material.volume);
     case miSHADER_PHOTONVOL:
     case miSHADER_CONTOUR:
     case miSHADER_LIGHTMAP:

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "base/math.h"
+#include "oriel/sdk/mia_material_api.h"
 #include "photometry/light_profile.h"
 #include "runtime/luminaire.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
+#include "sdk/shader_state.h"
 
 namespace oriel::sdk {
 namespace {
@@ -27,6 +29,18 @@ void give(const std::vector<miTag>& tags, int* n, miTag** lights) {
   *lights = list.data();
 }
 
+/// Writes what the light's shader said into the struct that the asking material left for it.
+void tell(const Tracer::Arriving& arriving) {
+  int size = 0;
+  auto* data =
+      static_cast<mia_material_api_lightdata*>(left_value(miA_MATERIAL_API_LIGHTDATA, &size));
+  if (!data || size != sizeof *data || data->struct_size != sizeof *data) return;
+  data->affect_diffuse = arriving.affects_diffuse;
+  data->affect_specular = arriving.affects_specular;
+  data->is_mr_sun = arriving.is_sun ? miTRUE : miFALSE;
+  data->force_specular = arriving.force_specular ? miTRUE : miFALSE;
+}
+
 /// One sample of the light; `samples` counts up from 0, at 1 the loop is over: the renderer asks
 /// once for each of its own samples, which are as many as the picture needs.
 bool sample(miColor* result, miVector* dir, float* dot_nl, miState* state, miTag tag, int* samples,
@@ -39,6 +53,7 @@ bool sample(miColor* result, miVector* dir, float* dot_nl, miState* state, miTag
   ShadingPoint point = point_of(state);
   const auto arriving = c.tracer()->light(light, point);
   if (!arriving) return false;
+  tell(*arriving);
   const float cosine = dot(point.normal, arriving->wi);
   if (axis) {
     if (dot(vec(*axis), arriving->wi) < cos_spread) return false;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdk/material_api.h"
 
+#include <cstddef>
+#include <cstring>
+
 #include "oriel/sdk/mia_material_api.h"
 #include "sdk/shader_state.h"
 
@@ -42,14 +45,22 @@ bool shade_material(const ShaderNode& node, ShadingPoint& point, miState& state,
   if (!point.tracer) return false;
   int size = 0;
   void* const storage = left_value(miA_MATERIAL_API_STORAGE, &size);
+  // Callers that take the parts from the storage hand the address of a miColor to materials of many
+  // results, as the manual's example does.
+  const ShaderSpec& spec = node.spec();
+  const bool whole = !storage && spec.results.size() == kMaterialResults &&
+                     (!spec.has_outputs || spec.has_outputs(node));
   MaterialOutputs parts{};
   const NodeList surface{&node};
-  const Rgba colour = point.tracer->shade(surface, point, storage ? &parts : nullptr);
-  // The colour alone: callers hand the address of a miColor to materials of many results.
-  *static_cast<miColor*>(result) = as_c(colour);
-  if (!storage) return true;
+  const Rgba colour = point.tracer->shade(surface, point, storage || whole ? &parts : nullptr);
   mia_material_x_return outputs = {};
-  store_outputs(parts, colour.a, outputs);
+  if (storage || whole) store_outputs(parts, colour.a, outputs);
+  outputs.result = as_c(colour);
+  if (whole)
+    std::memcpy(result, &outputs, offsetof(mia_material_x_return, spare));
+  else
+    *static_cast<miColor*>(result) = outputs.result;
+  if (!storage) return true;
   const miUint written = *static_cast<miUint*>(storage);
   if (size == sizeof(mia_material_x_api_storage) && written == sizeof(mia_material_x_api_storage)) {
     auto& target = *static_cast<mia_material_x_api_storage*>(storage);

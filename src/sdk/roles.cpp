@@ -41,6 +41,7 @@ void value(const Call& call, void* result) {
   run(shader, frame.state, c.bytes, texture_type(call.point));
   result_from_c(*shader.spec, c.bytes, result);
   call.point.normal = vec(frame.state.normal);
+  take_over_tex(frame.state, call.point);
   // Displacement may move the point as well; along the normal is what surfaces are moved.
   if (call.point.ray_kind == RayKind::Displace && shader.spec->result == ParamType::Scalar)
     *static_cast<float*>(result) +=
@@ -58,6 +59,7 @@ void material(const Call& call, Closure& closure) {
   closure.emission = answer ? rgb(c.color()) : Rgb(0);
   closure.alpha = answer ? clamp01(c.color().a) : 0;
   closure.outputs = false;
+  take_over_tex(frame.state, call.point);
 }
 
 Rgb shadow(const Call& call, const Rgb& light) {
@@ -117,10 +119,16 @@ LightValue light(const Call& call, const LightCall& light) {
   mia_material_api_lightdata data = asked, behind_data = asked;
   LightValue value;
   value.colour = ask_light(shader, frame, false, tells ? &data : nullptr);
+  // A material in C that asks for its lights itself leaves the struct for them.
+  if (int size = 0; !tells) {
+    const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size);
+    if (left && size == sizeof data) data = *static_cast<const mia_material_api_lightdata*>(left);
+  }
   value.shadow = frame.context.shadow_asked;
   value.affects_diffuse = data.affect_diffuse;
   value.affects_specular = data.affect_specular;
   value.force_specular = data.force_specular != miFALSE;
+  value.is_sun = data.is_mr_sun != miFALSE;
   if (value.shadow) {
     const Rgb behind = ask_light(shader, frame, true, tells ? &behind_data : nullptr);
     const float open = luminance(value.colour);

@@ -34,6 +34,7 @@
 #include "shaders/hosts/host_shaders.h"
 #include "shaders/oriel/oriel_lens.h"
 #include "shaders/oriel/oriel_normal_map.h"
+#include "shaders/oriel/oriel_tex_vector.h"
 #include "shaders/oriel/oriel_vertex_color.h"
 #include "shaders/physics/dgs_material.h"
 #include "shaders/physics/parti_volume.h"
@@ -128,6 +129,7 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kOrielLensPanorama,
     &kOrielLensShift,
     &kOrielNormalMap,
+    &kOrielTexVector,
     &kOrielVertexColor,
     &kOversamplingLens,
     &kPartiVolume,

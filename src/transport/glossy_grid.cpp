@@ -35,7 +35,9 @@ int GlossyGrid::height(int density) const {
 GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed,
                        RayCounts& counts) {
   unsigned wanted = 0;
-  for (const Material& m : world.materials) wanted |= m.grids;
+  // Also those of shaders that others ask for their colour.
+  for (const auto& node : world.nodes)
+    if (node->spec().grids) wanted |= node->spec().grids(*node);
   if (!wanted) return;
   grids_.resize(kDensities);
   std::mutex mutex;
@@ -68,9 +70,10 @@ GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint3
   }
 }
 
-std::optional<Rgb> GlossyGrid::look_up(std::optional<Rgb> GridPoint::*value, Vec2 raster,
-                                       int density, int n, int instance, const Material& material,
-                                       const Vec3& normal) const {
+std::optional<GlossyGrid::Smooth> GlossyGrid::look_up(std::optional<Rgb> GridPoint::*value,
+                                                      Vec2 raster, int density, int n, int instance,
+                                                      const Material& material,
+                                                      const Vec3& normal) const {
   if (grids_.empty()) return std::nullopt;
   const int d = std::clamp(density, 0, kDensities - 1);
   const Grid& grid = grids_[static_cast<std::size_t>(d)];
@@ -83,7 +86,7 @@ std::optional<Rgb> GlossyGrid::look_up(std::optional<Rgb> GridPoint::*value, Vec
   const auto tent = [&](float distance) {
     return n == 1 ? 1.0f : std::max(0.0f, 1 - std::abs(distance) / radius);
   };
-  Rgb sum(0);
+  Smooth sum;
   float weight = 0;
   for (int j = first(at.y); j < first(at.y) + n; ++j)
     for (int i = first(at.x); i < first(at.x) + n; ++i) {
@@ -95,11 +98,12 @@ std::optional<Rgb> GlossyGrid::look_up(std::optional<Rgb> GridPoint::*value, Vec
           dot(p.normal, normal) < kSameWay)
         continue;
       const float w = tent(static_cast<float>(i) - at.x) * tent(static_cast<float>(j) - at.y);
-      sum += *(p.*value) * w;
+      sum.light += *(p.*value) * w;
+      sum.alpha += p.alpha * w;
       weight += w;
     }
   if (weight <= 0) return std::nullopt;
-  return sum / weight;
+  return Smooth{sum.light / weight, sum.alpha / weight};
 }
 
 }  // namespace oriel

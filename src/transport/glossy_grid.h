@@ -19,6 +19,7 @@ struct GridPoint {
   const Material* material = nullptr;
   Vec3 normal{0};
   std::optional<Rgb> reflection, refraction;  ///< full strength, before level
+  float alpha = 1;                            ///< of what the refraction shows
 };
 
 /// Grids over the picture, one for each density that a material asks for.
@@ -43,15 +44,20 @@ class GlossyGrid {
   int width(int density) const;
   int height(int density) const;
 
-  /// The smoothed value; nothing where no grid point fits.
+  /// A smoothed value: light and, of refractions, its alpha.
+  struct Smooth {
+    Rgb light{0};
+    float alpha = 0;
+  };
+  /// Nothing where no grid point fits.
   ///
   /// Inputs:  raster: as Camera::ray takes it; n: points along each side, 1 = the nearest.
-  std::optional<Rgb> reflection(Vec2 raster, int density, int n, int instance,
-                                const Material& material, const Vec3& normal) const {
+  std::optional<Smooth> reflection(Vec2 raster, int density, int n, int instance,
+                                   const Material& material, const Vec3& normal) const {
     return look_up(&GridPoint::reflection, raster, density, n, instance, material, normal);
   }
-  std::optional<Rgb> refraction(Vec2 raster, int density, int n, int instance,
-                                const Material& material, const Vec3& normal) const {
+  std::optional<Smooth> refraction(Vec2 raster, int density, int n, int instance,
+                                   const Material& material, const Vec3& normal) const {
     return look_up(&GridPoint::refraction, raster, density, n, instance, material, normal);
   }
 
@@ -60,8 +66,9 @@ class GlossyGrid {
     int width = 0, height = 0;
     std::vector<GridPoint> points;
   };
-  std::optional<Rgb> look_up(std::optional<Rgb> GridPoint::*value, Vec2 raster, int density, int n,
-                             int instance, const Material& material, const Vec3& normal) const;
+  std::optional<Smooth> look_up(std::optional<Rgb> GridPoint::*value, Vec2 raster, int density,
+                                int n, int instance, const Material& material,
+                                const Vec3& normal) const;
 
   std::vector<Grid> grids_;  ///< by density; empty when no material interpolates
 };

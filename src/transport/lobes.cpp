@@ -55,6 +55,13 @@ bool right_side(LobeKind kind, bool same_side) {
   }
 }
 
+/// Whether the mirror that highlight `i` stands beside is one, and not a highlight itself: its own
+/// depth or the material's switch may keep it from sending rays.
+bool sends_rays(const Closure& closure, int i) {
+  if (i == 0 || closure.lobes[i - 1].kind != LobeKind::Mirror) return true;
+  return !closure.lobes[i - 1].controls.highlights_only;
+}
+
 /// Of lobes that show light sources alone.
 float highlight(const Lobe& lobe, const Vec3& o, const Vec3& w) {
   switch (lobe.kind) {
@@ -105,7 +112,7 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (is_delta(lobe.kind) || !right_side(lobe.kind, same_side)) continue;
-    if (seen_in_mirrors && lobe.controls.mirrored) continue;
+    if (seen_in_mirrors && lobe.controls.mirrored && sends_rays(closure, i)) continue;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (is_highlight(lobe.kind)) {
       out.highlight += lobe.level * highlight(lobe, o, w);

@@ -15,14 +15,25 @@ namespace oriel {
 /// Checked: NestedMedia.*, Glass.Absorbs* in tests/analytic, PhotonTrace.NestedMedia*.
 struct MediumOnWay {
   Medium medium;
-  bool known = false;  ///< false: the next wall met from its inside tells
+  bool known = false;                ///< false: the next wall met from its inside tells
+  const NodeList* volume = nullptr;  ///< of the object that the ray is in
+  bool volume_known = false;
 
   /// At a surface, before it is passed: the medium of the way to it.
   void arrive(const Closure& closure, const ShadingPoint& point) {
     if (!known && point.back_side && !closure.thin_walled) medium = closure.inside;
+    if (!volume_known && point.back_side && closure.volume) volume = closure.volume;
+  }
+  /// The same of volumes alone, whose hulls may have no thickness or be holes as a whole.
+  void leave_volume(const Closure& closure, const ShadingPoint& point, const Vec3& direction) {
+    if (!closure.volume) return;
+    const bool crosses = dot(direction, point.geometric_normal) < 0;
+    volume = crosses == point.back_side ? nullptr : closure.volume;
+    volume_known = true;
   }
   /// From a surface on in a direction, through it or back.
   void leave(const Closure& closure, const ShadingPoint& point, const Vec3& direction) {
+    leave_volume(closure, point, direction);
     if (closure.thin_walled) return;
     if (dot(direction, point.geometric_normal) < 0) {
       medium = point.back_side ? Medium{} : closure.inside;

@@ -34,7 +34,8 @@ inline constexpr std::size_t kLevels = 5;
 struct Outputs {
   std::array<Rgb, kComponents> result;
   std::array<Rgb, kLevels> level;
-  Rgb occlusion{1};   ///< factor of indirect light
+  Rgb occlusion{1};   ///< of the first material, whatever it acts on; 1 where it asks for none
+  Rgb dimming{1};     ///< the factor that it is of indirect light
   float opacity = 1;  ///< of the first material; 1 where there is none
 
   Outputs() {

@@ -55,6 +55,7 @@ void Path::count_ray() {
 
 void Path::follow(const ShadingPoint& point, const Vec3& direction) {
   float reach = medium_.reach();
+  if (veil_.black_distance > 0) reach = std::min(reach, veil_.black_distance);
   if (fading_.distance > 0) reach = std::min(reach, fading_.distance - from_.passed);
   reach = std::min(reach, reach_ - from_.passed);
   ray_ = leave(point, direction, reach, mask());
@@ -117,7 +118,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
     if (!parted_) component_ = closure.outputs ? Component::Background : Component::Other;
     parted_ = true;
   } else if (after_diffuse_ && keeps_weights &&
-             !(closure.refractive_caustics && world_.options.caustic.on)) {
+             !(closure.refractive_caustics && world_.options.brings_caustics())) {
     // Straight transmission against everything else, by their levels.
     Rgb through(0), other(closure.emission);
     for (int i = 0; i < closure.count; ++i)
@@ -136,6 +137,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   }
   if (is_black(factor)) return false;
   dim(factor);
+  medium_.leave_volume(closure, point, ray_.dir);
   if (!keeps_weights) from_.weighed = false;
   if (!culled && u < closure.opacity && !closure.thin_walled) {
     if (straight_rays_fade())
@@ -167,6 +169,7 @@ bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint&
     return false;
   }
   dim(through / p);
+  medium_.leave_volume(closure, point, ray_.dir);
   if (!filter.thin_walled && straight_rays_fade())
     medium_.leave(filter, point, ray_.dir);
   else if (!closure.thin_walled)
@@ -192,8 +195,13 @@ bool Path::arrive(const geom::Hit& hit) {
 
   // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
   medium_.arrive(closure, point);
-  if (!medium_.medium.clear()) dim(transmittance(medium_.medium, length(point.position - left_)));
-  if (pass_straight(closure, material, point)) return true;
+  if (!medium_.medium.clear() || !veil_.clear()) dim(kept_over(length(point.position - left_)));
+  // Where a volume begins or ends the ray's air does, whether or not it goes on unbent.
+  const bool in_volume = closure.volume || medium_.volume;
+  bool turned = in_volume && pass_air(point, from_.passed + hit.t);
+  if (!turned && pass_straight(closure, material, point)) return true;
+  veil_ = {};
+  if (to_far_side_ && !point.back_side) return false;
   takes_ = world_.instances[static_cast<std::size_t>(point.instance)].takes;
   if (visited_) return note_gather_point(closure, material, point);
   if (grid_point_) {
@@ -202,7 +210,7 @@ bool Path::arrive(const geom::Hit& hit) {
   }
 
   const bool parted = parted_;
-  const bool turned = pass_air(point, from_.passed + hit.t);
+  turned = turned || pass_air(point, from_.passed + hit.t);
   if (!turned) {
     darken_near(from_.passed + hit.t);
     fade(from_.passed + hit.t);
@@ -242,7 +250,7 @@ void Path::walk() {
     const bool found = world_.accel->intersect(ray_, hit);
     bool ended = false;
     if (world_.has_area_lights) meet_lights(found ? hit.t : ray_.tfar, ended);
-    if (ended) return;
+    if (ended || (!found && to_far_side_)) return;
     if (!found && pass_air_beyond()) {
       first_ = false;
       if (!survive()) return;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the air on the way of a ray does to its light, and paths that are scattered there.
+#include <utility>
+
 #include "transport/path_walk.h"
 #include "transport/scene_tracer.h"
 
@@ -46,7 +48,7 @@ bool Path::pass_air(const NodeList& nodes, ShadingPoint& way, bool endless) {
     std::construct_at(&from_.lights);
     from_.environment_rate = 0;
     from_.group = LobeGroup::Diffuse;
-    from_.passed = 0;
+    from_.passed = aired_ = 0;
     ray_ = {.time = ray_.time};
     ray_.org = left_ = air.place;
     ray_.dir = air.onward;
@@ -56,9 +58,12 @@ bool Path::pass_air(const NodeList& nodes, ShadingPoint& way, bool endless) {
   return false;
 }
 
-/// At a surface, t from where the ray began. Rays in a medium are left alone.
+/// At a surface, t from where the ray began. Rays in a medium are left alone. In an object with
+/// volume shaders these are its air.
 bool Path::pass_air(const ShadingPoint& end, float t) {
-  if (world_.air.empty() && world_.air_of_eye.empty()) return false;
+  const NodeList& air = medium_.volume ? *medium_.volume : world_.air;
+  const float length = t - std::exchange(aired_, t);
+  if ((air.empty() && world_.air_of_eye.empty()) || !(length > 0)) return false;
   if (!medium_.medium.clear()) return false;
   ShadingPoint way;
   way.raster = raster_;
@@ -66,15 +71,15 @@ bool Path::pass_air(const ShadingPoint& end, float t) {
   way.blurred = blurred_;
   way.position = end.position;
   way.normal = way.geometric_normal = -ray_.dir;
-  way.ray_origin = end.position - ray_.dir * t;
+  way.ray_origin = end.position - ray_.dir * length;
   way.ray_direction = ray_.dir;
-  way.ray_length = t;
+  way.ray_length = length;
   way.world = &world_;
   way.time = ray_.time;
   SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (kind_ == RayKind::Eye && pass_air(world_.air_of_eye, way, false)) ||
-         pass_air(world_.air, way, false);
+         pass_air(air, way, false);
 }
 
 /// Before what lies beyond all surfaces. An environment knows its own air, but for what has an end.

@@ -131,10 +131,12 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, Output
   const Material& material = point.material ? *point.material : kNone;
   PathSettings settings = without_outputs(settings_);
   settings.outputs = outputs;
+  settings.grid = settings_.grid;
   PathResult result;
   Path sub = sub_path(settings, stream, result);
   sub.vertex_ = vertex_;
-  sub.first_ = false;
+  sub.grid_point_ = grid_point_;
+  sub.grid_density_ = grid_density_;
   sub.parted_ = outputs == nullptr;
   sub.ray_ = ray_;
   sub.left_ = left_;
@@ -151,10 +153,17 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, Output
   oriel::shade(surface, point, closure);
   point.tracer = outer;
   bool goes_on = false;
-  if (sub.pass_straight(closure, material, point)) {
+  // Through a hole the alpha is that of what lies behind.
+  const bool passes = sub.pass_straight(closure, material, point);
+  sub.first_ = passes;
+  sub.alpha_open_ = !passes;
+  if (!passes) result.alpha = closure.alpha;
+  if (passes) {
     goes_on = true;
   } else if (sub.visited_) {
     goes_on = sub.note_gather_point(closure, material, point);
+  } else if (sub.grid_point_) {
+    sub.fill_grid_point(closure, material, point);
   } else {
     if (outputs) sub.meet_first(closure);
     sub.add(sub.at_vertex(Component::Added), closure.emission, sub.layer_of_rest());
@@ -165,7 +174,7 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, Output
     ++sub.vertex_;
     sub.walk();
   }
-  return Rgba(result.radiance.x, result.radiance.y, result.radiance.z, 1);
+  return Rgba(result.radiance.x, result.radiance.y, result.radiance.z, clamp01(result.alpha));
 }
 
 }  // namespace oriel

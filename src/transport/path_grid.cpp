@@ -17,7 +17,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
   GridPoint& out = *grid_point_;
   LobeChoice choice;
   make_ready(closure, point.wo());
-  choose_lobes(closure, choice, indirect());
+  choose_lobes(closure, choice, point, indirect());
   for (int i = 0; i < closure.count; ++i) {
     if (choice.rays[i] <= 0 || !closure.lobes[i].controls.interpolate ||
         closure.lobes[i].controls.grid_density != grid_density_)
@@ -33,9 +33,11 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
     only.rays[i] = static_cast<float>(rays);
     const bool refracts = transmits(lobe.kind);
     PathResult seen;
+    seen.alpha = 1;
     for (std::uint32_t j = 0; j < rays; ++j) {
       Path branch = *this;
       branch.grid_point_ = nullptr;
+      branch.alpha_open_ = true;
       branch.result_ = &seen;
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       // Lights without a visible shape show as highlights of reflecting lobes, and are left to
@@ -60,6 +62,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
     out.material = &material;
     out.normal = point.normal;
     (refracts ? out.refraction : out.reflection) = seen.radiance;
+    if (refracts) out.alpha = seen.alpha;
   }
 }
 
@@ -81,10 +84,12 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
       if (smooth && controls.detail_distance > 0) {
         controls.falloff_distance = controls.detail_distance;
         controls.falloff_to_color = true;
-        controls.falloff_color = *smooth;
+        controls.falloff_color = smooth->light;
       } else if (smooth) {
         add(at_vertex(refracts ? Component::Refraction : Component::Reflection),
-            throughput_ * lobe.level * *smooth, world_.light_layers.unknown());
+            throughput_ * lobe.level * smooth->light, world_.light_layers.unknown());
+        if (refracts && alpha_open_ && closure.propagate_alpha)
+          result_->alpha -= (1 - smooth->alpha) * mean_of(throughput_ * lobe.level);
         choice.rays[i] = 0;
         // Visible lights are in the grid.
         controls.highlights_only = controls.mirrored = true;

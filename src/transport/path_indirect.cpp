@@ -187,7 +187,7 @@ void Path::visit_behind(const ShadingPoint& point, const Vec3& direction,
 bool Path::note_gather_point(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
   make_ready(closure, point.wo());
-  choose_lobes(closure, choice, indirect());
+  choose_lobes(closure, choice, point, indirect());
   const auto before = static_cast<std::ptrdiff_t>(visited_->size());
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
@@ -196,8 +196,7 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
       choice.rays[i] = 0;
       if (!takes_all(kSendsGatherRays)) continue;
       const Vec3 side = lit_side(lobe);
-      const float quality =
-          lobe.kind == LobeKind::Diffuse ? std::max(1.0f, lobe.controls.samples) : 1.0f;
+      const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
       // One record serves all lobes of a side.
       const auto same =
           std::find_if(visited_->begin() + before, visited_->end(),

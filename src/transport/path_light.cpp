@@ -83,8 +83,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (shadowed_by_unseen(world_, from_.point, ray_.dir, hit->t, counts_)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
-    const Rgb arriving = lights_ * hit->radiance * from_.affected(*hit) *
-                         transmittance(medium_.medium, hit->t - from_.passed) * weight;
+    const Rgb arriving =
+        lights_ * hit->radiance * from_.affected(*hit) * kept_over(hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     add_found(from_.shown(light, *hit), fading_.kept(hit->t), arriving, view,
               layer_of_light(index));
@@ -96,7 +96,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   const Rgb view = view_to(nearest);
   if (!ended) return dim(view);
   const float kept = fading_.kept(nearest);
-  add(on_way(), throughput_ * (seen * view * transmittance(medium_.medium, nearest) * kept),
+  add(on_way(), throughput_ * (seen * view * kept_over(nearest) * kept),
       layer_of_light(seen_light));
   if (kept < 1) add(on_way(), throughput_ * faded_to() * (1 - kept), layer_of_faded());
   if (!first_) return;
@@ -158,7 +158,7 @@ void Path::meet_environment() {
   if (first_)
     result_->alpha = clamp01(c.a);
   else if (alpha_open_)
-    result_->alpha -= (1 - clamp01(c.a)) * (throughput_.x + throughput_.y + throughput_.z) / 3;
+    result_->alpha -= (1 - clamp01(c.a)) * mean_of(throughput_);
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
   if (from_.weighed && from_.environment_rate > 0 && !environment_) {

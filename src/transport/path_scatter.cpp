@@ -69,11 +69,18 @@ bool Path::depth_reached(LobeKind kind) const {
 
 /// Shares of the lobes that rays may follow. Reflections that may not become highlights,
 /// refractions black.
-void Path::choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const {
+void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint& point,
+                        bool diffuse) const {
+  // Light sources on the far side of a translucent solid are no indirect light.
+  const bool looks_through =
+      !settings_.indirect && !closure.thin_walled && !point.back_side && !after_diffuse_;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only) continue;
-    if (!world_.options.trace || (is_diffuse(lobe.kind) && !diffuse)) continue;
+    if (!world_.options.trace) continue;
+    if (is_diffuse(lobe.kind) && !diffuse &&
+        !(looks_through && lobe.kind == LobeKind::Translucency))
+      continue;
     if (!is_diffuse(lobe.kind)) {
       const bool reflection = lobe.channel == Channel::Reflection;
       const bool cut =
@@ -144,8 +151,7 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
     near_distance_ = o.distance > 0 ? o.distance : kFarAway;
   }
   const bool tells = settings_.outputs && at_first_;
-  const bool asks = !is_black(o.ambient) || (dims && (o.details == 1 || tells));
-  if (!asks) return;
+  if (is_black(o.ambient) && !tells && !(dims && o.details == 1)) return;
   Rgb level(0);
   Vec3 normal = point.normal;
   for (int i = 0; i < closure.count; ++i)
@@ -156,12 +162,12 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   const int rays = at_eye_surface() ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
   const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
   const Rgb open = Rgb(free) + o.dark * (1 - free);
-  add(at_vertex(Component::Indirect), throughput_ * level * o.ambient * open, layer_of_rest());
+  add(at_vertex(Component::Diffuse), throughput_ * level * o.ambient * open, layer_of_rest());
   if (settings_.witness) settings_.witness->occlude(place_, o, free);
   if (dims && o.details == 1) occlusion_ = open;
-  // Where indirect light is not dimmed, its factor is 1, whatever the ambient light does.
-  if (tells && (dims || !indirect()))
-    settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
+  if (!tells) return;
+  settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
+  if (dims) settings_.outputs->dimming = settings_.outputs->occlusion;
 }
 
 /// What lights and environment bring to this vertex.
@@ -208,6 +214,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
   if (settings_.witness) place_ = settings_.witness->leave(place_, lobe.kind);
   medium_.leave(closure, point, sample.wi);
+  if (closure.thin_walled && transmits(lobe.kind)) veil_ = closure.inside;
   reach_ = kInfinity;
   lights_ = throughput_ = throughput_ * sample.weight;
   importance_ *= max_component(lobe.level);
@@ -230,6 +237,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       else
         near_distance_ = 0;
       if (lobe.kind == LobeKind::Translucency) part = Component::Translucency;
+      to_far_side_ = !settings_.indirect;
       break;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
@@ -269,7 +277,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   from_.weighed = !sample.delta;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
-  from_.passed = 0;
+  from_.passed = aired_ = 0;
   const LobeControls& controls = lobe.controls;
   fading_ = {controls.falloff_distance,
              controls.falloff_to_color,
@@ -325,7 +333,7 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   occlude(closure, point);
   const bool mapped = reads_maps();
   const bool diffuse = !(mapped && take_mapped(closure, point)) && indirect();
-  choose_lobes(closure, choice, diffuse);
+  choose_lobes(closure, choice, point, diffuse);
   if (mapped) emulate(closure, point);
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);

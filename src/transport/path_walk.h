@@ -13,6 +13,7 @@
 #include "transport/lobes.h"
 #include "transport/medium.h"
 #include "transport/path.h"
+#include "transport/shadow.h"
 #include "transport/surface.h"
 #include "transport/witness.h"
 
@@ -175,7 +176,8 @@ class Path {
   float glow_weight(const geom::Hit& hit, const ShadingPoint& point) const;
 
   // path_scatter.cpp
-  void choose_lobes(Closure& closure, LobeChoice& choice, bool diffuse) const;
+  void choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint& point,
+                    bool diffuse) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                    float environment, bool diffuse);
@@ -233,6 +235,12 @@ class Path {
   void with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
                        LightParts& parts);
   bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);
+  /// What the media on the way leave of light over a distance.
+  Rgb kept_over(float distance) const {
+    const Rgb kept = transmittance(medium_.medium, distance);
+    return veil_.clear() ? kept : kept * transmittance(veil_, distance);
+  }
+  static float mean_of(const Rgb& c) { return (c.x + c.y + c.z) / 3; }
   static Vec3 facing(const Vec3& n, const Vec3& side) { return dot(n, side) < 0 ? -n : n; }
 
   // path_grid.cpp
@@ -274,6 +282,7 @@ class Path {
   bool features_seen_ = false;  ///< normal and albedo are those of a surface that scatters
   bool off_maps_ = false;       ///< begins where maps know nothing
   bool alpha_open_ = false;     ///< what lies behind shows in alpha
+  bool to_far_side_ = false;    ///< only the inner side of the solid's other wall counts
   Component component_ = Component::Other;
   Rgb throughput_{1};
   Rgb lights_{1};            ///< the same for lights that the last vertex sampled as well
@@ -284,8 +293,10 @@ class Path {
   Vertex from_;
   Fading fading_;
   const NodeList* environment_ = nullptr;
+  float aired_ = 0;          ///< of `from_.passed`, what the air has acted on
   float reach_ = kInfinity;  ///< of a gather ray; beyond it there is only the environment
   MediumOnWay medium_;
+  Medium veil_;   ///< what a thin wall does to the ray behind it, up to the next surface
   Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
   int reflections_ = 0, refractions_ = 0;  ///< since the last diffuse bounce
   int bounces_ = 0;                        ///< diffuse and glossy

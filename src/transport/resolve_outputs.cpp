@@ -30,11 +30,14 @@ MaterialOutputs resolve_outputs(const Outputs& means, const Rgb& beauty) {
   }
   const Rgb indirect = result(Component::Indirect);
   const Rgb post = quotient(indirect, means.level[static_cast<std::size_t>(Component::Diffuse)]);
-  Rgb occlusion = means.occlusion;
-  for (int i = 0; i < 3; ++i)
-    if (post[i] != 0) occlusion[i] = std::max(occlusion[i], kLeastOcclusion);
+  Rgb occlusion = means.occlusion, dimming = means.dimming;
+  for (int i = 0; i < 3; ++i) {
+    if (post[i] == 0) continue;
+    dimming[i] = std::max(dimming[i], kLeastOcclusion);
+    occlusion[i] = std::max(occlusion[i], kLeastOcclusion);
+  }
   put(indirect);
-  put(quotient(post, occlusion));
+  put(quotient(post, dimming));
   put(post);
   put(occlusion);
   put(result(Component::Added));

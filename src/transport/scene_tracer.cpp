@@ -112,7 +112,13 @@ std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& poin
     const Rgb all = shadow_transmittance(world_, point, s->wi, s->reach, counts_, index).all;
     open = all + (Rgb(1) - all) * s->shadow_factor;
   }
-  return Arriving{s->irradiance * open * kInvPi, s->wi, s->distance};
+  return Arriving{s->irradiance * open * kInvPi,
+                  s->wi,
+                  s->distance,
+                  s->affects_diffuse,
+                  s->affects_specular,
+                  s->force_specular,
+                  s->is_sun};
 }
 
 }  // namespace oriel

@@ -47,7 +47,7 @@ Rgb transmittance(const Medium& medium, float distance) {
 
 Openness straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
   Rgb all(0), clear(0);
-  const bool refracts = closure.refractive_caustics && options.caustic.on;
+  const bool refracts = closure.refractive_caustics && options.brings_caustics();
   if (!refracts)
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
@@ -116,6 +116,8 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
       // A light inside of glass.
       if (segments && !way.medium.clear() && !std::isinf(ray.tfar))
         dim(transmittance(way.medium, ray.tfar));
+      if (way.volume && !std::isinf(ray.tfar))
+        dim(kept_by_air(world, *way.volume, left, wi, ray.tfar));
       return open;
     }
     ShadingPoint blocker;
@@ -124,8 +126,9 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     const Material& material = material_of(world, hit);
     Closure closure;
     shade_blocker(material, blocker, closure);
+    way.arrive(closure, blocker);
+    if (way.volume) dim(kept_by_air(world, *way.volume, left, wi, length(blocker.position - left)));
     if (segments) {
-      way.arrive(closure, blocker);
       // From where the ray left: its origin is a little off the surface, and glass may be thin.
       dim(transmittance(way.medium, length(blocker.position - left)));
     }

@@ -25,29 +25,10 @@ constexpr ShaderSpec kTestAxis = {
         },
 };
 
-/// "test_vector": leaves a vector for the material behind it in the list.
-struct TestVector {
-  Vec3 vector;
-};
-constexpr ParamSpec kTestVectorRows[] = {{ORIEL_PARAM(TestVector, vector)}};
-constexpr ShaderSpec kTestVector = {
-    .name = "test_vector",
-    .library = "test",
-    .apply = kApplyMaterial,
-    .params = kTestVectorRows,
-    .params_size = sizeof(TestVector),
-    .value =
-        [](const Call& call, void* result) {
-          call.point.tex_vector = call.as<TestVector>().vector;
-          *static_cast<Rgba*>(result) = Rgba(0);
-        },
-};
-
 const Registry& axis_registry() {
   static const Registry registry([] {
     std::vector<const ShaderSpec*> specs = test_registry().all();
     specs.push_back(&kTestAxis);
-    specs.push_back(&kTestVector);
     return specs;
   }());
   return registry;
@@ -57,11 +38,12 @@ Vec3 direction(float turns) { return Vec3(std::cos(turns * kTwoPi), std::sin(tur
 
 /// The plate's base directions, turns from its own x axis, and how far the plate itself is turned.
 constexpr float kTurned = 0.07f;
-constexpr float kCoordinates = 0.05f, kBump = 0.11f, kBumpOfSpace1 = 0.18f, kDerivative = 0.23f,
+constexpr float kCoordinates = 0.05f, kCoordinatesOfSpace1 = 0.14f, kBump = 0.11f,
+                kBumpOfSpace1 = 0.18f, kDerivative = 0.23f,
                 kVector = 0.31f;  // the vector is in world space
 
-/// A square from -1 to 1, front up, with two texture spaces and bump bases; coordinates of space 0
-/// run along kCoordinates, 0.5 at the middle.
+/// A square from -1 to 1, front up, with two texture spaces and bump bases; coordinates run
+/// along kCoordinates and kCoordinatesOfSpace1, 0.5 at the middle.
 std::string plate(bool derivatives) {
   std::string vectors, vertices;
   const Vec3 corners[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -71,11 +53,13 @@ std::string plate(bool derivatives) {
   vectors += "0 0 1\n" + basis(kBump) + basis(kBumpOfSpace1) + basis(kDerivative);
   for (int i = 0; i < 4; ++i) {
     const Vec3 p = corners[i];
-    const Vec3 uv(.5f + dot(p, direction(kCoordinates)) / 2,
-                  .5f + dot(p, direction(kCoordinates + .25f)) / 2, 0);
-    vectors += text_of(p) + "\n" + text_of(uv) + "\n";
-    vertices += fmt::format("v {} n 0 {} t {} 1 2 t {} 3 4\n", 7 + 2 * i,
-                            derivatives ? "d 5 6" : "", 8 + 2 * i, 8 + 2 * i);
+    vectors += text_of(p) + "\n";
+    for (const float turns : {kCoordinates, kCoordinatesOfSpace1})
+      vectors += text_of(Vec3(.5f + dot(p, direction(turns)) / 2,
+                              .5f + dot(p, direction(turns + .25f)) / 2, 0)) +
+                 "\n";
+    vertices += fmt::format("v {} n 0 {} t {} 1 2 t {} 3 4\n", 7 + 3 * i,
+                            derivatives ? "d 5 6" : "", 8 + 3 * i, 9 + 3 * i);
   }
   return fmt::format(
       "object \"plate\" visible on shadow on trace on\ngroup\n{}{}c 0 1 2 3\nend group\n"
@@ -119,7 +103,7 @@ std::string plate_scene(Output output, const std::string& more, bool derivatives
       .statement(plate(derivatives))
       .statement(fmt::format("shader \"surface\" \"mia_material_x\" ( {}, \"anisotropy\" 5, {} )",
                              parameters_of(output), more))
-      .statement(fmt::format("material \"m\" \"test_vector\" ( \"vector\" {} ) = \"surface\" "
+      .statement(fmt::format("material \"m\" \"oriel_tex_vector\" ( \"vector\" {} ) = \"surface\" "
                              "end material",
                              text_of(direction(kVector) * 2.0f)))
       .statement(
@@ -182,7 +166,8 @@ TEST(Anisotropy, EachSourceTurnsReflectionsRefractionsAndHighlightsAlike) {
     const char* name;
   };
   const Source sources[] = {{0, kTurned + kCoordinates, false, "texture space 0"},
-                            {1, kTurned + kBumpOfSpace1, false, "texture space 1"},
+                            {0, kTurned + kCoordinates, true, "texture space 0, derivatives given"},
+                            {1, kTurned + kCoordinatesOfSpace1, false, "texture space 1"},
                             {-1, kTurned, false, "object"},
                             {-2, kTurned + kBump, false, "bump basis"},
                             {-3, kTurned + kDerivative, true, "derivatives"},

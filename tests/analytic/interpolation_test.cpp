@@ -96,7 +96,7 @@ TEST(Interpolation, MorePointsSmoothMore) {
       const auto c =
           grid.reflection(Vec2(32, static_cast<float>(y) + .5f), 1, n, 0, m, Vec3(0, 0, 1));
       if (!c) continue;
-      sum += double{c->x}, squares += double{c->x} * double{c->x};
+      sum += double{c->light.x}, squares += double{c->light.x} * double{c->light.x};
       ++count;
     }
     EXPECT_EQ(count, 18) << n;

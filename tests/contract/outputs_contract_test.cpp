@@ -246,8 +246,7 @@ TEST(RandomArchitecturalMaterial, OutputsOfEveryPathAreItsRadiance) {
           scale += std::abs(result);
         }
         const double indirect = double(at("indirect_result")[k]);
-        const double rebuilt = double(at("diffuse_level")[k]) * double(at("indirect_raw")[k]) *
-                               double(at("ao_raw")[k]);
+        const double rebuilt = double(at("diffuse_level")[k]) * double(at("indirect_post_ao")[k]);
         worst_product = std::max(worst_product, relative(rebuilt, indirect, std::abs(indirect)));
         const double background = double(at("opacity_result")[k]);
         simple += indirect + background + double(at("add_result")[k]) + double(at("other")[k]);

@@ -82,6 +82,119 @@ TEST(MaterialApi, BothStructsAreToldApartByTheirSize) {
   expect_color(asked(3), Rgb(.125f, 0, 0), 1e-6f);
 }
 
+/// Calls a material and shows member `member` of its 24 results, or its colour alone for 24.
+constexpr const char* kWhole =
+    "struct whole { miTag mtl; miInteger member; };"
+    "DLLEXPORT miBoolean whole(miColor *r, miState *state, struct whole *p) {"
+    "  mia_material_x_return all; miColor *c = &all.result; int i;"
+    "  miTag mtl = *mi_eval_tag(&p->mtl); int member = *mi_eval_integer(&p->member);"
+    "  for (i = 0; i < (int)sizeof all; ++i) ((char *)&all)[i] = 0;"
+    "  all.spare[0].r = 7;"
+    "  if (!mi_call_shader_x(c, miSHADER_MATERIAL, state, mtl, NULL)) return miFALSE;"
+    "  if (all.spare[0].r != 7) return miFALSE;"
+    "  if (member == 24) { *r = c[0]; return miTRUE; }"
+    "  if (member < 23) *r = c[member]; else r->r = r->g = r->b = all.opacity;"
+    "  r->a = 1; return miTRUE; }";
+const std::string kDeclareWhole =
+    "link \"whole.so\" declare shader color \"whole\" ( shader \"mtl\", integer \"member\" ) "
+    "apply material end declare ";
+
+// acceptance: I1
+TEST(MaterialApi, CallersGetTheWholeStruct) {
+  const ShaderFolder folder;
+  folder.compile("whole", std::string(kHead) + kWhole);
+  const auto scene_of = [&](const std::string& material, const std::string& outputs) {
+    return kDeclareWhole + lamp("\"mib_light_point\" ( \"color\" 9 9 9 )") +
+           "shader \"x\" \"mia_material_x\" ( \"diffuse\" .7 .5 .3 1, \"reflectivity\" .4, "
+           "\"refl_color\" 1 .5 1 1, \"brdf_0_degree_refl\" 1, \"refl_gloss\" .2, "
+           "\"additional_color\" .1 .2 .3, \"cutout_opacity\" 1, \"multiple_outputs\" " +
+           outputs + " ) material \"m\" " + material + " end material " + UserScene::square("m");
+  };
+  UserScene bare(folder, scene_of("= \"x\"", "on"), "\"lamp_i\" \"square_i\"");
+  const UserPicture wanted(bare, 16, true);
+  const auto shown = [&](std::size_t member, const std::string& outputs) {
+    UserScene scene(
+        folder,
+        scene_of("\"whole\" ( \"mtl\" \"x\", \"member\" " + std::to_string(member) + " )", outputs),
+        "\"lamp_i\" \"square_i\"");
+    const Rgb mean = UserPicture(scene, 16).mean();
+    EXPECT_EQ(scene.messages(), "");
+    return mean;
+  };
+  int bright = 0;
+  for (std::size_t i = 0; i < kMaterialResults; ++i) {
+    const std::string name = kMaterialOutputNames[i];
+    const Rgb expected = name == "result" ? wanted.mean() : mean_output(wanted, name);
+    bright += expected.x > .01f;
+    // Quotients of means are not means of quotients where levels change over the picture.
+    expect_color(shown(i, "on"), expected, .02f * max_component(expected) + 1e-6f);
+    if (i > 0) expect_color(shown(i, "off"), Rgb(0), 0);
+  }
+  EXPECT_GE(bright, 10);
+}
+
+// acceptance: I2
+TEST(MaterialApi, WrappedMaterialsKeepAlphaAndHoles) {
+  const ShaderFolder folder;
+  folder.compile("whole", std::string(kHead) + kWhole);
+  const auto alpha = [&](const std::string& material, const std::string& parameters) {
+    UserScene scene(folder,
+                    kDeclareWhole + "shader \"x\" \"mia_material_x\" ( \"multiple_outputs\" on, " +
+                        parameters + " ) material \"m\" " + material + " end material " +
+                        UserScene::square("m"),
+                    "\"square_i\"");
+    const UserPicture picture(scene, 64);
+    EXPECT_EQ(scene.messages(), "");
+    const Film& film = picture.session->film();
+    return film.pixel(film.width() / 2, film.height() / 2).beauty.a;
+  };
+  const std::pair<std::string, float> cases[] = {
+      {"\"reflectivity\" 0, \"cutout_opacity\" .25", .25f},
+      {"\"reflectivity\" 0, \"transparency\" .75, \"thin_walled\" on, \"propagate_alpha\" on",
+       .25f},
+      {"\"reflectivity\" 0, \"transparency\" .75, \"thin_walled\" on", 1},
+      {"\"reflectivity\" 0, \"transparency\" .75, \"thin_walled\" on, \"refr_gloss\" .9, "
+       "\"refr_interpolate\" on, \"propagate_alpha\" on",
+       .25f}};
+  for (const auto& [parameters, expected] : cases) {
+    EXPECT_NEAR(alpha("= \"x\"", parameters), expected, .02f) << parameters;
+    EXPECT_NEAR(alpha("\"whole\" ( \"mtl\" \"x\", \"member\" 24 )", parameters), expected, .02f)
+        << "wrapped: " << parameters;
+  }
+}
+
+// acceptance: I3
+TEST(MaterialApi, TheSunSaysThatItIsOne) {
+  const ShaderFolder folder;
+  folder.compile(
+      "suns",
+      std::string(kHead) +
+          "DLLEXPORT miBoolean suns(miColor *r, miState *state, void *p) {"
+          "  mia_material_api_lightdata data, *said; miTag *lights; int n, i, size;"
+          "  miColor c; miVector dir; float cosine;"
+          "  r->r = r->g = r->b = 0; r->a = 1;"
+          "  n = mi_global_lights_info(&lights);"
+          "  for (i = 0; i < n; ++i) { int samples = 0;"
+          "    data.struct_size = sizeof data; data.glossiness = data.importance = 1;"
+          "    data.affect_diffuse = data.affect_specular = 1;"
+          "    data.is_mr_sun = data.force_specular = miFALSE;"
+          "    mi_shaderstate_set(state, miA_MATERIAL_API_LIGHTDATA, &data, sizeof data, 0);"
+          "    while (mi_sample_light(&c, &dir, &cosine, state, lights[i], &samples)) {"
+          "      said = mi_shaderstate_get(state, miA_MATERIAL_API_LIGHTDATA, &size);"
+          "      if (said->is_mr_sun) r->r += 1; else r->g += 1; } }"
+          "  return miTRUE; }");
+  const std::string sun =
+      "light \"sun\" \"mia_physicalsun\" ( \"on\" on, \"multiplier\" 1, \"samples\" 1, "
+      "\"rgb_unit_conversion\" 1 1 1 ) direction 0 0 -1 end light "
+      "instance \"sun_i\" \"sun\" end instance ";
+  UserScene scene(folder,
+                  "link \"suns.so\" declare shader color \"suns\" ( ) apply material end declare " +
+                      lamp("\"mib_light_point\" ( \"color\" 1 1 1 )") + sun +
+                      "material \"m\" \"suns\" ( ) end material " + UserScene::square("m"),
+                  "\"lamp_i\" \"sun_i\" \"square_i\"");
+  expect_color(UserPicture(scene).mean(), Rgb(1, 1, 0), 1e-6f);
+}
+
 /// Light shader "tell": shines white and does STATEMENTS with `data`, the light data or null.
 std::string telling(const std::string& statements) {
   return std::string(kHead) +

@@ -155,7 +155,9 @@ TEST(MiaAnisotropy, TheChannelChoosesTheBaseDirection) {
   const float c = std::cos(0.3f * kTwoPi), s = std::sin(0.3f * kTwoPi);
   const Mat4 to_world(c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   point.to_world = &to_world;
-  const std::pair<int, float> kCases[] = {{0, 0.05f},  {1, 0.15f},  {-1, 0.3f},
+  // Without a scene there is no texture space but that of the derivatives; TextureDirection tests
+  // the others.
+  const std::pair<int, float> kCases[] = {{0, 0.05f},  {1, 0.3f},   {-1, 0.3f},
                                           {-2, 0.10f}, {-3, 0.05f}, {-4, 0.20f}};
   for (const auto& [channel, turns] : kCases) {
     P p = brushed(5, 0);
@@ -163,6 +165,15 @@ TEST(MiaAnisotropy, TheChannelChoosesTheBaseDirection) {
     const Fit f = fit_lobe(p, LobeKind::GlossyReflection, point);
     EXPECT_LT(turns_apart(f.turns, turns), kAngleTolerance) << channel;
   }
+}
+
+// acceptance: A3
+TEST(MiaAnisotropy, NoughtStretchesAsTheLeastRatioDoes) {
+  P p = brushed(0, 0.1f);
+  const Fit f = fit_lobe(p, LobeKind::GlossyReflection),
+            least = fit_lobe(brushed(.1f, .1f), LobeKind::GlossyReflection);
+  EXPECT_LT(turns_apart(f.turns, least.turns), kAngleTolerance);
+  EXPECT_LT(turns_apart(f.turns, 0.35f), kAngleTolerance);
 }
 
 TEST(MiaAnisotropy, FramesStayOrthonormalWhereTheBaseDirectionIsMissing) {

@@ -12,6 +12,7 @@
 #include "runtime/closure.h"
 #include "runtime/material_outputs.h"
 #include "runtime/shader_node.h"
+#include "runtime/texture_direction.h"
 
 namespace oriel {
 namespace {
@@ -20,31 +21,35 @@ Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)
 
 Rgb saturate(const Rgba& c, bool conserve) { return conserve ? clamped(c) : rgb(c); }
 
-/// The direction along which highlights stretch before rotation.
+/// Object x, or y where the surface faces along x.
+Vec3 object_direction(const ShadingPoint& point) {
+  const Vec3 x = point.to_world ? transform_vector(Vec3(1, 0, 0), *point.to_world) : Vec3(1, 0, 0);
+  const Vec3 y = point.to_world ? transform_vector(Vec3(0, 1, 0), *point.to_world) : Vec3(0, 1, 0);
+  return std::abs(dot(normalize(x), point.normal)) < 0.95f ? x : y;
+}
+
+/// The direction along which highlights stretch before rotation. Where a space has no direction,
+/// the object's stands in.
 Vec3 stretch_direction(const MiaMaterialParams& p, const ShadingPoint& point) {
   const int space = p.anisotropy_channel;
-  if (space >= 0 && space < point.texture_spaces)
-    return space == 0 ? point.dpdu : point.bump_u[space];
-  switch (space) {
-    case -2:
-      return point.texture_spaces > 0 ? point.bump_u[0] : Vec3(0);
-    case -3:
-      return point.dpdu;
-    case -4:
-      return point.tex_vector;
-    default: {
-      // Object x, or y where the surface faces along x.
-      const Vec3 x =
-          point.to_world ? transform_vector(Vec3(1, 0, 0), *point.to_world) : Vec3(1, 0, 0);
-      const Vec3 y =
-          point.to_world ? transform_vector(Vec3(0, 1, 0), *point.to_world) : Vec3(0, 1, 0);
-      return std::abs(dot(normalize(x), point.normal)) < 0.95f ? x : y;
-    }
-  }
+  Vec3 along(0);
+  if (space >= 0)
+    along = texture_direction(point, space);
+  else if (space == -2)
+    along = point.texture_spaces > 0 && point.bump_u[0] != Vec3(0) ? point.bump_u[0]
+                                                                   : texture_direction(point, 0);
+  else if (space == -3)
+    along = point.dpdu;
+  else if (space == -4)
+    along = point.tex_vector;
+  const Vec3 across = cross(along, point.normal);
+  constexpr float kLeastSine = 1e-4f;
+  const bool usable = dot(across, across) > kLeastSine * kLeastSine * dot(along, along);
+  return usable ? along : object_direction(point);
 }
 
 Frame stretched_frame(const MiaMaterialParams& p, const ShadingPoint& point, const Vec3& normal) {
-  if (p.anisotropy == 1 || p.anisotropy <= 0) return Frame(normal);
+  if (p.anisotropy == 1) return Frame(normal);
   const Frame frame = Frame::along(normal, stretch_direction(p, point));
   const float angle = p.anisotropy_rotation * kTwoPi;
   if (angle == 0) return frame;
@@ -56,16 +61,14 @@ struct Normals {
   Vec3 diffuse, specular, base;
 };
 
-/// The normal after one bump input. A shader there may return nothing and move it itself.
-Vec3 after_bump(const Call& call, std::size_t offset, const Vec3& v, const Vec3& normal) {
-  const ShadingPoint& point = call.point;
-  if (v != Vec3(0)) return bump_normal(point, normal, v, call.as<MiaMaterialParams>().bump_mode);
-  const ShaderNode* source = call.node ? call.node->source(offset) : nullptr;
-  if (!source) return normal;
-  ShadingPoint moved = point;
+/// The normal after one bump input. A shader there finds the normal as the bumps before left it; it
+/// may return nothing and move it itself.
+Vec3 after_bump(const Call& call, std::size_t offset, Vec3 v, const Vec3& normal) {
+  ShadingPoint moved = call.point;
   moved.normal = normal;
-  source->color(moved);
-  return moved.normal;
+  if (call.node) call.node->ask(offset, moved, &v);
+  if (v == Vec3(0)) return moved.normal;
+  return bump_normal(call.point, normal, v, call.as<MiaMaterialParams>().bump_mode);
 }
 
 /// The normals after the bump inputs, on the viewer's side.
@@ -181,7 +184,7 @@ void add_refraction(const MiaMaterialParams& p, const ShadingPoint& point, const
 
 Medium inside_of(const MiaMaterialParams& p) {
   Medium medium;
-  if (!p.refr_falloff_on || p.refr_falloff_dist <= 0 || p.thin_walled) return medium;
+  if (!p.refr_falloff_on || p.refr_falloff_dist <= 0) return medium;
   if (!p.refr_falloff_color_on) {
     medium.black_distance = p.refr_falloff_dist;
     return medium;
@@ -233,12 +236,16 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   closure.indirect_scale = std::max(0.0f, p.indirect_multiplier);
   const Normals n = bumped_normals(call, extended);
   const float cos_view = clamp01(dot(n.specular, point.wo()));
-  const bool inside = point.back_side && !p.thin_walled;
+  // Opaque surfaces have no inside, whichever way their normals point (manual 1.6.3).
+  const bool inside = point.back_side && !p.thin_walled && p.transparency > 0;
   const MiaLevels levels = mia_levels(p, cos_view, inside);
 
   add_diffuse(p, levels.diffuse, n.diffuse, closure);
-  const bool weak_inner =
-      inside && p.transparency > 0 && p.skip_inside_refl && !levels.total_reflection;
+  /// What glass reflects on its inside where it does not reflect totally, but for the last degrees
+  /// before that; a guess of what the manual calls weak.
+  constexpr float kWeak = 0.1f;
+  const bool weak_inner = inside && p.skip_inside_refl && !levels.total_reflection &&
+                          max_component(levels.reflection) < kWeak;
   if (!weak_inner && !is_black(levels.reflection))
     add_reflection(p, {levels.reflection, p.refl_gloss, p.refl_gloss_samples},
                    stretched_frame(p, point, reflecting_outward(n.specular, point)), closure);

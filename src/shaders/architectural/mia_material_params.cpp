@@ -137,9 +137,9 @@ constexpr ParamSpec kMiaMaterialParamsRows[] = {
     {ORIEL_PARAM(MiaMaterialParams, bump_mode), .fallback = {5}, .min = 0, .max = 8,
      .doc = "0 compatible; 1-4 add, 5-8 set the normal in internal, world, object, camera space."},
     {ORIEL_PARAM(MiaMaterialParams, overall_bump), .fallback = {0, 0, 0},
-     .doc = "Normal or change of it for everything."},
+     .doc = "Normal or change of it for everything.", .asked_for = true},
     {ORIEL_PARAM(MiaMaterialParams, standard_bump), .fallback = {0, 0, 0},
-     .doc = "The same on top, not for diffuse with no_diffuse_bump."},
+     .doc = "The same on top, not for diffuse with no_diffuse_bump.", .asked_for = true},
     {ORIEL_PARAM(MiaMaterialParams, multiple_outputs), .fallback = {1},
      .doc = "Write all outputs, not only the result."},
     {ORIEL_PARAM(MiaMaterialParams, refl_base), .min = 0, .max = 1,
@@ -150,7 +150,8 @@ constexpr ParamSpec kMiaMaterialParamsRows[] = {
      .doc = "Its glossiness."},
     {ORIEL_PARAM(MiaMaterialParams, refl_base_gloss_samples), .fallback = {8}, .min = 0, .max = 128,
      .doc = "Its rays."},
-    {ORIEL_PARAM(MiaMaterialParams, refl_base_bump), .fallback = {0, 0, 0}, .doc = "Its normal."},
+    {ORIEL_PARAM(MiaMaterialParams, refl_base_bump), .fallback = {0, 0, 0}, .doc = "Its normal.",
+     .asked_for = true},
 };
 
 }  // namespace

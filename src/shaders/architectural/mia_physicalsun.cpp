@@ -83,6 +83,7 @@ const ShaderSpec kMiaPhysicalSun = {
     .light =
         [](const Call&, const LightCall& call) {
           LightValue value;
+          value.is_sun = true;
           if (const auto* state = static_cast<const SunState*>(call.light.state.get()))
             value.colour = state->colour;
           return value;
