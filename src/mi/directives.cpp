@@ -191,7 +191,7 @@ void Cursor::skip_code(const Token& command) {
   code_.push_back({std::string(body), at_command});
   const char* p = begin + body.size();
   if (closed)
-    while (*p != '\n' && *p != 0) ++p;
+    while (*p != source().newline() && *p != 0) ++p;
   set_raw(p);
 }
 
