@@ -70,9 +70,8 @@ TEST_F(ExitCodes, UnwritableOutputsAreOneWithTheOthersWritten) {
 TEST_F(ExitCodes, WithoutAnyWritableOutputNothingIsPrepared) {
   std::filesystem::create_directory(file("taken.exr"));
   // The missing shader would be reported while the scene is prepared.
-  const RunResult r = render("instgroup \"root\"",
-                             "material \"x\" \"acme_thing\" ( ) end material\ninstgroup \"root\"",
-                             "output \"rgba\" \"exr\" \"taken.exr\"");
+  const RunResult r =
+      render("\"mia_material_x\"", "\"acme_thing\"", "output \"rgba\" \"exr\" \"taken.exr\"");
   EXPECT_EQ(r.exit_code, 1) << r.err;
   EXPECT_EQ(r.err.find("OR-RT-001"), std::string::npos) << r.err;
 }
