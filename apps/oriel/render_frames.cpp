@@ -387,6 +387,18 @@ class FrameRenderer {
 
 }  // namespace
 
+namespace {
+
+/// Whether nothing that was asked for is missing. Errors that shaders report (mi_error) do not
+/// count: the shader has returned a result all the same.
+bool is_complete(const Diagnostics& diagnostics) {
+  return std::none_of(diagnostics.all().begin(), diagnostics.all().end(), [](const Diagnostic& d) {
+    return d.severity == Severity::Error && d.code != "OR-SDK-020";
+  });
+}
+
+}  // namespace
+
 int render_frames(mi::Reader& reader, const RenderArguments& arguments, const RenderPlan& plan,
                   const std::function<void(scene::Scene&)>& edit, Diagnostics& diagnostics,
                   DiagnosticPrinter& printer) {
@@ -413,7 +425,7 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
   if (rendered == 0 && !arguments.skip_existing)
     throw UserError(fmt::format("--frames {}: {} has {} render statements", arguments.frames,
                                 arguments.scene.path, frames));
-  return diagnostics.count(Severity::Error) > 0 ? kExitFailed : kExitDone;
+  return is_complete(diagnostics) ? kExitDone : kExitFailed;
 }
 
 }  // namespace oriel::app
