@@ -2,6 +2,8 @@
 // oriel check: what a scene uses, and what of it is unknown, missing, approximated or ignored.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 
@@ -13,6 +15,7 @@
 #include "render/camera_output.h"
 #include "render/prepare.h"
 #include "render/session.h"
+#include "scene/option_table.h"
 #include "scene_code.h"
 #include "scene_file.h"
 #include "sdk/host.h"
@@ -29,6 +32,24 @@ struct CheckArguments {
   bool as_json = false;
 };
 
+bool acts(const std::string& keyword, std::initializer_list<std::string_view> acting) {
+  return std::find(acting.begin(), acting.end(), keyword) != acting.end();
+}
+
+/// Statements of cameras and lights that were read and have no effect.
+void count_inert(const scene::Element& element, std::map<std::string, int>& kept) {
+  if (const auto* camera = std::get_if<scene::Camera>(&element))
+    for (const scene::Statement& s : camera->other)
+      if (!acts(s.keyword, {"offset", "window", "clip", "stereo", "eye separation",
+                            "parallax distance", "frame", "data", "tag"}))
+        ++kept["camera " + s.keyword];
+  if (const auto* light = std::get_if<scene::Light>(&element))
+    for (const scene::Statement& s : light->other)
+      if (!acts(s.keyword, {"exponent", "caustic photons", "globillum photons", "photons only",
+                            "visible", "lightprofile", "energy", "data", "tag"}))
+        ++kept["light " + s.keyword];
+}
+
 /// Constructs that were read and have no effect, by keyword.
 std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
   std::map<std::string, int> kept;
@@ -36,6 +57,7 @@ std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
     for (const scene::KeptText& t : texts) ++kept[fmt::format("{} {}", where, t.keyword)];
   };
   for (const scene::Element& element : scene.elements()) {
+    count_inert(element, kept);
     if (const auto* k = std::get_if<scene::KeptElement>(&element)) ++kept[k->kind];
     if (const auto* o = std::get_if<scene::Options>(&element)) count(o->kept, "options");
     if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->kept, "camera");
@@ -51,11 +73,19 @@ std::size_t count_statements(const scene::Scene& scene) {
   return block ? block->statements.size() : 0;
 }
 
+/// What happens in place of a string option that does not act.
+std::string done_instead(std::string_view keyword) {
+  for (const scene::OptionRow& row : scene::option_table())
+    if (row.keyword == keyword) return std::string(row.meaning);
+  return "path tracing and the noise target take its place";
+}
+
 json options_json(const scene::RenderOptions& options, const Diagnostics& diagnostics) {
   constexpr const char* kReasons[] = {"not_yet", "kept", "harmless"};
   json without = {{"not_yet", json::array()}, {"kept", json::array()}, {"harmless", json::array()}};
   for (const scene::WithoutEffect& w : options.without_effect) {
     json entry = {{"keyword", w.keyword}};
+    if (w.keyword.starts_with('"')) entry["instead"] = done_instead(w.keyword);
     if (w.where.line) {
       entry["file"] = diagnostics.file(w.where.file);
       entry["line"] = w.where.line;
@@ -75,6 +105,28 @@ json picture_json(const World& world) {
           {"maps_colours", !world.lens.empty()},
           {"indirect_light", plan.name()},
           {"caustics", plan.caustic}};
+}
+
+/// Which shaders the scene calls, and what is known of them: those that no part of the picture uses
+/// as well, and those of outputs and lenses.
+void list_shaders(const CheckedScene& checked, json& result) {
+  const json used = used_shaders(checked);
+  json calls = json::object(), stand_ins = json::object();
+  json magenta = json::array(), without_effect = json::array();
+  for (const json& shader : used) {
+    const std::string type = shader["type"];
+    calls[type] = shader["calls"];
+    if (shader.value("stands_in", false)) stand_ins[type] = shader["calls"];
+    if (shader["status"] == "unknown")
+      (shader["magenta"] ? magenta : without_effect).push_back(type);
+  }
+  result["used_shaders"] = used;
+  result["shaders"] = calls;
+  result["stand_ins"] = stand_ins;
+  result["missing"]["shaders"] = magenta;
+  result["missing"]["shaders_without_effect"] = without_effect;
+  result["textures"] = used_textures(checked);
+  result["libraries"] = used_libraries(checked);
 }
 
 /// Everything that is said, once as data; text and page are made from it. Leaves the scene.
@@ -105,18 +157,13 @@ json inspect(const CheckArguments& a, SceneCode& code, scene::Scene& scene,
     }
     host.end_frame();
     const CheckedScene checked{scene, registry, host, report.binding, diagnostics};
-    result["used_shaders"] = used_shaders(checked);
-    result["textures"] = used_textures(checked);
-    result["libraries"] = used_libraries(checked);
+    list_shaders(checked, result);
     result["picture"] = picture_json(*world);
     result["outputs"] = outputs;
-    result["shaders"] = report.binding.shaders;
     result["parameters"] = {{"approximated", report.binding.approximated},
                             {"ignored", report.binding.ignored}};
-    result["stand_ins"] = report.binding.stand_ins;
     result["guessed"] = report.binding.guessed;
-    result["missing"] = {{"shaders", report.binding.missing_shaders},
-                         {"textures", report.binding.missing_textures}};
+    result["missing"]["textures"] = report.binding.missing_textures;
     result["options"] = options_json(world->options, diagnostics);
     result["options"]["statements"] = count_statements(scene);
     result["geometry"] = {{"objects", report.objects},
@@ -125,7 +172,19 @@ json inspect(const CheckArguments& a, SceneCode& code, scene::Scene& scene,
                           {"lights", report.lights},
                           {"bytes", report.geometry_bytes}};
   }
-  if (result["frames"] == 0) renders = false;
+  if (result["frames"] == 0) {
+    renders = false;
+    const sdk::Host host(scene, registry, code.trusted_folders(), diagnostics);
+    const BindingReport nothing_bound;
+    list_shaders({scene, registry, host, nothing_bound, diagnostics}, result);
+    // In the order of scene::Element.
+    constexpr std::array<const char*, std::variant_size_v<scene::Element>> kKinds = {
+        "options",  "camera",    "light",  "material", "texture", "lightprofile", "object",
+        "instance", "instgroup", "shader", "assembly", "data",    "other"};
+    std::map<std::string, int> elements;
+    for (const scene::Element& element : scene.elements()) ++elements[kKinds[element.index()]];
+    result["elements"] = elements;
+  }
   result["kept_without_effect"] = kept_constructs(scene);
   result["packages"] = scene.packages;
   return result;
@@ -149,9 +208,18 @@ void print_names(const char* title, const json& names) {
           name.contains("line")
               ? fmt::format("{}:{}", name["file"].get<std::string>(), name["line"].get<int>())
               : std::string();
-      fmt::print("  {:<48} {}\n", name["keyword"].get<std::string>(), place);
+      const std::string instead = name.value("instead", "");
+      fmt::print("  {:<48} {}{}\n", name["keyword"].get<std::string>(), place,
+                 instead.empty() ? "" : ": " + instead);
     }
   }
+}
+
+void print_shaders(const json& r) {
+  print_counts("shaders, calls of each", r["shaders"]);
+  print_counts("shaders of other programs, approximated by stand-ins", r["stand_ins"]);
+  print_names("missing shaders, shown magenta", r["missing"]["shaders"]);
+  print_names("missing shaders, without effect", r["missing"]["shaders_without_effect"]);
 }
 
 void print_text(const json& r) {
@@ -169,9 +237,7 @@ void print_text(const json& r) {
     fmt::print("  sampling   at most {} samples, noise {:.4f}\n", p["max_samples"].get<int>(),
                p["noise_target"].get<double>());
     print_names("outputs", r["outputs"]);
-    print_counts("shaders, calls of each", r["shaders"]);
-    print_counts("shaders of other programs, approximated by stand-ins", r["stand_ins"]);
-    print_names("missing shaders, shown magenta", r["missing"]["shaders"]);
+    print_shaders(r);
     if (!r["guessed"].empty()) fmt::print("missing shaders, guessed from their parameters\n");
     for (const auto& [type, guess] : r["guessed"].items())
       fmt::print("  {:<32} {}\n", type, guess.get<std::string>());
@@ -182,7 +248,11 @@ void print_text(const json& r) {
     print_names("options that nothing acts on yet", without["not_yet"]);
     print_names("options that are only kept", without["kept"]);
     print_names("options that cannot change the picture", without["harmless"]);
-    print_names("options nobody here knows", r["options"]["unknown_strings"]);
+    print_names("unknown options", r["options"]["unknown_strings"]);
+  }
+  if (r.contains("elements")) {
+    print_counts("elements", r["elements"]);
+    print_shaders(r);
   }
   print_counts("kept without effect", r["kept_without_effect"]);
 }

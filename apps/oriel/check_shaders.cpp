@@ -29,6 +29,7 @@ struct Use {
 /// Calls of one type, and what they write.
 struct Type {
   int calls = 0;
+  bool shows = false;  ///< some call makes a colour that the picture shows
   SourceLocation where;
   std::map<std::string, Use> arguments;
 };
@@ -74,6 +75,16 @@ class Uses {
       for (const auto& light : p.lights) take(light);
       for (const auto& root : p.roots) take(root.shaders);
     }
+    for (const scene::Element& element : scene.elements()) {
+      if (const auto* m = std::get_if<scene::Material>(&element)) show(scene, m->shaders);
+      if (const auto* t = std::get_if<scene::Texture>(&element)) show(scene, t->procedure);
+      if (const auto* c = std::get_if<scene::Camera>(&element)) show(scene, c->environment);
+    }
+    for (const scene::Phenomenon& p : scene.phenomena) {
+      for (const auto& shader : p.shaders) show(scene, shader.functions);
+      for (const auto& material : p.materials) show(scene, material.shaders);
+      for (const auto& root : p.roots) show(scene, root.shaders);
+    }
   }
   const std::map<std::string, Type>& types() const { return types_; }
 
@@ -89,6 +100,25 @@ class Uses {
           written.value = value_text(argument.value), written.where = argument.where;
       }
     }
+  }
+  /// Marks the types of a list, and of what is connected to it, as seen.
+  void show(const scene::Scene& scene, const scene::ShaderList& list) {
+    for (const scene::ShaderUse& use : list) {
+      if (!use.reference.empty()) show_named(scene, use.reference);
+      if (const auto type = types_.find(use.type); type != types_.end()) type->second.shows = true;
+      for (const scene::Argument& argument : use.arguments) show_value(scene, argument.value);
+    }
+  }
+  void show_value(const scene::Scene& scene, const Value& value) {
+    if (value.kind == Value::Kind::Connection || value.kind == Value::Kind::Text)
+      show_named(scene, value.text);
+    for (const Value& item : value.items) show_value(scene, item);
+    for (const scene::Argument& member : value.members) show_value(scene, member.value);
+  }
+  void show_named(const scene::Scene& scene, const std::string& name) {
+    const auto* element = scene.get<scene::ShaderElement>(name);
+    if (!element) element = scene.get<scene::ShaderElement>(name.substr(0, name.rfind('.')));
+    if (element && shown_.insert(element->name).second) show(scene, element->functions);
   }
   void take(const scene::Options& o) { take(o.state); }
   void take(const scene::Camera& c) {
@@ -107,6 +137,7 @@ class Uses {
   void take(const Other&) {}
 
   std::map<std::string, Type> types_;
+  std::set<std::string> shown_;
 };
 
 void set_place(const SourceLocation& where, const Diagnostics& diagnostics, json& entry) {
@@ -151,7 +182,7 @@ std::string worst_of(const json& parameters, bool stands_in) {
 }
 
 /// What the type is, where it is none of the built-in ones.
-void judge_foreign(const CheckedScene& c, const std::string& type, json& entry) {
+void judge_foreign(const CheckedScene& c, const std::string& type, bool shows, json& entry) {
   if (c.scene.find_phenomenon(type)) {
     entry["status"] = "phenomenon";
     entry["note"] = "put together in the scene; its shaders are listed by themselves";
@@ -160,15 +191,20 @@ void judge_foreign(const CheckedScene& c, const std::string& type, json& entry) 
     entry["note"] = "of a C library that is linked and trusted";
   } else if (const auto guess = c.binding.guessed.find(type); guess != c.binding.guessed.end()) {
     entry["status"] = "guessed";
-    entry["note"] = "nobody has it; from its parameters' names: " + guess->second;
+    entry["note"] = "not available; guessed from the names of its parameters: " + guess->second;
+    for (json& p : entry["parameters"])
+      if (guess->second.find('"' + p["name"].get<std::string>() + '"') != std::string::npos)
+        p["support"] = "approximated", p["reason"] = "the guess uses it";
   } else {
     std::vector<std::string> names;
     for (const ShaderSpec* spec : c.builtin.all()) names.emplace_back(spec->name);
     const std::string near = nearest_name(type, names);
     entry["status"] = "unknown";
-    entry["note"] = "nobody has it; it shows magenta" +
-                    (near.empty() ? std::string() : fmt::format(". The nearest is \"{}\"", near)) +
-                    ". Link the C library that has it, or replace it";
+    entry["magenta"] = shows;
+    entry["note"] =
+        std::string(shows ? "not available; shown magenta" : "not available; it has no effect") +
+        (near.empty() ? std::string() : fmt::format(". The nearest is \"{}\"", near)) +
+        ". Link the C library that has it, or replace it";
   }
 }
 
@@ -192,11 +228,12 @@ json used_shaders(const CheckedScene& c) {
       entry["parameters"].push_back(std::move(p));
     }
     if (!spec) {
-      judge_foreign(c, name, entry);
+      judge_foreign(c, name, type.shows, entry);
     } else {
       entry["status"] = worst_of(entry["parameters"], spec->stands_in);
       entry["library"] = spec->library;
       entry["doc"] = spec->doc;
+      entry["stands_in"] = spec->stands_in;
       if (spec->stands_in)
         entry["note"] = "stands in for another program's shader, by what is public of it";
     }

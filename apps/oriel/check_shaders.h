@@ -21,9 +21,10 @@ struct CheckedScene {
 
 /// One entry for each type that is called, by name: {type, calls, status, library, doc, note,
 /// parameters}. status: exact, approximated, ignored (some parameters are), native (of a C
-/// library), phenomenon, guessed or unknown. Parameters are those that the scene writes: {name,
-/// support (exact, approximated, ignored, unknown), count, value, file, line, reason}; the place is
-/// the first.
+/// library), phenomenon, guessed or unknown (magenta: whether the picture shows it so). Shaders of
+/// every kind are listed, whether something uses them or not. Parameters are those that the scene
+/// writes: {name, support (exact, approximated, ignored, unknown), count, value, file, line,
+/// reason}; the place is the first.
 nlohmann::json used_shaders(const CheckedScene& checked);
 
 /// {name, written, state, file, line} of each texture file that the scene names. state: found,

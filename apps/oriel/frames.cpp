@@ -73,8 +73,8 @@ std::string frame_path(const std::string& path, int frame) {
 void FrameFiles::begin(int frame, const std::vector<std::string>& outputs,
                        const scene::Camera* camera, const OutputRoots& roots,
                        const std::string& otherwise) {
+  if (frame != frame_) taken_ = known_;
   frame_ = frame;
-  taken_ = known_;
   expected_.clear();
   eyes_ = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
   for (const std::string& output : outputs) expected_.push_back(frame_path(output, frame));
@@ -87,7 +87,7 @@ void FrameFiles::begin(int frame, const std::vector<std::string>& outputs,
       if (!buffer.filename.empty()) named.push_back(buffer.filename);
   }
   for (const std::string& file : named) {
-    const std::string path = allowed_path(file, roots);
+    const std::string path = output_place(file, roots).path;
     if (path.empty()) continue;
     known_.insert(path);
     expected_.push_back(path_of(path));
@@ -100,12 +100,18 @@ std::string FrameFiles::path_of(const std::string& path) const {
                                                                       : path;
 }
 
+std::vector<std::string> FrameFiles::all() const {
+  std::vector<std::string> paths;
+  for (const std::string& path : expected_)
+    for (const Eye eye : eyes_) paths.push_back(eye_path(path, eye));
+  return paths;
+}
+
 bool FrameFiles::all_exist() const {
-  return std::all_of(expected_.begin(), expected_.end(), [this](const std::string& path) {
-    return std::all_of(eyes_.begin(), eyes_.end(), [&path](Eye eye) {
-      std::error_code error;
-      return fs::is_regular_file(eye_path(path, eye), error);
-    });
+  const std::vector<std::string> paths = all();
+  return std::all_of(paths.begin(), paths.end(), [](const std::string& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
   });
 }
 

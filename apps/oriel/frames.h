@@ -34,13 +34,15 @@ std::string frame_path(const std::string& path, int frame);
 /// in it from the second on.
 class FrameFiles {
  public:
-  /// Every frame passes here, rendered or not. `outputs`: of the command line, which stand for
-  /// those of the camera; `otherwise`: where nothing names a file.
+  /// Every frame passes here, rendered or not; again when its camera was edited. `outputs`: of the
+  /// command line, which stand for those of the camera; `otherwise`: where nothing names a file.
   void begin(int frame, const std::vector<std::string>& outputs, const scene::Camera* camera,
              const OutputRoots& roots, const std::string& otherwise);
   /// The path of a camera's file in this frame.
   std::string path_of(const std::string& path) const;
-  /// Whether all files of the frame are there, of both eyes where the camera has two.
+  /// The files of the frame, of both eyes where the camera has two.
+  std::vector<std::string> all() const;
+  /// Whether all of them are there.
   bool all_exist() const;
 
  private:

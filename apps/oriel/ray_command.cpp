@@ -29,7 +29,8 @@ struct RayPlan {
   std::vector<scene::Statement> options;
   std::vector<RayCall> camera;
   std::string echo, file_name, file_type, file_dir;
-  OutputRoots roots{".", {"."}};  ///< as the old program: in the current folder
+  /// As the old program: in the current folder.
+  OutputRoots roots{".", {"."}, "-file_name FILE or -file_dir DIR names another place"};
   std::vector<std::string> without_effect;
   int level = kLevelAll;
   bool renders = true, help = false, version = false;

@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
+#include <stdexcept>
 
 #include "base/parallel.h"
 #include "image/texture_statistics.h"
@@ -56,9 +58,7 @@ class FrameRenderer {
 
   /// Every frame passes here before it is rendered or not. False: it is not wanted.
   bool begin(const scene::RenderCommand& command, int frame) {
-    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
-    frame_files_.begin(frame, a_.outputs, camera, roots_,
-                       fs::path(a_.scene.path).stem().string() + ".exr");
+    name_files(command, frame);
     if (!plan_.frames.holds(frame)) return false;
     if (!a_.skip_existing || !frame_files_.all_exist()) return true;
     diagnostics_.note("OR-RN-063", command.where,
@@ -70,6 +70,8 @@ class FrameRenderer {
   bool render(const scene::RenderCommand& command, int frame, bool is_last) {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
     const std::vector<Eye> eyes = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
+    name_files(command, frame);  // an edit may have changed them
+    if (!try_files(command)) return false;
     for (const Eye eye : eyes)
       if (!interrupted() && !render(command, frame, eye, is_last && eye == eyes.back()))
         return false;
@@ -77,6 +79,30 @@ class FrameRenderer {
   }
 
  private:
+  void name_files(const scene::RenderCommand& command, int frame) {
+    const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
+    frame_files_.begin(frame, a_.outputs, camera, roots_,
+                       fs::path(a_.scene.path).stem().string() + ".exr");
+  }
+
+  /// Tries to write the files of the frame before the time of rendering is spent. False: none can
+  /// be written.
+  bool try_files(const scene::RenderCommand& command) {
+    const std::vector<std::string> paths = frame_files_.all();
+    unwritable_.clear();
+    for (const std::string& path : paths) {
+      const std::string fault = output_fault(path, roots_);
+      if (!fault.empty()) report_unwritable(path, "cannot write '" + path + "': " + fault, command);
+    }
+    return unwritable_.size() < std::set(paths.begin(), paths.end()).size();
+  }
+
+  void report_unwritable(const std::string& path, std::string message,
+                         const scene::RenderCommand& command) {
+    if (unwritable_.insert(path).second)
+      diagnostics_.error("OR-RN-065", command.where, std::move(message));
+  }
+
   bool render(const scene::RenderCommand& command, int frame, Eye eye, bool is_last) {
     session_.reset();  // it refers to the world before
     denoised_ = {};
@@ -255,8 +281,14 @@ class FrameRenderer {
   void write_files() {
     const Clock::time_point start = Clock::now();
     const std::map<std::string, std::string> metadata = describe();
-    for (const PictureFile& file : files_)
-      write_picture(file, *session_, metadata, denoised_.empty() ? nullptr : &denoised_);
+    for (const PictureFile& file : files_) {
+      if (unwritable_.contains(file.path)) continue;
+      try {
+        write_picture(file, *session_, metadata, denoised_.empty() ? nullptr : &denoised_);
+      } catch (const std::runtime_error& error) {
+        report_unwritable(file.path, error.what(), scene_.renders.back());
+      }
+    }
     last_write_ = Clock::now();
     write_seconds_ = seconds_since(start);
   }
@@ -310,7 +342,7 @@ class FrameRenderer {
                             {"bytes_read", t.bytes_read},
                             {"bytes_held", t.bytes_held}};
       if (reason != StopReason::MapsOnly)
-        for (const PictureFile& file : files_) line["files"].push_back(file.path);
+        for (const std::string& file : written_files()) line["files"].push_back(file);
       return print_json(line);
     }
     if (a_.quiet) return;
@@ -318,12 +350,19 @@ class FrameRenderer {
       fmt::print(stderr, "maps of indirect light alone, as the options ask: no picture\n");
       return;
     }
-    std::vector<std::string> names;
-    for (const PictureFile& file : files_) names.push_back(file.path);
+    const std::vector<std::string> names = written_files();
+    if (names.empty()) return;
     fmt::print(stderr, "{}{}: {:.4g} samples{}, {}\n",
                reason == StopReason::Cancelled ? "interrupted, the picture so far: " : "",
                fmt::join(names, ", "), p.mean_samples,
                p.noise ? fmt::format(", noise {:.4f}", *p.noise) : "", duration_text(p.elapsed));
+  }
+
+  std::vector<std::string> written_files() const {
+    std::vector<std::string> names;
+    for (const PictureFile& file : files_)
+      if (!unwritable_.contains(file.path)) names.push_back(file.path);
+    return names;
   }
 
   const RenderArguments& a_;
@@ -341,9 +380,22 @@ class FrameRenderer {
   std::optional<RenderSession> session_;
   Image denoised_;  ///< empty until the render is done, or without --denoise
   std::vector<PictureFile> files_;
+  std::set<std::string> unwritable_;
   Clock::time_point last_write_;
   double write_seconds_ = 0;
 };
+
+}  // namespace
+
+namespace {
+
+/// Whether nothing that was asked for is missing. Errors that shaders report (mi_error) do not
+/// count: the shader has returned a result all the same.
+bool is_complete(const Diagnostics& diagnostics) {
+  return std::none_of(diagnostics.all().begin(), diagnostics.all().end(), [](const Diagnostic& d) {
+    return d.severity == Severity::Error && d.code != "OR-SDK-020";
+  });
+}
 
 }  // namespace
 
@@ -373,7 +425,7 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
   if (rendered == 0 && !arguments.skip_existing)
     throw UserError(fmt::format("--frames {}: {} has {} render statements", arguments.frames,
                                 arguments.scene.path, frames));
-  return kExitDone;
+  return is_complete(diagnostics) ? kExitDone : kExitFailed;
 }
 
 }  // namespace oriel::app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "color/luminance.h"
 #include "image/pixel_buffer.h"
 
 namespace oriel {
@@ -19,7 +20,7 @@ struct ViewOptions {
   ColorClip clip = ColorClip::Raw;
   bool desaturate = false;  ///< out-of-range colours fade towards white and keep their intensity
   bool premultiply = true;  ///< off: colour is divided by alpha
-  Rgb luminance_weight{0.2126f, 0.7152f, 0.0722f};  ///< what "intensity" is; Rec. 709
+  Rgb luminance_weight = kRec709Luminance;  ///< what "intensity" is
 };
 
 /// One premultiplied linear colour as an integer file stores it, each component in 0...1.

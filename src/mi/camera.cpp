@@ -4,6 +4,7 @@
 #include <array>
 
 #include "mi/elements.h"
+#include "mi/number.h"
 #include "mi/statements.h"
 
 namespace oriel::mi {
@@ -13,19 +14,20 @@ using scene::Camera;
 using scene::Output;
 
 const FormTable& camera_forms() {
-  static const FormTable table{{"offset"},
-                               {"window"},
-                               {"clip"},
-                               {"dof"},
-                               {"frame"},
-                               {"field"},
-                               {"stereo", "offset|toein|toe in|offaxis|off axis", 1},
-                               {"eye separation"},
-                               {"parallax distance"},
-                               {"tag"},
-                               {"shift"},
-                               {"motion"},
-                               {"motion off"}};
+  static const FormTable table({{"offset"},
+                                {"window"},
+                                {"clip"},
+                                {"dof"},
+                                {"frame"},
+                                {"field"},
+                                {"stereo", "offset|toein|toe in|offaxis|off axis", 1},
+                                {"eye separation"},
+                                {"parallax distance"},
+                                {"tag"},
+                                {"shift"},
+                                {"motion"},
+                                {"motion off"}},
+                               kCameraWords);
   return table;
 }
 
@@ -67,13 +69,25 @@ void assign_first_of_two(Output& output, const std::string& first) {
   (types ? output.types : output.format) = first;
 }
 
+// Types and formats may stand without quotes before a string; a file name never does.
+bool at_output_string(Parse& parse) {
+  const Token& token = parse.in.peek();
+  if (token.kind != Token::Kind::Word) return token.kind == Token::Kind::String;
+  const char* next = skip_blanks(token.raw.data() + token.raw.size());
+  while ((*next >= 'a' && *next <= 'z') || (*next >= '0' && *next <= '9') || *next == '_') ++next;
+  next = skip_blanks(next);
+  const bool modifier = token.text == "compress" || token.text == "even" || token.text == "odd" ||
+                        token.text == "dod";
+  return *next == '"' && !modifier && !camera_forms().starts_statement(token.text);
+}
+
 // output ["types"] ["format"] modifiers "file" | output ["types"] shaders
 void read_output(Parse& parse, Camera& camera, SourceLocation at) {
   Output output;
   output.where = at;
   std::vector<std::string> strings;
   for (;;) {
-    if (parse.in.at(Token::Kind::String) && strings.size() < 3) {
+    if (at_output_string(parse) && strings.size() < 3) {
       const SourceLocation here = parse.in.where();
       strings.push_back(parse.in.next().str());
       if (!parse.in.at_punct('(')) continue;

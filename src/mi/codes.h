@@ -11,7 +11,7 @@ using Code = std::string_view;
 // Text
 inline constexpr Code kSyntax = "OR-MI-001";        ///< error: unexpected token; element cut short
 inline constexpr Code kUnterminated = "OR-MI-002";  ///< error: string, pixels or binary never close
-inline constexpr Code kBadCharacter = "OR-MI-003";  ///< error: a byte that starts no token
+inline constexpr Code kBadCharacter = "OR-MI-003";  ///< warning: a byte that starts no token
 inline constexpr Code kNumberRange = "OR-MI-004";   ///< warning: overflowing number, clamped
 inline constexpr Code kMissingComma = "OR-MI-005";  ///< warning: two parameters without a comma
 inline constexpr Code kNesting = "OR-MI-006";       ///< error: values nested too deeply
@@ -27,13 +27,14 @@ inline constexpr Code kConditional = "OR-MI-015";       ///< warning: $else, $en
 inline constexpr Code kUnknownDirective = "OR-MI-016";  ///< warning: unknown $ command
 // Statements
 inline constexpr Code kUnknownStatement =
-    "OR-MI-020";                                 ///< warning: no such statement here, skipped
-inline constexpr Code kObsolete = "OR-MI-021";   ///< error: frame/view form of version 1.9
-inline constexpr Code kRefused = "OR-MI-022";    ///< warning: would run foreign code; kept only
-inline constexpr Code kRedefined = "OR-MI-023";  ///< warning: name used again, last one wins
-inline constexpr Code kNotThere = "OR-MI-024";   ///< warning: incremental/delete of nothing
-inline constexpr Code kIgnored = "OR-MI-025";    ///< note: read, has no place in the scene
-inline constexpr Code kNoContent = "OR-MI-026";  ///< warning: a placeholder's file lacks it
+    "OR-MI-020";                                  ///< warning: no such statement here, skipped
+inline constexpr Code kObsolete = "OR-MI-021";    ///< error: frame/view form of version 1.9
+inline constexpr Code kRefused = "OR-MI-022";     ///< warning: would run foreign code; kept only
+inline constexpr Code kRedefined = "OR-MI-023";   ///< warning: name used again, last one wins
+inline constexpr Code kNotThere = "OR-MI-024";    ///< warning: incremental/delete of nothing
+inline constexpr Code kIgnored = "OR-MI-025";     ///< note: read, has no place in the scene
+inline constexpr Code kNoContent = "OR-MI-026";   ///< warning: a placeholder's file lacks it
+inline constexpr Code kStrayToken = "OR-MI-027";  ///< warning: no statement begins here, skipped
 // Names
 inline constexpr Code kUnknownShader = "OR-MI-030";     ///< warning: shader type nobody declares
 inline constexpr Code kUnresolved = "OR-MI-031";        ///< warning: element that does not exist

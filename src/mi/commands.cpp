@@ -257,6 +257,7 @@ bool read_one(Parse& parse) {
 void finish_reading(Parse& parse) {
   // What $ commands behind the last statement left.
   take_over(parse);
+  parse.in.report_missing_includes(true);  // without a render nothing tells what is used
 }
 
 bool read_top_level(Parse& parse) {

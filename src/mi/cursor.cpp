@@ -95,8 +95,8 @@ void Cursor::fetch() {
         directive(token_);
         break;
       case Token::Kind::Bad:
-        diagnostics_->error(code::kBadCharacter, locate(token_),
-                            "characters that have no meaning in a scene file were skipped");
+        diagnostics_->warning(code::kBadCharacter, locate(token_),
+                              "characters that have no meaning in a scene file were skipped");
         break;
       default:
         ready_ = true;

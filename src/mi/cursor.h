@@ -66,6 +66,9 @@ class Cursor {
   std::map<std::string, std::string, std::less<>>& variables() { return variables_; }
   /// File names of includes that could not be read, in order.
   const std::vector<std::string>& missing_includes() const { return missing_; }
+  /// Reports includes that were not found since the last call: each as a warning, or all in one
+  /// note where nothing of them is used.
+  void report_missing_includes(bool used);
   /// Package includes met since the last call.
   std::vector<std::string> take_packages();
   struct CodeBlock {
@@ -108,6 +111,11 @@ class Cursor {
   std::map<std::string, std::string, std::less<>> variables_;
   std::set<std::string, std::less<>> reported_missing_;
   std::vector<std::string> missing_, packages_;
+  struct MissingInclude {
+    std::string name;
+    SourceLocation where;
+  };
+  std::vector<MissingInclude> unreported_;
   std::vector<CodeBlock> code_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "mi/codes.h"
 #include "mi/cursor.h"
@@ -71,9 +72,12 @@ void Cursor::include(const std::string& name, bool angled, SourceLocation at) {
         code::kForbiddenInclude,
         fmt::format("include \"{}\" lies outside the scene's folder and was not read", name),
         "add its folder to the include paths if you trust it");
-  if (path.empty())
-    return missing(code::kMissingInclude, fmt::format("include \"{}\" was not found", name),
-                   "add the folder that holds it to the include paths");
+  if (path.empty()) {
+    if (!reported_missing_.insert(name).second) return;
+    missing_.push_back(name);
+    unreported_.push_back({name, at});
+    return;
+  }
   const bool cycle = std::any_of(stack_.begin(), stack_.end(),
                                  [&](const Frame& f) { return f.canonical == canonical; });
   if (cycle)
@@ -91,6 +95,24 @@ void Cursor::include(const std::string& name, bool angled, SourceLocation at) {
   if (!source)
     return missing(code::kUnreadable, fmt::format("cannot read include {}: {}", path, reason), "");
   push(std::move(source), std::move(canonical), at);
+}
+
+void Cursor::report_missing_includes(bool used) {
+  const std::vector<MissingInclude> missing = std::exchange(unreported_, {});
+  if (missing.empty()) return;
+  if (used) {
+    for (const MissingInclude& m : missing)
+      diagnostics_->warning(code::kMissingInclude, m.where,
+                            fmt::format("include \"{}\" was not found", m.name),
+                            "add the folder that holds it to the include paths");
+    return;
+  }
+  std::string names;
+  for (const MissingInclude& m : missing) names += (names.empty() ? "" : ", ") + m.name;
+  diagnostics_->note(code::kMissingInclude, missing.front().where,
+                     fmt::format("{} include{} not found, and the scene uses nothing of {}: {}",
+                                 missing.size(), missing.size() == 1 ? " was" : "s were",
+                                 missing.size() == 1 ? "it" : "them", names));
 }
 
 bool Cursor::satisfied_by_package(const std::string& name) {
@@ -191,7 +213,7 @@ void Cursor::skip_code(const Token& command) {
   code_.push_back({std::string(body), at_command});
   const char* p = begin + body.size();
   if (closed)
-    while (*p != '\n' && *p != 0) ++p;
+    while (*p != source().newline() && *p != 0) ++p;
   set_raw(p);
 }
 

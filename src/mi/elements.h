@@ -12,7 +12,8 @@ scene::Value read_value(Parse& parse);
 std::vector<scene::Argument> read_arguments(Parse& parse, char close);
 
 // shaders.cpp
-bool at_shader(Parse& parse);  ///< a string or '=' stands here
+/// A string, '=', or a bare word before '(' stands here.
+bool at_shader(Parse& parse);
 scene::ShaderUse read_shader(Parse& parse);
 scene::ShaderList read_shader_list(Parse& parse);
 /// The call of a type whose name was read already; its '(' stands here or is missing.

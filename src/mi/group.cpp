@@ -186,7 +186,7 @@ const char* GroupReader::scan_polygon(const char* p, Room& room) {
     p = scan_index(p, material);
   } else if (named) {
     const char* const begin = p + 1;
-    for (++p; *p != '"' && *p != '\\' && *p != '\n' && *p != 0;) ++p;
+    for (++p; *p != '"' && *p != '\\' && *p != '\n' && *p != '\r' && *p != 0;) ++p;
     if (*p != '"') return nullptr;
     name = {begin, static_cast<std::size_t>(p - begin)};
     if (name != last_name_ || last_name_.data() == nullptr) {
@@ -195,6 +195,8 @@ const char* GroupReader::scan_polygon(const char* p, Room& room) {
     }
     material = builder_.last_material;
     ++p;
+  } else if (!is_digit(*p)) {
+    return nullptr;  // such as a name without quotes
   }
   if (!p || (parse_.tagged && named)) return nullptr;
 

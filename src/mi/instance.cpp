@@ -12,13 +12,28 @@ namespace {
 
 using scene::Instance;
 
+constexpr std::string_view kOtherInstanceWords[] = {"transform", "motion", "material",
+                                                    "light",     "data",   "approximate"};
+
 const FormTable& instance_forms() {
-  static const FormTable table{{"hide"},       {"visible"},      {"shadow"},
-                               {"shadowmap"},  {"trace"},        {"reflection"},
-                               {"refraction"}, {"transparency"}, {"caustic"},
-                               {"globillum"},  {"finalgather"},  {"face", "front|back|both"},
-                               {"select"},     {"override"},     {"shading samples"},
-                               {"hardware"},   {"tag"}};
+  static const FormTable table({{"hide"},
+                                {"visible"},
+                                {"shadow"},
+                                {"shadowmap"},
+                                {"trace"},
+                                {"reflection"},
+                                {"refraction"},
+                                {"transparency"},
+                                {"caustic"},
+                                {"globillum"},
+                                {"finalgather"},
+                                {"face", "front|back|both"},
+                                {"select"},
+                                {"override"},
+                                {"shading samples"},
+                                {"hardware"},
+                                {"tag"}},
+                               kOtherInstanceWords);
   return table;
 }
 
@@ -72,12 +87,20 @@ std::vector<std::string> read_names(Parse& parse, char close) {
   return names;
 }
 
+// A name with or without quotes: of the words, keywords of instances are none.
+bool at_name(Parse& parse) {
+  const Token& token = parse.in.peek();
+  return token.kind == Token::Kind::String ||
+         (token.kind == Token::Kind::Word && token.text != "end" &&
+          !instance_forms().starts_statement(token.text));
+}
+
 void read_materials(Parse& parse, Instance& instance) {
   instance.material_list = parse.in.accept_punct('[');
   instance.materials.clear();
   if (instance.material_list) {
     instance.materials = read_names(parse, ']');
-  } else if (parse.in.peek().is_name() && !parse.in.at_word("end")) {
+  } else if (at_name(parse)) {
     instance.materials.push_back(parse.referenced_name(parse.name("the name of a material")));
   }
 }
@@ -146,8 +169,7 @@ void read_instanced(Parse& parse, Instance& instance) {
     instance.geometry = read_shader_list(parse);
     return;
   }
-  if (!at_shader(parse)) return;
-  if (parse.in.at(Token::Kind::String)) {
+  if (at_name(parse)) {
     const SourceLocation at = parse.in.where();
     std::string name = parse.in.next().str();
     instance.geometry.clear();

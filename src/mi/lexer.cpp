@@ -60,7 +60,7 @@ void Lexer::next(Token& token) {
   for (;;) {
     while (static_cast<unsigned char>(*p_) <= ' ' && *p_ != 0) ++p_;
     if (*p_ != '#') break;
-    const void* newline = std::memchr(p_, '\n', static_cast<std::size_t>(end - p_));
+    const void* newline = std::memchr(p_, source_->newline(), static_cast<std::size_t>(end - p_));
     p_ = newline ? static_cast<const char*>(newline) : end;
   }
   const char c = *p_;
@@ -83,7 +83,7 @@ void Lexer::next(Token& token) {
   }
   // One token for a whole run of rubbish: a binary file is one message, not a million.
   while (q < end && class_of(*q) == 0 && *q != '"' && *q != '\'' && *q != '`' && *q != '$' &&
-         *q != '#' && *q != '\n')
+         *q != '#' && *q != source_->newline())
     ++q;
   finish(token, Token::Kind::Bad, p_, q, q);
 }
@@ -116,7 +116,8 @@ void Lexer::lex_string(Token& token) {
   }
   // A quote forgotten turns every later string inside out. Its mark: the string runs over a line
   // end and what seems to close it stands right before a word, as only an opening quote does.
-  const void* newline = std::memchr(start, '\n', static_cast<std::size_t>((q ? q : end) - start));
+  const void* newline =
+      std::memchr(start, source_->newline(), static_cast<std::size_t>((q ? q : end) - start));
   if (!q || (newline && (class_of(q[1]) & kWordStart))) {
     token.problem = Token::Problem::Unterminated;
     forgotten_until_ = q ? q : end;

@@ -10,32 +10,38 @@ namespace {
 
 using scene::Light;
 
+constexpr std::string_view kAreas[] = {"rectangle", "disc", "sphere", "cylinder", "object", "user"};
+constexpr std::string_view kOtherLightWords[] = {"emitter",   "origin", "direction", "spread",
+                                                 "rectangle", "disc",   "sphere",    "cylinder",
+                                                 "object",    "user",   "data"};
+
 const FormTable& light_forms() {
-  static const FormTable table{{"exponent"},
-                               {"caustic photons"},
-                               {"globillum photons"},
-                               {"photons only"},
-                               {"visible"},
-                               {"shadowmap"},
-                               {"shadowmap resolution"},
-                               {"shadowmap softness"},
-                               {"shadowmap samples"},
-                               {"shadowmap file", "", 1},
-                               {"shadowmap filter", "box|triangle|gauss|mitchell|lanczos"},
-                               {"shadowmap bias"},
-                               {"shadowmap accuracy"},
-                               {"shadowmap color"},
-                               {"shadowmap alpha"},
-                               {"shadowmap detail"},
-                               {"shadowmap detail samples"},
-                               {"shadowmap merge"},
-                               {"shadowmap trace"},
-                               {"shadowmap window"},
-                               {"shadowmap camera", "", 1},
-                               {"lightprofile", "", 1},
-                               {"energy", "spectrum", 1},
-                               {"shadow"},
-                               {"tag"}};
+  static const FormTable table({{"exponent"},
+                                {"caustic photons"},
+                                {"globillum photons"},
+                                {"photons only"},
+                                {"visible"},
+                                {"shadowmap"},
+                                {"shadowmap resolution"},
+                                {"shadowmap softness"},
+                                {"shadowmap samples"},
+                                {"shadowmap file", "", 1},
+                                {"shadowmap filter", "box|triangle|gauss|mitchell|lanczos"},
+                                {"shadowmap bias"},
+                                {"shadowmap accuracy"},
+                                {"shadowmap color"},
+                                {"shadowmap alpha"},
+                                {"shadowmap detail"},
+                                {"shadowmap detail samples"},
+                                {"shadowmap merge"},
+                                {"shadowmap trace"},
+                                {"shadowmap window"},
+                                {"shadowmap camera", "", 1},
+                                {"lightprofile", "", 1},
+                                {"energy", "spectrum", 1},
+                                {"shadow"},
+                                {"tag"}},
+                               kOtherLightWords);
   return table;
 }
 
@@ -45,8 +51,6 @@ const FormTable& profile_forms() {
   return table;
 }
 
-constexpr std::string_view kAreas[] = {"rectangle", "disc", "sphere", "cylinder", "object", "user"};
-
 Vec3 read_vector(Parse& parse, std::string_view what) {
   const float x = parse.real(what), y = parse.real(what);
   return {x, y, parse.real(what)};
@@ -55,7 +59,10 @@ Vec3 read_vector(Parse& parse, std::string_view what) {
 // rectangle u v samples... | object "instance" samples... ; the bare keyword takes the area away.
 void read_area(Parse& parse, Light& light, SourceLocation at) {
   scene::Statement area{std::string(parse.in.next().text), false, {}, at};
-  if (area.keyword == "object" && parse.in.peek().is_name()) {
+  const Token& token = parse.in.peek();
+  const bool keyword = token.kind == Token::Kind::Word &&
+                       (token.text == "end" || light_forms().starts_statement(token.text));
+  if (area.keyword == "object" && token.is_name() && !keyword) {
     scene::Value name;
     name.kind = scene::Value::Kind::Text;
     name.where = parse.in.where();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // material "name" flags shaders { slot shaders }... end material
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "mi/elements.h"
@@ -48,7 +50,14 @@ void read_material(Parse& parse, SourceLocation at) {
                      slot_words().end()) {
         read_slot(parse, material);
       } else {
-        parse.unexpected("a shader, a keyword of a material or 'end material'", slot_words());
+        if (parse.in.at_end() || Parse::starts_element(token))
+          parse.unexpected("a shader, a keyword of a material or 'end material'", slot_words());
+        const std::string near = token.is_name() ? nearest_name(token.text, slot_words()) : "";
+        parse.warn(code::kStrayToken, parse.in.where(),
+                   fmt::format("{} in a material belongs to no statement and was skipped",
+                               parse.shown(token)),
+                   near.empty() ? "" : "did you mean " + near + "?");
+        parse.in.next();
       }
     }
     parse.expect_end("material");

@@ -11,38 +11,39 @@ namespace {
 
 using scene::Object;
 
-const FormTable& object_forms() {
-  static const FormTable table{{"visible"},
-                               {"shadow"},
-                               {"trace"},
-                               {"reflection"},
-                               {"refraction"},
-                               {"transparency"},
-                               {"caustic"},
-                               {"globillum"},
-                               {"finalgather"},
-                               {"face", "front|back|both"},
-                               {"select"},
-                               {"tagged"},
-                               {"shadowmap"},
-                               {"transform"},
-                               {"box"},
-                               {"motion box"},
-                               {"max displace"},
-                               {"ray offset"},
-                               {"samples"},
-                               {"shading samples"},
-                               {"volume group"},
-                               {"tag"},
-                               {"hardware"},
-                               {"file", "", 1},
-                               {"photonmap file", "", 1},
-                               {"finalgather file", "", 1}};
-  return table;
-}
-
 constexpr std::string_view kBodyWords[] = {"group", "trilist", "basis",       "hair",
                                            "file",  "data",    "approximate", "intersection"};
+
+const FormTable& object_forms() {
+  static const FormTable table({{"visible"},
+                                {"shadow"},
+                                {"trace"},
+                                {"reflection"},
+                                {"refraction"},
+                                {"transparency"},
+                                {"caustic"},
+                                {"globillum"},
+                                {"finalgather"},
+                                {"face", "front|back|both"},
+                                {"select"},
+                                {"tagged"},
+                                {"shadowmap"},
+                                {"transform"},
+                                {"box"},
+                                {"motion box"},
+                                {"max displace"},
+                                {"ray offset"},
+                                {"samples"},
+                                {"shading samples"},
+                                {"volume group"},
+                                {"tag"},
+                                {"hardware"},
+                                {"file", "", 1},
+                                {"photonmap file", "", 1},
+                                {"finalgather file", "", 1}},
+                               kBodyWords);
+  return table;
+}
 
 void keep_geometry(Parse& parse, Object& object, SourceLocation at) {
   scene::KeptText kept{std::string(parse.in.next().text), "", at};

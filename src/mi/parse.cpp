@@ -25,7 +25,8 @@ bool contains(const std::string_view (&words)[N], std::string_view word) {
 }
 
 bool in_first_column(const Token& token) {
-  return token.raw.data() == token.source->begin() || token.raw.data()[-1] == '\n';
+  return token.raw.data() == token.source->begin() ||
+         token.raw.data()[-1] == token.source->newline();
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ std::string Parse::shown(const Token& token) const {
   if (token.kind == Token::Kind::End) return "the end of the file";
   if (token.kind == Token::Kind::Binary) return "a binary block";
   constexpr std::size_t kLongest = 40;
-  std::string text(token.raw.substr(0, token.raw.find('\n')));
+  std::string text(token.raw.substr(0, token.raw.find_first_of("\n\r")));
   if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
   return token.kind == Token::Kind::String ? text : "'" + text + "'";
 }

@@ -43,6 +43,7 @@ Scene read_file(Parse& parse, const Waiting& placeholder) {
   const std::string text = fmt::format("$include \"{}\"\n", placeholder.file);
   inner.in.open_text(text, std::string(parse.diagnostics.file(placeholder.where.file)));
   while (!inner.in.at_end()) read_top_level(inner);
+  finish_reading(inner);
   return scene;
 }
 

@@ -443,7 +443,7 @@ TEST(Names, UnknownTypesAndElementsAreReportedOnceWithAHint) {
 
 TEST(Errors, OneMistakeCostsOneElement) {
   const Snippet read(
-      "shader \"a\" \"s\" ( \"p\" ,, )\nmaterial \"m\" foo end material\n"
+      "shader \"a\" \"s\" ( \"p\" ,, )\nmaterial \"m\" = end material\n"
       "instance \"i\" \"o\" transform 1 2 end instance\nobject \"o\" group 0 0 end group "
       "end object\nlight \"l\" origin end light\nbogus \"x\"\noptions \"ok\" end options");
   EXPECT_EQ(read.count(code::kSyntax), 6u) << read.messages();

@@ -193,6 +193,8 @@ void report_unresolved(Parse& parse, const scene::RenderCommand& render) {
   for (const scene::Phenomenon& p : parse.scene->phenomena) resolver.phenomenon(p);
   for (const scene::Element& e : parse.scene->elements()) resolver.element(e);
   resolver.render(render);
+  parse.in.report_missing_includes(parse.diagnostics.has(code::kUnknownShader) ||
+                                   parse.diagnostics.has(code::kUnresolved));
 }
 
 }  // namespace oriel::mi

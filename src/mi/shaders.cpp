@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mi/elements.h"
+#include "mi/number.h"
 
 namespace oriel::mi {
 namespace {
@@ -90,7 +91,12 @@ void merge_functions(scene::ShaderList& old, scene::ShaderList changed) {
 
 }  // namespace
 
-bool at_shader(Parse& parse) { return parse.in.at(Token::Kind::String) || parse.in.at_punct('='); }
+bool at_shader(Parse& parse) {
+  const Token& token = parse.in.peek();
+  if (token.kind != Token::Kind::Word)
+    return token.kind == Token::Kind::String || token.is_punct('=');
+  return *skip_blanks(token.raw.data() + token.raw.size()) == '(';
+}
 
 ShaderUse read_call(Parse& parse, std::string type, SourceLocation at) {
   ShaderUse use;

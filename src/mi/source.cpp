@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "mi/gzip.h"
+#include "mi/utf16.h"
 
 namespace oriel::mi {
 namespace {
@@ -55,25 +56,37 @@ std::unique_ptr<Source> Source::load(const std::string& path, std::uint64_t max_
   std::fclose(file);
   source->size_ = read;  // shorter when it shrank meanwhile
   std::memset(source->text_.get() + read, 0, kPadding);
+  if (is_utf16({source->begin(), source->size()}))
+    return from_text({source->begin(), source->size()}, path);
+  source->examine();
   return source;
 }
 
 std::unique_ptr<Source> Source::from_text(std::string_view text, std::string path) {
+  if (is_utf16(text)) return from_text(utf8_of_utf16(text), std::move(path));
   auto source = std::unique_ptr<Source>(new Source(text.size(), std::move(path)));
   std::memcpy(source->text_.get(), text.data(), text.size());
+  source->examine();
   return source;
+}
+
+void Source::examine() {
+  while (size_ > 0 && text_[size_ - 1] == 0) --size_;
+  const char* first = begin();
+  while (first < end() && *first != '\n' && *first != '\r') ++first;
+  if (first < end() && *first == '\r' && first[1] != '\n') newline_ = '\r';
 }
 
 SourceLocation Source::locate(const char* at) {
   if (at < last_) {
-    line_ -= static_cast<std::uint32_t>(std::count(at, last_, '\n'));
+    line_ -= static_cast<std::uint32_t>(std::count(at, last_, newline_));
     if (at < line_start_) {
       line_start_ = at;
-      while (line_start_ > begin() && line_start_[-1] != '\n') --line_start_;
+      while (line_start_ > begin() && line_start_[-1] != newline_) --line_start_;
     }
   } else {
     const char* p = last_;
-    while (const void* found = std::memchr(p, '\n', static_cast<std::size_t>(at - p))) {
+    while (const void* found = std::memchr(p, newline_, static_cast<std::size_t>(at - p))) {
       p = static_cast<const char*>(found) + 1;
       line_start_ = p;
       ++line_;

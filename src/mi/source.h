@@ -20,10 +20,14 @@ class Source {
   static std::unique_ptr<Source> load(const std::string& path, std::uint64_t max_size,
                                       std::string& reason);
   static std::unique_ptr<Source> from_text(std::string_view text, std::string path);
+  // Both decode UTF-16 with a byte order mark and drop zero bytes at the end of the text.
 
   const char* begin() const { return text_.get(); }
   const char* end() const { return text_.get() + size_; }
   std::size_t size() const { return size_; }
+  /// The character that ends lines: '\r' in files of old Macintoshes, else '\n' (after '\r' or
+  /// not).
+  char newline() const { return newline_; }
   const std::string& path() const { return path_; }
 
   /// Line and column of a character, counted from 1. Cheap when asked in reading order: it counts
@@ -39,8 +43,10 @@ class Source {
 
  private:
   Source(std::size_t size, std::string path);
+  void examine();
   std::unique_ptr<char[]> text_;
   std::size_t size_ = 0;
+  char newline_ = '\n';
   std::string path_;
   std::size_t forgotten_ = 0;  ///< bytes given back
   const char* last_ = nullptr;

@@ -90,7 +90,9 @@ void read_statement_values(Parse& parse, const Form& form, Statement& statement)
 
 }  // namespace
 
-FormTable::FormTable(std::initializer_list<Form> forms) : forms_(forms) {
+FormTable::FormTable(std::initializer_list<Form> forms, std::span<const std::string_view> others)
+    : forms_(forms) {
+  for (const std::string_view word : others) first_words_.emplace(word);
   std::sort(forms_.begin(), forms_.end(),
             [](const Form& a, const Form& b) { return a.keyword < b.keyword; });
   for (const Form& form : forms_) {
@@ -125,7 +127,13 @@ std::optional<Statement> read_statement(Parse& parse, const FormTable& table,
   Statement statement;
   statement.where = parse.in.where();
   if (!parse.in.at(Token::Kind::Word)) {
-    parse.unexpected(fmt::format("a statement of {}", element), table.names());
+    if (parse.in.at_end()) parse.unexpected(fmt::format("a statement of {}", element));
+    parse.warn(code::kStrayToken, statement.where,
+               fmt::format("{} in {} belongs to no statement and was skipped",
+                           parse.shown(parse.in.peek()), element));
+    parse.in.next();
+    skip_statement(parse, table);
+    return std::nullopt;
   }
   if (parse.starts_element(parse.in.peek()) && !table.starts_statement(parse.in.peek().text))
     parse.unexpected(fmt::format("the end of {}", element));

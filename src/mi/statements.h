@@ -23,10 +23,11 @@ struct Form {
 /// The forms that one element knows. Built once, searched by keyword.
 class FormTable {
  public:
-  FormTable(std::initializer_list<Form> forms);
+  /// `others`: first words of what else may stand in the element, read without a form.
+  FormTable(std::initializer_list<Form> forms, std::span<const std::string_view> others = {});
   const Form* find(std::string_view keyword) const;
   bool is_prefix(std::string_view words) const;        ///< of a keyword with more words
-  bool starts_statement(std::string_view word) const;  ///< first word of any keyword
+  bool starts_statement(std::string_view word) const;  ///< first word of any keyword, or other
   std::span<const std::string> names() const { return names_; }
 
  private:
@@ -50,7 +51,7 @@ class StatementList {
 };
 
 /// Reads one statement of the table if one begins here. An unknown word is reported, skipped with
-/// its values, and nullopt returned; so is a statement cut short.
+/// its values, and nullopt returned; so is what is no word.
 std::optional<scene::Statement> read_statement(Parse& parse, const FormTable& table,
                                                std::string_view element);
 /// `"name" value`: a string option.

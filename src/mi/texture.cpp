@@ -16,7 +16,7 @@ void read_size(Parse& parse, Texture& texture) {
 
 void read_texture_data(Parse& parse, Texture& texture) {
   if (parse.in.accept_word("colorprofile")) parse.name("the name of a colour profile");
-  if (parse.in.at_punct('=')) {
+  if (at_shader(parse) && !parse.in.at(Token::Kind::String)) {
     texture.procedure = read_shader_list(parse);
     return;
   }

@@ -10,6 +10,7 @@
 #include "render/output_names.h"
 #include "render/output_request.h"
 #include "runtime/binder.h"
+#include "runtime/stand_in.h"
 
 namespace oriel {
 namespace {
@@ -33,7 +34,8 @@ class ShaderReader {
         warn_missing_channel(*node, output);
       } else if (node->spec().output) {
         nodes.push_back(node);
-      } else if (!node->spec().stands_in)  // the host's own buffers and glow
+      } else if (!node->spec().stands_in &&
+                 !is_substitute(node->spec()))  // the host's buffers, glow
         diagnostics_.warning("OR-RN-052", output.where,
                              fmt::format("shader \"{}\" does not act as an output shader; skipped",
                                          node->spec().name));
@@ -128,7 +130,7 @@ class BufferReader {
 
   void report_unknown() {
     if (count_ == 0) return;
-    diagnostics_.warning(
+    diagnostics_.error(
         "OR-RN-053", first_,
         fmt::format("framebuffer {} {} nothing that is rendered; {} left out", unknown_,
                     count_ == 1 ? "names" : "name", count_ == 1 ? "it is" : "they are"),
@@ -161,22 +163,6 @@ const scene::Camera* find_camera(const scene::Scene& scene, const scene::RenderC
   if (const auto* instance = scene.get<scene::Instance>(wanted))
     return scene.get<scene::Camera>(instance->element);
   return scene.get<scene::Camera>(wanted);
-}
-
-std::string allowed_path(const std::string& file, const OutputRoots& roots) {
-  if (file.empty()) return {};
-  std::error_code error;
-  const fs::path base = fs::absolute(roots.base.empty() ? fs::path(".") : fs::path(roots.base));
-  const fs::path target = fs::weakly_canonical(base / file, error);
-  if (error || !target.has_filename()) return {};
-  for (const std::string& root : roots.allowed) {
-    const fs::path folder =
-        fs::weakly_canonical(root.empty() ? fs::path(".") : fs::path(root), error);
-    if (error) continue;
-    const auto relative = target.lexically_relative(folder);
-    if (!relative.empty() && *relative.begin() != ".." && relative != ".") return target.string();
-  }
-  return {};
 }
 
 bool has_writable_suffix(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/output.h"
+#include "render/output_place.h"
 #include "scene/scene.h"
 
 namespace oriel {
@@ -14,12 +15,6 @@ namespace oriel {
 /// when there is none.
 const scene::Camera* find_camera(const scene::Scene& scene, const scene::RenderCommand& command,
                                  const std::string& name = {});
-
-/// Where scenes may write.
-struct OutputRoots {
-  std::string base;                  ///< relative names start here: the scene's folder
-  std::vector<std::string> allowed;  ///< folders that files must lie in or below
-};
 
 /// The files a camera asks for, each with the output shaders that stand before it.
 ///
@@ -35,8 +30,9 @@ struct OutputRoots {
 ///          shaders may write buffers (World::user_buffers) a file shows what they wrote, by number
 ///          ("fb10") or name, rather than what else the name means.
 /// Errors:  OR-RN-050 a file outside of the allowed folders is left out (a path that leads out
-///          through links counts as outside); OR-RN-051 a type or format nobody can write;
-///          OR-RN-052 an output shader that is none; OR-RN-056 one whose side channel is not
+///          through links counts as outside); OR-RN-064 (note) an absolute path outside of them is
+///          replaced by its file name in the base folder; OR-RN-051 a type or format nobody can
+///          write; OR-RN-052 an output shader that is none; OR-RN-056 one whose side channel is not
 ///          filled; OR-RN-053 frame buffers whose names mean nothing, all in one message; OR-RN-054
 ///          a numbered buffer ("fb0") that the options do not have or no shader could write.
 /// Checked: CameraOutput.* in camera_output_test.cpp
@@ -50,8 +46,5 @@ bool has_writable_suffix(const std::string& path);
 /// All output shaders of a camera, for files that the user names.
 NodeList camera_output_shaders(const scene::Camera& camera, const scene::Scene& scene,
                                const Registry& registry, World& world, Diagnostics& diagnostics);
-
-/// The path below one of the roots that `file` means, empty when it is outside of all.
-std::string allowed_path(const std::string& file, const OutputRoots& roots);
 
 }  // namespace oriel

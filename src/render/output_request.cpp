@@ -141,16 +141,22 @@ class RequestReader {
     std::vector<std::string> words = split(types);
     const int user_buffer = words.empty() ? -1 : find_user_buffer(words.front());
     if (!leave_out_user_buffers(words)) return std::nullopt;
-    PictureFile file{.path = allowed_path(output_.file, roots)};
+    const OutputPlace place = output_place(output_.file, roots);
+    PictureFile file{.path = place.path};
     if (file.path.empty()) {
-      warn("OR-RN-050",
+      fail("OR-RN-050",
            fmt::format("{} \"{}\" lies outside of the scene's folder and is not written",
                        statement_, output_.file),
-           "name the file with -o");
+           roots.hint);
       return std::nullopt;
     }
+    if (place.moved)
+      diagnostics_.note(
+          "OR-RN-064", output_.where,
+          fmt::format("{} \"{}\" is written to '{}'", statement_, output_.file, file.path),
+          roots.hint);
     if (!format) {
-      warn("OR-RN-051",
+      fail("OR-RN-051",
            fmt::format("no file of format \"{}\" can be written; {} \"{}\" is left out",
                        output_.format.empty() ? suffix_of(output_.file) : output_.format,
                        statement_, output_.file),
@@ -197,8 +203,12 @@ class RequestReader {
     return word;
   }
 
-  void warn(std::string_view code, std::string message, std::string hint) {
-    diagnostics_.warning(code, output_.where, std::move(message), std::move(hint));
+  /// An error where the file is not written.
+  void report(Severity severity, std::string_view code, std::string message, std::string hint) {
+    diagnostics_.report(severity, code, output_.where, std::move(message), std::move(hint));
+  }
+  void fail(std::string_view code, std::string message, std::string hint) {
+    report(Severity::Error, code, std::move(message), std::move(hint));
   }
 
   /// Three strings: the format as written. Two: the suffix, else the one word there is; which is
@@ -239,11 +249,12 @@ class RequestReader {
     const std::string_view why = user_buffers_.empty()
                                      ? "is a buffer that only shaders of users write into"
                                      : "is no buffer of the options";
-    warn("OR-RN-054",
-         fmt::format("\"{}\" {}; {} \"{}\" {}", *user, why, statement_, output_.file,
-                     words.size() > 1 ? "is written without it" : "is left out"),
-         "a framebuffer of the camera that is named as an output of the material, such as "
-         "\"diffuse_result\", or --layers outputs writes parts of the picture");
+    const bool nothing_left = !is_shown && words.size() == 1;
+    report(nothing_left ? Severity::Error : Severity::Warning, "OR-RN-054",
+           fmt::format("\"{}\" {}; {} \"{}\" {}", *user, why, statement_, output_.file,
+                       words.size() > 1 ? "is written without it" : "is left out"),
+           "a framebuffer of the camera that is named as an output of the material, such as "
+           "\"diffuse_result\", or --layers outputs writes parts of the picture");
     return erase();
   }
 
@@ -253,10 +264,10 @@ class RequestReader {
     for (const std::string& word : words) {
       const std::optional<Type> type = read_type(word);
       if (!type) {
-        warn("OR-RN-051",
-             fmt::format("no picture of type \"{}\" is made; it is left out of {} \"{}\"", word,
-                         statement_, output_.file),
-             "rgb, rgba, rgbe, a, s, bit, z, n, m, tag and coverage are, with _16, _h and _fp");
+        report(words.size() == 1 ? Severity::Error : Severity::Warning, "OR-RN-051",
+               fmt::format("no picture of type \"{}\" is made; it is left out of {} \"{}\"", word,
+                           statement_, output_.file),
+               "rgb, rgba, rgbe, a, s, bit, z, n, m, tag and coverage are, with _16, _h and _fp");
         continue;
       }
       file.layers |= type->layer;

@@ -9,6 +9,7 @@
 #include "render/lens_shaders.h"
 #include "render/prepare_light_layers.h"
 #include "render/prepare_parts.h"
+#include "runtime/stand_in.h"
 #include "scene/render_options.h"
 #include "transport/glow.h"
 
@@ -30,7 +31,7 @@ void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
       if (spec.lens_rays(*node) > 0) world.lens_rays.push_back(node);
     } else if (spec.volume)
       world.air_of_eye.push_back(node);
-    else
+    else if (!is_substitute(spec))
       diagnostics.warning(
           "OR-RN-010", camera.where,
           fmt::format("lens shader \"{}\" does not act as a lens; skipped", node->spec().name));
@@ -44,7 +45,7 @@ void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
     if (spec.volume) {
       world.air.push_back(node);
       if (spec.dims_light && spec.dims_light(*node)) world.air_on_light.push_back(node);
-    } else {
+    } else if (!is_substitute(spec)) {
       diagnostics.warning(
           "OR-RN-011", camera.where,
           fmt::format("volume shader \"{}\" does not act as a volume; skipped", spec.name));
@@ -57,7 +58,7 @@ void bind_state_shaders(const scene::Options& options, Binder& binder, World& wo
   for (const ShaderNode* node : binder.bind(options.state)) {
     if (node->spec().around_sample)
       world.state_shaders.push_back(node);
-    else
+    else if (!is_substitute(node->spec()))
       diagnostics.warning(
           "OR-RN-012", options.where,
           fmt::format("\"{}\" does not act as a state shader; skipped", node->spec().name));

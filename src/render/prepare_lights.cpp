@@ -7,6 +7,7 @@
 
 #include "base/math.h"
 #include "geom/motion.h"
+#include "render/object_light.h"
 #include "render/prepare_parts.h"
 
 namespace oriel {
@@ -44,8 +45,8 @@ float scale_of(const Mat4& m) {
   return math::cbrt(std::abs(dot(cross(x, y), z)));
 }
 
-void place_area(const scene::Light& element, const Mat4& to_world, Light& light,
-                Diagnostics& diagnostics) {
+void place_area(const scene::Light& element, const Mat4& to_world,
+                const std::vector<scene::Leaf>& leaves, Light& light, Diagnostics& diagnostics) {
   const Statement& area = *element.area;
   const std::vector<float> n = numbers_of(area);
   const auto vec = [&](std::size_t i) {
@@ -78,10 +79,26 @@ void place_area(const scene::Light& element, const Mat4& to_world, Light& light,
     light.radius = n[3] * scale_of(to_world);
     // Area whose constant radiance gives the flux of a point light of the same colour.
     light.area = kPi * light.radius * length(light.edge_u);
-  } else if (area.keyword == "object" || area.keyword == "user") {
+  } else if (area.keyword == "object") {
+    const std::string name = area.values.empty() ? std::string() : area.values[0].text;
+    const auto lies_there = [&](const scene::Leaf& leaf) {
+      return leaf.object() &&
+             std::any_of(leaf.chain.begin(), leaf.chain.end(),
+                         [&](const scene::Instance* i) { return i->name == name; });
+    };
+    const auto leaf = std::find_if(leaves.begin(), leaves.end(), lies_there);
+    if (leaf != leaves.end() && place_on_object(*leaf->object(), leaf->local_to_world, light))
+      return;
     diagnostics.warning("OR-RN-021", element.where,
-                        fmt::format("area light \"{}\" of kind {} is rendered as a point light",
-                                    element.name, area.keyword));
+                        fmt::format("area light \"{}\" names \"{}\", which is no instance of an "
+                                    "object with polygons; it is rendered as a point light",
+                                    element.name, name));
+    return;
+  } else if (area.keyword == "user") {
+    // The shader would choose the points; the surface that it lies on is not known.
+    diagnostics.warning(
+        "OR-RN-021", element.where,
+        fmt::format("area light \"{}\" of kind user is rendered as a point light", element.name));
     return;
   } else {
     return;
@@ -113,7 +130,8 @@ LightPhotons photons_of(const scene::Light& element) {
   return photons;
 }
 
-Light place_light(const scene::Leaf& leaf, Diagnostics& diagnostics) {
+Light place_light(const scene::Leaf& leaf, const std::vector<scene::Leaf>& leaves,
+                  Diagnostics& diagnostics) {
   const scene::Light& element = *leaf.light();
   Light light;
   light.name = leaf.instance().name;
@@ -133,7 +151,7 @@ Light place_light(const scene::Leaf& leaf, Diagnostics& diagnostics) {
   if (infinite && !element.area)
     light.shape = LightShape::Directional;
   else if (element.area && !(infinite && !element.origin))
-    place_area(element, light.to_world, light, diagnostics);
+    place_area(element, light.to_world, leaves, light, diagnostics);
   else if (infinite)
     light.shape = LightShape::Directional;
   return light;
@@ -172,7 +190,7 @@ LightNames place_lights(const std::vector<scene::Leaf>& leaves, World& world,
   for (const scene::Leaf& leaf : leaves) {
     if (leaf.kind != scene::LeafKind::Light || leaf.flags.hidden) continue;
     const int index = static_cast<int>(world.lights.size());
-    world.lights.push_back(place_light(leaf, diagnostics));
+    world.lights.push_back(place_light(leaf, leaves, diagnostics));
     // From where it stands as written to where it is.
     for (const Mat4& to_world : scene::motion_path(leaf, world.shutter))
       world.lights.back().path.emplace_back(Imath::M44d(leaf.world_to_local) *

@@ -95,6 +95,9 @@ class Binder {
   void bind_declared(ShaderNode& node, const std::vector<scene::ParamDecl>& declared);
   /// An argument of a stand-in that has no such parameter: binds what it is made of, or notes it.
   void bind_parts(ShaderNode& node, const scene::Argument& argument, Scope* scope);
+  /// Binds an unknown parameter that is connected to a material to the material input of a shader
+  /// that passes it through. False: the argument is no such connection.
+  bool bind_passed_through(ShaderNode& node, const scene::Argument& argument, Scope* scope);
 
   void set_defaults(ShaderNode& node);
   static void set_default(const ParamSpec& param, ParamType type, std::byte* target);

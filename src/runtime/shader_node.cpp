@@ -10,11 +10,29 @@
 
 namespace oriel {
 
+namespace {
+
+bool has_alias(const ShaderSpec& spec, std::string_view name) {
+  std::string_view rest = spec.aliases;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    if (same_but_for_case(rest.substr(0, end), name)) return true;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
 const ShaderSpec* Registry::find(std::string_view name) const {
   for (const ShaderSpec* s : specs_)
     if (s->name == name) return s;
+  constexpr std::string_view kNewer = "adskMaya";
+  const bool newer = same_but_for_case(name.substr(0, kNewer.size()), kNewer);
+  const std::string older =
+      newer ? "maya_" + std::string(name.substr(kNewer.size())) : std::string(name);
   for (const ShaderSpec* s : specs_)
-    if (s->stands_in && same_but_for_case(s->name, name)) return s;
+    if (s->stands_in && (same_but_for_case(s->name, older) || has_alias(*s, older))) return s;
   return nullptr;
 }
 

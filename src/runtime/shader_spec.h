@@ -235,6 +235,11 @@ struct ShaderSpec {
   /// It takes the place of another program's shader of that name, known by what is public of it:
   /// see runtime/binder_stand_ins.cpp.
   bool stands_in = false;
+  /// Stand-ins: further names of the shader, separated by blanks.
+  const char* aliases = "";
+  /// Stand-ins: it shows its material input unchanged. A connection to a material binds to that
+  /// input, whatever the parameter is called.
+  bool passes_through = false;
   /// How often one evaluation asks what is connected to it.
   float evaluations = 1;
 };
@@ -246,7 +251,8 @@ bool same_but_for_case(std::string_view a, std::string_view b);
 class Registry {
  public:
   explicit Registry(std::vector<const ShaderSpec*> specs) : specs_(std::move(specs)) {}
-  /// Names of stand-ins match whatever their case.
+  /// Names of stand-ins match whatever their case. `adskMayaX`, as Maya 2012 to 2017 write it, is
+  /// `maya_x`.
   const ShaderSpec* find(std::string_view name) const;
   const std::vector<const ShaderSpec*>& all() const { return specs_; }
 

@@ -157,7 +157,7 @@ const char* familiar_parameter(std::string_view name, const scene::Value& value,
 }
 
 const ShaderSpec kStandIn = {
-    .name = "oriel_stand_in",
+    .name = "unavailable shader",
     .library = "oriel",
     .doc = "Takes the place of a shader that is not available.",
     .value =
@@ -172,7 +172,7 @@ const ShaderSpec kStandIn = {
 };
 
 const ShaderSpec kGuess = {
-    .name = "oriel_guess",
+    .name = "guessed shader",
     .library = "oriel",
     .doc = "Takes the place of a shader that is not available, by what its parameters are called.",
     .params = kGuessRows,

@@ -16,6 +16,9 @@ extern const ShaderSpec kStandIn;
 /// Checked: GuessedShaders.* in tests/binding.
 extern const ShaderSpec kGuess;
 
+/// Whether it is one of the two; that the shader is missing has been reported then (OR-RT-001).
+inline bool is_substitute(const ShaderSpec& spec) { return &spec == &kStandIn || &spec == &kGuess; }
+
 /// The parameter of kGuess that one of this name stands for; null where it says nothing.
 ///
 /// Inputs:  declared: its type, null where the scene does not say. names_texture: the value is the

@@ -36,6 +36,7 @@ class Tracer {
 
   struct Arriving {
     Rgb colour{0};       ///< a white Lambert surface that faces the light shows it; after shadows
+    Rgb unshadowed{0};   ///< the same without shadows
     Vec3 wi{0};          ///< unit, to the light
     float distance = 0;  ///< infinity for directional lights
     float affects_diffuse = 1, affects_specular = 1;  ///< as LightValue

@@ -13,6 +13,39 @@ std::string in_folder(const std::string& file, const std::string& folder) {
   return folder.empty() || fs::path(file).is_absolute() ? file : (fs::path(folder) / file).string();
 }
 
+std::string small(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  return text;
+}
+
+/// The entry of a folder of that name, else the first in order that differs only in case.
+std::string entry_in_any_case(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  if (fs::exists(folder / name, error)) return name;
+  std::string found;
+  const std::string wanted = small(name);
+  for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error), end;
+       !error && at != end; at.increment(error)) {
+    std::string entry = at->path().filename().string();
+    if (small(entry) == wanted && (found.empty() || entry < found)) found = std::move(entry);
+  }
+  return found;
+}
+
+/// A file below the folder whose name differs only in the case of ASCII letters; empty: none.
+std::string find_in_any_case(const std::string& relative, const fs::path& folder) {
+  fs::path path = folder;
+  for (const fs::path& part : fs::path(relative)) {
+    if (part == "..") return {};
+    const std::string entry = entry_in_any_case(path, part.string());
+    if (entry.empty()) return {};
+    path /= entry;
+  }
+  std::error_code error;
+  return fs::is_regular_file(path, error) ? path.string() : std::string();
+}
+
 }  // namespace
 
 std::string with_slashes(std::string path) {
@@ -45,6 +78,10 @@ std::string find_asset(const std::string& written, const std::string& folder) {
     std::error_code error;
     if (fs::is_regular_file(path, error)) return path;
   }
+  // Windows does not tell names apart by case.
+  for (const std::string& spelling : spellings_of(written))
+    if (!fs::path(spelling).is_absolute())
+      if (std::string path = find_in_any_case(spelling, folder); !path.empty()) return path;
   return in_folder(written, folder);
 }
 

@@ -19,7 +19,8 @@ bool lies_below(std::string_view path, std::string_view folder);
 /// names is not looked for above where it stands.
 std::vector<std::string> spellings_of(const std::string& written);
 
-/// The first spelling that is a file, from `folder` on; as written where none is.
+/// The first spelling that is a file, from `folder` on, else the first that is one in another case
+/// of its ASCII letters; as written where none is.
 /// Checked: AssetPath.*
 std::string find_asset(const std::string& written, const std::string& folder);
 

@@ -39,5 +39,20 @@ TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
   EXPECT_EQ(found("/mnt/house/oak.tif"), (folder / "oak.tif").string());
 }
 
+TEST(AssetPath, NamesThatDifferOnlyInCaseAreFound) {
+  const TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
+  std::filesystem::create_directories(folder / "Maps");
+  std::ofstream(folder / "Maps/Oak.TIF") << "oak";
+  const auto found = [&](const char* written) { return find_asset(written, folder.string()); };
+  for (const char* written : {"W:\\house\\maps\\oak.tif", "MAPS/OAK.TIF", "maps\\Oak.tif"})
+    EXPECT_EQ(found(written), (folder / "Maps/Oak.TIF").string()) << written;
+  EXPECT_EQ(found("maps/elm.tif"), (folder / "maps/elm.tif").string());
+  // Of several the exact one, else the first in order.
+  std::ofstream(folder / "Maps/oak.tif") << "exact";
+  EXPECT_EQ(found("maps/oak.tif"), (folder / "Maps/oak.tif").string());
+  EXPECT_EQ(found("maps/oak.Tif"), (folder / "Maps/Oak.TIF").string());
+}
+
 }  // namespace asset_path_test
 }  // namespace oriel::scene

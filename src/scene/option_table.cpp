@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/option_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -50,6 +51,36 @@ template <auto kMember>
 void set_contrast(O& o, V v) {
   const Rgba c = v.color();
   o.*kMember = v.size() == 4 ? c : Rgba(c.r, c.g, c.b, (c.r + c.g + c.b) / 3);
+}
+
+// Sampling of mental ray 3.11 on: samples of a pixel are counted, not told by levels of 4^n.
+int level_of_count(float samples) {
+  int level = 0;
+  for (float most = 1.5f; samples > most && level < 9; most *= 4) ++level;
+  return level;
+}
+void set_fewest_samples(O& o, V v) { o.samples_min = level_of_count(v.number(0)); }
+void set_most_samples(O& o, V v) { o.samples_max = level_of_count(v.number(0)); }
+/// Twice the quality is half the contrast that is let pass; 1 stands for the default contrast.
+void set_quality(O& o, V v) {
+  const float quality = v.number(0);
+  if (quality > 0) o.contrast = O{}.contrast * (1 / quality);
+}
+void set_error_cutoff(O& o, V v) {
+  const float least = v.number(0);
+  Rgba& c = o.contrast;
+  c = Rgba(std::max(c.r, least), std::max(c.g, least), std::max(c.b, least), std::max(c.a, least));
+}
+
+/// Light by path tracing, where no method is named.
+void trace_paths(O& o) {
+  if (o.indirect == IndirectMethod::Scene) o.indirect = IndirectMethod::Path;
+}
+void set_gi(O& o, V v) {
+  if (v.choice(0) == 0 ? v.on(0) : v.number(0) != 0) trace_paths(o);
+}
+void set_environment_lighting(O& o, V v) {
+  if (v.choice(0) > 0) trace_paths(o);
 }
 
 template <bool clipped>
@@ -286,6 +317,24 @@ constexpr OptionRow kOptionRows[] = {
      at_the_files},
     {"\"indirect\"", "scene|path|fg|photons|fg+photons", Effective, "how light is gathered",
      to<&O::indirect>},
+    {"\"unified sampling\"", "bool|float", Effective, "off: the other \"samples\" options do not act",
+     set_elsewhere},
+    {"\"samples min\"", "float", Effective, "fewest samples of a pixel, as level 4^n",
+     set_fewest_samples},
+    {"\"samples max\"", "float", Effective, "most samples of a pixel, as level 4^n",
+     set_most_samples},
+    {"\"samples quality\"", "float [float [float [float]]]", Effective,
+     "contrast .1 divided by it", set_quality},
+    {"\"samples error cutoff\"", "float [float [float [float]]]", Effective, "least contrast",
+     set_error_cutoff},
+    {"\"gi\"", "bool|float", Effective, "on: path tracing", set_gi},
+    {"\"environment lighting mode\"", "off|automatic|light|approximate|on", Effective,
+     "not off: path tracing, which samples the environment", set_environment_lighting},
+    {"\"light importance sampling\"", "...", Harmless, "lights are always chosen by importance"},
+    {"\"light relative scale\"", "...", Harmless, "lights keep the scale that their shaders give"},
+    {"\"ray differentials\"", "...", Harmless, "textures are always filtered by footprints"},
+    {"\"trace camera clip\"", "...", Harmless, "clip planes always act on eye rays"},
+    {"\"trace camera motion vectors\"", "...", Harmless, "the layer motion has them"},
     {"\"contrast all buffers\"", "bool", NotYet, "contrast of user buffers too",
      to<&O::contrast_all_buffers>},
     {"\"finalgather mode\"", "automatic|multiframe|3.4|strict_3.4", Effective,

@@ -86,15 +86,20 @@ std::string describe(const OptionItem& item) {
 
 class Interpreter {
  public:
-  Interpreter(RenderOptions& options, Diagnostics& diagnostics)
-      : options_(options), diagnostics_(diagnostics) {}
+  /// `unified`: the sampling of mental ray 3.11 on is not switched off.
+  Interpreter(RenderOptions& options, bool unified, Diagnostics& diagnostics)
+      : options_(options), unified_(unified), diagnostics_(diagnostics) {}
 
   void read(const Statement& s) {
     if (s.quoted && s.keyword.starts_with(kLightGroup)) return read_light_group(s);
     std::vector<OptionItem> items = items_of(s);
     const Match match =
         s.quoted ? Match{find_row(fmt::format("\"{}\"", s.keyword)), 0} : find_longest(items);
+    if (!match.row && is_of_other_method(s))
+      return keep(fmt::format("\"{}\"", s.keyword), WithoutEffect::Reason::Harmless, s.where);
     if (!match.row) return s.quoted ? keep_string(s.keyword) : report_unknown(s);
+    if (s.quoted && s.keyword.starts_with("samples ") && !unified_)
+      return keep(match.row->keyword, WithoutEffect::Reason::Harmless, s.where);
     const auto values = std::span(items).subspan(match.words);
     if (!fits_form(match.row->form, values)) return report_misfit(s, *match.row, values);
     if (match.row->set) match.row->set(options_, OptionValues(values));
@@ -108,6 +113,14 @@ class Interpreter {
 
  private:
   static constexpr std::string_view kLightGroup = "light group ";
+
+  /// Settings of methods that path tracing takes the place of.
+  static bool is_of_other_method(const Statement& s) {
+    constexpr std::string_view kFamilies[] = {
+        "gi ", "environment lighting ", "progressive", "irradiance particles", "importon", "rast "};
+    return s.quoted && std::any_of(std::begin(kFamilies), std::end(kFamilies),
+                                   [&](std::string_view f) { return s.keyword.starts_with(f); });
+  }
 
   /// The only string option whose keyword holds a name.
   void read_light_group(const Statement& s) {
@@ -166,6 +179,7 @@ class Interpreter {
   }
 
   RenderOptions& options_;
+  bool unified_;
   Diagnostics& diagnostics_;
 };
 
@@ -178,7 +192,12 @@ float default_filter_width(FilterKind kind) {
 
 RenderOptions interpret_options(const Options& options, Diagnostics& diagnostics) {
   RenderOptions result;
-  Interpreter interpreter(result, diagnostics);
+  const Statement* unified = find_last(options.statements, "unified sampling");
+  const Value* value = unified && !unified->values.empty() ? &unified->values[0] : nullptr;
+  const bool off = value && (value->kind == Value::Kind::Numbers
+                                 ? !value->numbers.empty() && value->numbers[0] == 0
+                                 : value->kind == Value::Kind::Boolean && !value->boolean);
+  Interpreter interpreter(result, !off, diagnostics);
   for (const Statement& s : options.statements) interpreter.read(s);
   for (const KeptText& k : options.kept)
     interpreter.keep(k.keyword, WithoutEffect::Reason::Kept, k.where);

@@ -198,8 +198,8 @@ TEST(RenderOptions, DisplayAndSpacesAreTyped) {
 
 TEST(RenderOptions, AnUnknownStringOptionIsSilentAndListedOnce) {
   const RenderOptions o =
-      read({"\"maya shader glow\" on", "\"unified sampling\" 1", "\"maya shader glow\" off"});
-  EXPECT_EQ(o.unknown_strings, (std::vector<std::string>{"maya shader glow", "unified sampling"}));
+      read({"\"maya shader glow\" on", "\"pixel preview\" 1", "\"maya shader glow\" off"});
+  EXPECT_EQ(o.unknown_strings, (std::vector<std::string>{"maya shader glow", "pixel preview"}));
 }
 
 TEST(RenderOptions, WrongValuesAreReportedWithExpectationAndSkipped) {
@@ -228,6 +228,38 @@ TEST(RenderOptions, WhatDoesNotActIsListedUnlessItAsksForTheDefault) {
   for (const auto& w : o.without_effect) listed.push_back(w.keyword);
   EXPECT_EQ(listed, (std::vector<std::string>{"acceleration", "contour store"}));
   EXPECT_EQ(o.without_effect[0].reason, WithoutEffect::Reason::Harmless);
+}
+
+TEST(RenderOptions, SamplingOfLaterVersionsActs) {
+  // A count of 4^n samples is level n; twice the quality is half the default contrast of .1.
+  const RenderOptions o =
+      read({"\"samples min\" 1.", "\"samples max\" 64.", "\"samples quality\" 2. 2. 2. 2."});
+  EXPECT_EQ(o.samples_min, 0);
+  EXPECT_EQ(o.samples_max, 3);
+  EXPECT_FLOAT_EQ(o.contrast.r, .05f);
+  EXPECT_FLOAT_EQ(o.contrast.a, .05f);
+  EXPECT_FLOAT_EQ(read({"\"samples quality\" .5"}).contrast.g, .2f);
+  EXPECT_FLOAT_EQ(
+      read({"\"samples quality\" 4.", "\"samples error cutoff\" .04 .04 .04 .04"}).contrast.g,
+      .04f);
+  EXPECT_EQ(read({"\"samples quality\" 0."}).contrast, RenderOptions{}.contrast);
+  for (const char* off : {"\"unified sampling\" off", "\"unified sampling\" 0"})
+    EXPECT_EQ(read({"\"samples max\" 64.", off}).samples_max, RenderOptions{}.samples_max) << off;
+}
+
+TEST(RenderOptions, GlobalIlluminationOfLaterVersionsIsPathTracing) {
+  for (const char* on : {"\"gi\" on", "\"gi\" 1", "\"environment lighting mode\" \"automatic\""})
+    EXPECT_EQ(read({on}).indirect, IndirectMethod::Path) << on;
+  for (const char* off : {"\"gi\" off", "\"gi\" 0", "\"environment lighting mode\" \"off\""})
+    EXPECT_EQ(read({off}).indirect, IndirectMethod::Scene) << off;
+  EXPECT_EQ(read({"\"indirect\" \"fg\"", "\"gi\" on"}).indirect, IndirectMethod::FinalGather);
+  EXPECT_EQ(read({"\"gi\" on", "\"indirect\" \"fg\""}).indirect, IndirectMethod::FinalGather);
+  // Each is listed once; none is unknown.
+  const RenderOptions o =
+      read({"\"gi rays\" 34", "\"gi rays\" 50", "\"gi passes\" 0", "\"gi fg rays\" 12",
+            "\"light importance sampling\" \"on\"", "\"trace camera clip\" on"});
+  EXPECT_TRUE(o.unknown_strings.empty());
+  EXPECT_EQ(o.without_effect.size(), 5u);
 }
 
 TEST(OptionTable, RowsAreUniqueAndActingOnesHaveASetter) {

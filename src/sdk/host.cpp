@@ -25,10 +25,13 @@ Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFold
            Diagnostics& diagnostics, std::atomic<bool>* stop)
     : stopped(stop ? *stop : own_stop_), scene_(scene), diagnostics_(diagnostics) {
   mi_init_lock(&global_lock_);
+  SourceLocation first_missing;
   for (const scene::Statement& command : scene.commands) {
     if (command.keyword != "link") continue;
     for (const scene::Value& value : command.values) link(value.text, command.where, folders);
+    if (!missing_.empty() && !first_missing.line) first_missing = command.where;
   }
+  report_missing(first_missing, folders);
   std::vector<const ShaderSpec*> all = builtin.all();
   for (const scene::ShaderDeclaration& declaration : scene.declarations) {
     if (builtin.find(declaration.name)) continue;
@@ -54,10 +57,27 @@ void Host::link(const std::string& written, SourceLocation where, const TrustedF
   const auto& own = builtin_packages();
   if (std::find(own.begin(), own.end(), stem) != own.end()) return;
   if (!linked_.insert(stem).second) return;
+  const std::size_t messages = diagnostics_.all().size();
   auto library = Library::open(written, where, folders, diagnostics_);
+  if (!library && diagnostics_.all().size() == messages) missing_.push_back(stem + ".so");
   if (!library) return;
   if (void* init = library->find("module_init")) reinterpret_cast<void (*)()>(init)();
   libraries_.push_back(std::move(library));
+}
+
+/// One message for all: exporters link every library that they know.
+void Host::report_missing(SourceLocation where, const TrustedFolders& folders) {
+  if (missing_.empty()) return;
+  diagnostics_.note(
+      "OR-SDK-001", where,
+      missing_.size() == 1 ? fmt::format("the shader library \"{}\" was not found", missing_[0])
+                           : fmt::format("{} shader libraries were not found: {}", missing_.size(),
+                                         fmt::join(missing_, ", ")),
+      folders.empty()
+          ? "native code is loaded from folders that you name alone: --shader-path FOLDER, or "
+            "ORIEL_SHADER_PATH in the environment"
+          : "they must lie in a folder of --shader-path or ORIEL_SHADER_PATH; `oriel shader-build` "
+            "makes them from sources");
 }
 
 const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const Library& library,

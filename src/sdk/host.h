@@ -97,6 +97,7 @@ class Host {
  private:
   void forget();
   void link(const std::string& written, SourceLocation where, const TrustedFolders& folders);
+  void report_missing(SourceLocation where, const TrustedFolders& folders);
   /// Null: its result is too large.
   const UserSpec* declare(const scene::ShaderDeclaration& declaration, const Library& library,
                           void* function);
@@ -114,7 +115,8 @@ class Host {
 
   const scene::Scene& scene_;
   Diagnostics& diagnostics_;
-  std::set<std::string> linked_;  ///< libraries that were looked for, by stem
+  std::set<std::string> linked_;      ///< libraries that were looked for, by stem
+  std::vector<std::string> missing_;  ///< those that were not found, by file name
   std::vector<std::unique_ptr<Library>> libraries_;
   std::vector<std::unique_ptr<UserSpec>> specs_;
   std::unique_ptr<Registry> registry_;

@@ -101,16 +101,7 @@ std::unique_ptr<Library> Library::open(const std::string& written, SourceLocatio
   std::error_code unreadable;
   for (const fs::path& folder : folders)
     if (path.empty() && fs::is_regular_file(folder / name, unreadable)) path = folder / name;
-  if (path.empty()) {
-    diagnostics.note(
-        "OR-SDK-001", where, fmt::format("the shader library \"{}\" was not found", name),
-        folders.empty()
-            ? "native code is loaded from folders that you name alone: --shader-path FOLDER, or "
-              "ORIEL_SHADER_PATH in the environment"
-            : "it must lie in a folder of --shader-path or ORIEL_SHADER_PATH; `oriel shader-build` "
-              "makes it from sources");
-    return nullptr;
-  }
+  if (path.empty()) return nullptr;
   if (const std::string reason = misfit(read_all(path)); !reason.empty()) {
     diagnostics.error("OR-SDK-002", where,
                       fmt::format("{} cannot be used: {}", path.string(), reason),

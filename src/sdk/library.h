@@ -26,7 +26,8 @@ class Library {
   /// Loads what a `link` statement names: its file name alone, with any system's suffix, is looked
   /// for in the folders, in order.
   ///
-  /// Errors:  null with OR-SDK-001 not found, -002 wrong architecture or not a library, -003
+  /// Errors:  null where there is no such file; null with OR-SDK-002 wrong architecture or not a
+  /// library, -003
   ///          functions that Oriel does not offer, each by name.
   static std::unique_ptr<Library> open(const std::string& written, SourceLocation where,
                                        const TrustedFolders& folders, Diagnostics& diagnostics);

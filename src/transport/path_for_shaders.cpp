@@ -12,14 +12,14 @@ namespace {
 
 /// Paths of shaders within paths of shaders; what lies deeper is black. Trace depths end most.
 constexpr int kMostNested = 48;
-/// Irradiance behind this many bounces is asked for by chance: shaders do not say how much of it
-/// they reflect, so that nothing else would end the recursion.
-constexpr int kShaderRouletteDepth = 4;
+/// Irradiance behind kRouletteDepth bounces is evaluated by chance: shaders do not say how much of
+/// it they reflect, so that nothing else would end the recursion.
 constexpr float kSurvival = 0.5f;  ///< a guess between the depth of white and of dark rooms
 
 PathSettings without_outputs(PathSettings settings) {
   settings.outputs = nullptr;
   settings.by_light = nullptr;
+  settings.motion = nullptr;
   settings.witness = nullptr;
   settings.meters = false;
   settings.grid = nullptr;
@@ -102,7 +102,7 @@ Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
   }
   const bool more = settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
   if (!more || nested_ >= kMostNested) return sum;
-  const float chance = bounces_ < kShaderRouletteDepth ? 1.0f : kSurvival;
+  const float chance = bounces_ < kRouletteDepth ? 1.0f : kSurvival;
   if (stream.next_1d() >= chance) return sum;
   const Vec3 w = Frame(normal).to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
   if (dot(w, at.geometric_normal) <= 0) return sum;

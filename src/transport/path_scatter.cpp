@@ -14,8 +14,6 @@
 namespace oriel {
 namespace {
 
-/// Vertices before a path may be ended by chance.
-constexpr int kRouletteDepth = 3;
 /// The chance to go on is this power of the throughput: the throughput itself ends paths too soon
 /// that bring dark corners their light. Of 1, 1/2, 1/3, 1/5 and 1/10, with 3 vertices before, 1/3
 /// had the least relative squared error times instructions in rooms, .77 of that of 1

@@ -21,6 +21,8 @@ namespace oriel {
 
 /// Spread after a diffuse bounce (radians): textures seen by final gather rays need no detail.
 inline constexpr float kDiffuseSpread = 0.2f;
+/// Diffuse and glossy vertices before a path may be ended by chance.
+inline constexpr int kRouletteDepth = 3;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct GridPoint;

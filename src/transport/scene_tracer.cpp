@@ -112,7 +112,9 @@ std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& poin
     const Rgb all = shadow_transmittance(world_, point, s->wi, s->reach, counts_, index).all;
     open = all + (Rgb(1) - all) * s->shadow_factor;
   }
-  return Arriving{s->irradiance * open * kInvPi,
+  const Rgb unshadowed = s->irradiance * kInvPi;
+  return Arriving{unshadowed * open,
+                  unshadowed,
                   s->wi,
                   s->distance,
                   s->affects_diffuse,

@@ -226,5 +226,23 @@ TEST(MotionLayer, TellsTheWayOnThePicture) {
   expect(camera, {3, -1, 0});
 }
 
+TEST(MotionLayer, PathsThatShadersStartDoNotChangeIt) {
+  // The camera looks into a mirror at rest, which shows a wall whose shader gathers light from
+  // something that moves.
+  SceneText scene("shutter 1 trace depth 4 4 8");
+  scene
+      .material("mirror",
+                "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_fresnel\" off, "
+                "\"brdf_0_degree_refl\" 1")
+      .emitter("glow", 1)
+      .statement("material \"gathering\" \"mib_lightmap_sample\" ( \"indirect\" on ) end material")
+      .square("mirror", Vec3(0, 0, -5), 40, Vec3(0, 0, 1))
+      .square("gathering", Vec3(0, 0, 5), 60, Vec3(0, 0, -1))
+      .polygon("glow", {{50, -60, -60}, {50, 60, -60}, {50, 60, 60}, {50, -60, 60}},
+               moves_by(0, 5, 0));
+  scene.camera(kStrip);
+  EXPECT_EQ(motion_layer(scene), Vec3(0));
+}
+
 }  // namespace motion_test
 }  // namespace oriel::analytic

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "probe.h"
+#include "render/camera_output.h"
+#include "render/lens_shaders.h"
 #include "runtime/closure.h"
 #include "runtime/material.h"
 
@@ -211,15 +213,77 @@ TEST(HostShaders, TheScenesOwnDeclarationGivesDefaultsAndMoreParameters) {
   EXPECT_EQ(s.report.binding.ignored.count("maya_lambert.glow"), 1u);
 }
 
-TEST(HostShaders, BuffersAndColoursOfTheHostLeaveThePictureAsItIs) {
-  const testing::PreparedScene s(testing::scene_text(
-      kScene, "",
-      "lens \"max_base_GBuffer_lens\" ( \"MtlID\" on ) lens \"maya_colormanagement\" ( )"));
+TEST(HostShaders, BuffersOfTheHostLeaveThePictureAsItIs) {
+  const testing::PreparedScene s(
+      testing::scene_text(kScene, "", "lens \"max_base_GBuffer_lens\" ( \"MtlID\" on )"));
   EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
   EXPECT_TRUE(s.world->lens.empty());
   EXPECT_TRUE(s.world->lens_rays.empty());
   EXPECT_EQ(s.report.binding.stand_ins.count("max_base_GBuffer_lens"), 1u);
-  EXPECT_EQ(s.report.binding.stand_ins.count("maya_colormanagement"), 1u);
+}
+
+TEST(HostShaders, NewerNamesOfMayasShadersAreTheSameShaders) {
+  // As the translators of Maya 2012 to 2017 spell them.
+  const char* const names[][2] = {
+      {"adskMayaLambert", "maya_lambert"},
+      {"adskMayaPhong", "maya_phong"},
+      {"adskMayaPhongE", "maya_phongE"},
+      {"adskMayaBlinn", "maya_blinn"},
+      {"adskMayaShadingEngine", "maya_shadingengine"},
+      {"adskMayaUseBackground", "maya_usebackground"},
+      {"adskMayaShadow", "maya_shadow"},
+      {"adskMayaVolumeEngine", "maya_volumeengine"},
+      {"adskMayaDirectionalLight", "maya_directionallight"},
+      {"adskMayaPointLight", "maya_pointlight"},
+      {"adskMayaSpotLight", "maya_spotlight"},
+      {"adskMayaFile", "maya_file"},
+      {"adskMayaPlace2dTexture", "maya_place2dtex"},
+      {"adskMayaShaderGlow", "maya_shaderglow"},
+      {"maya_colormgt", "maya_colormanagement"},
+  };
+  for (const auto& name : names) {
+    const ShaderSpec* spec = builtin_shaders().find(name[0]);
+    ASSERT_NE(spec, nullptr) << name[0];
+    EXPECT_STREQ(spec->name, name[1]) << name[0];
+  }
+  EXPECT_EQ(builtin_shaders().find("adskMayaNothing"), nullptr);
+  EXPECT_EQ(builtin_shaders().find("adskMaya"), nullptr);
+}
+
+TEST(HostShaders, AValueOfNormalCameraIsNoBump) {
+  for (const char* shader : {"adskMayaLambert", "maya_phong", "maya_anisotropic"}) {
+    const ProbeScene s("material \"m\" \"" + std::string(shader) +
+                       "\" ( \"color\" .5 .5 .5, \"normalCamera\" 1. 1. 1. ) end material\n");
+    const Closure c = closure_of(s);
+    ASSERT_GE(c.count, 1);
+    for (int i = 0; i < c.count; ++i) EXPECT_EQ(c.lobes[i].frame.n, Vec3(0, 0, 1)) << shader;
+  }
+}
+
+TEST(HostShaders, ColourManagementEncodesForADisplay) {
+  // IEC 61966-2-1: .21404 is encoded as .5; a gamma of 2.2 gives .5 for .5^2.2 = .21764.
+  const struct {
+    const char* call;
+    float linear;
+  } cases[] = {{"\"maya_colormgt\" ( )", .21404f},
+               {"\"maya_colormanagement\" ( \"gamma\" 2.2 )", .21764f}};
+  for (const auto& c : cases)
+    for (const std::string slot : {"lens ", "output \"rgba\" "}) {
+      const testing::PreparedScene s(testing::scene_text(kScene, "", slot + c.call),
+                                     probe_registry());
+      EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
+      Diagnostics diagnostics;
+      World& world = *s.world;
+      const NodeList nodes =
+          slot == "lens " ? world.lens
+                          : camera_output_shaders(*s.scene.get<scene::Camera>("cam"), s.scene,
+                                                  probe_registry(), world, diagnostics);
+      ASSERT_EQ(nodes.size(), 1u) << slot << c.call;
+      EXPECT_NEAR(map_color(nodes, world, Vec2(.5f), Rgb(c.linear)).y, .5f, 1e-4f)
+          << slot << c.call;
+      world.options.gamma = 2.2f;
+      EXPECT_EQ(map_color(nodes, world, Vec2(.5f), Rgb(.25f)), Rgb(.25f)) << "never twice";
+    }
 }
 
 TEST(HostShaders, AllAreReportedAndNothingOfThemIsExact) {
@@ -269,6 +333,53 @@ TEST(MaxShaders, TheStandardMaterialTakesItsIlluminationAndMaps) {
   EXPECT_NEAR(c.lobes[2].level.x, .25f, 1e-5f) << "seen through, in red";
   EXPECT_NEAR(c.lobes[2].level.y, 0, 1e-5f);
   EXPECT_TRUE(s.material("m")->may_transmit) << "its shadows are the surface's";
+}
+
+TEST(MaxShaders, StoredElementsShowTheirMaterial) {
+  for (const char* parameter : {"Material", "beautyShader"}) {
+    const ProbeScene s(
+        "shader \"red\" \"maya_lambert\" ( \"color\" 1 0 0, \"diffuse\" .5, \"transparency\" "
+        ".5 .5 .5 )\n"
+        "shader \"kept\" \"max_mrStoreElements\" ( \"index\" 2, \"" +
+        std::string(parameter) +
+        "\" = \"red\" )\n"
+        "material \"m\" = \"kept\" shadow = \"kept\" end material\n");
+    const Closure c = closure_of(s);
+    ASSERT_EQ(c.count, 2) << parameter;
+    EXPECT_NEAR(c.lobes[0].level.x, .25f, 1e-6f);
+    EXPECT_TRUE(s.material("m")->may_transmit);
+  }
+}
+
+TEST(ProductionShaders, GammaAndGainAreUndoneByReverse) {
+  // 2 x .125 = .25, and .25^(1/2) = .5.
+  const ProbeScene s(probe_call(
+      "\"tint\" = \"there\", \"tint_warm\" = \"back\"",
+      "shader \"there\" \"mip_gamma_gain\" ( \"input\" .125 .125 .125, \"gamma\" 2, \"gain\" 2 "
+      ")\n"
+      "shader \"back\" \"mip_gamma_gain\" ( \"input\" = \"there\", \"gamma\" 2, \"gain\" 2, "
+      "\"reverse\" on )\n"));
+  EXPECT_NEAR(s.params().tint.r, .5f, 1e-5f);
+  EXPECT_NEAR(s.params().tint_warm.r, .125f, 1e-5f);
+}
+
+TEST(ProductionShaders, EachKindOfRayHasItsOwnMaterial) {
+  const ProbeScene s(
+      "shader \"red\" \"maya_lambert\" ( \"color\" 1 0 0, \"diffuse\" 1 )\n"
+      "material \"m\" \"mip_rayswitch\" ( \"eye\" = \"red\", \"reflection\" 0 1 0, \"default\" "
+      "0 0 1 ) end material\n");
+  const auto seen = [&](RayKind kind) {
+    ShadingPoint point;
+    point.world = s.world.get();
+    point.ray_kind = kind;
+    Closure c;
+    shade(*s.material("m"), point, c);
+    return c.count > 0 ? c.lobes[0].level : c.emission;
+  };
+  EXPECT_EQ(seen(RayKind::Eye), Rgb(1, 0, 0));
+  EXPECT_EQ(seen(RayKind::Reflect), Rgb(0, 1, 0));
+  EXPECT_EQ(seen(RayKind::Refract), Rgb(0)) << "no fall-through";
+  EXPECT_EQ(seen(RayKind::Probe), Rgb(0, 0, 1));
 }
 
 TEST(MaxShaders, WithoutAMaterialThingsAreGreyAndTheEnvironmentIsAMapOrAColour) {

@@ -172,8 +172,8 @@ TEST_F(RayProgram, HelpListsFlagsAndLevelsOfMessagesCutWhatIsSaid) {
     EXPECT_NE(help.out.find(flag), std::string::npos) << flag;
   EXPECT_NE(ray({"-version"}).out.find("oriel"), std::string::npos);
 
-  write_scene("output \"rgba\" \"nosuch\" \"a.nosuch\" output \"rgba\" \"png\" \"a.png\"");
-  EXPECT_NE(ray({"-verbose", "3", "scene.mi"}).err.find("OR-RN-051"), std::string::npos);
+  write_scene("frobnicate 3 output \"rgba\" \"png\" \"a.png\"");
+  EXPECT_NE(ray({"-verbose", "3", "scene.mi"}).err.find("OR-MI-020"), std::string::npos);
   EXPECT_EQ(ray({"-verbose", "2", "scene.mi"}).err, "");
   EXPECT_EQ(ray({"-verbose", "off", "scene.mi"}).err, "");
 }

@@ -161,7 +161,7 @@ TEST_F(RenderProgram, CameraOutputsAreWrittenBesideTheScene) {
                                     "output \"rgba_fp\" \"exr\" \"out.exr\" "
                                     "output \"rgb\" \"png\" \"../outside.png\""));
   const RunResult r = run({"render", "sub/scene.mi", "--samples", "1"});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.exit_code, 1) << "an output is missing" << r.err;
   EXPECT_TRUE(std::filesystem::exists(file("sub/out.exr")));
   EXPECT_FALSE(std::filesystem::exists(file("outside.png")));
   EXPECT_NE(r.err.find("OR-RN-050"), std::string::npos) << r.err;

@@ -85,7 +85,7 @@ TEST_F(SceneCode, IsCompiledOnceWhereTheUserTrustsIt) {
   write("scene.mi", scene(in_line(shader(".75"))));
   r = render({"--trust-code"});
   unsetenv("CC");
-  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_EQ(r.exit_code, 1) << "its shaders are missing";
   EXPECT_NE(r.err.find("OR-SDK-030"), std::string::npos) << r.err;
   EXPECT_EQ(render({"--trust-code"}).exit_code, 0);
   EXPECT_EQ(corner(), .75f);
@@ -126,7 +126,7 @@ TEST_F(SceneCode, FilesLieBelowTheSceneOrOnTheShaderPath) {
 TEST_F(SceneCode, CodeThatDoesNotCompileCostsItsShaders) {
   write("scene.mi", scene(in_line("this is no C\n")));
   const RunResult r = render({"--trust-code"});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.exit_code, 1) << r.err;
   EXPECT_NE(r.err.find("OR-SDK-030"), std::string::npos) << r.err;
   EXPECT_EQ(compiled(), 0u);
 }
@@ -136,7 +136,7 @@ TEST_F(SceneCode, ACacheThatOthersWriteToIsNotUsed) {
   fs::permissions(file("cache/oriel/code"), fs::perms::all);
   write("scene.mi", scene(in_line(shader(".25"))));
   const RunResult r = render({"--trust-code"});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.exit_code, 1) << r.err;
   EXPECT_NE(r.err.find("OR-SDK-031"), std::string::npos) << r.err;
 }
 

@@ -10,6 +10,7 @@
 #include "shaders/hosts/maya_surface.h"
 #include "shaders/hosts/maya_texture.h"
 #include "shaders/hosts/maya_utility.h"
+#include "shaders/hosts/production.h"
 
 namespace oriel {
 
@@ -23,8 +24,9 @@ std::vector<const ShaderSpec*> host_shaders() {
       &kMayaShapelight,    &kMayaSpotlight,   &kMayaSurfaceshader,    &kMayaTransparent,
       &kMayaUsebackground, &kMayaVolumelight,
   };
-  for (const auto specs : {maya_arithmetic(), maya_conversions(), maya_surroundings(),
-                           max_materials(), max_lights(), max_textures()})
+  for (const auto specs :
+       {maya_arithmetic(), maya_conversions(), maya_surroundings(), max_materials(), max_lights(),
+        max_textures(), max_elements(), production_shaders()})
     for (const ShaderSpec& spec : specs) all.push_back(&spec);
   std::sort(all.begin(), all.end(), [](const ShaderSpec* a, const ShaderSpec* b) {
     return std::string_view(a->name) < b->name;

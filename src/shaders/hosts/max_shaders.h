@@ -23,5 +23,7 @@ std::span<const ShaderSpec> max_lights();
 /// max_Bitmap, max_base_UVGenerator, max_base_Output, max_Checker, max_Mix, max_RGBMultiplier,
 /// max_Environment, and the lenses of the G-buffer, which leave the picture as it is.
 std::span<const ShaderSpec> max_textures();
+/// max_mrStoreElement, max_mrStoreElements, max_Bump.
+std::span<const ShaderSpec> max_elements();
 
 }  // namespace oriel

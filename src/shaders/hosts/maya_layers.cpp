@@ -4,6 +4,7 @@
 #include "runtime/bump.h"
 #include "runtime/shade_input.h"
 #include "shaders/hosts/host_rows.h"
+#include "shaders/hosts/shadow_catcher.h"
 
 namespace oriel {
 namespace {
@@ -42,8 +43,8 @@ constexpr auto kBackgroundRows = about({
      .doc = "Colour of the mirror."},
     {ORIEL_PARAM(Background, reflectivity), .fallback = {.8f}, .min = 0, .max = 1,
      .doc = "Share of the mirror."},
-    {ORIEL_PARAM(Background, shadowMask), .fallback = {1}, .doc = "Darkness of shadows.",
-     .support = Support::Ignored},
+    {ORIEL_PARAM(Background, shadowMask), .fallback = {1}, .min = 0, .max = 1,
+     .doc = "Darkness of shadows; in the alpha channel their opacity."},
 });
 constexpr auto kShadowRows = about({
     {ORIEL_PARAM(Shadow, transparency), .doc = "Share of the light that passes."},
@@ -163,7 +164,9 @@ const ShaderSpec kMayaUsebackground = {
     .name = "maya_usebackground",
     .library = "hosts",
     .apply = kApplySurface,
-    .doc = "Stand-in for the host's use-background: what lies behind, and a mirror.",
+    .doc =
+        "Stand-in for the host's use-background: what lies behind with shadows on it, and a "
+        "mirror.",
     .params = kBackgroundRows,
     .params_size = sizeof(Background),
     .material =
@@ -175,7 +178,8 @@ const ShaderSpec kMayaUsebackground = {
             closure.add(LobeKind::Mirror, Channel::Reflection, mirror,
                         Frame(reflecting_outward(normal, call.point)));
           }
-          transmit(call, Rgb(1) - mirror, closure);
+          const Rgb lit = Rgb(1) - (Rgb(1) - lit_share(call.point)) * clamp01(p.shadowMask);
+          transmit(call, (Rgb(1) - mirror) * lit, closure);
           closure.propagate_alpha = true;
         },
     .may_transmit = [](const ShaderNode&) { return true; },

@@ -42,7 +42,8 @@ constexpr auto kRows = about({
      .doc = "Factor of the colour."},
     {ORIEL_PARAM(Surface, translucence), .min = 0, .max = 1,
      .doc = "Share of the diffuse light that comes from behind."},
-    {ORIEL_PARAM(Surface, normalCamera), .doc = "Normal of a bump node, in camera space."},
+    {ORIEL_PARAM(Surface, normalCamera),
+     .doc = "Normal of a connected bump node, in camera space; a value alone is ignored."},
     {ORIEL_PARAM(Surface, refractions), .doc = "Bend what is seen through."},
     {ORIEL_PARAM(Surface, refractiveIndex), .fallback = {1}, .min = 0,
      .doc = "Index of refraction."},
@@ -101,11 +102,19 @@ void add(LobeKind kind, Channel channel, const Rgb& level, const Vec3& normal, C
   closure.albedo += level;
 }
 
-/// What all of them share; `left` is what a mirror leaves.
-Vec3 body(const Surface& p, const ShadingPoint& point, const Rgb& left, Closure& closure) {
+/// Exporters write 1 1 1 where no bump node is connected, so only a connection moves the normal.
+Vec3 normal_of(const Call& call) {
   constexpr int kSetInCameraSpace = 8;
-  const Vec3 normal =
-      facing_viewer(bump_normal(point, point.normal, p.normalCamera, kSetInCameraSpace), point);
+  const Vec3& normal = call.point.normal;
+  if (!call.node || !call.node->connected(offsetof(Surface, normalCamera))) return normal;
+  return bump_normal(call.point, normal, call.as<Surface>().normalCamera, kSetInCameraSpace);
+}
+
+/// What all of them share; `left` is what a mirror leaves.
+Vec3 body(const Call& call, const Rgb& left, Closure& closure) {
+  const auto& p = call.as<Surface>();
+  const ShadingPoint& point = call.point;
+  const Vec3 normal = facing_viewer(normal_of(call), point);
   const Rgb through = clamped(p.transparency) * left, solid = left - through;
   const Rgb diffuse = clamped(p.color) * clamp01(p.diffuse) * solid;
   closure.emission += rgb(p.incandescence) + rgb(p.ambientColor) * clamped(p.color) * solid;
@@ -131,30 +140,32 @@ Lobe& shine(LobeKind kind, const Rgb& level, const Frame& frame, Closure& closur
 }
 
 /// Body under a mirror of reflectivity x specularColor.
-Vec3 coated(const Surface& p, const ShadingPoint& point, Closure& closure) {
+Vec3 coated(const Call& call, Closure& closure) {
+  const auto& p = call.as<Surface>();
   const Rgb mirror = clamped(p.specularColor) * clamp01(p.reflectivity);
-  const Vec3 normal = body(p, point, Rgb(1) - mirror, closure);
-  add(LobeKind::Mirror, Channel::Reflection, mirror, reflecting_outward(normal, point), closure);
+  const Vec3 normal = body(call, Rgb(1) - mirror, closure);
+  add(LobeKind::Mirror, Channel::Reflection, mirror, reflecting_outward(normal, call.point),
+      closure);
   return normal;
 }
 
 void phong(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
-  const Frame frame(coated(p, call.point, closure));
+  const Frame frame(coated(call, closure));
   shine(LobeKind::PhongHighlight, rgb(p.specularColor), frame, closure).roughness =
       std::max(0.0f, p.cosinePower);
 }
 
 void phong_e(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
-  const Frame frame(coated(p, call.point, closure));
+  const Frame frame(coated(call, closure));
   const float width = std::max(.02f, p.roughness * p.highlightSize);
   shine(LobeKind::PhongHighlight, rgb(p.specularColor), frame, closure).roughness = 1 / sqr(width);
 }
 
 void blinn(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
-  const Frame frame(coated(p, call.point, closure));
+  const Frame frame(coated(call, closure));
   Lobe& lobe = shine(LobeKind::TorranceHighlight, rgb(p.specularColor), frame, closure);
   lobe.roughness = std::max(0.01f, p.eccentricity);
   // A strength of 0.7 is about the index of plastic.
@@ -163,7 +174,7 @@ void blinn(const Call& call, Closure& closure) {
 
 void anisotropic(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
-  const Vec3 normal = coated(p, call.point, closure);
+  const Vec3 normal = coated(call, closure);
   const Frame frame = Frame::along(normal, call.point.dpdu);
   const float angle = angle_of(p.angle), c = math::cos(angle), s = math::sin(angle);
   Lobe& lobe = shine(LobeKind::WardHighlight, rgb(p.specularColor),
@@ -212,9 +223,7 @@ constexpr ShaderSpec surface(const char* name, const char* doc, std::span<const 
   };
 }
 
-void lambert(const Call& call, Closure& closure) {
-  body(call.as<Surface>(), call.point, Rgb(1), closure);
-}
+void lambert(const Call& call, Closure& closure) { body(call, Rgb(1), closure); }
 
 }  // namespace
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "color/srgb.h"
+#include "runtime/world.h"
 #include "shaders/hosts/host_rows.h"
 #include "shaders/hosts/maya_utility.h"
 
@@ -11,6 +15,9 @@ struct Displacement {
 struct Background {
   Rgba color;
 };
+struct Display {
+  float gamma;
+};
 
 constexpr auto kDisplacementRows = about({
     {ORIEL_PARAM(Displacement, displacement), .unit = "scene units", .doc = "Height."},
@@ -18,6 +25,26 @@ constexpr auto kDisplacementRows = about({
 });
 constexpr auto kBackgroundRows =
     about({{ORIEL_PARAM(Background, color), .doc = "Colour all around."}});
+
+constexpr auto kDisplayRows = about({
+    {ORIEL_PARAM(Display, gamma), .min = 0, .doc = "Gamma of the display; 0: the sRGB curve."},
+});
+
+/// Whether the options or a lens shader already encode colours for a display.
+bool encoded_elsewhere(const World& world) {
+  if (world.options.gamma != 1) return true;
+  return std::any_of(world.lens.begin(), world.lens.end(), [](const ShaderNode* node) {
+    return node->spec().lens_traits && node->spec().lens_traits(*node).gamma > 1;
+  });
+}
+
+Rgb encode(const Call& call, const LensCall&, const Rgb& colour) {
+  if (call.point.world && encoded_elsewhere(*call.point.world)) return colour;
+  const float gamma = call.as<Display>().gamma;
+  if (gamma <= 0) return srgb_encode(colour);
+  const auto channel = [&](float v) { return math::pow(std::max(0.0f, v), 1 / gamma); };
+  return Rgb(channel(colour.x), channel(colour.y), channel(colour.z));
+}
 
 constexpr ShaderSpec displacing(const char* name) {
   return {.name = name,
@@ -65,8 +92,15 @@ constexpr ShaderSpec kNodes[] = {
     passed_over("maya_shaderglow", kApplyOutput, "The host's glow: without effect."),
     passed_over("maya_volumesampler", kApplyVolume, "The host's volumes: without effect."),
     passed_over("maya_volumeengine", kApplyVolume, "The host's volumes: without effect."),
-    passed_over("maya_colormanagement", kApplyLens | kApplyOutput,
-                "The host's colours: without effect."),
+    {.name = "maya_colormanagement",
+     .library = "hosts",
+     .apply = kApplyLens | kApplyOutput,
+     .doc = "Stand-in for the host's colour management: encodes the picture for a display.",
+     .params = kDisplayRows,
+     .params_size = sizeof(Display),
+     .lens = encode,
+     .stands_in = true,
+     .aliases = "maya_colormgt maya_colormanager maya_colourmanagement"},
     passed_over("maya_options", kApplyOutput, "The host's options: without effect."),
     passed_over("maya_state", kApplyOutput, "The host's state: without effect."),
     passed_over("maya_lightlink", kApplyLight, "The host's links of lights: without effect."),

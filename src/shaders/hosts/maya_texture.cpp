@@ -115,7 +115,9 @@ constexpr auto kBumpRows = about({
     {ORIEL_PARAM(Bump, bumpValue), .doc = "Height."},
     {ORIEL_PARAM(Bump, bumpDepth), .fallback = {1}, .unit = "scene units",
      .doc = "Factor of the height."},
-    {ORIEL_PARAM(Bump, normalCamera), .doc = "Normal of another bump node, in camera space."},
+    {ORIEL_PARAM(Bump, normalCamera),
+     .doc = "Normal of another connected bump node, in camera space; a value alone is "
+            "ignored."},
 });
 
 float fraction(float x) { return x - std::floor(x); }
@@ -215,7 +217,9 @@ void bump(const Call& call, void* result) {
   constexpr int kSetInCameraSpace = 8;
   const auto& p = call.as<Bump>();
   const ShadingPoint& point = call.point;
-  const Vec3 from = bump_normal(point, point.normal, p.normalCamera, kSetInCameraSpace);
+  const bool on_another = call.node && call.node->connected(offsetof(Bump, normalCamera));
+  const Vec3 from = on_another ? bump_normal(point, point.normal, p.normalCamera, kSetInCameraSpace)
+                               : point.normal;
   Vec3 to = from;
   const Vec3 front = point.back_side ? -from : from;
   const float volume = dot(front, cross(point.dpdu, point.dpdv));
@@ -306,6 +310,7 @@ const ShaderSpec kMayaPlace2dtex = {
           *static_cast<Placed*>(result) = {placed(p, uv), Vec3(0), p};
         },
     .stands_in = true,
+    .aliases = "maya_place2dtexture",
 };
 
 const ShaderSpec kMayaFile =
