@@ -40,5 +40,5 @@ if(ORIEL_TESTS)
   add_test(NAME packaging.Archive COMMAND ${CMAKE_SOURCE_DIR}/packaging/test-archive
            ${CMAKE_BINARY_DIR})
   set_tests_properties(packaging.Installed packaging.Debian packaging.Archive PROPERTIES
-                       SKIP_RETURN_CODE 77 TIMEOUT 300 RUN_SERIAL ON)
+                       SKIP_RETURN_CODE 77 TIMEOUT 300 RESOURCE_LOCK install_manifest COST 100)
 endif()

@@ -31,7 +31,7 @@ words=()
 while (($#)); do
   if [[ " $skip " == *" $1 "* ]]; then shift 2; else words+=("$1"); shift; fi
 done
-exec nice "$ORIEL" "${words[@]}" "${small[@]}"
+exec "$ORIEL" "${words[@]}" "${small[@]}"
 """
 
 

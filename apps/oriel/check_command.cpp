@@ -142,8 +142,8 @@ json inspect(const CheckArguments& a, SceneCode& code, scene::Scene& scene,
     PrepareReport report;
     code.compile(scene);
     sdk::Host host(scene, registry, code.trusted_folders(), diagnostics);
-    const auto world =
-        prepare(scene, scene.renders.back(), host.registry(), {}, diagnostics, report);
+    const auto world = prepare(scene, scene.renders.back(), host.registry(),
+                               {.coarse_tables = true}, diagnostics, report);
     if (!world) {
       renders = false;
       break;

@@ -98,6 +98,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                                const Registry& registry, const PrepareOptions& options,
                                Diagnostics& diagnostics, PrepareReport& report) {
   auto world = std::make_unique<World>();
+  world->coarse_tables = options.coarse_tables;
   if (const auto* block = scene.get<scene::Options>(command.options))
     world->options = scene::interpret_options(*block, diagnostics);
   else

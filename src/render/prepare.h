@@ -31,6 +31,8 @@ struct PrepareOptions {
   GeometryCache* cache = nullptr;
   /// Of cameras with two.
   Eye eye = Eye::Middle;
+  /// For a report of the scene, not for a picture: see World::coarse_tables.
+  bool coarse_tables = false;
   /// Beside those of the options, and before them.
   std::vector<scene::LightGroup> light_groups;
 };

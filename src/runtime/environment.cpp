@@ -15,7 +15,7 @@ namespace {
 
 /// Width of the table: 0.35 degrees in azimuth resolve lamps in a photographed sky; a sky from
 /// formulas is smooth, and a table that fits the processor's cache is faster.
-constexpr int kPhotographedWidth = 1024, kSmoothWidth = 256;
+constexpr int kPhotographedWidth = 1024, kSmoothWidth = 256, kCoarseWidth = 16;
 /// Share of the density spread evenly, so that what the table smoothed away is still found.
 constexpr float kUniformShare = 0.02f;
 /// Share of plain proportion beside what stands out, so that dim parts are never found too seldom
@@ -71,7 +71,9 @@ Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec
 EnvironmentLight::EnvironmentLight(NodeList shaders, const World& world)
     : shaders_(std::move(shaders)) {
   if (shaders_.empty()) return;
-  const std::size_t width = world.textures.empty() ? kSmoothWidth : kPhotographedWidth;
+  const std::size_t width = world.coarse_tables      ? kCoarseWidth
+                            : world.textures.empty() ? kSmoothWidth
+                                                     : kPhotographedWidth;
   const std::size_t height = width / 2;
   std::vector<float> values(width * height);
   parallel_for(height, [&](std::size_t y) {

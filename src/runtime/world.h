@@ -66,6 +66,9 @@ struct UserBuffer {
 inline constexpr int kFirstNamedBuffer = 4096;
 
 struct World {
+  /// Tables of the environment have few texels: its shaders are called, so that they can report
+  /// problems, but only some thousand times. Such a world is not for rendering.
+  bool coarse_tables = false;
   std::vector<UserBuffer> user_buffers;  ///< none where no bound shader could write them
   scene::RenderOptions options;
   scene::Shutter shutter;

@@ -70,7 +70,7 @@ struct FinalGatherOptions {
   enum class Mode : std::uint8_t { Automatic, Multiframe, Radius, StrictRadius };
   Mode mode = Mode::Automatic;  ///< "automatic", "multiframe", "3.4", "strict 3.4"
   /// The hosts' defaults are 100, 250, 500 and 1000. 400 leaves no splotches in a room that a
-  /// window lights (FinalGather.LeavesNoSplotchesAtDefaultSettings).
+  /// window lights (FinalGather.LeavesNoSplotches*).
   int rays = 400;
   int points = 10;  ///< interpolated points
   bool radius_in_pixels = false;

@@ -142,6 +142,14 @@ TEST(EnvBlur, TabulatesOnceAndAsksNoMore) {
   }
 }
 
+TEST(EnvBlur, CoarseTablesCallTheEnvironmentSomeThousandTimes) {
+  lamps_asked = 0;
+  const Probe probe(plate("\"single_env_sample\" on", blurred("\"resolution\" 200")).str(),
+                    registry(), {.coarse_tables = true});
+  EXPECT_GT(lamps_asked, 0);
+  EXPECT_LE(lamps_asked, 4 * 6 * 18 * 18 + 4 * 16 * 8);
+}
+
 // acceptance: V3
 TEST(EnvBlur, OneLookUpIsWhatManyRaysConvergeTo) {
   for (const float gloss : {.9f, .7f, .5f, .3f, .1f, 0.0f}) {

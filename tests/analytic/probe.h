@@ -103,7 +103,8 @@ struct Measured {
 class Probe {
  public:
   explicit Probe(const SceneText& scene) : Probe(scene.str()) {}
-  explicit Probe(const std::string& text, const Registry& registry = test_registry()) {
+  explicit Probe(const std::string& text, const Registry& registry = test_registry(),
+                 const PrepareOptions& prepared = {}) {
     Diagnostics diagnostics;
     mi::ReadOptions options;
     options.packages = builtin_packages();
@@ -111,7 +112,7 @@ class Probe {
     scene_ = mi::read_text(text, options, diagnostics);
     PrepareReport report;
     if (!scene_.renders.empty())
-      world_ = prepare(scene_, scene_.renders.back(), registry, {}, diagnostics, report);
+      world_ = prepare(scene_, scene_.renders.back(), registry, prepared, diagnostics, report);
     for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << diagnostics.format(d);
     if (!world_) throw std::runtime_error("the scene cannot be rendered");
   }

@@ -111,19 +111,23 @@ inline SceneText sky_window() {
   return scene;
 }
 
-/// The same with a portal in the window, its front to the room. Gathering finds light that changes
-/// slowly, so the usual points do.
-inline SceneText sky_portal() {
-  SceneText scene = room_with_window();
+/// A portal in the window, its front to the room.
+inline void add_portal(SceneText& scene) {
   const Vec3 middle = (kWindowLow + kWindowHigh) * .5f, size = kWindowHigh - kWindowLow;
   // The light's z is -x of the world, its x is z, its y is y.
-  scene.environment(physical_sky(normalize(Vec3(-1, 1, 0))))
-      .light("portal",
-             fmt::format("\"mia_portal_light\" ( \"cutoff_threshold\" 0 ) origin 0 0 0 rectangle "
-                         "{} 0 0 0 {} 0 3 3",
-                         size.z, size.y),
-             fmt::format("visible on transform 0 0 -1 0  0 1 0 0  1 0 0 0  {} {} {} 1", -middle.z,
-                         -middle.y, middle.x));
+  scene.light("portal",
+              fmt::format("\"mia_portal_light\" ( \"cutoff_threshold\" 0 ) origin 0 0 0 rectangle "
+                          "{} 0 0 0 {} 0 3 3",
+                          size.z, size.y),
+              fmt::format("visible on transform 0 0 -1 0  0 1 0 0  1 0 0 0  {} {} {} 1", -middle.z,
+                          -middle.y, middle.x));
+}
+
+/// The same with a portal. Gathering finds light that changes slowly, so the usual points do.
+inline SceneText sky_portal() {
+  SceneText scene = room_with_window();
+  scene.environment(physical_sky(normalize(Vec3(-1, 1, 0))));
+  add_portal(scene);
   return scene;
 }
 

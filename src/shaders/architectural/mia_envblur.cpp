@@ -103,7 +103,8 @@ std::unique_ptr<ShaderState> prepare(const void* params, const World& world) {
   const MiaEnvblurParams& p = *static_cast<const MiaEnvblurParams*>(params);
   NodeList source = p.environment.node ? NodeList{p.environment.node} : world.environment.shaders();
   if (source.empty()) return nullptr;
-  return std::make_unique<BlurState>(std::move(source), std::clamp(p.resolution, 16, 4096), world);
+  const int resolution = world.coarse_tables ? 16 : std::clamp(p.resolution, 16, 4096);
+  return std::make_unique<BlurState>(std::move(source), resolution, world);
 }
 
 }  // namespace
