@@ -36,7 +36,7 @@ int run_denoise(const DenoiseArguments& a) {
         "{}: has no layer 'variance' or 'halves' that tells the noise; render with all layers",
         a.input));
   Image image = denoise(input, {.strength = a.strength});
-  std::vector<std::string> names = find_layer(file.layers, "")->channel_names;
+  std::vector<std::string> names = find_linear_beauty(file.layers)->channel_names;
   if (std::filesystem::path(a.output).extension() != ".exr") {
     write_image(a.output, image, {.format = SampleFormat::Float});
     return kExitDone;

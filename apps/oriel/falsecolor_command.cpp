@@ -38,7 +38,7 @@ Image luminance_of(const Image& color, float unit) {
 /// Nothing asked: illuminance where the file has it, else luminance; that of the beauty where there
 /// is no such layer.
 Shown read_shown(const FalseColorArguments& a) {
-  const Image beauty = read_named_picture(a.input);
+  const Image beauty = read_linear_picture(a.input);
   ExrFile file;
   if (std::filesystem::path(a.input).extension() == ".exr") file = read_exr(a.input);
   const std::string name = !a.layer.empty()                             ? a.layer

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "command.h"
+#include "image/exr.h"
 #include "image/files.h"
 
 namespace oriel::app {
@@ -19,6 +20,14 @@ Image read_named_picture(const std::string& path) {
   if (std::filesystem::is_directory(status))
     throw UserError(fmt::format("cannot read '{}': it is a folder", path));
   return read_image(path);
+}
+
+Image read_linear_picture(const std::string& path) {
+  Image shown = read_named_picture(path);
+  if (std::filesystem::path(path).extension() != ".exr") return shown;
+  const ExrFile file = read_exr(path);
+  const Layer* linear = find_layer(file.layers, kLinearLayer);
+  return linear ? linear->image : shown;
 }
 
 bool is_linear_file(const std::string& path) {

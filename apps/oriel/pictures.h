@@ -11,6 +11,10 @@ namespace oriel::app {
 /// Errors: UserError when there is no such file; else as read_image.
 Image read_named_picture(const std::string& path);
 
+/// The linear picture of a file: of EXR files of oriel render the beauty before lens and output
+/// shaders, of others what they show. Errors as of read_named_picture().
+Image read_linear_picture(const std::string& path);
+
 /// Metadata of EXR files: the angle that the picture's width spans, degrees; of perspective
 /// cameras.
 inline constexpr const char* kFieldOfViewKey = "oriel.fieldOfView";

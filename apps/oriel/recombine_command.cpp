@@ -134,7 +134,7 @@ int run_relight(const RecombineArguments& a, const ExrFile& picture) {
 
 /// Whether layers of lights sum to the beauty.
 int compare_lights(const RecombineArguments& a, const std::vector<Layer>& layers) {
-  const Layer* beauty = find_layer(layers, "");
+  const Layer* beauty = find_linear_beauty(layers);
   const std::vector<Layer> sum = relight(layers, {});
   Image rgb(beauty->image.width, beauty->image.height, 3);
   for (std::size_t i = 0; i < rgb.pixel_count(); ++i)
@@ -159,12 +159,12 @@ int run_recombine(const RecombineArguments& a) {
   const ExrFile picture = read_picture(a.input);
   if (!a.lights.empty()) return run_relight(a, picture);
   const std::vector<Layer>& layers = picture.layers;
-  const bool has_lights = find_layer(layers, "") && !light_layer_names(layers).empty();
+  const bool has_lights = find_linear_beauty(layers) && !light_layer_names(layers).empty();
   // Of a picture with layers of lights alone these are compared.
   if (has_lights && !find_layer(layers, "diffuse_result") && a.output.empty())
     return compare_lights(a, layers);
   check_outputs(a.input, layers);
-  const Image& beauty = find_layer(layers, "")->image;
+  const Image& beauty = find_linear_beauty(layers)->image;
   Recombination r = recombine(layers);
   const RebuiltDifference simple = compare_rebuilt(r.simple, beauty, a.threshold);
   const RebuiltDifference complex = compare_rebuilt(r.complex, beauty, a.threshold);

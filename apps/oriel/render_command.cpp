@@ -80,6 +80,9 @@ Command add_render_command(CLI::App& program) {
                 "Mattes of objects, materials and assets by Cryptomatte layers of EXR files; "
                 "--cryptomatte=N for N names a pixel in place of 6. In scenes: option "
                 "\"cryptomatte\" on");
+  app->add_flag("--linear", a->linear,
+                "Leaves lens and output shaders out of all files: linear light. Without, files "
+                "hold what these make of it, and EXR files have linear light as layer \"linear\"");
   app->add_flag("--denoise", a->denoise,
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");

@@ -180,8 +180,10 @@ class FrameRenderer {
     if (files_.empty())
       files_.push_back(
           picture_file(frame_path(fs::path(a_.scene.path).stem().string() + ".exr", frame)));
-    if (plan_.layers)
-      for (PictureFile& file : files_) file.layers = *plan_.layers;
+    for (PictureFile& file : files_) {
+      if (plan_.layers) file.layers = *plan_.layers;
+      file.unmapped |= a_.linear;
+    }
   }
 
   bool has_photometric_layers() const {

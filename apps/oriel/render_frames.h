@@ -34,7 +34,7 @@ struct RenderArguments {
   std::optional<float> texture_cache;  ///< megabytes
   std::string frames;
   bool skip_existing = false;
-  bool denoise = false, json = false, quiet = false;
+  bool denoise = false, linear = false, json = false, quiet = false;
 };
 
 /// What the arguments mean, checked before anything is read.

@@ -115,7 +115,7 @@ void expose(Image& image, TonemapArguments& a) {
 
 /// The picture to map: the beauty, or a layer of an EXR file.
 Image read_picture(const TonemapArguments& a) {
-  Image image = read_named_picture(a.input);
+  Image image = read_linear_picture(a.input);
   if (a.layer.empty()) return image;
   std::vector<Layer> layers;
   if (std::filesystem::path(a.input).extension() == ".exr") layers = read_exr(a.input).layers;

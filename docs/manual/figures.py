@@ -82,7 +82,9 @@ class Picture:
     def layer(self, name):
         if name not in self.layers:
             spec = oiio.ImageInput.open(str(self.path)).spec()
-            prefix = f"{name}." if name else ""
+            prefix = f"{name}." if name else "linear."
+            if not name and spec.channelindex("linear.R") < 0:
+                prefix = ""
             wanted = [spec.channelindex(prefix + c) for c in "RGB"]
             if min(wanted) < 0:
                 wanted = [spec.channelindex(name)] * 3

@@ -56,7 +56,7 @@ void append_mesh(Mesh& mesh, const Mesh& part) {
   for (std::size_t m = 0; m < mesh.motion.size(); ++m)
     append_column(mesh.motion[m], before, m < part.motion.size() ? part.motion[m] : Column(), more);
   const auto first = static_cast<std::uint32_t>(before);
-  mesh.triangles.reserve(mesh.triangles.size() + part.triangles.size());
+  make_room(mesh.triangles, mesh.triangles.size() + part.triangles.size());
   for (const Triangle& t : part.triangles)
     mesh.triangles.push_back({t.a + first, t.b + first, t.c + first});
 }

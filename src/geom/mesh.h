@@ -4,6 +4,7 @@
 
 #include <ImathBox.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -41,6 +42,14 @@ struct MaterialSlot {
   bool inherits() const { return name.empty() && label == kNone; }
   bool operator==(const MaterialSlot&) const = default;
 };
+
+/// Room for `count` elements: exactly as many in an empty column; later ones grow by half, so that
+/// many small parts are not each copied with all that is there.
+template <class T>
+void make_room(std::vector<T>& column, std::size_t count) {
+  if (count <= column.capacity()) return;
+  column.reserve(column.empty() ? count : std::max(count, column.capacity() * 3 / 2));
+}
 
 struct Mesh {
   std::vector<Vec3> positions;  ///< one more than there are vertices: Embree reads 16 bytes at each

@@ -78,7 +78,7 @@ class Tessellator {
     const auto exists = [pool](std::uint32_t i) { return i < pool; };
     if (std::none_of(indices.begin(), indices.end(), exists)) return;
     column.resize(base_, Vec3(0));
-    column.reserve(vertices_);
+    make_room(column, vertices_);
     for (const std::uint32_t vertex : different_.kept) {
       const std::uint32_t i = vertex < indices.size() ? indices[vertex] : kNone;
       Vec3 value = i < pool ? group.vectors[i] : Vec3(0);
@@ -93,7 +93,7 @@ class Tessellator {
     different_ = find_equal_vertices(list, group.vectors.size());
     vertices_ = base_ + different_.kept.size();
     usable_ = true;
-    mesh_.positions.reserve(vertices_ + 1);
+    make_room(mesh_.positions, vertices_ + 1);
     for (const std::uint32_t vertex : different_.kept) {
       const std::uint32_t i = list.point[vertex];
       const Vec3 p = i < group.vectors.size() ? group.vectors[i] : Vec3(NAN);

@@ -95,8 +95,13 @@ DenoiseInput denoise_input(const std::vector<Layer>& layers) {
     const Layer* layer = find_layer(layers, name);
     return layer ? &layer->image : nullptr;
   };
-  return {image(""),       image("halves"), image("variance"),
-          image("albedo"), image("normal"), image("Z")};
+  const Layer* beauty = find_linear_beauty(layers);
+  return {beauty ? &beauty->image : nullptr,
+          image("halves"),
+          image("variance"),
+          image("albedo"),
+          image("normal"),
+          image("Z")};
 }
 
 Image denoise(const DenoiseInput& input, const DenoiseOptions& options) {

@@ -44,4 +44,13 @@ inline const Layer* find_layer(const std::vector<Layer>& layers, const std::stri
   return nullptr;
 }
 
+/// Layer of files whose beauty lens or output shaders have mapped: the beauty before them.
+inline constexpr const char* kLinearLayer = "linear";
+
+/// The linear beauty of a file, or null.
+inline const Layer* find_linear_beauty(const std::vector<Layer>& layers) {
+  const Layer* linear = find_layer(layers, kLinearLayer);
+  return linear ? linear : find_layer(layers, "");
+}
+
 }  // namespace oriel

@@ -33,7 +33,7 @@ std::string complaint(const std::vector<Layer>& layers, const std::string& name,
   if (layer->image.channels != channels)
     return name + " has " + with_unit(layer->image.channels) + " instead of " +
            std::to_string(channels);
-  const Layer* beauty = find_layer(layers, "");
+  const Layer* beauty = find_linear_beauty(layers);
   if (beauty && size_of(layer->image) != size_of(beauty->image))
     return name + " has " + size_of(layer->image) + ", the picture " + size_of(beauty->image);
   return {};
@@ -43,7 +43,7 @@ std::string complaint(const std::vector<Layer>& layers, const std::string& name,
 class Sum {
  public:
   explicit Sum(const std::vector<Layer>& layers) : layers_(layers) {
-    const Image& beauty = image("");
+    const Image& beauty = find_linear_beauty(layers)->image;
     total = Image(beauty.width, beauty.height, 3);
   }
   const Image& image(const std::string& name) const { return find_layer(layers_, name)->image; }
@@ -96,7 +96,7 @@ float brightness_floor(const Image& beauty) {
 
 std::vector<std::string> unusable_outputs(const std::vector<Layer>& layers) {
   std::vector<std::string> wrong;
-  const Layer* beauty = find_layer(layers, "");
+  const Layer* beauty = find_linear_beauty(layers);
   if (!beauty)
     wrong.emplace_back("the picture itself (R, G, B) is missing");
   else if (beauty->image.channels < 3)

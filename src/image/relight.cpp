@@ -30,7 +30,7 @@ Rgb tinted(float factor, float warmth) {
 }
 
 std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<LightGain>& gains) {
-  const Layer* beauty = find_layer(layers, "");
+  const Layer* beauty = find_linear_beauty(layers);
   if (!beauty || beauty->image.channels < 3)
     throw std::runtime_error("the picture itself (R, G, B) is missing");
   const std::vector<std::string> names = light_layer_names(layers);

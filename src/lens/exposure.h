@@ -32,6 +32,7 @@ struct PhotographicParameters {
   float saturation = 1;
   float gamma = 2.2f;
   float exposure_constant = kSaturationExposure;
+  bool operator==(const PhotographicParameters&) const = default;
 };
 
 /// Factor from input to exposed value, 1 being saturation: without whitepoint and vignetting.
@@ -73,6 +74,7 @@ struct SimpleParameters {
   float compression = 2;
   float gamma = 2.2f;
   KneeCurve curve = KneeCurve::Ratio;
+  bool operator==(const SimpleParameters&) const = default;
 };
 
 /// Pedestal is added, gain multiplies, the knee compresses, gamma corrects: in this order, per

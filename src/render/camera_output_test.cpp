@@ -67,9 +67,9 @@ TEST(CameraOutput, NumberTypesChooseDepthOfTheFile) {
       folder.file(""));
   ASSERT_EQ(o.files.size(), 3u);
   EXPECT_EQ(o.files[0].samples, SampleFormat::U16);
-  EXPECT_FALSE(o.files[0].linear);
+  EXPECT_FALSE(o.files[0].float_pixels);
   EXPECT_EQ(o.files[1].samples, SampleFormat::Float);
-  EXPECT_TRUE(o.files[1].linear);
+  EXPECT_TRUE(o.files[1].float_pixels);
   EXPECT_EQ(o.files[2].samples, SampleFormat::Float);
 }
 
@@ -97,7 +97,7 @@ TEST(CameraOutput, EveryTypeOfDataIsAFileOfItsOwn) {
     ASSERT_EQ(o.files.size(), 1u) << t.type << o.prepared.messages();
     EXPECT_EQ(o.files[0].channels, t.channels) << t.type;
     EXPECT_EQ(o.files[0].samples, t.samples) << t.type;
-    EXPECT_EQ(o.files[0].linear, t.linear) << t.type;
+    EXPECT_EQ(o.files[0].float_pixels, t.linear) << t.type;
     EXPECT_EQ(o.prepared.messages(), "") << t.type;
     EXPECT_EQ(needs_mattes(o.files[0]),
               t.channels == Channels::Tag || t.channels == Channels::Coverage);
@@ -178,7 +178,7 @@ TEST(CameraOutput, FrameBuffersNamedAsAnOutputShowIt) {
   EXPECT_EQ(o.files[0].shown_layer, "diffuse_raw");
   EXPECT_EQ(o.files[0].samples, SampleFormat::Half);
   EXPECT_EQ(o.files[0].layers, 0u);
-  EXPECT_TRUE(o.files[0].linear);
+  EXPECT_TRUE(o.files[0].float_pixels);
   EXPECT_EQ(o.files[1].shown_layer, "opacity");
   EXPECT_EQ(o.files[1].samples, SampleFormat::U16);
   EXPECT_EQ(o.files[1].format, "tif");

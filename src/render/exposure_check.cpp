@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -31,19 +33,36 @@ std::vector<std::string> gammas(const World& world, const PictureFile& file) {
     if (side) who.clear();
     if (!side || traits.side_channel_mode == 1) add(*node, "output");
   }
-  if (world.options.gamma != 1) who.push_back(fmt::format("the options ({})", world.options.gamma));
+  if (world.options.gamma != 1 && !file.float_pixels)
+    who.push_back(fmt::format("the options ({})", world.options.gamma));
   return who;
 }
 
-bool shows_mapped_colors(const PictureFile& file) {
-  return !file.linear && !file.unmapped && file.shown_layer.empty() &&
+bool shows_colors(const PictureFile& file) {
+  return !file.unmapped && file.shown_layer.empty() &&
          (file.channels == Channels::ColorAlpha || file.channels == Channels::Color);
+}
+
+void note_mapped_floats(const World& world, const std::vector<PictureFile>& files,
+                        Diagnostics& diagnostics) {
+  if (diagnostics.has("OR-RN-064")) return;
+  const auto mapped = std::find_if(files.begin(), files.end(), [&](const PictureFile& file) {
+    return file.float_pixels && is_mapped(file, world);
+  });
+  if (mapped == files.end()) return;
+  const NodeList& shaders = world.lens.empty() ? mapped->shaders : world.lens;
+  diagnostics.note(
+      "OR-RN-064", {},
+      fmt::format("{} holds colours after the {} shader {}, as the scene asks",
+                  std::filesystem::path(mapped->path).filename().string(),
+                  world.lens.empty() ? "output" : "lens", shaders.front()->spec().name),
+      "linear light is layer \"linear\" of EXR files, and all there is with --linear");
 }
 
 void check_gamma(const World& world, const std::vector<PictureFile>& files,
                  Diagnostics& diagnostics) {
   for (const PictureFile& file : files) {
-    if (!shows_mapped_colors(file)) continue;
+    if (!shows_colors(file)) continue;
     const std::vector<std::string> who = gammas(world, file);
     if (who.size() < 2) continue;
     return diagnostics.warning(
@@ -83,6 +102,7 @@ void check_units(const World& world, const std::vector<PictureFile>& files,
 
 void check_exposures(const World& world, const std::vector<PictureFile>& files,
                      Diagnostics& diagnostics) {
+  note_mapped_floats(world, files, diagnostics);
   check_gamma(world, files, diagnostics);
   check_units(world, files, diagnostics);
 }

@@ -42,8 +42,22 @@ TEST(ExposureCheck, GammaOfShaderAndOptionsIsToldForLensAndOutput) {
         Checked(std::string(role) + "\"mia_exposure_simple\" ( \"gamma\" 1 )", {}, {}, kGamma22)
             .diagnostics.all()
             .empty());
-    EXPECT_TRUE(Checked(role + kSimple, {}, {}, kGamma22, "a.exr").diagnostics.all().empty());
+    // Gamma of the options does not act on floats: the shader's alone does.
+    EXPECT_EQ(Checked(role + kSimple, {}, {}, kGamma22, "a.exr").only("OR-RN-041"), nullptr);
   }
+}
+
+TEST(ExposureCheck, FloatFilesOfMappedColoursAreToldOnce) {
+  for (const char* role : {"lens ", "output "}) {
+    Checked c(role + kSimple, {}, {}, {}, "a.exr");
+    ASSERT_NE(c.only("OR-RN-064"), nullptr) << c.messages();
+    EXPECT_NE(c.message("OR-RN-064").find("--linear"), std::string::npos);
+    PictureFile again = picture_file("b.exr");
+    check_exposures(*c.world, {again}, c.diagnostics);
+    EXPECT_NE(c.only("OR-RN-064"), nullptr) << "said twice";
+    EXPECT_EQ(Checked(role + kSimple, {}, {}, {}, "a.png").only("OR-RN-064"), nullptr);
+  }
+  EXPECT_EQ(Checked("", {}, {}, {}, "a.exr").messages(), "");
 }
 
 TEST(ExposureCheck, LensAndOutputCopiesApplyGammaTwiceWithoutSideChannel) {

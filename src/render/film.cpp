@@ -49,9 +49,16 @@ Rgb half_difference(const PixelMeans& means) {
   return (means.beauty - means.second) * ratio;
 }
 
-/// Quadrants count as different when they differ this many times as much as noise alone makes them:
-/// quadrants that noise has set apart would bring it back.
-constexpr float kQuadrantNoise = 3;
+/// Parts are told apart where they spread this many times as much as noise alone makes them, and
+/// not where they do less; in between by and by. Noise alone reaches the first at times and the
+/// second hardly ever.
+constexpr float kAlike = 1.5f, kApart = 4;
+
+/// Samples of a part, below which nothing is said of noise within parts.
+constexpr float kLeastSamplesOfPart = 2;
+
+/// The quarter of the turned grid that a part belongs to.
+std::size_t quarter_of(std::size_t cell) { return cell / 8 * 2 + cell % 4 / 2; }
 
 }  // namespace
 
@@ -76,7 +83,11 @@ void PixelMeans::add(const FilmSample& s) {
 
 void SubPixelMeans::add(const FilmSample& s) {
   const std::size_t i = s.sub_pixel % kSubPixels;
-  beauty[i] += (finite_or_black(s.beauty) - beauty[i]) / static_cast<float>(++samples[i]);
+  if (samples[i] == std::numeric_limits<std::uint16_t>::max()) return;
+  const Rgb c = finite_or_black(s.beauty);
+  const float before = brightness(c - beauty[i]);
+  beauty[i] += (c - beauty[i]) / static_cast<float>(++samples[i]);
+  m2 += before * brightness(c - beauty[i]);
 }
 
 void OutputMeans::add(const Outputs* outputs) {
@@ -266,56 +277,77 @@ bool Film::is_written(std::size_t buffer) const {
   return holds(buffers_) || holds(marked_buffers_);
 }
 
-Film::Part Film::part(std::size_t i, std::size_t q) const {
+Film::Part Film::part(std::size_t i, std::size_t cell) const {
   const Shares s = shares(i);
   const SubPixelMeans& plain = plain_parts_[i];
   const SubPixelMeans* marked = marked_parts_.empty() ? nullptr : &marked_parts_[i];
-  const bool has_plain = plain.samples[q] > 0, has_marked = marked && marked->samples[q] > 0;
+  const bool has_plain = plain.samples[cell] > 0, has_marked = marked && marked->samples[cell] > 0;
   if (!has_plain && !has_marked) return {};
-  Rgb c = has_plain ? plain.beauty[q] : marked->beauty[q];
+  Rgb c = has_plain ? plain.beauty[cell] : marked->beauty[cell];
   if (has_plain && has_marked)
-    c = not_negative(plain.beauty[q] * s.plain + marked->beauty[q] * s.marked);
-  return {c, static_cast<float>(plain.samples[q] + (marked ? marked->samples[q] : 0))};
+    c = not_negative(plain.beauty[cell] * s.plain + marked->beauty[cell] * s.marked);
+  return {c, static_cast<float>(plain.samples[cell] + (marked ? marked->samples[cell] : 0))};
+}
+
+float Film::Parts::kept() const {
+  if (!(spread > kAlike * noise)) return 0;
+  return noise > 0 ? std::min((spread / noise - kAlike) / (kApart - kAlike), 1.0f) : 1.0f;
+}
+
+Film::Parts Film::parts(std::size_t i) const {
+  Parts p;
+  float count = 0;
+  for (std::size_t cell = 0; cell < kSubPixels; ++cell) {
+    const Part& from = p.all[cell] = part(i, cell);
+    if (from.samples == 0) continue;
+    p.samples += from.samples;
+    ++count;
+    Part& quarter = p.quarters[quarter_of(cell)];
+    quarter.samples += from.samples;
+    quarter.color += (from.color - quarter.color) * (from.samples / quarter.samples);
+  }
+  for (const Part& part : p.all)
+    if (part.samples > 0) p.mean += part.color * (part.samples / p.samples);
+  for (const Part& part : p.all)
+    if (part.samples > 0)
+      p.spread += sqr(brightness(part.color - p.mean)) * (part.samples / p.samples);
+  // Of few samples the noise within parts is not known.
+  p.noise = std::numeric_limits<float>::infinity();
+  if (p.samples >= kLeastSamplesOfPart * kSubPixels) {
+    const float m2 = plain_parts_[i].m2 + (marked_parts_.empty() ? 0 : marked_parts_[i].m2);
+    p.noise = m2 / (p.samples - count) * (count - 1) / p.samples;
+  }
+  return p;
 }
 
 Rgb Film::shown(int x, int y) const {
   const std::size_t i = index(x, y);
   if (!map_) return color(i);
-  Rgb sum(0);
-  float weight = 0;
-  for (std::size_t q = 0; q < kSubPixels; ++q) {
-    const Part p = part(i, q);
-    if (p.samples == 0) continue;
-    // By its samples: quadrants that few samples found say little of the pixel.
-    sum += map_(x, y, p.color) * p.samples;
-    weight += p.samples;
-  }
-  return weight > 0 ? sum * (1 / weight) : Rgb(0);
+  const Parts p = parts(i);
+  if (p.samples == 0) return Rgb(0);
+  const float kept = p.kept();
+  // By their samples: parts that few samples found say little of the pixel.
+  const auto mapped = [&](const auto& parts) {
+    Rgb sum(0);
+    for (const Part& part : parts)
+      if (part.samples > 0) sum += map_(x, y, part.color) * (part.samples / p.samples);
+    return sum;
+  };
+  if (kept == 0) return mapped(p.quarters);
+  const Rgb fine = mapped(p.all);
+  return kept == 1 ? fine : mapped(p.quarters) * (1 - kept) + fine * kept;
 }
 
 Rgb Film::shown(int x, int y, const Rgb& denoised) const {
   if (!map_) return denoised;
-  const std::size_t i = index(x, y);
-  std::array<Part, kSubPixels> parts;
-  Rgb mean(0);
-  float weight = 0, spread = 0;
-  for (std::size_t q = 0; q < kSubPixels; ++q) {
-    parts[q] = part(i, q);
-    mean += parts[q].color * parts[q].samples;
-    weight += parts[q].samples;
-  }
-  if (weight == 0) return map_(x, y, denoised);
-  mean *= 1 / weight;
-  for (const Part& p : parts) spread += sqr(brightness(p.color - mean)) * p.samples / weight;
-
-  // Means of n / 4 samples spread by 3 times the variance of the mean of n.
-  const float noise = sqr(brightness(color_error(i))) * (kSubPixels - 1);
-  const float kept = spread > 0 ? std::max(1 - kQuadrantNoise * noise / spread, 0.0f) : 0.0f;
+  const Parts p = parts(index(x, y));
+  if (p.samples == 0) return map_(x, y, denoised);
+  const float kept = p.kept();
   Rgb sum(0);
-  for (const Part& p : parts)
-    if (p.samples > 0)
-      sum += map_(x, y, not_negative(denoised + (p.color - mean) * kept)) * p.samples;
-  return sum * (1 / weight);
+  for (const Part& part : p.all)
+    if (part.samples > 0)
+      sum += map_(x, y, not_negative(denoised + (part.color - p.mean) * kept)) * part.samples;
+  return sum * (1 / p.samples);
 }
 
 bool Film::has_halves() const {

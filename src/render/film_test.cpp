@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <limits>
 
 #include "sampling/sampler.h"
@@ -65,12 +67,12 @@ TEST(Film, CleanColoursAreShownWithTheEdgesOfTheirPixel) {
   Film edge(1, 1, box(), root), noise(1, 1, box(), root);
   for (int i = 0; i < 256; ++i) {
     FilmSample s = sample_of(i % 2 ? 16.0f : 4.0f);
-    s.sub_pixel = static_cast<std::uint8_t>(i % 4);
+    s.sub_pixel = static_cast<std::uint8_t>(i % kSubPixels);
     edge.add(0, 0, s);
-    s.sub_pixel = static_cast<std::uint8_t>(i / 2 % 4);
+    s.sub_pixel = static_cast<std::uint8_t>(i / 2 % kSubPixels);
     noise.add(0, 0, s);
   }
-  // Half the quadrants are 4 and half are 16 around 10, less what noise may have done of it.
+  // Half the parts are 4 and half are 16 around 10, less what noise may have done of it.
   EXPECT_NEAR(edge.shown(0, 0, Rgb(10)).x, (2 + 4) / 2.0f, 0.02f);
   EXPECT_FLOAT_EQ(noise.shown(0, 0, Rgb(10)).x, std::sqrt(10.0f));
 }
@@ -138,12 +140,45 @@ TEST(Film, MappingForDisplayKeepsEdgesOfBrightThingsSmooth) {
   EXPECT_NEAR(film.shown(0, 0).x, 0.5f, 1e-6f);
 }
 
+// A bright half of the pixel behind a straight edge, without noise: the pixel has one of many
+// levels. Mapped sample by sample it would be as bright as the half is large.
+// acceptance: X8
+TEST(Film, MappedEdgesHaveManyLevels) {
+  const auto burnt = [](int, int, const Rgb& c) { return Rgb(std::min(c.x, 1.0f)); };
+  for (const float degrees : {0.0f, 90.0f, 30.0f, 45.0f}) {
+    const float a = degrees * kPi / 180;
+    const Vec2 across(std::cos(a), std::sin(a));
+    const float reach = std::abs(across.x) + std::abs(across.y);
+    std::set<int> levels;
+    for (int step = 0; step <= 64; ++step) {
+      const float edge = (static_cast<float>(step) / 64 - .5f) * reach;
+      Film film(1, 1, box(), burnt);
+      float lit = 0;
+      constexpr int kSide = 32;
+      for (int i = 0; i < kSide * kSide; ++i) {
+        const Vec2 place((static_cast<float>(i % kSide) + .5f) / kSide,
+                         (static_cast<float>(i / kSide) + .5f) / kSide);
+        const bool bright = (place - Vec2(.5f)).dot(across) < edge;
+        FilmSample s = sample_of(bright ? 1000.0f : 0.0f);
+        s.sub_pixel = sub_pixel_of(place);
+        film.add(0, 0, s);
+        lit += bright / static_cast<float>(kSide * kSide);
+      }
+      const float shown = film.shown(0, 0).x;
+      EXPECT_GE(shown, lit - 1e-3f) << degrees << ", parts that the edge cuts are lit";
+      EXPECT_LE(shown, lit + .5f) << degrees;
+      levels.insert(static_cast<int>(std::lround(shown * 100)));
+    }
+    EXPECT_GT(levels.size(), 8u) << degrees;
+  }
+}
+
 TEST(Film, LinearMapsAreTheSameBeforeAndAfterTheMean) {
   Film film(1, 1, box(), [](int, int, const Rgb& c) { return c * 3.0f; });
   for (std::uint32_t i = 0; i < 37; ++i) {
     sampling::Sampler sampler(0, 0, i);
     FilmSample s = sample_of(sampler.next_1d());
-    s.sub_pixel = static_cast<std::uint8_t>(4 * sampler.next_1d());
+    s.sub_pixel = static_cast<std::uint8_t>(kSubPixels * sampler.next_1d());
     film.add(0, 0, s);
   }
   EXPECT_NEAR(film.shown(0, 0).x, 3 * film.pixel(0, 0).beauty.r, 1e-5f);

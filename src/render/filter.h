@@ -36,6 +36,8 @@ class FilterSampler {
   };
   Offset sample(Vec2 u) const;
 
+  /// Farthest that samples lie from the pixel's centre, pixels.
+  Vec2 half_width() const { return half_width_; }
   bool has_negative_lobes() const { return negative_share_ > 0; }
   /// Integrals of the positive and of the negative part; their difference is 1.
   float positive_share() const { return positive_share_; }

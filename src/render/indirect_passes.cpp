@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/indirect_passes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -32,8 +34,26 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   settings.depth = options.photon_depth;
   settings.merge_global = options.globillum.merge;
   settings.merge_caustic = options.caustic.merge;
+  settings.by_energy = !plan.by_name;
   settings.seed = seed;
   return settings;
+}
+
+/// Lights that shine and send no photons, since their elements say no energy.
+void note_lights_without_energy(const World& world, const PhotonSettings& settings,
+                                Diagnostics& diagnostics) {
+  if (!settings.by_energy || diagnostics.has("OR-RN-065")) return;
+  std::string first;
+  std::size_t more = 0;
+  for (const Light& light : world.lights)
+    if (light.shader && !light.photons.has_energy)
+      first.empty() ? void(first = light.name) : void(++more);
+  if (first.empty()) return;
+  diagnostics.note(
+      "OR-RN-065", {},
+      fmt::format("light \"{}\"{} no energy and sends no photons", first,
+                  more > 0 ? fmt::format(" and {} more have", more) : " has"),
+      "give it an energy statement; --gi photons sends photons as strong as the light");
 }
 
 /// Whether that went well; else a warning says why it did not.
@@ -98,7 +118,9 @@ void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& co
                     tried([&] { photons_ = load_photon_maps(file); }, diagnostics);
   read_files_ |= read;
   if (!read) {
-    photons_ = trace_photons(world, photon_settings(world, plan_, seed), counts, nullptr, watch);
+    const PhotonSettings settings = photon_settings(world, plan_, seed);
+    note_lights_without_energy(world, settings, diagnostics);
+    photons_ = trace_photons(world, settings, counts, nullptr, watch);
     if (!file.empty() && !watch.cancelled())
       tried([&] { save_photon_maps(file, photons_); }, diagnostics);
   }

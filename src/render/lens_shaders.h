@@ -10,7 +10,7 @@
 namespace oriel {
 
 /// Rays of a camera sample that a lens shader may ask for.
-inline constexpr int kMostLensRays = 256;
+inline constexpr int kMostLensRays = 65536;
 
 /// One camera sample: a path through the middle of the lens, or, where lens shaders bend rays, the
 /// mean of as many paths as they ask for.

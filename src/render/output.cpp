@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "base/parallel.h"
 #include "color/luminance.h"
@@ -33,17 +34,22 @@ std::string file_type(const PictureFile& file) {
   return type;
 }
 
-/// An image of the whole picture with f(pixel, values) written where the film is.
+/// f(x, y, values) for each pixel of the film, with its values in an image of the whole picture.
 template <class F>
-Image collect(const RenderSession& session, int channels, const F& f) {
+void for_each_pixel(const RenderSession& session, Image& image, const F& f) {
   const Window& w = session.window();
   const Film& film = session.film();
-  const int height = session.world().camera.height;
-  Image image(session.world().camera.width, height, channels);
   parallel_for(static_cast<std::size_t>(film.height()), [&](std::size_t y) {
     for (int x = 0; x < film.width(); ++x)
-      f(x, static_cast<int>(y), image.at(w.x0 + x, height - w.y1 + static_cast<int>(y)));
+      f(x, static_cast<int>(y), image.at(w.x0 + x, image.height - w.y1 + static_cast<int>(y)));
   });
+}
+
+/// An image of the whole picture with f(x, y, values) written where the film is.
+template <class F>
+Image collect(const RenderSession& session, int channels, const F& f) {
+  Image image(session.world().camera.width, session.world().camera.height, channels);
+  for_each_pixel(session, image, f);
   return image;
 }
 
@@ -52,9 +58,29 @@ void put(float* to, const Rgb& c) { to[0] = c.x, to[1] = c.y, to[2] = c.z; }
 const std::vector<std::string> kRgbNames = {"R", "G", "B"}, kVectorNames = {"X", "Y", "Z"};
 constexpr std::string_view kDenoisedLayer = "denoised";
 
-/// Output shaders that map colours one by one, and those that work on whole pictures.
-void split_shaders(const NodeList& shaders, NodeList& mapping, NodeList& whole) {
-  for (const ShaderNode* node : shaders) (node->spec().output ? whole : mapping).push_back(node);
+/// Whether an output shader works on whole pictures; others map colours one by one.
+bool works_on_picture(const ShaderNode* node) { return node->spec().output != nullptr; }
+
+/// Output shaders in their order.
+void run_in_order(const NodeList& shaders, const RenderSession& session, Image& shown,
+                  const Image* denoised, OutputPicture& picture) {
+  const Window& w = session.window();
+  for (auto at = shaders.begin(); at != shaders.end();) {
+    if (works_on_picture(*at)) {
+      run_output_shader(**at++, picture);
+      continue;
+    }
+    const auto end = std::find_if(at, shaders.end(), works_on_picture);
+    const NodeList mapping(at, end);
+    for_each_pixel(session, shown, [&](int x, int y, float* to) {
+      const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
+      const Rgb film =
+          clean ? Rgb(clean[0], clean[1], clean[2]) : rgb(session.film().pixel(x, y).beauty);
+      put(to, map_output(mapping, session.world(), w.pixel_centre(x, y), Rgb(to[0], to[1], to[2]),
+                         film));
+    });
+    at = end;
+  }
 }
 
 /// Values of a file that shows something else than colour.
@@ -137,12 +163,11 @@ bool shows_user_buffer(const PictureFile& file, const RenderSession& session) {
 Image user_buffer_image(const PictureFile& file, const RenderSession& session,
                         const Image* denoised) {
   const auto slot = static_cast<std::size_t>(file.user_buffer);
-  NodeList mapping, whole;
-  split_shaders(file.shaders, mapping, whole);
-  if (whole.empty()) return film_user_buffer(session, slot);
-  Image shown = shown_image(session, mapping, denoised);
+  if (std::none_of(file.shaders.begin(), file.shaders.end(), works_on_picture))
+    return film_user_buffer(session, slot);
+  Image shown = shown_image(session, {}, denoised);
   OutputPicture picture(session, shown);
-  run_output_shaders(whole, picture);
+  run_in_order(file.shaders, session, shown, denoised, picture);
   return std::move(picture.user_buffer(slot));
 }
 
@@ -155,18 +180,18 @@ std::vector<std::string> channels_alone(const Image& image) {
 Image file_image(const PictureFile& file, const RenderSession& session, const Image* denoised) {
   if (shows_user_buffer(file, session)) {
     const Image image = user_buffer_image(file, session, denoised);
-    return file.linear ? image : view_image(image, view_options(session.world().options));
+    return file.float_pixels ? image : view_image(image, view_options(session.world().options));
   }
   if (const int output = material_output_index(file.shown_layer); output >= 0) {
     const Image image = output_image(session, static_cast<std::size_t>(output));
-    return file.linear ? image : view_image(image, view_options(session.world().options));
+    return file.float_pixels ? image : view_image(image, view_options(session.world().options));
   }
   if (!shows_colour(file.channels)) return data_image(session, file.channels);
-  Image image = file.unmapped || file.linear ? linear_image(session, denoised)
-                                             : shown_image(session, file.shaders, denoised);
+  Image image = file.unmapped ? linear_image(session, denoised)
+                              : shown_image(session, file.shaders, denoised);
   if (file.channels == Channels::Intensity)
     image = intensity(image, session.world().options.luminance_weight);
-  if (!file.linear) image = view_image(image, view_options(session.world().options));
+  if (!file.float_pixels) image = view_image(image, view_options(session.world().options));
   return file.channels == Channels::Color ? without_alpha(image) : image;
 }
 
@@ -180,7 +205,7 @@ void add_user_buffers(const RenderSession& session, std::vector<Layer>& layers) 
     std::string name = buffer.name.empty() ? fmt::format("fb{}", buffer.number) : buffer.name;
     const bool is_output = material_output_index(name) >= 0;
     const bool is_taken = name.size() == 1 || name == "beauty" || name == kDenoisedLayer ||
-                          (layer_bit(name) != 0 && !is_output);
+                          name == kLinearLayer || (layer_bit(name) != 0 && !is_output);
     if (is_taken) name = "fb." + name;
     Image image = film_user_buffer(session, slot);
     std::vector<std::string> channels = image.channels == 1   ? std::vector<std::string>{""}
@@ -233,6 +258,11 @@ LayerSet layer_bit(std::string_view name) {
   return at == names.end() ? 0 : LayerSet{1} << (at - names.begin());
 }
 
+bool is_mapped(const PictureFile& file, const World& world) {
+  return !file.unmapped && file.shown_layer.empty() && !file.only_user_buffer &&
+         shows_colour(file.channels) && !(world.lens.empty() && file.shaders.empty());
+}
+
 bool needs_outputs(const PictureFile& file) {
   return (file.layers & kOutputLayers) != 0 || !file.shown_layer.empty();
 }
@@ -253,8 +283,8 @@ bool holds_light_layers(const PictureFile& file) {
 PictureFile picture_file(const std::string& path) {
   PictureFile file{.path = path};
   const std::string type = file_type(file);
-  file.linear = type == "exr" || type == "hdr";
-  file.samples = file.linear                       ? SampleFormat::Float
+  file.float_pixels = type == "exr" || type == "hdr";
+  file.samples = file.float_pixels                 ? SampleFormat::Float
                  : type == "tif" || type == "tiff" ? SampleFormat::U16
                                                    : SampleFormat::U8;
   return file;
@@ -337,21 +367,13 @@ Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised) {
   const Film& film = session.film();
   const Window& w = session.window();
-  NodeList mapping, whole;
-  split_shaders(output_shaders, mapping, whole);
   Image shown = collect(session, 4, [&](int x, int y, float* to) {
     const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
-    Rgb c = clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y);
-    if (!mapping.empty())
-      c = map_output(mapping, session.world(), w.pixel_centre(x, y), c,
-                     clean ? Rgb(clean[0], clean[1], clean[2]) : rgb(film.pixel(x, y).beauty));
-    put(to, c);
+    put(to, clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y));
     to[3] = film.pixel(x, y).beauty.a;
   });
-  if (!whole.empty()) {
-    OutputPicture picture(session, shown);
-    run_output_shaders(whole, picture);
-  }
+  OutputPicture picture(session, shown);
+  run_in_order(output_shaders, session, shown, denoised, picture);
   return shown;
 }
 
@@ -394,7 +416,14 @@ void write_picture(const PictureFile& file, const RenderSession& session,
           {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
       return write_exr(file.path, layers, exr);
     }
-    layers = film_layers(session, file.layers | kLayerLights | kLayerUserBuffers | kLayerMattes);
+    const bool mapped = is_mapped(file, session.world());
+    const LayerSet asked = mapped ? file.layers & ~LayerSet{kLayerDisplay} : file.layers;
+    layers = film_layers(session, asked | kLayerLights | kLayerUserBuffers | kLayerMattes);
+    if (mapped) {
+      Image shown = shown_image(session, file.shaders);
+      layers.push_back({std::string(kLinearLayer), layers.front().channel_names,
+                        std::exchange(layers.front().image, std::move(shown))});
+    }
     exr.metadata.merge(cryptomatte_metadata(session));
     if (denoised) layers.push_back({std::string(kDenoisedLayer), kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the film to files: EXR layers, which are the truth, and the views that people look at.
+// From the film to files: the picture as lens and output shaders make it, and linear layers.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum LayerBit : LayerSet {
   kLayerAlbedo = 1u << 2,
   kLayerVariance = 1u << 3,  ///< of the mean of the beauty
   kLayerSamples = 1u << 4,   ///< how many samples each pixel got
-  kLayerDisplay = 1u << 5,   ///< after lens shaders; only where there are any
+  kLayerDisplay = 1u << 5,   ///< after lens shaders, where there are any; of unmapped files
   kLayerHalves = 1u << 6,  ///< half the difference of two halves of the samples, from 8 samples on
   kFilmLayers = (1u << 7) - 1,
   kLayerLuminance = 1u << 7,    ///< of the beauty, cd/m2
@@ -75,10 +75,10 @@ struct PictureFile {
   std::string format = {};  ///< file type as an extension ("png"); empty: as the path says
   Channels channels = Channels::ColorAlpha;
   SampleFormat samples = SampleFormat::Float;  ///< of EXR; of others the nearest they have
-  bool linear = false;                         ///< not a view: film values as they are
-  bool unmapped = false;                       ///< a side channel: what lens shaders are given
-  LayerSet layers = kFilmLayers;               ///< of EXR
-  std::string shown_layer = {};                ///< an output in place of the beauty; empty = none
+  bool float_pixels = false;      ///< no view: gamma, clipping and dither of the options do not act
+  bool unmapped = false;          ///< linear: without lens and output shaders, as side channels are
+  LayerSet layers = kFilmLayers;  ///< of EXR
+  std::string shown_layer = {};   ///< an output in place of the beauty; empty = none
   /// A buffer of World::user_buffers in place of the beauty, -1 = none; where it stands beside
   /// another meaning of the file it counts once a shader has written it.
   int user_buffer = -1;
@@ -104,11 +104,16 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers);
 Image denoised_beauty(const RenderSession& session);
 
 /// What is looked at: the display buffer when lens shaders map colours, else the film; then through
-/// output shaders. Premultiplied RGBA, not yet a view.
+/// output shaders in the order of the list, those that map colours and those that work on whole
+/// pictures alike. Premultiplied RGBA, not yet a view.
 ///
+/// Checked: OutputOrder.* in tests/user_shaders/output_order_test.cpp
 /// Inputs:  denoised: of denoised_beauty(), in place of the film's colours; null = the film's.
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised = nullptr);
+
+/// Whether lens or output shaders change what the file shows of the picture.
+bool is_mapped(const PictureFile& file, const World& world);
 
 /// Whether the file shows anything that the film must keep outputs, irradiance or motion for.
 bool needs_outputs(const PictureFile& file);
@@ -124,11 +129,13 @@ ViewOptions view_options(const scene::RenderOptions& options);
 
 /// Writes one file.
 ///
-/// Model:   EXR holds the linear film and the display layer; `shaders` do not touch it. Layers of
-///          lights, Cryptomattes (with their header) and users' buffers are in all EXR files of the
-///          beauty. A file of a user's buffer shows what `shaders` made of it.
-/// Inputs:  metadata: goes into the header of EXR files. denoised: what other files than EXR show;
-///          EXR has it as the layer `denoised` beside the noisy beauty, which stays the truth.
+/// Model:   every file shows the picture after lens shaders and `shaders`, unless it is unmapped.
+///          Where that changes colours, EXR has the film's beauty (RGBA) as the layer `linear`; all
+///          other layers are linear too (ADR 5). Layers of lights, Cryptomattes (with their header)
+///          and users' buffers are in all EXR files of the beauty. A file of a user's buffer shows
+///          what `shaders` made of it.
+/// Inputs:  metadata: goes into the header of EXR files. denoised: linear; what other files than
+///          EXR show, mapped; EXR has it as the layer `denoised` beside the noisy beauty.
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: Output.* in output_test.cpp
 void write_picture(const PictureFile& file, const RenderSession& session,

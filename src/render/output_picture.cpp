@@ -70,14 +70,11 @@ Image* OutputPicture::buffer(int number) {
   return slot ? &user_buffer(*slot) : nullptr;
 }
 
-void run_output_shaders(const NodeList& shaders, OutputPicture& picture) {
-  for (const ShaderNode* node : shaders) {
-    if (!node->spec().output) continue;
-    ShadingPoint point;
-    point.ray_kind = RayKind::Output;
-    point.world = &picture.world();
-    node->with_params(point, [&](const Call& call) { node->spec().output(call, picture); });
-  }
+void run_output_shader(const ShaderNode& node, OutputPicture& picture) {
+  ShadingPoint point;
+  point.ray_kind = RayKind::Output;
+  point.world = &picture.world();
+  node.with_params(point, [&](const Call& call) { node.spec().output(call, picture); });
 }
 
 }  // namespace oriel

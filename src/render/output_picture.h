@@ -38,7 +38,7 @@ class OutputPicture {
 /// What the film has of a user's buffer, over the whole picture.
 Image film_user_buffer(const RenderSession& session, std::size_t slot);
 
-/// Runs the output shaders of the list that work on whole pictures over one, in order.
-void run_output_shaders(const NodeList& shaders, OutputPicture& picture);
+/// Runs an output shader that works on whole pictures (ShaderSpec::output).
+void run_output_shader(const ShaderNode& node, OutputPicture& picture);
 
 }  // namespace oriel

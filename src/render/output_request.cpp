@@ -165,7 +165,7 @@ class RequestReader {
       return std::nullopt;
     }
     file.format = format->extension;
-    file.linear = format->linear;
+    file.float_pixels = format->linear;
     file.user_buffer = user_buffer;
     file.only_user_buffer = user_buffer >= 0;
     if (!read_types(words, file)) return std::nullopt;
@@ -279,9 +279,8 @@ class RequestReader {
     file.samples = type.samples;
     // An integer type in a float file is a promise that the file does not need.
     const bool is_integer = type.samples == SampleFormat::U8 || type.samples == SampleFormat::U16;
-    if (file.linear && is_integer) file.samples = SampleFormat::Float;
-    // Float pixels in any other file are film values too.
-    if (!is_integer) file.linear = true;
+    if (file.float_pixels && is_integer) file.samples = SampleFormat::Float;
+    if (!is_integer) file.float_pixels = true;
     tell_loss(words.empty() ? std::string{} : words.front(), type, file);
     return true;
   }

@@ -79,6 +79,7 @@ TEST(Output, ExrCarriesLayersAndSettings) {
   const Rendered r(kExposure);
   PictureFile file = picture_file(folder.file("a.exr"));
   file.layers = kLayerNormal | kLayerDisplay;
+  file.unmapped = true;
   write_picture(file, *r.session, {{"oriel.seed", "7"}});
   const ExrFile read = read_exr(file.path);
   ASSERT_EQ(read.layers.size(), 3u);
@@ -86,6 +87,38 @@ TEST(Output, ExrCarriesLayersAndSettings) {
   EXPECT_NE(find_layer(read.layers, "display"), nullptr);
   EXPECT_EQ(read.metadata.at("oriel.seed"), "7");
   EXPECT_TRUE(read.has_chromaticities);
+}
+
+TEST(Output, FloatFilesHoldWhatLensShadersMakeAndExrTheLinearLayerToo) {
+  const TestFolder folder;
+  const Rendered r(kExposure);
+  for (const char* name : {"a.exr", "a.tif", "a.hdr"}) {
+    PictureFile file = picture_file(folder.file(name));
+    file.float_pixels = true;
+    file.samples = SampleFormat::Float;
+    write_picture(file, *r.session, {});
+    const Image mapped = read_image(file.path);
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c) {
+        // Gain 2 and gamma 2 of a colour that hardly changes over the pixel; hdr has 8 bits.
+        const Rgb beauty = rgb(r.session->film().pixel(x, 6).beauty);
+        EXPECT_NEAR(mapped.at(x, 6)[c], std::sqrt(2 * beauty[c]), 0.02f) << name;
+      }
+    file.unmapped = true;  // --linear
+    write_picture(file, *r.session, {});
+    EXPECT_NEAR(read_image(file.path).at(4, 6)[1], r.session->film().pixel(4, 6).beauty.g, 8e-3f);
+  }
+  const PictureFile file = picture_file(folder.file("b.exr"));
+  write_picture(file, *r.session, {});
+  const ExrFile read = read_exr(file.path);
+  ASSERT_NE(find_layer(read.layers, "linear"), nullptr);
+  EXPECT_EQ(find_layer(read.layers, "linear")->image.pixels,
+            film_layers(*r.session, 0)[0].image.pixels);
+  EXPECT_EQ(find_layer(read.layers, "display"), nullptr);  // it is the picture itself
+  // Without shaders there is nothing to tell apart.
+  const Rendered plain;
+  write_picture(file, *plain.session, {});
+  EXPECT_EQ(find_layer(read_exr(file.path).layers, "linear"), nullptr);
 }
 
 TEST(Output, ViewsShowTheDisplayBufferWhereLensShadersMapColours) {
@@ -122,21 +155,22 @@ TEST(Output, GammaNeverTouchesFloatFiles) {
   EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, 0)[0].image.pixels);
 }
 
-TEST(Output, DenoisedPicturesStandBesideTheNoisyTruth) {
+TEST(Output, DenoisedPicturesStandBesideTheNoisyPicture) {
   const TestFolder folder;
   const Rendered r(kExposure);
   const Image clean(16, 12, 3, 0.125f);
   PictureFile file = picture_file(folder.file("a.exr"));
   write_picture(file, *r.session, {}, &clean);
   const ExrFile read = read_exr(file.path);
-  EXPECT_EQ(read.layers[0].image.pixels, film_layers(*r.session, 0)[0].image.pixels);
+  EXPECT_EQ(find_linear_beauty(read.layers)->image.pixels,
+            film_layers(*r.session, 0)[0].image.pixels);
   ASSERT_NE(find_layer(read.layers, "denoised"), nullptr);
   EXPECT_EQ(find_layer(read.layers, "denoised")->image.pixels, clean.pixels);
   // Gain 2 and gamma 2: the root of a quarter.
   write_picture(picture_file(folder.file("a.png")), *r.session, {}, &clean);
   EXPECT_NEAR(read_image(folder.file("a.png")).at(5, 5)[1], 0.5f, 0.01f);
   write_picture(picture_file(folder.file("a.hdr")), *r.session, {}, &clean);
-  EXPECT_NEAR(read_image(folder.file("a.hdr")).at(5, 5)[1], 0.125f, 1e-3f);
+  EXPECT_NEAR(read_image(folder.file("a.hdr")).at(5, 5)[1], 0.5f, 0.01f);
 }
 
 TEST(Output, DenoisedBeautyIsTheFilmsLessItsNoise) {
@@ -147,7 +181,7 @@ TEST(Output, DenoisedBeautyIsTheFilmsLessItsNoise) {
     EXPECT_NEAR(clean.pixels[3 * i], film.pixels[4 * i], 0.02f);
 }
 
-TEST(Output, OutputShadersActOnViewsAndLeaveTheFilmAlone) {
+TEST(Output, OutputShadersActOnAllFilesAndLeaveTheLinearLayerAlone) {
   const TestFolder folder;
   Rendered r("output \"mia_exposure_simple\" ( \"gain\" .5, \"compression\" 0, \"gamma\" 1 )");
   const scene::Scene& scene = r.prepared.scene;
@@ -162,7 +196,10 @@ TEST(Output, OutputShadersActOnViewsAndLeaveTheFilmAlone) {
   PictureFile file = picture_file(folder.file("a.exr"));
   file.shaders = shaders;
   write_picture(file, *r.session, {});
-  EXPECT_EQ(read_exr_image(file.path).at(4, 4)[1], plain.at(4, 4)[1]);
+  EXPECT_NEAR(read_exr_image(file.path).at(4, 4)[1], plain.at(4, 4)[1] / 2, 1e-6f);
+  const ExrFile read = read_exr(file.path);
+  ASSERT_NE(find_layer(read.layers, "linear"), nullptr);
+  EXPECT_EQ(find_layer(read.layers, "linear")->image.at(4, 4)[1], plain.at(4, 4)[1]);
 }
 
 TEST(Output, FormatMayDifferFromTheSuffix) {

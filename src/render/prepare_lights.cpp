@@ -127,6 +127,8 @@ LightPhotons photons_of(const scene::Light& element) {
   const Statement* energy = find_last(element.other, "energy");
   const Rgb flux(number(energy, 0, 0), number(energy, 1, 0), number(energy, 2, 0));
   if (max_component(flux) > 0) photons.emission.energy = flux;
+  photons.has_energy = energy;
+  photons.none = energy && !(max_component(flux) > 0);
   return photons;
 }
 
@@ -225,7 +227,17 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     light.luminaire = place_luminaire(
         named ? binder.light_profile(measured->values[0].text, measured->where) : nullptr,
         light.to_world, light.direction);
-    light.shader->with_params(binder.constant_point(), [&](const Call& call) {
+    if (spec.light_cone && spec.prepare_light && light.shape != LightShape::Directional)
+      diagnostics.warning(
+          "OR-RN-024", leaf.light()->where,
+          fmt::format("{} works on directional lights only; light \"{}\" gives none", spec.name,
+                      leaf.light()->name),
+          "give it a direction and no origin");
+    // Connected parameters are asked as a sky with the same ones is: toward the light.
+    ShadingPoint toward(binder.constant_point());
+    if (light.shape == LightShape::Directional) toward.ray_direction = -light.direction;
+    toward.environment = light.shape == LightShape::Directional;
+    light.shader->with_params(toward, [&](const Call& call) {
       light.luminaire.profile = spec.profile ? spec.profile(call.params, light) : nullptr;
       if (spec.light_cone && light.shape == LightShape::Directional)
         light.cone_angle = std::min(spec.light_cone(call.params), kPi / 2);
@@ -237,6 +249,9 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
           light.portal.reset();
         // The sky is seen there in any case: highlights would come on top of it.
         light.visible = light.portal != nullptr;
+        // A portal's photons are as strong as what is behind it.
+        light.photons.has_energy = true;
+        light.photons.none |= !light.portal;
       }
       if (spec.prepare_light) light.state = spec.prepare_light(call.params, light);
       if (spec.photons) spec.photons(call.params, light, light.photons);

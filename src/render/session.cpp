@@ -114,7 +114,8 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   s.by_light = settings.by_light;
   s.buffers = settings.buffers;
   s.negative = offset.negative;
-  s.sub_pixel = static_cast<std::uint8_t>((offset.pixels.x >= 0) + 2 * (offset.pixels.y >= 0));
+  const Vec2 reach = filter_.half_width() * 2.0f;
+  s.sub_pixel = sub_pixel_of(offset.pixels / reach + Vec2(0.5f));
   return s;
 }
 

@@ -87,9 +87,9 @@ std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Ve
 
 /// The environment does not move with a portal: `moved` as below.
 Rgb radiance_behind(const Light& light, const MovedLight* moved, const Vec3& from, const Vec3& wi,
-                    float distance, float cosine) {
-  if (!moved) return portal_radiance(light, from, wi, distance, cosine);
-  return portal_radiance(light, moved->place(from), moved->direction(wi), distance, cosine);
+                    float distance, float cosine, RayKind kind) {
+  if (!moved) return portal_radiance(light, from, wi, distance, cosine, kind);
+  return portal_radiance(light, moved->place(from), moved->direction(wi), distance, cosine, kind);
 }
 
 std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, Vec2 u,
@@ -97,7 +97,8 @@ std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, V
   const Portal& portal = *light.portal;
   const auto s = portal.table ? sample_through(light, from, u) : sample_flat(light, from, u);
   if (!s || !(s->distance > 0)) return std::nullopt;
-  const Rgb radiance = radiance_behind(light, moved, from, s->wi, s->distance, s->cosine);
+  const Rgb radiance =
+      radiance_behind(light, moved, from, s->wi, s->distance, s->cosine, RayKind::Light);
   if (is_black(radiance)) return std::nullopt;
   LightSample sample;
   sample.wi = s->wi;
@@ -283,7 +284,7 @@ std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
   }
   result.t = hit->t;
   if (light.portal) {
-    result.radiance = radiance_behind(light, moved, o, direction, hit->t, cosine);
+    result.radiance = radiance_behind(light, moved, o, direction, hit->t, cosine, kind);
     result.shadow = light.portal->shadows && light.portal->shadow_extension == 0;
     return result;
   }

@@ -57,12 +57,12 @@ bool lacks_cosine(const World& world, const Light& light) {
 }  // namespace
 
 PhotonSource::PhotonSource(const World& world, const EmissionRequest& request) : world_(&world) {
-  aim_at(request.aim.value_or(geom::Box3()));
+  aim_at(request.aim);
 }
 
 PhotonSource::PhotonSource(const World& world, const Light& light, const EmissionRequest& request)
     : world_(&world), light_(&light) {
-  aim_at(request.aim.value_or(geom::Box3()));
+  aim_at(request.aim);
   // A portal's photons are as strong as what is behind it, whatever the element says.
   if (light.portal) return;
   if (is_flat(light.shape)) by_cosine_ = !lacks_cosine(world, light);
@@ -77,21 +77,46 @@ PhotonSource::PhotonSource(const World& world, const Light& light, const Emissio
   power_of_all_ = *request.energy * kPi;
 }
 
-void PhotonSource::aim_at(const geom::Box3& box) {
+void PhotonSource::aim_at(const std::optional<AimBox>& box) {
   const geom::Box3 scene = world_->accel->bounds();
   if (scene.isEmpty()) return;
-  scene_centre_ = scene.center();
-  scene_radius_ = length(scene.size()) / 2;
-  const bool given = box.hasVolume();
-  aim_centre_ = given ? box.center() : scene_centre_;
-  aim_radius_ = given ? length(box.size()) / 2 : scene_radius_;
+  scene_centre_ = aim_centre_ = scene.center();
+  scene_radius_ = aim_radius_ = length(scene.size()) / 2;
+  if (!box) return;
+  aim_centre_ = box->centre;
+  aim_radius_ = 0;
+  for (const Vec3& h : box->half) aim_radius_ += length(h);
+  if (!light_ || light_->path.empty()) aim_ = box;
 }
 
-EmittedPhoton PhotonSource::emit_through_disc(const Vec3& direction, Vec2 u) const {
+EmittedPhoton PhotonSource::emit_from_afar(const Vec3& direction, Vec2 u) const {
+  if (aim_) return emit_through_silhouette(*aim_, direction, u);
   const Frame frame(direction);
   const Vec2 d = sampling::sample_disc(u) * aim_radius_;
   const Vec3 place = aim_centre_ + frame.s * d.x + frame.t * d.y;
   return {outside(place, direction), direction, kPi * sqr(aim_radius_), Vec2(0)};
+}
+
+/// The silhouette of a box is that of the three sides that face the light, which do not overlap: a
+/// place on one of them, chosen by its area as the direction sees it.
+EmittedPhoton PhotonSource::emit_through_silhouette(const AimBox& box, const Vec3& direction,
+                                                    Vec2 u) const {
+  float areas[3], all = 0;
+  for (int k = 0; k < 3; ++k) {
+    areas[k] = 4 * std::abs(dot(cross(box.half[(k + 1) % 3], box.half[(k + 2) % 3]), direction));
+    all += areas[k];
+  }
+  if (!(all > 0)) return {box.centre, direction, 0, Vec2(0)};
+  int side = 0;
+  float at = u.x * all;
+  while (side < 2 && at >= areas[side]) at -= areas[side++];
+  while (side > 0 && !(areas[side] > 0)) --side;
+  const float v = areas[side] > 0 ? std::min(at / areas[side], 1.0f) : 0.0f;
+  const Vec3& out = box.half[side];
+  const Vec3 place = box.centre + (dot(out, direction) > 0 ? -out : out) +
+                     box.half[(side + 1) % 3] * (2 * v - 1) +
+                     box.half[(side + 2) % 3] * (2 * u.y - 1);
+  return {outside(place, direction), direction, all, Vec2(0)};
 }
 
 /// Back from a place, against the direction, to outside of the scene.
@@ -192,7 +217,7 @@ EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction, RayKind kind) c
 EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const {
   if (!light_) {
     const EnvironmentLight::Sample s = world_->environment.sample_alone(u_direction);
-    EmittedPhoton photon = emit_through_disc(-s.wi, u_place);
+    EmittedPhoton photon = emit_from_afar(-s.wi, u_place);
     photon.weight /= s.pdf;
     return photon;
   }
@@ -200,7 +225,7 @@ EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const 
   if (light.shape == LightShape::Directional) {
     ShadingPoint point = lit_point(*world_, aim_centre_, light.direction);
     const auto s = sample_light(light, point, u_direction);
-    EmittedPhoton photon = emit_through_disc(s ? -s->wi : light.direction, u_place);
+    EmittedPhoton photon = emit_from_afar(s ? -s->wi : light.direction, u_place);
     photon.u = u_direction;
     return photon;
   }

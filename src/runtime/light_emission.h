@@ -13,7 +13,8 @@ class MovedLight;
 //   World space. The mean of the power of photons is the flux of the source in the unit whose
 //   density on a surface is the irradiance of sample_light. Power is asked from sample_light and
 //   intersect_light, so that there is one place that knows how a light shader's colour becomes
-//   light. Sources infinitely far away send photons through a disc that covers what they aim at.
+//   light. Sources infinitely far away send photons through the silhouette of the box that they
+//   aim at; without one, and where they move, through a disc that covers it or the scene.
 //   Photons of a light that moves are known where it stands as written; their rays are not.
 
 /// A photon on its way; what it carries is known where it lands.
@@ -66,11 +67,12 @@ class PhotonSource {
   Rgb estimate_flux(int samples) const;
 
  private:
-  void aim_at(const geom::Box3& box);
+  void aim_at(const std::optional<AimBox>& box);
   EmittedPhoton emit_by_light(Vec2 u_place, Vec2 u_direction) const;
   EmittedPhoton emit_by_shader(Vec2 u_place, Vec2 u_direction, RayKind kind) const;
   EmittedPhoton emit_by_profile(Vec2 u_place, Vec2 u_direction) const;
-  EmittedPhoton emit_through_disc(const Vec3& direction, Vec2 u) const;
+  EmittedPhoton emit_from_afar(const Vec3& direction, Vec2 u) const;
+  EmittedPhoton emit_through_silhouette(const AimBox& box, const Vec3& direction, Vec2 u) const;
   Vec3 outside(const Vec3& place, const Vec3& direction) const;
   Rgb power_by_shader(const EmittedPhoton& photon, float distance) const;
   Rgb power_at_rest(const EmittedPhoton& photon, float distance, const MovedLight* moved) const;
@@ -79,6 +81,7 @@ class PhotonSource {
   const Light* light_ = nullptr;  // null: the environment
   Vec3 scene_centre_{0}, aim_centre_{0};
   float scene_radius_ = 0, aim_radius_ = 0;
+  std::optional<AimBox> aim_;  // of sources that do not move
   bool by_cosine_ = true;
   bool by_emitter_ = false;          // a shader sends the photons
   std::optional<Rgb> power_of_all_;  // that energy asks for

@@ -150,13 +150,14 @@ float pdf_through(const Light& light, const Vec3& from, const Vec3& wi) {
 }
 
 Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
-                    float cosine) {
+                    float cosine, RayKind kind) {
   const Portal& portal = *light.portal;
   Rgb radiance = portal.scale;
   if (!portal.shaders.empty())
     radiance *= rgb(environment_radiance(portal.shaders, *portal.world, from, wi, portal.lookup));
   else if (!portal.own_environment)
     return Rgb(0);
+  if (kind != RayKind::Light && kind != RayKind::FinalGather) return radiance;
   // The colour a light shader would give for this sample, of the whole area at its distance.
   const float share = light.area * cosine / (kPi * sqr(distance));
   return max_component(radiance) * share < portal.cutoff ? Rgb(0) : radiance;

@@ -106,9 +106,11 @@ struct ShapeSample {
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u);
 /// Density with which sample_through finds a direction that meets the portal.
 float pdf_through(const Light& light, const Vec3& from, const Vec3& wi);
-/// Radiance toward a point, wi from there to the portal, both where they are in truth.
+/// Radiance toward a point, wi from there to the portal, both where they are in truth. `kind`: the
+/// threshold acts on Light and FinalGather; eyes, mirrors and glass see the surface as it is.
+/// Checked: PortalSeen.* in tests/analytic/portal_seen_test.cpp
 Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
-                    float cosine);
+                    float cosine, RayKind kind = RayKind::Light);
 /// Mean luminance of all that is behind it.
 float mean_luminance(const Portal& portal);
 /// A direction out of which the environment shines through the portal, by the table: where photons

@@ -43,6 +43,7 @@ struct CieParameters {
   float overcast = 0;                        ///< 0 clear .. 1 overcast, in between a mixture
   Vec3 sun_direction{0, 0, 1};               ///< toward the sun; any length but 0
   bool y_is_up = false;
+  bool operator==(const CieParameters&) const = default;
 };
 
 /// A CIE sky. Look-ups are const and may run in any number of threads.

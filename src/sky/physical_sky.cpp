@@ -54,7 +54,7 @@ float night_factor(float sun_z) {
 Rgb sun_colour(const SunParameters& p, const Vec3& sun_direction) {
   if (!p.on || !(p.multiplier > 0)) return Rgb(0.0f);
   const Vec3 to_sun = seen_direction(normalize(sun_direction), p.y_is_up, p.horizon_height / 10);
-  Rgb lux = sun_illuminance(to_sun.z, turbidity_of(p.haze));
+  Rgb lux = sun_illuminance(to_sun.z, turbidity_of(p.haze), p.as_in_manual);
   if (const float own = luminance(lux); p.normal_illuminance && own > 0)
     lux *= std::max(0.0f, *p.normal_illuminance) / own;
   return tinted(lux * unit_conversion(p.rgb_unit_conversion, p.multiplier),
@@ -78,21 +78,24 @@ PhysicalSky::PhysicalSky(const SkyParameters& p)
   const float sun_z = model_.to_sun().z;
   sky_scale_ = units * (p.luminance ? kPi : kPi * daylight);
   if (p.luminance) give_luminance(*p.luminance);
-  sun_above_ = sun_illuminance(sun_z, turbidity_of(p.haze)) * units * daylight;
-  sun_below_ = sun_illuminance(sun_z, kClearTurbidity) * units * daylight;
+  sun_above_ = sun_illuminance(sun_z, turbidity_of(p.haze), p.as_in_manual) * units * daylight;
+  sun_below_ =
+      p.as_in_manual ? sun_above_ : sun_illuminance(sun_z, kClearTurbidity) * units * daylight;
   set_up_disc(p);
 
-  // The ground is lit through clear air whatever the haze, as in NVIDIA's port.
-  const PreethamSky clear(to_sun_, kClearTurbidity, p.model);
-  const auto clear_illuminance = [&] {
-    return p.exact_ground_illuminance ? horizontal_illuminance(clear)
-                                      : horizontal_illuminance_25(clear);
+  // The ground is lit through clear air whatever the haze, as in NVIDIA's port. The manual says
+  // "lit by the sun and sky only" (2.6), and so is a ground under a sky whose luminance is given.
+  const auto sky_over_ground = [&] {
+    if (p.luminance) return horizontal_illuminance(model_);
+    if (p.as_in_manual) return horizontal_illuminance(model_) * daylight;
+    return horizontal_illuminance_25(PreethamSky(to_sun_, kClearTurbidity, p.model)) * daylight;
   };
-  // Where the sky's luminance is given, the ground is lit by that sky.
-  const Rgb sky = p.luminance ? horizontal_illuminance(model_) : clear_illuminance() * daylight;
+  const Rgb sky = sky_over_ground();
   ground_raw_ = p.ground_color * (sky * units + sun_below_ * sun_z);
   ground_ = tinted(ground_raw_, saturation_, red_, blue_);
 }
+
+void PhysicalSky::set_night_color(const Rgb& color) { night_ = not_negative(color); }
 
 void PhysicalSky::give_luminance(const GivenLuminance& given) {
   if (given.distribution != PerezCoefficients{}) model_.distribute(given.distribution);

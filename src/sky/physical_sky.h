@@ -27,6 +27,7 @@ struct GivenLuminance {
   float zenith = 0;                  ///< cd/m2; where above 0 it decides
   float horizontal_illuminance = 0;  ///< lux, of the sky alone; where above 0 it is next
   PerezCoefficients distribution{};  ///< all 0: as the haze has it
+  bool operator==(const GivenLuminance&) const = default;
 };
 
 /// mia_physicalsky's parameters, named and defaulted as its declaration; the sun is a direction.
@@ -47,11 +48,14 @@ struct SkyParameters {
   float sun_glow_intensity = 1;
   bool physically_scaled_sun = false;  ///< disc and glow carry the energy of the sun's light
   bool y_is_up = false;
-  bool exact_ground_illuminance =
-      false;  ///< ground lit by the true sky integral, not the 25 points
+  /// The sun has the colour of 5900 K, and the ground is lit by this sun and all of this sky. Off:
+  /// as old pictures have it, the sun whiter, the ground as in clear air whatever the haze, lit by
+  /// 25 directions of the sky.
+  bool as_in_manual = false;
   PreethamOptions model;
   /// Set: luminance is given, and does not fade after sunset; its colours stay those of the haze.
   std::optional<GivenLuminance> luminance;
+  bool operator==(const SkyParameters&) const = default;
 };
 
 /// mia_physicalsun's parameters that decide its colour.
@@ -66,6 +70,7 @@ struct SunParameters {
   bool y_is_up = false;
   /// Set: its illuminance on a facing surface, lux, as long as it is up; colour stays by the haze.
   std::optional<float> normal_illuminance;
+  bool as_in_manual = false;  ///< of the colour of 5900 K
 };
 
 /// Which of the sun's images a look-up sees. Final gathering and portals see the gradient only:
@@ -102,6 +107,9 @@ class PhysicalSky {
 
   /// The gradient on the horizon in the azimuth of `direction`: what distant things fade to.
   Rgb horizon_radiance(const Vec3& direction) const;
+
+  /// The same sky over another floor.
+  void set_night_color(const Rgb& color);
 
   /// What a look-up far below the horizon returns.
   const Rgb& ground_radiance() const { return ground_; }

@@ -250,5 +250,92 @@ TEST(AerialPerspective, GrowsWithHazeAndDistance) {
   }
 }
 
+/// Glow and sky together, without the disc, at so many degrees beside the sun, by luminance.
+float beside_sun(float haze, float degrees) {
+  const float e = 40 * kPi / 180, a = degrees * kPi / 180;
+  SkyParameters p;
+  p.haze = haze;
+  p.sun_direction = Vec3(std::cos(e), 0, std::sin(e));
+  // Along the horizon: the height above it, and so the rest of the sky, stays about as it is.
+  const Vec3 aside(0, 1, 0);
+  return luminance(PhysicalSky(p).radiance(p.sun_direction * std::cos(a) + aside * std::sin(a),
+                                           SkyPart::GradientAndGlow));
+}
+
+// "softness of the glow around the sun" (manual 2.4): what is bright there falls off more slowly.
+// acceptance: S4
+TEST(Haze, SoftensWhatIsBrightAroundTheSun) {
+  for (const float degrees : {5.0f, 10.0f, 15.0f, 25.0f, 35.0f}) {
+    float before = 0;
+    for (const float haze : {0.0f, 5.0f, 15.0f}) {
+      const float kept = beside_sun(haze, degrees) / beside_sun(haze, 1);
+      EXPECT_GT(kept, before) << haze << ' ' << degrees;
+      before = kept;
+      if (std::getenv("ORIEL_FIGURES"))
+        std::printf("| haze %g | %g degrees | %.4f of 1 degree |\n", double(haze), double(degrees),
+                    double(kept));
+    }
+  }
+}
+
+// Planck's locus by Kim et al., "Design of Advanced Color Temperature Control System for HDTV
+// Applications", JKPS 41(6), 2002: xy within .001 from 4000 to 25000 K.
+// acceptance: S2
+TEST(Sun, ColourOutsideTheAtmosphereIsHistoricOrOf5900Kelvin) {
+  const double t = 5900;
+  const double x = -3.0258469e9 / (t * t * t) + 2.1070379e6 / (t * t) + .2226347e3 / t + .240390;
+  const double y = 3.0817580 * x * x * x - 5.8733867 * x * x + 3.75112997 * x - .37001483;
+  const auto chromaticity = [](const Rgb& c) {
+    // IEC 61966-2-1
+    const double xyz[] = {.4124 * c.x + .3576 * c.y + .1805 * c.z,
+                          .2126 * c.x + .7152 * c.y + .0722 * c.z,
+                          .0193 * c.x + .1192 * c.y + .9505 * c.z};
+    const double sum = xyz[0] + xyz[1] + xyz[2];
+    return std::pair(xyz[0] / sum, xyz[1] / sum);
+  };
+  const Rgb manual = sun_illuminance_outside_atmosphere(true);
+  EXPECT_NEAR(luminance(manual), 127500, 10);
+  EXPECT_NEAR(chromaticity(manual).first, x, .002);
+  EXPECT_NEAR(chromaticity(manual).second, y, .002);
+  const Rgb historic = sun_illuminance_outside_atmosphere();
+  EXPECT_NEAR(historic.y / historic.x, .992f, 1e-6f);
+  EXPECT_GT(std::abs(chromaticity(historic).first - x), .004);
+  // Sun and sky know it by the same bit.
+  const Vec3 high(0, 0, 1);
+  const Rgb a = sun_colour({}, high), b = sun_colour({.as_in_manual = true}, high);
+  EXPECT_NEAR(b.z / a.z * a.y / b.y, manual.z / historic.z * historic.y / manual.y, 1e-4f);
+}
+
+// A Lambertian ground "lit by the sun and sky only" (manual 2.6), of whatever haze.
+// acceptance: S7
+TEST(Haze, GroundIsLitByThisSunAndSkyAsTheManualSays) {
+  for (const float haze : {0.0f, 3.0f, 8.0f}) {
+    SkyParameters p;
+    p.haze = haze;
+    p.sun_direction = normalize(Vec3(1, 0, .8f));
+    p.ground_color = Rgb(.3f, .2f, .1f);
+    p.as_in_manual = true;
+    const PhysicalSky sky(p);
+    // Midpoints over the upper half sphere; pi L is what a look-up gives, and so E pi.
+    Rgb mean(0);
+    constexpr int kRings = 64, kSectors = 128;
+    for (int i = 0; i < kRings; ++i)
+      for (int j = 0; j < kSectors; ++j) {
+        const float sin2 = (static_cast<float>(i) + .5f) / kRings, r = std::sqrt(sin2);
+        const float phi = kTwoPi * (static_cast<float>(j) + .5f) / kSectors;
+        mean += sky.radiance(Vec3(r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - sin2)),
+                             SkyPart::Gradient) /
+                static_cast<float>(kRings * kSectors);
+      }
+    const Rgb sun = sun_colour({.haze = haze, .as_in_manual = true}, p.sun_direction);
+    const Rgb exact = (mean + sun * p.sun_direction.z) * p.ground_color;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(sky.ground_radiance()[k] / exact[k], 1, .003f) << haze << ' ' << k;
+    p.as_in_manual = false;
+    const float port = PhysicalSky(p).ground_radiance().y / exact.y;
+    EXPECT_GT(std::abs(port - 1), haze > 5 ? .05f : 0.0f);
+  }
+}
+
 }  // namespace physical_sky_sun_test
 }  // namespace oriel::sky

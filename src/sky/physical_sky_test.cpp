@@ -222,7 +222,7 @@ TEST(PhysicalSky, GroundSkyIlluminanceMatchesTable) {
 // acceptance: S7
 TEST(PhysicalSky, ExactGroundIsLitByTheWholeSky) {
   SkyParameters p = in_lux(45);
-  p.exact_ground_illuminance = true;
+  p.as_in_manual = true;
   const float expected = 0.2f * (25165 + 65317);
   EXPECT_NEAR(luminance(PhysicalSky(p).ground_radiance()), expected, 1e-3f * expected);
 }

@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "base/math.h"
+#include "color/black_body.h"
+#include "color/luminance.h"
 
 namespace oriel::sky {
 namespace {
@@ -70,13 +72,18 @@ Vec2 zenith_chromaticity(float turbidity, float sun_zenith_angle) {
   return Vec2(value(kX), value(kY));
 }
 
-Rgb sun_illuminance_outside_atmosphere() {
-  // The colour is a black body of about 5900 K; 0.9878 is its Rec. 709 luminance.
+Rgb sun_illuminance_outside_atmosphere(bool black_body) {
   constexpr float kSolarIlluminanceLux = 127500;  // IES, Recommended Practice, 1984
+  if (black_body) {
+    constexpr float kSunKelvin = 5900;
+    static const Rgb colour = black_body_color(kSunKelvin);
+    return colour * (kSolarIlluminanceLux / luminance(colour));
+  }
+  // Old pictures have this colour; 0.9878 is its Rec. 709 luminance.
   return Rgb(1, 0.992f, 0.911f) * (kSolarIlluminanceLux / 0.9878f);
 }
 
-Rgb sun_illuminance(float sun_z, float turbidity) {
+Rgb sun_illuminance(float sun_z, float turbidity, bool black_body) {
   if (!(sun_z > 0)) return Rgb(0.0f);
 
   // Relative optical mass, Kasten 1966.
@@ -88,7 +95,7 @@ Rgb sun_illuminance(float sun_z, float turbidity) {
   constexpr float kOzonePerCm[3] = {12.0f, 8.5f, 0.9f};
   constexpr float kOzone = 0.0035f;
   const float beta = 0.04608f * turbidity - 0.04586f;
-  Rgb sun = sun_illuminance_outside_atmosphere();
+  Rgb sun = sun_illuminance_outside_atmosphere(black_body);
   for (int i = 0; i < 3; ++i) {
     const float rayleigh = 0.008735f * math::pow(kWavelengthUm[i], -4.08f);
     const float aerosol = beta * math::pow(kWavelengthUm[i], -1.3f);

@@ -38,10 +38,14 @@ Vec2 zenith_chromaticity(float turbidity, float sun_zenith_angle);
 /// Returns: lux; black for a sun on or below the horizon.
 /// Source:  Preetham et al. 1999, A.1; reduced to three wavelengths in NVIDIA's MDL-SDK base.mdl.
 /// Checked: Sun.NormalIlluminanceMatchesTable, Sun.OutsideTheAtmosphereIs127500Lux
-Rgb sun_illuminance(float sun_z, float turbidity);
+Rgb sun_illuminance(float sun_z, float turbidity, bool black_body = false);
 
 /// The same outside the atmosphere: 127500 lux (IES 1984 solar illumination constant).
-Rgb sun_illuminance_outside_atmosphere();
+///
+/// Inputs:  black_body: of the colour of one of 5900 K, as the manual says (2.2); else of the
+///          historic (1, .992, .911), which is nearer to one of 6400 K.
+/// Checked: Sun.ColourOutsideTheAtmosphereIsHistoricOrOf5900Kelvin
+Rgb sun_illuminance_outside_atmosphere(bool black_body = false);
 
 /// Where the model in use departs from the paper.
 struct PreethamOptions {
@@ -49,6 +53,7 @@ struct PreethamOptions {
   bool paper_chromaticity = false;
   /// Luminance of the half sky away from the sun as at a right angle to it (one public port).
   bool clamp_antisolar = false;
+  bool operator==(const PreethamOptions&) const = default;
 };
 
 /// Luminance over the sky in Perez' form, up to a factor:

@@ -74,11 +74,16 @@ void Path::meet_lights(float t_surface, bool& ended) {
       if (sees) return;
     }
     if (portal && !portal->visible && from_.group == LobeGroup::Refraction) return;
-    const bool alone = portal && portal->photons_only && portal->visible;  // never sampled
+    bool alone = portal && portal->photons_only && portal->visible;  // never sampled
     const float rate = from_.lights.rate(index);
     if (rate <= 0 && !alone) return;
-    const auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
+    auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;
+    if (portal && portal->visible && kind_ != RayKind::FinalGather && is_black(hit->radiance)) {
+      // Below the threshold samples bring nothing, and yet the surface is seen.
+      hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface, kind_);
+      alone = true;
+    }
     if (!alone && (!hit->shadow || !from_.shadows)) return;
     if (shadowed_by_unseen(world_, from_.point, ray_.dir, hit->t, counts_)) return;
     const float weight =

@@ -133,6 +133,10 @@ PhotonBalance& PhotonBalance::operator+=(const PhotonBalance& o) {
   return *this;
 }
 
+bool sends_photons(const Light& light, const PhotonSettings& settings) {
+  return !light.photons.none && (light.photons.has_energy || !settings.by_energy);
+}
+
 PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
                          PhotonBalance* balance, const Watch& watch) {
   MapTracer tracer(world, settings, watch);
@@ -141,7 +145,7 @@ PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, Ray
   for (std::size_t i = 0; i < world.lights.size(); ++i) {
     const LightPhotons& own = world.lights[i].photons;
     const LightPhotons& asked = own.any() ? own : settings.each;
-    if (!asked.any()) continue;
+    if (!asked.any() || !sends_photons(world.lights[i], settings)) continue;
     const double done = static_cast<double>(i);
     tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked, static_cast<int>(i) + 1,
                  layers.asked() ? layers.of_light[i] : Photon::kUnknownLayer,

@@ -21,8 +21,15 @@ struct PhotonSettings {
   LightPhotons environment;          ///< none unless asked: hosts leave the sky to final gathering
   scene::TraceDepth depth{5, 5, 5};  ///< bounces of all kinds, diffuse reflection included
   float merge_global = 0, merge_caustic = 0;  ///< see PhotonMap
+  /// Whether lights without energy send none, as in scenes that ask for photons themselves.
+  bool by_energy = false;
   std::uint32_t seed = 0;
 };
+
+/// Whether a light sends photons: it is on, and has energy where that counts.
+/// Source:  manual 2.5 (automatic_photon_energy): without energy "photon emission is disabled".
+/// Checked: PhotonEnergy.* in tests/analytic/photon_energy_test.cpp
+bool sends_photons(const Light& light, const PhotonSettings& settings);
 
 /// Where the power went, mean over the photons of each light, summed over lights.
 struct PhotonBalance {

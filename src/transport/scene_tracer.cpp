@@ -113,14 +113,8 @@ std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& poin
     open = all + (Rgb(1) - all) * s->shadow_factor;
   }
   const Rgb unshadowed = s->irradiance * kInvPi;
-  return Arriving{unshadowed * open,
-                  unshadowed,
-                  s->wi,
-                  s->distance,
-                  s->affects_diffuse,
-                  s->affects_specular,
-                  s->force_specular,
-                  s->is_sun};
+  return Arriving{unshadowed * open,   unshadowed,        s->wi,    s->distance, s->affects_diffuse,
+                  s->affects_specular, s->force_specular, s->is_sun};
 }
 
 }  // namespace oriel

@@ -15,7 +15,8 @@ std::string lit_box(const std::string& options) {
   s.lambert("grey", .5f)
       .box("grey", Vec3(-1, -1, -3), Vec3(1, 1, .5f), true)
       .light("lamp",
-             "\"physical_light\" ( \"color\" 4 4 4 ) origin 0 .9 -1.5 globillum photons 4000")
+             "\"physical_light\" ( \"color\" 4 4 4 ) origin 0 .9 -1.5 energy 4 4 4 globillum "
+             "photons 4000")
       .camera("focal 1 aperture 1.5 aspect 1 resolution 24 24");
   std::string text = s.str();
   return text.replace(text.find("\"path\""), 6, "\"scene\"");

@@ -283,6 +283,54 @@ TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
   EXPECT_EQ(*probe.world().lights[0].photons.emission.energy, Rgb(7));
 }
 
+// acceptance: S14
+TEST(PhotonEmission, TheSunsPhotonsGoThroughItsBoxAndNowhereElse) {
+  // A window of 2 x 1 x .02, turned by 30 degrees about z in the light's space.
+  const float c = std::cos(kPi / 6), s = std::sin(kPi / 6);
+  SceneText scene = stage();
+  scene.light("sun",
+              "\"mia_physicalsun\" ( \"automatic_photon_energy\" on, \"samples\" 0, "
+              "\"photon_bbox_min\" -1 -.01 .5, \"photon_bbox_max\" 1 .01 1.5 ) "
+              "direction .3 .6 -.5 ",
+              fmt::format("transform {} {} 0 0  {} {} 0 0  0 0 1 0  0 0 0 1", c, s, -s, c));
+  const Probe probe(scene);
+  const Light& sun = probe.world().lights[0];
+  const PhotonSource source(probe.world(), sun, sun.photons.emission);
+  // Shares of the halves of the window, which even places on its silhouette make equal.
+  int left = 0, low = 0;
+  constexpr int kCount = 4096;
+  const Vec3 along = transform_vector(Vec3(1, 0, 0), sun.to_world),
+             across = transform_vector(Vec3(0, 1, 0), sun.to_world);
+  const Vec3 centre = transform_point(Vec3(0, 0, 1), sun.to_world);
+  for (int i = 0; i < kCount; ++i) {
+    sampling::Sampler sampler(0, 0, static_cast<std::uint32_t>(i));
+    const Vec2 u = sampler.next_2d();
+    const EmittedPhoton photon = source.emit(u, sampler.next_2d());
+    // Where the ray is nearest to the middle plane of the window.
+    const float t = dot(centre - photon.origin, across) / dot(photon.direction, across);
+    const Vec3 place = photon.origin + photon.direction * t - centre;
+    // By the window's thickness the slanted ray is that far off at most.
+    const float slip = .01f / std::abs(dot(photon.direction, across));
+    EXPECT_LT(std::abs(dot(place, along)), 1 + slip);
+    EXPECT_LT(std::abs(place.z), .5f + slip);
+    left += dot(place, along) < 0;
+    low += place.z < 0;
+  }
+  const double error = .5 / std::sqrt(kCount);
+  EXPECT_NEAR(double(left) / kCount, .5, 4 * error);
+  EXPECT_NEAR(double(low) / kCount, .5, 4 * error);
+  // Power over all is what flows through the silhouette.
+  const Vec3 d = sun.direction;
+  const float area =
+      2 * 1 * std::abs(dot(d, across)) + .02f * std::abs(dot(d, along)) + .04f * std::abs(d.z);
+  ShadingPoint point;
+  point.world = &probe.world();
+  const auto light = sample_light(sun, point, Vec2(.5f));
+  ASSERT_TRUE(light);
+  // The side areas: 2 x 1 faces `across`, .02 x 1 `along`, 2 x .02 up.
+  EXPECT_NEAR(source.estimate_flux(64).y, light->irradiance.y * area, 1e-3f * light->irradiance.y);
+}
+
 // acceptance: L7
 TEST(PhotonEmission, EnergyReplacesTheFlux) {
   SceneText scene = stage();

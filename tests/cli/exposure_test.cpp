@@ -34,8 +34,8 @@ TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
   EXPECT_EQ(last_line(r)["rays"], 0);
   EXPECT_LT(last_line(r)["elapsed"], 2);
   const ExrFile tuned = read_exr(file("tuned.exr")), before = read_exr(file("preview.exr"));
-  const Layer* display = find_layer(tuned.layers, "display");
-  ASSERT_NE(display, nullptr);
+  const Layer* linear = find_layer(tuned.layers, "linear");
+  ASSERT_NE(linear, nullptr);
   const lens::SimpleExposure exposure({.gain = 3, .gamma = 1.8f});
   const Image& beauty = before.layers[0].image;
   for (int y = 0; y < beauty.height; ++y)
@@ -43,12 +43,54 @@ TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
       const float* p = beauty.at(x, y);
       const Rgb exact = exposure(Rgb(p[0], p[1], p[2]));
       for (int k = 0; k < 3; ++k) {
-        ASSERT_EQ(tuned.layers[0].image.at(x, y)[k], p[k]) << x << " " << y;
-        ASSERT_NEAR(display->image.at(x, y)[k], exact[k], 1e-6f) << x << " " << y;
+        ASSERT_EQ(linear->image.at(x, y)[k], p[k]) << x << " " << y;
+        ASSERT_NEAR(tuned.layers[0].image.at(x, y)[k], exact[k], 1e-6f) << x << " " << y;
       }
     }
   // Denoising has nothing to go by, and says nothing.
   EXPECT_EQ(run({"render", "tuned.mi", "-o", "tuned.png", "--denoise", "-q"}).exit_code, 0);
+}
+
+/// Gain 2 without compression, gamma 1: twice the light.
+const std::string kTwice =
+    " \"mia_exposure_simple\" ( \"gain\" 2, \"compression\" 0, \"gamma\" 1 ) ";
+
+TEST_F(ExposureProgram, FloatFilesHoldWhatTheSceneAsksFor) {
+  const std::string files =
+      "output \"rgba_fp\" \"tif\" \"a.tif\" output \"rgba_fp\" \"exr\" \"a.exr\"";
+  write("plain.mi", small_scene("", files));
+  ASSERT_EQ(run({"render", "plain.mi", "--samples", "4", "-q"}).exit_code, 0);
+  const Image light = read_image(file("a.exr"));
+  for (const char* role : {"lens", "output"}) {
+    write("mapped.mi", small_scene("", role + kTwice + files));
+    const RunResult r = run({"render", "mapped.mi", "--samples", "4"});
+    ASSERT_EQ(r.exit_code, 0);
+    EXPECT_NE(r.err.find("OR-RN-064"), std::string::npos) << r.err;
+    const auto is_light_times = [&](const char* name, float factor) {
+      const Image image = read_image(file(name));
+      ASSERT_EQ(image.pixels.size(), light.pixels.size());
+      for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const float wanted = (i % 4 < 3 ? factor : 1) * light.pixels[i];
+        ASSERT_NEAR(image.pixels[i], wanted, 1e-5f * wanted) << role;
+      }
+    };
+    is_light_times("a.tif", 2);
+    is_light_times("a.exr", 2);
+    const ExrFile written = read_exr(file("a.exr"));
+    ASSERT_NE(find_layer(written.layers, "linear"), nullptr);
+    EXPECT_EQ(find_layer(written.layers, "linear")->image.pixels, light.pixels);
+    // So does a file of another name, and its linear layer is what the tools read.
+    ASSERT_EQ(run({"render", "mapped.mi", "-o", "b.exr", "--samples", "4", "-q"}).exit_code, 0);
+    is_light_times("b.exr", 2);
+    ASSERT_EQ(run({"tonemap", "b.exr", "-o", "c.exr", "--simple", "--gain", "1", "--compression",
+                   "0", "--gamma", "1"})
+                  .exit_code,
+              0);
+    is_light_times("c.exr", 1);
+    ASSERT_EQ(run({"render", "mapped.mi", "--linear", "--samples", "4"}).exit_code, 0);
+    is_light_times("a.tif", 1);
+    is_light_times("a.exr", 1);
+  }
 }
 
 TEST_F(ExposureProgram, GammaTwiceIsToldForOutputShadersToo) {

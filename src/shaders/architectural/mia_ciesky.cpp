@@ -38,9 +38,21 @@ constexpr ParamSpec kMiaCieskyRows[] = {
 };
 
 struct CieSkyState final : ShaderState {
-  explicit CieSkyState(const sky::CieParameters& parameters) : sky(parameters) {}
+  explicit CieSkyState(const sky::CieParameters& p) : parameters(p), sky(p) {}
+  sky::CieParameters parameters;
   sky::CieSky sky;
 };
+
+sky::CieParameters cie_parameters(const MiaCieskyParams& p, const World& world) {
+  return {.on = p.on,
+          .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+          .auto_luminance = p.auto_luminance,
+          .zenith_luminance = p.zenith_luminance,
+          .diffuse_horizontal_illuminance = p.diffuse_horizontal_illuminance,
+          .overcast = p.overcast,
+          .sun_direction = direction_to_sun(p.sun, p.sun_direction, p.y_is_up, world),
+          .y_is_up = p.y_is_up};
+}
 
 }  // namespace
 
@@ -55,20 +67,17 @@ const ShaderSpec kMiaCieSky = {
     .value =
         [](const Call& call, void* result) {
           const auto& state = *static_cast<const CieSkyState*>(call.state);
-          const Rgb c = state.sky.radiance(call.point.ray_direction);
+          // Connected parameters are of the direction.
+          sky::CieParameters now = state.parameters;
+          if (call.point.world) now = cie_parameters(call.as<MiaCieskyParams>(), *call.point.world);
+          const Vec3& d = call.point.ray_direction;
+          const Rgb c =
+              now == state.parameters ? state.sky.radiance(d) : sky::CieSky(now).radiance(d);
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
         },
     .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
-      const MiaCieskyParams& p = *static_cast<const MiaCieskyParams*>(params);
-      return std::make_unique<CieSkyState>(sky::CieParameters{
-          .on = p.on,
-          .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
-          .auto_luminance = p.auto_luminance,
-          .zenith_luminance = p.zenith_luminance,
-          .diffuse_horizontal_illuminance = p.diffuse_horizontal_illuminance,
-          .overcast = p.overcast,
-          .sun_direction = direction_to_sun(p.sun, p.sun_direction, p.y_is_up, world),
-          .y_is_up = p.y_is_up});
+      return std::make_unique<CieSkyState>(
+          cie_parameters(*static_cast<const MiaCieskyParams*>(params), world));
     },
 };
 

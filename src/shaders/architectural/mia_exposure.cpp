@@ -63,24 +63,28 @@ constexpr ParamSpec kSimpleRows[] = {
     {ORIEL_PARAM(Simple, use_preview), .doc = "Use it.", .declared_default = false},
 };
 
-struct PhotographicState final : ShaderState {
-  explicit PhotographicState(const Photographic& p) : exposure(photographic_parameters(p)) {}
-  lens::PhotographicExposure exposure;
-};
-struct SimpleState final : ShaderState {
-  explicit SimpleState(const Simple& p)
-      : exposure({.pedestal = p.pedestal,
-                  .gain = p.gain,
-                  .knee = p.knee,
-                  .compression = p.compression,
-                  .gamma = p.gamma}) {}
-  lens::SimpleExposure exposure;
-};
-
-template <class State, class P>
-std::unique_ptr<ShaderState> prepare(const void* params, const World&) {
-  return std::make_unique<State>(*static_cast<const P*>(params));
+lens::SimpleParameters simple_parameters(const Simple& p) {
+  return {.pedestal = p.pedestal,
+          .gain = p.gain,
+          .knee = p.knee,
+          .compression = p.compression,
+          .gamma = p.gamma};
 }
+
+/// An exposure by the constant parameters.
+template <class Exposure, class Parameters>
+struct ExposureState final : ShaderState {
+  explicit ExposureState(const Parameters& p) : parameters(p), exposure(p) {}
+  /// By those of a call, which differ where something is connected.
+  template <class F>
+  auto with(const Parameters& now, F&& f) const {
+    return now == parameters ? f(exposure) : f(Exposure(now));
+  }
+  Parameters parameters;
+  Exposure exposure;
+};
+using PhotographicState = ExposureState<lens::PhotographicExposure, lens::PhotographicParameters>;
+using SimpleState = ExposureState<lens::SimpleExposure, lens::SimpleParameters>;
 
 }  // namespace
 
@@ -95,7 +99,9 @@ const ShaderSpec kMiaExposurePhotographic = {
     .lens =
         [](const Call& call, const LensCall& lens, const Rgb& c) {
           return static_cast<const PhotographicState*>(call.state)
-              ->exposure(c, lens.orthographic ? 1.0f : lens.cos_to_film);
+              ->with(photographic_parameters(call.as<Photographic>()), [&](const auto& exposure) {
+                return exposure(c, lens.orthographic ? 1.0f : lens.cos_to_film);
+              });
         },
     .lens_traits =
         [](const ShaderNode& node) {
@@ -106,7 +112,10 @@ const ShaderSpec kMiaExposurePhotographic = {
                             .luminance = p.film_iso > 0 ? p.cm2_factor : 0,
                             .gamma = p.gamma};
         },
-    .prepare = prepare<PhotographicState, Photographic>,
+    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+      return std::make_unique<PhotographicState>(
+          photographic_parameters(*static_cast<const Photographic*>(params)));
+    },
 };
 
 const ShaderSpec kMiaExposureSimple = {
@@ -117,15 +126,21 @@ const ShaderSpec kMiaExposureSimple = {
     .doc = "Maps colours by gain, knee and gamma.",
     .params = kSimpleRows,
     .params_size = sizeof(Simple),
-    .lens = [](const Call& call, const LensCall&,
-               const Rgb& c) { return static_cast<const SimpleState*>(call.state)->exposure(c); },
+    .lens =
+        [](const Call& call, const LensCall&, const Rgb& c) {
+          return static_cast<const SimpleState*>(call.state)
+              ->with(simple_parameters(call.as<Simple>()),
+                     [&](const auto& exposure) { return exposure(c); });
+        },
     .lens_traits =
         [](const ShaderNode& node) {
           const auto& p = node.constants<Simple>();
           return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
                             .gamma = p.gamma};
         },
-    .prepare = prepare<SimpleState, Simple>,
+    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+      return std::make_unique<SimpleState>(simple_parameters(*static_cast<const Simple*>(params)));
+    },
 };
 
 }  // namespace oriel

@@ -45,7 +45,8 @@ constexpr ParamSpec kMiaExposureRevRows[] = {
 };
 
 struct State final : ShaderState {
-  explicit State(const MiaExposureRevParams& p) : reverse(photographic_parameters(p)) {}
+  explicit State(const lens::PhotographicParameters& p) : parameters(p), reverse(p) {}
+  lens::PhotographicParameters parameters;
   lens::ReversePhotographicExposure reverse;
 };
 
@@ -74,11 +75,16 @@ const ShaderSpec kMiaExposurePhotographicRev = {
           const World* world = call.point.world;
           const float cosine =
               world && p.vignetting != 0 ? cos_to_film(world->camera, call.point.ray_direction) : 1;
-          const Rgb c = static_cast<const State*>(call.state)->reverse(rgb(p.input), cosine);
+          const auto& state = *static_cast<const State*>(call.state);
+          const lens::PhotographicParameters now = photographic_parameters(p);
+          const Rgb c = now == state.parameters
+                            ? state.reverse(rgb(p.input), cosine)
+                            : lens::ReversePhotographicExposure(now)(rgb(p.input), cosine);
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, p.input.a);
         },
     .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<State>(*static_cast<const MiaExposureRevParams*>(params));
+      return std::make_unique<State>(
+          photographic_parameters(*static_cast<const MiaExposureRevParams*>(params)));
     },
 };
 

@@ -27,7 +27,7 @@ constexpr ParamSpec kMiaLensBokehRows[] = {
      .doc = "Distance at which things are sharp."},
     {ORIEL_PARAM(Bokeh, radius), .fallback = {1}, .min = 0, .unit = "scene units",
      .doc = "Radius of the lens opening."},
-    {ORIEL_PARAM(Bokeh, samples), .fallback = {4}, .min = 1, .max = 256,
+    {ORIEL_PARAM(Bokeh, samples), .fallback = {4}, .min = 1, .max = 65536,
      .doc = "Rays that each camera sample becomes."},
     {ORIEL_PARAM(Bokeh, bias), .fallback = {1}, .min = 0,
      .doc = "1 an even disc, less: light in the middle, more: at the rim."},

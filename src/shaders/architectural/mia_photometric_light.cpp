@@ -122,8 +122,11 @@ const ShaderSpec kMiaPhotometricLight = {
     .light = value,
     .profile = profile,
     // Its photons are as strong as its light, whatever energy the element writes.
-    .photons = [](const void*, const Light&,
-                  LightPhotons& photons) { photons.emission.energy.reset(); },
+    .photons =
+        [](const void*, const Light&, LightPhotons& photons) {
+          photons.emission.energy.reset();
+          photons.has_energy = true;
+        },
 };
 
 }  // namespace oriel

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // mia_physicalsky: the daylight environment, with the sun's disc and glow and a virtual ground.
+#include <algorithm>
+#include <utility>
+
 #include "runtime/world.h"
 #include "shaders/architectural/mia_sun_sky.h"
 #include "sky/daylight.h"
@@ -29,7 +32,7 @@ struct MiaPhysicalskyParams {
 };
 
 // Bits of `flags`. 0 is the sky as it always was; the manual gives bits no meaning.
-constexpr int kExactGround = 1;        ///< ground lit by the whole sky, not by 25 directions
+constexpr int kAsInManual = 1;         ///< SkyParameters::as_in_manual
 constexpr int kPaperChromaticity = 2;  ///< the paper's constant in the chromaticity x
 constexpr int kClampAntisolar = 4;     ///< PreethamOptions::clamp_antisolar
 
@@ -73,7 +76,8 @@ constexpr ParamSpec kMiaPhysicalskyRows[] = {
     {ORIEL_PARAM(MiaPhysicalskyParams, y_is_up), .doc = "Y is up, else Z.",
      .declared_default = false},
     {ORIEL_PARAM(MiaPhysicalskyParams, flags),
-     .doc = "0. Bits: 1 ground lit by the whole sky, 2 the paper's colours, 4 even antisolar half.",
+     .doc = "0. Bits: 1 sun of 5900 K and ground lit by this sky, 2 the paper's colours, 4 even "
+            "antisolar half.",
      .declared_default = false},
     {ORIEL_PARAM(MiaPhysicalskyParams, sky_luminance_mode),
      .doc = "Not 0: luminance by the seven below."},
@@ -96,48 +100,6 @@ constexpr ParamSpec kMiaPhysicalskyRows[] = {
      .doc = "Disc and glow carry the sun's true energy.", .declared_default = false},
 };
 
-struct PhysicalSkyState final : ShaderState {
-  explicit PhysicalSkyState(const sky::SkyParameters& parameters)
-      : sky(parameters), on(parameters.on && parameters.multiplier > 0) {}
-  sky::PhysicalSky sky;
-  bool on;
-};
-
-sky::SkyPart visible_part(const ShadingPoint& point) {
-  switch (point.ray_kind) {
-    case RayKind::FinalGather:
-    case RayKind::Light:
-      return sky::SkyPart::Gradient;
-    // The highlight of the sun's own light already stands where a glossy bundle meets the disc.
-    default:
-      return point.blurred ? sky::SkyPart::GradientAndGlow : sky::SkyPart::Everything;
-  }
-}
-
-void sky_value(const Call& call, void* result) {
-  const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
-  auto& out = *static_cast<Rgba*>(result);
-  if (p.use_background && call.point.environment && call.point.ray_kind == RayKind::Eye) {
-    out = p.background.node && p.background.node->spec().value
-              ? p.background.node->color(call.point)
-              : Rgba(0);
-    return;
-  }
-  const auto& state = *static_cast<const PhysicalSkyState*>(call.state);
-  const Rgb c = state.sky.radiance(call.point.ray_direction, visible_part(call.point));
-  out = Rgba(c.x, c.y, c.z, 1);
-}
-
-/// Aerial perspective: what is far fades to the horizon behind it.
-AirValue air(const Call& call) {
-  const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
-  const auto& state = *static_cast<const PhysicalSkyState*>(call.state);
-  if (!state.on) return {};
-  const float haze = sky::aerial_haze(call.point.ray_length, p.visibility_distance, p.haze);
-  if (haze == 0) return {};
-  return {Rgb(1 - haze), state.sky.horizon_radiance(call.point.ray_direction) * haze};
-}
-
 sky::SkyParameters parameters_of(const MiaPhysicalskyParams& p, const World& world) {
   sky::SkyParameters s{.on = p.on,
                        .multiplier = p.multiplier,
@@ -155,7 +117,7 @@ sky::SkyParameters parameters_of(const MiaPhysicalskyParams& p, const World& wor
                        .sun_glow_intensity = p.sun_glow_intensity,
                        .physically_scaled_sun = p.physically_scaled_sun,
                        .y_is_up = p.y_is_up,
-                       .exact_ground_illuminance = (p.flags & kExactGround) != 0,
+                       .as_in_manual = (p.flags & kAsInManual) != 0,
                        .model = {.paper_chromaticity = (p.flags & kPaperChromaticity) != 0,
                                  .clamp_antisolar = (p.flags & kClampAntisolar) != 0}};
   if (p.sky_luminance_mode != 0)
@@ -163,6 +125,83 @@ sky::SkyParameters parameters_of(const MiaPhysicalskyParams& p, const World& wor
                    .horizontal_illuminance = p.diffuse_horizontal_illuminance,
                    .distribution = {p.a, p.b, p.c, p.d, p.e}};
   return s;
+}
+
+/// Whether a light of the scene shines from where the sky shows its sun.
+bool has_light(const World& world, const sky::SkyParameters& p) {
+  // Directions are typed with a few digits, and a light may be turned by hand to the disc.
+  constexpr float kCosNear = 0.9998f;  // 1.1 degrees
+  const Vec3 to_sun = normalize(p.sun_direction);
+  return std::any_of(world.lights.begin(), world.lights.end(), [&](const Light& light) {
+    if (light.shape != LightShape::Directional || dot(-light.direction, to_sun) < kCosNear)
+      return false;
+    ShadingPoint point;
+    point.normal = point.geometric_normal = to_sun;
+    return sample_light(light, point, Vec2(0.5f)).has_value();
+  });
+}
+
+struct PhysicalSkyState final : ShaderState {
+  PhysicalSkyState(const sky::SkyParameters& p, const World& world)
+      : parameters(p), sky(p), sun_is_light(has_light(world, p)) {}
+  sky::SkyParameters parameters;
+  sky::PhysicalSky sky;
+  bool sun_is_light;
+};
+
+/// Calls f(sky, parameters) with the sky of a call's parameters: connected ones are of its
+/// direction, so that a night may have stars and one side of the sky another haze.
+template <class F>
+auto with_sky(const Call& call, F&& f) {
+  const auto& state = *static_cast<const PhysicalSkyState*>(call.state);
+  if (!call.point.world) return f(state.sky, state.parameters);
+  sky::SkyParameters now = parameters_of(call.as<MiaPhysicalskyParams>(), *call.point.world);
+  if (now == state.parameters) return f(state.sky, state.parameters);
+  // A night alone changes nothing that takes time to work out.
+  const Rgb night = std::exchange(now.night_color, state.parameters.night_color);
+  sky::PhysicalSky sky = now == state.parameters ? state.sky : sky::PhysicalSky(now);
+  sky.set_night_color(night);
+  return f(sky, now);
+}
+
+sky::SkyPart visible_part(const ShadingPoint& point, bool sun_is_light) {
+  switch (point.ray_kind) {
+    case RayKind::FinalGather:
+    case RayKind::Light:
+      return sky::SkyPart::Gradient;
+    // The highlight of the sun's own light already stands where a glossy bundle meets the disc.
+    default:
+      return point.blurred && sun_is_light ? sky::SkyPart::GradientAndGlow
+                                           : sky::SkyPart::Everything;
+  }
+}
+
+void sky_value(const Call& call, void* result) {
+  const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
+  auto& out = *static_cast<Rgba*>(result);
+  if (p.use_background && call.point.environment && call.point.ray_kind == RayKind::Eye) {
+    out = p.background.node && p.background.node->spec().value
+              ? p.background.node->color(call.point)
+              : Rgba(0);
+    return;
+  }
+  const bool sun_is_light = static_cast<const PhysicalSkyState*>(call.state)->sun_is_light;
+  const Rgb c = with_sky(call, [&](const sky::PhysicalSky& sky, const sky::SkyParameters&) {
+    return sky.radiance(call.point.ray_direction, visible_part(call.point, sun_is_light));
+  });
+  out = Rgba(c.x, c.y, c.z, 1);
+}
+
+/// Aerial perspective: what is far fades to the horizon behind it.
+AirValue air(const Call& call) {
+  const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
+  return with_sky(
+      call, [&](const sky::PhysicalSky& sky, const sky::SkyParameters& now) -> AirValue {
+        if (!now.on || !(now.multiplier > 0)) return {};
+        const float haze = sky::aerial_haze(call.point.ray_length, p.visibility_distance, p.haze);
+        if (haze == 0) return {};
+        return {Rgb(1 - haze), sky.horizon_radiance(call.point.ray_direction) * haze};
+      });
 }
 
 }  // namespace
@@ -186,7 +225,7 @@ const ShaderSpec kMiaPhysicalSky = {
     .volume = air,
     .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
       return std::make_unique<PhysicalSkyState>(
-          parameters_of(*static_cast<const MiaPhysicalskyParams*>(params), world));
+          parameters_of(*static_cast<const MiaPhysicalskyParams*>(params), world), world);
     },
 };
 

@@ -2,9 +2,8 @@
 // mia_physicalsun: colour, strength and softness of sunlight for a directional light.
 #include "shaders/architectural/mia_sun_sky.h"
 
-#include <cmath>
-
 #include "runtime/light.h"
+#include "runtime/shader_node.h"
 #include "sky/daylight.h"
 #include "sky/physical_sky.h"
 
@@ -21,6 +20,7 @@ struct MiaPhysicalsunParams {
   bool automatic_photon_energy, y_is_up;
   int illuminance_mode;
   float direct_normal_illuminance;
+  int flags;
 };
 
 constexpr ParamSpec kMiaPhysicalsunRows[] = {
@@ -40,7 +40,8 @@ constexpr ParamSpec kMiaPhysicalsunRows[] = {
     {ORIEL_PARAM(MiaPhysicalsunParams, shadow_softness), .fallback = {1}, .min = 0,
      .doc = "Size of the sun for shadows, 1 = the true one."},
     {ORIEL_PARAM(MiaPhysicalsunParams, samples), .fallback = {8}, .min = 0,
-     .doc = "0: hard shadows. Any other count: soft, as many samples as the picture takes."},
+     .doc = "0: hard shadows. Any other count: soft, as many samples as the picture takes.",
+     .support = Support::Approximated},
     {ORIEL_PARAM(MiaPhysicalsunParams, photon_bbox_min),
      .doc = "Box photons are aimed at, in the light's space.", .declared_default = false},
     {ORIEL_PARAM(MiaPhysicalsunParams, photon_bbox_max),
@@ -53,22 +54,72 @@ constexpr ParamSpec kMiaPhysicalsunRows[] = {
      .doc = "Not 0: as strong as direct_normal_illuminance, in the haze's colour."},
     {ORIEL_PARAM(MiaPhysicalsunParams, direct_normal_illuminance), .unit = "lux",
      .doc = "Illuminance of a surface facing the sun."},
+    {ORIEL_PARAM(MiaPhysicalsunParams, flags), .doc = "0. 1: of the colour of 5900 K.",
+     .declared_default = false},
 };
-
-/// Energy and aim of the sun's photons. A box that is turned is aimed at as a ball around it.
-void photons_of(const void* params, const Light& light, LightPhotons& photons) {
-  const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
-  if (p.automatic_photon_energy) photons.emission.energy.reset();
-  const Vec3 centre = (p.photon_bbox_min + p.photon_bbox_max) / 2;
-  const Vec3 corner = transform_vector(p.photon_bbox_max - centre, light.to_world);
-  const Vec3 reach(length(corner) / std::sqrt(3.0f)),
-      middle = transform_point(centre, light.to_world);
-  if (reach.x > 0) photons.emission.aim = geom::Box3(middle - reach, middle + reach);
-}
 
 struct SunState final : ShaderState {
   Rgb colour{0};
 };
+
+Rgb colour_of(const MiaPhysicalsunParams& p, const Light& light) {
+  // Directional lights only, as the manual says.
+  if (light.shape != LightShape::Directional) return Rgb(0);
+  return sky::sun_colour(
+      {.on = p.on,
+       .multiplier = p.multiplier,
+       .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
+       .haze = p.haze,
+       .redblueshift = p.redblueshift,
+       .saturation = p.saturation,
+       .horizon_height = p.horizon_height,
+       .y_is_up = p.y_is_up,
+       .normal_illuminance =
+           p.illuminance_mode != 0 ? std::optional(p.direct_normal_illuminance) : std::nullopt,
+       .as_in_manual = (p.flags & 1) != 0},
+      -light.direction);
+}
+
+/// What is connected is asked at the lit point, as seen toward the sun: a sky that is connected to
+/// the same shows its disc in that direction.
+LightValue sunlight(const Call& call, const LightCall& light) {
+  LightValue value;
+  value.is_sun = true;
+  const bool connected = call.node && call.params != &call.node->constants<MiaPhysicalsunParams>();
+  if (!connected) {
+    if (const auto* state = static_cast<const SunState*>(light.light.state.get()))
+      value.colour = state->colour;
+    return value;
+  }
+  ShadingPoint toward_sun(call.point);
+  toward_sun.ray_direction = -light.light.direction;
+  toward_sun.ray_kind = RayKind::Light;
+  toward_sun.environment = true;
+  value.colour = call.node->with_params(toward_sun, [&](const Call& there) {
+    return colour_of(there.as<MiaPhysicalsunParams>(), light.light);
+  });
+  return value;
+}
+
+/// Energy and aim of the sun's photons. A sun that is off or has set sends none.
+void photons_of(const void* params, const Light& light, LightPhotons& photons) {
+  const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
+  const auto* state = static_cast<const SunState*>(light.state.get());
+  photons.none |= !state || is_black(state->colour);
+  if (p.automatic_photon_energy) {
+    photons.emission.energy.reset();
+    photons.has_energy = true;
+  }
+  const Vec3 half = (p.photon_bbox_max - p.photon_bbox_min) / 2;
+  if (half == Vec3(0)) return;
+  AimBox& box = photons.emission.aim.emplace();
+  box.centre = transform_point(p.photon_bbox_min + half, light.to_world);
+  for (int k = 0; k < 3; ++k) {
+    Vec3 along(0);
+    along[k] = half[k];
+    box.half[k] = transform_vector(along, light.to_world);
+  }
+}
 
 }  // namespace
 
@@ -80,32 +131,10 @@ const ShaderSpec kMiaPhysicalSun = {
     .doc = "Sunlight for a directional light: colour and strength by haze and height.",
     .params = kMiaPhysicalsunRows,
     .params_size = sizeof(MiaPhysicalsunParams),
-    .light =
-        [](const Call&, const LightCall& call) {
-          LightValue value;
-          value.is_sun = true;
-          if (const auto* state = static_cast<const SunState*>(call.light.state.get()))
-            value.colour = state->colour;
-          return value;
-        },
+    .light = sunlight,
     .prepare_light = [](const void* params, const Light& light) -> std::unique_ptr<ShaderState> {
-      const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
       auto state = std::make_unique<SunState>();
-      // Directional lights only, as the manual says.
-      if (light.shape == LightShape::Directional)
-        state->colour =
-            sky::sun_colour({.on = p.on,
-                             .multiplier = p.multiplier,
-                             .rgb_unit_conversion = rgb(p.rgb_unit_conversion),
-                             .haze = p.haze,
-                             .redblueshift = p.redblueshift,
-                             .saturation = p.saturation,
-                             .horizon_height = p.horizon_height,
-                             .y_is_up = p.y_is_up,
-                             .normal_illuminance = p.illuminance_mode != 0
-                                                       ? std::optional(p.direct_normal_illuminance)
-                                                       : std::nullopt},
-                            -light.direction);
+      state->colour = colour_of(*static_cast<const MiaPhysicalsunParams*>(params), light);
       return state;
     },
     .light_cone =
