@@ -204,7 +204,11 @@ TEST_P(MaterialContract, NeverReturnsMoreThanArrives) {
     Albedo a = albedo(c, 64, n);
     // Only what looks suspicious is worth a long look.
     if (a.mean > kMost) a = albedo(c, 4000, n);
-    if (a.mean > kMost) a = albedo(c, 100000, n);
+    // Many that noise brought here are cleared by a fifth of the last look.
+    if (a.mean > kMost) {
+      a = albedo(c, 20000, n);
+      if (a.mean + a.error > kMost) a = albedo(c, 100000, n);
+    }
     EXPECT_LE(a.mean - 3.5 * a.error, kMost) << spec().name << " material " << n;
   }
 }
