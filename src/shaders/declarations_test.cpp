@@ -112,7 +112,8 @@ automatic_photon_energy | boolean | -
 y_is_up | boolean | -
 illuminance_mode | integer | 0
 direct_normal_illuminance | scalar | 0
-)";
+flags | integer | -
+)";  // flags: Oriel's own, at the end
 constexpr std::string_view kPhysicalSkyTable = R"(
 on | boolean | on
 multiplier | scalar | 1

@@ -26,8 +26,11 @@ class TwoBalls {
                  {Vec3(1.5f, -2, -6), Vec3(1.5f, -2, -1), Vec3(1.5f, 2, -1), Vec3(1.5f, 2, -6)})
         .sphere("on", Vec3(.3f, .8f, -3), .5f)
         .sphere("off", Vec3(.3f, -.8f, -3), .5f)
+        // Its flux through the disc around the scene, whose diagonal is that of 1.7 x 4 x 5.
         .light("sun",
-               "\"physical_light\" ( \"color\" 2 2 2 ) direction 1 0 0 caustic photons 80000")
+               fmt::format("\"physical_light\" ( \"color\" 2 2 2 ) direction 1 0 0 energy {0} {0} "
+                           "{0} caustic photons 80000",
+                           2 * kPi * (1.7f * 1.7f + 4 * 4 + 5 * 5) / 4))
         .camera("focal 1 aperture 2 aspect 1 resolution 128 128");
     std::string text = s.str();
     text.replace(text.find("\"path\""), 6, "\"scene\"");
