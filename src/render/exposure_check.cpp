@@ -45,14 +45,14 @@ bool shows_colors(const PictureFile& file) {
 
 void note_mapped_floats(const World& world, const std::vector<PictureFile>& files,
                         Diagnostics& diagnostics) {
-  if (diagnostics.has("OR-RN-064")) return;
+  if (diagnostics.has("OR-RN-066")) return;
   const auto mapped = std::find_if(files.begin(), files.end(), [&](const PictureFile& file) {
     return file.float_pixels && is_mapped(file, world);
   });
   if (mapped == files.end()) return;
   const NodeList& shaders = world.lens.empty() ? mapped->shaders : world.lens;
   diagnostics.note(
-      "OR-RN-064", {},
+      "OR-RN-066", {},
       fmt::format("{} holds colours after the {} shader {}, as the scene asks",
                   std::filesystem::path(mapped->path).filename().string(),
                   world.lens.empty() ? "output" : "lens", shaders.front()->spec().name),

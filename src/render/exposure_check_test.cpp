@@ -50,12 +50,12 @@ TEST(ExposureCheck, GammaOfShaderAndOptionsIsToldForLensAndOutput) {
 TEST(ExposureCheck, FloatFilesOfMappedColoursAreToldOnce) {
   for (const char* role : {"lens ", "output "}) {
     Checked c(role + kSimple, {}, {}, {}, "a.exr");
-    ASSERT_NE(c.only("OR-RN-064"), nullptr) << c.messages();
-    EXPECT_NE(c.message("OR-RN-064").find("--linear"), std::string::npos);
+    ASSERT_NE(c.only("OR-RN-066"), nullptr) << c.messages();
+    EXPECT_NE(c.message("OR-RN-066").find("--linear"), std::string::npos);
     PictureFile again = picture_file("b.exr");
     check_exposures(*c.world, {again}, c.diagnostics);
-    EXPECT_NE(c.only("OR-RN-064"), nullptr) << "said twice";
-    EXPECT_EQ(Checked(role + kSimple, {}, {}, {}, "a.png").only("OR-RN-064"), nullptr);
+    EXPECT_NE(c.only("OR-RN-066"), nullptr) << "said twice";
+    EXPECT_EQ(Checked(role + kSimple, {}, {}, {}, "a.png").only("OR-RN-066"), nullptr);
   }
   EXPECT_EQ(Checked("", {}, {}, {}, "a.exr").messages(), "");
 }

@@ -42,7 +42,7 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
 /// Lights that shine and send no photons, since their elements say no energy.
 void note_lights_without_energy(const World& world, const PhotonSettings& settings,
                                 Diagnostics& diagnostics) {
-  if (!settings.by_energy || diagnostics.has("OR-RN-065")) return;
+  if (!settings.by_energy || diagnostics.has("OR-RN-067")) return;
   std::string first;
   std::size_t more = 0;
   for (const Light& light : world.lights)
@@ -50,7 +50,7 @@ void note_lights_without_energy(const World& world, const PhotonSettings& settin
       first.empty() ? void(first = light.name) : void(++more);
   if (first.empty()) return;
   diagnostics.note(
-      "OR-RN-065", {},
+      "OR-RN-067", {},
       fmt::format("light \"{}\"{} no energy and sends no photons", first,
                   more > 0 ? fmt::format(" and {} more have", more) : " has"),
       "give it an energy statement; --gi photons sends photons as strong as the light");

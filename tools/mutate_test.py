@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""tools/mutate: which changes it makes, and that it tells those that tests see from the others."""
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from testing import HERE, load
+
+mutate = load("mutate")
+
+SOURCE = """// a - b in a comment
+#include <cstdio>
+int larger(int a, int b) {
+  if (a > b) return a;
+  return b;  // a * b
+}
+int unused(int a) { return a + 1; }
+int main() { return larger(1, 2) == 2 && larger(2, 1) == 2 ? 0 : 1; }
+"""
+
+
+def changed(line):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "a.cpp")
+        path.write_text(line + "\n")
+        return [c.new_line for c in mutate.changes_of(path)]
+
+
+class Changes(unittest.TestCase):
+    def test_operators_and_conditions(self):
+        self.assertEqual(changed("x = a + b;"), ["x = a - b;"])
+        self.assertEqual(changed("x = a < b;"), ["x = a <= b;", "x = a >= b;"])
+        self.assertEqual(changed("if (f(x)) return;"),
+                         ["if (true || (f(x))) return;", "if (false && (f(x))) return;"])
+        self.assertEqual(changed("if (!empty) go();")[0], "if (empty) go();")
+
+    def test_constants(self):
+        self.assertEqual(changed("return clamp(x, 0, 7);"),
+                         ["return clamp(x, 1, 7);", "return clamp(x, 0, 8);"])
+        self.assertEqual(changed("y = 0.5f * x;")[-1], "y = 0.3f * x;")
+
+    def test_what_is_no_code_is_left_alone(self):
+        for line in ("// a + b", '#include "a - b"', 'say("a + b");',
+                     "static_assert(a == b);", "std::vector<int> v;"):
+            self.assertEqual(changed(line), [], line)
+
+
+@unittest.skipUnless(shutil.which("g++"), "no compiler")
+class Trials(unittest.TestCase):
+    def test_changes_without_a_test_survive_and_sources_are_restored(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "a.cpp")
+            path.write_text(SOURCE)
+            command = [str(HERE / "mutate"), "--count", "0", "--lines", "3-7",
+                       "--build-folder", folder,
+                       "--build", f"g++ -c {folder}/a.cpp -o {folder}/a.o && "
+                                  f"g++ {folder}/a.o -o {folder}/a",
+                       "--test", f"{folder}/a", str(path)]
+            answer = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(path.read_text(), SOURCE)
+            self.assertEqual(answer.returncode, 1, answer.stdout + answer.stderr)
+            said = answer.stdout
+            # Of equal numbers it does not matter which is returned; nobody calls `unused`.
+            for survivor in ("a >= b", "return a - 1", "return a + 0"):
+                self.assertRegex(said, "not found: .*" + re.escape(survivor))
+            for found in ("a <= b", "if (true ", "if (false "):
+                self.assertRegex(said, "found +.*" + re.escape(found))
+            self.assertIn("3 of 6 changes", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
