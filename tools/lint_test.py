@@ -4,8 +4,12 @@
 import importlib.machinery
 import importlib.util
 import pathlib
+import shutil
 import sys
+import tempfile
 import unittest
+
+import header_lines
 
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
@@ -123,6 +127,25 @@ class Headers(unittest.TestCase):
             self.assertEqual(1, len(messages("src/sky/a.h", text)), header)
             self.assertEqual([], messages("src/sky/b.cpp", text))
         self.assertEqual([], messages("src/sky/a.h", HEAD + "#include <nlohmann/json_fwd.hpp>\n"))
+
+    @unittest.skipUnless(shutil.which("g++"), "no compiler")
+    def test_lines_that_a_header_reads_are_counted_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = pathlib.Path(folder, "src/base")
+            source.mkdir(parents=True)
+            (source / "a.h").write_text("#pragma once\n#include <vector>\n")
+            (source / "b.h").write_text('#pragma once\n#include <vector>\n#include "base/a.h"\n')
+            (source / "c.h").write_text("#pragma once\nint c();\n")
+            costs = header_lines.measure(folder)
+        self.assertEqual(costs["src/base/c.h"], 2)
+        self.assertGreater(costs["src/base/a.h"], 5000)
+        self.assertEqual(costs["src/base/b.h"], costs["src/base/a.h"] + 3)
+
+    def test_headers_past_the_budget_are_found(self):
+        most = lint.MAX_LINES_READ
+        found = list(lint.check_lines_read({"src/sky/a.h": most + 1, "src/sky/b.h": most,
+                                            "src/models/read_model.h": most + 1}))
+        self.assertEqual([f.path for f in found], ["src/sky/a.h"])
 
     def test_header_without_guard_is_found(self):
         found = messages("src/base/a.h", "// " + lint.SPDX + "\nint a();\n")

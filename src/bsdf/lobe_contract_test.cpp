@@ -52,10 +52,10 @@ std::vector<Case> cases() {
       make("GlossyAnisotropic", GlossyReflection(0.1f, 0.8f), false, false),
       make("GlossyRough", GlossyReflection(1, 1), false, false),
       make("ThinRough", RoughThinTransmission(0.35f, 0.2f), false, false),
-      make("RefractIn", RoughRefraction(0.2f, 0.2f, 1.5f), true, false),
-      make("RefractInAnisotropic", RoughRefraction(0.6f, 0.1f, 1.33f), true, false),
-      make("RefractOut", RoughRefraction(0.2f, 0.2f, 1 / 1.5f), true, false),
-      make("RefractOutRough", RoughRefraction(0.9f, 0.9f, 1 / 1.33f), true, false),
+      make("RefractIn", RoughRefraction(0.2f, 0.2f, 1.5f), false, false),
+      make("RefractInAnisotropic", RoughRefraction(0.6f, 0.1f, 1.33f), false, false),
+      make("RefractOut", RoughRefraction(0.2f, 0.2f, 1 / 1.5f), false, false),
+      make("RefractOutRough", RoughRefraction(0.9f, 0.9f, 1 / 1.33f), false, false),
   };
 }
 

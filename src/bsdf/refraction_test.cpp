@@ -107,11 +107,29 @@ TEST(RoughRefraction, SpreadFallsWithGloss) {
   }
 }
 
-TEST(RoughRefraction, EqualIndicesGoStraight) {
-  const Vec3 wo = direction_deg(50);
-  const auto s = RoughRefraction(0.2f, 0.2f, 1).sample(wo, {0.3f, 0.6f}, 0);
-  EXPECT_EQ(s->wi, -wo);
-  EXPECT_TRUE(s->delta);
+// acceptance: T3
+TEST(RoughRefraction, IsAsWideAsASheetWhateverTheIndex) {
+  const auto spread = [](const auto& lobe, const Vec3& wo) {
+    Vec3 mean(0, 0, 0);
+    for (std::uint32_t i = 0; i < 16384; ++i)
+      if (const auto s = lobe.sample(wo, Sampler(0, 0, i).next_2d(), 0))
+        mean += s->wi * (s->weight / 16384);
+    return 1 - length(mean);
+  };
+  for (const float gloss : {0.0f, 0.3f, 0.6f}) {
+    const Roughness r = gloss_to_roughness(gloss);
+    const double sheet = spread(RoughThinTransmission(r.ax, r.ay), direction_deg(0));
+    EXPECT_GT(sheet, gloss == 0 ? 0.15 : 0.001);
+    for (const float eta : {1.0f, 1.0001f, 1.2f, 1.5f, 2.4f, 1 / 1.5f})
+      EXPECT_NEAR(spread(RoughRefraction(r.ax, r.ay, eta), direction_deg(0)) / sheet, 1, 0.02)
+          << eta << ' ' << gloss;
+  }
+}
+
+TEST(RoughRefraction, OfEqualIndicesIsTheSheets) {
+  const Vec3 wo = direction_deg(50), wi = -direction_deg(40, 60);
+  EXPECT_NEAR(RoughRefraction(0.3f, 0.1f, 1).eval(wo, wi),
+              RoughThinTransmission(0.3f, 0.1f).eval(wo, wi), 1e-6);
 }
 
 }  // namespace refraction_test

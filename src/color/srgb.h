@@ -2,6 +2,8 @@
 // The sRGB colour space: between CIE XYZ and linear sRGB, and between linear and encoded values.
 #pragma once
 
+#include <algorithm>
+
 #include "base/math.h"
 #include "base/vec.h"
 
@@ -10,6 +12,9 @@ namespace oriel {
 // Conventions
 //   XYZ is carried in a Vec3, white (Y = 1) is D65, x = .3127, y = .3290.
 //   Linear sRGB has the primaries of Rec. 709. Values outside 0..1 are kept by every function.
+
+/// A channel of light that curves can take: a number that is not negative and not without end.
+inline float usable_light(float v) { return v > 0 ? std::min(v, 1e30f) : 0.0f; }
 
 /// Linear sRGB of a CIE 1931 XYZ colour; negative where the colour lies outside the gamut.
 /// Source: IEC 61966-2-1 primaries and white, the matrix solved from them to seven digits.

@@ -219,7 +219,10 @@ class MaterialMaker {
                                              [&](float x) { return through * x; }));
     call_.set("thin_walled", thickness <= 0);
     call_.set("refr_color", base_color());
-    call_.set("refr_gloss", gloss_of_roughness(roughness));
+    // Facets bend what passes a solid less than what they mirror; refr_gloss is as wide in both.
+    const float ior = m_.number(AI_MATKEY_REFRACTI).value_or(1.5f);
+    const float bending = thickness > 0 ? std::abs(1 - 1 / std::max(ior, 1.0f)) / 2 : 1;
+    call_.set("refr_gloss", gloss_of_roughness(roughness * std::sqrt(bending)));
     const float distance = m_.number(AI_MATKEY_VOLUME_ATTENUATION_DISTANCE).value_or(0);
     if (thickness <= 0 || !(distance > 0)) return;
     const Vec3 tint = m_.color(AI_MATKEY_VOLUME_ATTENUATION_COLOR).value_or(Vec3(1));

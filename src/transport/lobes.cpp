@@ -26,7 +26,7 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
     case LobeKind::ClearRefraction:
       return f(bsdf::ClearRefraction{lobe.eta});
     case LobeKind::GlossyRefraction:
-      return f(bsdf::RoughRefraction(lobe.alpha_x, lobe.alpha_y, lobe.eta));
+      return f(bsdf::RoughRefraction(lobe.alpha_x, lobe.alpha_y, lobe.eta, lobe.inverse_albedo));
     case LobeKind::ThinTransmission:
       return f(bsdf::ClearThinTransmission{});
     case LobeKind::GlossyThin:
@@ -81,8 +81,11 @@ float highlight(const Lobe& lobe, const Vec3& o, const Vec3& w) {
 void make_ready(Closure& closure, const Vec3& wo) {
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
-    if (lobe.kind != LobeKind::GlossyReflection && lobe.kind != LobeKind::GlossyThin) continue;
-    const Vec3 o = lobe.frame.to_local(wo);
+    const bool refracts = lobe.kind == LobeKind::GlossyRefraction;
+    if (lobe.kind != LobeKind::GlossyReflection && lobe.kind != LobeKind::GlossyThin && !refracts)
+      continue;
+    Vec3 o = lobe.frame.to_local(wo);
+    if (refracts && o.z > 0) o = bsdf::RoughRefraction::lobe_view(o, lobe.eta);
     lobe.inverse_albedo = o.z > 0 ? 1 / bsdf::ggx_albedo(lobe.alpha_x, lobe.alpha_y, o) : 1;
   }
 }

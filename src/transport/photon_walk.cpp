@@ -279,7 +279,7 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
   const int index = choose_lobe(closure, choice, u);
   const LobeKind kind = closure.lobes[index].kind;
 
-  const bool refracts = closure.refractive_caustics && world_.options.brings_caustics();
+  const bool refracts = closure.refractive_caustics && world_.options.caustic.on;
   if (transmits(kind) && material.may_transmit && !material.filters_shadows() && !refracts) {
     Rgb through(0);
     float chance = 0;

@@ -53,10 +53,21 @@ TEST(ResolveOutputs, IndirectLightIsDividedByColourThenByOcclusion) {
   Outputs o;
   o[Component::Indirect] = Rgb(.3f, .2f, .1f);
   o.level_of(Component::Diffuse) = Rgb(.5f, 1, .25f);
-  o.occlusion = Rgb(.5f, .25f, .8f);
+  o.occlusion = o.dimming = Rgb(.5f, .25f, .8f);
   const Resolved r(o, Rgb(0));
   expect_rgb(r["indirect_post_ao"], Rgb(.6f, .2f, .4f), "post");
   expect_rgb(r["indirect_raw"], Rgb(1.2f, .8f, .5f), "raw");
+  EXPECT_EQ(r["ao_raw"], o.occlusion);
+}
+
+TEST(ResolveOutputs, OcclusionThatDimsNothingIsToldAllTheSame) {
+  Outputs o;
+  o[Component::Indirect] = Rgb(.3f, .2f, .1f);
+  o.level_of(Component::Diffuse) = Rgb(.5f, 1, .25f);
+  o.occlusion = Rgb(.5f, .25f, .8f);
+  const Resolved r(o, Rgb(0));
+  expect_rgb(r["indirect_raw"], Rgb(.6f, .2f, .4f), "raw");
+  expect_rgb(r["indirect_post_ao"], Rgb(.6f, .2f, .4f), "post");
   EXPECT_EQ(r["ao_raw"], o.occlusion);
 }
 
@@ -73,7 +84,7 @@ TEST(ResolveOutputs, RawLightOfNoLevelIsBlack) {
 TEST(ResolveOutputs, FullOcclusionLeavesFiniteRawLight) {
   Outputs o;
   o.level_of(Component::Diffuse) = Rgb(1);
-  o.occlusion = Rgb(0);
+  o.occlusion = o.dimming = Rgb(0);
   EXPECT_EQ(Resolved(o, Rgb(0))["ao_raw"], Rgb(0)) << "written as it is where nothing is lit";
   o[Component::Indirect] = Rgb(.1f);
   const Resolved r(o, Rgb(0));
@@ -102,7 +113,7 @@ TEST(ResolveOutputs, BothFormsGiveTheSumOfTheResults) {
     Outputs o;
     for (Rgb& c : o.level) c = color() + Rgb(1e-3f);
     for (Rgb& c : o.result) c = color() * 4.0f;
-    o.occlusion = color();
+    o.occlusion = o.dimming = color();
     o.opacity = unit(engine) * .999f;
     Rgb beauty(0);
     for (const Rgb& c : o.result) beauty += c;

@@ -141,7 +141,7 @@ TEST(PhotonEnergy, LightsWithoutItAreToldOnce) {
   };
   const std::vector<Diagnostic> said = said_of(lights(""), "");
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(said[0].code, "OR-RN-065");
+  EXPECT_EQ(said[0].code, "OR-RN-067");
   EXPECT_NE(said[0].message.find("\"a_i\" and 1 more"), std::string::npos) << said[0].message;
   EXPECT_TRUE(said_of(lights("energy 1 1 1"), "").empty());
   EXPECT_TRUE(said_of(lights("energy 0 0 0"), "").empty());

@@ -18,10 +18,16 @@ inline std::string text_of(const Vec3& v) { return fmt::format("{} {} {}", v.x, 
 /// A scene under composition; every call adds one element and its instance.
 class SceneText {
  public:
-  /// Statements of the options block beside "trace on" and the method of path tracing.
+  /// Statements of the options block beside "trace on" and the method.
   explicit SceneText(std::string options = "trace depth 8 8 12 shadow segments")
       : options_(std::move(options)) {}
 
+  /// The method of indirect light; "scene" as the options say. Paths leave shadows of glass
+  /// transparent even with caustics on, the others close them.
+  SceneText& method(const std::string& name) {
+    method_ = name;
+    return *this;
+  }
   /// A mia_material_x of those parameters that stands for its shadows as well. Without
   /// "reflectivity" it would reflect: declared defaults hold.
   SceneText& material(const std::string& name, const std::string& parameters) {
@@ -166,17 +172,17 @@ class SceneText {
 
   std::string str() const {
     return fmt::format(
-        "options \"opt\" object space trace on {} \"indirect\" \"path\" end options\n{}"
+        "options \"opt\" object space trace on {} \"indirect\" \"{}\" end options\n{}"
         "camera \"cam\" {} {} end camera\n"
         "instance \"cam_i\" \"cam\" {} end instance\n"
         "instgroup \"world\" \"cam_i\"{} end instgroup\n"
         "render \"world\" \"cam_i\" \"opt\"\n",
-        options_, body_, camera_, environment_,
+        options_, method_, body_, camera_, environment_,
         camera_transform_.empty() ? "" : "transform " + camera_transform_, members_);
   }
 
  private:
-  std::string options_, body_, members_, environment_, camera_transform_;
+  std::string options_, body_, members_, environment_, camera_transform_, method_ = "path";
   std::string camera_ = "focal 1 aperture 1 aspect 1 resolution 32 32";
   int shapes_ = 0;
 };

@@ -65,7 +65,7 @@ TEST_F(ExposureProgram, FloatFilesHoldWhatTheSceneAsksFor) {
     write("mapped.mi", small_scene("", role + kTwice + files));
     const RunResult r = run({"render", "mapped.mi", "--samples", "4"});
     ASSERT_EQ(r.exit_code, 0);
-    EXPECT_NE(r.err.find("OR-RN-064"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("OR-RN-066"), std::string::npos) << r.err;
     const auto is_light_times = [&](const char* name, float factor) {
       const Image image = read_image(file(name));
       ASSERT_EQ(image.pixels.size(), light.pixels.size());

@@ -26,10 +26,13 @@ Measured sunlit_from_behind(const std::string& list) {
   return seen_direct(plate_in_sun(kSheet + list, kUp));
 }
 
-/// A card below a slab of the material, under a sun or a glowing ceiling.
-Measured card_below(const std::string& list, bool sun, const std::string& options) {
+/// A card below a slab of the material, under a sun or a glowing ceiling. `method`: that of
+/// indirect light; paths bring no caustics and leave shadows transparent.
+Measured card_below(const std::string& list, bool sun, const std::string& options,
+                    const std::string& method = "path") {
   SceneText scene("trace depth 8 8 12 shadow on " + options);
-  scene.material("m", parameters(kGlass + list))
+  scene.method(method)
+      .material("m", parameters(kGlass + list))
       .lambert("card", 1)
       .square("card", Vec3(0), .5f, kUp)
       .box("m", Vec3(-50, -50, .6f), Vec3(50, 50, .7f));
@@ -128,10 +131,11 @@ Cases refraction_cases() {
       {"do_refractive_caustics",
        [] {
          const auto sunlit = [](const std::string& refractive, const std::string& options) {
-           return card_below("do_refractive_caustics " + refractive, true, options);
+           return card_below("do_refractive_caustics " + refractive, true, options, "scene");
          };
          expect_color(sunlit("off", "caustic on"), Rgb(1));
          expect_color(sunlit("on", "caustic on"), Rgb(0));
+         expect_color(card_below("do_refractive_caustics on", true, "caustic on"), Rgb(1));
          expect_color(sunlit("on", "caustic off"), Rgb(1));  // only when caustics are on
          // What the shadow lost arrives refracted.
          EXPECT_GT(card_below("do_refractive_caustics on", false, "caustic on").mean.x, .9f);

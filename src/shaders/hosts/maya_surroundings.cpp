@@ -41,9 +41,10 @@ bool encoded_elsewhere(const World& world) {
 Rgb encode(const Call& call, const LensCall&, const Rgb& colour) {
   if (call.point.world && encoded_elsewhere(*call.point.world)) return colour;
   const float gamma = call.as<Display>().gamma;
-  if (gamma <= 0) return srgb_encode(colour);
-  const auto channel = [&](float v) { return math::pow(std::max(0.0f, v), 1 / gamma); };
-  return Rgb(channel(colour.x), channel(colour.y), channel(colour.z));
+  const Rgb light(usable_light(colour.x), usable_light(colour.y), usable_light(colour.z));
+  if (gamma <= 0) return srgb_encode(light);
+  const auto channel = [&](float v) { return math::pow(v, 1 / gamma); };
+  return Rgb(channel(light.x), channel(light.y), channel(light.z));
 }
 
 constexpr ShaderSpec displacing(const char* name) {

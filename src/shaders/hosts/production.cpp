@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/math.h"
+#include "color/srgb.h"
 #include "runtime/shade_input.h"
 #include "shaders/hosts/host_rows.h"
 #include "shaders/hosts/shadow_catcher.h"
@@ -67,9 +68,9 @@ constexpr auto kMatteRows = about({
 Rgb gamma_gain(const GammaGain& p, const Rgb& c) {
   const float gamma = p.gamma > 0 ? p.gamma : 1;
   const auto channel = [&](float v) {
-    const float x = std::max(0.0f, v);
-    if (p.reverse) return p.gain != 0 ? math::pow(x, gamma) / p.gain : 0.0f;
-    return math::pow(std::max(0.0f, x * p.gain), 1 / gamma);
+    const float x = usable_light(v);
+    if (p.reverse) return p.gain != 0 ? usable_light(math::pow(x, gamma) / p.gain) : 0.0f;
+    return math::pow(usable_light(x * p.gain), 1 / gamma);
   };
   return Rgb(channel(c.x), channel(c.y), channel(c.z));
 }
