@@ -30,11 +30,16 @@ std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& no
                                        bool directional, Rgb* by_light) const {
   const IndirectMaps& maps = *settings_.maps;
   if (after_diffuse_ || !maps.gather || !takes_all(kSendsGatherRays)) return std::nullopt;
+  const bool same = looked_up_.valid && !by_light && looked_up_.normal == normal &&
+                    looked_up_.position == point.position;
+  if (same && (looked_up_.directional || !directional)) return looked_up_.found;
   GatherQuery query = query_at(maps.query, point, normal);
-  query.directional = directional;
+  query.directional = directional || looked_up_.directional;
   query.by_light = by_light;
   query.layers = world_.light_layers.count();
-  return maps.gather->interpolate(query);
+  auto found = maps.gather->interpolate(query);
+  if (!by_light) looked_up_ = {true, query.directional, point.position, normal, found};
+  return found;
 }
 
 /// Irradiance of one side as the maps know it; nothing where they do not.

@@ -330,6 +330,11 @@ bool Path::gather(Closure& closure, const Material& material, ShadingPoint& poin
   make_ready(closure, point.wo());
   occlude(closure, point);
   const bool mapped = reads_maps();
+  // One look-up serves the diffuse lobe and reflections that are emulated.
+  looked_up_ = {};
+  looked_up_.directional = mapped && closure.any([](const Lobe& lobe) {
+    return lobe.controls.emulated && lobe.controls.highlights_only;
+  });
   const bool diffuse = !(mapped && take_mapped(closure, point)) && indirect();
   choose_lobes(closure, choice, point, diffuse);
   if (mapped) emulate(closure, point);

@@ -92,6 +92,13 @@ class Path {
     LitPoint lit;      ///< for what was sampled of them
     float passed = 0;  ///< way of the ray since, through what let it pass straight
   };
+  /// The last look-up of gathered light at this vertex: reflections that stand on it ask for the
+  /// same place again.
+  struct LookedUp {
+    bool valid = false, directional = false;
+    Vec3 position{0}, normal{0};
+    std::optional<Gathered> found;
+  };
   /// How the ray's way ends where its lobe limits it.
   struct Fading {
     float distance = 0;  ///< 0 = not limited
@@ -293,6 +300,7 @@ class Path {
   float near_distance_ = 0;  ///< from where on it loses nothing; 0 = nowhere
   float importance_ = 1;     ///< product of levels on the way, not divided by chances
   Vertex from_;
+  mutable LookedUp looked_up_;
   Fading fading_;
   const NodeList* environment_ = nullptr;
   float aired_ = 0;          ///< of `from_.passed`, what the air has acted on

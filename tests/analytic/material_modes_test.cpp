@@ -99,7 +99,6 @@ TEST(BumpInputs, DiffuseIsSparedTheSecondAlone) {
   EXPECT_NEAR(mean.x, .5f * first.z, 1e-4f);
 }
 
-// acceptance: T7
 TEST(OpaqueSolids, ReflectTheSameWhicheverWayTheirNormalsPoint) {
   for (const float degrees : {0.0f, 30.0f, 50.0f, 70.0f}) {
     const float expected = bsdf::fresnel_dielectric(std::cos(degrees * kPi / 180), 1.5f);
@@ -130,7 +129,7 @@ Rgb below_glass(const std::string& options, const std::string& glass, const std:
   return Probe(scene).onto(Vec3(0), kUp, 20, 256).mean;
 }
 
-// acceptance: R6
+// acceptance: T9
 TEST(CausticsOfPaths, LeaveTransparentShadowsWhereNoPhotonBringsTheLight) {
   const std::string lights[] = {
       "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1",
@@ -190,7 +189,7 @@ TEST(VisibleAreaLights, KeepItBeyondTheMaterialsOwnDepth) {
   EXPECT_EQ(seen("\"refl_depth\" 5"), 0) << "there the mirror's ray is traced";
 }
 
-// acceptance: T6
+// acceptance: T4
 TEST(ThinWalls, FadeWhatIsSeenThroughThem) {
   for (const bool coloured : {false, true}) {
     SceneText scene;
@@ -237,7 +236,7 @@ float inner_reflection(float degrees, float ior, const std::string& more = "") {
   return Probe(scene).onto(Vec3(0), kUp, degrees, 64).mean.x;
 }
 
-// acceptance: R9
+// acceptance: T7
 TEST(SkipInsideRefl, LeavesOutWeakReflectionsOnly) {
   EXPECT_EQ(inner_reflection(0, 1.5f), 0);
   EXPECT_EQ(inner_reflection(25, 1.5f), 0);
@@ -249,7 +248,7 @@ TEST(SkipInsideRefl, LeavesOutWeakReflectionsOnly) {
     EXPECT_NEAR(inner_reflection(degrees, 1.5f), exact(degrees), 1e-3f) << degrees;
 }
 
-// acceptance: T9
+// acceptance: T12
 TEST(PropagateAlpha, PassesInterpolatedGlass) {
   for (const bool interpolated : {false, true})
     for (const bool propagates : {false, true}) {
@@ -281,7 +280,7 @@ SceneText fog_box(const std::string& hull, bool light_rays = false) {
       .box("hull", Vec3(-5, -5, -1), Vec3(5, 5, 1));
 }
 
-// acceptance: V5
+// acceptance: T14
 TEST(VolumesOfMaterials, ActBetweenWhereRaysEnterAndLeave) {
   const std::string hulls[] = {"\"cutout_opacity\" 0",
                                "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, "
@@ -308,7 +307,7 @@ TEST(VolumesOfMaterials, ActBetweenWhereRaysEnterAndLeave) {
   }
 }
 
-// acceptance: V5
+// acceptance: T14
 TEST(VolumesOfMaterials, DimLightThatPassesThem) {
   for (const bool on : {false, true}) {
     SceneText scene = fog_box("\"cutout_opacity\" 0", on);

@@ -72,8 +72,9 @@ struct Opening {
 };
 
 /// A room of 4 x 3 x 3 with the opening in the wall at x = 0.
-inline SceneText room(const std::string& environment, float albedo, const Opening& o = {}) {
-  SceneText scene;
+inline SceneText room(const std::string& environment, float albedo, const Opening& o = {},
+                      const std::string& options = "trace depth 8 8 12 shadow segments") {
+  SceneText scene(options);
   scene.environment(environment).lambert("wall", albedo);
   const auto wall = [&](std::vector<Vec3> corners) { scene.polygon("wall", corners); };
   const float x = 4, y = 1.5f, z = 3;
