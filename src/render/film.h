@@ -199,9 +199,11 @@ class Film {
     std::array<Part, 4> quarters;
     Rgb mean{0};
     float samples = 0;
-    float spread = 0;    ///< mean squared distance of brightness from the mean
-    float noise = 0;     ///< what that would be if the parts were alike
-    float kept() const;  ///< how far parts are told apart when they are mapped, 0 to 1
+    float spread = 0;  ///< mean squared distance of brightness from the mean
+    float noise = 0;   ///< what that would be if the parts were alike
+    /// How far parts are told apart when they are mapped: 0 where they spread `alike` times as much
+    /// as noise makes them, 1 from `apart` times on.
+    float kept(float alike, float apart) const;
   };
   Parts parts(std::size_t pixel) const;
 

@@ -173,6 +173,35 @@ TEST(Film, MappedEdgesHaveManyLevels) {
   }
 }
 
+// Samples that are far too bright are noise, which denoising takes away: no edge, and no dark dot.
+TEST(Film, BrightSamplesAreNoEdgesOfDenoisedPixels) {
+  const auto curve = [](int, int, const Rgb& c) { return Rgb(c.x / (1 + c.x)); };
+  for (const std::uint32_t samples : {64u, 256u})
+    for (const std::uint32_t bright : {1u, 2u, 4u})
+      for (std::uint32_t seed = 0; seed < 50; ++seed) {
+        Film film(1, 1, box(), curve);
+        for (std::uint32_t i = 0; i < samples; ++i) {
+          sampling::Sampler sampler(3, static_cast<int>(seed), i);
+          FilmSample s = sample_of(i < bright ? 500.0f : 1.0f);
+          s.sub_pixel = sub_pixel_of(sampler.next_2d());
+          film.add(0, 0, s);
+        }
+        EXPECT_NEAR(film.shown(0, 0, Rgb(1)).x, .5f, .01f) << samples << ' ' << bright;
+      }
+  // A real edge keeps its levels.
+  Film edge(1, 1, box(), curve);
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    sampling::Sampler sampler(3, 3, i);
+    const Vec2 place = sampler.next_2d();
+    FilmSample s = sample_of(place.x < .5f ? 100.0f : 0.0f);
+    s.sub_pixel = sub_pixel_of(place);
+    edge.add(0, 0, s);
+  }
+  // Parts that the edge cuts are bright; the pixel as one colour would show .98.
+  EXPECT_GT(edge.shown(0, 0, Rgb(50)).x, .49f);
+  EXPECT_LT(edge.shown(0, 0, Rgb(50)).x, .7f);
+}
+
 TEST(Film, LinearMapsAreTheSameBeforeAndAfterTheMean) {
   Film film(1, 1, box(), [](int, int, const Rgb& c) { return c * 3.0f; });
   for (std::uint32_t i = 0; i < 37; ++i) {
