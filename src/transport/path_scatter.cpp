@@ -48,6 +48,13 @@ float falloff_distance(const Closure& closure) {
   return 0;
 }
 
+/// The part of the first surface's light that a lobe's ray brings.
+Component part_of(LobeKind kind) {
+  if (kind == LobeKind::Diffuse) return Component::Indirect;
+  if (kind == LobeKind::Translucency) return Component::Translucency;
+  return group_of(kind) == LobeGroup::Reflection ? Component::Reflection : Component::Refraction;
+}
+
 /// What an instance must do for rays of a lobe that is not diffuse to leave it.
 unsigned sending(const Lobe& lobe) {
   if (lobe.channel == Channel::Reflection) return kSendsReflections;
@@ -216,7 +223,6 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   reach_ = kInfinity;
   lights_ = throughput_ = throughput_ * sample.weight;
   importance_ *= max_component(lobe.level);
-  Component part = Component::Indirect;
   switch (lobe.kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:
@@ -234,26 +240,22 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
         throughput_ *= occlusion_;
       else
         near_distance_ = 0;
-      if (lobe.kind == LobeKind::Translucency) part = Component::Translucency;
       to_far_side_ = !settings_.indirect;
       break;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
       kind_ = RayKind::Reflect;
       ++reflections_;
-      part = Component::Reflection;
       break;
     case LobeKind::ThinTransmission:
     case LobeKind::GlossyThin:
       kind_ = RayKind::Transparent;
       ++refractions_;
-      part = Component::Refraction;
       break;
     default:
       // Total reflection on the inside stays a refraction of the material, as its level is.
       kind_ = crosses ? RayKind::Refract : RayKind::Reflect;
       ++refractions_;
-      part = Component::Refraction;
       break;
   }
   if (!sample.delta && kind_ != RayKind::FinalGather) {
@@ -263,7 +265,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   }
   if (kind_ != RayKind::FinalGather) near_distance_ = 0;
   alpha_open_ &= closure.propagate_alpha && transmits(lobe.kind);
-  if (at_first_) component_ = part;
+  if (at_first_) component_ = part_of(lobe.kind);
   from_first_ = at_first_;
   at_first_ = false;
 
