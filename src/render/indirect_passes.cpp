@@ -45,9 +45,13 @@ void note_lights_without_energy(const World& world, const PhotonSettings& settin
   if (!settings.by_energy || diagnostics.has("OR-RN-067")) return;
   std::string first;
   std::size_t more = 0;
-  for (const Light& light : world.lights)
-    if (light.shader && !light.photons.has_energy)
-      first.empty() ? void(first = light.name) : void(++more);
+  for (const Light& light : world.lights) {
+    if (!light.shader || light.photons.has_energy) continue;
+    if (first.empty())
+      first = light.name;
+    else
+      ++more;
+  }
   if (first.empty()) return;
   diagnostics.note(
       "OR-RN-067", {},

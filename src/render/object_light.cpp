@@ -26,11 +26,18 @@ Surface surface_of(const scene::Object& object, const Mat4& to_world) {
   Surface s;
   for (const scene::PolygonGroup& group : object.groups) {
     const scene::PolygonList& list = group.polygons;
+    // Shaders in C make objects as well: nothing has checked their indices.
+    const auto exists = [&](std::uint32_t vertex) {
+      return vertex < group.vertices.point.size() &&
+             group.vertices.point[vertex] < group.vectors.size();
+    };
     const auto corner = [&](std::size_t i) {
       return transform_point(group.vectors[group.vertices.point[list.indices[i]]], to_world);
     };
     for (std::size_t p = 0; p < list.size(); ++p) {
       const std::size_t begin = list.first[p], end = list.first[p + 1];
+      if (end < begin || end > list.indices.size()) continue;
+      if (!std::all_of(list.indices.data() + begin, list.indices.data() + end, exists)) continue;
       for (std::size_t i = begin; i < end; ++i) {
         const Vec3 point = corner(i);
         s.points.push_back(point);

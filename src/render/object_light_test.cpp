@@ -93,6 +93,21 @@ TEST(ObjectLights, SolidsShineFromTheSphereAroundThem) {
   EXPECT_LT(length(light.position - Vec3(3, 1, 0)), 1e-4f);
 }
 
+TEST(ObjectLights, PolygonsOfMissingVerticesAreLeftOut) {
+  // Of four polygons the first is whole; the others name no vertex, no vector, no corners.
+  scene::Object object;
+  scene::PolygonGroup group;
+  group.vectors = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(0, 1, 0)};
+  group.vertices.point = {0, 1, 2, 3, 99};
+  group.polygons.indices = {0, 1, 2, 3, 0, 1, 77, 0, 1, 4};
+  group.polygons.first = {0, 4, 7, 10, 5000};
+  object.groups.push_back(group);
+  Light light;
+  ASSERT_TRUE(place_on_object(object, Mat4(), light));
+  EXPECT_EQ(light.shape, LightShape::Rectangle);
+  EXPECT_FLOAT_EQ(light.area, 2);
+}
+
 TEST(ObjectLights, WithoutAnObjectTheLightIsAPointAndSaysSo) {
   for (const char* area : {"object \"nowhere\" 2 2", "object \"l_i\" 2 2", "user 4"}) {
     const PreparedScene s = scene_of(area, kPolygon);

@@ -19,20 +19,16 @@ void shade(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
 
 void shade(const Material& material, ShadingPoint& point, Closure& closure) {
   point.material = &material;
-  shade(material.surface, point, closure);
   if (!material.volume.empty()) closure.volume = &material.volume;
+  shade(material.surface, point, closure);
 }
 
 void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure) {
-  if (!material.filters_shadows()) {
-    shade(material.surface, point, closure);
-    if (!material.volume.empty()) closure.volume = &material.volume;
-    return;
-  }
+  if (!material.volume.empty()) closure.volume = &material.volume;
+  if (!material.filters_shadows()) return shade(material.surface, point, closure);
   const RayKind kind = std::exchange(point.ray_kind, RayKind::Shadow);
   shade(material.shadow_surface, point, closure);
   point.ray_kind = kind;
-  if (!material.volume.empty()) closure.volume = &material.volume;
 }
 
 Rgb filter_light(const Material& material, ShadingPoint& point, Rgb light) {

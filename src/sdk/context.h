@@ -67,8 +67,9 @@ Vec2 next(const miState* state);
 ShadingPoint point_of(const miState* state);
 /// Whether the state's instance is that of its point: the point knows where that is at its time.
 bool is_own_instance(const miState* state);
-/// Takes over into the state what the renderer's shader did to the point (bump, vectors).
+/// Takes over into the point the vector that a shader in C left in state->tex.
 void take_over_tex(const miState& state, ShadingPoint& point);
+/// Takes over into the state what the renderer's shader did to the point (bump, vectors).
 void take_over(const ShadingPoint& point, const ShadingPoint& before, miState* state);
 
 /// Memory for as long as the running shader runs.
