@@ -35,25 +35,26 @@ constexpr auto kGammaGainRows = about({
     {ORIEL_PARAM(GammaGain, reverse), .doc = "The inverse: exponent gamma, then 1 / gain."},
 });
 
-/// One row of the switch.
-#define ORIEL_RAYS(member, rays) \
-  { ORIEL_PARAM(RaySwitch, member), .doc = rays, .declared_default = false, .takes_material = true }
 constexpr auto kRaySwitchRows = [] {
   auto rows = about({
-      ORIEL_RAYS(eye, "Shown to eye rays."),
-      ORIEL_RAYS(transparent, "Shown to transparency rays."),
-      ORIEL_RAYS(reflection, "Shown to reflection rays."),
-      ORIEL_RAYS(refraction, "Shown to refraction rays."),
-      ORIEL_RAYS(finalgather, "Shown to final gather rays and diffuse bounces."),
-      ORIEL_RAYS(environment, "Shown to environment rays."),
-      ORIEL_RAYS(shadow, "Shown to shadow rays."),
-      ORIEL_RAYS(photon, "Shown to photons."),
-      ORIEL_RAYS(default_, "Shown to all other rays."),
+      {ORIEL_PARAM(RaySwitch, eye), .doc = "Shown to eye rays."},
+      {ORIEL_PARAM(RaySwitch, transparent), .doc = "Shown to transparency rays."},
+      {ORIEL_PARAM(RaySwitch, reflection), .doc = "Shown to reflection rays."},
+      {ORIEL_PARAM(RaySwitch, refraction), .doc = "Shown to refraction rays."},
+      {ORIEL_PARAM(RaySwitch, finalgather),
+       .doc = "Shown to final gather rays and diffuse bounces."},
+      {ORIEL_PARAM(RaySwitch, environment), .doc = "Shown to environment rays."},
+      {ORIEL_PARAM(RaySwitch, shadow), .doc = "Shown to shadow rays."},
+      {ORIEL_PARAM(RaySwitch, photon), .doc = "Shown to photons."},
+      {ORIEL_PARAM(RaySwitch, default_), .doc = "Shown to all other rays."},
   });
+  for (ParamSpec& row : rows) {
+    row.declared_default = false;
+    row.takes_material = true;
+  }
   rows.back().name = "default";
   return rows;
 }();
-#undef ORIEL_RAYS
 
 constexpr auto kMatteRows = about({
     {ORIEL_PARAM(Matte, background), .doc = "What is seen where no shadow falls.",
