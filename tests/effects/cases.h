@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lists of cases, one for each file of shaders.
+#pragma once
+
+#include "effects.h"
+
+namespace oriel::effects {
+
+Cases base_color_cases();  // shaders/base/mib_color.cpp
+
+inline std::vector<Cases (*)()> case_lists() { return {base_color_cases}; }
+
+}  // namespace oriel::effects
