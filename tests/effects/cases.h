@@ -6,8 +6,18 @@
 
 namespace oriel::effects {
 
-Cases base_color_cases();  // shaders/base/mib_color.cpp
+Cases base_color_cases();          // shaders/base/mib_color.cpp
+Cases other_max_light_cases();     // shaders/hosts/max_lights.cpp
+Cases other_max_material_cases();  // shaders/hosts/max_materials.cpp
+Cases other_max_texture_cases();   // shaders/hosts/max_textures.cpp
 
-inline std::vector<Cases (*)()> case_lists() { return {base_color_cases}; }
+inline std::vector<Cases (*)()> case_lists() {
+  return {
+      base_color_cases,
+      other_max_light_cases,
+      other_max_material_cases,
+      other_max_texture_cases,
+  };
+}
 
 }  // namespace oriel::effects
