@@ -10,13 +10,13 @@ Cases base_color_cases();          // shaders/base/mib_color.cpp
 Cases other_max_light_cases();     // shaders/hosts/max_lights.cpp
 Cases other_max_material_cases();  // shaders/hosts/max_materials.cpp
 Cases other_max_texture_cases();   // shaders/hosts/max_textures.cpp
+Cases other_lens_cases();          // shaders/oriel/oriel_lens.cpp
+Cases other_oriel_cases();         // the rest of shaders/oriel
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
-      base_color_cases,
-      other_max_light_cases,
-      other_max_material_cases,
-      other_max_texture_cases,
+      base_color_cases,        other_max_light_cases, other_max_material_cases,
+      other_max_texture_cases, other_lens_cases,      other_oriel_cases,
   };
 }
 

@@ -22,13 +22,6 @@ const std::string kMaps =
 const Rgb kPic(.2f, .4f, .6f), kA(.6f, .2f, .1f), kB(.1f, .3f, .5f), kRed(1, 0, 0), kGreen(0, 1, 0);
 const std::string kPictured = "\"max_Bitmap\" ( \"Bitmap\" \"white\", \"Coords\" \"inner\" )";
 
-/// A square before the other one, whose second texture space is the same everywhere.
-const std::string kTwoSpaces =
-    "object \"spaces\" visible trace shadow tagged group "
-    "-10 -10 -4  10 -10 -4  10 10 -4  -10 10 -4  0 0 0  1 0 0  1 1 0  0 1 0  .3 .7 0 "
-    "v 0 t 4 t 8 v 1 t 5 t 8 v 2 t 6 t 8 v 3 t 7 t 8 p 0 0 1 2 3 end group end object\n"
-    "instance \"spaces_inst\" \"spaces\" material [ \"m\" ] end instance\n";
-
 /// Coordinates where u, or v, is .625 and the other .5 (the picture is 4 units wide for 3 high).
 struct Axis {
   const char* name;
@@ -59,8 +52,9 @@ void add_generator(Cases& all, const std::string& shader) {
                              {{"on", Rgb(1)}, {"off", Rgb(0)}}),
                        gives(name + "Wrap", pictured, "", {{"on", Rgb(1)}, {"off", Rgb(1)}})));
   }
-  all.push_back(gives(shader + ".MapChannel", value(kTwoSpaces), "",
-                      {{"1", Rgb(.5f, .5f, 0)}, {"2", Rgb(.3f, .7f, 0)}}));
+  all.push_back(gives(shader + ".MapChannel",
+                      value(square_of_spaces(Vec3(.1f, .2f, 0), Vec3(.3f, .7f, 0))), "",
+                      {{"1", Rgb(.1f, .2f, 0)}, {"2", Rgb(.3f, .7f, 0)}}));
   // A turn about the middle; which way is not said. Radians, or degrees.
   all.push_back(shows(shader + ".WAngle", [shader] {
     const auto turned = [&](const char* angle) {

@@ -61,11 +61,14 @@ inline Stage inside(const std::string& outer, const std::string& elements = {},
   };
 }
 
-/// All that the lists hold.
-inline Cases joined(const std::vector<Cases>& lists) {
-  Cases all;
-  for (const Cases& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
+/// A square before the one that value() shows, whose two texture spaces are the same everywhere.
+inline std::string square_of_spaces(const Vec3& first, const Vec3& second) {
+  return fmt::format(
+      "object \"spaces\" visible trace shadow tagged group "
+      "-10 -10 -4  10 -10 -4  10 10 -4  -10 10 -4  {}  {} "
+      "v 0 t 4 t 5 v 1 t 4 t 5 v 2 t 4 t 5 v 3 t 4 t 5 p 0 0 1 2 3 end group end object\n"
+      "instance \"spaces_inst\" \"spaces\" material [ \"m\" ] end instance\n",
+      text_of(first), text_of(second));
 }
 
 }  // namespace oriel::effects
