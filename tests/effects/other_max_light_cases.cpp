@@ -20,6 +20,10 @@ Stage over_floor(const std::string& floor, const std::string& place) {
     scene.square("m", Vec3(0), 5, Vec3(0, 0, 1)).light("l", call + " " + place);
   });
 }
+/// On a white square.
+Stage shining(const std::string& place) {
+  return over_floor("\"mib_illum_lambert\" ( \"diffuse\" 1 1 1 )", place);
+}
 /// A black square between the light and a white one that is seen from below it.
 Stage over_blocker(const std::string& place) {
   return composed([=](SceneText& scene, const std::string& call) {
@@ -29,8 +33,9 @@ Stage over_blocker(const std::string& place) {
 }
 
 void add_strength(Cases& all, const std::string& name, const std::string& place) {
-  all.push_back(gives(name + ".Color", light(place), "Multiplier 2",
-                      {{"1 1 1 1", Rgb(2)}, {".5 .25 0 1", Rgb(1, .5f, 0)}}));
+  all.push_back(
+      gives(name + ".Color", shining(place), "Multiplier 2",
+            {{"1 1 1 1", Rgb(2)}, {".5 .25 0 1", Rgb(1, .5f, 0)}, {"= \"tint\"", kTinted * 2.f}}));
   all.push_back(gives(name + ".Multiplier", light(place), "Color 1 .5 .25 1",
                       {{"0", kDark}, {"1", Rgb(1, .5f, .25f)}, {"3", Rgb(3, 1.5f, .75f)}}));
 }

@@ -19,8 +19,9 @@ float phong(float exponent) { return std::pow(std::sqrt(.75f), exponent); }
 
 void add_default(Cases& all) {
   const std::string name = "max_DefaultMaterial.";
-  all.push_back(gives(name + "diffuse", square_in(sun_above), "",
-                      {{".2 .4 .6 1", Rgb(.2f, .4f, .6f)}, {"0 0 0 1", Rgb(0)}}));
+  all.push_back(
+      gives(name + "diffuse", square_in(sun_above), "",
+            {{".2 .4 .6 1", Rgb(.2f, .4f, .6f)}, {"0 0 0 1", Rgb(0)}, {"= \"tint\"", kTinted}}));
   all.push_back(gives(name + "specular", square_in(sun_above), "diffuse .1 .1 .1, shinyness .5",
                       {{"0 0 0 1", Rgb(.1f)}, {".5 .25 .75 1", Rgb(.6f, .35f, .85f)}}));
   const std::string shiny = "diffuse 0 0 0, specular 1 1 1";
@@ -34,10 +35,12 @@ void add_illumination(Cases& all, const std::string& shader) {
   const Stage sun = square_in(sun_above), dark = square_in(no_light);
   const Rgb color(.2f, .4f, .6f);
   const std::string written = ".2 .4 .6 1";
-  all.push_back(gives(name + "Diffuse", sun, "", {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}}));
+  all.push_back(gives(name + "Diffuse", sun, "",
+                      {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}, {"= \"tint\"", kTinted}}));
   const std::string black = "Diffuse 0 0 0 1, ";
-  all.push_back(gives(name + "Specular", sun, black + "SpecularLevel .5",
-                      {{written, color * .5f}, {"1 0 0 1", Rgb(.5f, 0, 0)}}));
+  all.push_back(
+      gives(name + "Specular", sun, black + "SpecularLevel .5",
+            {{written, color * .5f}, {"1 0 0 1", Rgb(.5f, 0, 0)}, {"= \"tint\"", kTinted * .5f}}));
   // Shares of 0 to 1, or in percent.
   all.push_back(
       gives(name + "SpecularLevel", sun, black + "Specular " + written,
@@ -56,11 +59,12 @@ void add_illumination(Cases& all, const std::string& shader) {
                            {{"0", Rgb(0)}, {".25", own * .25f}, {"1", own}, {"25", own * .25f}}),
                      gives(name + "SelfIllumAmount", sun, glow, {{"0", own}, {"1", own}})));
   all.push_back(gives(name + "SelfIllumColor", dark, glow + ", UseSelfIllumColor on",
-                      {{written, color}, {"2 0 1 1", Rgb(2, 0, 1)}}));
+                      {{written, color}, {"2 0 1 1", Rgb(2, 0, 1)}, {"= \"tint\"", kTinted}}));
 }
 
 /// Illuminations and maps that a standard material refers to.
 const std::string kParts =
+    "shader \"tinted\" \"max_base_BlinnIllumination\" ( \"Diffuse\" = \"tint\" )\n"
     "shader \"lit\" \"max_base_BlinnIllumination\" ( \"Diffuse\" .8 .4 0 1 )\n"
     "shader \"shiny\" \"max_base_PhongIllumination\" ( \"Diffuse\" 0 0 0 1, \"Specular\" .2 .4 .2 "
     "1,"
@@ -88,7 +92,11 @@ void add_opacity(Cases& all) {
   const std::string glowing = "Shader \"glowing\"";
   const Rgb quarter = kGlow * .25f + kBelow * .75f;
   all.push_back(gives(name + "Opacity", skies, glowing,
-                      {{"1", kGlow}, {".25", quarter}, {"25", quarter}, {"0", kBelow}}));
+                      {{"1", kGlow},
+                       {".25", quarter},
+                       {"25", quarter},
+                       {"0", kBelow},
+                       {"= \"tint\"", kGlow * .3f + kBelow * .7f}}));
   // As much light passes the surface as a blocker.
   const Stage shadow = composed(
       [](SceneText& scene, const std::string& call) {
@@ -111,9 +119,11 @@ void add_opacity(Cases& all) {
 void add_standard(Cases& all) {
   const std::string name = "max_StandardMaterial.";
   const Stage sun = standard(sun_above), skies = standard(two_skies);
-  all.push_back(gives(
-      name + "Shader", sun, "",
-      {{"\"lit\"", Rgb(.8f, .4f, 0)}, {"\"shiny\"", Rgb(.2f, .4f, .2f)}, {"\"glowing\"", kGlow}}));
+  all.push_back(gives(name + "Shader", sun, "",
+                      {{"\"lit\"", Rgb(.8f, .4f, 0)},
+                       {"\"shiny\"", Rgb(.2f, .4f, .2f)},
+                       {"\"tinted\"", kTinted},
+                       {"\"glowing\"", kGlow}}));
   add_opacity(all);
   // The places of the maps of colour, highlight, glow, opacity and reflection.
   const std::string maps = name + "Maps", none = at_place(0, "");

@@ -82,7 +82,9 @@ void add_output(Cases& all) {
   const std::string name = "max_base_Output.";
   const Stage seen = inside("\"max_Bitmap\" ( \"Bitmap\" \"pic\", \"Output\" \"inner\" )", kMaps);
   for (const char* factor : {"RGBAmount", "OutputAmount"})
-    all.push_back(gives(name + factor, seen, "", {{"0", Rgb(0)}, {"1", kPic}, {"3", kPic * 3.f}}));
+    all.push_back(
+        gives(name + factor, seen, "",
+              {{"0", Rgb(0)}, {"1", kPic}, {"3", kPic * 3.f}, {"= \"quarter\"", kPic * .25f}}));
   all.push_back(gives(name + "RGBOffset", seen, "",
                       {{"0", kPic}, {".5", kPic + Rgb(.5f)}, {"-.1", kPic - Rgb(.1f)}}));
   all.push_back(gives(name + "Invert", seen, "", {{"off", kPic}, {"on", Rgb(1) - kPic}}));
@@ -97,8 +99,8 @@ void add_pair(Cases& all, const std::string& shader, const Stage (&stages)[2],
     const std::string number = std::to_string(i + 1), name = shader + ".";
     const Stage& seen = stages[i];
     const std::string color = others[i] + ", Color" + number + " .6 .2 .1 1";
-    all.push_back(
-        gives(name + "Color" + number, seen, others[i], {{".6 .2 .1 1", kA}, {".1 .3 .5 1", kB}}));
+    all.push_back(gives(name + "Color" + number, seen, others[i],
+                        {{".6 .2 .1 1", kA}, {".1 .3 .5 1", kB}, {"= \"b\"", kB}}));
     all.push_back(
         gives(name + "Map" + number, seen, color, {{"\"quarter\"", Rgb(.25f)}, {"\"b\"", kB}}));
     all.push_back(gives(name + "Map" + number + "Enabled", seen,
@@ -116,8 +118,9 @@ void add_pairs(Cases& all) {
   add_pair(all, "max_Mix", {middle, middle}, {"MixAmount 0", "MixAmount 1"});
   const std::string colors = "Color1 .6 .2 .1 1, Color2 .1 .3 .5 1";
   const Rgb mixed = kA * .75f + kB * .25f;
-  all.push_back(gives("max_Mix.MixAmount", middle, colors,
-                      {{"0", kA}, {".25", mixed}, {"25", mixed}, {"1", kB}}));
+  all.push_back(
+      gives("max_Mix.MixAmount", middle, colors,
+            {{"0", kA}, {".25", mixed}, {"25", mixed}, {"1", kB}, {"= \"quarter\"", mixed}}));
   all.push_back(gives("max_Mix.Mask", middle, colors + ", MixAmount 1",
                       {{"\"quarter\"", mixed}, {"\"\"", kB}}));
   add_pair(all, "max_RGBMultiplier", {middle, middle}, {"Color2 1 1 1 1", "Color1 1 1 1 1"});
@@ -138,7 +141,8 @@ Stage around(const std::string& elements) {
 
 void add_environment(Cases& all, const std::string& shader) {
   const Stage seen = around(kMaps);
-  all.push_back(gives(shader + ".Color", seen, "", {{".6 .2 .1 1", kA}, {".1 .3 .5 1", kB}}));
+  all.push_back(gives(shader + ".Color", seen, "",
+                      {{".6 .2 .1 1", kA}, {".1 .3 .5 1", kB}, {"= \"a\"", kA}}));
   all.push_back(gives(shader + ".Map", seen, "Color 1 1 1 1, Sky \"quarter\"",
                       {{"\"a\"", kA}, {"\"b\"", kB}}));
   all.push_back(both(gives(shader + ".Sky", seen, "Color 1 1 1 1", {{"\"a\"", kA}, {"\"b\"", kB}}),

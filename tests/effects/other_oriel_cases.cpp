@@ -85,7 +85,8 @@ void add_vertex_color(Cases& all) {
   const Rgb first(.2f, .4f, .6f), second(.5f, .7f, .9f), tint(1, .5f, 2);
   const std::string square = square_of_spaces(Vec3(.2f, .4f, .6f), Vec3(.5f, .7f, .9f));
   all.push_back(
-      gives(name + "color", value(square), "", {{"1 1 1 1", first}, {"1 .5 2 1", first * tint}}));
+      gives(name + "color", value(kTint + square), "",
+            {{"1 1 1 1", first}, {"1 .5 2 1", first * tint}, {"= \"tint\"", first * kTinted}}));
   all.push_back(gives(name + "space", value(square), "color 1 .5 2 1",
                       {{"0", first * tint}, {"1", second * tint}, {"-1", tint}, {"2", tint}}));
   const Stage alpha = inside("\"mib_color_alpha\" ( \"input\" = \"inner\", \"factor\" 1 )", square);

@@ -75,17 +75,18 @@ void add_dgs(Cases& all, const std::string& shader) {
   const Rgb color(.2f, .4f, .6f);
   const std::string written = ".2 .4 .6 1";
   all.push_back(gives(name + "diffuse", square_in(sun_above), "",
-                      {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}}));
+                      {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}, {"= \"tint\"", kTinted}}));
   // In a white room each part brings its colour; a sun has no mirror image.
   all.push_back(both(
       gives(name + "glossy", square_in(white_sky, {.samples = 16384}), "shiny 20",
             {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}}),
       gives(name + "glossy", square_in(white_sky, {.samples = 16384}),
             "diffuse .2 .2 .2 1, shiny 20", {{"0 0 0 1", Rgb(.2f)}, {written, Rgb(.2f) + color}})));
-  all.push_back(both(gives(name + "specular", square_in(two_skies), "",
-                           {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}}),
-                     gives(name + "specular", square_in(sun_above), "diffuse .5 .5 .5 1",
-                           {{"0 0 0 1", Rgb(.5f)}, {written, Rgb(.5f)}})));
+  all.push_back(
+      both(gives(name + "specular", square_in(two_skies), "",
+                 {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}}),
+           gives(name + "specular", square_in(sun_above), "diffuse .5 .5 .5 1",
+                 {{"0 0 0 1", Rgb(.5f)}, {written, Rgb(.5f)}, {"= \"tint\"", Rgb(.5f)}})));
   const std::string glossy = "glossy 1 1 1 1";
   const Stage along = lamp_aside(Vec3(1, 0, 0)), across = lamp_aside(Vec3(0, 1, 0));
   all.push_back(
@@ -105,7 +106,9 @@ void add_dgs(Cases& all, const std::string& shader) {
                            "diffuse .2 .2 .2, glossy .3 .3 .3, specular .5 .5 .5, shiny 50",
                            {{"0", Rgb(1)}, {".25", Rgb(.8f)}, {"1", Rgb(.2f)}}),
                      gives(name + "transp", square_in(two_skies), "specular 1 .5 0 1",
-                           {{"0", Rgb(1, .5f, 0)}, {"1", Rgb(.2f, .1f, 0)}})));
+                           {{"0", Rgb(1, .5f, 0)},
+                            {"1", Rgb(.2f, .1f, 0)},
+                            {"= \"tint\"", Rgb(1, .5f, 0) * (.7f + .3f * .2f)}})));
   all.push_back(gives(name + "ior", deflected(), "specular 1 1 1, transp 1",
                       {{"0", aside(1)}, {"1", aside(1)}, {"1.5", aside(1.5f)}, {"2", aside(2)}}));
   add_lights(all, shader, "diffuse .5 .5 .5", .5f);
@@ -125,11 +128,12 @@ Stage slab(float thickness) {
 void add_dielectric(Cases& all) {
   const std::string name = "dielectric_material.";
   const Stage half_lit =
-      square_in([](SceneText& scene) { scene.half_sky(1, kUp); }, {.samples = 65536});
+      square_in([](SceneText& scene) { scene.half_sky(1, kUp); }, {.samples = 32768});
   // What is left after a unit of length, by Beer's law.
   const Rgb color(.5f, .25f, 1);
   all.push_back(both(
-      gives(name + "col", slab(1), "ior 1", {{".5 .25 1 1", color}, {"1 1 1 1", Rgb(1)}}),
+      gives(name + "col", slab(1), "ior 1",
+            {{".5 .25 1 1", color}, {"1 1 1 1", Rgb(1)}, {"= \"tint\"", kTinted}}),
       gives(name + "col", slab(2), "ior 1", {{".5 .25 1 1", color * color}, {"1 1 1 1", Rgb(1)}})));
   const std::string clear = "col 1 1 1 1, ";
   all.push_back(both(

@@ -27,8 +27,10 @@ void add_gamma_gain(Cases& all) {
   const std::string name = "mip_gamma_gain.";
   const Rgb color(.25f, .04f, .01f), root(.5f, .2f, .1f);
   const std::string input = "input .25 .04 .01 1";
-  all.push_back(gives(name + "input", value(), "gamma 2",
-                      {{".25 .04 .01 1", root}, {"1 4 0 1", Rgb(1, 2, 0)}}));
+  all.push_back(gives(name + "input", value(kTint), "gamma .5",
+                      {{"1 .5 .25 1", Rgb(1, .25f, .0625f)},
+                       {"2 0 1 1", Rgb(4, 0, 1)},
+                       {"= \"tint\"", kTinted * kTinted}}));
   // As a shader of a colour, and as a lens of the picture.
   const auto add = [&](const char* parameter, const std::string& others,
                        const std::vector<Given>& values) {
@@ -50,6 +52,16 @@ Stage catching(bool shadowed) {
   });
 }
 
+/// Its alpha.
+Stage alpha_of(const Stage& stage) {
+  return [=](const std::string& call) {
+    Measured m = stage(call);
+    m.mean = Rgb(m.alpha);
+    m.error = Rgb(0);
+    return m;
+  };
+}
+
 void add_matte(Cases& all, const std::string& shader) {
   const std::string name = shader + ".";
   const Rgb background(.8f, .6f, .4f), shadows(.1f, .2f, .3f);
@@ -57,11 +69,16 @@ void add_matte(Cases& all, const std::string& shader) {
   const Stage lit = catching(false), dim = catching(true);
   all.push_back(
       both(gives(name + "background", lit, dark,
-                 {{".8 .6 .4 1", background}, {"1 0 2 1", Rgb(1, 0, 2)}}),
+                 {{".8 .6 .4 1", background}, {"1 0 2 1", Rgb(1, 0, 2)}, {"= \"tint\"", kTinted}}),
            gives(name + "background", dim, dark, {{".8 .6 .4 1", shadows}, {"1 0 2 1", shadows}})));
+  all.back() = both(all.back(), gives(name + "background", alpha_of(lit), "",
+                                      {{"1 1 1 1", Rgb(1)}, {"1 1 1 .25", Rgb(.25f)}}));
   all.push_back(both(
-      gives(name + "shadows", dim, ground, {{"0 0 0 1", Rgb(0)}, {".1 .2 .3 1", shadows}}),
+      gives(name + "shadows", dim, ground,
+            {{"0 0 0 1", Rgb(0)}, {".1 .2 .3 1", shadows}, {"= \"tint\"", kTinted}}),
       gives(name + "shadows", lit, ground, {{"0 0 0 1", background}, {".1 .2 .3 1", background}})));
+  all.back() = both(all.back(), gives(name + "shadows", alpha_of(dim), "",
+                                      {{"1 1 1 1", Rgb(1)}, {"1 1 1 .25", Rgb(.25f)}}));
   all.push_back(
       gives(name + "catch_shadows", dim, ground + dark, {{"on", shadows}, {"off", background}}));
   all.push_back(gives(name + "ambient", dim, ground + dark,

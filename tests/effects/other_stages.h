@@ -6,6 +6,11 @@
 
 namespace oriel::effects {
 
+/// A colour as a shader, known in the scenes of composed() as "tint". Its mean is .3.
+inline const std::string kTint =
+    "shader \"tint\" \"mib_color_mix\" ( \"color_base\" .6 .2 .1 1 )\n";
+inline const Rgb kTinted(.6f, .2f, .1f);
+
 /// Adds a shader's call, and all that it is measured with, to an empty scene.
 using Compose = std::function<void(SceneText& scene, const std::string& call)>;
 
@@ -21,7 +26,7 @@ struct View {
 inline Stage composed(Compose compose, View view = {}) {
   return [=](const std::string& call) {
     SceneText scene;
-    compose(scene, call);
+    compose(scene.statement(kTint), call);
     Probe probe(scene.str());
     if (!view.indirect) probe.direct_only();
     return probe.onto(view.at, Vec3(0, 0, 1), view.degrees, view.samples);
