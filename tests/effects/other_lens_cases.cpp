@@ -9,6 +9,8 @@ namespace oriel::effects {
 namespace other_lenses {
 namespace {
 
+using namespace other_stages;
+
 /// What the camera sees at a place of its picture (0 to 1 from the lower left corner), with the
 /// error of the mean of batches.
 Measured seen_by_camera(const SceneText& scene, Vec2 place, int samples) {

@@ -7,6 +7,8 @@ namespace oriel::effects {
 namespace other_max_lights {
 namespace {
 
+using namespace other_stages;
+
 const Rgb kDark(0), kFull(1);
 
 /// Two units above the square, at a place of its own, so that distances count. A cone as wide as

@@ -7,6 +7,8 @@ namespace oriel::effects {
 namespace other_max_materials {
 namespace {
 
+using namespace other_stages;
+
 /// "test_sky" ( above 1, below .2 ).
 void two_skies(SceneText& scene) {
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" .2 .2 .2 )");

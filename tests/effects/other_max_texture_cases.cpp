@@ -7,6 +7,8 @@ namespace oriel::effects {
 namespace other_max_textures {
 namespace {
 
+using namespace other_stages;
+
 /// Colours .2 .4 .6 and white; red beside green; two shaders and three generators.
 const std::string kMaps =
     "color texture \"pic\" [1 1 3] '336699'\n"

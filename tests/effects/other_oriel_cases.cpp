@@ -9,6 +9,8 @@ namespace oriel::effects {
 namespace other_own_textures {
 namespace {
 
+using namespace other_stages;
+
 // 2 c / 255 - 1 of the bytes cc, 99, ff: .6, .2, 1.
 const std::string kPictures =
     "vector texture \"tilted\" [1 1 3] 'cc99ff'\nvector texture \"leaning\" [1 1 3] '99ccff'\n";

@@ -8,6 +8,8 @@ namespace oriel::effects {
 namespace other_physics {
 namespace {
 
+using namespace other_stages;
+
 const Vec3 kUp(0, 0, 1);
 
 /// "test_sky" ( above 1, below .2 ).

@@ -9,6 +9,8 @@ namespace oriel::effects {
 namespace other_production {
 namespace {
 
+using namespace other_stages;
+
 const Vec3 kUp(0, 0, 1);
 
 /// As a lens of the camera, of that colour.

@@ -4,7 +4,7 @@
 
 #include "effects.h"
 
-namespace oriel::effects {
+namespace oriel::effects::other_stages {
 
 /// A colour as a shader, known in the scenes of composed() as "tint". Its mean is .3.
 inline const std::string kTint =
@@ -76,4 +76,4 @@ inline std::string square_of_spaces(const Vec3& first, const Vec3& second) {
       text_of(first), text_of(second));
 }
 
-}  // namespace oriel::effects
+}  // namespace oriel::effects::other_stages

@@ -7,6 +7,8 @@ namespace oriel::effects {
 namespace other_volumes {
 namespace {
 
+using namespace other_stages;
+
 const Vec3 kUp(0, 0, 1);
 
 /// Four units of air before a wall of radiance 1, under suns of a red and a green 2 that shine in a
