@@ -256,7 +256,6 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   ShadingPoint seen = point;
   seen.ray_origin = point.position + sample.wi;
   seen.ray_direction = -sample.wi;
-  seen.ray_kind = RayKind::FinalGather;
   if (dot(sample.wi, point.geometric_normal) < 0) {
     seen.geometric_normal = -point.geometric_normal;
     seen.normal = -point.normal;
