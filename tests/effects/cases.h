@@ -20,9 +20,7 @@ inline std::vector<Cases (*)()> case_lists() {
   return {
       base_color_cases,        other_max_light_cases, other_max_material_cases,
       other_max_texture_cases, other_lens_cases,      other_oriel_cases,
-      other_production_cases,
-      other_physics_cases,
-      other_volume_cases,
+      other_production_cases,  other_physics_cases,   other_volume_cases,
   };
 }
 
