@@ -7,7 +7,14 @@
 namespace oriel::effects {
 
 Cases base_color_cases();  // shaders/base/mib_color.cpp
+// Maya's: shaders/hosts/maya_arithmetic.cpp, _conversions.cpp, _surroundings.cpp.
+Cases maya_arithmetic_cases();
 
-inline std::vector<Cases (*)()> case_lists() { return {base_color_cases}; }
+inline std::vector<Cases (*)()> case_lists() {
+  return {
+      base_color_cases,
+      maya_arithmetic_cases,
+  };
+}
 
 }  // namespace oriel::effects

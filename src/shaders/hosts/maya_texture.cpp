@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "color/luminance.h"
 #include "image/noise.h"
 #include "runtime/bump.h"
 #include "runtime/texture_node.h"
 #include "shaders/hosts/maya_place.h"
+#include "shaders/hosts/maya_utility.h"
 
 namespace oriel {
 namespace {
@@ -130,7 +130,7 @@ Vec3 turned(const Vec3& uv, float angle) {
 Textured balanced(const Balance& b, const Rgba& texel) {
   Rgb c = b.invert ? Rgb(1) - rgb(texel) : rgb(texel);
   c = c * rgb(b.colorGain) + rgb(b.colorOffset);
-  const float alpha = (b.alphaIsLuminance ? luminance(c) : texel.a) * b.alphaGain + b.alphaOffset;
+  const float alpha = (b.alphaIsLuminance ? maya_luminance(c) : texel.a) * b.alphaGain + b.alphaOffset;
   return {Rgba(c.x, c.y, c.z, alpha), alpha, Rgba(1 - alpha, 1 - alpha, 1 - alpha, 1)};
 }
 

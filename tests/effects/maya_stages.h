@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes and sources of values that cases of Maya's shaders share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include "effects.h"
+
+namespace oriel::effects {
+
+/// Sources to connect: "tint" is the colour and vector (.2, .4, .6), "half" the number .5.
+inline const std::string kMayaSources =
+    "shader \"tint\" \"maya_rgb_to_color\" ( \"r\" .2, \"g\" .4, \"b\" .6 )\n"
+    "shader \"half\" \"maya_displace\" ( \"displacement\" .5 )\n";
+inline const Rgb kMayaTint(.2f, .4f, .6f);
+
+/// The place on the picture of value() and member() where a point of that texture coordinate is.
+inline Vec2 place_of(float u, float v) {
+  // The square is 20 units wide; the camera sees 5 by 3.75 of it.
+  return Vec2(.5f + (u - .5f) * 20 / 5, .5f + (v - .5f) * 20 / 3.75f);
+}
+
+}  // namespace oriel::effects
