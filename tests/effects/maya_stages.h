@@ -20,4 +20,12 @@ inline Vec2 place_of(float u, float v) {
   return Vec2(.5f + (u - .5f) * 20 / 5, .5f + (v - .5f) * 20 / 3.75f);
 }
 
+/// Sources to connect: the coordinate (.2, .4) as "there", placements that show the texture and
+/// that leave every point outside of its frame as "inside" and "outside".
+inline const std::string kMayaPlaces =
+    "shader \"there\" \"maya_uvw_to_vector\" ( \"u\" .2, \"v\" .4 )\n"
+    "shader \"inside\" \"maya_place2dtex\" ( )\n"
+    "shader \"outside\" \"maya_place2dtex\" ( \"coverage\" .1 .1 0, \"wrapU\" off, \"wrapV\" off "
+    ")\n";
+
 }  // namespace oriel::effects
