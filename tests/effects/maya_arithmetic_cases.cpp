@@ -8,6 +8,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel::effects {
+namespace maya_arithmetic {
 namespace {
 
 /// Numbers and the connected source "tint".
@@ -209,8 +210,10 @@ void add_surroundings(Cases& all) {
 }
 
 }  // namespace
+}  // namespace maya_arithmetic
 
 Cases maya_arithmetic_cases() {
+  using namespace maya_arithmetic;
   Cases all;
   add_products(all);
   add_sums(all);

@@ -8,6 +8,7 @@
 #include "render/testing/prepared_scene.h"
 
 namespace oriel::effects {
+namespace maya_texture {
 namespace {
 
 /// "gradient": a picture whose red is u and whose green is v, times kSteepness; linear from the
@@ -383,8 +384,10 @@ void add_bump(Cases& all) {
 }
 
 }  // namespace
+}  // namespace maya_texture
 
 Cases maya_texture_cases() {
+  using namespace maya_texture;
   Cases all;
   add_place2d(all);
   add_file(all);
