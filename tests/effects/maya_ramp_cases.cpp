@@ -86,13 +86,14 @@ void add_entries(Cases& all) {
   const Case count = gives(kName + "colorEntryList[]", at_coordinate(.5f, .45f), list, counts);
   all.push_back(both(count, shows(count.parameter, [] {
                        // As scenes write it, in any order.
-                       const std::string array =
-                           "\"colorEntryList\" [ { \"position\" 1, \"color\" 1 0 0 }, "
+                       const std::string call =
+                           "\"maya_ramp\" ( \"colorEntryList\" [ "
+                           "{ \"position\" 1, \"color\" 1 0 0 }, "
                            "{ \"position\" 0, \"color\" 0 1 0 }, "
-                           "{ \"position\" .5, \"color\" 0 0 1 } ]";
-                       analytic::expect_exact(
-                           "array", at_coordinate(.5f, .75f)("\"maya_ramp\" ( " + array + " )"),
-                           Rgb(.5f, 0, .5f));
+                           "{ \"position\" .5, \"color\" 0 0 1 } ] )";
+                       const auto at = [&](float t) { return at_coordinate(.5f, t)(call); };
+                       analytic::expect_exact("lower half", at(.25f), Rgb(0, .5f, .5f));
+                       analytic::expect_exact("upper half", at(.75f), Rgb(.5f, 0, .5f));
                      })));
 }
 
