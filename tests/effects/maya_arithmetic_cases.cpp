@@ -11,7 +11,7 @@ namespace oriel::effects {
 namespace maya_arithmetic {
 namespace {
 
-/// Numbers and the connected source "tint".
+/// With the sources to connect.
 Case gives_tint(const std::string& parameter, const std::string& others,
                 const std::vector<Given>& values) {
   return gives(parameter, value(kMayaSources), others, values);
@@ -33,7 +33,7 @@ void add_products(Cases& all) {
                  {{"1 2 4", Rgb(2, 2, 1.5f)}, {"= \"tint\"", Rgb(10)}, {"0 1 1", Rgb(0, 4, 6)}}));
 }
 
-/// A number of that many components, as text and as it is shown.
+/// The term (x, 2x, 3x) of one, two or three components, as text and as it is shown.
 std::string text_of_term(int size, float x) {
   return size == 1 ? fmt::format("{}", x)
                    : fmt::format("{} {} {}", x, 2 * x, size == 3 ? 3 * x : 0);
@@ -62,7 +62,7 @@ void add_sums(Cases& all) {
                          analytic::expect_exact("array", out(call_of("maya_plusminusavg", array)),
                                                 sum);
                        })));
-    // The last of i + 1 terms, of which the first is 4: added, taken off, in the mean.
+    // The last of i + 1 terms, the first of which is 4, in the sum, the difference and the mean.
     for (int i = 0; i < 16; ++i) {
       const std::string row = fmt::format("{}{}[{}]", name, list, i);
       const std::string others =
@@ -103,7 +103,7 @@ void add_mapping(Cases& all) {
                       {{"0 0 0", Rgb(.3f, .4f, .5f)}, {".1 .6 .7", Rgb(.3f, .6f, .7f)}}));
   all.push_back(gives("maya_clamp.max", value(), "input .3 .4 .5",
                       {{"1 1 1", Rgb(.3f, .4f, .5f)}, {"1 .2 .1", Rgb(.3f, .2f, .1f)}}));
-  // From 2 to 6 and from 10 to 20: 3 is at a quarter, tint x 10 at 0, half, 1.
+  // The range 2 to 6 is mapped to 10 to 20: 3 lies at a quarter.
   const std::string name = "maya_setrange.";
   const std::string ranges = "value 3 3 3, oldMin 2 2 2, oldMax 6 6 6, min 10 10 10, max 20 20 20";
   all.push_back(gives(name + "value", value(), ranges,
@@ -116,7 +116,7 @@ void add_mapping(Cases& all) {
                       {{"2 2 2", Rgb(12.5f)}, {"3 0 -9", Rgb(10, 15, 18)}}));
   all.push_back(gives(name + "oldMax", value(), ranges,
                       {{"6 6 6", Rgb(12.5f)}, {"4 3 12", Rgb(15, 20, 11)}}));
-  // "Luminance = 0.3 red + 0.59 green + 0.11 blue": Maya's manual.
+  // "Luminance = 0.3 red + 0.59 green + 0.11 blue": Maya's help.
   all.push_back(gives_tint("maya_luminance.value", "",
                            {{"1 0 0", Rgb(.3f)},
                             {"0 1 0", Rgb(.59f)},
@@ -176,7 +176,7 @@ void add_conversions(Cases& all) {
   }
 }
 
-/// The colour (.0025, .25, .8) after the lens shader that is called.
+/// The colour (.0025, .25, .8) mapped by the shader as a lens shader.
 Measured through_lens(const std::string& call) {
   const testing::PreparedScene s(
       testing::scene_text("material \"m\" \"maya_lambert\" ( ) end material", "", "lens " + call));

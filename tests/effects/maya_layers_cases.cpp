@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Maya puts over and around surfaces: shaders/hosts/maya_layers.cpp.
+// Maya's layers, shading engine, use-background and shadow shader: shaders/hosts/maya_layers.cpp.
 #include <numeric>
 
 #include "cases.h"
@@ -9,16 +9,19 @@ namespace oriel::effects {
 namespace maya_layers {
 namespace {
 
-/// "surface" shows .5 x (.2, .4, .6) under a sun of 1.
-const std::string kSurface =
-    "shader \"surface\" \"maya_lambert\" ( \"color\" .2 .4 .6, \"diffuse\" .5 )";
+/// "surface" shows .5 x (.2, .4, .6) under a sun or a sky of 1, "veil" half of that and what lies
+/// behind it.
+const std::string kSurfaces =
+    "shader \"surface\" \"maya_lambert\" ( \"color\" .2 .4 .6, \"diffuse\" .5 )\n"
+    "shader \"veil\" \"maya_lambert\" ( \"color\" .2 .4 .6, \"diffuse\" .5, "
+    "\"transparency\" .5 .5 .5 )";
 const Rgb kShown(.1f, .2f, .3f);
 
 /// The shader on a plate under a sun of 1, or under a sky of 1 alone.
 Stage plate(bool sky) {
   return [=](const std::string& call) {
     SceneText scene;
-    scene.statement(kMayaSources + kSurface)
+    scene.statement(kMayaSources + kSurfaces)
         .statement("shader \"s\" " + call + "\nmaterial \"m\" = \"s\" shadow = \"s\" end material")
         .square("m", Vec3(0), 5, Vec3(0, 0, 1));
     if (sky)
@@ -41,7 +44,7 @@ std::vector<Layer> stack() {
                    Rgb(.9f, .8f, .7f + .03f * float(i))});
   return all;
 }
-/// Their colours, each times what the ones above let through, and `behind` through all.
+/// The sum of their colours and of `behind`, each times the transparencies of the layers above.
 Rgb seen(const std::vector<Layer>& layers, const Rgb& behind) {
   return std::accumulate(
       layers.rbegin(), layers.rend(), behind,
@@ -68,11 +71,17 @@ void add_layered(Cases& all) {
     };
     const Rgb color = layers[i].color, transparency = layers[i].transparency;
     const std::string row = fmt::format("{}inputs[{}].", name, i);
-    all.push_back(gives(row + "color", sun, list,
-                        {{"0 0 0", with({Rgb(0), transparency}, Rgb(0))},
-                         {"1 2 4", with({Rgb(1, 2, 4), transparency}, Rgb(0))},
-                         {"= \"tint\"", with({kMayaTint, transparency}, Rgb(0))},
-                         {"= \"surface.outColor\"", with({kShown, transparency}, Rgb(0))}}));
+    const Case color_case =
+        gives(row + "color", sun, list,
+              {{"0 0 0", with({Rgb(0), transparency}, Rgb(0))},
+               {"1 2 4", with({Rgb(1, 2, 4), transparency}, Rgb(0))},
+               {"= \"tint\"", with({kMayaTint, transparency}, Rgb(0))},
+               {"= \"surface.outColor\"", with({kShown, transparency}, Rgb(0))}});
+    // How far the layer is seen through is its own transparency, not that of the surface.
+    all.push_back(both(
+        color_case, gives(row + "color", sky, list,
+                          {{"= \"surface.outColor\"", with({kShown, transparency}, Rgb(1))},
+                           {"= \"veil.outColor\"", with({kShown * .5f, transparency}, Rgb(1))}})));
     all.push_back(gives(row + "transparency", sky, list,
                         {{"0 0 0", with({color, Rgb(0)}, Rgb(1))},
                          {".5 .25 1", with({color, Rgb(.5f, .25f, 1)}, Rgb(1))},
@@ -93,8 +102,8 @@ void add_layered(Cases& all) {
                      })));
 }
 
-/// A plate before a sky of .25, its mirror before one of 1; at x = 5 in the shadow of a blocker
-/// that stands before the mirror too.
+/// Seen through the plate is a sky of .25, mirrored in it one of 1. The plate is measured in the
+/// light or, `shadowed`, below a black blocker.
 Stage before_sky(bool shadowed) {
   return [=](const std::string& call) {
     SceneText scene;
@@ -126,7 +135,7 @@ void add_background(Cases& all) {
   all.push_back(both(in_shadow, lit));
 }
 
-/// A white floor under a sun of 1, behind a plate that has the shader in its shadow's place.
+/// A white floor under a sun of 1, in the shadow of a plate whose shadow shader is called.
 Measured shaded(const std::string& call) {
   SceneText scene;
   scene

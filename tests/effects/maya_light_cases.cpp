@@ -18,7 +18,7 @@ std::string element_of(const std::string& shader) {
   return "origin 0 0 2";
 }
 
-/// The light over a plate of that material; `more` stands between them.
+/// A plate of that material 2 units below the light; `more` adds further elements.
 Measured over_plate(const std::string& call, const std::string& element,
                     const std::string& material, const std::function<void(SceneText&)>& more,
                     int samples) {
@@ -47,10 +47,9 @@ Stage highlight(const std::string& element) {
   };
 }
 
-/// What a white Lambert surface facing up shows at the origin of a light of colour 1 without decay.
+/// Rows of all lights, measured straight below where distance and cosine leave the colour as it is.
 void add_common(Cases& all, const std::string& shader) {
   const std::string name = shader + ".", element = element_of(shader);
-  // An ambient light over the surface gives it its whole colour whatever the share.
   const Stage lit = light(element), dark = shadowed(element), shiny = highlight(element);
   const Rgb tint(.2f, .4f, .6f);
   all.push_back(gives(name + "color", lit, "intensity 2",
@@ -72,17 +71,17 @@ void add_common(Cases& all, const std::string& shader) {
              gives(name + "emitSpecular", lit, "color .2 .4 .6", {{"on", tint}, {"off", tint}})));
 }
 
-/// No decay, linear, quadratic, cubic; straight below at 2 units and aside at 2 sqrt(2).
+/// No decay, linear, quadratic, cubic: straight below at 2 units and aside at 2 sqrt(2).
 void add_decay(Cases& all, const std::string& shader) {
   const bool flat = shader == "maya_arealight" || shader == "maya_shapelight";
   const auto at = [&](const Vec3& point) {
     const float distance = std::sqrt(4 + dot(point, point)), cosine = 2 / distance;
-    // The surface's cosine, and that of a light that has a front.
+    // The cosine to the surface's normal, and for area lights that to the light's normal.
     const float seen = flat ? cosine * cosine : cosine;
     std::vector<Given> values;
     for (int rate = 0; rate < 4; ++rate)
       values.push_back({std::to_string(rate), Rgb(8, 4, 2) * (seen / std::pow(distance, rate))});
-    // Wide enough for both points.
+    // The cone contains both points.
     const std::string others =
         shader == "maya_spotlight" ? "color 8 4 2, coneAngle 2.5" : "color 8 4 2";
     const Case c = gives(shader + ".decayRate", light(element_of(shader), point), others, values);
@@ -130,15 +129,11 @@ void add_spot(Cases& all) {
             << beam.parameter << ' ' << beam.value << " at " << degrees;
       }
     });
-    if (all.back().parameter == name)
-      all.back() = both(all.back(), c);
-    else
-      all.push_back(c);
+    add_or_join(all, c);
   }
 }
 
-/// Light at a point from a round sun of that width, of which an edge hides what lies beyond
-/// `offset` radii from its middle.
+/// Share of a disc beyond a straight edge `offset` radii from its centre.
 float open_share(float offset) {
   const float t = std::min(1.0f, std::max(-1.0f, offset));
   return .5f - (std::asin(t) + t * std::sqrt(1 - t * t)) / kPi;
@@ -170,7 +165,7 @@ void add_directional(Cases& all) {
 }
 
 void add_ambient(Cases& all) {
-  // 45 degrees aside. A share falls from the light's place, with the surface's cosine.
+  // 45 degrees aside. The share that comes from the light's position has the surface's cosine.
   const float cosine = std::sqrt(.5f);
   const auto at = [&](float share) { return Rgb(2, 1, .5f) * (share * cosine + 1 - share); };
   all.push_back(gives("maya_ambientlight.ambientShade",

@@ -14,7 +14,16 @@ inline const std::string kMayaSources =
     "shader \"half\" \"maya_displace\" ( \"displacement\" .5 )\n";
 inline const Rgb kMayaTint(.2f, .4f, .6f);
 
-/// The place on the picture of value() and member() where a point of that texture coordinate is.
+/// Adds a case, or joins it to the last one if that is of the same parameter.
+inline void add_or_join(Cases& all, const Case& c) {
+  if (!all.empty() && all.back().parameter == c.parameter)
+    all.back() = both(all.back(), c);
+  else
+    all.push_back(c);
+}
+
+/// The place in the picture of value() and member() and member() that shows this texture
+/// coordinate.
 inline Vec2 place_of(float u, float v) {
   // The square is 20 units wide; the camera sees 5 by 3.75 of it.
   return Vec2(.5f + (u - .5f) * 20 / 5, .5f + (v - .5f) * 20 / 3.75f);

@@ -11,9 +11,9 @@ namespace {
 
 constexpr float kDegree = kPi / 180;
 
-/// A plate at z = 0 whose u runs along x, seen from `degrees` off its normal, toward x turned to y
-/// by `turn` degrees; with the sun straight above or below it (radiance 1 on white), or under a sky
-/// of 1 all around.
+/// How the plate at z = 0 is seen: `degrees` from its normal, in the direction x turned by `turn`
+/// degrees to y. u of the plate is along x. It is lit by a sun straight above or below it, which
+/// makes white 1, or by a sky of 1 all around.
 struct View {
   float degrees = 0, turn = 0;
   enum { Above, Below, Sky } light = Above;
@@ -58,7 +58,7 @@ Stage plate(const View& view = {}) {
   };
 }
 
-/// Where a view at 45 degrees meets a floor 1 below the plate: its x, beside the plate's point.
+/// x of the point on a floor 1 below the plate that a view at 45 degrees through x = 0 sees.
 /// `solid`: the plate has a back side halfway down.
 Stage floor_below(bool solid) {
   return [=](const std::string& call) {
@@ -74,7 +74,7 @@ Stage floor_below(bool solid) {
     return seen_from(scene, {.degrees = 45}, 64);
   };
 }
-/// x there: the sine is divided by the index, in the upper half alone for a solid.
+/// That x by Snell's law; below the back side of a solid the view has its first direction again.
 float bent_to(float index, bool solid) {
   const float sine = std::sqrt(.5f) / index, tangent = sine / std::sqrt(1 - sine * sine);
   return solid ? (tangent + 1) / 2 : tangent;
@@ -95,15 +95,7 @@ Case bends(const std::string& parameter, const std::string& others,
   });
 }
 
-/// Adds a case, or to the last one if that is of the same parameter.
-void add(Cases& all, const Case& c) {
-  if (!all.empty() && all.back().parameter == c.parameter)
-    all.back() = both(all.back(), c);
-  else
-    all.push_back(c);
-}
-
-/// Rows that all surfaces have; `shader` with its highlight and mirror off is `call`.
+/// Rows of all surfaces. `call`: parameters that switch highlight and mirror off.
 void add_body(Cases& all, const std::string& shader, const std::string& call) {
   const std::string name = shader + ".";
   const Rgb color(.5f, .25f, 1), white(1);
@@ -112,69 +104,75 @@ void add_body(Cases& all, const std::string& shader, const std::string& call) {
   const Stage sky = plate({.light = View::Sky});
   const Stage shown = member("outColor", kMayaSources);
   for (const Stage& stage : {sun, shown}) {
-    add(all,
+    add_or_join(
+        all,
         gives(name + "color", stage, call + "diffuse .5",
               {{"0 0 0", Rgb(0)}, {".5 .25 1", color * .5f}, {"= \"tint\"", kMayaTint * .5f}}));
   }
-  // What is seen through leaves that much less of the surface's own.
-  add(all, gives(name + "transparency", sky, colored + "diffuse 1",
-                 {{"0 0 0", color},
-                  {".2 .5 1", Rgb(.2f + .8f * .5f, .5f + .5f * .25f, 1)},
-                  {"= \"tint\"", kMayaTint + (white - kMayaTint) * color}}));
-  add(all, gives(name + "transparency", member("outTransparency", kMayaSources), call,
-                 {{"0 0 0", Rgb(0)}, {".2 .5 1", Rgb(.2f, .5f, 1)}, {"= \"tint\"", kMayaTint}}));
-  // Lightens the colour without a light.
-  add(all, gives(name + "ambientColor", sun, colored + "diffuse 0, transparency .2 .2 .2",
-                 {{"0 0 0", Rgb(0)},
-                  {"1 .5 2", Rgb(.5f, .125f, 2) * .8f},
-                  {"= \"tint\"", kMayaTint * color * .8f}}));
+  // The rest is the surface's own colour.
+  add_or_join(all, gives(name + "transparency", sky, colored + "diffuse 1",
+                         {{"0 0 0", color},
+                          {".2 .5 1", Rgb(.2f + .8f * .5f, .5f + .5f * .25f, 1)},
+                          {"= \"tint\"", kMayaTint + (white - kMayaTint) * color}}));
+  add_or_join(all,
+              gives(name + "transparency", member("outTransparency", kMayaSources), call,
+                    {{"0 0 0", Rgb(0)}, {".2 .5 1", Rgb(.2f, .5f, 1)}, {"= \"tint\"", kMayaTint}}));
+  // A multiple of the colour, without any light.
+  add_or_join(all, gives(name + "ambientColor", sun, colored + "diffuse 0, transparency .2 .2 .2",
+                         {{"0 0 0", Rgb(0)},
+                          {"1 .5 2", Rgb(.5f, .125f, 2) * .8f},
+                          {"= \"tint\"", kMayaTint * color * .8f}}));
   for (const Stage& stage : {sun, shown})
-    add(all, gives(name + "incandescence", stage, colored + "diffuse .5",
-                   {{"0 0 0", color * .5f},
-                    {"1 .5 2", color * .5f + Rgb(1, .5f, 2)},
-                    {"= \"tint\"", color * .5f + kMayaTint}}));
+    add_or_join(all, gives(name + "incandescence", stage, colored + "diffuse .5",
+                           {{"0 0 0", color * .5f},
+                            {"1 .5 2", color * .5f + Rgb(1, .5f, 2)},
+                            {"= \"tint\"", color * .5f + kMayaTint}}));
   for (const Stage& stage : {sun, shown})
-    add(all,
+    add_or_join(
+        all,
         gives(name + "diffuse", stage, colored,
               {{"0", Rgb(0)}, {".3", color * .3f}, {"1", color}, {"= \"half\"", color * .5f}}));
-  add(all,
+  add_or_join(
+      all,
       gives(name + "translucence", sun, colored + "diffuse 1",
             {{"0", color}, {".25", color * .75f}, {"1", Rgb(0)}, {"= \"half\"", color * .5f}}));
-  add(all,
+  add_or_join(
+      all,
       gives(name + "translucence", below, colored + "diffuse 1",
             {{"0", Rgb(0)}, {".25", color * .25f}, {"1", color}, {"= \"half\"", color * .5f}}));
-  // (.6, 0, .8) takes the light at the cosine .8; a value alone is no normal.
-  add(all, gives(name + "normalCamera", sun, colored + "diffuse 1",
-                 {{".6 0 .8", color}, {"1 1 1", color}, {"= \"tilted\"", color * .8f}}));
+  // The normal (.6, 0, .8) has the cosine .8 to the light; an unconnected value is ignored.
+  add_or_join(all, gives(name + "normalCamera", sun, colored + "diffuse 1",
+                         {{".6 0 .8", color}, {"1 1 1", color}, {"= \"tilted\"", color * .8f}}));
   const std::string clear = call + "color 0 0 0, transparency 1 1 1, ";
-  add(all,
-      bends(name + "refractions", clear + "refractiveIndex 1.5, ", {{"off", 1}, {"on", 1.5f}}));
-  add(all, bends(name + "refractiveIndex", clear + "refractions on, ",
-                 {{"1", 1}, {"1.3", 1.3f}, {"2", 2}}));
+  add_or_join(all, bends(name + "refractions", clear + "refractiveIndex 1.5, ",
+                         {{"off", 1}, {"on", 1.5f}}));
+  add_or_join(all, bends(name + "refractiveIndex", clear + "refractions on, ",
+                         {{"1", 1}, {"1.3", 1.3f}, {"2", 2}}));
 }
 
-/// Rows of surfaces with a mirror and a highlight; `peak` is how bright the highlight of a white
-/// `specularColor` with those further parameters is, straight above.
+/// Rows of surfaces with a mirror and a highlight. `peak`: brightest value of the highlight with
+/// those further parameters and a white `specularColor`.
 void add_mirror(Cases& all, const std::string& shader, const std::string& others, float peak) {
   const std::string name = shader + ".", black = others + ", color 0 0 0";
   const Stage sky = plate({.light = View::Sky});
-  add(all, gives(name + "specularColor", plate(), black,
-                 {{"0 0 0", Rgb(0)},
-                  {".5 .25 1", Rgb(.5f, .25f, 1) * peak},
-                  {"= \"tint\"", kMayaTint * peak}}));
+  add_or_join(all, gives(name + "specularColor", plate(), black,
+                         {{"0 0 0", Rgb(0)},
+                          {".5 .25 1", Rgb(.5f, .25f, 1) * peak},
+                          {"= \"tint\"", kMayaTint * peak}}));
   // Maya's help: transparency does not affect highlights.
-  add(all, gives(name + "specularColor", plate(), black + ", transparency 1 1 1",
-                 {{"0 0 0", Rgb(0)}, {".5 .25 1", Rgb(.5f, .25f, 1) * peak}}));
-  add(all, gives(name + "specularColor", sky, black + ", reflectivity .5",
-                 {{"0 0 0", Rgb(0)},
-                  {".5 .25 1", Rgb(.25f, .125f, .5f)},
-                  {"= \"tint\"", kMayaTint * .5f}}));
-  // The mirror over a body of .5, which has the rest.
+  add_or_join(all, gives(name + "specularColor", plate(), black + ", transparency 1 1 1",
+                         {{"0 0 0", Rgb(0)}, {".5 .25 1", Rgb(.5f, .25f, 1) * peak}}));
+  add_or_join(all, gives(name + "specularColor", sky, black + ", reflectivity .5",
+                         {{"0 0 0", Rgb(0)},
+                          {".5 .25 1", Rgb(.25f, .125f, .5f)},
+                          {"= \"tint\"", kMayaTint * .5f}}));
+  // The body, of .5, reflects what the mirror leaves.
   const auto over = [](float reflectivity) {
     const Rgb mirror = Rgb(.4f, .8f, 0) * reflectivity;
     return mirror + (Rgb(1) - mirror) * .5f;
   };
-  add(all, gives(name + "reflectivity", sky,
+  add_or_join(
+      all, gives(name + "reflectivity", sky,
                  others + ", color .5 .5 .5, diffuse 1, specularColor .4 .8 0",
                  {{"0", over(0)}, {".25", over(.25f)}, {"1", over(1)}, {"= \"half\"", over(.5f)}}));
 }
@@ -188,10 +186,10 @@ void add_phong(Cases& all) {
   const std::string white = "color 0 0 0, specularColor 1 1 1, ";
   add_mirror(all, "maya_phong", "cosinePower 20", 1);
   for (const float degrees : {0.0f, 20.0f, 40.0f})
-    add(all, gives("maya_phong.cosinePower", plate({.degrees = degrees}), white,
-                   {{"2", cosine_power(degrees, 2)},
-                    {"20", cosine_power(degrees, 20)},
-                    {"50", cosine_power(degrees, 50)}}));
+    add_or_join(all, gives("maya_phong.cosinePower", plate({.degrees = degrees}), white,
+                           {{"2", cosine_power(degrees, 2)},
+                            {"20", cosine_power(degrees, 20)},
+                            {"50", cosine_power(degrees, 50)}}));
   add_mirror(all, "maya_phongE", "roughness .7, highlightSize .5", 1);
   for (const float degrees : {0.0f, 20.0f}) {
     const auto wide = [&](float width) { return cosine_power(degrees, 1 / (width * width)); };
@@ -227,18 +225,19 @@ Rgb facets(float degrees, float slope, float index) {
 
 void add_blinn(Cases& all) {
   const std::string name = "maya_blinn.", white = "color 0 0 0, specularColor 1 1 1, ";
-  // The roll-off's .7 is an index of 1.49, that of plastic.
+  // A roll-off of .7 is the index 1.49 of plastic.
   constexpr float kPlastic = 1.49f;
   add_mirror(all, "maya_blinn", "eccentricity .3, specularRollOff .7", facets(0, .3f, kPlastic).x);
   for (const float degrees : {0.0f, 30.0f})
-    add(all, gives(name + "eccentricity", plate({.degrees = degrees}), white + "specularRollOff .7",
+    add_or_join(
+        all, gives(name + "eccentricity", plate({.degrees = degrees}), white + "specularRollOff .7",
                    {{".1", facets(degrees, .1f, kPlastic)},
                     {".3", facets(degrees, .3f, kPlastic)},
                     {".6", facets(degrees, .6f, kPlastic)}}));
-  add(all,
-      rises(name + "specularRollOff", plate(), white + "eccentricity .3", {"0", ".3", ".7", "1"}));
-  add(all, gives(name + "specularRollOff", plate(), white + "eccentricity .3",
-                 {{"0", Rgb(0)}, {".7", facets(0, .3f, kPlastic)}}));
+  add_or_join(all, rises(name + "specularRollOff", plate(), white + "eccentricity .3",
+                         {"0", ".3", ".7", "1"}));
+  add_or_join(all, gives(name + "specularRollOff", plate(), white + "eccentricity .3",
+                         {{"0", Rgb(0)}, {".7", facets(0, .3f, kPlastic)}}));
 }
 
 /// Ward's highlight, lit along the normal and seen from `degrees`, `turn` off the first axis.
@@ -280,7 +279,7 @@ void add_anisotropic(Cases& all) {
           values.push_back(
               {fmt::format("{}", spread), x ? with(0, spread, 3, .6f) : with(0, 3, spread, .6f)});
       }
-      add(all, gives(name + row, plate({.degrees = 15, .turn = turn}), others, values));
+      add_or_join(all, gives(name + row, plate({.degrees = 15, .turn = turn}), others, values));
     }
 }
 
@@ -288,14 +287,15 @@ void add_surfaceshader(Cases& all) {
   const std::string name = "maya_surfaceshader.";
   const Rgb color(.5f, .25f, 1);
   for (const Stage& stage : {plate(), plate({.light = View::Below}), member("outColor", kSources)})
-    add(all, gives(name + "outColor", stage, "",
+    add_or_join(
+        all, gives(name + "outColor", stage, "",
                    {{"0 0 0", Rgb(0)}, {"2 .25 1", Rgb(2, .25f, 1)}, {"= \"tint\"", kMayaTint}}));
-  add(all, gives(name + "outTransparency", plate({.light = View::Sky}), "outColor .5 .25 1",
-                 {{"0 0 0", color},
-                  {".25 .5 1", color + Rgb(.25f, .5f, 1)},
-                  {"= \"tint\"", color + kMayaTint}}));
-  add(all, gives(name + "outTransparency", member("outTransparency", kSources), "",
-                 {{".25 .5 1", Rgb(.25f, .5f, 1)}, {"= \"tint\"", kMayaTint}}));
+  add_or_join(all, gives(name + "outTransparency", plate({.light = View::Sky}), "outColor .5 .25 1",
+                         {{"0 0 0", color},
+                          {".25 .5 1", color + Rgb(.25f, .5f, 1)},
+                          {"= \"tint\"", color + kMayaTint}}));
+  add_or_join(all, gives(name + "outTransparency", member("outTransparency", kSources), "",
+                         {{".25 .5 1", Rgb(.25f, .5f, 1)}, {"= \"tint\"", kMayaTint}}));
 }
 
 }  // namespace

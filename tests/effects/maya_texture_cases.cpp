@@ -12,7 +12,7 @@ namespace maya_texture {
 namespace {
 
 /// "gradient": a picture whose red is u and whose green is v, times kSteepness; linear from the
-/// middles of its first texels to those of its last.
+/// centres of its first texels to those of its last.
 constexpr int kTexels = 20;
 constexpr float kSteepness = 200 / 255.0f;
 std::string gradient() {
@@ -30,7 +30,7 @@ Rgb texel_at(const Vec2& uv) {
   return Rgb(within(uv.x), within(uv.y), 0);
 }
 
-/// The placement shader, by the colour of the gradient that a file connected to it shows.
+/// The placement shader, measured by the colour that a connected file shows of the gradient.
 Stage by_file(const Vec2& at) {
   return [=](const std::string& call) {
     return member(
@@ -72,62 +72,57 @@ std::vector<Lookup> lookups() {
   };
 }
 
-/// Adds a case, or to the last one if that is of the same parameter.
-void add(Cases& all, const Case& c) {
-  if (!all.empty() && all.back().parameter == c.parameter)
-    all.back() = both(all.back(), c);
-  else
-    all.push_back(c);
-}
-
-/// The placement's rows in a shader, by the colour of the gradient; `call` are further parameters.
+/// The placement's rows of a shader, measured on the gradient. `call`: further parameters.
 void add_placement(Cases& all, const std::string& shader, const std::string& call,
                    const std::function<Stage(const Vec2&)>& stage) {
   for (const Lookup& lookup : lookups()) {
     std::vector<Given> values;
     for (const auto& [text, uv] : lookup.values) values.push_back({text, texel_at(uv)});
-    add(all, gives(shader + lookup.parameter, stage(lookup.at), call + lookup.others, values));
+    add_or_join(all,
+                gives(shader + lookup.parameter, stage(lookup.at), call + lookup.others, values));
   }
   // A frame over the left, or lower, half of each unit; the point is in the next one, at .3.
   for (const bool u : {true, false}) {
     const std::string frame =
         u ? "coverage .5 1 0, translateFrame -1 0 0" : "coverage 1 .5 0, translateFrame 0 -1 0";
-    add(all, gives(shader + (u ? "wrapU" : "wrapV"), stage(Vec2(.3f)), call + frame,
+    add_or_join(
+        all, gives(shader + (u ? "wrapU" : "wrapV"), stage(Vec2(.3f)), call + frame,
                    {{"on", texel_at(u ? Vec2(.6f, .3f) : Vec2(.3f, .6f))}, {"off", Rgb(0, 0, 1)}}));
   }
   const std::string wobbling = shader + "noiseUV";
-  add(all, shows(wobbling, [=] {
-        const auto moved = [&](const Vec2& at, const char* strength) {
-          const std::string name = shader.substr(0, shader.find('.'));
-          const Rgb c = stage(at)(call_of(name, call + "noiseUV " + strength)).mean;
-          return (Vec2(c.x, c.y) - Vec2(texel_at(at).x, texel_at(at).y)) * (1 / kSteepness);
-        };
-        Vec2 most(0);
-        for (int i = 0; i < 8; ++i) {
-          const Vec2 at(.35f + .04f * float(i), .62f - .03f * float(i));
-          const Vec2 once = moved(at, ".1 .1 0"), twice = moved(at, ".2 .2 0");
-          const Vec2 along_u = moved(at, ".1 0 0");
-          // Proportional to the strength, along each direction on its own.
-          EXPECT_NEAR(twice.x, 2 * once.x, 1e-3f);
-          EXPECT_NEAR(twice.y, 2 * once.y, 1e-3f);
-          EXPECT_NEAR(along_u.x, once.x, 1e-3f);
-          EXPECT_NEAR(along_u.y, 0, 1e-3f);
-          most = Vec2(std::max(most.x, std::abs(once.x)), std::max(most.y, std::abs(once.y)));
-        }
-        EXPECT_GT(most.x, .01f);
-        EXPECT_GT(most.y, .01f);
-        EXPECT_LT(std::max(most.x, most.y), .1f);
-      }));
+  add_or_join(all, shows(wobbling, [=] {
+                const auto moved = [&](const Vec2& at, const char* strength) {
+                  const std::string name = shader.substr(0, shader.find('.'));
+                  const Rgb c = stage(at)(call_of(name, call + "noiseUV " + strength)).mean;
+                  return (Vec2(c.x, c.y) - Vec2(texel_at(at).x, texel_at(at).y)) * (1 / kSteepness);
+                };
+                Vec2 most(0);
+                for (int i = 0; i < 8; ++i) {
+                  const Vec2 at(.35f + .04f * float(i), .62f - .03f * float(i));
+                  const Vec2 once = moved(at, ".1 .1 0"), twice = moved(at, ".2 .2 0");
+                  const Vec2 along_u = moved(at, ".1 0 0");
+                  // Proportional to the strength, along each direction on its own.
+                  EXPECT_NEAR(twice.x, 2 * once.x, 1e-3f);
+                  EXPECT_NEAR(twice.y, 2 * once.y, 1e-3f);
+                  EXPECT_NEAR(along_u.x, once.x, 1e-3f);
+                  EXPECT_NEAR(along_u.y, 0, 1e-3f);
+                  most =
+                      Vec2(std::max(most.x, std::abs(once.x)), std::max(most.y, std::abs(once.y)));
+                }
+                EXPECT_GT(most.x, .01f);
+                EXPECT_GT(most.y, .01f);
+                EXPECT_LT(std::max(most.x, most.y), .1f);
+              }));
 }
 
 void add_place2d(Cases& all) {
   const std::string name = "maya_place2dtex.";
-  // A value alone is no coordinate: that of the surface counts.
-  add(all,
-      gives(name + "uvCoord", by_file(Vec2(.3f, .6f)), "",
-            {{".9 .9 0", texel_at(Vec2(.3f, .6f))}, {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
+  // An unconnected value is ignored: the surface's coordinate counts.
+  add_or_join(all, gives(name + "uvCoord", by_file(Vec2(.3f, .6f)), "",
+                         {{".9 .9 0", texel_at(Vec2(.3f, .6f))},
+                          {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
   add_placement(all, name, "", by_file);
-  // The coordinate as it is: beyond the first tile too.
+  // The coordinate itself tells the tiles apart.
   Cases exact;
   for (const Lookup& lookup : lookups()) {
     std::vector<Given> values;
@@ -141,7 +136,7 @@ void add_place2d(Cases& all) {
       if (c.parameter == further.parameter) c = both(c, further);
 }
 
-/// A texture of one colour and alpha, and how it is called so.
+/// A texture, and the parameters with which it is of one colour and alpha.
 struct Uniform {
   std::string shader, call;
   Rgb color;
@@ -156,32 +151,33 @@ void add_balance(Cases& all, const Uniform& t) {
   const Stage color = member("outColor", elements), alpha = member("outAlpha", elements);
   const Stage transparency = member("outTransparency", elements);
   const Rgb gain(2, .5f, 1), offset(.1f, 0, .2f);
-  add(all, gives(name + "invert", color, t.call + "colorGain 2 .5 1, colorOffset .1 0 .2",
+  add_or_join(
+      all, gives(name + "invert", color, t.call + "colorGain 2 .5 1, colorOffset .1 0 .2",
                  {{"off", t.color * gain + offset}, {"on", (Rgb(1) - t.color) * gain + offset}}));
   const float luminance = .3f * t.color.x + .59f * t.color.y + .11f * t.color.z;
-  add(all, gives(name + "alphaIsLuminance", alpha, t.call + "alphaGain 2, alphaOffset .1",
-                 {{"off", Rgb(t.alpha * 2 + .1f)}, {"on", Rgb(luminance * 2 + .1f)}}));
-  add(all, gives(name + "colorGain", color, t.call + "colorOffset .1 0 .2",
-                 {{"1 1 1", t.color + offset},
-                  {"2 .5 1", t.color * gain + offset},
-                  {"= \"tint\"", t.color * kMayaTint + offset}}));
-  add(all, gives(name + "colorOffset", color, t.call + "colorGain 2 .5 1",
-                 {{"0 0 0", t.color * gain},
-                  {".1 0 .2", t.color * gain + offset},
-                  {"= \"tint\"", t.color * gain + kMayaTint}}));
+  add_or_join(all, gives(name + "alphaIsLuminance", alpha, t.call + "alphaGain 2, alphaOffset .1",
+                         {{"off", Rgb(t.alpha * 2 + .1f)}, {"on", Rgb(luminance * 2 + .1f)}}));
+  add_or_join(all, gives(name + "colorGain", color, t.call + "colorOffset .1 0 .2",
+                         {{"1 1 1", t.color + offset},
+                          {"2 .5 1", t.color * gain + offset},
+                          {"= \"tint\"", t.color * kMayaTint + offset}}));
+  add_or_join(all, gives(name + "colorOffset", color, t.call + "colorGain 2 .5 1",
+                         {{"0 0 0", t.color * gain},
+                          {".1 0 .2", t.color * gain + offset},
+                          {"= \"tint\"", t.color * gain + kMayaTint}}));
   const std::string gained = t.call + "alphaGain 2", moved = t.call + "alphaOffset .1";
-  add(all, gives(name + "alphaGain", alpha, moved,
-                 {{"1", Rgb(t.alpha + .1f)}, {"2", Rgb(2 * t.alpha + .1f)}}));
-  add(all, gives(name + "alphaGain", transparency, moved,
-                 {{".25", Rgb(.9f - .25f * t.alpha)}, {".5", Rgb(.9f - .5f * t.alpha)}}));
-  add(all, gives(name + "alphaOffset", alpha, gained,
-                 {{"0", Rgb(2 * t.alpha)}, {".1", Rgb(2 * t.alpha + .1f)}}));
-  add(all, gives(name + "alphaOffset", transparency, t.call + "alphaGain .5",
-                 {{"0", Rgb(1 - .5f * t.alpha)}, {".1", Rgb(.9f - .5f * t.alpha)}}));
-  add(all, gives(name + "defaultColor", color, t.call + "uvCoord = \"outside.outUV\"",
-                 {{"1 0 .5", Rgb(1, 0, .5f)}, {"= \"tint\"", kMayaTint}}));
-  add(all, gives(name + "defaultColor", color, t.call + "uvCoord = \"inside.outUV\"",
-                 {{"1 0 .5", t.color}, {"= \"tint\"", t.color}}));
+  add_or_join(all, gives(name + "alphaGain", alpha, moved,
+                         {{"1", Rgb(t.alpha + .1f)}, {"2", Rgb(2 * t.alpha + .1f)}}));
+  add_or_join(all, gives(name + "alphaGain", transparency, moved,
+                         {{".25", Rgb(.9f - .25f * t.alpha)}, {".5", Rgb(.9f - .5f * t.alpha)}}));
+  add_or_join(all, gives(name + "alphaOffset", alpha, gained,
+                         {{"0", Rgb(2 * t.alpha)}, {".1", Rgb(2 * t.alpha + .1f)}}));
+  add_or_join(all, gives(name + "alphaOffset", transparency, t.call + "alphaGain .5",
+                         {{"0", Rgb(1 - .5f * t.alpha)}, {".1", Rgb(.9f - .5f * t.alpha)}}));
+  add_or_join(all, gives(name + "defaultColor", color, t.call + "uvCoord = \"outside.outUV\"",
+                         {{"1 0 .5", Rgb(1, 0, .5f)}, {"= \"tint\"", kMayaTint}}));
+  add_or_join(all, gives(name + "defaultColor", color, t.call + "uvCoord = \"inside.outUV\"",
+                         {{"1 0 .5", t.color}, {"= \"tint\"", t.color}}));
 }
 
 void add_file(Cases& all) {
@@ -190,18 +186,18 @@ void add_file(Cases& all) {
   const auto stage = [](const Vec2& at) {
     return member("outColor", kMayaPlaces + gradient(), place_of(at.x, at.y));
   };
-  add(all,
-      gives(name + "uvCoord", stage(Vec2(.3f, .6f)), call,
-            {{".9 .9 0", texel_at(Vec2(.3f, .6f))}, {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
-  // The file's own placement is for the surface's coordinate.
-  add(all,
-      gives(name + "uvCoord", stage(Vec2(.3f, .6f)), call + "repeatUV 2 1.5 0",
-            {{".9 .9 0", texel_at(Vec2(.6f, .9f))}, {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
+  add_or_join(all, gives(name + "uvCoord", stage(Vec2(.3f, .6f)), call,
+                         {{".9 .9 0", texel_at(Vec2(.3f, .6f))},
+                          {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
+  // The file's own placement acts only on the surface's coordinate.
+  add_or_join(all, gives(name + "uvCoord", stage(Vec2(.3f, .6f)), call + "repeatUV 2 1.5 0",
+                         {{".9 .9 0", texel_at(Vec2(.6f, .9f))},
+                          {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
   add_placement(all, name, call, stage);
   add_balance(all, {"maya_file", "fileTextureName \"plain\", ", Rgb(.2f, .4f, .6f), .8f});
-  add(all, gives(name + "fileTextureName",
-                 member("outColor", kPlain + "color texture \"red\" [1 1 3] 'ff0000'\n"), "",
-                 {{"\"plain\"", Rgb(.2f, .4f, .6f)}, {"\"red\"", Rgb(1, 0, 0)}}));
+  add_or_join(all, gives(name + "fileTextureName",
+                         member("outColor", kPlain + "color texture \"red\" [1 1 3] 'ff0000'\n"),
+                         "", {{"\"plain\"", Rgb(.2f, .4f, .6f)}, {"\"red\"", Rgb(1, 0, 0)}}));
 }
 
 void add_checker(Cases& all) {
@@ -211,8 +207,9 @@ void add_checker(Cases& all) {
   };
   const Rgb one(1, 0, .5f), two(0, .5f, .25f);
   const std::string colors = "color1 1 0 .5, color2 0 .5 .25, ";
-  // At (.2, .4) is the first colour, whatever is at the surface's own place.
-  add(all, gives(name + "uvCoord", at(.6f, .4f), colors, {{".2 .4 0", two}, {"= \"there\"", one}}));
+  // The surface's own coordinate is in a field of the second colour, "there" in one of the first.
+  add_or_join(
+      all, gives(name + "uvCoord", at(.6f, .4f), colors, {{".2 .4 0", two}, {"= \"there\"", one}}));
   add_balance(all, {"maya_checker", "color1 .2 .4 .6, color2 .2 .4 .6, ", Rgb(.2f, .4f, .6f), 1});
   const struct {
     float u, v;
@@ -221,24 +218,25 @@ void add_checker(Cases& all) {
   for (const char* row : {"color1", "color2", "contrast"})
     for (const auto& field : fields) {
       const Stage stage = at(field.u, field.v);
-      // With a contrast of .5 three quarters are of the field's colour.
+      // With a contrast of .5 a field has three quarters of its own colour.
       const bool its_own = field.first == (std::string(row) == "color1");
       const float share = its_own ? .75f : .25f;
       const Rgb here = field.first ? one : two, there = field.first ? two : one;
       const Rgb other = (its_own ? there : here) * (1 - share);
       if (std::string(row) == "contrast")
-        add(all,
+        add_or_join(
+            all,
             gives(name + row, stage, colors,
                   {{"0", (one + two) * .5f}, {".5", here * .75f + there * .25f}, {"1", here}}));
       else
-        add(all, gives(name + row, stage, colors + "contrast .5",
-                       {{"0 0 0", other},
-                        {"1 2 4", other + Rgb(1, 2, 4) * share},
-                        {"= \"tint\"", other + kMayaTint * share}}));
+        add_or_join(all, gives(name + row, stage, colors + "contrast .5",
+                               {{"0 0 0", other},
+                                {"1 2 4", other + Rgb(1, 2, 4) * share},
+                                {"= \"tint\"", other + kMayaTint * share}}));
     }
 }
 
-/// What the texture shows at many places of the surface: its red.
+/// Red of the texture at those coordinates of the surface.
 std::vector<float> reds(const std::string& call, const std::vector<Vec2>& places) {
   const Probe probe(testing::scene_text("shader \"seen\" " + call +
                                         "\nmaterial \"m\" \"maya_surfaceshader\" ( \"outColor\" = "
@@ -294,27 +292,28 @@ Case finer(const std::string& parameter, const std::string& others,
   });
 }
 
-/// `fixed`: what is left of the noise, whose mean is .5, where its amplitude is 0.
+/// `fixed`: the value at an amplitude of 0.
 void add_noise(Cases& all, const std::string& shader, const std::string& sizes, float fixed) {
   const std::string name = shader + ".";
-  add(all, shows(name + "uvCoord", [shader] {
-        const auto at = [&](const std::string& coordinate, float u, float v) {
-          return member("outColor", kMayaPlaces,
-                        place_of(u, v))(call_of(shader, "uvCoord " + coordinate));
-        };
-        const Measured there = at("0 0 0", .2f, .4f), here = at("0 0 0", .55f, .53f);
-        EXPECT_GT(std::abs(there.mean.x - here.mean.x), .01f);
-        EXPECT_NEAR(at("= \"there\"", .55f, .53f).mean.x, there.mean.x, 1e-3f);
-      }));
+  add_or_join(all, shows(name + "uvCoord", [shader] {
+                const auto at = [&](const std::string& coordinate, float u, float v) {
+                  return member("outColor", kMayaPlaces,
+                                place_of(u, v))(call_of(shader, "uvCoord " + coordinate));
+                };
+                const Measured there = at("0 0 0", .2f, .4f), here = at("0 0 0", .55f, .53f);
+                EXPECT_GT(std::abs(there.mean.x - here.mean.x), .01f);
+                EXPECT_NEAR(at("= \"there\"", .55f, .53f).mean.x, there.mean.x, 1e-3f);
+              }));
   add_balance(all,
               {shader, fmt::format("amplitude 0, threshold {}, ", .6f - fixed), Rgb(.6f), .6f});
-  add(all, gives(name + "threshold", member("outColor"), "amplitude 0",
-                 {{"0", Rgb(fixed)},
-                  {".2", Rgb(fixed + .2f)},
-                  {"-.3", Rgb(std::max(0.0f, fixed - .3f))},
-                  {"2", Rgb(1)}}));
+  add_or_join(all, gives(name + "threshold", member("outColor"), "amplitude 0",
+                         {{"0", Rgb(fixed)},
+                          {".2", Rgb(fixed + .2f)},
+                          {"-.3", Rgb(std::max(0.0f, fixed - .3f))},
+                          {"2", Rgb(1)}}));
   // Maya's help: of the noise it scales all values about their average, of the fractal all values.
-  add(all, shows(name + "amplitude", [shader, fixed] {
+  add_or_join(
+      all, shows(name + "amplitude", [shader, fixed] {
         const std::vector<Vec2> places = {{.45f, .5f}, {.51f, .47f}, {.54f, .52f}, {.57f, .55f}};
         const auto with = [&](const char* x) {
           return reds(call_of(shader, std::string("amplitude ") + x), places);
@@ -329,31 +328,30 @@ void add_noise(Cases& all, const std::string& shader, const std::string& sizes, 
         EXPECT_GT(*std::max_element(some.begin(), some.end()), mean + .005f);
         EXPECT_LT(*std::min_element(some.begin(), some.end()), mean - .005f);
       }));
-  // Fewer, larger grains: every size counts. A ratio of 0 leaves the first.
-  add(all, finer(name + "ratio", sizes + " 4", {"0", ".4", ".8"}));
-  add(all, shows(name + "ratio", [=] {
-        const auto with = [&](const std::string& list) {
-          return reds(call_of(shader, list), {{.52f, .53f}, {.47f, .51f}});
-        };
-        EXPECT_EQ(with("ratio 0, " + sizes + " 4"), with(sizes + " 1"));
-      }));
-  add(all, finer(name + "frequencyRatio", sizes + " 2, ratio .8", {"1.2", "2", "4"}));
-  add(all, finer(name + "frequency", sizes + " 2", {"4", "8", "16"}));
+  // Each size is weaker by the ratio: with 0 only the first is left.
+  add_or_join(all, finer(name + "ratio", sizes + " 4", {"0", ".4", ".8"}));
+  add_or_join(all, shows(name + "ratio", [=] {
+                const auto with = [&](const std::string& list) {
+                  return reds(call_of(shader, list), {{.52f, .53f}, {.47f, .51f}});
+                };
+                EXPECT_EQ(with("ratio 0, " + sizes + " 4"), with(sizes + " 1"));
+              }));
+  add_or_join(all, finer(name + "frequencyRatio", sizes + " 2, ratio .8", {"1.2", "2", "4"}));
+  add_or_join(all, finer(name + "frequency", sizes + " 2", {"4", "8", "16"}));
   // A grain is 1 / frequency wide.
-  add(all, shows(name + "frequency", [=] {
-        const auto at = [&](const char* frequency, float u, float v) {
-          return reds(call_of(shader, sizes + " 2, frequency " + frequency), {{u, v}})[0];
-        };
-        EXPECT_NEAR(at("16", .26f, .27f), at("8", .52f, .54f), 1e-3f);
-        EXPECT_NEAR(at("5", .5f, .6f), at("10", .25f, .3f), 1e-3f);
-      }));
-  add(all, finer(name + sizes, "ratio .8", {"1", "2", "3", "5"}));
+  add_or_join(all, shows(name + "frequency", [=] {
+                const auto at = [&](const char* frequency, float u, float v) {
+                  return reds(call_of(shader, sizes + " 2, frequency " + frequency), {{u, v}})[0];
+                };
+                EXPECT_NEAR(at("16", .26f, .27f), at("8", .52f, .54f), 1e-3f);
+                EXPECT_NEAR(at("5", .5f, .6f), at("10", .25f, .3f), 1e-3f);
+              }));
+  add_or_join(all, finer(name + sizes, "ratio .8", {"1", "2", "3", "5"}));
 }
 
 void add_bump(Cases& all) {
   const std::string name = "maya_bump2d.";
-  // Heights that fall by 1 along u or along v, over the 20 units of the square, to the right and
-  // up.
+  // Heights that fall by 1 over the 20 units of the square, along u or along v.
   std::string elements =
       "shader \"tilted\" \"maya_xyz_to_vector\" ( \"x\" .6, \"y\" 0, \"z\" .8 )\n";
   for (const bool u : {true, false})
@@ -370,17 +368,17 @@ void add_bump(Cases& all) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(n[k], expected[k], 2e-4f) << row << ' ' << text;
     });
   };
-  add(all, is("bumpValue", "bumpDepth 10", "5", normal(0, 0)));
-  add(all, is("bumpValue", "bumpDepth 10", "= \"along_u.outAlpha\"", normal(.5f, 0)));
-  add(all, is("bumpValue", "bumpDepth 10", "= \"along_v.outAlpha\"", normal(0, .5f)));
+  add_or_join(all, is("bumpValue", "bumpDepth 10", "5", normal(0, 0)));
+  add_or_join(all, is("bumpValue", "bumpDepth 10", "= \"along_u.outAlpha\"", normal(.5f, 0)));
+  add_or_join(all, is("bumpValue", "bumpDepth 10", "= \"along_v.outAlpha\"", normal(0, .5f)));
   for (const int depth : {0, 1, 5, 20})
-    add(all, is("bumpDepth", "bumpValue = \"along_u.outAlpha\"", std::to_string(depth),
-                normal(float(depth) / 20, 0)));
-  add(all, is("normalCamera", "", "1 1 1", normal(0, 0)));
-  add(all, is("normalCamera", "", "= \"tilted\"", Vec3(.6f, 0, .8f)));
-  // The height is over the other bump's surface: tilted further, upward, by 20 / 20.
-  add(all,
-      is("normalCamera", "bumpDepth 20, bumpValue = \"along_v.outAlpha\"", "0 0 0", normal(0, 1)));
+    add_or_join(all, is("bumpDepth", "bumpValue = \"along_u.outAlpha\"", std::to_string(depth),
+                        normal(float(depth) / 20, 0)));
+  add_or_join(all, is("normalCamera", "", "1 1 1", normal(0, 0)));
+  add_or_join(all, is("normalCamera", "", "= \"tilted\"", Vec3(.6f, 0, .8f)));
+  // Over the other bump: that normal, turned by 45 degrees toward v.
+  add_or_join(all, is("normalCamera", "bumpDepth 20, bumpValue = \"along_v.outAlpha\"",
+                      "= \"tilted\"", normalize(Vec3(.6f, 1, .8f))));
 }
 
 }  // namespace
