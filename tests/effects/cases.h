@@ -6,8 +6,14 @@
 
 namespace oriel::effects {
 
-Cases base_color_cases();  // shaders/base/mib_color.cpp
+Cases base_color_cases();    // shaders/base/mib_color.cpp
+Cases base_texture_cases();  // shaders/base/mib_texture.cpp, mib_texture_filter.cpp
 
-inline std::vector<Cases (*)()> case_lists() { return {base_color_cases}; }
+inline std::vector<Cases (*)()> case_lists() {
+  return {
+      base_color_cases,
+      base_texture_cases,
+  };
+}
 
 }  // namespace oriel::effects

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases that show what a parameter of a shader changes: a scene around the shader's call is measured
-// for several values of the parameter, and what is measured must change as the manual says.
+// Cases that show what a parameter of a shader changes: a scene around the shader's call is
+// measured for several values of the parameter, and what is measured must change as the manual
+// says.
 #pragma once
 
 #include <functional>
@@ -82,6 +83,13 @@ Stage material_in_sky(float degrees = 0, int samples = 4096);
 /// seen at `at`. `element` are the light's further statements.
 Stage light(const std::string& element = "origin 0 0 2", const Vec3& at = Vec3(0),
             int samples = 256);
+
+/// Elements that define material "m" as what shows a call's result, or that member of it, as light;
+/// `elements` come before. Needs known_shaders().
+std::string shown_as_light(const std::string& call, const std::string& elements = {},
+                           const std::string& result = {});
+/// All built-in shaders and those for tests.
+const Registry& known_shaders();
 
 /// The shader as the scene's environment, seen along that direction.
 Stage environment(const Vec3& direction, int samples = 64);

@@ -170,8 +170,7 @@ bool acts(const ShaderSpec& spec, const ParamSpec& row) {
 TEST(BaseLibrary, EachParameterActsOrIsReportedAsIgnored) {
   // What this cannot see, and where it is shown.
   const std::set<std::string> elsewhere = {
-      "mib_texture_filter_lookup.space",  // there is a footprint in the first space alone
-      "mib_texture_remap.alt_z",          // numbers here stay within the first copy: Textures.*
+      "mib_texture_remap.alt_z",  // numbers here stay within the first copy: Textures.*
       "mib_texture_remap.torus_z",
       "mib_bent_normal_env.env_samples",  // more of them come with the pixel's samples
       "mib_shadow_transparency.mode",     // needs lists: ShadowShader.*

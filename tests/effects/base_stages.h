@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stages and scene elements that the cases of several files of base shaders share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include "effects.h"
+
+namespace oriel::effects {
+
+/// The radiance of a material "m" that shows the call's result, on the inside of a cube of 4 units
+/// around the origin, seen from the origin in that direction.
+inline Stage inside_cube(const Vec3& direction) {
+  return [=](const std::string& call) {
+    SceneText scene;
+    scene.statement(shown_as_light(call)).box("m", Vec3(-2), Vec3(2), true);
+    return Probe(scene.str(), known_shaders()).ray(Vec3(0), direction, 64);
+  };
+}
+
+/// A colour texture named `name` of hexadecimal texels, row by row from below.
+inline std::string texels(const std::string& name, int width, int height,
+                          const std::function<std::string(int x, int y)>& texel) {
+  std::string rows;
+  for (int y = 0; y < height; ++y) {
+    rows += " '";
+    for (int x = 0; x < width; ++x) rows += texel(x, y);
+    rows += "'";
+  }
+  const std::size_t components = texel(0, 0).size() / 2;
+  return fmt::format("color texture \"{}\" [{} {} {}]{}\n", name, width, height, components, rows);
+}
+
+/// Textures of one colour: "a" is kColorA, "b" is kColorB.
+inline const Rgb kColorA(.2f, .4f, .6f), kColorB(1, .2f, 0);
+inline const std::string kPlainTextures =
+    "color texture \"a\" [1 1 3] '336699'\ncolor texture \"b\" [1 1 3] 'ff3300'\n";
+
+/// Texture "t" of 4 x 4 texels: red grows to the right by .2, green upward by .2.
+inline const std::string kRampTexture =
+    texels("t", 4, 4, [](int x, int y) { return fmt::format("{:02x}{:02x}00", 51 * x, 51 * y); });
+/// Its colour between the centres of its outer texels.
+inline Rgb ramp_color(float u, float v) { return Rgb((u - .125f) * .8f, (v - .125f) * .8f, 0); }
+
+/// Sets the value of one axis of a vector, or the letter of one in a name.
+inline constexpr char kAxes[] = {'x', 'y', 'z'};
+inline Vec3 with_axis(Vec3 v, int axis, float value) {
+  v[axis] = value;
+  return v;
+}
+
+}  // namespace oriel::effects
