@@ -7,11 +7,15 @@
 namespace oriel::effects {
 
 Cases base_color_cases();    // shaders/base/mib_color.cpp
+Cases base_bump_cases();     // shaders/base/mib_bump.cpp
+Cases base_pattern_cases();  // shaders/base/mib_texture_procedural.cpp
 Cases base_texture_cases();  // shaders/base/mib_texture.cpp, mib_texture_filter.cpp
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
       base_color_cases,
+      base_bump_cases,
+      base_pattern_cases,
       base_texture_cases,
   };
 }
