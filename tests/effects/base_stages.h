@@ -9,11 +9,11 @@
 namespace oriel::effects {
 
 /// The radiance of a material "m" that shows the call's result, on the inside of a cube of 4 units
-/// around the origin, seen from the origin in that direction.
-inline Stage inside_cube(const Vec3& direction) {
+/// around the origin, seen from the origin in that direction. `elements` come before.
+inline Stage inside_cube(const Vec3& direction, const std::string& elements = {}) {
   return [=](const std::string& call) {
     SceneText scene;
-    scene.statement(shown_as_light(call)).box("m", Vec3(-2), Vec3(2), true);
+    scene.statement(shown_as_light(call, elements)).box("m", Vec3(-2), Vec3(2), true);
     return Probe(scene.str(), known_shaders()).ray(Vec3(0), direction, 64);
   };
 }
