@@ -8,15 +8,17 @@ namespace oriel::effects {
 
 Cases base_color_cases();    // shaders/base/mib_color.cpp
 Cases base_bump_cases();     // shaders/base/mib_bump.cpp
+Cases base_illum_cases();    // shaders/base/mib_illum.cpp
 Cases base_light_cases();    // shaders/base/mib_light*.cpp, mib_shadow.cpp
 Cases base_lookup_cases();   // shaders/base/mib_lookup.cpp, mib_lookup_cube.cpp
 Cases base_pattern_cases();  // shaders/base/mib_texture_procedural.cpp
+Cases base_ray_cases();      // shaders/base/mib_ray.cpp
 Cases base_texture_cases();  // shaders/base/mib_texture.cpp, mib_texture_filter.cpp
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
-      base_color_cases,  base_bump_cases,    base_light_cases,
-      base_lookup_cases, base_pattern_cases, base_texture_cases,
+      base_color_cases,  base_bump_cases,    base_illum_cases, base_light_cases,
+      base_lookup_cases, base_pattern_cases, base_ray_cases,   base_texture_cases,
   };
 }
 
