@@ -23,7 +23,7 @@ SceneText plate_of(const std::string& call) {
 Stage plate(bool back = false) {
   return [=](const std::string& call) {
     return Probe(plate_of(call).str(), known_shaders())
-        .onto(Vec3(0), back ? -kFront : kFront, 30, 4096);
+        .onto(Vec3(0), back ? -kFront : kFront, 30, 2048);
   };
 }
 
