@@ -78,13 +78,16 @@ constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, mode), .doc = kMode, .declared_default = false},
 };
 constexpr ParamSpec kPhotonBasicRows[] = {
-    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters.", .declared_default = false},
-    {ORIEL_PARAM(PhotonBasic, specular), .doc = "Share that is mirrored.",
+    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters; that of the material is used.",
+     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, specular),
+     .doc = "Share that is mirrored; that of the material is used.", .support = Support::Ignored,
      .declared_default = false},
-    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes.", .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes; that of the material is used.",
+     .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(PhotonBasic, ior_frac), .min = 0,
-     .doc = "Index of the side entered over that of the side left; 0 = 1.",
-     .declared_default = false},
+     .doc = "Index of the side entered over that of the side left; that of the material is used.",
+     .support = Support::Ignored, .declared_default = false},
 };
 
 float or_one(float index) { return index > 0 ? index : 1; }
