@@ -9,8 +9,8 @@
 namespace oriel::effects {
 namespace base_bump {
 
-/// Texture "t" of 4 x 4 texels, the mean of its channels grows by .2 / 3 a texel to the right and
-/// by .4 / 3 upward, its alpha by .2 to the right; "flat" is the same everywhere.
+/// Texture "t" of 4 x 4 texels: the mean of its channels rises by .2 / 3 per texel to the right and
+/// by .4 / 3 per texel upward, its alpha by .2 to the right. Texture "flat" is constant.
 const std::string kTextures =
     texels("t", 4, 4,
            [](int x, int y) {
@@ -19,7 +19,7 @@ const std::string kTextures =
     "color texture \"flat\" [1 1 4] '80808080'\n";
 constexpr float kRight = .2f / 3, kUp = .4f / 3;
 
-/// The normal of a surface along z that was turned so far along x and y.
+/// The normal (0, 0, 1) after adding x and y.
 Vec3 tilted(float x, float y) { return normalize(Vec3(x, y, 1)); }
 
 /// The normal that a shader later in the material's list sees.
@@ -57,7 +57,7 @@ void add_map(Cases& all, const std::string& shader, const Stage& normal) {
                        {"0 0 0", tilted(kRight * .04f, kUp * .04f)}}));
   all.push_back(gives(name + "factor", normal, call,
                       {{"0", turned}, {"1", turned}, {"3", tilted(3 * kRight, 3 * kUp)}}));
-  // Beyond the picture its border goes on, unless it repeats.
+  // Outside of the picture its border texel continues, unless a torus flag repeats the picture.
   const std::string beyond = basis + ", step .25 .25 0, coord 1.375 1.375 0";
   all.push_back(
       gives(name + "torus_u", normal, beyond, {{"off", straight}, {"on", tilted(kRight, 0)}}));
@@ -70,10 +70,11 @@ void add_map(Cases& all, const std::string& shader, const Stage& normal) {
                      gives(name + "clamp", normal, call, {{"off", turned}, {"on", turned}})));
 }
 
-/// White and grey materials lit by a sun of direction `from`; the brightness tells the normal.
+/// The call as a material in the light of one sun from direction `from`. The radiance of the
+/// Lambert shaders "white" and "grey" is the cosine between the normal and the sun, times 1 and .5.
 Stage lit_from(const Vec3& from) {
   return [=](const std::string& call) {
-    // Grey grows by .2 a texel over the left half, and then stays.
+    // Grey rises by .2 per texel over the left half and is constant over the right half.
     const std::string slope = texels("t", 8, 1, [](int x, int) {
       return fmt::format("{0:02x}{0:02x}{0:02x}", 51 * std::min(x, 4));
     });
@@ -94,11 +95,11 @@ Stage lit_from(const Vec3& from) {
 
 void add_map2(Cases& all) {
   const std::string name = "mib_bump_map2.";
-  // From the side that the normal turns away from: on the other, light that the flat surface would
-  // not get is held back.
+  // The normal turns away from the sun: where it turns toward the light, the terminator correction
+  // darkens the surface.
   const Vec3 sun(-.6f, 0, .8f);
   const Stage stage = lit_from(sun);
-  // A hundredth of the picture is a rise of .016.
+  // Over a step of .01 the texture rises by .016.
   const auto shown = [&](float rise) { return Rgb(dot(tilted(rise, 0), sun)); };
   const std::string call = "tex \"t\", color = \"white\"";
   all.push_back(gives(name + "factor", stage, call,
@@ -114,8 +115,8 @@ void add_map2(Cases& all) {
                        {".2 .4 .6 1", Rgb(.2f, .4f, .6f)}}));
 }
 
-/// Result `member` on a triangle at z = -5 of two texture spaces, whose u runs along x in the first
-/// and along y in the second.
+/// Result `member` on a triangle with two texture spaces: u is along x in the first and along y in
+/// the second.
 Stage two_spaces(const std::string& member) {
   return [=](const std::string& call) {
     SceneText scene;

@@ -11,7 +11,7 @@ namespace base_glossy {
 const Vec3 kFront(0, 0, 1);
 const Rgb kAbove(1, .8f, .6f), kBelow(.2f, .4f, .1f);
 
-/// Shaders that shine: "red" and "blue".
+/// Emissive shaders "red" and "blue".
 const std::string kBases =
     "shader \"red\" \"mib_illum_lambert\" ( \"ambience\" 1 1 1, \"ambient\" 1 0 0 )\n"
     "shader \"blue\" \"mib_illum_lambert\" ( \"ambience\" 1 1 1, \"ambient\" 0 0 1 )\n";
@@ -22,7 +22,7 @@ SceneText plate_of(const std::string& call) {
       .square("m", Vec3(0), 5, kFront);
 }
 
-/// A plate across the sky, seen at an angle.
+/// A horizontal plate in a sky of two colours, seen at that angle from its normal.
 Stage plate(float degrees, bool back = false) {
   return [=](const std::string& call) {
     SceneText scene = plate_of(call);
@@ -32,9 +32,8 @@ Stage plate(float degrees, bool back = false) {
   };
 }
 
-/// A sky that is white towards `side` and dark behind. The plate is seen 10 degrees off its normal
-/// from there, so that rays that are not blurred go to the dark half, whether they are mirrored or
-/// go through.
+/// A sky that is white in the half space of `side` and black in the other. The eye is 10 degrees
+/// off the normal toward `side`, so that both the mirrored and the straight ray see black.
 Measured split_sky(const std::string& call, const Vec3& side, float pixel_paths = 0) {
   SceneText scene = plate_of(call);
   scene.environment(fmt::format("\"test_sky\" ( \"above\" 1 1 1, \"up\" {} )", text_of(side)));
@@ -49,17 +48,17 @@ Stage split_along(const Vec3& side) {
 }
 const Vec3 kX(1, 0, 0), kY(0, 1, 0);
 
-/// `p` is "reflection" or "refraction"; `full` are parameters that leave nothing but its rays.
+/// `p`: "reflection" or "refraction"; `full`: parameters by which the rays have all of the weight.
 void add_blur(Cases& all, const std::string& p, const std::string& full,
               std::uint64_t RayCounts::*rays) {
   const std::string shader = "mib_glossy_" + p;
-  // The sky's other half comes in as the blur along the way to it grows.
+  // More blur toward the white half of the sky sees more of it.
   const std::string along_x = full + ", u_axis 1 0 0, ";
   all.push_back(
       rises(shader + ".u_spread", split_along(kX), along_x + "v_spread .03", {".1", ".25", ".6"}));
   all.push_back(
       rises(shader + ".v_spread", split_along(kY), along_x + "u_spread .03", {".1", ".25", ".6"}));
-  // Blurred along one axis alone, it comes in where that axis lies along the way.
+  // The blur is wide along one axis alone: more of the white half is seen as that axis turns to it.
   const std::string one = full + ", u_spread .4, v_spread .04";
   all.push_back(rises(shader + ".u_axis", split_along(kX), one, {"0 1 0", "1 1 0", "1 0 0"}));
   all.push_back(rises(shader + ".v_axis", split_along(kX), one, {"1 0 0", "1 1 0", "0 1 0"}));
@@ -72,14 +71,14 @@ void add_blur(Cases& all, const std::string& p, const std::string& full,
     EXPECT_EQ(with(0).mean, Rgb(0)) << "not blurred";
     const Measured four = with(4), sixteen = with(16);
     EXPECT_GT(four.mean.x, .1f);
-    // Not those that the facets would send to the wrong side.
+    // Directions on the wrong side of the surface are not traced.
     EXPECT_GT(four.each(four.counts.*rays), 3);
     EXPECT_LE(four.each(four.counts.*rays), 4);
     EXPECT_NEAR(sixteen.each(sixteen.counts.*rays) / four.each(four.counts.*rays), 4, .05);
   }));
 }
 
-/// The share of the rays by the angle, over nothing.
+/// The weights by angle, with black below.
 void add_weights(Cases& all, const std::string& p, const Rgb& seen) {
   const std::string shader = "mib_glossy_" + p + ".", base = p + "_base_weight";
   const std::string edge = p + "_edge_weight";
@@ -87,7 +86,7 @@ void add_weights(Cases& all, const std::string& p, const Rgb& seen) {
   all.push_back(
       gives(shader + p + "_color", plate(0), fmt::format("samples 0, {} 1, {} 1", base, edge),
             {{"0 0 0 1", Rgb(0)}, {"1 1 1 1", seen}, {".5 1 .25 0", seen * Rgb(.5f, 1, .25f)}}));
-  // Facing the view the one counts alone; at a cosine of a half and a factor of 1 both do evenly.
+  // At 0 degrees the base weight counts alone; at 60 degrees and a factor of 1 each counts half.
   all.push_back(both(gives(shader + base, plate(0), call + edge + " 1",
                            {{"0", Rgb(0)}, {".5", seen * .5f}, {"1", seen}}),
                      gives(shader + base, plate(60), call + edge + " 1, edge_factor 1",
@@ -96,12 +95,12 @@ void add_weights(Cases& all, const std::string& p, const Rgb& seen) {
       gives(shader + edge, plate(0), call + base + " .5", {{"0", seen * .5f}, {"1", seen * .5f}}),
       gives(shader + edge, plate(60), call + base + " .5, edge_factor 1",
             {{"0", seen * .25f}, {".5", seen * .5f}, {"1", seen * .75f}})));
-  // At 85 degrees the edge decides almost alone.
+  // At 85 degrees the edge weight counts by (1 - cosine)^5.
   const float share = std::pow(1 - std::cos(85 * kPi / 180), 5.0f);
   all.back() =
       both(all.back(), gives(shader + edge, plate(85), call + base + " 0",
                              {{".25", seen * (.25f * share)}, {".75", seen * (.75f * share)}}));
-  // The edge gets narrower.
+  // A higher factor makes the edge narrower.
   all.push_back(both(
       falls(shader + "edge_factor", plate(60), call + base + " 0, " + edge + " 1", {"1", "2", "5"}),
       falls(shader + "edge_factor", plate(80), call + base + " 0, " + edge + " 1",
@@ -116,7 +115,7 @@ void add_reflection(Cases& all) {
                       {{"\"red\"", Rgb(1, 0, 0)}, {"\"blue\"", Rgb(0, 0, 1)}}));
   add_weights(all, "reflection", kAbove);
   add_blur(all, "reflection", full + ", single_env_sample off", &RayCounts::reflect);
-  // A lamp 3 above fades into the sky as the reach gets as short as that.
+  // A lamp at distance 3: beyond max_distance the environment is seen, and near it a mix.
   const Stage below_lamp = [](const std::string& call) {
     SceneText scene = plate_of(call).uniform_sky(1);
     scene.emitter("lamp", 7).square("lamp", Vec3(0, 0, 3), 4, -kFront);
@@ -126,7 +125,7 @@ void add_reflection(Cases& all) {
       both(gives(shader + "max_distance", below_lamp, full + ", samples 0",
                  {{"0", Rgb(7)}, {"2", Rgb(1)}}),
            rises(shader + "max_distance", below_lamp, full + ", samples 0", {"3.5", "6", "20"})));
-  // One look-up goes where a mirror's would; many see the other half as well.
+  // One look-up is made in the mirrored direction; several also see the white half.
   all.push_back(shows(shader + "single_env_sample", [=] {
     const auto with = [&](const char* flag) {
       return split_sky(
@@ -137,18 +136,6 @@ void add_reflection(Cases& all) {
     EXPECT_EQ(with("on").mean, Rgb(0));
     EXPECT_GT(with("off").mean.x, .1f);
   }));
-}
-
-/// Seen at 45 degrees from its normal, 2 below: x of the place that is met.
-Measured bent(const std::string& call) {
-  SceneText scene = plate_of(call);
-  scene.statement("material \"ground\" \"test_place\" ( \"scale\" 1 0 0 ) end material")
-      .square("ground", Vec3(0, 0, -2), 9, kFront);
-  return Probe(scene.str(), known_shaders()).ray(Vec3(-1, 0, 1), Vec3(1, 0, -1), 64);
-}
-Rgb bent_by(float index) {
-  const float sine = std::sqrt(.5f) / index;
-  return Rgb(2 * sine / std::sqrt(1 - sine * sine), 0, 0);
 }
 
 void add_refraction(Cases& all) {
@@ -165,10 +152,10 @@ void add_refraction(Cases& all) {
                      gives(back, plate(0), none + ", top_material \"red\"", red)));
   add_weights(all, "refraction", kBelow);
   add_blur(all, "refraction", full + ", ior 1", &RayCounts::refract);
-  all.push_back(gives(
-      shader + "ior", bent, full + ", samples 0",
-      {{"0", bent_by(1)}, {"1", bent_by(1)}, {"1.5", bent_by(1.5f)}, {"2.5", bent_by(2.5f)}}));
-  // A lamp 3 below, seen through the solid.
+  all.push_back(
+      gives(shader + "ior", refracted_place(), full + ", samples 0",
+            {{"0", snell(1)}, {"1", snell(1)}, {"1.5", snell(1.5f)}, {"2.5", snell(2.5f)}}));
+  // A lamp at distance 3 in the solid.
   const Stage above_lamp = [](const std::string& call) {
     SceneText scene = plate_of(call);
     scene.emitter("lamp", 7).square("lamp", Vec3(0, 0, -3), 4, kFront);

@@ -9,8 +9,8 @@
 namespace oriel::effects {
 namespace base_illum {
 
-/// A surface along z with texture coordinates along x and y, seen from straight above in the light
-/// of suns of those colours from those directions, named "sun0_i" and so on.
+/// A surface of normal z with texture coordinates along x and y, seen along its normal. The light
+/// instances are "sun0_i", "sun1_i".
 struct Sun {
   Vec3 color, from;
 };
@@ -34,7 +34,7 @@ Stage lit_from(const Vec3& from) { return lit({{Vec3(1), from}}); }
 
 const Vec3 kAbove(0, 0, 1), kAlongX(.6f, 0, .8f), kAlongY(0, .6f, .8f);
 
-/// What all of them have: ambient and diffuse parts and a light list.
+/// The parameters that all illumination shaders have.
 void add_common(Cases& all, const std::string& shader) {
   const Stage stage = lit({{Vec3(1, 0, 0), kAbove}, {Vec3(0, 1, 0), kAlongY}});
   const Rgb red(1, 0, 0), green(0, .8f, 0);
@@ -54,7 +54,7 @@ void add_common(Cases& all, const std::string& shader) {
                        {"[ \"sun0_i\", \"sun1_i\" ]", red + green}}));
 }
 
-/// The colour of a highlight that is `level` for white.
+/// The colour of a highlight; `level`: its radiance for white.
 Case colored(const std::string& parameter, const Stage& stage, const std::string& others,
              float level) {
   return gives(parameter, stage, others,
@@ -62,8 +62,8 @@ Case colored(const std::string& parameter, const Stage& stage, const std::string
 }
 
 void add_powers(Cases& all) {
-  // Seen from above the mirrored view is the normal, at a cosine of .8 to the light. Fibres run
-  // along y and mirror into a cone: the light's sine to them counts.
+  // Phong: the mirrored view is the normal, and its cosine to the light is .8. Hair: the fibre runs
+  // along y, and the sine between fibre and light is .8 as well.
   for (const std::string shader : {"mib_illum_phong", "mib_illum_hair"}) {
     const Stage stage = lit_from(kAlongY);
     all.push_back(colored(shader + ".specular", stage, "exponent 2", .64f));
@@ -74,11 +74,11 @@ void add_powers(Cases& all) {
                                       "specular 1 1 1", {{"1", Rgb(1)}, {"4", Rgb(1)}}));
 }
 
-/// Fresnel's reflectance of a surface that faces the light.
+/// Fresnel reflectance at normal incidence.
 float facing(float ior) { return (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1)); }
 
 void add_facets(Cases& all, const std::string& shader, const std::string& ior) {
-  // Facets of mean slope m facing light and view reflect F / (4 m^2).
+  // With view and light along the normal the highlight is F / (4 m^2), m the slope.
   const Stage peak = lit_from(kAbove), beside = lit_from(kAlongX);
   all.push_back(colored(shader + ".specular", peak, "roughness .5, ior " + ior, facing(3)));
   const std::string white = "specular 1 1 1, ior " + ior;
@@ -100,8 +100,8 @@ void add_torrance(Cases& all) {
                        {"2 2 2", Rgb(facing(2))}}));
 }
 
-/// Ward's highlight of slopes 1 / u and 1 / v, seen from above, in light at a cosine of .8 to the
-/// normal that leans along u; the half vector's tangent is a third.
+/// Ward's highlight of slopes 1 / u and 1 / v, seen along the normal. The light is tilted toward u:
+/// its cosine to the normal is .8, the tangent of the half vector is 1 / 3.
 float ward(float u, float v) { return u * v / 4 * std::exp(-u * u / 9) * std::sqrt(.8f); }
 
 void add_ward(Cases& all, const std::string& shader, const std::string& basis) {

@@ -12,7 +12,7 @@ namespace base_lens {
 
 const Vec3 kFront(0, 0, 1);
 
-/// What a lens shader makes of a colour at that place of the picture, 0 to 1.
+/// The result of a lens shader for that colour at that place of the picture, 0 to 1.
 Stage lens(const Rgb& color, Vec2 place = Vec2(.5f)) {
   return [=](const std::string& call) {
     // Scalar textures: "mask" is .2 on the left and .6 on the right, "bright" .8.
@@ -72,7 +72,7 @@ void add_clamp(Cases& all) {
                  {{"1", Rgb(.2f, .6f, 1)}, {"2", Rgb(.1f, .3f, .75f)}, {".5", Rgb(.4f, 1, 1)}}),
            gives(name + "ceiling", lens(grey), colors + "luminance on",
                  {{"1", grey}, {"2", Rgb(.3f)}, {".5", high}})));
-  // By luminance the colour is scaled as a whole.
+  // By luminance all channels are scaled by the same factor.
   const float l = luminance(color);
   all.push_back(gives(name + "luminance", lens(color), colors + "floor .1, ceiling 1.1",
                       {{"off", Rgb(.1f, .5f, 1)}, {"on", color * ((l - .1f) / l)}}));
@@ -86,7 +86,7 @@ void add_clamp(Cases& all) {
                            {{"0 0 1 1", Rgb(1)}, {"2 1 .5 1", Rgb(1)}})));
 }
 
-/// A surface that shines with 2, seen through 2 units of the volume.
+/// A surface of radiance 2, seen through 2 units of the volume.
 Measured through_fog(const std::string& call) {
   SceneText scene;
   scene.camera("focal 1 aperture 1 aspect 1 resolution 32 32 volume " + call)
@@ -107,7 +107,7 @@ Measured lit_through_fog(const std::string& call) {
 
 void add_volume(Cases& all) {
   const std::string name = "mib_volume.";
-  // Linear in the distance: a quarter of 8, a half of 4.
+  // The fog is linear: 2 units are a quarter of max 8 and half of max 4.
   const Rgb fog(1, .5f, .25f), lamp(2);
   all.push_back(gives(name + "color", through_fog, "max 8",
                       {{"0 0 0 1", lamp * .75f}, {"1 .5 .25 1", lamp * .75f + fog * .25f}}));
@@ -118,8 +118,8 @@ void add_volume(Cases& all) {
                       {{"off", Rgb(.75f)}, {"on", Rgb(.75f * .5f)}}));
 }
 
-/// A quarter of a cosine wave over the 5 units to the surface, "wave", and the even shaders "one"
-/// and "two".
+/// Shader "wave" is a quarter of a cosine wave over the 5 units to the surface; "one" and "two" are
+/// constant.
 const std::string kMarched =
     "shader \"p\" \"mib_texture_vector\" ( \"select\" -1 )\n"
     "shader \"q\" \"mib_texture_remap\" ( \"input\" = \"p\", "
@@ -128,7 +128,7 @@ const std::string kMarched =
     "shader \"one\" \"mib_texture_wave\" ( \"offset\" 1 )\n"
     "shader \"two\" \"mib_texture_wave\" ( \"offset\" 2 )\n";
 
-/// The trapezoid rule over the wave of as many even steps.
+/// The integral of the wave by the trapezoid rule with that number of steps.
 Rgb trapezoid(int steps) {
   float sum = 0;
   for (int i = 0; i <= steps; ++i)
@@ -147,7 +147,7 @@ void add_marcher(Cases& all) {
       {{"0", trapezoid(1)}, {"6", trapezoid(1)}, {"2.6", trapezoid(2)}, {"1", trapezoid(5)}}));
   all.push_back(gives(name + "subdiv", ray, wave + ", num 2, contrast 0 0 0 0",
                       {{"0", trapezoid(1)}, {"1", trapezoid(2)}, {"3", trapezoid(8)}}));
-  // The ends differ by 1, the halves by .29 and .71.
+  // The ends differ by 1, the ends of the halves by .29 and .71.
   all.push_back(
       gives(name + "contrast", ray, wave + ", num 2, subdiv 2",
             {{"2 2 2 2", trapezoid(1)}, {".8 .8 .8 1", trapezoid(2)}, {"0 0 0 0", trapezoid(4)}}));

@@ -14,7 +14,7 @@ namespace base_light {
 
 const Vec3 kFront(0, 0, 1);
 
-/// The light on a white Lambert floor, below a card that lets nothing through.
+/// Radiance of a white Lambert floor in the shadow of an opaque card.
 Stage below_card(const std::string& element) {
   return [=](const std::string& call) {
     SceneText scene;
@@ -25,7 +25,7 @@ Stage below_card(const std::string& element) {
   };
 }
 
-/// The parameters that all lights have. `share` is what color 1 brings to the floor.
+/// The parameters that all lights have. `share`: radiance of the floor for color 1.
 void add_common(Cases& all, const std::string& shader, const std::string& element, float share) {
   const std::string white = "color 1 1 1 1";
   all.push_back(gives(
@@ -37,7 +37,7 @@ void add_common(Cases& all, const std::string& shader, const std::string& elemen
                       {{"0", Rgb(0)}, {".25", Rgb(.25f * share)}, {"1", Rgb(share)}}));
 }
 
-/// A fade that begins at `start` and ends at `stop`, seen at a distance of 2.
+/// The linear fade from `start` to `stop`, measured at a distance of 2.
 void add_range(Cases& all, const std::string& shader, const std::string& element,
                const std::string& others, float share) {
   all.push_back(gives(shader + ".start", light(element), others + ", stop 3",
@@ -57,7 +57,7 @@ void add_simple(Cases& all) {
     all.push_back(gives(shader + ".atten", light(element), "color 1 1 1 1, start 1, stop 3",
                         {{"off", Rgb(1)}, {"on", Rgb(.5f)}}));
   }
-  // One unit aside the light falls in at the cosine of its angle to the axis, of 2 / sqrt(5).
+  // One unit beside the axis both the cosine of incidence and that of the spot are 2 / sqrt(5).
   const float cosine = 2 / std::sqrt(5.0f);
   const Stage aside = light(spot, Vec3(1, 0, 0));
   all.push_back(
@@ -68,7 +68,7 @@ void add_simple(Cases& all) {
                                       {{".82", Rgb(1)}, {".999", Rgb(1)}}));
 }
 
-/// The shader over a floor, with two profiles that are even in all directions.
+/// The light above a white floor; the isotropic profiles "500" and "1000" are in candela.
 Measured with_profiles(const std::string& call) {
   const TemporaryFolder folder;
   SceneText scene;
@@ -85,7 +85,7 @@ Measured with_profiles(const std::string& call) {
 }
 
 void add_photometric(Cases& all) {
-  // A candela in all directions at a distance of 2, on white: I / d^2 / pi.
+  // Radiance of a white Lambert surface at distance d from 1 cd: 1 / (d^2 pi).
   const std::string shader = "mib_light_photometric";
   const float share = 1 / (4 * kPi);
   add_common(all, shader, "origin 0 0 2", share);
@@ -94,14 +94,14 @@ void add_photometric(Cases& all) {
                       {{"\"500\"", Rgb(500 * share)}, {"\"1000\"", Rgb(1000 * share)}}));
 }
 
-/// Elements of a light of that colour and its instance "name_i".
+/// Adds an infinite light of that colour and its instance "name_i".
 void add_sun(SceneText& scene, const std::string& name, const Vec3& color, const Vec3& direction) {
   scene.light(name,
               fmt::format("\"mib_light_infinite\" ( \"color\" {}, \"shadow\" on ) direction {}",
                           text_of(color), text_of(direction)));
 }
 
-/// What two lights from above, "red" and "cyan", leave on a white floor below a card with that
+/// Radiance of a white floor in two lights from above, "red" and "cyan", behind a card with that
 /// shadow shader.
 Measured filtered(const std::string& call) {
   SceneText scene;
@@ -133,7 +133,8 @@ void add_shadow(Cases& all) {
                        {"[ ]", Rgb(.5f)}}));
 }
 
-/// The result shown of a surface under a red and a green sun and above a blue one, in a grey sky.
+/// The result on a surface with a red and a green sun in front and a blue sun behind, in a sky of
+/// radiance .5.
 Measured lit_from_both_sides(const std::string& call) {
   SceneText scene;
   add_sun(scene, "red", Vec3(1, 0, 0), -kFront);

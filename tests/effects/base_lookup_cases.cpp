@@ -11,7 +11,7 @@ namespace base_lookup {
 const Vec3 kAhead(.3f, .1f, -1);
 const std::string kRamp = kPlainTextures + kRampTexture;
 
-/// The direction of the eye's ray decides, whatever it meets.
+/// The shader evaluated on a cube around the origin: it depends on the eye ray's direction alone.
 Stage around(const Vec3& direction, const std::string& textures = kRamp) {
   return inside_cube(direction, textures);
 }
@@ -34,7 +34,7 @@ void add_spherical(Cases& all) {
   const std::string name = "mib_lookup_spherical.";
   const std::string quarter = fmt::format("{}", kPi / 2), back = fmt::format("-{}", kPi / 2);
   add_tex(all, name + "tex", kAhead);
-  // The middle of the picture lies along -z, the right of it along x, the top along y.
+  // The centre of the picture is in direction -z, its right half toward x, its top toward y.
   all.push_back(gives(name + "dir", around(Vec3(0, 0, -1)), "tex \"t\"",
                       {{"0 0 0", ramp_color(.5f, .5f)},
                        {"3 0 0", ramp_color(.75f, .5f)},
@@ -48,7 +48,7 @@ void add_spherical(Cases& all) {
 
 void add_background(Cases& all) {
   const std::string name = "mib_lookup_background.";
-  // The camera sees as far to each side as it sees ahead: the place (.625, .25) of the picture.
+  // Focal length and aperture are equal, so this direction is at (.625, .25) of the picture.
   const Stage here = around(Vec3(.125f, -.25f, -1));
   add_tex(all, name + "tex", kAhead);
   all.push_back(gives(name + "zoom", here, "tex \"t\"",
@@ -65,15 +65,15 @@ void add_background(Cases& all) {
                       {{"off", Rgb(0)}, {"on", ramp_color(.5f, .75f)}}));
 }
 
-/// Face 0 to 5: -x, x, -y, y, -z, z.
+/// Colours of the faces -x, x, -y, y, -z, z.
 Rgb color_of_face(int face) { return Rgb(.2f * float(face), 1 - .2f * float(face), face % 2); }
-/// All six stacked from the top down.
+/// The six faces in one picture, from the top down.
 const std::string kFaces = texels("six", 1, 6, [](int, int y) {
   const int face = 5 - y;
   return fmt::format("{:02x}{:02x}{}", 51 * face, 255 - 51 * face, face % 2 ? "ff" : "00");
 });
 
-/// Where rays leave a box, for a call that shows `wall` at -z and `side` at x.
+/// `point` and `size` of a shader whose call shows colour `wall` at -z and `side` at x.
 void add_box(Cases& all, const std::string& shader, const std::string& call,
              const std::string& textures, const Rgb& wall, const Rgb& side) {
   const Stage stage = around(Vec3(.4f, 0, -1), textures);
@@ -98,7 +98,7 @@ void add_cubes(Cases& all) {
   for (int i = 0; i < 6; ++i)
     all.push_back(gives(fmt::format("{}.tex_{}", six, names[i]), around(ways[i]), "",
                         {{"\"a\"", kColorA}, {"\"b\"", kColorB}}));
-  // The direction picks the face, and the place on it: right and up as one looks at it level.
+  // The direction selects the face and the place on it.
   all.push_back(gives(six + ".dir", around(Vec3(0, 0, -1)), "tex_px \"t\", tex_mz \"a\"",
                       {{"0 0 0", kColorA},
                        {"1 0 .5", ramp_color(.75f, .5f)},
@@ -109,7 +109,7 @@ void add_cubes(Cases& all) {
 
 void add_cylinder(Cases& all) {
   const std::string name = "mib_lookup_cylindrical.";
-  // It is met at azimuth atan(4 / 3) and half of its height above the middle.
+  // The ray meets the cylinder at azimuth atan(4 / 3) and z = .5.
   const Vec3 way(3, 4, 2.5f);
   const Stage stage = around(way);
   const auto at = [](float azimuth, float v) { return ramp_color(azimuth / kTwoPi, v); };

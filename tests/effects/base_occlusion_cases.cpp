@@ -10,7 +10,7 @@ namespace base_occlusion {
 
 const Vec3 kUp(0, 0, 1);
 
-/// A wall across x at that place, with nothing else around a plate that shows the call.
+/// A plate at the origin that shows the call, and an infinite wall in the plane x = `wall`.
 SceneText beside_wall(const std::string& shown, float wall) {
   SceneText scene;
   scene.statement(shown).square("m", Vec3(0), 5, kUp).lambert("wall", 0);
@@ -20,20 +20,20 @@ SceneText beside_wall(const std::string& shown, float wall) {
 Measured seen(const SceneText& scene, int samples, float degrees = 0) {
   return Probe(scene.str(), known_shaders()).onto(Vec3(0), kUp, degrees, samples);
 }
-/// The wall at that place closes the half of the hemisphere beyond it.
+/// The wall occludes half of the hemisphere.
 Stage half_open(float wall = .001f, int samples = 4096) {
   return [=](const std::string& call) {
     return seen(beside_wall(shown_as_light(call), wall), samples);
   };
 }
-/// The alpha of the result, as grey.
+/// The alpha of the result as grey, beside a wall.
 Measured alpha_half_open(const std::string& call) {
   return seen(beside_wall(shown_as_light("\"mib_color_alpha\" ( \"input\" = \"o\", \"factor\" 1 )",
                                          "shader \"o\" " + call),
                           .001f),
               4096);
 }
-/// Walls 1 high and 1 away all around: within 45 degrees of the normal all is open.
+/// A round wall of height 1 at distance 1: directions within 45 degrees of the normal are open.
 Measured in_court(const std::string& call) {
   SceneText scene;
   scene.statement(shown_as_light(call)).square("m", Vec3(0), .9f, kUp).lambert("wall", 0);
@@ -47,8 +47,8 @@ Measured in_court(const std::string& call) {
   return seen(scene, 4096);
 }
 
-/// Seen at 45 degrees from the side where a wall is, or from the other, so that the mirrored view
-/// meets the wall.
+/// Beside a wall, with the eye at 45 degrees on the wall's side or on the other. The mirrored view
+/// meets the wall from the other side only.
 Stage from_side(bool of_wall) {
   return [=](const std::string& call) {
     const SceneText scene = beside_wall(shown_as_light(call), 1);
@@ -57,8 +57,8 @@ Stage from_side(bool of_wall) {
   };
 }
 
-/// A plate whose normal is +z in world, -x in camera and -z in object space, in which +x is +x, +z
-/// and -x.
+/// A plate in rotated spaces. Its normal is +z in world, -x in camera and -z in object space. The
+/// directions +x of these spaces are +x, -z and -x in world space.
 Stage in_spaces(const std::string& elements = {}) {
   return [=](const std::string& call) {
     SceneText scene;
@@ -70,8 +70,8 @@ Stage in_spaces(const std::string& elements = {}) {
   };
 }
 
-/// What mib_amb_occlusion and mib_fast_occlusion have in common. `wide` makes the cone the
-/// hemisphere, `narrow` a direction.
+/// The parameters that mib_amb_occlusion and mib_fast_occlusion share. `wide` sets the cone to the
+/// hemisphere, `narrow` to one direction.
 void add_common(Cases& all, const std::string& shader, const std::string& wide,
                 const std::string& narrow) {
   const std::string name = shader + ".", grey = wide + ", bright 1 1 1 1, dark 0 0 0 0, samples 4";
@@ -82,7 +82,7 @@ void add_common(Cases& all, const std::string& shader, const std::string& wide,
   all.push_back(
       gives(name + "dark", half, wide + ", samples 4, bright 1 1 1 1",
             {{"0 0 0 0", Rgb(.5f)}, {"1 1 1 1", Rgb(1)}, {".5 .25 2 1", Rgb(.75f, .625f, 1.5f)}}));
-  // A wall at .5 beyond the reach is not there; as the reach grows it counts more.
+  // A wall at .5 beyond max_distance does not occlude; it occludes more as max_distance grows.
   all.push_back(
       both(gives(name + "max_distance", half_open(.5f), grey, {{".4", Rgb(1)}, {"0", Rgb(.5f)}}),
            falls(name + "max_distance", half_open(.5f), grey, {".6", "1", "4", "0"})));
@@ -90,7 +90,7 @@ void add_common(Cases& all, const std::string& shader, const std::string& wide,
   all.push_back(both(
       gives(name + "reflective", from_side(true), mirrored, {{"off", Rgb(1)}, {"on", Rgb(1)}}),
       gives(name + "reflective", from_side(false), mirrored, {{"off", Rgb(1)}, {"on", Rgb(0)}})));
-  // Half of a sky of .6, and the normal in world, camera and object space.
+  // Mode 1: half of a sky of .6. Modes 2 to 4: the normal in world, camera and object space.
   const Stage below_sky = [](const std::string& call) {
     return seen(beside_wall(shown_as_light(call), .001f).uniform_sky(.6f), 4096);
   };
@@ -99,7 +99,7 @@ void add_common(Cases& all, const std::string& shader, const std::string& wide,
            gives(name + "output_mode", in_spaces(), narrow + ", samples 4",
                  {{"2", Rgb(.5f, .5f, 1)}, {"3", Rgb(0, .5f, .5f)}, {"4", Rgb(.5f, .5f, 0)}})));
   all.back() = both(all.back(), shows(name + "output_mode", [=] {
-                      // Away from the wall.
+                      // The bent normal points away from the wall.
                       const Rgb bent = half(call_of(shader, grey + ", output_mode 2")).mean;
                       EXPECT_LT(bent.x, .45f);
                       EXPECT_NEAR(bent.y, .5f, .05f);
@@ -121,15 +121,15 @@ void add_occlusion(Cases& all) {
   const std::string open = "bright 1 1 1 1, dark 0 0 0 0, samples 4";
   const std::string amb = "mib_amb_occlusion", fast = "mib_fast_occlusion";
   add_common(all, amb, "spread 1", "spread 0");
-  // A share of the right angle; .3 of it stays within the walls.
+  // The half angle is a share of 90 degrees: 27 degrees are above the wall.
   all.push_back(both(gives(amb + ".spread", in_court, open, {{"0", Rgb(1)}, {".3", Rgb(1)}}),
                      falls(amb + ".spread", in_court, open, {".45", ".6", ".8", "1"})));
-  // The farther a hit, the less it closes, and that the sooner the larger the exponent.
+  // A larger exponent makes far hits occlude less. Without a max_distance it has no effect.
   const std::string reach = open + ", spread 1, max_distance 2";
   all.push_back(both(rises(amb + ".falloff", half_open(.5f), reach, {".5", "1", "2", "4"}),
                      scales(amb + ".falloff", half_open(.5f), open + ", spread 1", "1", "4", 1)));
   add_common(all, fast, "spread 0", "spread 1");
-  // The cosine of the half angle; that of 45 degrees is .707.
+  // The cosine of the half angle; above .707 the cone is above the wall.
   all.push_back(both(gives(fast + ".spread", in_court, open, {{"1", Rgb(1)}, {".75", Rgb(1)}}),
                      rises(fast + ".spread", in_court, open, {"0", ".3", ".6"})));
   all.push_back(rises(fast + ".spread_exp", in_court, open, {"1", "3", "9"}));
@@ -150,7 +150,7 @@ void add_gathered(Cases& all) {
 
 void add_bent(Cases& all) {
   const std::string name = "mib_bent_normal_env.";
-  // A sky of two halves: white above, red below.
+  // An environment that is white above and red below.
   const std::string skies =
       "shader \"sky\" \"test_sky\" ( \"above\" 1 1 1, \"below\" 1 0 0 )\n"
       "shader \"blue\" \"test_sky\" ( \"above\" 0 0 1, \"below\" 0 0 1 )\n";
@@ -167,7 +167,7 @@ void add_bent(Cases& all) {
                            {{"1 1 1 1", white * .5f}, {".5 .25 0 1", white * .5f}})));
   all.push_back(gives(name + "strength", here, up + "occlusion_in_alpha off",
                       {{"0", Rgb(0)}, {".2", white * .2f}, {"2", white * 2.0f}}));
-  // Its own, or the scene's.
+  // Its own environment, else the scene's.
   const Stage below_sky = [skies](const std::string& call) {
     SceneText scene;
     scene.statement(shown_as_light(call, skies)).square("m", Vec3(0), 5, kUp).uniform_sky(.25f);
@@ -180,7 +180,7 @@ void add_bent(Cases& all) {
                        analytic::expect_exact(
                            "the scene's", below_sky(call_of("mib_bent_normal_env", open_up)), .25f);
                      })));
-  // The direction +x of each space, seen in a picture around the scene.
+  // The direction +x of each space, looked up in a picture around the scene.
   const Stage spaces =
       in_spaces(kRampTexture + "shader \"around\" \"mib_lookup_spherical\" ( \"tex\" \"t\" )\n");
   const std::string along_x = "bent_normals 1 .5 .5 1, strength 1, environment \"around\"";
@@ -193,7 +193,7 @@ void add_bent(Cases& all) {
                       {{"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", x},
                        {"0 0 -1 0 0 1 0 0 1 0 0 0 0 0 0 1", ahead},
                        {"-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", minus_x}}));
-  // 30 degrees above the horizon: a narrow cone stays above, a wide one does not.
+  // The direction is 30 degrees above the horizon: only a wide cone reaches below it.
   const std::string low = "bent_normals .933 .5 .75 1, strength 1, environment \"sky\"";
   const auto many = [=](const std::string& call) {
     SceneText scene;

@@ -35,7 +35,7 @@ void add_checkerboard(Cases& all) {
     all.push_back(gives(fmt::format("{}color{}", name, digits_of(i)), value(),
                         fmt::format("{}, coord {}", half, inside(i)),
                         {{"1 .5 .25 1", Rgb(1, .5f, .25f)}, {"0 0 3 1", Rgb(0, 0, 3)}}));
-  // The place .4 in all axes lies on the high side of what is smaller.
+  // At .4 a box is on the high side of an axis whose size is below .4.
   for (int k = 0; k < 3; ++k)
     all.push_back(gives(fmt::format("{}{}size", name, kAxes[k]), value(), half + ", coord .4 .4 .4",
                         {{"0", color_of(4 >> k)},
@@ -44,7 +44,7 @@ void add_checkerboard(Cases& all) {
                          {"1", color_of(0)}}));
 }
 
-/// `outside`: a place in the middle of the cell in x and y alone.
+/// `solid`: the dot ends in z as well.
 void add_dots(Cases& all, const std::string& shader, bool solid) {
   const std::string colors = "fgcolor .8 .4 .2 1, bgcolor .1 .2 .3 1";
   const Rgb dot(.8f, .4f, .2f), ground(.1f, .2f, .3f);
@@ -68,7 +68,7 @@ float turbulence(const std::string& parameters) {
 
 void add_turbulence(Cases& all) {
   const std::string name = "mib_texture_turbulence.", place = "coord .37 1.21 2.6";
-  // Gradient noise vanishes where all coordinates are whole numbers, whatever its size.
+  // Gradient noise is 0 at whole numbers, in all octaves.
   all.push_back(shows(name + "coord", [] {
     EXPECT_EQ(turbulence("coord 1 2 3, iteration 8"), 0);
     EXPECT_GT(turbulence("coord 1.37 2.21 3.6, iteration 8"), .01f);
@@ -82,13 +82,13 @@ void add_turbulence(Cases& all) {
   }));
   all.push_back(both(scales(name + "strength", value(), place, "1", "3", 3),
                      scales(name + "strength", value(), place, "0", "1", 1)));
-  // Finer noise gets weaker with it.
+  // A higher power weakens the finer octaves.
   all.push_back(both(falls(name + "power", value(), place, {"1", "2", "4"}),
                      scales(name + "power", value(), place, "0", "1", 1)));
   all.push_back(rises(name + "iteration", value(), place, {"1", "2", "4", "8"}));
   for (const auto& [same, as] : {std::pair("0", "2"), {"30", "8"}})
     all.back() = both(all.back(), scales(name + "iteration", value(), place, same, as, 1));
-  // Lines are the same all along y, cylinders along z and around their axis.
+  // Lines are constant along y, cylinders along z and on circles about the axis.
   all.push_back(shows(name + "polar_dim", [] {
     const auto at = [](int dimensions, const char* coord) {
       return turbulence(fmt::format("coord {}, polar_dim {}", coord, dimensions));

@@ -19,7 +19,7 @@ SceneText plate_of(const std::string& call) {
                                        text_of(Vec3(kAbove)), text_of(Vec3(kBelow))));
 }
 
-/// A plate across the sky, seen at an angle from its front or its back.
+/// A horizontal plate in that sky, seen at 30 degrees from its normal, from the front or the back.
 Stage plate(bool back = false) {
   return [=](const std::string& call) {
     return Probe(plate_of(call).str(), known_shaders())
@@ -27,30 +27,16 @@ Stage plate(bool back = false) {
   };
 }
 
-/// How far from where it came in a ray at 45 degrees is, 2 below a surface.
-Measured bent(const std::string& call) {
-  SceneText scene;
-  scene.statement("material \"m\" " + call + " end material").square("m", Vec3(0), 5, kFront);
-  scene.statement("material \"ground\" \"test_place\" ( \"scale\" 1 0 0 ) end material")
-      .square("ground", Vec3(0, 0, -2), 9, kFront);
-  return Probe(scene.str(), known_shaders()).ray(Vec3(-1, 0, 1), Vec3(1, 0, -1), 64);
-}
-/// The same by Snell's law.
-Rgb bent_by(float index) {
-  const float sine = std::sqrt(.5f) / index;
-  return Rgb(2 * sine / std::sqrt(1 - sine * sine), 0, 0);
-}
-
 const Rgb kInput(.5f, .3f, .9f);
 const std::string kInputText = "input .5 .3 .9 1";
 
-/// What is seen by a ray that counts `k`, over the input.
+/// The input and what the ray sees, blended by k.
 Rgb blend(const Rgb& k, const Rgb& seen, const Rgb& input = kInput) {
   return input * (Rgb(1) - k) + seen * k;
 }
 
-/// The parameters `input` and `share` of a shader whose ray sees `seen`: by that share, or by the
-/// rest of it.
+/// The parameters `input` and `share` of a shader whose ray sees `seen`. `rest`: the ray's share is
+/// one minus the parameter.
 void add_blend(Cases& all, const std::string& shader, const std::string& share, const Rgb& seen,
                bool rest = false) {
   const auto level = [&](const Rgb& k) { return rest ? Rgb(1) - k : k; };
@@ -68,12 +54,12 @@ void add_blend(Cases& all, const std::string& shader, const std::string& share, 
 
 /// Index of the side entered over that of the side left; 0 is 1.
 void add_ior(Cases& all, const std::string& shader, const std::string& others) {
-  all.push_back(gives(shader + ".ior", bent, others,
-                      {{"0", bent_by(1)},
-                       {"1", bent_by(1)},
-                       {"1.5", bent_by(1.5f)},
-                       {"2.5", bent_by(2.5f)},
-                       {".9", bent_by(.9f)}}));
+  all.push_back(gives(shader + ".ior", refracted_place(), others,
+                      {{"0", snell(1)},
+                       {"1", snell(1)},
+                       {"1.5", snell(1.5f)},
+                       {"2.5", snell(2.5f)},
+                       {".9", snell(.9f)}}));
 }
 
 void add_reflect(Cases& all) {
@@ -90,7 +76,7 @@ void add_reflect(Cases& all) {
 void add_refract(Cases& all) {
   add_blend(all, "mib_refract", "refract", kBelow);
   add_ior(all, "mib_refract", "refract 1 1 1 1");
-  // Where all is reflected the ray is a mirror's.
+  // On total reflection the ray is mirrored.
   all.back() = both(all.back(), gives("mib_refract.ior", plate(), "refract 1 1 1 1",
                                       {{"1", kBelow}, {".4", kAbove}}));
 }
@@ -102,7 +88,7 @@ void add_dielectric(Cases& all) {
   all.push_back(gives(shader + "refract", plate(), kInputText,
                       {{"0", kInput}, {".25", blend(Rgb(.25f), kBelow)}, {"1", kBelow}}));
   add_ior(all, "mib_dielectric", "refract 1");
-  // Of a slab of 2 units it takes so much for each unit.
+  // Absorption in a slab of 2 units.
   const Stage slab = [](const std::string& call) {
     SceneText scene;
     scene
@@ -128,7 +114,7 @@ void add_twosided(Cases& all) {
                      gives(back, plate(), "front" + grey, same)));
 }
 
-/// The ratio of indices, or whether the ray enters, seen from the front or the back.
+/// A member of the result, seen from the front or the back.
 Stage index(const std::string& result, bool back) {
   return [=](const std::string& call) {
     SceneText scene;

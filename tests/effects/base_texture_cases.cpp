@@ -10,11 +10,11 @@ namespace base_texture {
 
 constexpr float kHalf = .70710678f;  // cosine of 45 degrees
 
-/// A place in the picture of value() and the texture coordinate there.
+/// A place in the picture of value(), and the texture coordinate of the surface there.
 constexpr Vec2 kPlace(.7f, .3f), kUv(.55f, .4625f);
 
-/// What mib_texture_vector gives of the world point (.8, .4, 1.125), which is (.3, .15, 1) in
-/// object and (.9, .6, 1.425) in camera space.
+/// Radiance where the call is evaluated at the world point (.8, .4, 1.125), which is (.3, .15, 1)
+/// in object space and (.9, .6, 1.425) in camera space.
 Measured in_spaces(const std::string& call) {
   SceneText scene;
   scene.statement(shown_as_light(call))
@@ -24,7 +24,8 @@ Measured in_spaces(const std::string& call) {
   return Probe(scene.str(), known_shaders()).ray(Vec3(0), Vec3(.8f, .4f, 1.125f), 64);
 }
 
-/// Coordinates of a sphere: u goes once around the y axis, v from below to above.
+/// Spherical coordinates: a quarter turn about y changes u by .25, 45 degrees of elevation add .25
+/// to v.
 void expect_sphere() {
   const auto at = [](const Vec3& direction) {
     return inside_cube(direction)(call_of("mib_texture_vector", "select -4, project 4")).mean;
@@ -39,7 +40,7 @@ void expect_sphere() {
 void add_vector(Cases& all) {
   const std::string name = "mib_texture_vector.";
   const Vec3 way = normalize(Vec3(.5f, .25f, 1));
-  // Of the texture at kPlace, which lies at (1, -.75, -5); of a space that is not there the point.
+  // The point is (1, .75, -5). A texture space that does not exist gives the point.
   const Stage here = value({}, Vec2(.7f, .7f));
   const Vec3 point(1, .75f, 0);
   const Vec3 ray = point * (1 / length(Vec3(1, .75f, -5)));
@@ -51,7 +52,7 @@ void add_vector(Cases& all) {
   all.push_back(gives(
       name + "selspace", in_spaces, "select -1",
       {{"1", Vec3(.3f, .15f, 1)}, {"2", Vec3(.8f, .4f, 1.125f)}, {"3", Vec3(.9f, .6f, 1.425f)}}));
-  // Where on the picture, whatever else is asked for.
+  // Screen space ignores `select` and `project`.
   all.back() =
       both(all.back(), gives(name + "selspace", value({}, kPlace), "select 0, project 2",
                              {{"4", Vec3(kPlace.x, kPlace.y, 0)}, {"0", Vec3(kUv.x, 0, 0)}}));
@@ -75,14 +76,14 @@ void add_remap(Cases& all) {
   all.push_back(gives(name + "transform", value(), input,
                       {{"2 0 0 0 0 1 0 0 0 0 1 0 .5 .25 .125 1", Vec3(1.1f, .85f, 1.025f)},
                        {"2 0 0 0 0 1 0 0 0 0 1 0 .5 .25 .125 0", in}}));
-  // Copies within 0..1; 0 is 1; nothing beyond.
+  // 0 stands for 1. Coordinates outside 0..1 are not repeated.
   all.push_back(
       both(gives(name + "repeat", value(), input,
                  {{"0 0 0", in}, {"4 3 2", Vec3(.2f, .8f, .8f)}, {"2 1 0", Vec3(.6f, .6f, .9f)}}),
            gives(name + "repeat", value(), "input 1.5 2.5 .375",
                  {{"2 2 2", Vec3(1.5f, 2.5f, .75f)}, {"1 1 4", Vec3(1.5f, 2.5f, .5f)}})));
   for (int k = 0; k < 3; ++k) {
-    // The second of two copies, and the first, which is never mirrored.
+    // Only the second of two copies is mirrored.
     const Vec3 second(.4f, .6f, .8f), first(.2f, .4f, .6f);
     const std::string alternate = fmt::format("{}alt_{}", name, kAxes[k]);
     all.push_back(both(gives(alternate, value(), "input .7 .8 .9, repeat 2 2 2",
@@ -93,12 +94,12 @@ void add_remap(Cases& all) {
     all.push_back(gives(fmt::format("{}torus_{}", name, kAxes[k]), value(), "input 1.3 2.6 3.9",
                         {{"off", far}, {"on", with_axis(far, k, far[k] - std::floor(far[k]))}}));
   }
-  // The part of the texture that is used: 0..1 becomes min..max.
+  // A crop maps 0..1 to min..max.
   all.push_back(gives(name + "min", value(), input + ", max 1 1 .5",
                       {{"0 0 0", Vec3(.3f, .6f, .45f)}, {".5 .25 .5", Vec3(.65f, .7f, .9f)}}));
   all.push_back(gives(name + "max", value(), input + ", min .25 .5 0",
                       {{".25 1 1", Vec3(.3f, .8f, .9f)}, {"1 2 .5", Vec3(.475f, 1.4f, .45f)}}));
-  // Copies join the end of the part to its start.
+  // The end of one copy joins the start of the next.
   all.back() = both(all.back(),
                     gives(name + "max", value(), "input .499 .501 0, repeat 2 2 0",
                           {{".5 .5 1", Vec3(.499f, .001f, 0)}, {"1 1 1", Vec3(.998f, .002f, 0)}}));
@@ -106,7 +107,7 @@ void add_remap(Cases& all) {
                       {{"0 0 0", in}, {"2 1 .5", Vec3(2.3f, 1.6f, 1.4f)}}));
 }
 
-/// Look-ups of the ramp and of plain textures, which three shaders share.
+/// The parameters `tex` and `coord`, which several shaders have.
 void add_tex(Cases& all, const std::string& shader, const std::string& others) {
   const std::string procedural = "color texture \"p\" \"mib_texture_wave\" ( \"offset\" .7 )";
   all.push_back(gives(shader + ".tex", value(kPlainTextures + procedural), others,
@@ -122,7 +123,7 @@ void add_coord(Cases& all, const std::string& shader, const std::string& others)
                        {"= \"uv\"", ramp_color(kUv.x, kUv.y)}}));
 }
 
-/// Texture "t" as wide as 256 texels and 8 high, white where that holds.
+/// Texture "t" of 256 x 8 texels: white where `white` holds, else black.
 std::string halves(const std::function<bool(int x, int y)>& white) {
   return texels("t", 256, 8, [&](int x, int y) { return white(x, y) ? "ffffff" : "000000"; });
 }
@@ -133,16 +134,18 @@ void add_filter(Cases& all) {
   add_coord(all, "mib_texture_filter_lookup", ", bilinear on");
   all.push_back(gives(name + "bilinear", value(kRampTexture), "tex \"t\", coord .55 .4625 0",
                       {{"off", Rgb(.4f, .2f, 0)}, {"on", ramp_color(.55f, .4625f)}}));
-  // A pixel is 4 texels wide. Two texels beside a white half more of it comes in as the disc grows.
+  // A pixel is 4 texels wide. The look-up is 2 texels left of the white half: a larger disc
+  // overlaps more of it.
   const std::string beside = "tex \"t\", coord .4921875 .5 0, bilinear on";
   const Stage edge = value(halves([](int x, int) { return x >= 128; }));
   all.push_back(
       both(rises(name + "disc_r", edge, beside, {"1", "2", "4"}),
            scales(name + "disc_r", edge, beside + ", coord .498046875 .5 0", "0", ".3", 1)));
-  // An ellipse along u alone stays below the upper half, a rounder one does not.
+  // The footprint is long in u. A lower limit of eccentricity makes it longer in v, so that it
+  // overlaps the white upper half.
   all.push_back(falls(name + "eccmax", value(halves([](int, int y) { return y >= 4; })),
                       "tex \"t\", coord .5 .4375 0, bilinear on, disc_r 1", {"1", "2", "16"}));
-  // Eight times the coordinate is eight times the footprint.
+  // A remap by 8 makes the footprint 8 times as large.
   const std::string remaps =
       "shader \"uv\" \"mib_texture_vector\" ( )\n"
       "shader \"one\" \"mib_texture_remap\" ( \"input\" = \"uv\" )\n"
@@ -173,11 +176,18 @@ Cases cases() {
   add_tex(all, "mib_texture_lookup", "coord .5 .5 0");
   add_coord(all, "mib_texture_lookup", "");
   add_tex(all, "mib_texture_lookup2", "");
-  all.push_back(gives("mib_texture_lookup2.factor", value(kRampTexture, kPlace), "tex \"t\"",
-                      {{"0", ramp_color(kUv.x, kUv.y)},
-                       {"1", ramp_color(kUv.x, kUv.y)},
-                       {".5", ramp_color(kUv.x / 2, kUv.y / 2)},
-                       {"3", ramp_color(3 * kUv.x - 1, 3 * kUv.y - 1)}}));
+  all.push_back(both(gives("mib_texture_lookup2.factor", value(kRampTexture, kPlace), "tex \"t\"",
+                           {{"0", ramp_color(kUv.x, kUv.y)},
+                            {"1", ramp_color(kUv.x, kUv.y)},
+                            {".5", ramp_color(kUv.x / 2, kUv.y / 2)},
+                            {"3", ramp_color(3 * kUv.x - 1, 3 * kUv.y - 1)}}),
+                     shows("mib_texture_lookup2.factor", [] {
+                       // Stripes of 8 texels, of which a pixel covers 64 at that factor.
+                       const Stage stripes =
+                           value(halves([](int x, int) { return x / 8 % 2 == 1; }), kPlace);
+                       const std::string call = "tex \"t\", factor 16";
+                       EXPECT_NEAR(stripes(call_of("mib_texture_lookup2", call)).mean.x, .5f, .1f);
+                     })));
   add_filter(all);
   add_rotate(all);
   return all;
