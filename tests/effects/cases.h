@@ -6,7 +6,17 @@
 
 namespace oriel::effects {
 
+Cases base_bump_cases();
 Cases base_color_cases();
+Cases base_glossy_cases();
+Cases base_illum_cases();
+Cases base_lens_cases();
+Cases base_light_cases();
+Cases base_lookup_cases();
+Cases base_occlusion_cases();
+Cases base_pattern_cases();
+Cases base_ray_cases();
+Cases base_texture_cases();
 Cases maya_arithmetic_cases();
 Cases maya_layers_cases();
 Cases maya_light_cases();
@@ -24,7 +34,17 @@ Cases other_volume_cases();
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
+      base_bump_cases,
       base_color_cases,
+      base_glossy_cases,
+      base_illum_cases,
+      base_lens_cases,
+      base_light_cases,
+      base_lookup_cases,
+      base_occlusion_cases,
+      base_pattern_cases,
+      base_ray_cases,
+      base_texture_cases,
       maya_arithmetic_cases,
       maya_layers_cases,
       maya_light_cases,

@@ -39,15 +39,6 @@ constexpr ShaderSpec kTestShow = {
         },
 };
 
-const Registry& known_shaders() {
-  static const Registry registry([] {
-    std::vector<const ShaderSpec*> specs = analytic::test_registry().all();
-    specs.push_back(&kTestShow);
-    return specs;
-  }());
-  return registry;
-}
-
 /// The parameter of test_show that a result of that type connects to.
 const char* entrance_of(ParamType type) {
   switch (type) {
@@ -152,12 +143,7 @@ SceneText square_of(const std::string& call) {
 Measured seen_value(const std::string& call, const std::string& member, const std::string& elements,
                     Vec2 place) {
   const Probe probe(
-      testing::scene_text(
-          fmt::format("{}\nshader \"seen\" {}\nmaterial \"m\" \"test_show\" ( \"{}\" = "
-                      "\"seen{}{}\" ) end material",
-                      elements, call, entrance_of(type_of(shader_of(call), member)),
-                      member.empty() ? "" : ".", member),
-          instances_of(elements)),
+      testing::scene_text(shown_as_light(call, elements, member), instances_of(elements)),
       known_shaders());
   const Vec2 raster(place.x * 16, place.y * 12);
   return probe.over(64, [&](sampling::Sampler&, int) {
@@ -170,6 +156,24 @@ Measured seen_from_above(const SceneText& scene, float degrees, int samples) {
 }
 
 }  // namespace
+
+const Registry& known_shaders() {
+  static const Registry registry([] {
+    std::vector<const ShaderSpec*> specs = analytic::test_registry().all();
+    specs.push_back(&kTestShow);
+    return specs;
+  }());
+  return registry;
+}
+
+std::string shown_as_light(const std::string& call, const std::string& elements,
+                           const std::string& result) {
+  return fmt::format(
+      "{}\nshader \"seen\" {}\nmaterial \"m\" \"test_show\" ( \"{}\" = \"seen{}{}\" ) "
+      "end material\n",
+      elements, call, entrance_of(type_of(shader_of(call), result)), result.empty() ? "" : ".",
+      result);
+}
 
 std::string call_of(std::string_view shader, const std::string& parameters) {
   std::string text;

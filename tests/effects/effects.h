@@ -84,6 +84,13 @@ Stage material_in_sky(float degrees = 0, int samples = 4096);
 Stage light(const std::string& element = "origin 0 0 2", const Vec3& at = Vec3(0),
             int samples = 256);
 
+/// Elements that define material "m" as what shows a call's result, or that member of it, as light;
+/// `elements` come before. Needs known_shaders().
+std::string shown_as_light(const std::string& call, const std::string& elements = {},
+                           const std::string& result = {});
+/// All built-in shaders and those for tests.
+const Registry& known_shaders();
+
 /// The shader as the scene's environment, seen along that direction.
 Stage environment(const Vec3& direction, int samples = 64);
 
