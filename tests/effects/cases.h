@@ -31,34 +31,17 @@ Cases other_oriel_cases();
 Cases other_physics_cases();
 Cases other_production_cases();
 Cases other_volume_cases();
+Cases photon_slot_cases();
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
-      base_bump_cases,
-      base_color_cases,
-      base_glossy_cases,
-      base_illum_cases,
-      base_lens_cases,
-      base_light_cases,
-      base_lookup_cases,
-      base_occlusion_cases,
-      base_pattern_cases,
-      base_ray_cases,
-      base_texture_cases,
-      maya_arithmetic_cases,
-      maya_layers_cases,
-      maya_light_cases,
-      maya_ramp_cases,
-      maya_surface_cases,
-      maya_texture_cases,
-      other_lens_cases,
-      other_max_light_cases,
-      other_max_material_cases,
-      other_max_texture_cases,
-      other_oriel_cases,
-      other_physics_cases,
-      other_production_cases,
-      other_volume_cases,
+      base_bump_cases,         base_color_cases,  base_glossy_cases,     base_illum_cases,
+      base_lens_cases,         base_light_cases,  base_lookup_cases,     base_occlusion_cases,
+      base_pattern_cases,      base_ray_cases,    base_texture_cases,    maya_arithmetic_cases,
+      maya_layers_cases,       maya_light_cases,  maya_ramp_cases,       maya_surface_cases,
+      maya_texture_cases,      other_lens_cases,  other_max_light_cases, other_max_material_cases,
+      other_max_texture_cases, other_oriel_cases, other_physics_cases,   other_production_cases,
+      other_volume_cases,      photon_slot_cases,
   };
 }
 

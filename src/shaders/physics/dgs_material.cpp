@@ -2,7 +2,9 @@
 #include "shaders/physics/dgs_material.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "base/math.h"
 #include "bsdf/fresnel.h"
@@ -10,7 +12,6 @@
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "runtime/shader_node.h"
-#include "shaders/physics/photon_rows.h"
 
 namespace oriel {
 namespace {
@@ -78,20 +79,26 @@ constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, lights), .doc = "The list.", .declared_default = false},
     {ORIEL_PARAM(Dielectric, mode), .doc = kMode, .declared_default = false},
 };
-constexpr const char* kPhotonReason = "Photons follow the surface's material.";
-constexpr auto kDgsPhotonRows = ignored_rows(kDgsRows, kPhotonReason);
-constexpr auto kDielectricPhotonRows = ignored_rows(kDielectricRows, kPhotonReason);
+/// The rows of a surface that photons meet: lights, and what only they make, are not theirs.
+template <std::size_t N>
+constexpr std::array<ParamSpec, N> photon_rows(const ParamSpec (&rows)[N]) {
+  auto all = std::to_array(rows);
+  for (ParamSpec& row : all)
+    if (const std::string_view name = row.name;
+        name == "lights" || name == "mode" || name == "phong_coef")
+      row.support = Support::Ignored;
+  return all;
+}
+constexpr auto kDgsPhotonRows = photon_rows(kDgsRows);
+constexpr auto kDielectricPhotonRows = photon_rows(kDielectricRows);
 constexpr ParamSpec kPhotonBasicRows[] = {
-    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters; that of the material is used.",
-     .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(PhotonBasic, specular),
-     .doc = "Share that is mirrored; that of the material is used.", .support = Support::Ignored,
+    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters.", .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, specular), .doc = "Share that is mirrored.",
      .declared_default = false},
-    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes; that of the material is used.",
-     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes.", .declared_default = false},
     {ORIEL_PARAM(PhotonBasic, ior_frac), .min = 0,
-     .doc = "Index of the side entered over that of the side left; that of the material is used.",
-     .support = Support::Ignored, .declared_default = false},
+     .doc = "Index of the side entered over that of the side left; 0 = 1.",
+     .declared_default = false},
 };
 
 float or_one(float index) { return index > 0 ? index : 1; }
@@ -221,7 +228,7 @@ const ShaderSpec kDgsMaterialPhoton = {
     .library = "physics",
     .version = 3,
     .apply = kApplyPhoton,
-    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .params = kDgsPhotonRows,
     .params_size = sizeof(Dgs),
     .material = dgs,
@@ -258,7 +265,7 @@ const ShaderSpec kDielectricMaterialPhoton = {
     .library = "physics",
     .version = 2,
     .apply = kApplyPhoton,
-    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .params = kDielectricPhotonRows,
     .params_size = sizeof(Dielectric),
     .material = dielectric,
@@ -280,7 +287,7 @@ const ShaderSpec kTransmatPhoton = {
     .name = "transmat_photon",
     .library = "physics",
     .apply = kApplyPhoton,
-    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .material = pass_all,
     .may_transmit = always,
     .most_lobes = [](const ShaderNode&) { return 0; },
@@ -290,7 +297,7 @@ const ShaderSpec kMibPhotonBasic = {
     .name = "mib_photon_basic",
     .library = "base",
     .apply = kApplyPhoton,
-    .doc = "Accepted as photon shader; photons follow the surface's material.",
+    .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .params = kPhotonBasicRows,
     .params_size = sizeof(PhotonBasic),
     .material = photon_basic,

@@ -2,6 +2,7 @@
 #include "shaders/physics/parti_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/frame.h"
@@ -9,7 +10,6 @@
 #include "runtime/shader_node.h"
 #include "runtime/tracer.h"
 #include "runtime/world.h"
-#include "shaders/physics/photon_rows.h"
 
 namespace oriel {
 namespace {
@@ -56,8 +56,14 @@ constexpr ParamSpec kPartiVolumeRows[] = {
      .declared_default = false},
 };
 
-constexpr auto kPhotonRows =
-    ignored_rows(kPartiVolumeRows, "Photons are scattered as the camera's own volume says.");
+constexpr auto kPhotonRows = [] {
+  auto rows = std::to_array(kPartiVolumeRows);
+  for (ParamSpec& row : rows) {
+    row.doc = "Photons are scattered as the camera's own volume says.";
+    row.support = kNone;
+  }
+  return rows;
+}();
 
 float lobe(float cosine, float g) {
   /// Narrower lobes are needles that no sample finds.
