@@ -7,7 +7,9 @@
 namespace oriel::effects {
 
 Cases base_color_cases();  // shaders/base/mib_color.cpp
+// shaders/architectural
+Cases mia_exposure_cases();
 
-inline std::vector<Cases (*)()> case_lists() { return {base_color_cases}; }
+inline std::vector<Cases (*)()> case_lists() { return {base_color_cases, mia_exposure_cases}; }
 
 }  // namespace oriel::effects

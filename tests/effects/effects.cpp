@@ -33,21 +33,11 @@ constexpr ShaderSpec kTestShow = {
     .value =
         [](const Call& call, void* result) {
           const auto& p = call.as<TestShow>();
-          const float number =
-              p.scalar + static_cast<float>(p.integer) + (p.boolean ? 1.0f : 0.0f);
+          const float number = p.scalar + static_cast<float>(p.integer) + (p.boolean ? 1.0f : 0.0f);
           const Rgb sum = Rgb(p.color.r, p.color.g, p.color.b) + Rgb(p.vector) + Rgb(number);
           *static_cast<Rgba*>(result) = Rgba(sum.x, sum.y, sum.z, p.color.a);
         },
 };
-
-const Registry& known_shaders() {
-  static const Registry registry([] {
-    std::vector<const ShaderSpec*> specs = analytic::test_registry().all();
-    specs.push_back(&kTestShow);
-    return specs;
-  }());
-  return registry;
-}
 
 /// The parameter of test_show that a result of that type connects to.
 const char* entrance_of(ParamType type) {
@@ -145,13 +135,13 @@ Case ordered(const std::string& parameter, Stage stage, const std::string& other
 /// The square with the camera above it that stages of materials share.
 SceneText square_of(const std::string& call) {
   SceneText scene;
-  scene.statement(fmt::format("shader \"s\" {}\nmaterial \"m\" = \"s\" shadow = \"s\" end material",
-                              call));
+  scene.statement(
+      fmt::format("shader \"s\" {}\nmaterial \"m\" = \"s\" shadow = \"s\" end material", call));
   return scene.square("m", Vec3(0), 5, Vec3(0, 0, 1));
 }
 
-Measured seen_value(const std::string& call, const std::string& member,
-                    const std::string& elements, Vec2 place) {
+Measured seen_value(const std::string& call, const std::string& member, const std::string& elements,
+                    Vec2 place) {
   const Probe probe(
       testing::scene_text(
           fmt::format("{}\nshader \"seen\" {}\nmaterial \"m\" \"test_show\" ( \"{}\" = "
@@ -171,6 +161,15 @@ Measured seen_from_above(const SceneText& scene, float degrees, int samples) {
 }
 
 }  // namespace
+
+const Registry& known_shaders() {
+  static const Registry registry([] {
+    std::vector<const ShaderSpec*> specs = analytic::test_registry().all();
+    specs.push_back(&kTestShow);
+    return specs;
+  }());
+  return registry;
+}
 
 std::string call_of(std::string_view shader, const std::string& parameters) {
   std::string text;
@@ -241,7 +240,8 @@ Stage member(const std::string& name, const std::string& elements, Vec2 place) {
 Stage material_in_sun(float degrees, int samples) {
   return [=](const std::string& call) {
     SceneText scene = square_of(call);
-    scene.light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
+    scene.light("sun",
+                "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
     return seen_from_above(scene, degrees, samples);
   };
 }

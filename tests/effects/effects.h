@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases that show what a parameter of a shader changes: a scene around the shader's call is measured
-// for several values of the parameter, and what is measured must change as the manual says.
+// Cases that show what a parameter of a shader changes: a scene around the shader's call is
+// measured for several values of the parameter, and what is measured must change as the manual
+// says.
 #pragma once
 
 #include <functional>
@@ -59,6 +60,9 @@ Case both(Case first, const Case& second);
 
 /// Brighter by more than chance.
 void expect_more(const Measured& more, const Measured& less, int channel = 0);
+
+/// All shaders and those for tests.
+const Registry& known_shaders();
 
 // Stages.
 
