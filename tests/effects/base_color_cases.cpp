@@ -124,8 +124,7 @@ void add_temperatures(Cases& all) {
       EXPECT_GT(middle.x / middle.z, cold.x / cold.z);
       EXPECT_NEAR(middle.x / middle.z, 1, .12f);  // the white of sRGB is D65
     }));
-    all.push_back(
-        scales(name + "intensity", value(), "temperature 5000", "1", "3", 3));
+    all.push_back(scales(name + "intensity", value(), "temperature 5000", "1", "3", 3));
   }
 }
 
