@@ -158,23 +158,34 @@ void add_ground(Cases& all) {
 }
 
 /// What the eye sees beyond gather rays, so many radii of a sun of scale 4 beside the sun.
+Rgb beside_sun(const World& world, float radii) {
+  const float angle = radii * 4 * .00465f;
+  const Vec3 d = toward(45) * math::cos(angle) + Vec3(0, 1, 0) * math::sin(angle);
+  const auto seen = [&](RayKind kind) {
+    return rgb(environment_radiance(world.environment.shaders(), world, Vec3(0), d, kind));
+  };
+  return seen(RayKind::Eye) - seen(RayKind::FinalGather);
+}
+Probe under(const std::string& sky) {
+  SceneText scene;
+  return Probe(scene.environment(sky).str(), known_shaders(), kCoarse);
+}
 Stage disc_and_glow(float radii) {
   return [=](const std::string& call) {
-    const float angle = radii * 4 * .00465f;
-    const Vec3 d = toward(45) * math::cos(angle) + Vec3(0, 1, 0) * math::sin(angle);
-    return exactly(seen_by(RayKind::Eye, d)(call).mean -
-                   seen_by(RayKind::FinalGather, d)(call).mean);
+    const Probe probe = under(call);
+    return exactly(beside_sun(probe.world(), radii));
   };
 }
 
 /// All that light, per lux of the sun's.
 float energy_of_disc(const std::string& call) {
-  constexpr int kSteps = 400;
+  const Probe probe = under(call);
+  constexpr int kSteps = 1000;
   double sum = 0;  // double: many terms
   // The glow of a sun of scale 4 ends at ten radii.
   for (int i = 0; i < kSteps; ++i) {
     const float radii = 10 * (float(i) + .5f) / kSteps;
-    sum += double(disc_and_glow(radii)(call).mean.y * radii);
+    sum += double(beside_sun(probe.world(), radii).y * radii);
   }
   return float(sum * double(kTwoPi * sqr(4 * .00465f) * 10 / kSteps)) / kSun.y;
 }
