@@ -20,9 +20,9 @@ const char* const kPictures =
     "color texture \"top\" [1 2 3] '000000' 'ffffff' "
     "color texture \"tinted\" [1 1 3] 'ff3300' ";
 
-/// The shader as lens of a camera that sees a wall 4 units away: the mean of `of` over where the
-/// rays of the middle of the picture meet it, all eye rays being at the origin without a lens.
-/// `tint` is what the lens makes of the wall's light.
+/// The shader as lens of a camera that sees a wall 4 units away: the mean of `of` over the points
+/// where rays of the middle of the picture meet the wall (the origin of x and y without a lens).
+/// `tint` is the factor of the lens on the wall's light.
 Stage lens_points(const std::function<Rgb(const Vec2& point, const Rgb& tint)>& of) {
   return [=](const std::string& call) {
     SceneText scene;
@@ -61,7 +61,7 @@ const Stage kCube = lens_points([](const Vec2& p, const Rgb&) {
 
 Case lens(const std::string& parameter, const Stage& stage, const std::string& others,
           const std::vector<Given>& values) {
-  // A plane at 2 and another at 4: places are those of the lens, upside down.
+  // In focus at 2, the wall at 4: a place on the wall is minus that on the lens.
   return shows("mia_lens_bokeh." + parameter, [=] {
     for (const Given& each : values) {
       SCOPED_TRACE(each.value);
@@ -213,8 +213,8 @@ void add_environment(Cases& all) {
                            Probe(scene).direct_only().onto(Vec3(0), Vec3(0, 0, 1), 0, 64),
                            Rgb(.3f, .2f, .1f));
                      })));
-  // 0 is the environment itself; at the edge any blur is half of white and black, beside it the
-  // more as the more is blurred.
+  // 0 is the environment itself. At the edge any blur shows half of white and black; beside it,
+  // more blur is nearer to that.
   all.push_back(shows(name + "blur", [=] {
     const auto with = [=](const char* blur) {
       return measured_with(name + "blur", kAboutEdge, edge, blur).mean;

@@ -5,12 +5,11 @@
 #include "base/math.h"
 #include "cases.h"
 #include "color/luminance.h"
-#include "image/files.h"
-#include "image/test_files.h"
 #include "mia_stages.h"
 #include "render/camera_output.h"
 #include "render/lens_shaders.h"
 #include "render/session.h"
+#include "render/testing/prepared_scene.h"
 
 namespace oriel::effects {
 namespace mia_exposure {

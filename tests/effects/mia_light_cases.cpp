@@ -33,6 +33,7 @@ Stage lamp(const Vec3& at = Vec3(0), const std::string& element = "origin 0 0 2"
       scene.statement(
           fmt::format("lightprofile \"{}\" format ies file \"{}\" end lightprofile", name, path));
     }
+    scene.statement("shader \"warm\" \"test_show\" ( \"color\" 1 .5 0 )");
     scene.lambert("white", 1).square("white", Vec3(0), 5, kUp).light("l", call + " " + element);
     return Probe(scene.str(), known_shaders()).direct_only().onto(at, kUp, 0, 64);
   };
@@ -51,7 +52,9 @@ void add_photometric(Cases& all) {
     all.push_back(gives(name + factor, lamp(), candela,
                         {{"0", Rgb(0)}, {"1", below(100)}, {"3", below(300)}}));
   all.push_back(gives(name + "color", lamp(), candela,
-                      {{"1 1 1", below(100)}, {"1 .5 0", Rgb(1, .5f, 0) * below(100)}}));
+                      {{"1 1 1", below(100)},
+                       {"1 .5 0", Rgb(1, .5f, 0) * below(100)},
+                       {"= \"warm\"", Rgb(1, .5f, 0) * below(100)}}));
   // Two units are two metres, one, or four: half the way, four times the light.
   all.push_back(gives(name + "units_to_meter_scale", lamp(), candela,
                       {{"1", below(100)}, {".5", below(400)}, {"2", below(25)}}));
@@ -233,7 +236,8 @@ void add_portal(Cases& all) {
 Stage shown_to(RayKind kind) {
   return [=](const std::string& call) {
     SceneText scene;
-    scene.statement("shader \"s\" " + call)
+    scene.statement("shader \"warm\" \"test_show\" ( \"color\" 1 .5 0 )")
+        .statement("shader \"s\" " + call)
         .statement("material \"m\" \"test_show\" ( \"color\" = \"s\" ) end material")
         .square("m", Vec3(0), 1, kUp)
         .lambert("black", 0)
@@ -265,7 +269,8 @@ void add_surface(Cases& all) {
   // Two units from the red light half of it is left.
   const Rgb lights(.5f, .5f, 0);
   all.push_back(
-      both(gives(name + "color", eye, "intensity 2", {{"1 1 1", Rgb(2)}, {"1 .5 0", Rgb(2, 1, 0)}}),
+      both(gives(name + "color", eye, "intensity 2",
+                 {{"1 1 1", Rgb(2)}, {"1 .5 0", Rgb(2, 1, 0)}, {"= \"warm\"", Rgb(2, 1, 0)}}),
            gives(name + "color", eye, "intensity 0, " + both_lights,
                  {{"1 1 1", lights}, {"3 .5 0", lights * Rgb(3, .5f, 0)}})));
   all.push_back(gives(name + "intensity", eye, both_lights,

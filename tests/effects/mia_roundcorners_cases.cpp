@@ -44,9 +44,9 @@ const Vec3 kUp(0, 0, 1);
 
 /// Edges of a plate whose surface has its material "m" and lies at z = 0.
 enum class Edge {
-  Out,         ///< at y = 2, where the plate turns down
-  In,          ///< at y = -2, where a wall goes up
-  OtherAlike,  ///< at x = 1, where a plate of material "n" turns down
+  Out,    ///< at y = 2, where the plate turns down
+  In,     ///< at y = -2, where a wall goes up
+  Other,  ///< at x = 1, where a plate of material "n" turns down
 };
 
 /// The vector that the shader returns, or the normal that it leaves, so far from an edge. World y
@@ -164,7 +164,7 @@ Cases mia_roundcorners_cases() {
                         {".3", wide(.3f)},
                         {"= \"wide\"", wide(.05f)}}));
   const std::string world = "radius .1, bump_mode 6";
-  all.push_back(both(corner("allow_different_materials", beside(Edge::OtherAlike, kNear), world,
+  all.push_back(both(corner("allow_different_materials", beside(Edge::Other, kNear), world,
                             {{"off", kUp}, {"on", rounded(kUp, Vec3(1, 0, 0), kNear, .1f)}}),
                      corner("allow_different_materials", beside(Edge::Out, kNear), world,
                             {{"off", wide(.1f)}, {"on", wide(.1f)}})));

@@ -4,6 +4,8 @@
 // an environment shows pi times the luminance times the unit conversion.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "base/math.h"
 #include "cases.h"
 #include "color/luminance.h"
@@ -17,6 +19,12 @@ std::string sky_at(float elevation = 45, float azimuth = 0) {
   return "rgb_unit_conversion 1 1 1, sun_direction " + text_of(toward(elevation, azimuth));
 }
 const Vec3 kUp(0, 0, 1);
+/// Numbers and a colour to connect.
+SceneText with_values() {
+  SceneText scene;
+  return scene.statement("shader \"one\" \"test_show\" ( \"scalar\" 1 )")
+      .statement("shader \"stars\" \"test_show\" ( \"color\" .1 .2 .3 )");
+}
 /// 80 degrees from the zenith, under the sun: cd/m2 with the sun there, beside and opposite.
 const Vec3 kLow = toward(10);
 constexpr float kUnderSun = 25919.56f, kBeside = 12639.49f, kOpposite = 11859.77f;
@@ -97,8 +105,8 @@ void add_strength(Cases& all) {
                                   {"1", shown(7320.4f)},
                                   {"8", shown(22869)},
                                   {"15", shown(31614)}}),
-                     gives_about(name + "haze", low, sky_at(),
-                                 {{"0", shown(kUnderSun)}, {"1", shown(17239.70f)}})));
+                     gives_about(name + "haze", gradient(kLow, with_values()), sky_at(),
+                                 {{"0", shown(kUnderSun)}, {"= \"one\"", shown(17239.70f)}})));
   all.push_back(makes(name + "redblueshift", seen_by(RayKind::FinalGather, kLow), sky_at(), "0",
                       {{".3", [](const Rgb& c) { return c * Rgb(1.3f, 1, .7f); }},
                        {"-.3", [](const Rgb& c) { return c * Rgb(.7f, 1, 1.3f); }}}));
@@ -149,12 +157,15 @@ void add_ground(Cases& all) {
                     makes(name + "ground_color", seen_by(RayKind::FinalGather, -kUp), sky_at(),
                           "1 1 1", {{"1 .5 0", [](const Rgb& c) { return c * Rgb(1, .5f, 0); }}}));
   // After the end of twilight there is nothing else; by day the sky is brighter.
-  all.push_back(both(gives(name + "night_color", seen_by(RayKind::FinalGather, kUp), sky_at(-19),
-                           {{"0 0 0", Rgb(0)}, {".1 .2 .3", Rgb(.1f, .2f, .3f)}}),
-                     gives_about(name + "night_color", gradient(kUp), sky_at(),
-                                 {{"0 0 0", shown(kZenith)},
-                                  {"100 100 100", shown(kZenith)},
-                                  {"90000 90000 90000", Rgb(90000)}})));
+  all.push_back(both(
+      gives(name + "night_color", seen_by(RayKind::FinalGather, kUp, with_values()), sky_at(-19),
+            {{"0 0 0", Rgb(0)},
+             {".1 .2 .3", Rgb(.1f, .2f, .3f)},
+             {"= \"stars\"", Rgb(.1f, .2f, .3f)}}),
+      gives_about(name + "night_color", gradient(kUp), sky_at(),
+                  {{"0 0 0", shown(kZenith)},
+                   {"100 100 100", shown(kZenith)},
+                   {"90000 90000 90000", Rgb(90000)}})));
 }
 
 /// What the eye sees beyond gather rays, so many radii of a sun of scale 4 beside the sun.
@@ -373,9 +384,11 @@ void add_cie(Cases& all) {
     }
   }
   const float here = clear_sky(kLow, sun), grey = overcast_sky(kLow);
-  all.push_back(gives_about(name + "overcast", gradient(kLow), sky_at() + ", zenith_luminance 1000",
+  all.push_back(gives_about(name + "overcast", gradient(kLow, with_values()),
+                            sky_at() + ", zenith_luminance 1000",
                             {{"0", shown(1000 * here)},
                              {".25", shown(250 * (3 * here + grey))},
+                             {"= \"one\"", shown(1000 * grey)},
                              {"1", shown(1000 * grey)}}));
   std::vector<Rgb> seen;
   for (const float azimuth : {0.0f, 90.0f, 180.0f})

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "effects.h"
-#include "lens/exposure.h"
+#include "runtime/environment.h"
 #include "runtime/shading_point.h"
 
 namespace oriel::effects {
