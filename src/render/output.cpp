@@ -116,10 +116,11 @@ Image without_alpha(const Image& rgba) {
   return image;
 }
 
-Image intensity(const Image& rgba, const std::array<float, 3>& weight) {
+Image intensity(const Image& rgba, const Rgb& weight) {
   Image image(rgba.width, rgba.height, 1);
   for (std::size_t i = 0; i < rgba.pixel_count(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) image.pixels[i] += rgba.pixels[4 * i + c] * weight[c];
+    image.pixels[i] =
+        luminance(Rgb(rgba.pixels[4 * i], rgba.pixels[4 * i + 1], rgba.pixels[4 * i + 2]), weight);
   return image;
 }
 
@@ -385,8 +386,7 @@ ViewOptions view_options(const scene::RenderOptions& options) {
   view.clip = options.colorclip == scene::ColorClip::Rgb     ? ColorClip::KeepColor
               : options.colorclip == scene::ColorClip::Alpha ? ColorClip::KeepAlpha
                                                              : ColorClip::Raw;
-  const auto& weight = options.luminance_weight;
-  view.luminance_weight = Rgb(weight[0], weight[1], weight[2]);
+  view.luminance_weight = options.luminance_weight;
   return view;
 }
 

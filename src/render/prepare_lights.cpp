@@ -95,10 +95,7 @@ void place_area(const scene::Light& element, const Mat4& to_world,
                                     element.name, name));
     return;
   } else if (area.keyword == "user") {
-    // The shader would choose the points; the surface that it lies on is not known.
-    diagnostics.warning(
-        "OR-RN-021", element.where,
-        fmt::format("area light \"{}\" of kind user is rendered as a point light", element.name));
+    light.placed_by_shader = true;
     return;
   } else {
     return;
@@ -227,6 +224,11 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     light.luminaire = place_luminaire(
         named ? binder.light_profile(measured->values[0].text, measured->where) : nullptr,
         light.to_world, light.direction);
+    if (light.placed_by_shader && spec.library != std::string_view("user"))
+      diagnostics.warning("OR-RN-021", leaf.light()->where,
+                          fmt::format("area light \"{}\" of kind user is rendered as a point "
+                                      "light: {} does not choose the points of its samples",
+                                      leaf.light()->name, spec.name));
     if (spec.light_cone && spec.prepare_light && light.shape != LightShape::Directional)
       diagnostics.warning(
           "OR-RN-024", leaf.light()->where,

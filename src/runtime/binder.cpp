@@ -323,6 +323,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("shadow")) bind_shadow(*list, scope, bound);
   if (const auto* list = material.slot("volume"); list && world_.options.volume)
     bound.volume = bind_volume(*list, scope);
+  world_.has_object_volumes |= !bound.volume.empty();
   if (const auto* list = material.slot("photon"))
     for (const ShaderNode* node : bind_list(*list, scope))
       if (node->spec().photon) bound.photon.push_back(node);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 #include <utility>
 
@@ -24,6 +25,8 @@ std::size_t Binder::append_elements(ShaderNode& node, std::size_t bytes) {
   }
   node.storage_.resize(node.storage_.size() + bytes / kUnit + 1);
   auto* moved = reinterpret_cast<std::byte*>(node.storage_.data());
+  // A unit has padding, which resize() leaves as it was.
+  std::memset(moved + begin, 0, node.storage_.size() * kUnit - begin);
   node.constants_ = {moved, node.storage_.size() * kUnit};
   for (const auto& [offset, elements] : arrays)
     reinterpret_cast<ArrayView<std::byte>*>(moved + offset)->data = moved + elements;

@@ -201,6 +201,12 @@ std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point,
     }
     const LightValue value =
         ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1, kind);
+    if (light.placed_by_shader && value.origin) {
+      const Vec3 to = *value.origin - p;
+      sample.distance = length(to);
+      if (!(sample.distance > 0)) return std::nullopt;
+      sample.wi = to * (1 / sample.distance);
+    }
     sample.irradiance = value.colour * kPi;
     sample.shadow = value.shadow;
     sample.shadow_factor = value.shadow_factor;

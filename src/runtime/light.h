@@ -35,6 +35,8 @@ struct Light {
   float cone_angle = 0;  ///< Directional: half-angle of the cone, radians
   float exponent = 2;    ///< distance decay written in the element (physical_light)
   bool visible = false;  ///< the shape is seen by rays
+  /// Kind `user`: a point from which the shader moves each sample (LightValue::origin).
+  bool placed_by_shader = false;
   LightPhotons photons;  ///< as its element and its shader ask
   Luminaire luminaire;   ///< set where the shader distributes light by a profile
   Mat4 to_local;         ///< world to the light's space

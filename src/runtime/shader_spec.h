@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +75,8 @@ struct LightValue {
   float affects_diffuse = 1, affects_specular = 1;
   bool force_specular = false;  ///< a highlight even though the light itself is seen
   bool is_sun = false;          ///< the physical sun's, for shaders that treat it apart
+  /// Where the shader put the sample, world; for lights whose shader places their samples.
+  std::optional<Vec3> origin = {};
 };
 
 /// What a lens shader that maps colours knows beside the colour.

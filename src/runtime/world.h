@@ -90,6 +90,7 @@ struct World {
   NodeList air;                           ///< volume shaders of the camera: around all rays
   NodeList air_on_light;                  ///< those of them that dim light on its way
   NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
+  bool has_object_volumes = false;        ///< some material has volume shaders
   bool has_transparent_blockers = false;  ///< some material may let light pass
   std::uint32_t shadowless = 0;           ///< bits geom::RayMask::Shadowless* that instances have
   bool has_unseen_blockers = false;       ///< something opaque casts shadows on rays that miss it

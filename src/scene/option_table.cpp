@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "color/luminance.h"
+
 namespace oriel::scene {
 namespace {
 
@@ -177,7 +179,7 @@ void set_frame_buffer(O& o, V v) {
 void at_the_files(O&, V) {}
 
 void set_luminance(O& o, V v) { o.luminance_weight = {v.number(0), v.number(1), v.number(2)}; }
-void set_luminance_ntsc(O& o, V) { o.luminance_weight = kLuminanceNtsc; }
+void set_luminance_ntsc(O& o, V) { o.luminance_weight = kNtscLuminance; }
 
 constexpr std::string_view kDepth = "int [int [int]]", kColor = "float [float float [float]]",
                            kDepthMeaning = "reflection, refraction, sum",

@@ -108,10 +108,6 @@ struct UserFrameBuffer {
   bool operator==(const UserFrameBuffer&) const = default;
 };
 
-/// Rec. 709 weights, as the option's default is documented.
-inline constexpr std::array<float, 3> kLuminance709 = {0.212671f, 0.715160f, 0.072169f};
-inline constexpr std::array<float, 3> kLuminanceNtsc = {0.299f, 0.587f, 0.114f};
-
 /// A statement that was read but does not act on the picture.
 struct WithoutEffect {
   std::string keyword;
@@ -158,7 +154,7 @@ struct RenderOptions {
   float gamma = 1;
   bool desaturate = false, dither = false, premultiply = true;
   ColorClip colorclip = ColorClip::Raw;
-  std::array<float, 3> luminance_weight = kLuminance709;
+  Rgb luminance_weight{0.212671f, 0.715160f, 0.072169f};  ///< Rec. 709, as is documented
   std::vector<UserFrameBuffer> frame_buffers;
   std::vector<LightGroup>
       light_groups;  ///< `"light group NAME" "PATTERN,..."`; layers of EXR files

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/render_options.h"
+#include "color/luminance.h"
 
 #include <gtest/gtest.h>
 
@@ -187,7 +188,7 @@ TEST(RenderOptions, DisplayAndSpacesAreTyped) {
   EXPECT_FLOAT_EQ(o.gamma, 2.2f);
   EXPECT_TRUE(o.desaturate && o.dither && !o.premultiply);
   EXPECT_EQ(o.colorclip, ColorClip::Alpha);
-  EXPECT_EQ(o.luminance_weight, kLuminanceNtsc);
+  EXPECT_EQ(o.luminance_weight, kNtscLuminance);
   EXPECT_EQ(o.space, Space::Camera);
   EXPECT_EQ(o.face, Face::Front);
   EXPECT_EQ(o.indirect, IndirectMethod::Path);

@@ -158,7 +158,7 @@ void store_shape(const Light& light, miLight& out) {
       out.primitive.cylinder.radius = light.radius;
       break;
     default:
-      out.area = miLIGHT_NONE;
+      out.area = light.placed_by_shader ? miLIGHT_USER : miLIGHT_NONE;
   }
 }
 

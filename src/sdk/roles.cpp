@@ -119,6 +119,7 @@ LightValue light(const Call& call, const LightCall& light) {
   mia_material_api_lightdata data = asked, behind_data = asked;
   LightValue value;
   value.colour = ask_light(shader, frame, false, tells ? &data : nullptr);
+  if (light.light.placed_by_shader) value.origin = vec(state.org);
   // A material in C that asks for its lights itself leaves the struct for them.
   if (int size = 0; !tells) {
     const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size);
@@ -130,6 +131,7 @@ LightValue light(const Call& call, const LightCall& light) {
   value.force_specular = data.force_specular != miFALSE;
   value.is_sun = data.is_mr_sun != miFALSE;
   if (value.shadow) {
+    state.org = as_c(light.position);
     const Rgb behind = ask_light(shader, frame, true, tells ? &behind_data : nullptr);
     const float open = luminance(value.colour);
     value.shadow_factor = open > 0 ? clamp01(luminance(behind) / open) : 0;

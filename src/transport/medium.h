@@ -19,6 +19,11 @@ struct MediumOnWay {
   const NodeList* volume = nullptr;  ///< of the object that the ray is in
   bool volume_known = false;
 
+  /// Where a way begins of which no surface has told: volume_around().
+  void begin_in(const NodeList* around) {
+    volume = around;
+    volume_known = true;
+  }
   /// At a surface, before it is passed: the medium of the way to it.
   void arrive(const Closure& closure, const ShadingPoint& point) {
     if (!known && point.back_side && !closure.thin_walled) medium = closure.inside;

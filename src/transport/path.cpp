@@ -276,6 +276,7 @@ void Path::run(const Camera::Ray& eye) {
   ray_.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
   ray_.mask = mask();
   cone_ = {eye.width, eye.spread};
+  medium_.begin_in(volume_around(world_, ray_));
   walk();
 }
 
@@ -290,6 +291,7 @@ void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float re
   vertex_ = 1;
   reach_ = reach;
   follow(point, direction);
+  medium_.begin_in(volume_around(world_, ray_));
   walk();
 }
 

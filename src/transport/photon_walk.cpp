@@ -97,10 +97,12 @@ class PhotonWalk {
              bool seen);
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
   bool count_bounce(bool refracts);
-  bool ask_shaders(const Material& material, ShadingPoint& point, bool seen);
+  bool ask_shaders(const Closure& closure, const Material& material, ShadingPoint& point,
+                   bool seen);
   void follow(const ShadingPoint& point, const Vec3& direction);
   /// The same, unbent.
-  void pass(const ShadingPoint& point) {
+  void pass(const Closure& closure, const ShadingPoint& point) {
+    medium_.leave_volume(closure, point, ray_.dir);
     kind_ = RayKind::PhotonTransparent;
     follow(point, ray_.dir);
   }
@@ -148,7 +150,8 @@ void PhotonWalk::pass_medium(const Medium& medium, float distance) {
 /// The air on the way to `end`. True: the photon goes on from there, scattered; else what is left
 /// of it arrives. Photons and light of kind Light are dimmed by the same.
 bool PhotonWalk::pass_air(const Vec3& end, float length) {
-  if (world_.air_on_light.empty() || !medium_.medium.clear()) return false;
+  const NodeList& air = medium_.volume ? *medium_.volume : world_.air_on_light;
+  if (air.empty() || !medium_.medium.clear()) return false;
   const bool endless = std::isinf(length);
   ShadingPoint way;
   way.ray_kind = kind_;
@@ -162,29 +165,30 @@ bool PhotonWalk::pass_air(const Vec3& end, float length) {
   SceneTracer tracer(world_, sampler_, log_.counts);
   way.tracer = &tracer;
   // Where light from endlessly far is left alone by air without end, so are its photons.
-  if (!scattered_ && source_.is_endless() && !endless &&
+  if (!medium_.volume && !scattered_ && source_.is_endless() && !endless &&
       air_before_light(world_, way, -ray_.dir, kEndless) == Rgb(1))
     return false;
-  for (const ShaderNode* node : world_.air_on_light) {
+  for (const ShaderNode* node : air) {
     const ShaderSpec& spec = node->spec();
     if (endless && !spec.acts_on_endless_rays) continue;
-    const AirValue air =
+    if (medium_.volume && !(spec.dims_light && spec.dims_light(*node))) continue;
+    const AirValue value =
         node->with_params(way, [&](const Call& call) { return spec.volume(call); });
     const Rgb now = power();
     const float most = max_component(now);
     if (!(most > 0)) return false;
-    float turned = max_component(air.scattered * now) / most;
-    float kept = max_component(air.kept * now) / most;
+    float turned = max_component(value.scattered * now) / most;
+    float kept = max_component(value.kept * now) / most;
     if (turned == 0 && kept == 1) continue;
     const float all = std::max(1.0f, turned + kept);
     turned /= all, kept /= all;
     const float u = tracer.next().x;
     if (u >= turned + kept) return absorb(), false;
     if (u >= turned) {
-      lose(factor_ * air.kept / kept);
+      lose(factor_ * value.kept / kept);
       continue;
     }
-    lose(factor_ * air.scattered / turned);
+    lose(factor_ * value.scattered / turned);
     kind_ = RayKind::PhotonScatterVolume;
     scattered_ = diffuse_ = true;
     if (!settings_.globillum) {
@@ -192,8 +196,8 @@ bool PhotonWalk::pass_air(const Vec3& end, float length) {
       factor_ = Rgb(0);
     }
     ray_ = {.time = ray_.time};
-    ray_.org = left_ = air.place;
-    ray_.dir = air.onward;
+    ray_.org = left_ = value.place;
+    ray_.dir = value.onward;
     ray_.mask = geom::RayMask::FinalGather;
     return true;
   }
@@ -252,7 +256,6 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   ShadingPoint seen = point;
   seen.ray_origin = point.position + sample.wi;
   seen.ray_direction = -sample.wi;
-  seen.ray_kind = RayKind::FinalGather;
   if (dot(sample.wi, point.geometric_normal) < 0) {
     seen.geometric_normal = -point.geometric_normal;
     seen.normal = -point.normal;
@@ -293,7 +296,7 @@ bool PhotonWalk::go_on(const Closure& closure, const Material& material, const S
       medium_.leave(closure, point, ray_.dir);
     else if (!closure.thin_walled)
       medium_.ignore();
-    pass(point);
+    pass(closure, point);
     return true;
   }
 
@@ -350,12 +353,13 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
     medium_.leave(filter, point, ray_.dir);
   else if (!closure.thin_walled)
     medium_.ignore();
-  pass(point);
+  pass(closure, point);
   return true;
 }
 
 /// Where the material has photon shaders they decide. False: the photon ends here.
-bool PhotonWalk::ask_shaders(const Material& material, ShadingPoint& point, bool seen) {
+bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, ShadingPoint& point,
+                             bool seen) {
   const Rgb arriving = power();
   PhotonChoice choice(sampler_, settings_.globillum);
   for (const ShaderNode* node : material.photon)
@@ -372,7 +376,7 @@ bool PhotonWalk::ask_shaders(const Material& material, ShadingPoint& point, bool
   for (int i = 0; i < 3; ++i) left[i] = emitted_[i] > 0 ? energy[i] / emitted_[i] : 0;
   lose(left);
   if (straight) {
-    pass(point);
+    pass(closure, point);
     return true;
   }
   if (!count_bounce(refracts) || !(takes(point) & kCastsCaustics)) {
@@ -386,6 +390,7 @@ bool PhotonWalk::ask_shaders(const Material& material, ShadingPoint& point, bool
       kind_ == RayKind::PhotonReflectDiffuse || kind_ == RayKind::PhotonTransmitDiffuse;
   (diffuse ? diffuse_ : specular_) = true;
   medium_.ignore();  // shaders dim what passes their solids themselves
+  medium_.leave_volume(closure, point, way.direction);
   follow(point, way.direction);
   return max_component(factor_) > 0;
 }
@@ -419,13 +424,13 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   if (turned) return true;
   if (!material.photon.empty()) {
     const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
-    return ask_shaders(material, point, seen);
+    return ask_shaders(closure, material, point, seen);
   }
   const bool filtered = material.may_transmit && material.filters_shadows();
   if (filtered && pass_filter(closure, material, point)) return true;
   if (sampler_.next_1d() >= closure.opacity) {
     if (filtered) return absorb(), false;
-    pass(point);
+    pass(closure, point);
     return true;
   }
 
@@ -450,6 +455,7 @@ void PhotonWalk::run() {
                    settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
   ray_ = source_.first_ray(photon_, sampler_);
   start_ = left_ = ray_.org;
+  medium_.begin_in(volume_around(world_, ray_));
   for (int vertex = 0; vertex < kMostPhotonVertices; ++vertex) {
     sampler_.set_dimension(kDrawsPerPhotonVertex * static_cast<std::uint32_t>(vertex + 1));
     geom::Hit hit;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/bump.h"
 
@@ -84,6 +85,25 @@ Rgba raster_motion(const ShadingPoint& point) {
   };
   const Vec3 way = seen(to) - seen(from);
   return is_finite(way) ? Rgba(way.x, way.y, way.z, 0) : Rgba(0);
+}
+
+const NodeList* volume_around(const World& world, geom::Ray ray) {
+  // A ray may meet things inside of the object first; so many of them are looked behind.
+  constexpr int kMostSurfaces = 256;
+  if (!world.has_object_volumes) return nullptr;
+  ray.tnear = 0;
+  ray.tfar = std::numeric_limits<float>::infinity();
+  ray.mask = ~0u;
+  for (int i = 0; i < kMostSurfaces; ++i) {
+    geom::Hit hit;
+    if (!world.accel->intersect(ray, hit)) return nullptr;
+    ShadingPoint point;
+    fill_point(world, ray, hit, {}, RayKind::Shadow, point);
+    const Material& material = material_of(world, hit);
+    if (!material.volume.empty()) return point.back_side ? &material.volume : nullptr;
+    ray = leave(point, ray.dir, ray.tfar, ray.mask);
+  }
+  return nullptr;
 }
 
 MapPlace map_place(const ShadingPoint& point, const Vec3& normal) {

@@ -24,6 +24,11 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
 /// The material of a hit.
 const Material& material_of(const World& world, const geom::Hit& hit);
 
+/// Volume shaders of the object that a ray starts in: those of the first surface on its way that
+/// has any, where the ray meets its back. Null: none.
+/// Checked: VolumesOfMaterials.* in tests/analytic
+const NodeList* volume_around(const World& world, geom::Ray ray);
+
 /// A point of a surface and a direction there as they are in the middle of the shutter: so maps of
 /// indirect light know what moves, and what moves finds its own light in them.
 /// Inputs:  normal: world, at the point's time.

@@ -137,14 +137,15 @@ const Registry& flag_registry() {
 
 /// Diffuse light and highlights of a glossy floor.
 std::pair<float, float> split(const std::string& flags, const std::string& shape,
-                              const std::string& instance = "") {
+                              const std::string& instance = "",
+                              const std::string& shader = "flag_light") {
   SceneText scene;
   scene
       .material("floor",
                 "\"diffuse\" .5 .5 .5, \"reflectivity\" .5, \"refl_gloss\" .5, "
                 "\"brdf_fresnel\" off, \"brdf_0_degree_refl\" .5")
       .square("floor", Vec3(0), 3, kUp)
-      .light("lamp", fmt::format("\"flag_light\" ( {} ) origin 0 0 2 {}", flags, shape), instance);
+      .light("lamp", fmt::format("\"{}\" ( {} ) origin 0 0 2 {}", shader, flags, shape), instance);
   Probe probe(scene.str(), flag_registry());
   const Measured m = probe.outputs().onto(Vec3(0), kUp, 0, 1 << 14);
   const auto of = [&](Component c) { return m.outputs.result[static_cast<std::size_t>(c)].x; };
@@ -168,6 +169,28 @@ TEST(LightFlags, LightsLeaveOutDiffuseLightOrHighlights) {
     const auto half = split("\"diffuse\" .5, \"specular\" .25", shape, instance);
     EXPECT_NEAR(half.first, .5f * diffuse, .01f * diffuse);
     EXPECT_NEAR(half.second, .25f * specular, .01f * specular);
+  }
+}
+
+// acceptance: G4
+TEST(LightFlags, LightsOfOtherProgramsHaveThem) {
+  for (const auto& [shader, diffuse_flag, specular_flag] :
+       {std::array{"maya_pointlight", "emitDiffuse", "emitSpecular"},
+        std::array{"maya_arealight", "emitDiffuse", "emitSpecular"},
+        std::array{"max_OmniLight", "AffectDiffuse", "AffectSpecular"}}) {
+    const std::string shape = std::string_view(shader) == "maya_arealight"
+                                  ? "direction 0 0 -1 rectangle 1 0 0 0 1 0 3 3"
+                                  : "";
+    const auto with = [&](const std::string& flags) { return split(flags, shape, "", shader); };
+    const auto whole = with("");
+    ASSERT_GT(whole.first, .01f) << shader;
+    ASSERT_GT(whole.second, .001f) << shader;
+    const auto quiet = with(fmt::format("\"{}\" off", specular_flag));
+    EXPECT_NEAR(quiet.first, whole.first, .02f * whole.first) << shader;
+    EXPECT_EQ(quiet.second, 0) << shader;
+    const auto glint = with(fmt::format("\"{}\" off", diffuse_flag));
+    EXPECT_EQ(glint.first, 0) << shader;
+    EXPECT_NEAR(glint.second, whole.second, .03f * whole.second) << shader;
   }
 }
 

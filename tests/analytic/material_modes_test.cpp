@@ -3,6 +3,7 @@
 #include "bsdf/fresnel.h"
 #include "picture.h"
 #include "runtime/texture_direction.h"
+#include "transport/photon_trace.h"
 #include "transport/surface.h"
 
 namespace oriel::analytic {
@@ -317,6 +318,37 @@ TEST(VolumesOfMaterials, DimLightThatPassesThem) {
     // From below the box, so that only the light passes it.
     const Rgb mean = Probe(scene).direct_only().onto(Vec3(0, 0, -3), kUp, 0, 64).mean;
     EXPECT_NEAR(mean.x, on ? .25f : .5f, 1e-4f);
+  }
+}
+
+// acceptance: T14
+TEST(VolumesOfMaterials, SurroundWhatStandsInThem) {
+  // Eye and wall lie inside of the fog, and no ray meets its hull before the wall.
+  SceneText scene = fog_box("\"cutout_opacity\" 0");
+  scene.emitter("glow", 2).square("glow", Vec3(0, 0, -.5f), 3, kUp);
+  const Rgb mean = Probe(scene).ray(Vec3(0, 0, .5f), Vec3(0, 0, -1), 64).mean;
+  expect_near(mean, Rgb(2) * .75f + Rgb(.25f, .5f, 1) * .25f, 1e-4f, "wall within");
+  // Nor does a ray that only passes by outside.
+  SceneText outside = fog_box("\"cutout_opacity\" 0");
+  outside.emitter("glow", 2).square("glow", Vec3(0, 0, 2), 3, kUp);
+  EXPECT_NEAR(Probe(outside).ray(Vec3(0, 0, 3), Vec3(0, 0, -1), 64).mean.x, 2, 1e-4f);
+}
+
+// acceptance: T14
+TEST(VolumesOfMaterials, DimPhotons) {
+  for (const bool on : {false, true}) {
+    SceneText scene = fog_box("\"cutout_opacity\" 0", on);
+    scene.light("lamp",
+                "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 40 direction 0 0 -1 "
+                "spread .9999 energy 100 100 100 globillum photons 20000");
+    const Probe probe(scene);
+    PhotonSettings settings;
+    settings.each = {.global = {.emit = 20000}};
+    RayCounts counts;
+    PhotonBalance balance;
+    trace_photons(probe.world(), settings, counts, &balance);
+    // Of 20000 photons the share has a standard error of .0035.
+    EXPECT_NEAR(balance.escaped.y / balance.emitted.y, on ? .5 : 1, on ? .014 : 1e-4);
   }
 }
 

@@ -203,6 +203,32 @@ TEST(PhotonTrace, PhotonsAndPathsTellTheSameCaustics) {
   }
 }
 
+// acceptance: T7, H3
+TEST(PhotonTrace, OpaqueThingsReflectWhicheverWayTheirNormalsPoint) {
+  // A narrow spot meets an opaque plate; what it reflects comes down on
+  // the floor: Fresnel's share of index 1.5.
+  const auto share = [](const Vec3& normal) {
+    SceneText scene("trace depth 8 8 12 shadow segments caustic on");
+    scene.lambert("floor", .5f)
+        .square("floor", Vec3(0), 20, kUp)
+        .material("plate",
+                  "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_fresnel\" on, "
+                  "\"refr_ior\" 1.5, \"transparency\" 0")
+        .square("plate", Vec3(0, 0, 2), .5f, normal)
+        .light("lamp",
+               physical(10) + " origin -1.7320508 0 3 direction 1.7320508 0 -1 spread .9999");
+    const Traced t = trace(Probe(scene), {.each = emitting(0, 1 << 16)});
+    return power_of(t.maps.caustic) / t.balance.emitted.y;
+  };
+  // The plate leans so that the light goes on downward.
+  const Vec3 along = normalize(Vec3(1.7320508f, 0, -1)), onward = normalize(Vec3(.2f, 0, -1));
+  const Vec3 normal = normalize(onward - along);
+  const float exact = bsdf::fresnel_dielectric(-dot(along, normal), 1.5f);
+  const double front = share(normal), back = share(-normal);
+  EXPECT_NEAR(front, exact, .02f * exact);
+  EXPECT_NEAR(back, exact, .02f * exact);
+}
+
 TEST(PhotonTrace, MapsDoNotDependOnThreads) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
   scene.lambert("grey", .6f)

@@ -38,6 +38,18 @@ inline constexpr ShaderSpec kTestSky = {
         },
 };
 
+/// "test_direction": where a ray goes, as a colour around .5.
+inline constexpr ShaderSpec kTestDirection = {
+    .name = "test_direction",
+    .library = "test",
+    .apply = kApplyEnvironment,
+    .value =
+        [](const Call& call, void* result) {
+          const Vec3 c = call.point.ray_direction * 0.5f + Vec3(0.5f);
+          *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
+        },
+};
+
 /// "test_place": the point in world space as a colour, so that a target tells where it was hit.
 struct TestPlace {
   Vec3 scale;
@@ -79,6 +91,7 @@ inline const Registry& test_registry() {
   static const Registry registry([] {
     std::vector<const ShaderSpec*> specs = builtin_shaders().all();
     specs.push_back(&kTestSky);
+    specs.push_back(&kTestDirection);
     specs.push_back(&kTestPlace);
     specs.push_back(&kTestTilt);
     return specs;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What users' shaders write into frame buffers, in files and before output shaders.
+#include "image/files.h"
 #include "render/output_names.h"
 #include "user_picture.h"
 
@@ -147,6 +148,7 @@ TEST(UserFrameBuffers, OutputShadersReadAndChangeThem) {
   EXPECT_FLOAT_EQ(first("before.exr").at(4, 4)[1], .2f);
   EXPECT_FLOAT_EQ(first("after.exr").at(4, 4)[1], .4f);
   EXPECT_FLOAT_EQ(shown_image(*picture.session, files[2].shaders).at(4, 4)[1], .4f);
+  EXPECT_FLOAT_EQ(read_image((folder.path() / "shown.tif").string()).at(4, 4)[1], .4f);
   EXPECT_EQ(scene.messages(), "");
 }
 

@@ -93,6 +93,53 @@ TEST(UserShaders, TexturesAndBuiltInShadersReadEachOther) {
   expect_color(scene.pixel(4, 4), Rgb(.2f, .4f, .6f), 1e-5f);
 }
 
+TEST(UserShaders, AreaLightsOfKindUserShineFromWhereTheirShadersPutThem) {
+  // A square of side 2 at (0, 0, 3): samples that the shader places, against a rectangle's.
+  ShaderFolder folder;
+  folder.compile("panel",
+                 std::string(kHead) +
+                     "struct panel { miBoolean place; };"
+                     "DLLEXPORT miBoolean panel(miColor *r, miState *state, struct panel *p) {"
+                     "  miVector way; miScalar d;"
+                     "  if (*mi_eval_boolean(&p->place)) { miTag light; int area; miVector o;"
+                     "    mi_query(miQ_INST_ITEM, state, state->light_instance, &light);"
+                     "    mi_query(miQ_LIGHT_AREA, state, light, &area);"
+                     "    if (area != miLIGHT_USER) return miFALSE;"
+                     "    mi_query(miQ_LIGHT_ORIGIN, state, light, &o);"
+                     "    o.x += 2 * mi_random() - 1; o.y += 2 * mi_random() - 1;"
+                     "    mi_point_from_light(state, &state->org, &o);"
+                     "    mi_vector_sub(&state->dir, &state->point, &state->org);"
+                     "    state->dist = mi_vector_norm(&state->dir);"
+                     "    mi_vector_normalize(&state->dir); }"
+                     "  mi_vector_sub(&way, &state->point, &state->org); d = mi_vector_norm(&way);"
+                     "  r->r = r->g = r->b = 9 * -way.z / (d * d * d); r->a = 1;"
+                     "  return mi_trace_shadow(r, state); }");
+  const auto lit = [&](const std::string& place, const std::string& area) {
+    UserScene scene(
+        folder,
+        "link \"panel.so\" declare shader \"panel\" ( boolean \"place\" ) apply light end declare "
+        "light \"lamp\" \"panel\" ( \"place\" " +
+            place + " ) origin 0 0 3 " + area +
+            " end light instance \"lamp_i\" \"lamp\" end instance "
+            "material \"m\" \"mib_illum_lambert\" ( \"diffuse\" .8 .8 .8, \"ambience\" 0 0 0, "
+            "\"mode\" 4 ) end material material \"black\" \"mib_illum_lambert\" ( ) end material "
+            "object \"blocker\" shadow trace group -1 -1 1 1 -1 1 1 1 1 -1 1 1 v 0 v 1 v 2 v 3 "
+            "c 0 1 2 3 end group end object instance \"blocker_i\" \"blocker\" material \"black\" "
+            "end instance " +
+            UserScene::square("m"),
+        "\"lamp_i\" \"blocker_i\" \"square_i\"");
+    scene.indirect = false;
+    std::array<float, 4> row;
+    for (int i = 0; i < 4; ++i) row[static_cast<std::size_t>(i)] = scene.pixel(4 + i, 4, 4096).x;
+    EXPECT_EQ(scene.messages(), "");
+    return row;
+  };
+  const auto user = lit("on", "user 4 4"), rectangle = lit("off", "rectangle 2 0 0 0 -2 0");
+  for (std::size_t i = 0; i < user.size(); ++i)
+    EXPECT_NEAR(user[i], rectangle[i], .03f * rectangle[3]) << i;  // about 4 standard errors
+  EXPECT_LT(user[0], .1f * user[3]);                               // the blocker's shadow
+}
+
 // acceptance: I3
 TEST(UserShaders, LightsShineWithTheirOwnShadersAndCastShadows) {
   ShaderFolder folder;

@@ -82,6 +82,60 @@ TEST(MaterialApi, BothStructsAreToldApartByTheirSize) {
   expect_color(asked(3), Rgb(.125f, 0, 0), 1e-6f);
 }
 
+// acceptance: I1
+TEST(MaterialApi, TheOlderStructHasEachPartUnderItsOwnName) {
+  const ShaderFolder folder;
+  // Members of the struct and the outputs that they are; the last is opacity, one number.
+  const std::pair<const char*, const char*> members[] = {
+      {"indir_result", "indirect_result"}, {"diff_result", "diffuse_result"},
+      {"spec_result", "spec_result"},      {"tran_result", "tran_result"},
+      {"refl_result", "refl_result"},      {"refr_result", "refr_result"},
+      {"add_result", "add_result"},        {"ao_result", "ao_raw"},
+      {"diff_level", "diffuse_level"},     {"refl_level", "refl_level"},
+      {"refr_level", "refr_level"},        {"tran_level", "tran_level"}};
+  std::string addresses;
+  for (const auto& [member, output] : members) addresses += std::string("&o.") + member + ", ";
+  folder.compile(
+      "part", std::string(kHead) +
+                  "struct part { miTag mtl; miInteger member; };"
+                  "DLLEXPORT miBoolean part(miColor *r, miState *state, struct part *p) {"
+                  "  mia_material_api_storage o, *found; int n; miColor c;"
+                  "  miTag mtl = *mi_eval_tag(&p->mtl); int member = *mi_eval_integer(&p->member);"
+                  "  o.struct_size = sizeof o; o.in_use = miFALSE;"
+                  "  mi_shaderstate_set(state, miA_MATERIAL_API_STORAGE, &o, sizeof o, 0);"
+                  "  if (!mi_call_shader_x(&c, miSHADER_MATERIAL, state, mtl, NULL))"
+                  "    return miFALSE;"
+                  "  found = mi_shaderstate_get(state, miA_MATERIAL_API_STORAGE, &n);"
+                  "  if (!found || !found->in_use) return miFALSE;"
+                  "  o = *found;"
+                  "  { miColor *parts[] = {" +
+                  addresses +
+                  "0}; *r = *parts[member]; }"
+                  "  r->a = 1; return miTRUE; }");
+  const auto scene_of = [&](const std::string& material) {
+    return "link \"part.so\" declare shader color \"part\" ( shader \"mtl\", integer \"member\" ) "
+           "apply material end declare " +
+           lamp("\"mib_light_point\" ( \"color\" 9 9 9 )") +
+           "shader \"x\" \"mia_material_x\" ( \"diffuse\" .7 .5 .3 1, \"reflectivity\" .4, "
+           "\"refl_color\" 1 .5 1 1, \"brdf_0_degree_refl\" .5, \"refl_gloss\" .2, "
+           "\"transparency\" .5, \"refr_color\" .2 .9 .4 1, \"thin_walled\" on, "
+           "\"refr_translucency\" on, \"refr_trans_color\" .1 .3 .8 1, \"refr_trans_weight\" .4, "
+           "\"additional_color\" .1 .2 .3, \"multiple_outputs\" on ) material \"m\" " +
+           material + " end material " + UserScene::square("m");
+  };
+  UserScene bare(folder, scene_of("= \"x\""), "\"lamp_i\" \"square_i\"");
+  const UserPicture wanted(bare, 16, true);
+  for (std::size_t i = 0; i < std::size(members); ++i) {
+    UserScene scene(folder,
+                    scene_of("\"part\" ( \"mtl\" \"x\", \"member\" " + std::to_string(i) + " )"),
+                    "\"lamp_i\" \"square_i\"");
+    const Rgb expected = mean_output(wanted, members[i].second);
+    SCOPED_TRACE(members[i].first);
+    expect_color(UserPicture(scene, 16).mean(), expected, .02f * max_component(expected) + 1e-6f);
+    EXPECT_EQ(scene.messages(), "");
+  }
+}
+
 /// Calls a material and shows member `member` of its 24 results, or its colour alone for 24.
 constexpr const char* kWhole =
     "struct whole { miTag mtl; miInteger member; };"

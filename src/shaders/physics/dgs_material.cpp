@@ -10,6 +10,7 @@
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "runtime/shader_node.h"
+#include "shaders/physics/photon_rows.h"
 
 namespace oriel {
 namespace {
@@ -77,6 +78,9 @@ constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, lights), .doc = "The list.", .declared_default = false},
     {ORIEL_PARAM(Dielectric, mode), .doc = kMode, .declared_default = false},
 };
+constexpr const char* kPhotonReason = "Photons follow the surface's material.";
+constexpr auto kDgsPhotonRows = ignored_rows(kDgsRows, kPhotonReason);
+constexpr auto kDielectricPhotonRows = ignored_rows(kDielectricRows, kPhotonReason);
 constexpr ParamSpec kPhotonBasicRows[] = {
     {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters.", .declared_default = false},
     {ORIEL_PARAM(PhotonBasic, specular), .doc = "Share that is mirrored.",
@@ -215,7 +219,7 @@ const ShaderSpec kDgsMaterialPhoton = {
     .version = 3,
     .apply = kApplyPhoton,
     .doc = "Accepted as photon shader; photons follow the surface's material.",
-    .params = kDgsRows,
+    .params = kDgsPhotonRows,
     .params_size = sizeof(Dgs),
     .material = dgs,
     .most_lobes = dgs_lobes,
@@ -252,7 +256,7 @@ const ShaderSpec kDielectricMaterialPhoton = {
     .version = 2,
     .apply = kApplyPhoton,
     .doc = "Accepted as photon shader; photons follow the surface's material.",
-    .params = kDielectricRows,
+    .params = kDielectricPhotonRows,
     .params_size = sizeof(Dielectric),
     .material = dielectric,
     .may_transmit = always,

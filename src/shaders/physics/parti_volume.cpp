@@ -9,6 +9,7 @@
 #include "runtime/shader_node.h"
 #include "runtime/tracer.h"
 #include "runtime/world.h"
+#include "shaders/physics/photon_rows.h"
 
 namespace oriel {
 namespace {
@@ -54,6 +55,9 @@ constexpr ParamSpec kPartiVolumeRows[] = {
     {ORIEL_PARAM(Air, lights), .doc = "Lights that are scattered; none = all.",
      .declared_default = false},
 };
+
+constexpr auto kPhotonRows =
+    ignored_rows(kPartiVolumeRows, "Photons are scattered as the camera's own volume says.");
 
 float lobe(float cosine, float g) {
   /// Narrower lobes are needles that no sample finds.
@@ -175,7 +179,7 @@ const ShaderSpec kPartiVolumePhoton = {
     .version = 3,
     .apply = kApplyPhoton,
     .doc = "Accepted; photons are scattered as the camera's own volume says.",
-    .params = kPartiVolumeRows,
+    .params = kPhotonRows,
     .params_size = sizeof(Air),
     .volume = air,
 };
