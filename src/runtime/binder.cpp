@@ -324,9 +324,15 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("volume"); list && world_.options.volume)
     bound.volume = bind_volume(*list, scope);
   world_.has_object_volumes |= !bound.volume.empty();
-  if (const auto* list = material.slot("photon"))
-    for (const ShaderNode* node : bind_list(*list, scope))
-      if (node->spec().photon) bound.photon.push_back(node);
+  if (const auto* list = material.slot("photon")) {
+    for (const ShaderNode* node : bind_list(*list, scope)) {
+      const ShaderSpec& spec = node->spec();
+      if (spec.photon)
+        bound.photon.push_back(node);
+      else if (spec.material && !spec.stands_in)
+        bound.photon_surface.push_back(node);
+    }
+  }
   if (const auto* list = material.slot("lightmap");
       list && !list->empty() && world_.options.lightmap != scene::MapMode::Off)
     diagnostics_.warning(

@@ -23,6 +23,13 @@ void shade(const Material& material, ShadingPoint& point, Closure& closure) {
   shade(material.surface, point, closure);
 }
 
+void shade_for_photons(const Material& material, ShadingPoint& point, Closure& closure) {
+  if (material.photon_surface.empty()) return shade(material, point, closure);
+  point.material = &material;
+  if (!material.volume.empty()) closure.volume = &material.volume;
+  shade(material.photon_surface, point, closure);
+}
+
 void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure) {
   if (!material.volume.empty()) closure.volume = &material.volume;
   if (!material.filters_shadows()) return shade(material.surface, point, closure);

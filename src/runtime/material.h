@@ -13,9 +13,10 @@ struct Material {
   std::string name;
   NodeList surface;
   NodeList environment;
-  NodeList photon;    ///< what becomes of photons, in place of the surface's closure
-  NodeList volume;    ///< acts between where a ray enters the object and where it leaves
-  NodeList displace;  ///< added up, they move the vertices of the surface along their normals
+  NodeList photon;          ///< what becomes of photons, in place of the surface's closure
+  NodeList photon_surface;  ///< the closure that photons meet; empty: the surface's
+  NodeList volume;          ///< acts between where a ray enters the object and where it leaves
+  NodeList displace;        ///< added up, they move the vertices of the surface along their normals
   // What decides in place of the surface's closure how much light passes. Both are empty where the
   // surface stands in its own slot `shadow`.
   NodeList shadow;          ///< shadow shaders, each on what the one before left of the light
@@ -33,6 +34,8 @@ struct Material {
 /// Runs the surface shaders; the closure is that of the last material shader in the list, opaque
 /// and black when there is none.
 void shade(const Material& material, ShadingPoint& point, Closure& closure);
+/// The same as photons meet it.
+void shade_for_photons(const Material& material, ShadingPoint& point, Closure& closure);
 /// The same for a list of shaders that is no material's.
 void shade(const NodeList& surface, ShadingPoint& point, Closure& closure);
 /// The closure that light passes a blocker by; as a thin wall where shadow shaders alone decide.

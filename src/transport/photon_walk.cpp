@@ -263,7 +263,7 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   }
   seen.normal = facing_viewer(seen.normal, seen);
   Closure closure;
-  shade(material, seen, closure);
+  shade_for_photons(material, seen, closure);
   make_ready(closure, sample.wi);
   const Rgb value = evaluate_closure(closure, {}, seen, sample.wi, point.wo()).of(kind).value;
   const float in = std::abs(dot(point.wo(), point.geometric_normal));
@@ -407,7 +407,7 @@ bool PhotonWalk::arrive(const geom::Hit& hit) {
   }
   const Material& material = material_of(world_, hit);
   Closure closure;
-  shade(material, point, closure);
+  shade_for_photons(material, point, closure);
   if (!scattered_) emitted_ = source_.power(photon_, length(point.position - start_));
   if (max_component(power()) <= 0) return absorb(), false;
   if (source_.is_environment() && !diffuse_ &&

@@ -229,6 +229,32 @@ TEST(PhotonTrace, OpaqueThingsReflectWhicheverWayTheirNormalsPoint) {
   EXPECT_NEAR(back, exact, .02f * exact);
 }
 
+// acceptance: H3
+TEST(PhotonTrace, TheShaderInTheSlotPhotonStandsForTheSurface) {
+  // Of what falls on a black plate its photon shader scatters .3 and mirrors .5 into the open.
+  const auto escaped = [](const std::string& photon) {
+    SceneText scene;
+    scene
+        .statement(
+            "material \"plate\" \"mia_material_x\" ( \"diffuse_weight\" 0, "
+            "\"reflectivity\" 0 ) " +
+            photon + " end material")
+        .square("plate", Vec3(0), 5, kUp)
+        .light("lamp", physical(10) + " origin 0 0 3 direction 0 0 -1 spread .99");
+    const Traced t = trace(Probe(scene), {.each = emitting(1 << 14)});
+    expect_balanced(t.balance);
+    return t.balance.escaped.y / t.balance.emitted.y;
+  };
+  const double error = std::sqrt(.8 * .2 / (1 << 14));
+  EXPECT_EQ(escaped(""), 0);
+  for (const std::string shader :
+       {"mib_photon_basic\" ( \"diffuse\" .3 .3 .3, \"specular\" .5 .5 .5 )",
+        "dgs_material_photon\" ( \"diffuse\" .3 .3 .3, \"specular\" .5 .5 .5 )",
+        "mia_material_x\" ( \"diffuse\" .6 .6 .6, \"reflectivity\" .5, \"brdf_fresnel\" off, "
+        "\"brdf_0_degree_refl\" 1, \"brdf_90_degree_refl\" 1 )"})
+    EXPECT_NEAR(escaped("photon \"" + shader), .8, 4 * error) << shader;
+}
+
 TEST(PhotonTrace, MapsDoNotDependOnThreads) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
   scene.lambert("grey", .6f)

@@ -250,7 +250,7 @@ TEST(BaseLookups, FilterLookupBlursAlongTheFootprint) {
   // A remap shader that shrinks what it is given shrinks the footprint.
   const Rgba remapped = at(", \"remap\" \"r\"", wide, thin,
                            "\nshader \"c\" \"mib_texture_vector\" ( \"select\" 0 )\nshader \"r\" "
-                           "\"mib_texture_remap\" ( \"input\" = \"c\", \"max\" 100 100 100 )");
+                           "\"mib_texture_remap\" ( \"input\" = \"c\", \"max\" .01 .01 .01 )");
   EXPECT_LT(remapped.r, .02f);
 }
 
@@ -271,8 +271,8 @@ TEST(BaseLookups, TheFilterGoesByTheCoordinate) {
     return node.color();
   };
   for (const char* remap :
-       {"\"max\" 100 100 100", "\"transform\" .01 0 0 0 0 .01 0 0 0 0 1 0 0 0 0 1",
-        "\"max\" 100 100 100, \"torus_x\" on"}) {
+       {"\"max\" .01 .01 .01", "\"transform\" .01 0 0 0 0 .01 0 0 0 0 1 0 0 0 0 1",
+        "\"max\" .01 .01 .01, \"torus_x\" on"}) {
     EXPECT_LT(at(.8f, remap).r, .02f) << remap;
     const bool repeats = std::string(remap).ends_with("on");
     EXPECT_EQ(at(80, remap).r > .1f, !repeats) << remap;

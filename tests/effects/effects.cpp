@@ -143,12 +143,7 @@ SceneText square_of(const std::string& call) {
 Measured seen_value(const std::string& call, const std::string& member, const std::string& elements,
                     Vec2 place) {
   const Probe probe(
-      testing::scene_text(
-          fmt::format("{}\nshader \"seen\" {}\nmaterial \"m\" \"test_show\" ( \"{}\" = "
-                      "\"seen{}{}\" ) end material",
-                      elements, call, entrance_of(type_of(shader_of(call), member)),
-                      member.empty() ? "" : ".", member),
-          instances_of(elements)),
+      testing::scene_text(shown_as_light(call, elements, member), instances_of(elements)),
       known_shaders());
   const Vec2 raster(place.x * 16, place.y * 12);
   return probe.over(64, [&](sampling::Sampler&, int) {
@@ -169,6 +164,15 @@ const Registry& known_shaders() {
     return specs;
   }());
   return registry;
+}
+
+std::string shown_as_light(const std::string& call, const std::string& elements,
+                           const std::string& result) {
+  return fmt::format(
+      "{}\nshader \"seen\" {}\nmaterial \"m\" \"test_show\" ( \"{}\" = \"seen{}{}\" ) "
+      "end material\n",
+      elements, call, entrance_of(type_of(shader_of(call), result)), result.empty() ? "" : ".",
+      result);
 }
 
 std::string call_of(std::string_view shader, const std::string& parameters) {

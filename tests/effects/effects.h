@@ -61,9 +61,6 @@ Case both(Case first, const Case& second);
 /// Brighter by more than chance.
 void expect_more(const Measured& more, const Measured& less, int channel = 0);
 
-/// All shaders and those for tests.
-const Registry& known_shaders();
-
 // Stages.
 
 /// Result of a shader of any plain type as light, `seen` of a square of 20 units at z = -5 with
@@ -86,6 +83,13 @@ Stage material_in_sky(float degrees = 0, int samples = 4096);
 /// seen at `at`. `element` are the light's further statements.
 Stage light(const std::string& element = "origin 0 0 2", const Vec3& at = Vec3(0),
             int samples = 256);
+
+/// Elements that define material "m" as what shows a call's result, or that member of it, as light;
+/// `elements` come before. Needs known_shaders().
+std::string shown_as_light(const std::string& call, const std::string& elements = {},
+                           const std::string& result = {});
+/// All built-in shaders and those for tests.
+const Registry& known_shaders();
 
 /// The shader as the scene's environment, seen along that direction.
 Stage environment(const Vec3& direction, int samples = 64);

@@ -170,19 +170,15 @@ bool acts(const ShaderSpec& spec, const ParamSpec& row) {
 TEST(BaseLibrary, EachParameterActsOrIsReportedAsIgnored) {
   // What this cannot see, and where it is shown.
   const std::set<std::string> elsewhere = {
-      "mib_texture_filter_lookup.space",  // there is a footprint in the first space alone
-      "mib_texture_remap.alt_z",          // numbers here stay within the first copy: Textures.*
+      "mib_texture_remap.alt_z",  // numbers here stay within the first copy: Textures.*
       "mib_texture_remap.torus_z",
-      "mib_bent_normal_env.env_samples",  // more of them come with the pixel's samples
-      "mib_shadow_transparency.mode",     // needs lists: ShadowShader.*
-      "mib_illum_cooktorr.ior",           // below 1 here: Illumination.CookTorranceShifts*
-      "mib_blackbody.temperature",        // a few kelvin here: BaseColors.Temperatures*
+      "mib_shadow_transparency.mode",  // needs lists: ShadowShader.*
+      "mib_illum_cooktorr.ior",        // below 1 here: Illumination.CookTorranceShifts*
+      "mib_blackbody.temperature",     // a few kelvin here: BaseColors.Temperatures*
       "mib_cie_d.temperature",
       "mib_color_alpha.input",     // opaque here: BaseColors.GreysAreCopied*
       "mib_ray_marcher.distance",  // need a shader to march through: RayMarcher.* in analytic
-      "mib_ray_marcher.num",
-      "mib_ray_marcher.subdiv",
-      "mib_ray_marcher.contrast",
+      "mib_ray_marcher.num",          "mib_ray_marcher.subdiv", "mib_ray_marcher.contrast",
       "mib_volume.lightrays",  // acts between lights and surfaces: tests/analytic/volume_test.cpp
   };
   for (const ShaderSpec* spec : builtin_shaders().all()) {

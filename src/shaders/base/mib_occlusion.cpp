@@ -105,11 +105,15 @@ constexpr ParamSpec kBentEnvRows[] = {
     {ORIEL_PARAM(BentEnv, coordinate_space), .fallback = {2}, .min = 0, .max = 4,
      .doc = "Space of bent_normals: 2 world, 3 camera, 4 object, 0 by the matrix."},
     {ORIEL_PARAM(BentEnv, env_samples), .fallback = {1}, .min = 1,
-     .doc = "Look-ups for a pixel; each evaluation makes one.", .support = Support::Approximated},
+     .doc = "Look-ups for a pixel; each evaluation makes four at most.",
+     .support = Support::Approximated},
     {ORIEL_PARAM(BentEnv, samples_spread), .min = 0, .max = 1,
      .doc = "Width of the cone of look-ups."},
     {ORIEL_PARAM(BentEnv, matrix), .doc = "Takes bent_normals to world space."},
 };
+
+/// Rays or look-ups of one evaluation: the samples of the pixel share the rest.
+constexpr int kMostAtOnce = 4;
 
 /// What is asked, in the terms both shaders share.
 struct Cone {
@@ -144,8 +148,6 @@ Around look_around(const Cone& cone, ShadingPoint& point) {
   Around out;
   const Vec3 axis = axis_of(cone, point);
   if (!point.tracer || cone.samples <= 0) return {1, axis};
-  /// Rays of one evaluation: the samples of the pixel share the rest.
-  constexpr int kMostAtOnce = 4;
   const int rays = std::min(cone.samples, kMostAtOnce);
   const Frame frame(axis);
   const float reach = cone.reach > 0 ? cone.reach : std::numeric_limits<float>::infinity();
@@ -225,12 +227,18 @@ void bent_env(const Call& call, void* result) {
     d = transform_normal(d, point.world->camera.to_camera);
   if (p.coordinate_space == 4 && point.to_world) d = transform_vector(d, *point.to_world);
   const Vec3 axis = normalize(d);
-  Vec3 way = axis;
-  if (point.tracer && p.samples_spread > 0 && axis != Vec3(0))
-    way = Frame(axis).to_world(
-        sampling::sample_cone(point.tracer->next(), 1 - math::cos(p.samples_spread * kPi / 2)));
+  const bool spreads = point.tracer && p.samples_spread > 0 && axis != Vec3(0);
+  const int samples = spreads ? std::clamp(p.env_samples, 1, kMostAtOnce) : 1;
+  Rgb seen(0);
+  for (int i = 0; i < samples; ++i) {
+    Vec3 way = axis;
+    if (spreads)
+      way = Frame(axis).to_world(
+          sampling::sample_cone(point.tracer->next(), 1 - math::cos(p.samples_spread * kPi / 2)));
+    seen += environment(p.environment.node, way, point);
+  }
   const Rgb open = p.occlusion_in_alpha ? Rgb(p.bent_normals.a) : rgb(p.occlusion);
-  const Rgb c = environment(p.environment.node, way, point) * open * p.strength;
+  const Rgb c = seen * open * (p.strength / static_cast<float>(samples));
   *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
 }
 

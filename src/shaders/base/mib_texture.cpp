@@ -54,9 +54,10 @@ constexpr ParamSpec kRemapRows[] = {
     {ORIEL_PARAM(RemapParams, torus_x), .doc = "Wrap around.", .declared_default = false},
     {ORIEL_PARAM(RemapParams, torus_y), .doc = "Wrap around.", .declared_default = false},
     {ORIEL_PARAM(RemapParams, torus_z), .doc = "Wrap around.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, min), .doc = "Corner of the part that is mapped to 0..1.",
+    {ORIEL_PARAM(RemapParams, min), .doc = "Lower corner of the part of the texture that is used.",
      .declared_default = false},
-    {ORIEL_PARAM(RemapParams, max), .doc = "Other corner; equal to min = off.",
+    {ORIEL_PARAM(RemapParams, max),
+     .doc = "Upper corner of that part; equal to min = all of the texture.",
      .declared_default = false},
     {ORIEL_PARAM(RemapParams, offset), .doc = "Added last.", .declared_default = false},
 };
@@ -131,7 +132,7 @@ float remap_axis(float x, float repeat, bool alternate, bool torus, float lo, fl
     if (alternate && std::fmod(copy, 2.0f) != 0) x = 1 - x;
   }
   if (torus) x -= std::floor(x);
-  if (hi != lo) x = (x - lo) / (hi - lo);
+  if (hi != lo) x = lo + x * (hi - lo);
   return x;
 }
 
@@ -150,7 +151,10 @@ const ShaderSpec kMibTextureVector = {
     .value =
         [](const Call& call, void* result) {
           const auto& p = call.as<VectorParams>();
-          *static_cast<Vec3*>(result) = projected(p.project, selected(p, call.point));
+          // Places on the picture and directions of environments are not projected.
+          const bool as_it_is = p.selspace == 4 || p.select == -10;
+          *static_cast<Vec3*>(result) =
+              projected(as_it_is ? 0 : p.project, selected(p, call.point));
         },
 };
 

@@ -50,8 +50,10 @@ constexpr ParamSpec kFilterRows[] = {
      .doc = "Radius of the disc that is projected; 0 = 0.3.", .declared_default = false},
     {ORIEL_PARAM(Filter, bilinear), .doc = "Interpolate texels that are large in the picture.",
      .declared_default = false},
-    {ORIEL_PARAM(Filter, space), .doc = "Texture space the footprint is measured in.",
-     .support = Support::Approximated, .declared_default = false},
+    {ORIEL_PARAM(Filter, space),
+     .doc = "Texture space the footprint is measured in; always the first, which alone has a known "
+            "size on the surface.",
+     .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(Filter, remap), .doc = "Shader that moved the coordinate.",
      .support = Support::Approximated, .declared_default = false},
 };

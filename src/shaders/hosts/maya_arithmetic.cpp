@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "color/luminance.h"
 #include "shaders/hosts/host_rows.h"
 #include "shaders/hosts/maya_utility.h"
 
@@ -263,7 +262,7 @@ constexpr ShaderSpec kNodes[] = {
     node("maya_luminance", "Stand-in for the host's luminance.", kLuminanceRows, sizeof(Luminance),
          ParamType::Scalar,
          [](const Call& call, void* result) {
-           *static_cast<float*>(result) = luminance(rgb(call.as<Luminance>().value));
+           *static_cast<float*>(result) = maya_luminance(rgb(call.as<Luminance>().value));
          }),
     node("maya_condition", "Stand-in for the host's condition.", kConditionRows, sizeof(Condition),
          ParamType::Color,

@@ -23,21 +23,27 @@ struct Lamp {
   float coneAngle, penumbraAngle, dropoff;
 };
 
-constexpr auto kRows = about({
+constexpr auto kCommonRows = about({
     {ORIEL_PARAM(Lamp, color), .fallback = {1, 1, 1}, .doc = "Colour."},
     {ORIEL_PARAM(Lamp, intensity), .fallback = {1}, .doc = "Factor of the colour."},
     {ORIEL_PARAM(Lamp, useRayTraceShadows), .fallback = {1}, .doc = "Cast shadows."},
     {ORIEL_PARAM(Lamp, shadowColor), .doc = "Share that passes opaque blockers; its mean."},
     {ORIEL_PARAM(Lamp, emitDiffuse), .fallback = {1}, .doc = "Light diffuse surfaces."},
-    {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1}, .doc = "Make highlights."},
 });
+constexpr auto kRows =
+    joined(kCommonRows,
+           about({{ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1}, .doc = "Make highlights."}}));
 constexpr auto kDirectionalRows =
     joined(kRows, about({{ORIEL_PARAM(Lamp, lightAngle), .min = 0, .unit = "radians",
                           .doc = "Width of the cone the light comes from."}}));
-constexpr auto kAmbientRows =
-    joined(kRows, about({{ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
-                          .doc = "Share that falls from the light's place; the rest does not care "
-                                 "how a surface stands to it."}}));
+constexpr auto kAmbientRows = joined(
+    kCommonRows, about({
+                     {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
+                      .doc = "Ambient light makes no highlights.", .support = Support::Ignored},
+                     {ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
+                      .doc = "Share that falls from the light's place; the rest does not care "
+                             "how a surface stands to it."},
+                 }));
 constexpr auto kPointRows =
     joined(kRows, about({{ORIEL_PARAM(Lamp, decayRate), .min = 0, .max = 3,
                           .doc = "Exponent of the distance by which it weakens."}}));

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "color/luminance.h"
 #include "shaders/hosts/maya_place.h"
 #include "shaders/hosts/maya_texture.h"
+#include "shaders/hosts/maya_utility.h"
 
 namespace oriel {
 namespace {
@@ -150,7 +150,7 @@ const ShaderSpec kMayaRamp = {
           const Vec3 uv = coordinate(call, offsetof(Ramp, uvCoord), p.uvCoord);
           const Rgb found = is_nowhere(uv) ? rgb(p.defaultColor) : colour_at(p, along(p.type, uv));
           const Rgb c = found * rgb(p.colorGain) + rgb(p.colorOffset);
-          const float alpha = luminance(c);
+          const float alpha = maya_luminance(c);
           *static_cast<Textured*>(result) = {Rgba(c.x, c.y, c.z, 1), alpha};
         },
     .stands_in = true,

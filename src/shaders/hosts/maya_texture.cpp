@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "color/luminance.h"
 #include "image/noise.h"
 #include "runtime/bump.h"
 #include "runtime/texture_node.h"
 #include "shaders/hosts/maya_place.h"
+#include "shaders/hosts/maya_utility.h"
 
 namespace oriel {
 namespace {
@@ -96,19 +96,29 @@ constexpr auto kCheckerRows = joined(
         {ORIEL_PARAM(Pattern, contrast), .fallback = {1}, .min = 0, .max = 1,
          .doc = "0 mixes the colours."},
     }));
-constexpr auto kNoiseRows = joined(
+constexpr auto kGrainRows = joined(
     kPatternRows,
     about({
         {ORIEL_PARAM(Pattern, threshold), .doc = "Added to the noise."},
-        {ORIEL_PARAM(Pattern, amplitude), .fallback = {1}, .doc = "Factor of the noise."},
         {ORIEL_PARAM(Pattern, ratio), .fallback = {.707f},
          .doc = "How fast finer noise gets weaker."},
         {ORIEL_PARAM(Pattern, frequencyRatio), .fallback = {2}, .doc = "How fast it gets finer."},
         {ORIEL_PARAM(Pattern, frequency), .fallback = {8}, .doc = "Grains along the texture."},
-        {ORIEL_PARAM(Pattern, depthMax), .fallback = {3}, .min = 1, .max = 9,
-         .doc = "Sizes of noise."},
-        {ORIEL_PARAM(Pattern, levelMax), .min = 0, .max = 9, .doc = "Sizes of noise of fractals."},
     }));
+constexpr auto kNoiseRows =
+    joined(kGrainRows, about({
+                           {ORIEL_PARAM(Pattern, amplitude), .fallback = {1},
+                            .doc = "Factor of the noise about its mean."},
+                           {ORIEL_PARAM(Pattern, depthMax), .fallback = {3}, .min = 1, .max = 9,
+                            .doc = "Sizes of noise."},
+                       }));
+constexpr auto kFractalRows =
+    joined(kGrainRows,
+           about({
+               {ORIEL_PARAM(Pattern, amplitude), .fallback = {1}, .doc = "Factor of the noise."},
+               {ORIEL_PARAM(Pattern, levelMax), .fallback = {9}, .min = 1, .max = 9,
+                .doc = "Sizes of noise."},
+           }));
 #undef ORIEL_BALANCE_ROW
 #undef ORIEL_BALANCE_ROWS
 constexpr auto kBumpRows = about({
@@ -130,7 +140,8 @@ Vec3 turned(const Vec3& uv, float angle) {
 Textured balanced(const Balance& b, const Rgba& texel) {
   Rgb c = b.invert ? Rgb(1) - rgb(texel) : rgb(texel);
   c = c * rgb(b.colorGain) + rgb(b.colorOffset);
-  const float alpha = (b.alphaIsLuminance ? luminance(c) : texel.a) * b.alphaGain + b.alphaOffset;
+  const float alpha =
+      (b.alphaIsLuminance ? maya_luminance(c) : texel.a) * b.alphaGain + b.alphaOffset;
   return {Rgba(c.x, c.y, c.z, alpha), alpha, Rgba(1 - alpha, 1 - alpha, 1 - alpha, 1)};
 }
 
@@ -180,7 +191,8 @@ void checker(const Call& call, void* result) {
   out = balanced(p.balance, Rgba(c.x, c.y, c.z, share));
 }
 
-void noise(const Call& call, void* result, int sizes, float frequency) {
+/// `about_mean`: the amplitude scales the noise about its mean, else all of it.
+void noise(const Call& call, void* result, int sizes, bool about_mean) {
   const auto& p = call.as<Pattern>();
   const Vec3 uv = coordinate(call, offsetof(Pattern, uvCoord), p.uvCoord);
   auto& out = *static_cast<Textured*>(result);
@@ -189,14 +201,15 @@ void noise(const Call& call, void* result, int sizes, float frequency) {
     return;
   }
   float sum = 0, weights = 0, weight = 1;
-  Vec3 at(uv.x * frequency, uv.y * frequency, .5f);
+  Vec3 at(uv.x * p.frequency, uv.y * p.frequency, .5f);
   for (int k = 0; k < std::clamp(sizes, 1, 9); ++k) {
     sum += weight * gradient_noise(at);
     weights += weight;
     weight *= clamp(p.ratio, 0, 1);
     at *= clamp(p.frequencyRatio, 1, 16);
   }
-  const float value = clamp01(p.threshold + p.amplitude * (.5f + sum / weights));
+  const float mean = about_mean ? .5f : .5f * p.amplitude;
+  const float value = clamp01(p.threshold + mean + p.amplitude * sum / weights);
   out = balanced(p.balance, Rgba(value, value, value, value));
 }
 
@@ -317,17 +330,13 @@ const ShaderSpec kMayaFile =
     texture("maya_file", "Stand-in for the host's file texture.", kFileRows, sizeof(File), file);
 const ShaderSpec kMayaChecker = texture("maya_checker", "Stand-in for the host's checker.",
                                         kCheckerRows, sizeof(Pattern), checker);
-const ShaderSpec kMayaNoise =
-    texture("maya_noise", "Stand-in for the host's noise: other patterns.", kNoiseRows,
-            sizeof(Pattern), [](const Call& call, void* result) {
-              const auto& p = call.as<Pattern>();
-              noise(call, result, p.depthMax, p.frequency);
-            });
+const ShaderSpec kMayaNoise = texture(
+    "maya_noise", "Stand-in for the host's noise: other patterns.", kNoiseRows, sizeof(Pattern),
+    [](const Call& call, void* result) { noise(call, result, call.as<Pattern>().depthMax, true); });
 const ShaderSpec kMayaFractal =
-    texture("maya_fractal", "Stand-in for the host's fractal: other patterns.", kNoiseRows,
+    texture("maya_fractal", "Stand-in for the host's fractal: other patterns.", kFractalRows,
             sizeof(Pattern), [](const Call& call, void* result) {
-              const auto& p = call.as<Pattern>();
-              noise(call, result, p.levelMax > 0 ? p.levelMax : 9, p.frequency);
+              noise(call, result, call.as<Pattern>().levelMax, false);
             });
 
 const ShaderSpec kMayaBump2d = {

@@ -4,11 +4,16 @@
 
 #include <span>
 
+#include "color/luminance.h"
 #include "runtime/shader_spec.h"
 
 namespace oriel {
 
 // Conventions: as maya_surface.h; vectors and colours by component.
+
+/// Luminance by Maya's weights.
+/// Source: Maya's help, "Luminance": .3 red + .59 green + .11 blue.
+inline float maya_luminance(const Rgb& c) { return luminance(c, Rgb(.3f, .59f, .11f)); }
 
 /// maya_reverse 1 - input, maya_multdiv, maya_plusminusavg, maya_blend, maya_gamma, maya_clamp,
 /// maya_setrange, maya_luminance, maya_condition.

@@ -82,13 +82,16 @@ constexpr const char* kPhotonReason = "Photons follow the surface's material.";
 constexpr auto kDgsPhotonRows = ignored_rows(kDgsRows, kPhotonReason);
 constexpr auto kDielectricPhotonRows = ignored_rows(kDielectricRows, kPhotonReason);
 constexpr ParamSpec kPhotonBasicRows[] = {
-    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters.", .declared_default = false},
-    {ORIEL_PARAM(PhotonBasic, specular), .doc = "Share that is mirrored.",
+    {ORIEL_PARAM(PhotonBasic, diffuse), .doc = "Share that scatters; that of the material is used.",
+     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, specular),
+     .doc = "Share that is mirrored; that of the material is used.", .support = Support::Ignored,
      .declared_default = false},
-    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes.", .declared_default = false},
+    {ORIEL_PARAM(PhotonBasic, transp), .doc = "Share that passes; that of the material is used.",
+     .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(PhotonBasic, ior_frac), .min = 0,
-     .doc = "Index of the side entered over that of the side left; 0 = 1.",
-     .declared_default = false},
+     .doc = "Index of the side entered over that of the side left; that of the material is used.",
+     .support = Support::Ignored, .declared_default = false},
 };
 
 float or_one(float index) { return index > 0 ? index : 1; }
