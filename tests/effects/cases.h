@@ -23,6 +23,12 @@ Cases maya_light_cases();
 Cases maya_ramp_cases();
 Cases maya_surface_cases();
 Cases maya_texture_cases();
+Cases mia_blur_cases();
+Cases mia_exposure_cases();
+Cases mia_light_cases();
+Cases mia_roundcorners_cases();
+Cases mia_sky_cases();
+Cases mia_sun_cases();
 Cases other_lens_cases();
 Cases other_max_light_cases();
 Cases other_max_material_cases();
@@ -35,12 +41,21 @@ Cases photon_slot_cases();
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
-      base_bump_cases,         base_color_cases,  base_glossy_cases,     base_illum_cases,
-      base_lens_cases,         base_light_cases,  base_lookup_cases,     base_occlusion_cases,
-      base_pattern_cases,      base_ray_cases,    base_texture_cases,    maya_arithmetic_cases,
-      maya_layers_cases,       maya_light_cases,  maya_ramp_cases,       maya_surface_cases,
-      maya_texture_cases,      other_lens_cases,  other_max_light_cases, other_max_material_cases,
-      other_max_texture_cases, other_oriel_cases, other_physics_cases,   other_production_cases,
+      base_bump_cases,         base_color_cases,
+      base_glossy_cases,       base_illum_cases,
+      base_lens_cases,         base_light_cases,
+      base_lookup_cases,       base_occlusion_cases,
+      base_pattern_cases,      base_ray_cases,
+      base_texture_cases,      maya_arithmetic_cases,
+      maya_layers_cases,       maya_light_cases,
+      maya_ramp_cases,         maya_surface_cases,
+      maya_texture_cases,      mia_blur_cases,
+      mia_exposure_cases,      mia_light_cases,
+      mia_roundcorners_cases,  mia_sky_cases,
+      mia_sun_cases,           other_lens_cases,
+      other_max_light_cases,   other_max_material_cases,
+      other_max_texture_cases, other_oriel_cases,
+      other_physics_cases,     other_production_cases,
       other_volume_cases,      photon_slot_cases,
   };
 }

@@ -14,7 +14,8 @@ namespace oriel::effects {
 namespace {
 
 /// Shaders whose parameters are those of another.
-const std::set<std::string_view> kOthersRows = {"mia_material", "mia_material_x"};
+const std::set<std::string_view> kOthersRows = {"mia_material", "mia_material_x",
+                                                "mia_material_x_passes"};
 
 Cases all_cases() {
   Cases all;
@@ -40,6 +41,15 @@ TEST(Effects, EachParameterHasACaseAndEachCaseAParameter) {
   EXPECT_TRUE(without_case.empty()) << fmt::format("{}", fmt::join(without_case, "\n"));
   // Names a second case of a parameter as well.
   EXPECT_TRUE(without_row.empty()) << fmt::format("{}", fmt::join(without_row, "\n"));
+}
+
+TEST(Effects, TheArchitecturalMaterialsHaveTheRowsOfOne) {
+  const auto rows = [](const char* name) { return builtin_shaders().find(name)->params; };
+  const auto all = rows("mia_material_x"), passes = rows("mia_material_x_passes");
+  EXPECT_EQ(passes.data(), all.data());
+  EXPECT_EQ(passes.size(), all.size());
+  EXPECT_EQ(rows("mia_material").data(), all.data());
+  EXPECT_LE(rows("mia_material").size(), all.size());
 }
 
 class EachEffect : public ::testing::TestWithParam<Case> {};
