@@ -9,6 +9,7 @@
 #include "runtime/bump.h"
 #include "transport/lobes.h"
 #include "transport/medium.h"
+#include "transport/photon_choice.h"
 #include "transport/scene_tracer.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
@@ -37,38 +38,6 @@ RayKind scattered_as(LobeKind kind, bool crosses) {
 }
 
 PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
-
-/// What a photon shader asks for: stores at once, and of the ways on one by even chance.
-class PhotonChoice final : public PhotonNext {
- public:
-  PhotonChoice(sampling::Sampler& sampler, bool globillum)
-      : sampler_(sampler), globillum_(globillum) {}
-  void store(const Rgb& energy) override { stored = energy; }
-  bool send(RayKind kind, const Rgb& energy, const Vec3& direction) override {
-    // In the caustic pass nothing is scattered diffusely.
-    const bool diffuse =
-        kind == RayKind::PhotonReflectDiffuse || kind == RayKind::PhotonTransmitDiffuse;
-    if ((diffuse && !globillum_) || max_component(energy) <= 0) return false;
-    ++ways;
-    if (ways > 1 && sampler_.next_1d() * static_cast<float>(ways) >= 1) return true;
-    way = {kind, energy, normalize(direction)};
-    return true;
-  }
-  Vec2 next() override { return sampler_.next_2d(); }
-
-  struct Way {
-    RayKind kind = RayKind::PhotonAbsorb;
-    Rgb energy{0};
-    Vec3 direction{0, 0, 1};
-  };
-  std::optional<Rgb> stored;
-  Way way;
-  int ways = 0;
-
- private:
-  sampling::Sampler& sampler_;
-  bool globillum_;
-};
 
 class PhotonWalk {
  public:

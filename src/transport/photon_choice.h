@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the photon shaders of a material ask for.
+#pragma once
+
+#include <optional>
+
+#include "runtime/shader_spec.h"
+#include "sampling/sampler.h"
+
+namespace oriel {
+
+/// What a photon shader asks for: stores at once, and of the ways on one by even chance.
+class PhotonChoice final : public PhotonNext {
+ public:
+  PhotonChoice(sampling::Sampler& sampler, bool globillum)
+      : sampler_(sampler), globillum_(globillum) {}
+  void store(const Rgb& energy) override { stored = energy; }
+  bool send(RayKind kind, const Rgb& energy, const Vec3& direction) override {
+    // In the caustic pass nothing is scattered diffusely.
+    const bool diffuse =
+        kind == RayKind::PhotonReflectDiffuse || kind == RayKind::PhotonTransmitDiffuse;
+    if ((diffuse && !globillum_) || max_component(energy) <= 0) return false;
+    ++ways;
+    if (ways > 1 && sampler_.next_1d() * static_cast<float>(ways) >= 1) return true;
+    way = {kind, energy, normalize(direction)};
+    return true;
+  }
+  Vec2 next() override { return sampler_.next_2d(); }
+
+  struct Way {
+    RayKind kind = RayKind::PhotonAbsorb;
+    Rgb energy{0};
+    Vec3 direction{0, 0, 1};
+  };
+  std::optional<Rgb> stored;
+  Way way;
+  int ways = 0;
+
+ private:
+  sampling::Sampler& sampler_;
+  bool globillum_;
+};
+
+}  // namespace oriel
