@@ -364,5 +364,39 @@ TEST(MaterialApi, LightsReadGlossAndImportanceOfWhatTheyLight) {
   EXPECT_NEAR(behind.y / behind.z, .5f, 1e-4f);
 }
 
+// acceptance: A3
+TEST(MaterialApi, StateTexStretchesHighlights) {
+  const ShaderFolder folder;
+  folder.compile("vector",
+                 std::string(kHead) +
+                     "struct vec { miVector v; };"
+                     "DLLEXPORT miBoolean vec(miColor *r, miState *state, struct vec *p) {"
+                     "  state->tex = *mi_eval_vector(&p->v); return miTRUE; }");
+  const auto pixels = [&](const std::string& shader, const std::string& parameter) {
+    UserScene scene(
+        folder,
+        "link \"vector.so\" declare shader color \"vec\" ( vector \"v\" ) apply material, texture "
+        "end declare " +
+            lamp("\"mib_light_point\" ( \"color\" 9 9 9 )") +
+            "shader \"surface\" \"mia_material_x\" ( \"diffuse_weight\" 0, \"reflectivity\" 1, "
+            "\"brdf_fresnel\" off, \"brdf_0_degree_refl\" 1, \"refl_gloss\" .4, "
+            "\"anisotropy\" 4, \"anisotropy_channel\" -4 ) material \"m\" " +
+            fmt::format("\"{}\" ( {} ) = \"surface\" end material ", shader, parameter) +
+            UserScene::square("m"),
+        "\"lamp_i\" \"square_i\"");
+    scene.indirect = false;
+    const std::array<float, 2> beside = {scene.pixel(1, 4).x, scene.pixel(4, 1).x};
+    EXPECT_EQ(scene.messages(), "");
+    return beside;
+  };
+  const auto along_x = pixels("vec", "\"v\" 2 0 0"), along_y = pixels("vec", "\"v\" 0 2 0");
+  EXPECT_EQ(along_x, pixels("oriel_tex_vector", "\"vector\" 2 0 0"));
+  EXPECT_EQ(along_y, pixels("oriel_tex_vector", "\"vector\" 0 2 0"));
+  // The highlight is longer one way than the other, and turns with the vector.
+  const float ratio = along_x[0] / along_x[1];
+  EXPECT_GT(std::max(ratio, 1 / ratio), 1.5f);
+  EXPECT_NEAR(ratio, along_y[1] / along_y[0], .1f * ratio);
+}
+
 }  // namespace material_api_test
 }  // namespace oriel
