@@ -45,7 +45,7 @@ class Changes(unittest.TestCase):
 
     def test_what_is_no_code_is_left_alone(self):
         for line in ("// a + b", '#include "a - b"', 'say("a + b");',
-                     "static_assert(a == b);", "std::vector<int> v;"):
+                     "static_assert(a == b);", "std::vector<int> v;", "  v.reserve(a + b);"):
             self.assertEqual(changed(line), [], line)
 
 
@@ -87,6 +87,13 @@ class Trials(unittest.TestCase):
             self.assertIn("2 of 4 changes", answer.stdout)
             self.assertEqual(len(log.read_text().splitlines()), 4)
             self.assertIn(f"found\t{folder}/a\t", log.read_text())
+
+    def test_a_test_that_takes_too_long_is_ended_with_what_it_started(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertFalse(mutate.run(f"sleep 60; touch {folder}/a", 0.1))
+            running = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True,
+                                     check=True).stdout
+            self.assertNotIn(f"touch {folder}/a", running)
 
 
 if __name__ == "__main__":
