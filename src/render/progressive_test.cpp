@@ -130,6 +130,41 @@ TEST(Progressive, ReportsEveryPassAndTheNoise) {
   EXPECT_NEAR(*passes[7].noise, 0.5 / std::sqrt(3.0) / 8, 2e-3);
 }
 
+TEST(Progressive, CancellingEndsThePassAtTheNextRow) {
+  const ThreadLimit limit(1);
+  Film film(kWidth, kHeight, box());
+  std::atomic<bool> cancel{false};
+  int drawn = 0;
+  Progressive run(film, {.max_samples = 4});
+  const StopReason reason = run.run(
+      [&](int x, int y, std::uint32_t index, FilmSample& s) {
+        cancel = true;
+        ++drawn;
+        noisy_half(x, y, index, s);
+      },
+      {}, &cancel);
+  EXPECT_EQ(reason, StopReason::Cancelled);
+  EXPECT_LE(drawn, kWidth) << "the row that was begun";
+}
+
+TEST(Progressive, MeanSamplesGrowWithinAPass) {
+  const ThreadLimit limit(1);
+  Film film(kWidth, kHeight, box());
+  Progressive run(film, {.max_samples = 4});
+  std::vector<double> means;
+  run.run([&](int x, int y, std::uint32_t index, FilmSample& s) {
+    means.push_back(run.progress().mean_samples);
+    noisy_half(x, y, index, s);
+  });
+  ASSERT_EQ(means.size(), 4 * film.pixel_count());
+  // Samples are counted when their row of a tile, which is no wider than the picture, is done.
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const double before = static_cast<double>(i) / static_cast<double>(film.pixel_count());
+    EXPECT_LE(means[i], before + 1e-9);
+    EXPECT_GE(means[i], before - 1.0 / kHeight);
+  }
+}
+
 TEST(Progressive, NoiseDoesNotDependOnTheUnitOfTheScene) {
   EXPECT_FLOAT_EQ(relative_noise({0.5f, 0.1f}, 0.7f), relative_noise({500, 100}, 700));
 }
