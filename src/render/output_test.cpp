@@ -146,6 +146,16 @@ TEST(Output, ViewsTakeTheGammaOfTheOptions) {
   EXPECT_NEAR(view.at(5, 5)[0], std::sqrt(film.r), 0.5f / 255 + 1e-5f);
 }
 
+TEST(Output, ViewsFitColourAndAlphaAsTheOptionsSay) {
+  scene::RenderOptions options;
+  options.colorclip = scene::ColorClip::Raw;
+  EXPECT_EQ(view_options(options).clip, ColorClip::Raw);
+  options.colorclip = scene::ColorClip::Rgb;
+  EXPECT_EQ(view_options(options).clip, ColorClip::KeepColor);
+  options.colorclip = scene::ColorClip::Alpha;
+  EXPECT_EQ(view_options(options).clip, ColorClip::KeepAlpha);
+}
+
 // acceptance: H7
 TEST(Output, GammaNeverTouchesFloatFiles) {
   const TestFolder folder;
