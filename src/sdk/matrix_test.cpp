@@ -102,6 +102,20 @@ TEST(MatrixSolve, FindsWhatSolvesTheSystem) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(x[i], expected[i], 1e-5f);
 }
 
+TEST(MatrixSolve, TakesAnyNumberOfColumns) {
+  const miMatrix a = {0, 2, 1, 0, 1, -1, 0, 3, 2, 0, 5, 1, 1, 1, 1, 1};
+  constexpr int kColumns = 37;
+  const auto expected = [](int row, int column) { return static_cast<float>(row - column % 7); };
+  miScalar b[4 * kColumns] = {}, x[4 * kColumns];
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < kColumns; ++j)
+      for (int k = 0; k < 4; ++k) b[i * kColumns + j] += a[i * 4 + k] * expected(k, j);
+  ASSERT_TRUE(mi_matrix_solve(x, a, b, kColumns));
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < kColumns; ++j)
+      EXPECT_NEAR(x[i * kColumns + j], expected(i, j), 1e-4f) << i << ' ' << j;
+}
+
 TEST(MatrixSolve, OfTheIdentityIsTheInverse) {
   miMatrix identity, inverse, solved;
   mi_matrix_ident(identity);
