@@ -63,6 +63,23 @@ TEST(Matrix, RotatesRowVectorsRightHanded) {
   expect_near(r, 0, 0, 1);
 }
 
+TEST(Matrix, RotatesByAnglesAboutTheAxes) {
+  constexpr float kAngle = .7f;
+  const float s = std::sin(kAngle), c = std::cos(kAngle);
+  const miVector v = {1, 2, 3};
+  miMatrix m;
+  miVector r;
+  mi_matrix_rotate(m, kAngle, 0, 0);
+  mi_vector_transform(&r, &v, m);
+  expect_near(r, 1, 2 * c - 3 * s, 2 * s + 3 * c);
+  mi_matrix_rotate(m, 0, kAngle, 0);
+  mi_vector_transform(&r, &v, m);
+  expect_near(r, c + 3 * s, 2, 3 * c - s);
+  mi_matrix_rotate(m, 0, 0, kAngle);
+  mi_vector_transform(&r, &v, m);
+  expect_near(r, c - 2 * s, s + 2 * c, 3);
+}
+
 TEST(Matrix, MovesPointsNotVectors) {
   const miVector v = {1, 2, 3};
   miVector p = v;
