@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -53,6 +54,19 @@ TEST(Progressive, NeighboursOfNoisyPixelsGoOn) {
   const Film film = rendered(0, {.max_samples = 64, .noise = 0.001f});
   EXPECT_EQ(film.samples(kWidth / 2 - 1, 10), 64u);
   EXPECT_EQ(film.samples(kWidth / 2 - 2, 10), kFewestJudgedSamples);
+}
+
+TEST(Progressive, NeighboursInAllDirectionsGoOn) {
+  Film film(kWidth, kHeight, box());
+  Progressive(film, {.max_samples = 64, .noise = 0.001f})
+      .run([](int x, int y, std::uint32_t index, FilmSample& s) {
+        s.beauty = Rgb(x == 20 && y == 30 && index % 2 ? 2.0f : 1.0f);
+      });
+  for (int y = 28; y <= 32; ++y)
+    for (int x = 18; x <= 22; ++x) {
+      const bool near = std::abs(x - 20) <= 1 && std::abs(y - 30) <= 1;
+      EXPECT_EQ(film.samples(x, y), near ? 64u : kFewestJudgedSamples) << x << ' ' << y;
+    }
 }
 
 TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
