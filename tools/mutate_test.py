@@ -45,7 +45,7 @@ class Changes(unittest.TestCase):
 
     def test_what_is_no_code_is_left_alone(self):
         for line in ("// a + b", '#include "a - b"', 'say("a + b");',
-                     "static_assert(a == b);", "std::vector<int> v;"):
+                     "static_assert(a == b);", "std::vector<int> v;", "  v.reserve(a + b);"):
             self.assertEqual(changed(line), [], line)
 
 
@@ -70,6 +70,30 @@ class Trials(unittest.TestCase):
             for found in ("a <= b", "if (true ", "if (false "):
                 self.assertRegex(said, "found +.*" + re.escape(found))
             self.assertIn("3 of 6 changes", said)
+
+    def test_an_interrupted_run_continues_from_its_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path, log = pathlib.Path(folder, "a.cpp"), pathlib.Path(folder, "log")
+            path.write_text(SOURCE)
+            change = next(str(c) for c in mutate.changes_of(path) if " <= " in c.new)
+            log.write_text(f"survived\t\t{change}\n")  # the tests find it when it is tried
+            command = [str(HERE / "mutate"), "--count", "0", "--lines", "4-4", "--log", str(log),
+                       "--build-folder", folder,
+                       "--build", f"g++ -c {folder}/a.cpp -o {folder}/a.o && "
+                                  f"g++ {folder}/a.o -o {folder}/{{target}}",
+                       "--test", f"{folder}/a", str(path)]
+            answer = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertIn("not found: " + change, answer.stdout)
+            self.assertIn("2 of 4 changes", answer.stdout)
+            self.assertEqual(len(log.read_text().splitlines()), 4)
+            self.assertIn(f"found\t{folder}/a\t", log.read_text())
+
+    def test_a_test_that_takes_too_long_is_ended_with_what_it_started(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertFalse(mutate.run(f"sleep 60; touch {folder}/a", 0.1))
+            running = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True,
+                                     check=True).stdout
+            self.assertNotIn(f"touch {folder}/a", running)
 
 
 if __name__ == "__main__":

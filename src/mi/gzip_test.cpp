@@ -49,6 +49,12 @@ TEST(Gzip, ACutOffFileIsToldOf) {
   EXPECT_NE(reason.find("damaged"), std::string::npos) << reason;
 }
 
+TEST(Gzip, AMissingFileIsNoEmptyText) {
+  std::string reason;
+  EXPECT_FALSE(read_gzip(::testing::TempDir() + "missing/scene.mi.gz", 1 << 20, reason));
+  EXPECT_EQ(reason, "cannot be opened");
+}
+
 TEST(Gzip, TextBeyondTheLimitIsRefusedHoweverSmallItsFile) {
   const GzipFile file(std::string(20 << 20, ' '));
   EXPECT_LT(std::filesystem::file_size(file.path()), 50'000u);

@@ -30,6 +30,17 @@ TEST_F(Include, IsSearchedBesideTheIncludingFileThenInThePaths) {
   EXPECT_TRUE(scene.find("b") && scene.find("c"));
 }
 
+TEST_F(Include, WithAngleBracketsIsSearchedInThePathsThenBesideTheIncludingFile) {
+  write("scene/a.mi", "shader \"beside\" \"s\" ( )");
+  write("scene/b.mi", "shader \"b\" \"s\" ( )");
+  write("lib/a.mi", "shader \"lib\" \"s\" ( )");
+  options_.include_paths = {(folder_ / "lib").string()};
+  const scene::Scene scene = read(write("scene/s.mi", "$include <a.mi>\n$include <b.mi>\n"));
+  EXPECT_TRUE(diagnostics_.all().empty());
+  EXPECT_TRUE(scene.find("lib") && scene.find("b"));
+  EXPECT_EQ(scene.find("beside"), nullptr);
+}
+
 TEST_F(Include, MessagesNameTheWholeWay) {
   write("inner.mi", "\n\n  shader \"x\" ,");
   read(write("outer.mi", "# outer\n$include \"inner.mi\"\n"));

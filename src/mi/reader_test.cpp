@@ -301,9 +301,19 @@ TEST(Commands, ConditionsFollowVariables) {
   const Snippet read(
       "$ifndef \"x\"\nset \"x\"\n$ifdef \"x\"\nshader \"a\" \"s\" ( )\n$else\n\"junk\n\n$endif\n"
       "$endif\n$ifdef \"y\"\n$ifdef \"x\"\n$endif\nshader \"b\" \"s\" ( )\n$else\n"
-      "shader \"c\" \"s\" ( )\n$endif");
+      "shader \"c\" \"s\" ( )\n$endif\n$ifndef \"x\"\nshader \"d\" \"s\" ( )\n$endif");
+  EXPECT_SILENT(read);
   EXPECT_NE(read.scene.find("a"), nullptr);
   EXPECT_EQ(read.scene.find("b"), nullptr);
+  EXPECT_NE(read.scene.find("c"), nullptr);
+  EXPECT_EQ(read.scene.find("d"), nullptr);
+}
+
+TEST(Commands, AnUnknownDirectiveIsSkippedWithTheNearestName) {
+  const Snippet read("$ifdeff\nshader \"a\" \"s\" ( )");
+  EXPECT_EQ(read.diagnostics.all().size(), 1u) << read.messages();
+  EXPECT_EQ(read.message(code::kUnknownDirective).hint, "did you mean $ifdef?");
+  EXPECT_NE(read.scene.find("a"), nullptr);
 }
 
 // acceptance: H1

@@ -2,6 +2,7 @@
 // Texture spaces, normals by pictures, clear coats and small extensions of glTF.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -252,6 +253,20 @@ TEST(GltfExtras, NamesThatAreNotTheirOwnSayNothing) {
   ASSERT_EQ(extras.size(), 1u);
   EXPECT_EQ(extras.count("b"), 1u);
   EXPECT_EQ(extras_of_text(R"({"materials":[{}]})").count(""), 1u);
+}
+
+TEST(TextureSpace, TurnsWhereUOrVRunsInAnotherDirection) {
+  for (const std::array<float, 6>& same :
+       {std::array<float, 6>{1, 0, 0, 0, 1, 0}, {2, 0, -3, 0, .5f, 7}})
+    EXPECT_FALSE((TextureSpace{0, same}.turns()));
+  for (const std::array<float, 6>& other : {std::array<float, 6>{0, 1, 0, -1, 0, 0},
+                                            {-1, 0, 1, 0, 1, 0},
+                                            {1, 0, 0, 0, -1, 1},
+                                            {0, 0, 0, 0, 1, 0},
+                                            {1, 0, 0, 0, 0, 0},
+                                            {1, .5f, 0, 0, 1, 0},
+                                            {1, 0, 0, .5f, 1, 0}})
+    EXPECT_TRUE((TextureSpace{0, other}.turns()));
 }
 
 TEST(GltfExtras, WhatIsWrittenWrongIsNotThere) {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <vector>
 
 #include "bsdf/gloss.h"
 #include "models/daylight.h"
@@ -196,6 +198,36 @@ TEST(ModelImport, WhatIsNoModelIsToldOf) {
       import_model(folder.path() / "none.obj", {folder.path(), folder.path()}, diagnostics));
 }
 
+/// The largest coordinate of points in the picture of the camera that renders; 1 is its edge.
+float largest_in_frame(const scene::Scene& scene, const std::vector<Vec3>& points) {
+  const auto* placed = scene.get<scene::Instance>(scene.renders.at(0).camera);
+  const auto* camera = scene.get<scene::Camera>(placed->element);
+  const float half = *camera->aperture / 2 / *camera->focal;
+  float most = 0;
+  for (const Vec3& point : points) {
+    const Vec3 p = transform_point(point, *placed->transform);
+    EXPECT_LT(p.z, 0);
+    most = std::max(
+        {most, std::fabs(p.x / p.z) / half, std::fabs(p.y / p.z) / half * *camera->aspect});
+  }
+  return most;
+}
+
+TEST(Daylight, AnEmptyModelIsTakenForAUnitCube) {
+  scene::Scene scene;
+  scene::InstanceGroup root;
+  root.name = kRootGroup;
+  scene.add(root);
+  add_camera(scene, {});
+  std::vector<Vec3> corners;
+  for (const float x : {-.5f, .5f})
+    for (const float y : {-.5f, .5f})
+      for (const float z : {-.5f, .5f}) corners.emplace_back(x, y, z);
+  const float most = largest_in_frame(scene, corners);
+  EXPECT_LT(most, 1);
+  EXPECT_GT(most, .7f);
+}
+
 TEST(Daylight, TheWholeModelIsInTheFrame) {
   scene::Scene scene = imported(
       "m.gltf", gltf(R"("doubleSided":true)", R"(,"translation":[10,2,-3],"scale":[7,1,1])"));
@@ -205,15 +237,10 @@ TEST(Daylight, TheWholeModelIsInTheFrame) {
   const auto* placed = scene.get<scene::Instance>(scene.renders.at(0).camera);
   const auto* camera = scene.get<scene::Camera>(placed->element);
   const auto* chair = scene.get<scene::Instance>("chair_inst");
-  float most = 0;
-  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
-    const Vec3 p =
-        transform_point(transform_point(corner, chair->transform->inverse()), *placed->transform);
-    ASSERT_LT(p.z, 0);
-    const float half = *camera->aperture / 2 / *camera->focal;
-    most = std::max(
-        {most, std::fabs(p.x / p.z) / half, std::fabs(p.y / p.z) / half * *camera->aspect});
-  }
+  std::vector<Vec3> corners;
+  for (const Vec3& corner : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)})
+    corners.push_back(transform_point(corner, chair->transform->inverse()));
+  const float most = largest_in_frame(scene, corners);
   EXPECT_LT(most, 1);
   EXPECT_GT(most, .7f);
   EXPECT_TRUE(scene.get<scene::Light>("sun"));

@@ -25,7 +25,7 @@ struct TextureSpace {
     return {move[0] * uv.x + move[1] * uv.y + move[2], move[3] * uv.x + move[4] * uv.y + move[5],
             uv.z};
   }
-  /// Whether u and v still run the way they did.
+  /// Whether u or v runs in another direction than in the mesh, or nowhere.
   bool turns() const { return move[1] != 0 || move[3] != 0 || move[0] <= 0 || move[4] <= 0; }
   bool operator==(const TextureSpace&) const = default;
 };

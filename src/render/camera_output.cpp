@@ -102,7 +102,7 @@ class BufferReader {
     scene::Output output{buffer.datatype.empty() ? "rgba" : buffer.datatype, buffer.filetype,
                          buffer.filename, buffer.modifiers};
     output.where = buffer.where;
-    const bool side_channel = shown < 0 && has_side_channel(world_, buffer.name);
+    const bool side_channel = has_side_channel(world_, buffer.name);
     const bool means_nothing =
         shown < 0 && !side_channel && !is_picture(buffer) && !is_geometry_type(output.types);
     if (means_nothing && written < 0) {

@@ -110,6 +110,7 @@ TEST(CameraOutput, WhatAFileCannotHoldIsTold) {
     return Outputs(statement, folder.file("")).prepared.messages();
   };
   EXPECT_NE(told("output \"z\" \"png\" \"a.png\"").find("OR-RN-061"), std::string::npos);
+  EXPECT_NE(told("output \"rgba_fp\" \"png\" \"a.png\"").find("16 bits"), std::string::npos);
   EXPECT_NE(told("output \"rgba_16\" \"jpg\" \"a.jpg\"").find("8 bits"), std::string::npos);
   EXPECT_EQ(told("output \"rgba_16\" \"png\" \"a.png\""), "");
   // Formats of the language that nobody writes name the nearest one.

@@ -85,15 +85,19 @@ TEST(Film, ErrorIsUnknownBelowTwoSamples) {
   EXPECT_EQ(film.level(0).mean, 3);
 }
 
-TEST(Film, DepthIsTheMeanOverHits) {
+TEST(Film, DepthAndIrradianceAreMeansOverHits) {
   Film film(1, 1, box());
   FilmSample s;
+  s.irradiance = 100;
   film.add(0, 0, s);
   s.depth = 2;
+  s.irradiance = 10;
   film.add(0, 0, s);
   s.depth = 4;
+  s.irradiance = 50;
   film.add(0, 0, s);
   EXPECT_FLOAT_EQ(film.pixel(0, 0).depth, 3);
+  EXPECT_FLOAT_EQ(film.pixel(0, 0).irradiance, 30);
 }
 
 TEST(Film, ValuesThatAreNoNumbersDoNotSpoilThePixel) {
@@ -114,6 +118,29 @@ TEST(Film, NoiseIsJudgedOnWhatIsShown) {
   EXPECT_EQ(film.level(0).mean, 1);
   EXPECT_GT(film.pixel(0, 0).variance.x, 0);
   EXPECT_NEAR(film.level(1).error, 0.1, 1e-6);  // 0.2 / sqrt(2) / sqrt(2)
+}
+
+TEST(Film, AMapThatDoublesColoursDoublesTheirError) {
+  // The standard error of the mean of .1 and .3 is .1.
+  Film film(1, 1, box(), [](int, int, const Rgb& c) { return c * 2.0f; });
+  for (const float v : {0.1f, 0.3f}) film.add(0, 0, sample_of(v));
+  EXPECT_NEAR(film.level(0).mean, 0.4, 1e-6);
+  EXPECT_NEAR(film.level(0).error, 0.2, 1e-6);
+}
+
+TEST(Film, MappedPartsAreFilteredAsThePictureIs) {
+  const FilterSampler filter = mitchell(false);
+  Film film(1, 1, filter, [](int, int, const Rgb& c) { return c * 3.0f; });
+  for (std::uint8_t i = 0; i < kSubPixels; ++i)
+    for (const bool negative : {false, true}) {
+      FilmSample s = sample_of(negative ? 1.0f : 4.0f);
+      s.sub_pixel = i;
+      s.negative = negative;
+      film.add(0, 0, s);
+    }
+  const float filtered = 4 * filter.positive_share() - filter.negative_share();
+  EXPECT_FLOAT_EQ(film.pixel(0, 0).beauty.r, filtered);
+  EXPECT_NEAR(film.shown(0, 0).x, 3 * filtered, 1e-5f);
 }
 
 TEST(Film, MappingForDisplayDoesNotDarkenNoise) {

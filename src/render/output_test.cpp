@@ -146,6 +146,34 @@ TEST(Output, ViewsTakeTheGammaOfTheOptions) {
   EXPECT_NEAR(view.at(5, 5)[0], std::sqrt(film.r), 0.5f / 255 + 1e-5f);
 }
 
+TEST(Output, IntensityIsTheWeightedSumOfTheColour) {
+  const TestFolder folder;
+  const Rendered r;
+  PictureFile file = picture_file(folder.file("a.tif"));
+  file.channels = Channels::Intensity;
+  file.samples = SampleFormat::Float;
+  file.float_pixels = true;
+  write_picture(file, *r.session, {});
+  const Image written = read_image(file.path), shown = shown_image(*r.session, {});
+  const auto& weight = r.session->world().options.luminance_weight;
+  for (int y = 0; y < shown.height; ++y)
+    for (int x = 0; x < shown.width; ++x) {
+      const float* c = shown.at(x, y);
+      const float sum = c[0] * weight[0] + c[1] * weight[1] + c[2] * weight[2];
+      EXPECT_NEAR(*written.at(x, y), sum, 1e-6f);
+    }
+}
+
+TEST(Output, ViewsFitColourAndAlphaAsTheOptionsSay) {
+  scene::RenderOptions options;
+  options.colorclip = scene::ColorClip::Raw;
+  EXPECT_EQ(view_options(options).clip, ColorClip::Raw);
+  options.colorclip = scene::ColorClip::Rgb;
+  EXPECT_EQ(view_options(options).clip, ColorClip::KeepColor);
+  options.colorclip = scene::ColorClip::Alpha;
+  EXPECT_EQ(view_options(options).clip, ColorClip::KeepAlpha);
+}
+
 // acceptance: H7
 TEST(Output, GammaNeverTouchesFloatFiles) {
   const TestFolder folder;

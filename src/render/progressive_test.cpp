@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -53,6 +54,19 @@ TEST(Progressive, NeighboursOfNoisyPixelsGoOn) {
   const Film film = rendered(0, {.max_samples = 64, .noise = 0.001f});
   EXPECT_EQ(film.samples(kWidth / 2 - 1, 10), 64u);
   EXPECT_EQ(film.samples(kWidth / 2 - 2, 10), kFewestJudgedSamples);
+}
+
+TEST(Progressive, NeighboursInAllDirectionsGoOn) {
+  Film film(kWidth, kHeight, box());
+  Progressive(film, {.max_samples = 64, .noise = 0.001f})
+      .run([](int x, int y, std::uint32_t index, FilmSample& s) {
+        s.beauty = Rgb(x == 20 && y == 30 && index % 2 ? 2.0f : 1.0f);
+      });
+  for (int y = 28; y <= 32; ++y)
+    for (int x = 18; x <= 22; ++x) {
+      const bool near = std::abs(x - 20) <= 1 && std::abs(y - 30) <= 1;
+      EXPECT_EQ(film.samples(x, y), near ? 64u : kFewestJudgedSamples) << x << ' ' << y;
+    }
 }
 
 TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
@@ -128,6 +142,41 @@ TEST(Progressive, ReportsEveryPassAndTheNoise) {
   EXPECT_EQ(passes[7].active, 0);
   // Half of the pixels have none, the others uniform noise: 1 / sqrt(3) / sqrt(64).
   EXPECT_NEAR(*passes[7].noise, 0.5 / std::sqrt(3.0) / 8, 2e-3);
+}
+
+TEST(Progressive, CancellingEndsThePassAtTheNextRow) {
+  const ThreadLimit limit(1);
+  Film film(kWidth, kHeight, box());
+  std::atomic<bool> cancel{false};
+  int drawn = 0;
+  Progressive run(film, {.max_samples = 4});
+  const StopReason reason = run.run(
+      [&](int x, int y, std::uint32_t index, FilmSample& s) {
+        cancel = true;
+        ++drawn;
+        noisy_half(x, y, index, s);
+      },
+      {}, &cancel);
+  EXPECT_EQ(reason, StopReason::Cancelled);
+  EXPECT_LE(drawn, kWidth) << "the row that was begun";
+}
+
+TEST(Progressive, MeanSamplesGrowWithinAPass) {
+  const ThreadLimit limit(1);
+  Film film(kWidth, kHeight, box());
+  Progressive run(film, {.max_samples = 4});
+  std::vector<double> means;
+  run.run([&](int x, int y, std::uint32_t index, FilmSample& s) {
+    means.push_back(run.progress().mean_samples);
+    noisy_half(x, y, index, s);
+  });
+  ASSERT_EQ(means.size(), 4 * film.pixel_count());
+  // Samples are counted when their row of a tile, which is no wider than the picture, is done.
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const double before = static_cast<double>(i) / static_cast<double>(film.pixel_count());
+    EXPECT_LE(means[i], before + 1e-9);
+    EXPECT_GE(means[i], before - 1.0 / kHeight);
+  }
 }
 
 TEST(Progressive, NoiseDoesNotDependOnTheUnitOfTheScene) {

@@ -63,6 +63,23 @@ TEST(Matrix, RotatesRowVectorsRightHanded) {
   expect_near(r, 0, 0, 1);
 }
 
+TEST(Matrix, RotatesByAnglesAboutTheAxes) {
+  constexpr float kAngle = .7f;
+  const float s = std::sin(kAngle), c = std::cos(kAngle);
+  const miVector v = {1, 2, 3};
+  miMatrix m;
+  miVector r;
+  mi_matrix_rotate(m, kAngle, 0, 0);
+  mi_vector_transform(&r, &v, m);
+  expect_near(r, 1, 2 * c - 3 * s, 2 * s + 3 * c);
+  mi_matrix_rotate(m, 0, kAngle, 0);
+  mi_vector_transform(&r, &v, m);
+  expect_near(r, c + 3 * s, 2, 3 * c - s);
+  mi_matrix_rotate(m, 0, 0, kAngle);
+  mi_vector_transform(&r, &v, m);
+  expect_near(r, c - 2 * s, s + 2 * c, 3);
+}
+
 TEST(Matrix, MovesPointsNotVectors) {
   const miVector v = {1, 2, 3};
   miVector p = v;
@@ -100,6 +117,20 @@ TEST(MatrixSolve, FindsWhatSolvesTheSystem) {
   }
   ASSERT_TRUE(mi_matrix_solve(x, a, b, 1));
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(x[i], expected[i], 1e-5f);
+}
+
+TEST(MatrixSolve, TakesAnyNumberOfColumns) {
+  const miMatrix a = {0, 2, 1, 0, 1, -1, 0, 3, 2, 0, 5, 1, 1, 1, 1, 1};
+  constexpr int kColumns = 37;
+  const auto expected = [](int row, int column) { return static_cast<float>(row - column % 7); };
+  miScalar b[4 * kColumns] = {}, x[4 * kColumns];
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < kColumns; ++j)
+      for (int k = 0; k < 4; ++k) b[i * kColumns + j] += a[i * 4 + k] * expected(k, j);
+  ASSERT_TRUE(mi_matrix_solve(x, a, b, kColumns));
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < kColumns; ++j)
+      EXPECT_NEAR(x[i * kColumns + j], expected(i, j), 1e-4f) << i << ' ' << j;
 }
 
 TEST(MatrixSolve, OfTheIdentityIsTheInverse) {

@@ -41,9 +41,8 @@ Way to_object(const miState* state) {
 
 Way to_light(const miState* state) {
   const oriel::sdk::Context& c = context(state);
-  if (!c.host || !c.world) return {};
   const int index = c.host->light(state->light_instance);
-  if (index < 0) return {};
+  if (index < 0) return {};  // also without a world
   const oriel::Light& light = c.world->lights[static_cast<std::size_t>(index)];
   return {&light.to_local, &light.to_world};
 }

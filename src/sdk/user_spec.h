@@ -4,9 +4,11 @@
 
 #include <atomic>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -63,6 +65,12 @@ struct CConnection {
   const Connection* source;
 };
 
+/// The pointers that threads keep for a call: miQ_FUNC_TLS_SET.
+struct ThreadPointers {
+  std::mutex mutex;
+  std::map<std::thread::id, void*> of;
+};
+
 /// One call of a user's shader: its parameters as its C struct.
 struct UserInstance final : ShaderState {
   const UserSpec* spec = nullptr;
@@ -72,6 +80,7 @@ struct UserInstance final : ShaderState {
   void* parameters = nullptr;
   std::vector<CConnection> connections;
   void* user = nullptr;  ///< miQ_FUNC_USERPTR
+  ThreadPointers thread_pointers;
   miLock lock = {};
   std::atomic<bool> ready = false;
   bool initialised = false;

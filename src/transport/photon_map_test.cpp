@@ -155,6 +155,22 @@ TEST(PhotonMap, MergedPhotonsLieApart) {
   EXPECT_NEAR(sum.position.x, .005f, 1e-7f);
 }
 
+// Photons are sorted into cells as wide as the distance; neighbours may lie in any of those around.
+TEST(PhotonMap, MergesAcrossCellsInAllDirections) {
+  constexpr float kDistance = .5f;
+  for (int i = 0; i < 27; ++i) {
+    const Vec3 step(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1),
+                    static_cast<float>(i / 9 - 1));
+    Photon a, b;
+    a.position = Vec3(kDistance / 2);
+    b.position = a.position + step * (.55f * kDistance);  // at most .55 sqrt(3) of the distance
+    a.power = b.power = Rgb(1);
+    const PhotonMap map({a, b}, kDistance);
+    ASSERT_EQ(map.size(), 1u) << i;
+    EXPECT_EQ(map.photons()[0].power, Rgb(2));
+  }
+}
+
 TEST(PhotonMap, ScaleAndDefaultsFollowTheOptions) {
   const geom::Box3 room(Vec3(0), Vec3(3, 4, 12));
   scene::PhotonOptions options;

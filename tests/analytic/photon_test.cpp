@@ -2,6 +2,7 @@
 // Photon maps against closed forms of closed rooms, glass and mirrors, and against paths.
 #include "transport/photon_trace.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "bsdf/fresnel.h"
@@ -299,6 +300,24 @@ TEST(PhotonTrace, CountsLimitWhatIsStoredAndSent) {
   const Traced none = trace(probe, settings);
   EXPECT_TRUE(none.maps.caustic.empty());
   EXPECT_LT(none.balance.photons, 2 * kHopelessPhotons);
+}
+
+TEST(PhotonTrace, ProgressGrowsToOne) {
+  SceneText scene;
+  scene.uniform_sky(1).lambert("grey", .5f).square("grey", Vec3(0), 2, kUp);
+  scene.light("lamp", physical(100) + " origin 0 0 1");
+  scene.light("second", physical(50) + " origin 1 0 1");
+  std::vector<double> shares;
+  const Watch watch{.progress = [&](const char*, double share) { shares.push_back(share); }};
+  RayCounts counts;
+  const LightPhotons each = emitting(100'000);  // more than one round
+  trace_photons(Probe(scene).world(), {.each = each, .environment = each, .depth = kDeep}, counts,
+                nullptr, watch);
+  ASSERT_GT(shares.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.front(), 0);
+  EXPECT_LT(shares.front(), 1);
+  EXPECT_DOUBLE_EQ(shares.back(), 1);
 }
 
 TEST(PhotonTrace, TraceDepthEndsPhotons) {

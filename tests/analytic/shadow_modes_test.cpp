@@ -324,6 +324,26 @@ TEST(ShadowShader, PhotonsPassWhatShadowRaysPass) {
   }
 }
 
+// Manual 1.6.8.2: shadows show refr_falloff_dist in the mode "segments" only.
+TEST(ShadowShader, PhotonsAreAbsorbedByMediaOfTheSlotAsShadowRaysAre) {
+  for (const bool segments : {false, true}) {
+    SceneText scene = in_mode(segments ? "segments" : "on");
+    scene
+        .statement("material \"m\" \"mib_illum_lambert\" ( ) shadow \"mia_material_x\" ( " + kGel +
+                   " ) end material")
+        .box("m", Vec3(-5, -5, 1), Vec3(5, 5, 3))
+        .light("lamp",
+               "\"physical_light\" ( \"color\" 1 1 1 ) origin 0 0 6 direction 0 0 -1 spread .999");
+    PhotonSettings settings;
+    settings.each.global.emit = 1 << 14;
+    PhotonBalance balance;
+    RayCounts counts;
+    trace_photons(Probe(scene).world(), settings, counts, &balance);
+    // Two units; photons end by chance instead of growing weak, and three deviations are .01.
+    EXPECT_NEAR(balance.escaped.x / balance.emitted.x, segments ? .25 : 1, .01) << segments;
+  }
+}
+
 TEST(ShadowShader, WhatPassesIsDirectLightAndInNoMap) {
   SceneText scene = in_mode("on");
   add_filter(scene, "filter", kFilter);

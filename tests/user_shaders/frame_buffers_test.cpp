@@ -61,7 +61,9 @@ TEST(UserFrameBuffers, NumberedBuffersAreLayersOfTheirKind) {
   EXPECT_EQ(scalar->channel_names, (std::vector<std::string>{""}));
   EXPECT_EQ(vector->channel_names, (std::vector<std::string>{"X", "Y", "Z"}));
   const float wanted[] = {.1f, .2f, .4f, 1};
-  for (int k = 0; k < 4; ++k) EXPECT_FLOAT_EQ(color->image.at(3, 3)[k], wanted[k]);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      for (int k = 0; k < 4; ++k) EXPECT_FLOAT_EQ(color->image.at(x, y)[k], wanted[k]);
   for (int k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(vector->image.at(3, 3)[k], wanted[k]);
   EXPECT_FLOAT_EQ(*scalar->image.at(3, 3), .1f);
   // Not interpolated: one sample's place, not the mean of four.
@@ -114,9 +116,9 @@ TEST(UserFrameBuffers, NamedBuffersMeanWhatTheyMeantUntilAShaderWrites) {
                   "material \"m\" \"named\" ( ) end material " +
                       UserScene::square("m"),
                   "\"square_i\"", "",
+                  "framebuffer \"refl_raw\" datatype \"rgba\" filetype \"exr\" filename \"r.exr\" "
                   "framebuffer \"own\" datatype \"rgba_fp\" filetype \"exr\" filename \"own.exr\" "
-                  "framebuffer \"spec_raw\" datatype \"rgba\" filetype \"exr\" filename \"s.exr\" "
-                  "framebuffer \"refl_raw\" datatype \"rgba\" filetype \"exr\" filename \"r.exr\"");
+                  "framebuffer \"spec_raw\" datatype \"rgba\" filetype \"exr\" filename \"s.exr\"");
   const UserPicture picture(scene, 1);
   const auto layers = picture.layers(folder);
   ASSERT_NE(find_layer(layers, "own"), nullptr);

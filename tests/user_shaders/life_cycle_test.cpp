@@ -82,6 +82,45 @@ TEST(LifeCycle, InitComesFirstOnceAndForEachCallThatIsUsedAndExitLast) {
   EXPECT_EQ(said, wanted);
 }
 
+/// Two calls "m1" and "m2" of a shader without parameters, side by side: m2 right of the middle.
+std::string two_calls(const std::string& shader) {
+  return "link \"" + shader + ".so\" declare shader color \"" + shader +
+         "\" ( ) apply material end declare material \"m1\" \"" + shader +
+         "\" ( ) end material material \"m2\" \"" + shader +
+         "\" ( ) end material object \"half\" visible shadow trace group 0 -8 1 8 -8 1 8 8 1 "
+         "0 8 1 v 0 v 1 v 2 v 3 c 0 1 2 3 end group end object "
+         "instance \"half_i\" \"half\" material \"m2\" end instance " +
+         UserScene::square("m1");
+}
+
+// acceptance: I4
+TEST(LifeCycle, WithoutAskingForEachCallInitComesOnce) {
+  ShaderFolder folder;
+  folder.compile("once", kHead +
+                             "static int calls;"
+                             "DLLEXPORT void once_init(miState *state, void *p, miBoolean *each) {"
+                             "  ++calls; *each = miFALSE; }"
+                             "DLLEXPORT miBoolean once(miColor *r, miState *state, void *p) {"
+                             "  r->r = calls; r->g = r->b = r->a = 1; return miTRUE; }");
+  UserScene scene(folder, two_calls("once"), "\"square_i\" \"half_i\"");
+  for (const int x : {1, 6}) expect_color(scene.pixel(x, 4, 1), Rgb(1), 0);
+}
+
+TEST(LifeCycle, EachCallHasPointersOfThreadsOfItsOwn) {
+  ShaderFolder folder;
+  folder.compile("keep", kHead +
+                             "DLLEXPORT miBoolean keep(miColor *r, miState *state, void *p) {"
+                             "  void *before = p, *after = NULL, **all = NULL; int n = 0;"
+                             "  mi_query(miQ_FUNC_TLS_GET, state, 0, &before);"
+                             "  mi_query(miQ_FUNC_TLS_SET, state, 0, &p);"
+                             "  mi_query(miQ_FUNC_TLS_GET, state, 0, &after);"
+                             "  mi_query(miQ_FUNC_TLS_GETALL, state, 0, &all, &n);"
+                             "  r->r = before == NULL; r->g = after == p;"
+                             "  r->b = n == 1 && all[0] == p; r->a = 1; return miTRUE; }");
+  UserScene scene(folder, two_calls("keep"), "\"square_i\" \"half_i\"");
+  for (const int x : {1, 6}) expect_color(scene.pixel(x, 4, 1), Rgb(1), 0);
+}
+
 // acceptance: I4
 TEST(LifeCycle, AnotherVersionIsAnErrorAndNoneIsTakenAsItIs) {
   ShaderFolder folder;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/light_emission.h"
+#include "transport/photon_trace.h"
 #include "user_picture.h"
 
 namespace oriel {
@@ -113,6 +114,34 @@ TEST(UserPhotons, PhotonShadersScatterAsTheBuiltInMaterial) {
   UserScene built_in(folder, room(kBuiltIn, lamp), kMembers);
   const Measured by_user = measure(own, scene::IndirectMethod::Photons, 12);
   expect_same(by_user, measure(built_in, scene::IndirectMethod::Photons, 12));
+  EXPECT_EQ(own.messages(), "");
+}
+
+TEST(UserPhotons, MirrorsOfPhotonShadersMakeCausticsAsTheBuiltInMaterial) {
+  const ShaderFolder folder;
+  folder.compile_file("photon", kExamples + "photon/ex_lacquer_photon.c");
+  const std::string declared =
+      "link \"photon.so\" declare shader color \"ex_lacquer_photon\" ( color \"diffuse\", color "
+      "\"mirror\" ) version 1 apply photon end declare ";
+  const std::string mirror =
+      "\"mia_material\" ( \"diffuse_weight\" 0, \"reflectivity\" 1, \"brdf_0_degree_refl\" 1 )";
+  UserScene own(folder,
+                declared + room(mirror + " photon \"ex_lacquer_photon\" ( \"diffuse\" 0 0 0, "
+                                         "\"mirror\" 1 1 1 )",
+                                kPoint),
+                kMembers, "caustic on");
+  UserScene built_in(folder, room(mirror, kPoint), kMembers, "caustic on");
+  const auto caustics = [](const UserScene& scene) {
+    RayCounts counts;
+    const PhotonMaps maps = trace_photons(
+        *scene.world, {.globillum = false, .each = {.caustic = {.emit = 1 << 16}}}, counts);
+    double power = 0;
+    for (const Photon& p : maps.caustic.photons()) power += p.power.y;
+    return power;
+  };
+  const double wanted = caustics(built_in);
+  EXPECT_GT(wanted, 0);
+  EXPECT_NEAR(caustics(own), wanted, .02 * wanted);
   EXPECT_EQ(own.messages(), "");
 }
 

@@ -12,7 +12,7 @@
 
 namespace oriel::testing {
 
-/// Numbers as a path draws them and nothing else: every ray goes into the dark.
+/// Numbers as a path draws them; no ray hits anything, and irradiance is as the test sets it.
 class NumbersOnly final : public Tracer {
  public:
   explicit NumbersOnly(std::uint32_t seed = 1) : seed_(seed) { start(0); }
@@ -25,10 +25,14 @@ class NumbersOnly final : public Tracer {
   std::optional<Arriving> light(int, ShadingPoint&) override { return {}; }
   Levels levels() const override { return {}; }
   Seen trace(const ShadingPoint&, const SubRay&) override { return {}; }
-  Rgb irradiance(const ShadingPoint&, const Vec3&) override { return Rgb(0); }
+  Rgb irradiance(const ShadingPoint&, const Vec3& normal) override {
+    return normal.z > 0 ? above : below;
+  }
   Rgba shade(const NodeList&, ShadingPoint&, MaterialOutputs*) override { return Rgba(0); }
   bool write_buffer(std::size_t, const Rgba&) override { return false; }
   std::optional<Rgba> read_buffer(std::size_t) const override { return {}; }
+
+  Rgb above{0}, below{0};  ///< irradiance of surfaces that face +z and -z
 
  private:
   std::uint32_t seed_;

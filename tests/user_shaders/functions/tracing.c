@@ -22,13 +22,15 @@ static void rays(miState* state) {
   COVER(mi_trace_reflection, mi_trace_reflection(&c, state, &d) && SKY(c));
   COVER(mi_trace_reflection, state->child && state->child->type == miRAY_REFLECT &&
                                  state->child->reflection_level == state->reflection_level + 1 &&
+                                 state->child->refraction_level == state->refraction_level &&
                                  state->child->parent == state);
   COVER(mi_trace_reflection, mi_trace_reflection(&c, state, &wall) && SHOWS(c, 1, 0, 0) &&
                                  NEAR(state->child->point.x, 30, 1e-3));
   COVER(mi_trace_refraction,
         mi_trace_refraction(&c, state, &down) && SKY(c) && state->child->type == miRAY_REFRACT);
   COVER(mi_trace_transparent, mi_trace_transparent(&c, state) && SKY(c) &&
-                                  state->child->refraction_level == state->refraction_level + 1);
+                                  state->child->refraction_level == state->refraction_level + 1 &&
+                                  state->child->reflection_level == state->reflection_level);
   COVER(mi_trace_environment, mi_trace_environment(&c, state, &wall) && SKY(c));
   COVER(mi_trace_continue, mi_trace_continue(&c, state) && SKY(c));
   COVER(mi_trace_probe, mi_trace_probe(state, &down, &above) && NEAR(state->child->dist, 2, 1e-4) &&
