@@ -9,18 +9,6 @@ namespace bump_cases_test {
 
 const Vec3 kUp(0, 0, 1);
 
-/// "test_direction": as environment the direction d as the colour (d + 1) / 2.
-constexpr ShaderSpec kTestDirection = {
-    .name = "test_direction",
-    .library = "test",
-    .apply = kApplyEnvironment,
-    .value =
-        [](const Call& call, void* result) {
-          const Vec3 d = (call.point.ray_direction + Vec3(1)) * .5f;
-          *static_cast<Rgba*>(result) = Rgba(d.x, d.y, d.z, 1);
-        },
-};
-
 /// "test_links": 0 in round holes of radius .3 about whole numbers of x and y, else 1.
 constexpr ShaderSpec kTestLinks = {
     .name = "test_links",
@@ -39,7 +27,7 @@ constexpr ShaderSpec kTestLinks = {
 const Registry& registry() {
   static const Registry all([] {
     std::vector<const ShaderSpec*> specs = test_registry().all();
-    specs.insert(specs.end(), {&kTestDirection, &kTestLinks});
+    specs.push_back(&kTestLinks);
     return specs;
   }());
   return all;

@@ -53,26 +53,32 @@ TEST(Effects, TheArchitecturalMaterialsHaveTheRowsOfOne) {
 }
 
 /// The cases of one shader: a test for each parameter would start a thousand processes.
-using ShaderCases = std::pair<std::string, Cases>;
+struct ShaderCases {
+  std::string shader;
+  Cases cases;
+};
+void PrintTo(const ShaderCases& s, std::ostream* out) { *out << s.shader; }
 
 std::vector<ShaderCases> cases_by_shader() {
   std::map<std::string, Cases> sorted;
   for (const Case& c : all_cases())
     sorted[c.parameter.substr(0, c.parameter.find('.'))].push_back(c);
-  return {sorted.begin(), sorted.end()};
+  std::vector<ShaderCases> all;
+  for (const auto& [shader, cases] : sorted) all.push_back({shader, cases});
+  return all;
 }
 
 class EachEffect : public ::testing::TestWithParam<ShaderCases> {};
 
 TEST_P(EachEffect, IsAsTheManualSays) {
-  for (const Case& c : GetParam().second) {
+  for (const Case& c : GetParam().cases) {
     SCOPED_TRACE(c.parameter);
     c.check();
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shaders, EachEffect, ::testing::ValuesIn(cases_by_shader()),
-                         [](const auto& each) { return each.param.first; });
+                         [](const auto& each) { return each.param.shader; });
 
 }  // namespace
 }  // namespace oriel::effects
