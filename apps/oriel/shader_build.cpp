@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "base/temporary_folder.h"
 #include "command.h"
@@ -87,6 +88,22 @@ std::vector<std::string> include_flags(const ShaderBuild& build,
   return flags;
 }
 
+/// "shader.h" in quotes is looked for beside the source first: another renderer's would be taken.
+void warn_of_other_headers(const std::vector<std::string>& sources, const std::string& sdk) {
+  std::set<fs::path> seen;
+  for (const std::string& source : sources) {
+    fs::path folder = fs::path(source).parent_path();
+    if (folder.empty()) folder = ".";
+    if (!seen.insert(folder).second || fs::equivalent(folder, sdk)) continue;
+    for (const std::string& header : headers_in(folder))
+      if (fs::exists(fs::path(sdk) / fs::path(header).filename()))
+        fmt::print(stderr,
+                   "oriel: {} may be taken for Oriel's header of that name: move it away if it is "
+                   "of another renderer\n",
+                   header);
+  }
+}
+
 std::vector<CompiledSource> to_compile(const std::vector<std::string>& sources,
                                        const ShaderBuild& build, const std::string& prefix,
                                        const TemporaryFolder& work) {
@@ -129,6 +146,8 @@ std::vector<BuiltLibrary> build_shaders(const ShaderBuild& build) {
   const TemporaryFolder work;
   const std::vector<std::string> folders = folders_of(build);
   const std::vector<std::string> includes = include_flags(build, folders, sdk, work);
+  warn_of_other_headers(build.sources, sdk);
+  warn_of_other_headers(build.helpers, sdk);
   ShaderCompilers compilers(build.cc, build.cxx, build.standards, work.path().string());
   BuildHints hints(with_parents(folders));
 

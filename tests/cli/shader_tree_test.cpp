@@ -176,6 +176,26 @@ TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackToTheirCaller) {
   }
 }
 
+TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackInClangAsWell) {
+  if (std::system("clang++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no clang++ here";
+  put("a.cpp",
+      "static int seen;\n"
+      "static int empty(int x) { if (x > 3) return 1; seen += 1; }\n"
+      "static float real(int x) { if (x > 3) return 1; seen += 100; }\n"
+      "extern \"C\" float without(float x) { empty((int)x); real((int)x); return seen; }\n");
+  const RunResult r = build({"a.cpp", "--cxx", "clang++"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EXIT(_exit(call("a.so", "without", 0) == 101 ? 0 : 1), ::testing::ExitedWithCode(0), "");
+}
+
+TEST_F(ShaderTreeProgram, AHeaderBesideTheSourceThatHidesOnesOfOrielIsNamed) {
+  put("s/a.c", "#include \"shader.h\"\nint a = OTHER;\n");
+  put("s/shader.h", "#define OTHER 1\n");
+  const RunResult r = build({"s"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(says(r, "s/shader.h may be taken for Oriel's header of that name")) << r.err;
+}
+
 TEST_F(ShaderTreeProgram, IntegersWrapAndNullIsTested) {
   put("a.cpp",
       "extern \"C\" float wraps(float x) { int n = 2147483647 - 3 + (int)x; return n + 1 < n; }\n"

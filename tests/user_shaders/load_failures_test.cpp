@@ -52,6 +52,8 @@ TEST_F(MissingRoles, AreNamedAndThePictureIsSavedWithAnExitCode) {
     EXPECT_EQ(count(r.err, "OR-SDK-006"), 1) << r.err;
     EXPECT_TRUE(has_picture()) << c.role;
   }
+  const RunResult checked = run({"check", "scene.mi"});
+  EXPECT_NE((checked.out + checked.err).find("OR-SDK-006"), std::string::npos) << checked.out;
   // A named shader, too.
   const RunResult named =
       render(kDeclared + "shader \"l\" \"away\" ( \"s\" 1 )\n", "", "lens = \"l\"");
