@@ -19,6 +19,7 @@
 #include "scene_code.h"
 #include "scene_file.h"
 #include "sdk/host.h"
+#include "sdk/missing_roles.h"
 #include "shaders/registry.h"
 
 namespace oriel::app {
@@ -150,6 +151,8 @@ json inspect(const CheckArguments& a, SceneCode& code, scene::Scene& scene,
     }
     json outputs = json::array();
     if (const scene::Camera* camera = find_camera(scene, scene.renders.back())) {
+      sdk::report_missing_roles(scene, scene.renders.back(), camera, world->options.lens,
+                                world->options.output, host, diagnostics);
       const std::string folder = std::filesystem::path(a.scene.path).parent_path().string();
       for (const PictureFile& f :
            camera_outputs(*camera, {folder, {folder}}, scene, host.registry(), *world, diagnostics))

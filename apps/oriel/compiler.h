@@ -2,6 +2,7 @@
 // Runs a compiler: without a shell, its messages where the user sees them.
 #pragma once
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace oriel::app {
 /// What compiles: a program and the words that stand before its own arguments ("ccache", "gcc").
 using CompilerCommand = std::vector<std::string>;
 
-/// The compiler of a language, and how it came to be chosen.
+/// The compiler of a language, and how it came to be chosen. Threads may run it at the same time.
 class Compiler {
  public:
   /// `asked`: what the user wrote, or empty; `variable`: of the environment, asked next; then the
@@ -18,13 +19,15 @@ class Compiler {
   Compiler(std::string language, std::string option, const std::string& asked, const char* variable,
            const std::vector<std::string>& usual);
 
-  /// Runs it; false: it ended with an error, and has said so.
+  /// Runs it; false: it ended with an error, and has said so. Messages are in English and are
+  /// written to the file `log`.
   ///
   /// Errors: UserError when no such program is installed.
-  bool run(const std::vector<std::string>& arguments);
+  bool run(const std::vector<std::string>& arguments, const std::string& log);
 
  private:
   std::string language_, option_;
+  std::mutex mutex_;
   std::vector<CompilerCommand> candidates_;
 };
 

@@ -22,6 +22,7 @@
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
+#include "sdk/missing_roles.h"
 #include "shaders/registry.h"
 
 namespace oriel::app {
@@ -118,6 +119,8 @@ class FrameRenderer {
     options.release_geometry = is_last;
     world_ = prepare(scene_, command, host_->registry(), options, diagnostics_, report);
     if (!world_) return false;
+    sdk::report_missing_roles(scene_, command, find_camera(scene_, command, plan_.prepare.camera),
+                              world_->options.lens, world_->options.output, *host_, diagnostics_);
     if (plan_.gi) world_->options.indirect = *plan_.gi;
     choose_files(command, frame);
     for (PictureFile& file : files_) file.path = eye_path(file.path, eye);

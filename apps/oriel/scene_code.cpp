@@ -17,6 +17,7 @@
 #include "mi/number.h"
 #include "scene/asset_path.h"
 #include "shader_build.h"
+#include "shader_sources.h"
 
 namespace oriel::app {
 namespace {

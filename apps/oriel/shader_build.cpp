@@ -5,48 +5,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
-#include "base/file_text.h"
 #include "base/temporary_folder.h"
 #include "command.h"
-#include "compiler.h"
 #include "image/atomic_file.h"
 #include "include_shim.h"
+#include "shader_link.h"
+#include "shader_sources.h"
 
 namespace oriel::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_c(const fs::path& file) { return file.extension() == ".c"; }
-
-bool is_source(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  return is_c(file) || extension == ".cpp" || extension == ".cc" || extension == ".cxx" ||
-         extension == ".C";
-}
-
-bool is_header(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".h" || extension == ".hpp" || extension == ".hh" || extension == ".hxx";
-}
-
-/// The DllMain of a Windows library in a file of its own, as such folders often have one.
-bool is_windows_entry(const fs::path& file) {
-  std::string stem = file.stem().string();
-  for (char& c : stem) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (stem.size() < 3 || stem.compare(stem.size() - 3, 3, "dll") != 0) return false;
-  const std::string text = file_text(file);
-  return text.find("windows.h") != std::string::npos && text.find("DllMain") != std::string::npos;
-}
-
-std::vector<std::string> files_in(const fs::path& folder, bool (*wanted)(const fs::path&)) {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && wanted(entry.path())) files.push_back(entry.path().string());
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 /// Where shader.h is: as asked, ORIEL_SDK, beside the installed program, in the source tree.
 std::string find_headers(const std::string& asked) {
@@ -69,94 +41,153 @@ std::string find_headers(const std::string& asked) {
                   installed.string()));
 }
 
-/// Sources of the time rely on what compilers let pass then; newer ones are told to as well.
-std::vector<std::string> dialect(bool c) {
-  if (!c) return {"-std=gnu++14", "-fpermissive"};
-  return {"-std=gnu99", "-Wno-error=implicit-function-declaration", "-Wno-error=implicit-int",
-          "-Wno-error=int-conversion", "-Wno-error=incompatible-pointer-types"};
+/// Folders of sources, then those of further headers, each once.
+std::vector<std::string> folders_of(const ShaderBuild& build) {
+  std::vector<std::string> folders;
+  const auto add = [&](const fs::path& folder) {
+    const std::string text = folder.empty() ? "." : folder.string();
+    if (std::find(folders.begin(), folders.end(), text) == folders.end()) folders.push_back(text);
+  };
+  for (const std::string& source : build.sources) add(fs::path(source).parent_path());
+  for (const std::string& source : build.helpers) add(fs::path(source).parent_path());
+  for (const std::string& folder : build.include_folders) add(folder);
+  return folders;
 }
 
-/// Where the compiler looks for headers.
-std::vector<std::string> include_flags(const std::vector<std::string>& sources,
+/// Headers that are missing are often in a folder beside.
+std::vector<std::string> with_parents(std::vector<std::string> folders) {
+  for (std::size_t i = 0, count = folders.size(); i < count; ++i)
+    if (const fs::path parent = fs::path(folders[i]).parent_path(); !parent.empty())
+      folders.push_back(parent.string());
+  return folders;
+}
+
+/// Where the compiler looks for headers: Oriel's own come first, so that another shader.h in a
+/// folder of -I is not taken for it.
+std::vector<std::string> include_flags(const ShaderBuild& build,
+                                       const std::vector<std::string>& folders,
                                        const std::string& sdk, const TemporaryFolder& work) {
-  std::vector<std::string> read = sources;
-  std::vector<std::string> folders;
-  for (const std::string& source : sources) {
-    const std::string folder = (fs::path(source).parent_path() / "").string();
-    if (std::find(folders.begin(), folders.end(), folder) != folders.end()) continue;
-    folders.push_back(folder);
-    for (std::string& header : files_in(folder.empty() ? "." : folder, is_header))
-      read.push_back(std::move(header));
-  }
+  std::vector<std::string> read = build.sources;
+  read.insert(read.end(), build.helpers.begin(), build.helpers.end());
+  for (const std::string& folder : folders)
+    for (std::string& header : headers_in(folder)) read.push_back(std::move(header));
   std::vector<StrayInclude> stray;
-  const std::string shim = write_include_shim(read, sdk, work.file("include"), stray);
+  const std::string shim = write_include_shim(read, sdk, folders, work.file("include"), stray);
   for (const StrayInclude& s : stray)
     fmt::print(stderr, "oriel: {}:{}: there is no \"{}\" here; write #include <{}>\n", s.file,
                s.line, s.name, fs::path(s.name).filename().string());
   std::vector<std::string> flags = {"-I" + sdk};
   if (!shim.empty()) flags.push_back("-I" + shim);
+  for (const std::string& folder : build.include_folders) flags.push_back("-I" + folder);
+  // The helpers' headers, for the sources that call them.
+  for (const std::string& helper : build.helpers) {
+    const std::string folder = "-I" + (fs::path(helper).parent_path() / "").string();
+    if (folder != "-I" && std::find(flags.begin(), flags.end(), folder) == flags.end())
+      flags.push_back(folder);
+  }
   return flags;
+}
+
+/// "shader.h" in quotes is looked for beside the source first: another renderer's would be taken.
+void warn_of_other_headers(const std::vector<std::string>& sources, const std::string& sdk) {
+  std::set<fs::path> seen;
+  for (const std::string& source : sources) {
+    fs::path folder = fs::path(source).parent_path();
+    if (folder.empty()) folder = ".";
+    if (!seen.insert(folder).second || fs::equivalent(folder, sdk)) continue;
+    for (const std::string& header : headers_in(folder))
+      if (fs::exists(fs::path(sdk) / fs::path(header).filename()))
+        fmt::print(stderr,
+                   "oriel: {} may be taken for Oriel's header of that name: move it away if it is "
+                   "of another renderer\n",
+                   header);
+  }
+}
+
+std::vector<CompiledSource> to_compile(const std::vector<std::string>& sources,
+                                       const ShaderBuild& build, const std::string& prefix,
+                                       const TemporaryFolder& work) {
+  std::vector<CompiledSource> all;
+  for (const std::string& source : sources) {
+    CompiledSource one{source, work.file(fmt::format("{}{}.o", prefix, all.size())),
+                       is_c_source(source), build.flags};
+    for (const ShaderManifest& manifest : build.manifests)
+      for (std::string& flag : manifest.flags_of(source)) one.flags.push_back(std::move(flag));
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+/// Sources of each library, by its path.
+std::map<std::string, std::vector<const CompiledSource*>> libraries_of(
+    const ShaderBuild& build, const std::vector<CompiledSource>& sources) {
+  std::map<std::string, std::vector<const CompiledSource*>> libraries;
+  for (const CompiledSource& source : sources) {
+    std::string path = build.output;
+    if (build.each)
+      path = (fs::path(build.output) / (fs::path(source.source).stem().string() + ".so")).string();
+    auto& parts = libraries[path];
+    if (build.each && !parts.empty())
+      throw UserError(
+          fmt::format("{} and {} would both become {}", parts[0]->source, source.source, path));
+    parts.push_back(&source);
+  }
+  return libraries;
+}
+
+void print_hints(const BuildHints& hints) {
+  for (const std::string& hint : hints.all()) fmt::print(stderr, "oriel: hint: {}\n", hint);
 }
 
 }  // namespace
 
-std::vector<std::string> find_shader_sources(const std::vector<std::string>& paths) {
-  std::vector<std::string> sources;
-  for (const std::string& path : paths) {
-    if (!fs::exists(path)) throw UserError(fmt::format("there is no '{}'", path));
-    if (!fs::is_directory(path)) {
-      if (!is_source(path))
-        throw UserError(fmt::format("'{}' is no source (.c, .cpp, .cc, .cxx)", path));
-      sources.push_back(path);
-      continue;
-    }
-    const std::vector<std::string> found = files_in(path, is_source);
-    if (found.empty())
-      throw UserError(fmt::format("'{}' has no sources (.c, .cpp, .cc, .cxx) in it", path));
-    for (const std::string& file : found) {
-      if (is_windows_entry(file))
-        fmt::print(stderr, "oriel: {} is left out: the entry point of a Windows library\n", file);
-      else
-        sources.push_back(file);
-    }
-  }
-  if (sources.empty()) throw UserError("there are no sources to build");
-  return sources;
-}
-
-void build_shaders(const ShaderBuild& build) {
+std::vector<BuiltLibrary> build_shaders(const ShaderBuild& build) {
   const std::string sdk = find_headers(build.include);
   const TemporaryFolder work;
-  const std::vector<std::string> includes = include_flags(build.sources, sdk, work);
-  Compiler cc("C", "--cc", build.cc, "CC", {"cc", "gcc", "clang"});
-  Compiler cxx("C++", "--cxx", build.cxx, "CXX", {"c++", "g++", "clang++"});
+  const std::vector<std::string> folders = folders_of(build);
+  const std::vector<std::string> includes = include_flags(build, folders, sdk, work);
+  warn_of_other_headers(build.sources, sdk);
+  warn_of_other_headers(build.helpers, sdk);
+  ShaderCompilers compilers(build.cc, build.cxx, build.standards, work.path().string());
+  BuildHints hints(with_parents(folders));
 
-  std::vector<std::string> objects;
-  std::size_t failed = 0;
-  bool all_c = true;
-  for (const std::string& source : build.sources) {
-    const bool c = is_c(source);
-    all_c = all_c && c;
-    objects.push_back(work.file(fmt::format("{}.o", objects.size())));
-    std::vector<std::string> arguments = dialect(c);
-    for (const char* flag : {"-O2", "-fPIC", "-fno-strict-aliasing"}) arguments.emplace_back(flag);
-    arguments.insert(arguments.end(), includes.begin(), includes.end());
-    arguments.insert(arguments.end(), build.flags.begin(), build.flags.end());
-    arguments.insert(arguments.end(), {"-c", source, "-o", objects.back()});
-    if (!(c ? cc : cxx).run(arguments)) ++failed;
-  }
+  const std::vector<CompiledSource> sources = to_compile(build.sources, build, "", work);
+  const std::vector<CompiledSource> helpers = to_compile(build.helpers, build, "helper", work);
+  const auto libraries = libraries_of(build, sources);
+  std::vector<CompiledSource> all = sources;
+  all.insert(all.end(), helpers.begin(), helpers.end());
+  const std::size_t failed = compilers.compile(all, includes, build.jobs, hints);
+  if (failed > 0) print_hints(hints);
   if (failed > 0)
-    throw UserError(fmt::format("{} of {} sources did not compile; nothing was written", failed,
-                                build.sources.size()));
+    throw UserError(
+        fmt::format("{} of {} sources did not compile; nothing was written", failed, all.size()));
 
-  write_atomically(build.output, [&](const std::string& path) {
-    std::vector<std::string> arguments = {"-shared", "-o", path};
-    arguments.insert(arguments.end(), objects.begin(), objects.end());
-    arguments.insert(arguments.end(), build.flags.begin(), build.flags.end());
-    arguments.emplace_back("-lm");
-    if (!(all_c ? cc : cxx).run(arguments))
-      throw UserError("the sources could not be linked; nothing was written");
-  });
+  ShaderLink link{{}, {}, build.flags};
+  if (!helpers.empty()) {
+    link.archives.push_back(work.file("helpers.a"));
+    archive_objects(helpers, link.archives[0], work.path().string());
+  }
+  link.archives.insert(link.archives.end(), build.archives.begin(), build.archives.end());
+  std::vector<BuiltLibrary> built;
+  // Linked before the first is put in its place: then nothing is written when one fails.
+  for (const auto& [path, parts] : libraries) {
+    link.sources = parts;
+    const std::string made = work.file(fmt::format("{}.so", built.size()));
+    try {
+      link_shaders(link, helpers, made, work.path().string(), compilers, hints);
+    } catch (const UserError&) {
+      print_hints(hints);
+      throw;
+    }
+    built.push_back({path, parts.size()});
+  }
+  if (build.each) fs::create_directories(build.output);
+  for (std::size_t i = 0; i < built.size(); ++i)
+    write_atomically(built[i].path, [&](const std::string& path) {
+      fs::copy_file(work.file(fmt::format("{}.so", i)), path, fs::copy_options::overwrite_existing);
+    });
+  print_hints(hints);
+  return built;
 }
 
 }  // namespace oriel::app

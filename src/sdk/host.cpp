@@ -60,6 +60,7 @@ void Host::link(const std::string& written, SourceLocation where, const TrustedF
   const std::size_t messages = diagnostics_.all().size();
   auto library = Library::open(written, where, folders, diagnostics_);
   if (!library && diagnostics_.all().size() == messages) missing_.push_back(stem + ".so");
+  if (!library) absent_.push_back(stem + ".so");
   if (!library) return;
   if (void* init = library->find("module_init")) reinterpret_cast<void (*)()>(init)();
   libraries_.push_back(std::move(library));

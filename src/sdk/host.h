@@ -51,6 +51,8 @@ class Host {
   void attach(const World& world);
   Diagnostics& diagnostics() { return diagnostics_; }
   const std::vector<std::unique_ptr<Library>>& libraries() const { return libraries_; }
+  /// Libraries of the scene that were not found or could not be loaded, by file name.
+  const std::vector<std::string>& absent_libraries() const { return absent_; }
   /// Calls the exit functions of the shaders that were initialised, and forgets the world; to be
   /// called before it goes.
   void end_frame();
@@ -117,6 +119,7 @@ class Host {
   Diagnostics& diagnostics_;
   std::set<std::string> linked_;      ///< libraries that were looked for, by stem
   std::vector<std::string> missing_;  ///< those that were not found, by file name
+  std::vector<std::string> absent_;   ///< these, and those that could not be loaded
   std::vector<std::unique_ptr<Library>> libraries_;
   std::vector<std::unique_ptr<UserSpec>> specs_;
   std::unique_ptr<Registry> registry_;

@@ -45,7 +45,4 @@ class Library {
   void* handle_ = nullptr;
 };
 
-/// Undefined symbols of an ELF shared library that nothing loaded offers; weak ones not counted.
-std::vector<std::string> missing_symbols(const std::filesystem::path& library);
-
 }  // namespace oriel::sdk
