@@ -42,10 +42,8 @@ void value(const Call& call, void* result) {
   result_from_c(*shader.spec, c.bytes, result);
   call.point.normal = vec(frame.state.normal);
   take_over_tex(frame.state, call.point);
-  // Displacement may move the point as well; along the normal is what surfaces are moved.
-  if (call.point.ray_kind == RayKind::Displace && shader.spec->result == ParamType::Scalar)
-    *static_cast<float*>(result) +=
-        dot(vec(frame.state.point) - call.point.position, call.point.normal);
+  // Displacement starts at the point that is left.
+  if (call.point.ray_kind == RayKind::Displace) call.point.position = vec(frame.state.point);
 }
 
 /// What the shader returns is what is seen. Photons and shadow rays know other shaders.
