@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a user's shader plays each role of a ShaderSpec.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "color/luminance.h"
@@ -53,7 +54,12 @@ void material(const Call& call, Closure& closure) {
   StateFrame frame(*shader.spec->host, call.point);
   Result c(*shader.spec);
   c.color() = as_c(closure.emission, closure.alpha);
+  std::optional<Answer>* const store = Caller::current().answer;
   const bool answer = run(shader, frame.state, c.bytes, miSHADER_MATERIAL);
+  if (store && !*store) {
+    store->emplace(Answer{call.point.position, frame.state});
+    (*store)->state.shader = shader.function;
+  }
   closure.emission = answer ? rgb(c.color()) : Rgb(0);
   closure.alpha = answer ? clamp01(c.color().a) : 0;
   closure.outputs = false;
@@ -98,12 +104,16 @@ Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
 LightValue light(const Call& call, const LightCall& light) {
   UserInstance& shader = instance_of(call);
   ShadingPoint& point = call.point;
-  StateFrame lit(*shader.spec->host, point);
-  StateFrame frame(*shader.spec->host, point, &lit.state);
+  Host& host = *shader.spec->host;
+  // The shader that asked; for a built-in one, a state of the lit point.
+  miState* asker = Caller::current().light;
+  std::optional<StateFrame> lit;
+  if (!asker) asker = &lit.emplace(host, point).state;
+  StateFrame frame(host, point, asker);
   miState& state = frame.state;
   const World& world = *frame.context.world;
   state.type = miRAY_LIGHT;
-  state.parent = &lit.state;
+  state.parent = asker;
   state.org = as_c(light.position);
   state.dir = as_c(light.direction);
   state.dist = std::isinf(light.distance) ? 0 : light.distance;
@@ -153,7 +163,7 @@ AirValue volume(const Call& call) {
 
 Rgba lens(const Call& call, LensNext& next) {
   UserInstance& shader = instance_of(call);
-  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  StateFrame frame(*shader.spec->host, call.point);
   frame.context.lens = &next;
   Result c(*shader.spec);
   if (!run(shader, frame.state, c.bytes, miSHADER_LENS)) return Rgba(0, 0, 0, 0);
