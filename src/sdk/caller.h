@@ -28,16 +28,19 @@ struct Caller {
   miState* same_point = nullptr;
   const ShadingPoint* point = nullptr;      ///< that point
   std::optional<Answer>* answer = nullptr;  ///< where the state of the hit is stored
+  miState* light_answer = nullptr;          ///< where that of the light shader is stored
 
   static Caller& current();
   static Caller of_ray(miState* state, std::optional<Answer>* answer = nullptr) {
-    return {state, nullptr, nullptr, nullptr, answer};
+    return {.ray = state, .answer = answer};
   }
-  /// Light and shadow shaders have the asking shader's state as parent.
-  static Caller of_light(miState* state) { return {state, state, nullptr, nullptr, nullptr}; }
-  /// The rays of the current caller still come from where they came from.
+  /// Light shaders have the asking shader's state as parent, shadow shaders that of the light.
+  static Caller of_light(miState* state, miState* light_answer) {
+    return {.ray = state, .light = state, .light_answer = light_answer};
+  }
+  /// Rays still come from where they came from.
   static Caller at_point(miState* state, const ShadingPoint& point) {
-    return {current().ray, nullptr, state, &point, current().answer};
+    return {.ray = current().ray, .same_point = state, .point = &point};
   }
 };
 

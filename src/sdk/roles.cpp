@@ -101,6 +101,23 @@ Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
   return answer ? rgb(c.color()) : Rgb(0);
 }
 
+/// From here on the light's state is that of the caller, for shadow shaders.
+void keep_light_state(const miState& state, const miState& asker, const miFunction* shader) {
+  Caller& caller = Caller::current();
+  if (!caller.light_answer) return;
+  miState& kept = *caller.light_answer;
+  kept = state;
+  kept.shader = shader;
+  // What the rest points to ends with the light shader.
+  kept.cache = asker.cache;
+  kept.tex_list = asker.tex_list;
+  kept.bump_x_list = asker.bump_x_list;
+  kept.bump_y_list = asker.bump_y_list;
+  kept.derivs = asker.derivs;
+  kept.child = nullptr;
+  caller.ray = &kept;
+}
+
 LightValue light(const Call& call, const LightCall& light) {
   UserInstance& shader = instance_of(call);
   ShadingPoint& point = call.point;
@@ -144,6 +161,7 @@ LightValue light(const Call& call, const LightCall& light) {
     const float open = luminance(value.colour);
     value.shadow_factor = open > 0 ? clamp01(luminance(behind) / open) : 0;
   }
+  keep_light_state(state, *asker, shader.function);
   return value;
 }
 

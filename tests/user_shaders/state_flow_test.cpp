@@ -119,6 +119,38 @@ TEST(UserStateFlow, LightShadersSeeTheShaderThatAsked) {
   expect_color(scene.pixel(4, 4, 4), Rgb(.25f, 1, 1), 1e-6f);
 }
 
+TEST(UserStateFlow, ShadowShadersSeeTheLight) {
+  const ShaderFolder folder;
+  folder.compile("s", kHead +
+                          "DLLEXPORT miBoolean lit(miColor *r, miState *state, void *p) {"
+                          "  r->r = r->g = r->b = r->a = 1; state->user_size = 9;"
+                          "  return mi_trace_shadow(r, state); }"
+                          "DLLEXPORT miBoolean shade(miColor *r, miState *state, void *p) {"
+                          "  r->r *= is(state->parent, \"lit\") && state->user_size == 9;"
+                          "  r->g *= state->user && *(miScalar *)state->user == .25 &&"
+                          "          is(state->parent->parent, \"asker\");"
+                          "  r->b *= state->raster_x > 4 && state->raster_x < 5; return miTRUE; }"
+                          "DLLEXPORT miBoolean asker(miColor *r, miState *state, void *p) {"
+                          "  miTag *lights; int n, s = 0; miVector d; miScalar nl, x = .25;"
+                          "  state->user = &x; n = mi_global_lights_info(&lights);"
+                          "  r->r = r->g = r->b = 0; r->a = 1;"
+                          "  if (n) mi_sample_light(r, &d, &nl, state, lights[0], &s);"
+                          "  return miTRUE; }");
+  UserScene scene(folder,
+                  "link \"s.so\" " + declared("asker") + declared("lit", "light") +
+                      declared("shade", "shadow") + material("asker") +
+                      "light \"lamp\" \"lit\" ( ) origin 0 0 3 end light "
+                      "instance \"lamp_i\" \"lamp\" end instance "
+                      "material \"glass\" \"mib_illum_lambert\" ( ) shadow \"shade\" ( ) end "
+                      "material object \"wall\" visible shadow trace group -8 -8 2 8 -8 2 8 8 2 "
+                      "-8 8 2 v 0 v 1 v 2 v 3 c 0 1 2 3 end group end object instance \"wall_i\" "
+                      "\"wall\" visible off shadow on material \"glass\" end instance " +
+                      UserScene::square("asker_m"),
+                  "\"square_i\" \"lamp_i\" \"wall_i\"");
+  scene.indirect = false;
+  expect_color(scene.pixel(4, 4, 4), Rgb(1), 1e-5f);
+}
+
 TEST(UserStateFlow, LightShadersThatBuiltInMaterialsAskSeeAParentWithAShader) {
   const ShaderFolder folder;
   folder.compile("l", kHead + kAskedLight);
