@@ -2,8 +2,12 @@
 #include "interrupt.h"
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 
-#include "sdk/call.h"
+#include "command.h"
+#include "sdk/crash.h"
 
 namespace oriel::app {
 namespace {
@@ -22,6 +26,14 @@ void on_crash(int number) {
   std::raise(number);
 }
 
+/// A shader, or a handler of signals that its library installed, has called exit().
+void on_exit() {
+  const std::string shader = sdk::running_shader();
+  if (shader.empty()) return;
+  std::fprintf(stderr, "oriel: error: %s [OR-SDK-005]\n", shader.c_str());
+  std::_Exit(kExitFailed);
+}
+
 }  // namespace
 
 std::atomic<bool>& interrupted() { return flag; }
@@ -38,6 +50,7 @@ void catch_crashes() {
   action.sa_flags = SA_NODEFER;
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
     sigaction(number, &action, nullptr);
+  std::atexit(on_exit);
 }
 
 }  // namespace oriel::app

@@ -79,6 +79,13 @@ class FrameRenderer {
     return true;
   }
 
+  /// Unloads the shader libraries, whose last functions may still report errors.
+  void close() {
+    session_.reset();
+    world_.reset();
+    host_.reset();
+  }
+
  private:
   void name_files(const scene::RenderCommand& command, int frame) {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
@@ -156,14 +163,7 @@ class FrameRenderer {
   }
 
   /// After the files: output shaders belong to the frame.
-  void end_shaders() {
-    host_->end_frame();
-    const std::string& shader = sdk::crashed_shader();
-    if (!shader.empty())
-      diagnostics_.error("OR-SDK-005", {}, fmt::format("shader \"{}\" crashed", shader),
-                         "the picture so far is saved; run the program in a debugger to see where: "
-                         "gdb --args oriel render ...");
-  }
+  void end_shaders() { host_->end_frame(); }
 
   void choose_files(const scene::RenderCommand& command, int frame) {
     files_.clear();
@@ -422,6 +422,7 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
     if (!done) return kExitFailed;
     ++rendered;
   }
+  renderer.close();
   printer.print_new();
   if (interrupted()) return kExitFailed;
   if (frames == 0)

@@ -86,6 +86,8 @@ class Displacer {
   struct Sample {
     std::uint32_t triangle = 0, corner = 0;
     float amount = 0;
+    /// Further way in the mesh's space, of shaders that change the normal or the point.
+    Vec3 aside{0};
   };
 
   static std::uint32_t corner(const Triangle& t, std::size_t k) {
@@ -144,18 +146,32 @@ class Displacer {
     constexpr std::size_t kAtOnce = 512;
     parallel_for((samples_.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t block) {
       const std::size_t end = std::min(samples_.size(), (block + 1) * kAtOnce);
-      for (std::size_t i = block * kAtOnce; i < end; ++i) samples_[i].amount = ask(samples_[i]);
+      for (std::size_t i = block * kAtOnce; i < end; ++i) ask(samples_[i]);
     });
     for (Sample& s : samples_) {
-      largest = std::max(largest, std::abs(s.amount));
-      if (limit_ > 0 && std::abs(s.amount) > limit_) {
-        ++clamped;
+      const bool straight = s.aside == Vec3(0);
+      const float way = straight ? std::abs(s.amount) : length(s.aside + normal_at(s) * s.amount);
+      largest = std::max(largest, way);
+      if (!(limit_ > 0 && way > limit_)) continue;
+      ++clamped;
+      if (straight) {
         s.amount = std::copysign(limit_, s.amount);
+      } else {
+        s.amount *= limit_ / way;
+        s.aside *= limit_ / way;
       }
     }
   }
 
-  float ask(const Sample& sample) const {
+  /// Unit, in the mesh's space.
+  Vec3 normal_at(const Sample& sample) const {
+    const Triangle& t = mesh_.triangles[sample.triangle];
+    const std::uint32_t vertex = corner(t, sample.corner);
+    const bool has_normal = !mesh_.normals.empty() && mesh_.normals[vertex] != Vec3(0);
+    return has_normal ? normalize(mesh_.normals[vertex]) : facet_of(mesh_.positions, t).normal;
+  }
+
+  void ask(Sample& sample) const {
     const geom::Hit hit{.u = sample.corner == 1 ? 1.0f : 0.0f,
                         .v = sample.corner == 2 ? 1.0f : 0.0f,
                         .primitive = sample.triangle};
@@ -174,14 +190,27 @@ class Displacer {
     point.to_object = &leaf_.world_to_local;
     point.to_world = &leaf_.local_to_world;
     point.world = &world_;
+    const ShadingPoint before = point;
     float sum = 0;
     for (const ShaderNode* node : shaders_of(sample.triangle)) sum += node->scalar(point);
-    return std::isfinite(sum) ? clamp(sum, -kFarthest, kFarthest) : 0;
+    sample.amount = std::isfinite(sum) ? clamp(sum, -kFarthest, kFarthest) : 0;
+    // p = point + amount * normal, as the shaders leave both.
+    Vec3 aside(0);
+    if (point.normal != before.normal)
+      aside = (in_mesh(point.normal) - normal_at(sample)) * sample.amount;
+    if (point.position != before.position)
+      aside += transform_vector(point.position - before.position, leaf_.world_to_local);
+    if (is_finite(aside) && length(aside) < kFarthest) sample.aside = aside;
+  }
+
+  /// A direction of world space and its length: amounts count in units of the mesh.
+  Vec3 in_mesh(const Vec3& direction) const {
+    return normalize(transform_vector(direction, leaf_.world_to_local)) * length(direction);
   }
 
   void move() {
     struct Mean {
-      Imath::V3d direction{0};
+      Imath::V3d direction{0}, aside{0};
       double amount = 0, weight = 0;  // double: equal amounts keep their last digit
     };
     std::vector<Mean> mean(places_);
@@ -195,7 +224,9 @@ class Displacer {
         const double angle = facet.angle[k];
         Mean& m = mean[place_[v]];
         m.direction += Imath::V3d(has_normal ? mesh_.normals[v] : facet.normal) * angle;
-        m.amount += samples_[sample_of_[i * 3 + k]].amount * angle;
+        const Sample& sample = samples_[sample_of_[i * 3 + k]];
+        m.amount += sample.amount * angle;
+        m.aside += Imath::V3d(sample.aside) * angle;
         m.weight += angle;
       }
     }
@@ -203,7 +234,8 @@ class Displacer {
       const Mean& m = mean[place_[v]];
       // Sheets back to back have no direction in common: they stay.
       if (m.weight > 0 && m.direction.length() > 1e-6 * m.weight)
-        mesh_.positions[v] += Vec3(m.direction.normalized() * (m.amount / m.weight));
+        mesh_.positions[v] +=
+            Vec3(m.direction.normalized() * (m.amount / m.weight) + m.aside / m.weight);
     }
   }
 

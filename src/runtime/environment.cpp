@@ -8,6 +8,7 @@
 #include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
+#include "runtime/environment_ray.h"
 #include "runtime/world.h"
 
 namespace oriel {
@@ -52,15 +53,21 @@ Vec2 uv_of(const Vec3& d) {
 
 Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec3& origin,
                           const Vec3& direction, RayKind kind, bool blurred, float roughness) {
+  return environment_radiance(shaders, world,
+                              {origin, direction, kind, Vec2(0), blurred, roughness});
+}
+
+Rgba environment_radiance(const NodeList& shaders, const World& world, const EnvironmentRay& ray) {
   ShadingPoint point;
   point.environment = true;
-  point.ray_kind = kind;
-  point.blurred = blurred;
-  point.roughness = roughness;
-  point.ray_origin = origin;
-  point.ray_direction = direction;
-  point.position = origin + direction;
-  point.normal = point.geometric_normal = -direction;
+  point.ray_kind = ray.kind;
+  point.blurred = ray.blurred;
+  point.roughness = ray.roughness;
+  point.ray_origin = ray.origin;
+  point.ray_direction = ray.direction;
+  point.position = ray.origin + ray.direction;
+  point.normal = point.geometric_normal = -ray.direction;
+  point.raster = ray.raster;
   point.world = &world;
   Rgba c(0);
   for (const ShaderNode* node : shaders)

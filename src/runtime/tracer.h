@@ -2,6 +2,7 @@
 // What a shader that is no material may ask of the scene around a point while it is rendered.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -25,7 +26,8 @@ class Tracer {
     Vec3 geometric_normal{0, 0, 1};  ///< unit, of the triangle, facing the ray's origin
     bool back_side = false;          ///< met from behind
     const Material* material = nullptr;
-    int instance = -1;  ///< index into World::instances
+    int instance = -1;            ///< index into World::instances
+    std::uint32_t primitive = 0;  ///< triangle of the instance's mesh
   };
   /// The first surface within `reach`, whatever rays see it; cut-outs stop a ray by chance, as
   /// often as they are opaque. Unshaded.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdk/call.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <mutex>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -16,16 +19,6 @@
 
 namespace oriel::sdk {
 namespace {
-
-/// Where a crash in a user's shader jumps to, and whose it is.
-struct Guard {
-  sigjmp_buf back;
-  const UserSpec* running = nullptr;
-};
-thread_local Guard* guard = nullptr;
-
-std::mutex crash_mutex;
-std::string crashed;  // under crash_mutex
 
 /// Results of connected shaders: a stack of blocks that do not move.
 class Arena {
@@ -55,121 +48,77 @@ class Arena {
 };
 thread_local Arena arena;
 
-miState& nobody() {
-  thread_local miState state = {};
-  return state;
-}
-
 using ShaderFunction = miBoolean (*)(void*, miState*, void*, void*);
 
 bool call_guarded(UserInstance& shader, miState& state, void* result, void* argument) {
   const auto function = reinterpret_cast<ShaderFunction>(shader.spec->function);
-  if (guard) {
-    const UserSpec* outer = std::exchange(guard->running, shader.spec);
+  Running running{shader.spec, "", &shader.spec->library_name};
+  if (CrashGuard* const guard = CrashGuard::current()) {
+    const Running outer = std::exchange(guard->running, running);
     const bool answer = function(result, &state, shader.parameters, argument) != miFALSE;
     guard->running = outer;
     return answer;
   }
-  Guard own;
-  own.running = shader.spec;
-  miState* const parent = StateFrame::current_parent();
-  if (sigsetjmp(own.back, 0) != 0) {
-    guard = nullptr;
-    StateFrame::current_parent() = parent;
+  bool answer = false;
+  if (!run_guarded(running, [&] {
+        answer = function(result, &state, shader.parameters, argument) != miFALSE;
+      })) {
+    shader.spec->host->stop_crashed(running);
     return false;
   }
-  guard = &own;
-  const bool answer = function(result, &state, shader.parameters, argument) != miFALSE;
-  guard = nullptr;
+  if (!shader.called.exchange(true, std::memory_order_relaxed)) restore_crash_handlers();
   return answer;
+}
+
+/// Results that are no numbers, in this thread: one that stems from another is not reported.
+thread_local unsigned broken_results = 0;
+
+bool is_number(ParamType type, const std::byte* value) {
+  if (type != ParamType::Color && type != ParamType::Scalar && type != ParamType::Vector)
+    return true;
+  float numbers[4] = {};
+  std::memcpy(numbers, value, c_size(type));
+  return std::all_of(std::begin(numbers), std::end(numbers),
+                     [](float x) { return std::isfinite(x); });
+}
+
+/// Names the first shader whose result holds what is no number: pixels show it as black.
+void check_result(const UserSpec& spec, const void* result, miShader_type type, unsigned before) {
+  if (type == miSHADER_OUTPUT || type == miSHADER_GEOMETRY || type == miSHADER_STATE) return;
+  const auto* bytes = static_cast<const std::byte*>(result);
+  const bool right =
+      std::all_of(spec.result_members.begin(), spec.result_members.end(),
+                  [&](const CMember& m) { return is_number(m.type, bytes + m.c_offset); });
+  if (right || broken_results != before) return;
+  ++broken_results;
+  if (spec.broken.exchange(true)) return;
+  spec.host->diagnostics().warning(
+      "OR-SDK-007", {},
+      fmt::format("shader \"{}\" of {} returned a result that is infinite or not a number (NaN)",
+                  spec.own_name, spec.library_name),
+      "such samples are black; look for divisions by zero and roots of negative numbers in it");
 }
 
 }  // namespace
 
 void* allocate_for_call(std::size_t bytes) { return arena.allocate(bytes); }
 
-miState*& StateFrame::current_parent() {
-  thread_local miState* state = nullptr;
-  return state;
-}
-
-StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state{} {
-  context.host = &host;
-  context.world = host.world();
-  context.point = &point;
-  state.version = 2;
-  state.camera_inst = make_tag(TagKind::CameraInstance, 0);
-  state.camera = host.camera();
-  state.options = host.options();
-  state.global_lock = host.global_lock();
-  state.raster_x = point.raster.x;
-  state.raster_y = point.raster.y;
-  state.type = static_cast<miRay_type>(point.ray_kind);
-  if (state.type != miRAY_EYE) state.parent = parent ? parent : &nobody();
-  state.inv_normal = point.back_side;
-  state.face = 'a';
-  state.cache = &context;
-  if (point.tracer) {
-    const Tracer::Levels levels = point.tracer->levels();
-    state.reflection_level = levels.reflections;
-    state.refraction_level = levels.refractions;
-    state.importance = levels.importance;
-  } else {
-    state.importance = 1;
-  }
-  if (context.world) state.time = context.world->shutter.scene_time(point.time);
-  state.motion = as_c(motion_of(point));
-  state.org = as_c(point.ray_origin);
-  state.dir = as_c(point.ray_direction);
-  state.dist = point.environment ? 0 : point.ray_length;
-  state.ior = state.ior_in = 1;
-  state.material = point.environment ? 0 : host.tag_of(point.material);
-  state.volume = state.camera->volume;
-  state.environment = state.camera->environment;
-  if (point.instance >= 0)
-    state.instance = make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
-  if (point.light >= 0)
-    state.light_instance = make_tag(TagKind::LightInstance, static_cast<std::size_t>(point.light));
-  if (const std::optional<HitTriangle> hit = hit_triangle(point)) {
-    const Vec3 weights = hit->weights(point.position);
-    for (int i = 0; i < 3; ++i) state.bary[i] = weights[i];
-  }
-  if (!point.environment) state.pri = reinterpret_cast<miRc_intersection*>(&point);
-  state.point = as_c(point.position);
-  state.normal = as_c(point.normal);
-  state.normal_geom = as_c(point.geometric_normal);
-  state.dot_nd = dot(point.normal, point.ray_direction);
-  state.shadow_tol = point.ray_offset;
-  // The same numbers: shaders may move the coordinates for those that run after them.
-  static_assert(sizeof(Vec3) == sizeof(miVector));
-  state.tex_list = reinterpret_cast<miVector*>(point.tex);
-  for (int i = 0; i < point.texture_spaces; ++i) {
-    const auto in_object = [&](const Vec3& v) {
-      return as_c(point.to_object ? transform_vector(v, *point.to_object) : v);
-    };
-    bump_x_[i] = in_object(point.bump_u[i]);
-    bump_y_[i] = in_object(point.bump_v[i]);
-  }
-  state.bump_x_list = bump_x_;
-  state.bump_y_list = bump_y_;
-  derivs_[0] = as_c(point.dpdu);
-  derivs_[1] = as_c(point.dpdv);
-  derivs_[2] = derivs_[3] = derivs_[4] = miVector{0, 0, 0};
-  state.derivs = derivs_;
-  if (point.texture_spaces > 0) state.tex = as_c(point.tex[0]);
-}
-
 bool run(UserInstance& shader, miState& state, void* result, miShader_type type, void* argument) {
-  if (!shader.ready.load(std::memory_order_acquire)) shader.make_ready(*shader.node);
   Context& c = context(&state);
-  set_current_host(c.host);
+  set_current_host(c.host);  // before the init functions
+  if (!shader.ready.load(std::memory_order_acquire)) shader.make_ready(*shader.node);
+  if (shader.spec->crashed.load(std::memory_order_relaxed)) return false;
+  // Shaders read parent->shader without a check.
+  if (state.parent && !state.parent->shader) state.parent->shader = shader.function;
   const miFunction* const outer_function = std::exchange(state.shader, shader.function);
   const UserInstance* const outer = std::exchange(c.shader, &shader);
   const Evaluated* const evaluated = std::exchange(c.evaluated, nullptr);
   const miShader_type outer_type = std::exchange(c.call_type, type);
   const Arena::Mark mark = arena.mark();
   const ShaderStateScope scope(state);
+  const unsigned broken = broken_results;
   const bool answer = call_guarded(shader, state, result, argument);
+  if (answer) check_result(*shader.spec, result, type, broken);
   arena.release(mark);
   c.call_type = outer_type;
   c.evaluated = evaluated;
@@ -177,19 +126,6 @@ bool run(UserInstance& shader, miState& state, void* result, miShader_type type,
   state.shader = outer_function;
   return answer;
 }
-
-void leave_crashed_shader() {
-  if (!guard) return;
-  Guard& own = *guard;
-  {
-    const std::lock_guard lock(crash_mutex);
-    if (crashed.empty() && own.running) crashed = own.running->own_name;
-  }
-  if (own.running) own.running->host->stopped = true;
-  siglongjmp(own.back, 1);
-}
-
-const std::string& crashed_shader() { return crashed; }
 
 void to_c(ParamType type, const void* own, void* c) {
   if (type == ParamType::Boolean) {

@@ -2,11 +2,13 @@
 // Running users' shaders: the state they see, the guard around them, the roles they play.
 #pragma once
 
-#include <csetjmp>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 
+#include "sdk/caller.h"
 #include "sdk/context.h"
+#include "sdk/crash.h"
 #include "sdk/user_spec.h"
 
 namespace oriel::sdk {
@@ -14,18 +16,22 @@ namespace oriel::sdk {
 /// A miState with what stands behind it, for one point; lives on the stack.
 class StateFrame {
  public:
-  /// `parent`: of the ray that found the point; null for eye rays and where it is not known.
-  StateFrame(Host& host, ShadingPoint& point, miState* parent = current_parent());
+  /// `parent`: of the shader that cast the ray or asked; null where that is none of the user's. Its
+  /// user data and all else that rays inherit are copied.
+  StateFrame(Host& host, ShadingPoint& point, miState* parent = Caller::current().ray);
   StateFrame(const StateFrame&) = delete;
   StateFrame& operator=(const StateFrame&) = delete;
 
   miState state;
   Context context;
 
-  /// State of the shader whose ray is being traced in this thread.
-  static miState*& current_parent();
-
  private:
+  void set_hit(Host& host, ShadingPoint& point);
+  void set_bases(ShadingPoint& point);
+  void set_parent(miState* parent);
+
+  /// Parent where the one that cast the ray is a built-in shader.
+  std::optional<miState> stand_in_;
   miVector bump_x_[kMostTextureSpaces], bump_y_[kMostTextureSpaces], derivs_[NO_DERIVS];
 };
 
@@ -42,13 +48,8 @@ bool run_node(const ShaderNode& node, miState& state, void* result, miShader_typ
 /// Gives the spec its functions, as its `apply` says; all where it says nothing.
 void set_roles(UserSpec& spec);
 
-/// Handles a signal of a crash: does not return when a user's shader was running in this thread,
-/// whose call then fails, and the rendering stops (Host::stopped). To be called from the program's
-/// signal handler.
-void leave_crashed_shader();
-
-/// Name of the shader that crashed; empty when none did.
-const std::string& crashed_shader();
+/// Copies what rays inherit from the state that they are cast from. `to.type` is set.
+void inherit(const miState& from, miState& to);
 
 /// A value of the renderer as a C one, and back.
 void to_c(ParamType type, const void* own, void* c);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "oriel/sdk/shader.h"
 #include "runtime/shader_node.h"
@@ -21,6 +23,12 @@ struct Evaluated {
   const Evaluated* next;
 };
 
+/// state->child of one state: of the state of the point, of a copy of it or of another child.
+struct OwnedChild {
+  const miState* owner;
+  miState child;
+};
+
 // Conventions
 //   One Context for each ShadingPoint that users' shaders are run at, on the stack; miState::cache
 //   points to it, in copies of the state too. Internal space is world space.
@@ -35,6 +43,7 @@ struct Context {
   double ray_offset = 0, falloff_start = 0, falloff_stop = 0;  ///< mi_ray_offset, mi_ray_falloff
   miColor opacity = {1, 1, 1, 1};
   bool opacity_known = false;
+  std::vector<std::unique_ptr<OwnedChild>> children = {};
 
   // Light shaders.
   bool shadow_asked = false;     ///< mi_trace_shadow was called
@@ -48,6 +57,15 @@ struct Context {
 
   Tracer* tracer() const { return point->tracer; }
 };
+
+/// state->pri of a triangle: never null, another one for each, the same in all samples. Its lower
+/// half alone tells the triangles of an instance apart, as seeds in sources do.
+inline void* handle_of(int instance, std::uint32_t primitive) {
+  const auto i = static_cast<std::uint32_t>(instance) + 1;
+  // Odd factors: all triangles of an instance stay different.
+  const std::uint32_t low = (primitive + 1) * 0x9e3779b1u + i * 0x85ebca77u;
+  return reinterpret_cast<void*>((std::uintptr_t{i} + 1) << 32 | low);
+}
 
 inline Context& context(const miState* state) { return *static_cast<Context*>(state->cache); }
 

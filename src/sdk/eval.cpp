@@ -30,6 +30,7 @@ void evaluate(const Connection& source, ParamType type, miState* state, std::byt
     run(*user, *state, c.bytes, miSHADER_TEXTURE);
     result_from_c(*user->spec, c.bytes, result.bytes);
   } else {
+    const CallerScope caller(Caller::at_point(state, point));
     source.source->value(point, result.bytes);
     // A vector is for who asks for it.
     if (type != ParamType::Vector) take_over(point, before, state);
@@ -87,6 +88,7 @@ bool run_node(const ShaderNode& node, miState& state, void* result, miShader_typ
   if (UserInstance* user = user_instance(node)) return run(*user, state, result, type, argument);
   ShadingPoint point = point_of(&state);
   const ShadingPoint before = point;
+  const CallerScope caller(Caller::at_point(&state, point));
   if (node.spec().material) return shade_material(node, point, state, result);
   if (!node.spec().value) return false;
   Result own(node.spec().result_size);

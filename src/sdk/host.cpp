@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "sdk/call.h"
 #include "sdk/current.h"
@@ -13,10 +14,18 @@
 namespace oriel::sdk {
 namespace {
 
-/// What a library says of the version of a shader; 0 when it says nothing.
-int version_of(const Library& library, const std::string& name) {
-  void* function = library.find(name + "_version");
-  return function ? reinterpret_cast<int (*)()>(function)() : 0;
+/// What a library says of the version of a shader; 0 when it says nothing. `crashed`: set where it
+/// crashed.
+int version_of(const Library& library, const UserSpec& spec, std::optional<Running>& crashed) {
+  void* const function = library.find(spec.own_name + "_version");
+  if (!function) return 0;
+  int version = 0;
+  Running running{&spec, "_version", &spec.library_name};
+  if (!run_guarded(running, [&] { version = reinterpret_cast<int (*)()>(function)(); }) &&
+      running.crashed)
+    crashed = running;
+  restore_crash_handlers();
+  return version;
 }
 
 }  // namespace
@@ -25,6 +34,8 @@ Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFold
            Diagnostics& diagnostics, std::atomic<bool>* stop)
     : stopped(stop ? *stop : own_stop_), scene_(scene), diagnostics_(diagnostics) {
   mi_init_lock(&global_lock_);
+  remember_crash_handlers();
+  set_current_host(this);  // for functions of libraries that run before the first shader
   SourceLocation first_missing;
   for (const scene::Statement& command : scene.commands) {
     if (command.keyword != "link") continue;
@@ -59,11 +70,34 @@ void Host::link(const std::string& written, SourceLocation where, const TrustedF
   if (!linked_.insert(stem).second) return;
   const std::size_t messages = diagnostics_.all().size();
   auto library = Library::open(written, where, folders, diagnostics_);
+  restore_crash_handlers();
   if (!library && diagnostics_.all().size() == messages) missing_.push_back(stem + ".so");
   if (!library) absent_.push_back(stem + ".so");
   if (!library) return;
-  if (void* init = library->find("module_init")) reinterpret_cast<void (*)()>(init)();
+  if (!call_module(*library, "module_init")) return;
   libraries_.push_back(std::move(library));
+}
+
+bool Host::call_module(const Library& library, const char* function) {
+  void* const found = library.find(function);
+  if (!found) return true;
+  Running running{nullptr, function, &library.file_name()};
+  const bool done = run_guarded(running, [&] { reinterpret_cast<void (*)()>(found)(); });
+  restore_crash_handlers();
+  if (!done && running.crashed)
+    diagnostics_.error("OR-SDK-005", {}, describe(running, "crashed"),
+                       "where module_init crashes, the shaders of the library are missing");
+  return done;
+}
+
+void Host::stop_crashed(const Running& running) {
+  stopped = true;
+  if (!running.crashed) return;
+  // Other threads may run into the same crash.
+  if (running.spec && running.spec->crashed.exchange(true)) return;
+  diagnostics_.error("OR-SDK-005", {}, describe(running, "crashed"),
+                     "the picture so far is saved; run the program in a debugger to see where: "
+                     "gdb --args oriel render ...");
 }
 
 /// One message for all: exporters link every library that they know.
@@ -92,10 +126,17 @@ const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const
     return nullptr;
   }
   spec->index = specs_.size();
+  spec->library_name = library.file_name();
   spec->function = function;
   spec->init = library.find(declaration.name + "_init");
   spec->exit = library.find(declaration.name + "_exit");
-  const int built = version_of(library, declaration.name);
+  std::optional<Running> crashed;
+  const int built = version_of(library, *spec, crashed);
+  if (crashed) {
+    diagnostics_.error("OR-SDK-005", declaration.where, describe(*crashed, "crashed"),
+                       "the shader is taken as unknown");
+    return nullptr;
+  }
   if (spec->version > 0 && built > 0 && built != spec->version)
     diagnostics_.error("OR-SDK-004", declaration.where,
                        fmt::format("shader \"{}\" is declared with version {}, its library has "
@@ -128,27 +169,35 @@ void Host::end_frame() {
   set_current_host(this);
   ShadingPoint nowhere;
   nowhere.world = world_;
-  using Exit = miBoolean (*)(miState*, void*);
+  const auto call_exit = [&](const UserSpec& spec, miState& state, void* parameters) {
+    using Exit = miBoolean (*)(miState*, void*);
+    if (spec.crashed) return;
+    Running running{&spec, "_exit", &spec.library_name};
+    if (!run_guarded(running, [&] { reinterpret_cast<Exit>(spec.exit)(&state, parameters); }))
+      stop_crashed(running);
+  };
   for (const auto& node : world_->nodes) {
     UserInstance* instance = user_instance(*node);
     if (!instance || !instance->initialised || !instance->spec->exit) continue;
     StateFrame frame(*this, nowhere, nullptr);
     frame.state.shader = instance->function;
     frame.context.shader = instance;
-    reinterpret_cast<Exit>(instance->spec->exit)(&frame.state, instance->parameters);
     instance->initialised = false;
+    call_exit(*instance->spec, frame.state, instance->parameters);
   }
   for (const auto& spec : specs_) {
     if (!spec->initialised) continue;
     spec->initialised = false;
     if (!spec->exit) continue;
     StateFrame frame(*this, nowhere, nullptr);
-    reinterpret_cast<Exit>(spec->exit)(&frame.state, nullptr);
+    call_exit(*spec, frame.state, nullptr);
   }
   forget();
 }
 
 Host::~Host() {
+  set_current_host(this);
+  for (const auto& library : libraries_) call_module(*library, "module_exit");
   forget_host(this);
   mi_delete_lock(&global_lock_);
 }

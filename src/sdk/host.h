@@ -19,6 +19,7 @@
 #include "oriel/sdk/shader.h"
 #include "runtime/world.h"
 #include "scene/scene.h"
+#include "sdk/crash.h"
 #include "sdk/library.h"
 #include "sdk/tags.h"
 #include "sdk/user_spec.h"
@@ -93,12 +94,16 @@ class Host {
   miLock global_lock() const { return global_lock_; }
 
   void say(Severity severity, std::string text);
+  /// Reports a crash while a frame is rendered, or after it, and stops the rendering.
+  void stop_crashed(const Running& running);
   /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
   std::atomic<bool>& stopped;
 
  private:
   void forget();
   void link(const std::string& written, SourceLocation where, const TrustedFolders& folders);
+  /// Calls a function of the whole library. False: it crashed, which is reported.
+  bool call_module(const Library& library, const char* function);
   void report_missing(SourceLocation where, const TrustedFolders& folders);
   /// Null: its result is too large.
   const UserSpec* declare(const scene::ShaderDeclaration& declaration, const Library& library,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pixels of images, and the names of their types and formats.
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <string_view>
 
 #include "oriel/sdk/shader/image.h"
@@ -51,7 +51,9 @@ char no_name[] = "";
 }  // namespace
 
 void mi_img_image_release(miImg_image* image) {
-  const std::unique_ptr<Picture> gone(static_cast<Picture*>(image));
+  if (!image) return;
+  static_cast<Picture*>(image)->~Picture();
+  std::free(image);
 }
 
 void mi_img_put_color(miImg_image* image, const miColor* value, int x, int y) {

@@ -184,9 +184,5 @@ miBoolean mi_img_image_write(miImg_file* file, miImg_image* image) {
 }
 
 miImg_image* mi_img_image_alloc(miImg_file* file) {
-  try {
-    return std::make_unique<Picture>(file->type, file->width, file->height).release();
-  } catch (const std::exception&) {
-    return nullptr;
-  }
+  return file ? Picture::in_one_block(file->type, file->width, file->height) : nullptr;
 }

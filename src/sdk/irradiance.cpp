@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/frame.h"
 #include "base/math.h"
@@ -20,9 +19,8 @@ bool irradiance(miColor* result, miState* state, bool back) {
   *result = {0, 0, 0, 0};
   if (!c.tracer()) return false;
   const ShadingPoint point = point_of(state);
-  miState* const outer = std::exchange(StateFrame::current_parent(), state);
+  const CallerScope caller(Caller::of_ray(state));
   const Rgb found = c.tracer()->irradiance(point, back ? -point.normal : point.normal);
-  StateFrame::current_parent() = outer;
   *result = as_c(found, 1);
   return true;
 }
@@ -72,6 +70,7 @@ miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options,
   if (!c.tracer()) return 0;
   const ShadingPoint point = point_of(state);
   const Vec3 axis = options ? vec(options->axis) : point.normal;
+  const CallerScope caller(Caller::of_ray(state));
   const Frame frame(normalize(axis));
   const int rays = options && options->rays > 0 ? options->rays : kOcclusionRays;
   const float reach =

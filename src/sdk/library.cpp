@@ -96,6 +96,7 @@ std::unique_ptr<Library> Library::open(const std::string& written, SourceLocatio
   }
   std::unique_ptr<Library> library(new Library);
   library->path_ = path;
+  library->file_name_ = name;
   library->handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library->handle_) return library;
   report_unloadable(path, dlerror(), where, diagnostics);
@@ -105,9 +106,7 @@ std::unique_ptr<Library> Library::open(const std::string& written, SourceLocatio
 void* Library::find(const std::string& name) const { return dlsym(handle_, name.c_str()); }
 
 Library::~Library() {
-  if (!handle_) return;
-  if (void* exit = find("module_exit")) reinterpret_cast<void (*)()>(exit)();
-  dlclose(handle_);
+  if (handle_) dlclose(handle_);
 }
 
 }  // namespace oriel::sdk

@@ -36,12 +36,14 @@ class Library {
   Library& operator=(const Library&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  const std::string& file_name() const { return file_name_; }
   /// Address of a function, null when the library has none.
   void* find(const std::string& name) const;
 
  private:
   Library() = default;
   std::filesystem::path path_;
+  std::string file_name_;
   void* handle_ = nullptr;
 };
 

@@ -51,6 +51,8 @@ bool sample(miColor* result, miVector* dir, float* dot_nl, miState* state, miTag
   if (light < 0 || !c.tracer() || *samples > 0) return false;
   *samples = 1;
   ShadingPoint point = point_of(state);
+  miState light_answer;
+  const CallerScope caller(Caller::of_light(state, &light_answer));
   const auto arriving = c.tracer()->light(light, point);
   if (!arriving) return false;
   tell(*arriving);

@@ -39,7 +39,7 @@ void mi_delete_lock(miLock* lock) {
 void mi_lock(miLock lock) {
   Mutex& mutex = mutex_of(lock);
   while (!mutex.try_lock_for(kPatience))
-    if (stopped()) oriel::sdk::leave_crashed_shader();
+    if (stopped()) oriel::sdk::leave_stopped_shader();
 }
 
 void mi_unlock(miLock lock) { mutex_of(lock).unlock(); }

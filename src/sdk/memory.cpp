@@ -1,40 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of shaders: filled with zeros, whatever way it grew.
-#include <cstddef>
+// Memory of shaders: filled with zeros, whatever way it grew. Blocks are those of malloc and free,
+// so that sources may mix both.
+#include <malloc.h>
+
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <string_view>
 
 #include "oriel/sdk/shader/system.h"
 
 namespace {
 
-/// Stands before each piece, so that one that grows knows what is new.
-struct alignas(std::max_align_t) Head {
-  std::size_t size;
-};
+// The bytes of a block behind its size are zero as well: then the block may grow into them. Blocks
+// of malloc itself have anything there.
 
-Head* head_of(void* memory) { return static_cast<Head*>(memory) - 1; }
-
-void* piece(Head* head, std::size_t old_size, std::size_t size) {
-  if (!head) return nullptr;
-  head->size = size;
-  auto* memory = reinterpret_cast<char*>(head + 1);
-  if (size > old_size) std::memset(memory + old_size, 0, size - old_size);
-  return memory;
+void clear_from(void* memory, std::size_t begin) {
+  const std::size_t end = malloc_usable_size(memory);
+  if (end > begin) std::memset(static_cast<char*>(memory) + begin, 0, end - begin);
 }
 
-bool fits(std::size_t size) {
-  return size < std::numeric_limits<std::size_t>::max() - sizeof(Head);
+void* allocate(std::size_t size) {
+  return std::calloc(1, size > 0 ? size : 1);  // large pieces come from the system as zeros
 }
 
-void* grow(void* memory, std::size_t size) {
-  if (!fits(size)) return nullptr;
-  const std::size_t old_size = memory ? head_of(memory)->size : 0;
-  auto* head =
-      static_cast<Head*>(std::realloc(memory ? head_of(memory) : nullptr, sizeof(Head) + size));
-  return piece(head, old_size, size);
+void* resize(void* memory, std::size_t size) {
+  if (!memory) return allocate(size);
+  if (size == 0) {
+    std::free(memory);
+    return nullptr;
+  }
+  const std::size_t old_size = malloc_usable_size(memory);
+  void* const moved = std::realloc(memory, size);
+  if (moved) clear_from(moved, size < old_size ? size : old_size);
+  return moved;
 }
 
 /// mi_fatal does not return where a shader runs. Where none does, nobody could go on either.
@@ -47,27 +45,24 @@ void* required(void* memory, std::size_t size, const char* file, int line) {
 }  // namespace
 
 void* mi_mem_int_test_allocate(const char* /*file*/, int /*line*/, size_t size) {
-  // calloc gets large pieces from the system already zeroed.
-  if (!fits(size)) return nullptr;
-  auto* head = static_cast<Head*>(std::calloc(1, sizeof(Head) + size));
-  return piece(head, size, size);
+  return allocate(size);
 }
 
 void* mi_mem_int_allocate(const char* file, int line, size_t size) {
-  return required(mi_mem_int_test_allocate(file, line, size), size, file, line);
+  return required(allocate(size), size, file, line);
 }
 
 void* mi_mem_int_test_reallocate(const char* /*file*/, int /*line*/, void* memory, size_t size) {
-  return grow(memory, size);
+  return resize(memory, size);
 }
 
 void* mi_mem_int_reallocate(const char* file, int line, void* memory, size_t size) {
-  return required(grow(memory, size), size, file, line);
+  void* const moved = resize(memory, size);
+  if (!moved && memory && size == 0) return nullptr;
+  return required(moved, size, file, line);
 }
 
-void mi_mem_int_release(const char* /*file*/, int /*line*/, void* memory) {
-  if (memory) std::free(head_of(memory));
-}
+void mi_mem_int_release(const char* /*file*/, int /*line*/, void* memory) { std::free(memory); }
 
 char* mi_mem_int_strdup(const char* file, int line, const char* text) {
   const std::string_view from = text ? text : "";

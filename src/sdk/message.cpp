@@ -41,7 +41,7 @@ void say(Severity severity, const char* format, std::va_list arguments, int numb
 /// The shader does not go on: its author counts on that.
 void end() {
   mi_abort();
-  oriel::sdk::leave_crashed_shader();
+  oriel::sdk::leave_stopped_shader();
 }
 
 /// Name of a variable at `at`, in braces or as far as letters go; moves `at` behind it.

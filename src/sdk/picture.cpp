@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace oriel::sdk {
 namespace {
@@ -76,7 +78,28 @@ int bytes_of(Storage storage) {
   }
 }
 
-Picture::Picture(miImg_type its_type, int its_width, int its_height) : miImg_image{} {
+std::size_t Picture::bytes_of_pixels(miImg_type type, int width, int height) {
+  const TypeTraits& traits = traits_of(type);
+  return static_cast<std::size_t>(std::max(width, 0)) *
+         static_cast<std::size_t>(std::max(height, 0)) *
+         static_cast<std::size_t>(traits.components * bytes_of(traits.storage));
+}
+
+Picture::Picture(miImg_type its_type, int its_width, int its_height)
+    : Picture(its_type, its_width, its_height, nullptr) {
+  own_.resize(bytes_of_pixels(its_type, its_width, its_height));
+  pixels_ = own_.data();
+}
+
+Picture* Picture::in_one_block(miImg_type type, int width, int height) {
+  void* const block = std::calloc(1, sizeof(Picture) + bytes_of_pixels(type, width, height));
+  if (!block) return nullptr;
+  return new (block)
+      Picture(type, width, height, static_cast<unsigned char*>(block) + sizeof(Picture));
+}
+
+Picture::Picture(miImg_type its_type, int its_width, int its_height, unsigned char* pixels)
+    : miImg_image{}, pixels_(pixels) {
   const TypeTraits& traits = traits_of(its_type);
   storage_ = traits.storage;
   type = its_type;
@@ -87,8 +110,6 @@ Picture::Picture(miImg_type its_type, int its_width, int its_height) : miImg_ima
   local = writable = miTRUE;
   const int line = width * bytes_of(storage_);
   for (int k = 0; k < 4; ++k) c[k] = k < comp ? k * line : 0;
-  bytes.resize(static_cast<std::size_t>(line) * static_cast<std::size_t>(comp) *
-               static_cast<std::size_t>(height));
 }
 
 unsigned char* Picture::row(int y, int component) {
@@ -96,7 +117,7 @@ unsigned char* Picture::row(int y, int component) {
       static_cast<std::size_t>(width) * static_cast<std::size_t>(bytes_of(storage_));
   const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(comp) +
                   static_cast<std::size_t>(component);
-  return bytes.data() + at * line;
+  return pixels_ + at * line;
 }
 
 float Picture::number(int x, int y, int component) {

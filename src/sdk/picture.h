@@ -2,7 +2,7 @@
 // Images that shaders hold: miImg_image with its pixels.
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <vector>
 
 #include "base/vec.h"
@@ -30,8 +30,8 @@ struct Picture : miImg_image {
   Picture(miImg_type its_type, int its_width, int its_height);
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
-
-  std::vector<unsigned char> bytes;
+  /// A picture in one block of malloc, pixels included: free() may end it. Null without memory.
+  static Picture* in_one_block(miImg_type type, int width, int height);
 
   bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
   unsigned char* row(int y, int component);
@@ -45,7 +45,12 @@ struct Picture : miImg_image {
   void set_vector(int x, int y, const Vec3& value);
 
  private:
+  Picture(miImg_type its_type, int its_width, int its_height, unsigned char* pixels);
+  static std::size_t bytes_of_pixels(miImg_type type, int width, int height);
+
   Storage storage_;
+  std::vector<unsigned char> own_;  ///< empty where the pixels follow in the block
+  unsigned char* pixels_ = nullptr;
 };
 
 /// Scanned from the top, as the renderer keeps pictures, and back.

@@ -266,6 +266,15 @@ bool ask_transform(miQ_type query, const miState* state, void* result) {
   }
 }
 
+/// Pairs of bump vectors from the first space on: indices below it are valid.
+int bumps_of(const ShadingPoint& point) {
+  int count = 0;
+  while (count < point.texture_spaces &&
+         (point.bump_u[count] != Vec3(0) || point.bump_v[count] != Vec3(0)))
+    ++count;
+  return count;
+}
+
 bool ask_hit(miQ_type query, Host& host, const miState* state, void* result, int extra) {
   if (query == miQ_NUM_GLOBAL_LIGHTS) return tell(result, static_cast<int>(host.lights().size()));
   if (query == miQ_GLOBAL_LIGHTS) return tell(result, host.lights().data());
@@ -273,8 +282,9 @@ bool ask_hit(miQ_type query, Host& host, const miState* state, void* result, int
   const ShadingPoint& point = *context(state).point;
   switch (query) {
     case miQ_NUM_TEXTURES:
-    case miQ_NUM_BUMPS:
       return tell(result, static_cast<int>(point.texture_spaces));
+    case miQ_NUM_BUMPS:
+      return tell(result, bumps_of(point));
     case miQ_TEXTURE_DIM:
       return extra >= 0 && extra < point.texture_spaces && tell(result, miUint{3});
     case miQ_PRI_INDEX:
@@ -348,6 +358,13 @@ bool ask_image(miQ_type query, Host& host, miTag tag, void* result) {
 }
 
 }  // namespace
+
+void forget_thread_pointers(const UserInstance& shader) {
+  ThreadPointers& pointers = thread_pointers();
+  const std::lock_guard lock(pointers.mutex);
+  std::erase_if(pointers.of, [&](const auto& entry) { return entry.first.first == &shader; });
+}
+
 }  // namespace oriel::sdk
 
 using namespace oriel::sdk;

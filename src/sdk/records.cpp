@@ -96,7 +96,10 @@ miOptions options_of(const World& world) {
   out.jitter = o.jitter;
   out.shutter = o.motion.shutter;
   out.shutter_delay = o.motion.delay;
-  out.no_images = static_cast<int>(o.frame_buffers.size());
+  int buffers = static_cast<int>(std::max(o.frame_buffers.size(), world.user_buffers.size()));
+  for (const UserBuffer& buffer : world.user_buffers)
+    if (buffer.number < kFirstNamedBuffer) buffers = std::max(buffers, buffer.number + 1);
+  out.no_images = miRC_IMAGE_USER + buffers;
   out.finalgather = o.finalgather.on ? (o.finalgather.fast_lookup ? 'f' : 1) : 0;
   out.finalgather_rays = o.finalgather.rays;
   out.finalgather_maxradius = o.finalgather.max_radius;

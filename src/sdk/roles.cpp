@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a user's shader plays each role of a ShaderSpec.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "color/luminance.h"
@@ -42,10 +43,8 @@ void value(const Call& call, void* result) {
   result_from_c(*shader.spec, c.bytes, result);
   call.point.normal = vec(frame.state.normal);
   take_over_tex(frame.state, call.point);
-  // Displacement may move the point as well; along the normal is what surfaces are moved.
-  if (call.point.ray_kind == RayKind::Displace && shader.spec->result == ParamType::Scalar)
-    *static_cast<float*>(result) +=
-        dot(vec(frame.state.point) - call.point.position, call.point.normal);
+  // Displacement starts at the point that is left.
+  if (call.point.ray_kind == RayKind::Displace) call.point.position = vec(frame.state.point);
 }
 
 /// What the shader returns is what is seen. Photons and shadow rays know other shaders.
@@ -55,7 +54,12 @@ void material(const Call& call, Closure& closure) {
   StateFrame frame(*shader.spec->host, call.point);
   Result c(*shader.spec);
   c.color() = as_c(closure.emission, closure.alpha);
+  std::optional<Answer>* const store = Caller::current().answer;
   const bool answer = run(shader, frame.state, c.bytes, miSHADER_MATERIAL);
+  if (store && !*store) {
+    store->emplace(Answer{call.point.position, frame.state});
+    (*store)->state.shader = shader.function;
+  }
   closure.emission = answer ? rgb(c.color()) : Rgb(0);
   closure.alpha = answer ? clamp01(c.color().a) : 0;
   closure.outputs = false;
@@ -97,15 +101,36 @@ Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
   return answer ? rgb(c.color()) : Rgb(0);
 }
 
+/// From here on the light's state is that of the caller, for shadow shaders.
+void keep_light_state(const miState& state, const miState& asker, const miFunction* shader) {
+  Caller& caller = Caller::current();
+  if (!caller.light_answer) return;
+  miState& kept = *caller.light_answer;
+  kept = state;
+  kept.shader = shader;
+  // What the rest points to ends with the light shader.
+  kept.cache = asker.cache;
+  kept.tex_list = asker.tex_list;
+  kept.bump_x_list = asker.bump_x_list;
+  kept.bump_y_list = asker.bump_y_list;
+  kept.derivs = asker.derivs;
+  kept.child = nullptr;
+  caller.ray = &kept;
+}
+
 LightValue light(const Call& call, const LightCall& light) {
   UserInstance& shader = instance_of(call);
   ShadingPoint& point = call.point;
-  StateFrame lit(*shader.spec->host, point);
-  StateFrame frame(*shader.spec->host, point, &lit.state);
+  Host& host = *shader.spec->host;
+  // The shader that asked; for a built-in one, a state of the lit point.
+  miState* asker = Caller::current().light;
+  std::optional<StateFrame> lit;
+  if (!asker) asker = &lit.emplace(host, point).state;
+  StateFrame frame(host, point, asker);
   miState& state = frame.state;
   const World& world = *frame.context.world;
   state.type = miRAY_LIGHT;
-  state.parent = &lit.state;
+  state.parent = asker;
   state.org = as_c(light.position);
   state.dir = as_c(light.direction);
   state.dist = std::isinf(light.distance) ? 0 : light.distance;
@@ -136,6 +161,7 @@ LightValue light(const Call& call, const LightCall& light) {
     const float open = luminance(value.colour);
     value.shadow_factor = open > 0 ? clamp01(luminance(behind) / open) : 0;
   }
+  keep_light_state(state, *asker, shader.function);
   return value;
 }
 
@@ -155,7 +181,7 @@ AirValue volume(const Call& call) {
 
 Rgba lens(const Call& call, LensNext& next) {
   UserInstance& shader = instance_of(call);
-  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  StateFrame frame(*shader.spec->host, call.point);
   frame.context.lens = &next;
   Result c(*shader.spec);
   if (!run(shader, frame.state, c.bytes, miSHADER_LENS)) return Rgba(0, 0, 0, 0);

@@ -21,16 +21,51 @@ bool within_depth(const miState& state, bool reflection) {
 
 /// What the ray leaves behind in the state that cast it.
 void keep_child(miState* state, const miState& child) {
-  thread_local miState last;
-  last = child;
-  last.child = nullptr;
-  last.parent = state;
-  state->child = &last;
+  auto& children = context(state).children;
+  auto found = std::find_if(children.begin(), children.end(),
+                            [&](const auto& c) { return c->owner == state; });
+  if (found == children.end()) {
+    children.push_back(std::make_unique<OwnedChild>());
+    found = children.end() - 1;
+  }
+  OwnedChild& own = **found;
+  own = {state, child};
+  own.child.child = nullptr;
+  own.child.parent = state;
+  state->child = &own.child;
+}
+
+/// A child of the state: what its ray inherits, no hit yet.
+miState child_of(const miState& state, miRay_type type) {
+  miState child = state;
+  child.type = type;
+  inherit(state, child);
+  return child;
+}
+
+/// The ray was not cast.
+void keep_missing_child(miState* state, miRay_type type) {
+  miState child = child_of(*state, type);
+  child.dist = 0;
+  child.pri = nullptr;
+  child.material = child.instance = miNULLTAG;
+  keep_child(state, child);
+}
+
+/// The state of the ray as the material of the hit left it. What it points to is gone.
+miState child_of(const miState& state, const Answer& answer) {
+  miState child = answer.state;
+  child.cache = state.cache;
+  child.tex_list = state.tex_list;
+  child.bump_x_list = state.bump_x_list;
+  child.bump_y_list = state.bump_y_list;
+  child.derivs = state.derivs;
+  return child;
 }
 
 void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& child) {
   child.dist = met ? met->distance : 0;
-  child.pri = met ? child.pri : nullptr;
+  child.pri = met ? handle_of(met->instance, met->primitive) : nullptr;
   child.material = met ? host.tag_of(met->material) : miNULLTAG;
   child.instance = met && met->instance >= 0
                        ? make_tag(TagKind::Instance, static_cast<std::size_t>(met->instance))
@@ -44,18 +79,19 @@ void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& ch
 }
 
 /// What the environment shows of a direction; nothing: the scene has none.
-std::optional<Rgba> environment_of(const miState& state, const Vec3& direction) {
+std::optional<Rgba> environment_of(miState& state, const Vec3& direction) {
   const Context& c = context(&state);
   const Material* material = c.host->material(state.material);
   const NodeList& shaders = material && !material->environment.empty()
                                 ? material->environment
                                 : c.world->environment.shaders();
   if (shaders.empty()) return std::nullopt;
+  const CallerScope caller(Caller::of_ray(&state));
   return environment_radiance(shaders, *c.world, vec(state.point), direction, RayKind::Environment);
 }
 
 /// mi_ray_falloff: what is met fades into the environment, linearly from `start` to `stop`.
-void fade(Tracer::Seen& seen, const miState& state, const Vec3& direction) {
+void fade(Tracer::Seen& seen, miState& state, const Vec3& direction) {
   const Context& c = context(&state);
   if (!seen.met || c.falloff_stop <= c.falloff_start || seen.met->distance <= c.falloff_start)
     return;
@@ -70,7 +106,10 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
           const Tracer::Levels& levels) {
   Context& c = context(state);
   *result = {0, 0, 0, 0};
-  if (!c.tracer()) return false;
+  if (!c.tracer()) {
+    keep_missing_child(state, static_cast<miRay_type>(kind));
+    return false;
+  }
   const ShadingPoint point = point_of(state);
   Tracer::SubRay ray{kind, normalize(direction), state->pri != nullptr, point.position, levels};
   if (c.falloff_stop > 0) ray.reach = static_cast<float>(c.falloff_stop);
@@ -78,18 +117,22 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
     ray.origin = point.position + ray.direction * static_cast<float>(c.ray_offset);
     ray.from_surface = false;
   }
-  miState* const outer = std::exchange(StateFrame::current_parent(), state);
-  Tracer::Seen seen = c.tracer()->trace(point, ray);
-  StateFrame::current_parent() = outer;
+  std::optional<Answer> answer;
+  Tracer::Seen seen;
+  {
+    const CallerScope caller(Caller::of_ray(state, &answer));
+    seen = c.tracer()->trace(point, ray);
+  }
   fade(seen, *state, ray.direction);
 
-  miState child = *state;
-  child.type = static_cast<miRay_type>(kind);
+  // Behind a built-in material the ray may find one of the user's that is not what it hit first.
+  const bool answered = answer && seen.met && answer->position == seen.met->position;
+  miState child =
+      answered ? child_of(*state, *answer) : child_of(*state, static_cast<miRay_type>(kind));
   child.org = as_c(ray.from_surface ? point.position : ray.origin);
   child.dir = as_c(ray.direction);
   child.reflection_level = levels.reflections;
   child.refraction_level = levels.refractions;
-  child.volume = kind == RayKind::Reflect ? state->volume : state->refraction_volume;
   describe_hit(seen.met, *c.host, child);
   keep_child(state, child);
   *result = as_c(seen.colour);
@@ -101,6 +144,7 @@ miBoolean cast_deeper(miColor* result, miState* state, RayKind kind, const Vec3&
   const bool reflection = kind == RayKind::Reflect;
   if (!within_depth(*state, reflection)) {
     *result = {0, 0, 0, 0};
+    keep_missing_child(state, static_cast<miRay_type>(kind));
     return miFALSE;
   }
   const Tracer::Levels levels = {state->reflection_level + (reflection ? 1 : 0),
@@ -125,6 +169,7 @@ miBoolean mi_trace_environment(miColor* result, miState* state, const miVector* 
 miBoolean mi_trace_reflection(miColor* result, miState* state, const miVector* direction) {
   if (state->options->trace) return cast_deeper(result, state, RayKind::Reflect, vec(*direction));
   *result = {0, 0, 0, 0};
+  keep_missing_child(state, miRAY_REFLECT);
   return miFALSE;
 }
 
@@ -152,26 +197,37 @@ miBoolean mi_trace_eye(miColor* result, miState* state, const miVector* origin,
   *result = {0, 0, 0, 0};
   if (!c.lens) return miFALSE;
   const Vec3 along = normalize(vec(*direction));
-  const LensNext::Seen seen = c.lens->trace(vec(*origin), along);
+  LensNext::Seen seen;
+  {
+    const CallerScope caller(Caller::of_ray(state));
+    seen = c.lens->trace(vec(*origin), along);
+  }
   *result = as_c(seen.colour);
   state->dist = seen.distance;
   state->point = as_c(vec(*origin) + along * seen.distance);
   state->normal = as_c(seen.normal);
+  keep_child(state, child_of(*state, miRAY_EYE));
   return seen.distance > 0 || seen.colour != Rgba(0, 0, 0, 0) ? miTRUE : miFALSE;
 }
 
 miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVector* origin) {
   Context& c = context(state);
-  if (!c.tracer()) return miFALSE;
+  if (!c.tracer()) {
+    keep_missing_child(state, miRAY_PROBE);
+    return miFALSE;
+  }
   const Vec3 d = normalize(vec(*direction));
   const ShadingPoint point = point_of(state);
   const float reach = std::numeric_limits<float>::infinity();
   // From the point itself the ray must clear its surface.
   const bool here = vec(*origin) == point.position && state->pri;
-  const auto met =
-      here ? c.tracer()->probe_from(point, d, reach) : c.tracer()->probe(vec(*origin), d, reach);
-  miState child = *state;
-  child.type = miRAY_PROBE;
+  std::optional<Tracer::Met> met;
+  {
+    const CallerScope caller(Caller::of_ray(state));
+    met =
+        here ? c.tracer()->probe_from(point, d, reach) : c.tracer()->probe(vec(*origin), d, reach);
+  }
+  miState child = child_of(*state, miRAY_PROBE);
   child.org = *origin;
   child.dir = as_c(d);
   describe_hit(met, *c.host, child);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sdk/call.h"
+#include "sdk/current.h"
 #include "sdk/host.h"
 
 namespace oriel::sdk {
@@ -69,6 +70,11 @@ ArrayView<std::byte> array_at(const std::byte* own) {
 }
 
 }  // namespace
+
+UserInstance::~UserInstance() {
+  forget_thread_pointers(*this);
+  if (lock.p) mi_delete_lock(&lock);
+}
 
 void UserInstance::make_ready(const ShaderNode& of) {
   const std::lock_guard guard(spec->host->shader_lock());
@@ -142,7 +148,8 @@ void UserInstance::make_ready(const ShaderNode& of) {
 void UserInstance::initialise(Host& host) {
   mi_init_lock(&lock);
   auto* shader = const_cast<UserSpec*>(spec);
-  if (!shader->init) return;
+  if (!shader->init || shader->crashed) return;
+  set_current_host(&host);
   using Init = miBoolean (*)(miState*, void*, miBoolean*);
   const auto init = reinterpret_cast<Init>(shader->init);
   ShadingPoint nowhere;
@@ -151,17 +158,22 @@ void UserInstance::initialise(Host& host) {
   frame.state.type = miRAY_NONE;
   frame.state.shader = function;
   frame.context.shader = this;
-  if (!shader->initialised) {
-    shader->initialised = true;
-    miBoolean each = miFALSE;
-    init(&frame.state, nullptr, &each);
-    shader->each_instance = each != miFALSE;
-  }
-  if (shader->each_instance) {
-    miBoolean again = miFALSE;
-    init(&frame.state, parameters, &again);
-    initialised = true;
-  }
+  Running running{spec, "_init", &spec->library_name};
+  const bool done = run_guarded(running, [&] {
+    if (!shader->initialised) {
+      shader->initialised = true;
+      miBoolean each = miFALSE;
+      init(&frame.state, nullptr, &each);
+      shader->each_instance = each != miFALSE;
+    }
+    if (shader->each_instance) {
+      miBoolean again = miFALSE;
+      init(&frame.state, parameters, &again);
+      initialised = true;
+    }
+  });
+  restore_crash_handlers();
+  if (!done) host.stop_crashed(running);
 }
 
 }  // namespace oriel::sdk

@@ -43,6 +43,7 @@ struct UserSpec : ShaderSpec {
 
   Host* host;
   std::string own_name;
+  std::string library_name;       ///< file name
   std::deque<std::string> texts;  ///< names of rows
   std::vector<ParamSpec> rows, result_rows;
   std::deque<std::vector<ParamSpec>> element_rows;  ///< of arrays of structs
@@ -56,6 +57,8 @@ struct UserSpec : ShaderSpec {
   void* init = nullptr;
   void* exit = nullptr;
   bool initialised = false, each_instance = false;  ///< under the host's shader lock
+  mutable std::atomic<bool> crashed = false;        ///< it is not called again
+  mutable std::atomic<bool> broken = false;         ///< it returned what is no number
 };
 
 /// A connected parameter of a call.
@@ -73,6 +76,9 @@ struct ThreadPointers {
 
 /// One call of a user's shader: its parameters as its C struct.
 struct UserInstance final : ShaderState {
+  UserInstance() = default;
+  ~UserInstance() override;
+
   const UserSpec* spec = nullptr;
   const ShaderNode* node = nullptr;
   std::unique_ptr<std::byte[]> block;  ///< miFunction, parameters, tags of what is connected
@@ -82,7 +88,7 @@ struct UserInstance final : ShaderState {
   void* user = nullptr;  ///< miQ_FUNC_USERPTR
   ThreadPointers thread_pointers;
   miLock lock = {};
-  std::atomic<bool> ready = false;
+  std::atomic<bool> ready = false, called = false;
   bool initialised = false;
 
   /// Makes the block and calls the shader's init functions, once.
@@ -91,6 +97,9 @@ struct UserInstance final : ShaderState {
  private:
   void initialise(Host& host);
 };
+
+/// Forgets what threads stored for a call (miQ_FUNC_TLS_SET).
+void forget_thread_pointers(const UserInstance& shader);
 
 /// The call behind a node; null when it is no user's shader.
 UserInstance* user_instance(const ShaderNode& node);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/environment_ray.h"
 #include "transport/shadow.h"
 
 namespace oriel {
@@ -217,8 +218,8 @@ void DirectSum::add_environment(Vec2 u) {
   if (is_black(open.all) && !request_.witness) return;
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
   const Rgb radiance =
-      rgb(environment_radiance(world_.environment.shaders(), world_, point_.position, s.wi,
-                               RayKind::FinalGather)) *
+      rgb(environment_radiance(world_.environment.shaders(), world_,
+                               {point_.position, s.wi, RayKind::FinalGather, point_.raster})) *
       air_before_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
   constexpr float kFar = std::numeric_limits<float>::infinity();

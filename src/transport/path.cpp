@@ -226,8 +226,8 @@ bool Path::arrive(const geom::Hit& hit) {
     result_->first = {point.instance, &material};
     alpha_open_ = true;
     if (met_)
-      *met_ = Tracer::Met{result_->depth,  point.position, point.normal,  point.geometric_normal,
-                          point.back_side, &material,      point.instance};
+      *met_ = Tracer::Met{result_->depth,  point.position, point.normal,   point.geometric_normal,
+                          point.back_side, &material,      point.instance, point.primitive};
     if (settings_.meters) meter(closure, point);
     if (settings_.motion) *settings_.motion = raster_motion(point);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ray of a path meets beside surfaces: shapes of lights, the environment, the end of a
 // reflection that is limited.
+#include "runtime/environment_ray.h"
 #include "transport/path_walk.h"
 #include "transport/shadow.h"
 
@@ -114,8 +115,9 @@ Rgb Path::reflected_environment(const Vec3& direction) {
   const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
   if (shaders.empty()) return Rgb(0);
   ++counts_.environment;
-  return rgb(environment_radiance(shaders, world_, ray_.org, direction,
-                                  environment_kind(RayKind::Environment), blurred_, roughness_));
+  return rgb(environment_radiance(shaders, world_,
+                                  {ray_.org, direction, environment_kind(RayKind::Environment),
+                                   raster_, blurred_, roughness_}));
 }
 
 /// What a limited reflection fades to.
@@ -158,8 +160,9 @@ void Path::meet_environment() {
   const Vec3 origin = ray_.org, direction = ray_.dir;
   const RayKind kind = environment_kind(kind_);
   const Rgba c = shaders.empty() ? Rgba(0, 0, 0, 0)
-                                 : environment_radiance(shaders, world_, origin, direction, kind,
-                                                        blurred_, roughness_);
+                                 : environment_radiance(
+                                       shaders, world_,
+                                       {origin, direction, kind, raster_, blurred_, roughness_});
   if (first_)
     result_->alpha = clamp01(c.a);
   else if (alpha_open_)
@@ -177,8 +180,8 @@ void Path::meet_environment() {
     if (kind == RayKind::FinalGather) {
       radiance *= weight;
     } else {
-      const Rgb even =
-          rgb(environment_radiance(shaders, world_, origin, direction, RayKind::FinalGather));
+      const Rgb even = rgb(environment_radiance(
+          shaders, world_, {origin, direction, RayKind::FinalGather, raster_}));
       radiance = radiance - even * (1 - weight);
     }
   }

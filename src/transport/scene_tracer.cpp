@@ -79,8 +79,8 @@ std::optional<Tracer::Met> SceneTracer::follow(geom::Ray ray, float reach) {
       there = next().x < closure.opacity;
     }
     if (there)
-      return Met{passed + hit.t,  point.position, point.normal,  point.geometric_normal,
-                 point.back_side, &material,      point.instance};
+      return Met{passed + hit.t,  point.position, point.normal,   point.geometric_normal,
+                 point.back_side, &material,      point.instance, point.primitive};
     passed += hit.t;
     ray = leave(point, ray.dir, reach - passed, geom::RayMask::Probe);
   }

@@ -122,6 +122,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     }
     ShadingPoint blocker;
     fill_point(world, ray, hit, {}, RayKind::Shadow, blocker);
+    blocker.raster = point.raster;
     blocker.light = light;
     const Material& material = material_of(world, hit);
     Closure closure;

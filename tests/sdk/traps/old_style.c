@@ -58,7 +58,7 @@ DLLEXPORT miBoolean trap_old(miColor* result, miState* state, struct trap_old* p
   miTag* light = mi_eval_tag(paras->lights) + *mi_eval_integer(&paras->i_lights);
   int n = *mi_eval_integer(&paras->n_lights);
   miColor *colour = mi_eval_color(&paras->colour), sum;
-  struct miRc_intersection* pri = state->pri;
+  void* pri = state->pri;
   miVector saved = state->point, dir;
   miMatrix* to_world;
   miScalar scale[16], dot_nl;

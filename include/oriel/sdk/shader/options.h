@@ -19,7 +19,7 @@ typedef struct miOptions {
   float caustic_radius, globillum_radius, photonvol_radius;          ///< 0 = the renderer's own
   float caustic_filter_const, filter_size_x, filter_size_y, jitter;  ///< sizes in pixels
   float shutter, shutter_delay;
-  int no_images;      ///< frame buffers
+  int no_images;      ///< frame buffers, with the miRC_IMAGE_USER standard ones
   miTag images_info;  ///< their list
   int finalgather;    ///< 0 off, 1 on, 'f' fast look-up
   int finalgather_rays;

@@ -13,7 +13,6 @@
 #include "scene.h"
 #include "types.h"
 
-struct miRc_intersection;
 struct miImg_image;
 
 typedef struct miState {
@@ -45,25 +44,27 @@ typedef struct miState {
   miUint label;             ///< of the hit object
   miTag instance;           ///< leaf instance of the hit object: defines object space
   miTag light_instance;     ///< light being sampled: defines light space
-  struct miRc_intersection* pri;  ///< the hit; 0 = rays start in empty space; may be written
-  float importance;               ///< weight of the ray
-  float bary[4];                  ///< barycentric coordinates
-  miVector point;                 ///< hit point; displacement: vertex being moved
-  miVector normal;                ///< unit shading normal on the ray's side
-  miVector normal_geom;           ///< unit geometric normal on the ray's side
-  miScalar dot_nd;                ///< normal . dir; light rays: with the lit point's normal
-  double shadow_tol;              ///< tolerance against self-shadowing, length
-  miVector* tex_list;             ///< coordinates, one a texture space (miQ_NUM_TEXTURES)
-  miVector* bump_x_list;          ///< bump basis, one a space (miQ_NUM_BUMPS), object space
+  /// Handle of the primitive that was hit: the same in all samples, another for each; not to be
+  /// dereferenced. 0 = rays start in empty space, lights of both sides are taken; may be written.
+  void* pri;
+  float importance;       ///< weight of the ray
+  float bary[4];          ///< barycentric coordinates
+  miVector point;         ///< hit point; displacement: vertex being moved; may be written there
+  miVector normal;        ///< unit shading normal on the ray's side
+  miVector normal_geom;   ///< unit geometric normal on the ray's side
+  miScalar dot_nd;        ///< normal . dir; light rays: with the lit point's normal
+  double shadow_tol;      ///< tolerance against self-shadowing, length
+  miVector* tex_list;     ///< coordinates, one a texture space (miQ_NUM_TEXTURES)
+  miVector* bump_x_list;  ///< bump basis, one a pair (miQ_NUM_BUMPS), object space
   miVector* bump_y_list;
   miVector motion;           ///< way in one motion interval, or null
   miVector* derivs;          ///< dP/du, dP/dv, d2P/du2, d2P/dv2, d2P/dudv, where asked for
   miVector tex;              ///< coordinate handed to a texture shader
   const miFunction* shader;  ///< the running shader
   struct miState* child;     ///< of the last ray cast from here
-  short thread;
-  miUshort count;  ///< sample of an area light
-  void* user;      ///< scratch: handed to the shaders of rays cast from here
+  short thread;              ///< number of the thread, from 0
+  miUshort count;            ///< sample of an area light
+  void* user;                ///< scratch: handed to the shaders of rays cast from here
   int user_size;
   void* ts;     ///< internal
   int pri_idx;  ///< of sources older than `importance`; always 0
