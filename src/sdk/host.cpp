@@ -111,6 +111,10 @@ void Host::attach(const World& world) {
   world_ = &world;
 }
 
+void Host::leave(const World& world) {
+  if (world_ == &world) forget();
+}
+
 /// What was made for a world means nothing to the next.
 void Host::forget() {
   const std::unique_lock lock(mutex_);
@@ -148,6 +152,7 @@ void Host::end_frame() {
 }
 
 Host::~Host() {
+  *self_ = nullptr;
   forget_host(this);
   mi_delete_lock(&global_lock_);
 }

@@ -70,6 +70,11 @@ ArrayView<std::byte> array_at(const std::byte* own) {
 
 }  // namespace
 
+UserInstance::~UserInstance() {
+  // Worlds go before their hosts, some at once: that of geometry shaders.
+  if (host && *host && world) (*host)->leave(*world);
+}
+
 void UserInstance::make_ready(const ShaderNode& of) {
   const std::lock_guard guard(spec->host->shader_lock());
   // Its own init functions may ask for its parameters before they have returned.

@@ -65,7 +65,14 @@ struct CConnection {
 
 /// One call of a user's shader: its parameters as its C struct.
 struct UserInstance final : ShaderState {
+  UserInstance() = default;
+  UserInstance(const UserInstance&) = delete;
+  UserInstance& operator=(const UserInstance&) = delete;
+  ~UserInstance() override;
+
   const UserSpec* spec = nullptr;
+  std::shared_ptr<Host*> host;   ///< to null when it is gone
+  const World* world = nullptr;  ///< that the call belongs to
   const ShaderNode* node = nullptr;
   std::unique_ptr<std::byte[]> block;  ///< miFunction, parameters, tags of what is connected
   miFunction* function = nullptr;

@@ -87,7 +87,7 @@ std::string hair_source(const std::string& offsets, const std::string& approx) {
          "  if (mi_api_hair_info(1, 'x', 3) || mi_api_hair_info(2, 't', 3)) return miFALSE;"
          "  s = mi_api_hair_scalars_begin(70); for (i = 0; i < 60; i++) *s++ = numbers[i];"
          "  if (mi_api_hair_scalars_end(71)) return miFALSE;"
-         "  mi_api_hair_scalars_end(60); o = mi_api_hair_hairs_begin(3);" +
+         "  mi_api_hair_scalars_end(60);" +
          offsets +
          "  mi_api_hair_hairs_end(); mi_api_hair_end();"
          "  return mi_geoshader_add_result(result, mi_api_object_end()); }";
@@ -103,11 +103,14 @@ std::string hair_text() {
 TEST(GeometryShaders, HairIsThatOfASceneFile) {
   for (const bool cpp : {false, true}) {
     ShaderFolder folder;
-    std::string source = cpp ? hair_source(
-                                   "mi_api_hair_hairs_add(0); mi_api_hair_hairs_add(30); "
-                                   "mi_api_hair_hairs_add(60);",
-                                   "h->approx = a; if (h->approx != 1) return miFALSE;")
-                             : hair_source("o[0] = 0; o[1] = 30; o[2] = 60;", "h->approx = 1;");
+    std::string source =
+        cpp ? hair_source(
+                  "mi_api_hair_hairs_begin(9); o = NULL; "
+                  "mi_api_hair_hairs_add(0); mi_api_hair_hairs_add(30); "
+                  "mi_api_hair_hairs_add(60);",
+                  "h->approx = a; if (h->approx != 1) return miFALSE;")
+            : hair_source("o = mi_api_hair_hairs_begin(3); o[0] = 0; o[1] = 30; o[2] = 60;",
+                          "h->approx = 1;");
     if (cpp) source.replace(source.find("static"), 0, "extern \"C\" {\n"), source += "}";
     folder.compile("g", source, cpp ? "cpp" : "c");
     UserScene shader(folder, made(), "\"i\"");
@@ -125,7 +128,8 @@ TEST(GeometryShaders, HairIsThatOfASceneFile) {
 
 TEST(GeometryShaders, HairBeyondItsScalarsIsDroppedWithAWarning) {
   ShaderFolder folder;
-  folder.compile("g", hair_source("o[0] = 0; o[1] = 30; o[2] = 61;", "h->approx = 1;"));
+  folder.compile("g", hair_source("o = mi_api_hair_hairs_begin(3); o[0] = 0; o[1] = 30; o[2] = 61;",
+                                  "h->approx = 1;"));
   UserScene shader(folder, made(), "\"i\"");
   EXPECT_EQ(object_of(shader, "make:fur").hairs.at(0).size(), 1u);
   EXPECT_NE(shader.messages().find("did not write"), std::string::npos) << shader.messages();
@@ -323,6 +327,21 @@ TEST(GeometryShaders, ApproximationsAreStatementsOfASceneFile) {
   // None and nothing asked for: what applies without a statement.
   EXPECT_EQ(approximation("a.cnst[0] = 1; a.style = miAPPROX_STYLE_NONE;"), scene::Approximation());
   EXPECT_EQ(approximation("miAPPROX_DEFAULT(a);"), scene::Approximation());
+}
+
+TEST(GeometryShaders, AreNeededByNoOtherShaderOfTheirLibrary) {
+  ShaderFolder folder;
+  folder.compile("g", kHead +
+                          "GEO(make) { open_named(\"p\"); plate(8, 1);"
+                          "  return mi_geoshader_add_result(result, mi_api_object_end()); }");
+  UserScene scene(folder,
+                  "link \"g.so\" declare shader geometry \"make\" ( ) apply geometry end declare "
+                  "material \"m\" \"mib_illum_lambert\" ( \"ambience\" 1 1 1, \"ambient\" .25 .5 "
+                  ".75, \"diffuse\" 0 0 0 ) end material instance \"i\" geometry \"make\" ( ) "
+                  "material \"m\" end instance ",
+                  "\"i\"");
+  expect_color(scene.pixel(4, 4, 4), Rgb(.25f, .5f, .75f), 1e-5f);
+  EXPECT_EQ(scene.host->world(), nullptr) << "the world of geometry shaders is gone";
 }
 
 }  // namespace geometry_test
