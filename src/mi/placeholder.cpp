@@ -128,4 +128,15 @@ void load_placeholders(Parse& parse) {
     }
 }
 
+void load_placeholder(Scene& scene, const std::string& name, const ReadOptions& options,
+                      Diagnostics& diagnostics) {
+  Parse parse(options, diagnostics);
+  parse.scene = &scene;
+  // Those that wait now were tried when the scene was read.
+  const std::vector<Waiting> before = waiting_in(parse);
+  for (const Waiting& placeholder : before)
+    if (placeholder.name != name) parse.reported.insert("placeholder " + placeholder.name);
+  load_placeholders(parse);
+}
+
 }  // namespace oriel::mi

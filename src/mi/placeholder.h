@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mi/parse.h"
+#include "mi/reader.h"
 
 namespace oriel::mi {
 
@@ -17,5 +18,10 @@ namespace oriel::mi {
 ///          OR-MI-023 when names are there already. Each placeholder is tried once.
 /// Checked: Placeholder.*
 void load_placeholders(Parse& parse);
+
+/// The same for one object or assembly of a scene that was read before, by name, and for the
+/// placeholders that its file holds.
+void load_placeholder(scene::Scene& scene, const std::string& name, const ReadOptions& options,
+                      Diagnostics& diagnostics);
 
 }  // namespace oriel::mi

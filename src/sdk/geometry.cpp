@@ -22,14 +22,6 @@ Names& names() {
   return all;
 }
 
-/// The interface owns names that it is given.
-std::string take(const char* name) {
-  if (!name) return {};
-  std::string own = name;
-  mi_mem_release(const_cast<char*>(name));
-  return own;
-}
-
 scene::Value boolean(bool on) {
   scene::Value v;
   v.kind = scene::Value::Kind::Boolean;
@@ -42,27 +34,6 @@ scene::Value integer(int number) {
   v.integral = true;
   v.numbers = {static_cast<double>(number)};
   return v;
-}
-
-/// Flags as an object's or instance's header says them.
-template <class T>
-void store_flags(const T& from, std::vector<scene::Statement>& flags) {
-  const auto say = [&](const char* word, const scene::Value& value) {
-    flags.push_back({word, false, {value}, {}});
-  };
-  say("visible", boolean(from.visible));
-  say("shadow", boolean(from.shadow));
-  say("reflection", integer(from.reflection));
-  say("refraction", integer(from.refraction));
-  say("transparency", integer(from.transparency));
-  say("finalgather", integer(from.finalgather));
-  say("caustic", integer(from.caustic));
-  say("globillum", integer(from.globillum));
-}
-
-scene::PolygonGroup* polygons() {
-  GeometryWork* work = GeometryWork::current();
-  return work && !work->object.groups.empty() ? &work->object.groups.back() : nullptr;
 }
 
 /// Sets the last vertex's entry of a column that may not be there yet.
@@ -80,7 +51,7 @@ Mat4 matrix_of(const miMatrix m) {
 /// The name that an item was given by name or by tag.
 std::string item_name(const char* name, miTag tag) {
   const std::string* known = GeometryWork::name_of(tag);
-  std::string own = take(name);
+  std::string own = taken(name);
   return known ? *known : own;
 }
 
@@ -92,10 +63,7 @@ GeometryWork*& GeometryWork::current() {
 }
 
 std::string GeometryWork::name_for(const char* wanted) {
-  std::string own = prefix + (wanted ? take(wanted) : std::string("made"));
-  for (int i = 2; scene->find(own); ++i)
-    own = own.substr(0, own.find('#')) + "#" + std::to_string(i);
-  return own;
+  return free_name(wanted ? taken(wanted) : std::string("made"));
 }
 
 miTag GeometryWork::tag_of(const std::string& name) {
@@ -115,12 +83,7 @@ const std::string* GeometryWork::name_of(miTag tag) {
 }
 
 std::string finish(GeometryWork& work) {
-  // Placeholders are filled at once: there is room for what is seen and what is not.
-  for (std::size_t i = 0; i < work.callbacks.size(); ++i) {
-    const GeometryWork::Callback callback = work.callbacks[i];
-    work.object = {};
-    callback.call(GeometryWork::tag_of(callback.object), callback.arguments);
-  }
+  finish_objects(work);
   if (work.results.empty()) return {};
   if (work.results.size() == 1) return work.results[0];
   scene::InstanceGroup all;
@@ -157,32 +120,10 @@ miBoolean mi_geoshader_add_result(miTag* result, miTag tag) {
   return miTRUE;
 }
 
-miObject* mi_api_object_begin(const char* name) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return nullptr;
-  // The content of a placeholder comes under the placeholder's name.
-  const bool filling = !work->callbacks.empty() && !name;
-  work->object = {};
-  work->object.name = filling ? work->callbacks.back().object : work->name_for(name);
-  work->object_flags = {};
-  work->object_flags.visible = work->object_flags.shadow = miTRUE;
-  work->object_flags.reflection = work->object_flags.refraction = 3;
-  work->object_flags.transparency = work->object_flags.finalgather = 3;
-  work->object_flags.face = 'a';
-  return &work->object_flags;
+miBoolean mi_api_basis_list_clear(void) {
+  if (GeometryWork* work = GeometryWork::current()) work->object.bases.clear();
+  return miTRUE;
 }
-
-miTag mi_api_object_end(void) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || work->object.name.empty()) return miNULLTAG;
-  store_flags(work->object_flags, work->object.flags);
-  const std::string name = work->object.name;
-  work->scene->add(std::move(work->object));
-  work->object = {};
-  return GeometryWork::tag_of(name);
-}
-
-miBoolean mi_api_basis_list_clear(void) { return miTRUE; }
 
 miBoolean mi_api_object_group_begin(double) {
   GeometryWork* work = GeometryWork::current();
@@ -190,17 +131,17 @@ miBoolean mi_api_object_group_begin(double) {
   work->object.groups.emplace_back();
   return miTRUE;
 }
-miBoolean mi_api_object_group_end(void) { return polygons() ? miTRUE : miFALSE; }
+miBoolean mi_api_object_group_end(void) { return open_group() ? miTRUE : miFALSE; }
 
 miBoolean mi_api_vector_xyz_add(const miVector* v) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group) return miFALSE;
   group->vectors.push_back(vec(*v));
   return miTRUE;
 }
 
 miBoolean mi_api_vertex_add(int point) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group) return miFALSE;
   scene::VertexList& v = group->vertices;
   v.point.push_back(static_cast<std::uint32_t>(point));
@@ -215,14 +156,14 @@ miBoolean mi_api_vertex_add(int point) {
 }
 
 miBoolean mi_api_vertex_normal_add(int normal) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group || group->vertices.point.empty()) return miFALSE;
   set_last(group->vertices.normal, group->vertices.size(), normal);
   return miTRUE;
 }
 
 miBoolean mi_api_vertex_tex_add(int coordinate, int bump_x, int bump_y) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group || group->vertices.point.empty()) return miFALSE;
   scene::VertexList& v = group->vertices;
   // The first space that the last vertex does not have yet.
@@ -237,7 +178,7 @@ miBoolean mi_api_vertex_tex_add(int coordinate, int bump_x, int bump_y) {
 }
 
 miBoolean mi_api_vertex_motion_add(int motion) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group || group->vertices.point.empty()) return miFALSE;
   auto& columns = group->vertices.motion;
   if (columns.empty()) columns.emplace_back();
@@ -246,22 +187,17 @@ miBoolean mi_api_vertex_motion_add(int motion) {
 }
 
 miBoolean mi_api_poly_begin_tag(int, miTag material) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group) return miFALSE;
   scene::PolygonList& p = group->polygons;
   if (p.first.empty()) p.first.push_back(0);
-  std::uint32_t index = scene::kNone;
-  if (const std::string* name = GeometryWork::name_of(material)) {
-    index = 0;
-    while (index < group->materials.size() && group->materials[index] != *name) ++index;
-    if (index == group->materials.size()) group->materials.push_back(*name);
-  }
-  p.material.push_back(index);
+  const std::string* name = GeometryWork::name_of(material);
+  p.material.push_back(material_index(*group, name ? *name : std::string()));
   return miTRUE;
 }
 
 miBoolean mi_api_poly_index_add(int vertex) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group || vertex < 0 || static_cast<std::size_t>(vertex) >= group->vertices.size())
     return miFALSE;
   group->polygons.indices.push_back(static_cast<std::uint32_t>(vertex));
@@ -269,23 +205,16 @@ miBoolean mi_api_poly_index_add(int vertex) {
 }
 
 miBoolean mi_api_poly_hole_add(void) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group) return miFALSE;
   group->polygons.holes.push_back(static_cast<std::uint32_t>(group->polygons.indices.size()));
   return miTRUE;
 }
 
 miBoolean mi_api_poly_end(void) {
-  scene::PolygonGroup* group = polygons();
+  scene::PolygonGroup* group = open_group();
   if (!group) return miFALSE;
   group->polygons.first.push_back(static_cast<std::uint32_t>(group->polygons.indices.size()));
-  return miTRUE;
-}
-
-miBoolean mi_api_object_callback(miGeoshader_callback callback, void* args) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || !callback || work->object.name.empty()) return miFALSE;
-  work->callbacks.push_back({work->object.name, callback, args});
   return miTRUE;
 }
 
@@ -365,14 +294,14 @@ miTag mi_api_light_end(void) {
 miBoolean mi_api_function_call(const char* declaration) {
   GeometryWork* work = GeometryWork::current();
   if (!work) return miFALSE;
-  work->calls.push_back({{}, take(declaration), {}, false, {}});
+  work->calls.push_back({{}, taken(declaration), {}, false, {}});
   return miTRUE;
 }
 
 miBoolean mi_api_parameter_name(const char* name) {
   GeometryWork* work = GeometryWork::current();
   if (!work) return miFALSE;
-  work->parameter = take(name);
+  work->parameter = taken(name);
   return miTRUE;
 }
 
@@ -434,7 +363,7 @@ miTag mi_api_function_call_end(miTag next) {
 }
 
 miTag mi_api_tag_lookup(const char* name) {
-  const std::string own = take(name);
+  const std::string own = taken(name);
   GeometryWork* work = GeometryWork::current();
   if (!work || !work->scene->find(own)) return miNULLTAG;
   return GeometryWork::tag_of(own);
@@ -444,7 +373,5 @@ char* mi_api_name_lookup(miTag tag) {
   const std::string* name = GeometryWork::name_of(tag);
   return name ? const_cast<char*>(name->c_str()) : nullptr;
 }
-
-miBoolean mi_api_incremental(miBoolean) { return miTRUE; }
 
 }  // extern "C"

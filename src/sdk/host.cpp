@@ -153,6 +153,10 @@ void Host::attach(const World& world) {
   world_ = &world;
 }
 
+void Host::leave(const World& world) {
+  if (world_ == &world) forget();
+}
+
 /// What was made for a world means nothing to the next.
 void Host::forget() {
   const std::unique_lock lock(mutex_);
@@ -198,6 +202,7 @@ void Host::end_frame() {
 Host::~Host() {
   set_current_host(this);
   for (const auto& library : libraries_) call_module(*library, "module_exit");
+  *self_ = nullptr;
   forget_host(this);
   mi_delete_lock(&global_lock_);
 }

@@ -50,6 +50,10 @@ class Host {
   /// The world under way: known from when its first user's shader is bound.
   const World* world() const { return world_; }
   void attach(const World& world);
+  /// Forgets the world, if it is the one under way: its nodes go.
+  void leave(const World& world);
+  /// Points to this host as long as it lives, then to null.
+  const std::shared_ptr<Host*>& self() const { return self_; }
   Diagnostics& diagnostics() { return diagnostics_; }
   const std::vector<std::unique_ptr<Library>>& libraries() const { return libraries_; }
   /// Libraries of the scene that were not found or could not be loaded, by file name.
@@ -129,6 +133,7 @@ class Host {
   std::vector<std::unique_ptr<UserSpec>> specs_;
   std::unique_ptr<Registry> registry_;
   const World* world_ = nullptr;
+  std::shared_ptr<Host*> self_ = std::make_shared<Host*>(this);
 
   mutable std::shared_mutex mutex_;
   std::vector<const ShaderNode*> nodes_;

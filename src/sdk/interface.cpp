@@ -55,11 +55,9 @@ oriel_shader_interface* mi_get_shader_interface(int version) {
 }
 
 void oriel_spectrum_from_color(miSpectrum* result, miState*, const miColor* color) {
-  // CIE XYZ of linear Rec. 709 in the first numbers, the rest is empty.
-  std::memset(result, 0, sizeof *result);
-  miColor xyz = *color;
-  mi_colorprofile_internal_to_ciexyz(&xyz);
-  result->value[0] = xyz.r, result->value[1] = xyz.g, result->value[2] = xyz.b;
+  if (!result) return;
+  mi_spectrum_clear(result);
+  mi_spectrum_color_add(result, color);
 }
 
 oriel_string_options* oriel_options_open(miTag tag) {

@@ -359,12 +359,6 @@ bool ask_image(miQ_type query, Host& host, miTag tag, void* result) {
 
 }  // namespace
 
-void forget_thread_pointers(const UserInstance& shader) {
-  ThreadPointers& pointers = thread_pointers();
-  const std::lock_guard lock(pointers.mutex);
-  std::erase_if(pointers.of, [&](const auto& entry) { return entry.first.first == &shader; });
-}
-
 }  // namespace oriel::sdk
 
 using namespace oriel::sdk;

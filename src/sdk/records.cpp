@@ -6,6 +6,7 @@
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/frame_buffers.h"
+#include "sdk/geometry_work.h"
 #include "sdk/host.h"
 #include "sdk/query_elements.h"
 #include "sdk/user_data.h"
@@ -314,6 +315,7 @@ Host::Record Host::make(miTag tag) {
 }
 
 void* Host::access(miTag tag) {
+  if (miObject* made = GeometryWork::object_of(tag)) return made;
   if (tag == miNULLTAG || !world_) return nullptr;
   if (const ShaderNode* n = node(tag))
     if (UserInstance* user = user_instance(*n)) {
@@ -370,6 +372,8 @@ miScene_types Host::type_of(miTag tag) const {
       return miSCENE_OPTIONS;
     case TagKind::Profile:
       return miSCENE_LIGHTPROFILE;
+    case TagKind::Made:
+      return GeometryWork::object_of(tag) ? miSCENE_OBJECT : miSCENE_NONE;
     default:
       return miSCENE_NONE;
   }

@@ -26,6 +26,8 @@ std::unique_ptr<ShaderState> prepare_call(const Call& call, const World& world) 
   auto instance = std::make_unique<UserInstance>();
   instance->spec = static_cast<const UserSpec*>(&call.node->spec());
   instance->node = call.node;
+  instance->host = instance->spec->host->self();
+  instance->world = &world;
   instance->spec->host->attach(world);
   return instance;
 }

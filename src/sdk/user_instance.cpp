@@ -72,7 +72,8 @@ ArrayView<std::byte> array_at(const std::byte* own) {
 }  // namespace
 
 UserInstance::~UserInstance() {
-  forget_thread_pointers(*this);
+  // Worlds go before their hosts, some at once: that of geometry shaders.
+  if (host && *host && world) (*host)->leave(*world);
   if (lock.p) mi_delete_lock(&lock);
 }
 

@@ -77,9 +77,13 @@ struct ThreadPointers {
 /// One call of a user's shader: its parameters as its C struct.
 struct UserInstance final : ShaderState {
   UserInstance() = default;
+  UserInstance(const UserInstance&) = delete;
+  UserInstance& operator=(const UserInstance&) = delete;
   ~UserInstance() override;
 
   const UserSpec* spec = nullptr;
+  std::shared_ptr<Host*> host;   ///< to null when it is gone
+  const World* world = nullptr;  ///< that the call belongs to
   const ShaderNode* node = nullptr;
   std::unique_ptr<std::byte[]> block;  ///< miFunction, parameters, tags of what is connected
   miFunction* function = nullptr;
@@ -97,9 +101,6 @@ struct UserInstance final : ShaderState {
  private:
   void initialise(Host& host);
 };
-
-/// Forgets what threads stored for a call (miQ_FUNC_TLS_SET).
-void forget_thread_pointers(const UserInstance& shader);
 
 /// The call behind a node; null when it is no user's shader.
 UserInstance* user_instance(const ShaderNode& node);

@@ -139,9 +139,9 @@ class SdkCoverage : public ProgramTest {
 
 // acceptance: I4
 TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
-  for (const char* scene :
-       {"vectors", "random", "directions", "highlights", "spaces", "images", "evaluate", "textures",
-        "tracing", "lights", "indirect", "photons", "output", "geometry"})
+  for (const char* scene : {"vectors", "random", "directions", "highlights", "spaces", "images",
+                            "evaluate", "textures", "tracing", "lights", "indirect", "photons",
+                            "output", "geometry", "shapes", "spectra", "particles"})
     expect_rendered(scene);
   expect_messages(render("memory").err);
   expect_stops();

@@ -9,6 +9,11 @@
 //   as indices of vertices, group end, end. Indices count from 0. Only geometry shaders (and
 //   callbacks of placeholders) may call these.
 
+#include "geoshader/approx.h"
+#include "geoshader/freeform.h"
+#include "geoshader/hair.h"
+#include "geoshader/map.h"
+#include "geoshader/object.h"
 #include "shader.h"
 
 #ifdef __cplusplus
@@ -18,52 +23,9 @@ extern "C" {
 #define miNAMESIZE 80
 #define miPATHSIZE 1024
 
-/// A polygonal object while it is made. Set its members between begin and end.
-typedef struct miObject {
-  int type;
-  miBoolean visible, shadow;
-  miUchar reflection, refraction, transparency;
-  miUchar caustic, globillum, finalgather;  ///< bit 0 casts, bit 1 receives
-  char face;                                ///< 'f', 'b', 'a'
-  miBoolean select;
-  miScalar maxdisplace;
-  miTag userdata;
-  miUint label;
-  miVector bbox_min, bbox_max;      ///< object space
-  miVector bbox_min_m, bbox_max_m;  ///< with motion
-  miBoolean mbox_explicit;
-  int min_samples, max_samples;
-  double ray_offset;
-} miObject;
-
-/// How finely a surface is divided; all zero = as the object's own.
-typedef struct miApprox {
-  int kind;         ///< 0 default, 1 none, 2 fine
-  miScalar length;  ///< edges at most, pixels where `view` is set
-  miCBoolean view;
-  int min_level, max_level;
-} miApprox;
-
-/// Makes the miApprox at a the object's own.
-#define miAPPROX_DEFAULT(a) \
-  ((a)->kind = 0, (a)->length = 0, (a)->view = 0, (a)->min_level = 0, (a)->max_level = 0)
-/// Makes the miApprox at a none.
-#define miAPPROX_NONE(a) \
-  ((a)->kind = 1, (a)->length = 0, (a)->view = 0, (a)->min_level = 0, (a)->max_level = 0)
-/// Makes the miApprox at a a quarter of a pixel.
-#define miAPPROX_FINE_DEFAULT(a) \
-  ((a)->kind = 2, (a)->length = 0.25f, (a)->view = 1, (a)->min_level = 0, (a)->max_level = 7)
-
-/// Makes the content of a placeholder; `args` is what was given with it.
-typedef miBoolean (*miGeoshader_callback)(miTag tag, void* args);
-
 /// Adds an object, instance, group or light to what the geometry shader returns.
 miBoolean mi_geoshader_add_result(miTag* result, miTag tag);
 
-/// Begins an object.
-miObject* mi_api_object_begin(const char* name);
-/// Ends an object; its tag.
-miTag mi_api_object_end(void);
 /// Forgets the bases of curves and surfaces.
 miBoolean mi_api_basis_list_clear(void);
 /// Begins the geometry of an object; merge: distance in which surfaces join, 0 = none.
@@ -88,8 +50,6 @@ miBoolean mi_api_poly_index_add(int vertex);
 miBoolean mi_api_poly_hole_add(void);
 /// Ends a polygon.
 miBoolean mi_api_poly_end(void);
-/// Has a callback make the object's content when it is needed.
-miBoolean mi_api_object_callback(miGeoshader_callback callback, void* args);
 
 /// Begins an instance.
 miInstance* mi_api_instance_begin(const char* name);
@@ -119,8 +79,6 @@ miTag mi_api_function_call_end(miTag next);
 miTag mi_api_tag_lookup(const char* name);
 /// Name of an element; NULL when it has none.
 char* mi_api_name_lookup(miTag tag);
-/// Whether elements of a known name replace it from here on.
-miBoolean mi_api_incremental(miBoolean on);
 
 #ifdef __cplusplus
 }

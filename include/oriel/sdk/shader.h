@@ -24,6 +24,7 @@
 #include "shader/sample.h"
 #include "shader/scene.h"
 #include "shader/space.h"
+#include "shader/spectrum.h"
 #include "shader/state.h"
 #include "shader/system.h"
 #include "shader/texture.h"

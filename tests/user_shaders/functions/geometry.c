@@ -111,12 +111,13 @@ DLLEXPORT miBoolean cover_geometry(miTag* result, miState* state, void* paras) {
   miTag first, group, object;
   const char* name;
 
-  miAPPROX_FINE_DEFAULT(&approx);
-  COVER(miAPPROX_FINE_DEFAULT, approx.kind == 2 && approx.length == .25f && approx.view);
-  miAPPROX_NONE(&approx);
-  COVER(miAPPROX_NONE, approx.kind == 1 && approx.length == 0);
-  miAPPROX_DEFAULT(&approx);
-  COVER(miAPPROX_DEFAULT, approx.kind == 0 && approx.max_level == 0);
+  miAPPROX_FINE_DEFAULT(approx);
+  COVER(miAPPROX_FINE_DEFAULT, approx.style == miAPPROX_STYLE_FINE && approx.view_dep);
+  miAPPROX_NONE(approx);
+  COVER(miAPPROX_NONE, approx.style == miAPPROX_STYLE_NONE && approx.cnst[miCNST_LENGTH] == 0);
+  miAPPROX_DEFAULT(approx);
+  COVER(miAPPROX_DEFAULT, approx.method == miAPPROX_PARAMETRIC && approx.flag == miAPPROX_FLAG_ANY);
+  COVER(oriel_approx_set, approx.cnst[miCNST_UPARAM] == 0 && approx.subdiv[miMAX] > 0);
 
   COVER(mi_api_incremental, mi_api_incremental(miFALSE));
   object = holed();

@@ -127,6 +127,7 @@ typedef miBoolean (*miFunction_ptr)(void);
 /// Parameter of type spectrum; the first 4 entries hold CIE XYZ.
 typedef float miSpectrum_para[74];
 
+/// For mi_spectrum_* alone.
 typedef struct miSpectrum {
   miSpectrum_para value;
 } miSpectrum;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// How does a geometry shader make objects, at once or when their content is needed?
+#ifndef ORIEL_SDK_OBJECT_H
+#define ORIEL_SDK_OBJECT_H
+
+// Conventions
+//   An object without group is a placeholder when mi_api_object_callback or mi_api_object_file was
+//   called. The content is made after the geometry shader has returned. A callback makes it under
+//   the name that the placeholder has (mi_api_tag_lookup) and finds its flags set.
+
+#include "hair.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum miObject_type {
+  miOBJECT_POLYGONS = 0,
+  miOBJECT_FACES,
+  miOBJECT_BOXES,
+  miOBJECT_SPACECURVES,
+  miOBJECT_SUBDIVSURFS,
+  miOBJECT_ALGEBRAICS,
+  miOBJECT_PLACEHOLDER,
+  miOBJECT_HAIR,
+  miOBJECT_INTERSECT_FUNC
+} miObject_type;
+
+/// An object while it is made. Set its members between begin and end, or between mi_scene_edit and
+/// mi_scene_edit_end in the same geometry shader.
+typedef struct miObject {
+  miObject_type type;
+  miUchar visible, shadow;
+  miUchar reflection, refraction, transparency;
+  miUchar caustic, globillum, finalgather;  ///< bit 0 casts, bit 1 receives
+  char face;                                ///< 'f', 'b', 'a'
+  miUchar select;
+  miCBoolean fine;
+  miBoolean view_dependent, mtl_is_label, hardware;
+  miScalar maxdisplace;
+  miTag userdata;
+  miTag finalgather_file;
+  miUint label, volume_id;
+  miVector bbox_min, bbox_max;      ///< object space
+  miVector bbox_min_m, bbox_max_m;  ///< with motion
+  miBoolean mbox_explicit;
+  int min_samples, max_samples;
+  double ray_offset;
+  struct {
+    struct {
+      miTag group;
+    } polygon_list, face_list;
+    struct {
+      miObject_type type;  ///< of the content; the content itself decides
+    } placeholder_list;
+    miHair_list hair_list;
+  } geo;
+} miObject;
+
+/// Makes the content of a placeholder; `args` is what was given with it.
+typedef miBoolean (*miApi_object_callback)(miTag tag, void* args);
+
+/// Begins an object. The name of one made before replaces its geometry in incremental mode and
+/// keeps its tag and flags. NULL: without a name.
+miObject* mi_api_object_begin(const char* name);
+/// Ends an object; its tag.
+miTag mi_api_object_end(void);
+/// Makes the open object a placeholder whose content a callback makes.
+miBoolean mi_api_object_callback(miApi_object_callback callback, void* args);
+/// Makes the open object a placeholder whose content is the object in a .mi file.
+miBoolean mi_api_object_file(const char* filename);
+/// Whether elements of a known name replace it from here on.
+miBoolean mi_api_incremental(miBoolean on);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
