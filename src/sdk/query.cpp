@@ -2,7 +2,6 @@
 // mi_query: what shaders ask of themselves, of elements by tag, of the hit and of the rendering.
 #include <cstdarg>
 #include <cstring>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -15,23 +14,11 @@
 namespace oriel::sdk {
 namespace {
 
-/// The pointers that threads keep for a call.
-struct ThreadPointers {
-  std::mutex mutex;
-  std::map<std::pair<const UserInstance*, std::thread::id>, void*> of;
-};
-ThreadPointers& thread_pointers() {
-  static ThreadPointers pointers;
-  return pointers;
-}
-
-bool tell_thread_pointers(const UserInstance& shader, void* result, int* count) {
+bool tell_thread_pointers(UserInstance& shader, void* result, int* count) {
   thread_local std::vector<void*> list;
-  ThreadPointers& pointers = thread_pointers();
-  const std::lock_guard lock(pointers.mutex);
+  const std::lock_guard lock(shader.thread_mutex);
   list.clear();
-  for (const auto& [key, value] : pointers.of)
-    if (key.first == &shader) list.push_back(value);
+  for (const auto& [thread, pointer] : shader.of_thread) list.push_back(pointer);
   if (count) *count = static_cast<int>(list.size());
   return tell(result, list.data());
 }
@@ -78,19 +65,17 @@ bool ask_function(miQ_type query, Host& host, const miState* state, miTag tag, v
     case miQ_FUNC_IS_ROOT:
       return tell(result, miTRUE);
     case miQ_FUNC_TLS_GET: {
-      ThreadPointers& pointers = thread_pointers();
-      const std::lock_guard lock(pointers.mutex);
-      const auto found = pointers.of.find({shader, std::this_thread::get_id()});
-      return tell(result, found == pointers.of.end() ? nullptr : found->second);
+      const std::lock_guard lock(own->thread_mutex);
+      const auto found = own->of_thread.find(std::this_thread::get_id());
+      return tell(result, found == own->of_thread.end() ? nullptr : found->second);
     }
     case miQ_FUNC_TLS_SET: {
-      ThreadPointers& pointers = thread_pointers();
-      const std::lock_guard lock(pointers.mutex);
-      std::memcpy(&pointers.of[{shader, std::this_thread::get_id()}], result, sizeof(void*));
+      const std::lock_guard lock(own->thread_mutex);
+      std::memcpy(&own->of_thread[std::this_thread::get_id()], result, sizeof(void*));
       return true;
     }
     case miQ_FUNC_TLS_GETALL:
-      return tell_thread_pointers(*shader, result, count);
+      return tell_thread_pointers(*own, result, count);
     default:
       return false;
   }

@@ -4,9 +4,11 @@
 
 #include <atomic>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -72,6 +74,8 @@ struct UserInstance final : ShaderState {
   void* parameters = nullptr;
   std::vector<CConnection> connections;
   void* user = nullptr;  ///< miQ_FUNC_USERPTR
+  std::mutex thread_mutex;
+  std::map<std::thread::id, void*> of_thread;  ///< miQ_FUNC_TLS_*; under thread_mutex
   miLock lock = {};
   std::atomic<bool> ready = false;
   bool initialised = false;
