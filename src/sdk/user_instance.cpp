@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sdk/call.h"
+#include "sdk/current.h"
 #include "sdk/host.h"
 
 namespace oriel::sdk {
@@ -143,6 +144,8 @@ void UserInstance::initialise(Host& host) {
   mi_init_lock(&lock);
   auto* shader = const_cast<UserSpec*>(spec);
   if (!shader->init) return;
+  // Functions without a state, as mi_db_access and mi_info, mean this renderer.
+  set_current_host(&host);
   using Init = miBoolean (*)(miState*, void*, miBoolean*);
   const auto init = reinterpret_cast<Init>(shader->init);
   ShadingPoint nowhere;
