@@ -106,6 +106,10 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   state.raster_y = point.raster.y;
   state.type = static_cast<miRay_type>(point.ray_kind);
   if (state.type != miRAY_EYE) state.parent = parent ? parent : &nobody();
+  if (parent) {
+    state.user = parent->user;
+    state.user_size = parent->user_size;
+  }
   state.inv_normal = point.back_side;
   state.face = 'a';
   state.cache = &context;
@@ -126,8 +130,10 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   state.material = point.environment ? 0 : host.tag_of(point.material);
   state.volume = state.camera->volume;
   state.environment = state.camera->environment;
-  if (point.instance >= 0)
+  if (point.instance >= 0) {
     state.instance = make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
+    state.label = host.hit_label(static_cast<std::size_t>(point.instance));
+  }
   if (point.light >= 0)
     state.light_instance = make_tag(TagKind::LightInstance, static_cast<std::size_t>(point.light));
   if (const std::optional<HitTriangle> hit = hit_triangle(point)) {
