@@ -26,14 +26,13 @@ struct Turned {
 
 extern "C" DLLEXPORT int cp_sides_version(void) { return 1; }
 
-// Red of the back is called with the normal away from the viewer, and back again.
+// The material of the back sees the normal of the surface; the state is as before afterwards.
 extern "C" DLLEXPORT miBoolean cp_sides(miColor* result, miState* state, cp_sides* paras) {
   const bool back = state->inv_normal;
   const miScalar before = state->normal.z;
   miBoolean answer;
   {
     Turned turned(state, back);
-    Turned again(state, back);
     answer = mi_call_shader(result, miSHADER_MATERIAL, state,
                             *mi_eval_tag(back ? &paras->back : &paras->front));
   }
