@@ -162,7 +162,8 @@ void Host::forget() {
   const std::unique_lock lock(mutex_);
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
       known_.clear();
-  known_texts_.clear(), records_.clear(), lights_.clear();
+  known_texts_.clear(), records_.clear(), lights_.clear(), labels_.clear();
+  labels_ready_ = false;
   camera_ = nullptr, options_ = nullptr;
   world_ = nullptr;
 }

@@ -97,6 +97,9 @@ class Host {
   std::recursive_mutex& shader_lock() { return shader_lock_; }
   miLock global_lock() const { return global_lock_; }
 
+  /// What the state of a hit has as label: that of the instance, or else that of its object.
+  miUint hit_label(std::size_t instance);
+
   void say(Severity severity, std::string text);
   /// Reports a crash while a frame is rendered, or after it, and stops the rendering.
   void stop_crashed(const Running& running);
@@ -145,6 +148,8 @@ class Host {
   std::unordered_map<std::string, miTag> known_texts_;
   std::unordered_map<miTag, Record> records_;
   std::vector<miTag> lights_;
+  std::vector<miUint> labels_;  ///< one for each instance, once labels_ready_
+  std::atomic<bool> labels_ready_ = false;
   std::atomic<const miCamera*> camera_ = nullptr;
   std::atomic<const miOptions*> options_ = nullptr;
   std::recursive_mutex shader_lock_;

@@ -49,6 +49,21 @@ miUint label_of(Host& host, miTag tag) {
   return statements ? scene::label_of(*statements) : 0;
 }
 
+miUint Host::hit_label(std::size_t instance) {
+  if (!labels_ready_.load(std::memory_order_acquire)) {
+    const std::unique_lock lock(mutex_);
+    if (!labels_ready_.load(std::memory_order_relaxed)) {
+      labels_.clear();
+      for (std::size_t i = 0; world_ && i < world_->instances.size(); ++i) {
+        const miUint own = label_of(*this, make_tag(TagKind::Instance, i));
+        labels_.push_back(own ? own : label_of(*this, make_tag(TagKind::Object, i)));
+      }
+      labels_ready_.store(true, std::memory_order_release);
+    }
+  }
+  return instance < labels_.size() ? labels_[instance] : 0;
+}
+
 bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
   if (kind_of(tag) != TagKind::Object || !host.instance(tag)) return false;
   const InstanceData& data = *host.instance(tag);

@@ -62,8 +62,10 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
   state.dir = as_c(point.ray_direction);
   state.dist = point.environment ? 0 : point.ray_length;
   state.material = point.environment ? 0 : host.tag_of(point.material);
-  if (point.instance >= 0)
+  if (point.instance >= 0) {
     state.instance = make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
+    state.label = host.hit_label(static_cast<std::size_t>(point.instance));
+  }
   if (point.light >= 0)
     state.light_instance = make_tag(TagKind::LightInstance, static_cast<std::size_t>(point.light));
   if (const std::optional<HitTriangle> hit = hit_triangle(point)) {
