@@ -117,6 +117,8 @@ void Host::forget() {
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
       known_.clear();
   known_texts_.clear(), records_.clear(), lights_.clear();
+  elements_.clear();
+  said_.clear();
   camera_ = nullptr, options_ = nullptr;
   world_ = nullptr;
 }
@@ -255,6 +257,11 @@ std::string_view Host::text(miTag tag) const {
   const std::shared_lock lock(mutex_);
   return index_of(tag) < texts_.size() ? std::string_view(texts_[index_of(tag)])
                                        : std::string_view();
+}
+
+bool Host::is_first(std::string_view words) {
+  const std::unique_lock lock(mutex_);
+  return said_.emplace(words).second;
 }
 
 void Host::say(Severity severity, std::string text) {

@@ -20,6 +20,7 @@
 #include "runtime/world.h"
 #include "scene/scene.h"
 #include "sdk/library.h"
+#include "sdk/shader_elements.h"
 #include "sdk/tags.h"
 #include "sdk/user_spec.h"
 
@@ -90,6 +91,12 @@ class Host {
   std::recursive_mutex& shader_lock() { return shader_lock_; }
   miLock global_lock() const { return global_lock_; }
 
+  /// What shaders made for themselves in this frame.
+  ShaderElements& elements() { return elements_; }
+
+  /// Whether the frame asks for the first time with these words.
+  bool is_first(std::string_view words);
+
   void say(Severity severity, std::string text);
   /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
   std::atomic<bool>& stopped;
@@ -136,6 +143,8 @@ class Host {
   std::atomic<const miOptions*> options_ = nullptr;
   std::recursive_mutex shader_lock_;
   miLock global_lock_;
+  ShaderElements elements_;
+  std::set<std::string, std::less<>> said_;
 };
 
 }  // namespace oriel::sdk

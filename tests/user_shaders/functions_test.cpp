@@ -81,12 +81,12 @@ class SdkCoverage : public ProgramTest {
   }
 
   /// Messages have no answer: the shader says them, the program shows them.
-  void expect_messages(const std::string& shown) {
+  void expect_messages(const std::string& shown, const std::string& example,
+                       const std::map<std::string, std::string>& said) {
     std::ofstream told(file("covered.txt"), std::ios::app);
-    for (const char* name : {"mi_error", "mi_warning", "mi_info", "mi_progress", "mi_debug",
-                             "mi_vdebug", "mi_nerror", "mi_nwarning"}) {
-      const bool there = shown.find(std::string("covered: ") + name) != std::string::npos;
-      told << name << " memory.c 0 " << (there ? "right" : "wrong") << "\n";
+    for (const auto& [name, words] : said) {
+      const bool there = shown.find(words) != std::string::npos;
+      told << name << " " << example << " 0 " << (there ? "right" : "wrong") << "\n";
     }
   }
 
@@ -141,9 +141,19 @@ class SdkCoverage : public ProgramTest {
 TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
   for (const char* scene :
        {"vectors", "random", "directions", "highlights", "spaces", "images", "evaluate", "textures",
-        "tracing", "lights", "indirect", "photons", "output", "geometry"})
+        "tracing", "lights", "indirect", "photons", "output", "geometry", "blackbody"})
     expect_rendered(scene);
-  expect_messages(render("memory").err);
+  expect_messages(render("memory").err, "memory.c",
+                  {{"mi_error", "covered: mi_error"},
+                   {"mi_warning", "covered: mi_warning"},
+                   {"mi_info", "covered: mi_info"},
+                   {"mi_progress", "covered: mi_progress"},
+                   {"mi_debug", "covered: mi_debug"},
+                   {"mi_vdebug", "covered: mi_vdebug"},
+                   {"mi_nerror", "covered: mi_nerror"},
+                   {"mi_nwarning", "covered: mi_nwarning"}});
+  expect_messages(render("database").err, "database.c",
+                  {{"mi_db_dump", "shaders have made 2 elements of 8000 bytes"}});
   expect_stops();
 
   const auto all = covered();

@@ -8,6 +8,7 @@
 //   may call what: functions.txt beside this file.
 
 #include "mi_shader_if.h"
+#include "shader/blackbody.h"
 #include "shader/brdf.h"
 #include "shader/call.h"
 #include "shader/database.h"
@@ -16,6 +17,7 @@
 #include "shader/eval.h"
 #include "shader/image.h"
 #include "shader/irradiance.h"
+#include "shader/kdtree.h"
 #include "shader/light.h"
 #include "shader/options.h"
 #include "shader/output.h"
