@@ -35,6 +35,7 @@ struct Context {
   double ray_offset = 0, falloff_start = 0, falloff_stop = 0;  ///< mi_ray_offset, mi_ray_falloff
   miColor opacity = {1, 1, 1, 1};
   bool opacity_known = false;
+  miColor volume_color = {0, 0, 0, 0};  ///< mi_volume_user_color
 
   // Light shaders.
   bool shadow_asked = false;     ///< mi_trace_shadow was called

@@ -260,6 +260,10 @@ std::string_view Host::text(miTag tag) const {
 }
 
 bool Host::is_first(std::string_view words) {
+  {
+    const std::shared_lock lock(mutex_);
+    if (said_.find(words) != said_.end()) return false;
+  }
   const std::unique_lock lock(mutex_);
   return said_.emplace(words).second;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "oriel/sdk/shader/memory_blocks.h"
 #include "oriel/sdk/shader/system.h"
 
 namespace {
@@ -74,4 +75,8 @@ char* mi_mem_int_strdup(const char* file, int line, const char* text) {
   auto* copy = static_cast<char*>(mi_mem_int_allocate(file, line, from.size() + 1));
   std::memcpy(copy, from.data(), from.size());
   return copy;
+}
+
+size_t mi_mem_getsize(const void* memory) {
+  return memory ? head_of(const_cast<void*>(memory))->size : 0;
 }
