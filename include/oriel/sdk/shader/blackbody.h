@@ -4,8 +4,8 @@
 #define ORIEL_SDK_BLACKBODY_H
 
 // Conventions
-//   Temperatures in kelvin, wavelengths in nanometres. No published page gives the arguments of
-//   these functions: they are Oriel's choice.
+//   Temperatures in kelvin, wavelengths in nanometres.
+//   The arguments are Oriel's choice: no description of them was available.
 
 #include "types.h"
 

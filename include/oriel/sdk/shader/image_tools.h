@@ -4,8 +4,8 @@
 #define ORIEL_SDK_IMAGE_TOOLS_H
 
 // Conventions
-//   As in image.h. No page that could be read gives the arguments of these functions: they are
-//   Oriel's choice.
+//   As in image.h.
+//   The arguments are Oriel's choice: no description of them was available.
 
 #include "image.h"
 #include "types.h"

@@ -5,8 +5,8 @@
 
 // Conventions
 //   Every pointer but the tag may be NULL = not asked. Without an answer tags and numbers are 0,
-//   pointers NULL, matrices the identity. No page that could be read gives the arguments of these
-//   functions: they are Oriel's choice.
+//   pointers NULL, matrices the identity.
+//   The arguments are Oriel's choice: no description of them was available.
 
 #include "types.h"
 

@@ -6,7 +6,7 @@
 // Conventions
 //   A tree holds points of `dimension` coordinates, each with `size` bytes of data. Its tag is an
 //   element of the database, to the end of the frame. All calls may run in several threads at once.
-//   No page that could be read gives the arguments of these functions: they are Oriel's choice.
+//   The arguments are Oriel's choice: no description of them was available.
 
 #include "types.h"
 

@@ -4,8 +4,8 @@
 #define ORIEL_SDK_PROBE_H
 
 // Conventions
-//   As in trace.h. No page that could be read gives the arguments of these functions: they are
-//   Oriel's choice.
+//   As in trace.h.
+//   The arguments are Oriel's choice: no description of them was available.
 
 #include "state.h"
 

@@ -5,8 +5,9 @@
 
 // Conventions
 //   Oriel does not track volumes by itself (option autovolume): the list of a volume shader is the
-//   shader alone, that of others is empty. No page that could be read gives the arguments of these
-//   functions: they are Oriel's choice. Lists last while the shader runs.
+//   shader alone, that of others is empty.
+//   The arguments are Oriel's choice: no description of them was available. Lists last while the
+//   shader runs.
 
 #include "state.h"
 
