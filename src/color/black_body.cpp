@@ -40,6 +40,16 @@ Vec3 cie_1931_matching(float wavelength_nm) {
       1.217f * lobe(w, 437.0f, 0.0845f, 0.0278f) + 0.681f * lobe(w, 459.0f, 0.0385f, 0.0725f));
 }
 
+double black_body_spectral_radiance(double wavelength_nm, double kelvin) {
+  if (!(wavelength_nm > 0) || !(kelvin > 0)) return 0;
+  return planck(wavelength_nm * 1e-9, kelvin) * 1e-9;
+}
+
+double black_body_radiance(double kelvin) {
+  const double t2 = kelvin * kelvin;
+  return kelvin > 0 ? kStefanBoltzmann * t2 * t2 / kPi64 : 0;
+}
+
 Vec3 black_body_xyz(float kelvin) {
   constexpr int kFirstNm = 360, kLastNm = 830;
   double x = 0, y = 0, z = 0;
@@ -64,9 +74,7 @@ Rgb black_body_color(float kelvin) {
 }
 
 float black_body_efficacy(float kelvin) {
-  const double t2 = static_cast<double>(kelvin) * kelvin;
-  const double radiance = kStefanBoltzmann * t2 * t2 / kPi64;
-  return static_cast<float>(black_body_xyz(kelvin).y / radiance);
+  return static_cast<float>(black_body_xyz(kelvin).y / black_body_radiance(kelvin));
 }
 
 }  // namespace oriel

@@ -13,6 +13,16 @@ namespace oriel {
 ///          Functions", JCGT 2(2), 2013, equation 4.
 Vec3 cie_1931_matching(float wavelength_nm);
 
+/// Planck's law: spectral radiance of a black body, W m^-2 sr^-1 per nanometre; 0 unless both
+/// arguments are positive.
+/// Checked: BlackBody.SpectrumPeaksWhereWienSays
+double black_body_spectral_radiance(double wavelength_nm, double kelvin);
+
+/// Radiance of a black body over all wavelengths, W m^-2 sr^-1; 0 unless `kelvin` is positive.
+///
+/// Source:  the law of Stefan and Boltzmann, sigma T^4 / pi.
+double black_body_radiance(double kelvin);
+
 /// Luminance (Y, cd/m2) and its X and Z of a black body at `kelvin` > 0.
 /// Checked: BlackBody.ChromaticityMatchesTable, BlackBody.SunDiscGivesItsIlluminance
 Vec3 black_body_xyz(float kelvin);

@@ -73,6 +73,29 @@ TEST(BlackBody, ChromaticityMatchesTable) {
   }
 }
 
+TEST(BlackBody, SpectrumPeaksWhereWienSays) {
+  // Wien: 2.897772e-3 m K / T; the value there is 4.09567e-6 T^5 W m^-2 sr^-1 per metre.
+  for (const double kelvin : {2000.0, 5778.0}) {
+    const double peak = 2.897772e6 / kelvin;
+    const double value = black_body_spectral_radiance(peak, kelvin);
+    EXPECT_NEAR(value / (4.09567e-15 * std::pow(kelvin, 5)), 1, 1e-5);
+    EXPECT_LT(black_body_spectral_radiance(.99 * peak, kelvin), value);
+    EXPECT_LT(black_body_spectral_radiance(1.01 * peak, kelvin), value);
+  }
+}
+
+TEST(BlackBody, RadianceIsTheIntegralOfTheSpectrum) {
+  double sum = 0;  // trapezium rule in steps of 10 nm, up to 1 mm
+  for (int nm = 10; nm <= 1000000; nm += 10) sum += black_body_spectral_radiance(nm, 3000) * 10;
+  EXPECT_NEAR(sum / black_body_radiance(3000), 1, 1e-4);
+}
+
+TEST(BlackBody, ThatIsColdIsDark) {
+  EXPECT_EQ(black_body_radiance(0), 0);
+  EXPECT_EQ(black_body_spectral_radiance(500, -1), 0);
+  EXPECT_EQ(black_body_spectral_radiance(0, 3000), 0);
+}
+
 TEST(BlackBody, ColorMatchesTable) {
   // The tolerance is that of the fits: the range and step of the integral alone move 2e-3.
   for (const BlackBodyRow& row : kBlackBodies) {

@@ -44,6 +44,7 @@ struct Context {
   miColor opacity = {1, 1, 1, 1};
   bool opacity_known = false;
   std::vector<std::unique_ptr<OwnedChild>> children = {};
+  miColor volume_color = {0, 0, 0, 0};  ///< mi_volume_user_color
 
   // Light shaders.
   bool shadow_asked = false;     ///< mi_trace_shadow was called

@@ -164,6 +164,8 @@ void Host::forget() {
       known_.clear();
   known_texts_.clear(), records_.clear(), lights_.clear(), labels_.clear();
   labels_ready_ = false;
+  elements_.clear();
+  said_.clear();
   camera_ = nullptr, options_ = nullptr;
   world_ = nullptr;
 }
@@ -311,6 +313,15 @@ std::string_view Host::text(miTag tag) const {
   const std::shared_lock lock(mutex_);
   return index_of(tag) < texts_.size() ? std::string_view(texts_[index_of(tag)])
                                        : std::string_view();
+}
+
+bool Host::is_first(std::string_view words) {
+  {
+    const std::shared_lock lock(mutex_);
+    if (said_.find(words) != said_.end()) return false;
+  }
+  const std::unique_lock lock(mutex_);
+  return said_.emplace(words).second;
 }
 
 void Host::say(Severity severity, std::string text) {

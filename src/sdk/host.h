@@ -21,6 +21,7 @@
 #include "scene/scene.h"
 #include "sdk/crash.h"
 #include "sdk/library.h"
+#include "sdk/shader_elements.h"
 #include "sdk/tags.h"
 #include "sdk/user_spec.h"
 
@@ -99,6 +100,11 @@ class Host {
 
   /// What the state of a hit has as label: that of the instance, or else that of its object.
   miUint hit_label(std::size_t instance);
+  /// What shaders made for themselves in this frame.
+  ShaderElements& elements() { return elements_; }
+
+  /// Whether the frame asks for the first time with these words.
+  bool is_first(std::string_view words);
 
   void say(Severity severity, std::string text);
   /// Reports a crash while a frame is rendered, or after it, and stops the rendering.
@@ -154,6 +160,8 @@ class Host {
   std::atomic<const miOptions*> options_ = nullptr;
   std::recursive_mutex shader_lock_;
   miLock global_lock_;
+  ShaderElements elements_;
+  std::set<std::string, std::less<>> said_;
 };
 
 }  // namespace oriel::sdk

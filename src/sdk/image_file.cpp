@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Image files that shaders read and write.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string>
 
 #include "image/files.h"
 #include "oriel/sdk/shader/image.h"
+#include "oriel/sdk/shader/image_tools.h"
 #include "oriel/sdk/shader/system.h"
 #include "render/camera_output.h"
 #include "render/output_request.h"
@@ -27,8 +30,9 @@ using oriel::sdk::traits_of;
 /// What an open miImg_file means. The C structure has no room for it.
 struct OpenFile {
   std::string path;
-  std::string extension;       ///< of what is written, as the writers know it
-  std::optional<Image> image;  ///< of what is read
+  std::string extension;                ///< of what is written, as the writers know it
+  std::optional<Image> image;           ///< of what is read
+  std::shared_ptr<Picture> lines = {};  ///< what is written line by line, at the end
 };
 
 struct OpenFiles {
@@ -154,10 +158,42 @@ miBoolean mi_img_create(miImg_file* file, const char* name, miImg_type type, miI
 }
 
 miBoolean mi_img_close(miImg_file* file) {
+  const auto open = find(file);
+  if (!open) {
+    file->error = miIMG_ERR_NOTOPEN;
+    return miFALSE;
+  }
+  const miBoolean written = open->lines ? mi_img_image_write(file, open->lines.get()) : miTRUE;
   const std::lock_guard lock(files().mutex);
-  if (files().open.erase(file) > 0) return miTRUE;
-  file->error = miIMG_ERR_NOTOPEN;
-  return miFALSE;
+  files().open.erase(file);
+  return written;
+}
+
+miBoolean mi_img_line_read(miImg_file* file, miImg_image* image, int y) {
+  const auto open = find(file);
+  if (!open) return failed(file, miIMG_ERR_NOTOPEN, "");
+  if (!open->image) return failed(file, miIMG_ERR_READ, "");
+  if (!image || y < 0 || y >= std::min(image->height, open->image->height))
+    return failed(file, miIMG_ERR_ARGS, "");
+  oriel::sdk::fill_row(*static_cast<Picture*>(image), *open->image, y);
+  return miTRUE;
+}
+
+miBoolean mi_img_line_write(miImg_file* file, miImg_image* image, int y) {
+  const auto open = find(file);
+  if (!open || open->image) return failed(file, miIMG_ERR_NOTOPEN, "");
+  if (!image || y < 0 || y >= std::min(image->height, file->height))
+    return failed(file, miIMG_ERR_ARGS, "");
+  try {
+    if (!open->lines)
+      open->lines = std::make_shared<Picture>(file->type, file->width, file->height);
+  } catch (const std::bad_alloc&) {
+    return failed(file, miIMG_ERR_SIZE, "");
+  }
+  auto& from = *static_cast<Picture*>(image);
+  for (int x = 0; x < std::min(from.width, open->lines->width); ++x)
+    open->lines->set_colour(x, y, from.colour(x, y));
+  return miTRUE;
 }
 
 miBoolean mi_img_image_read(miImg_file* file, miImg_image* image) {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "oriel/sdk/shader/memory_blocks.h"
 #include "oriel/sdk/shader/system.h"
 
 namespace {
@@ -69,4 +70,8 @@ char* mi_mem_int_strdup(const char* file, int line, const char* text) {
   auto* copy = static_cast<char*>(mi_mem_int_allocate(file, line, from.size() + 1));
   std::memcpy(copy, from.data(), from.size());
   return copy;
+}
+
+size_t mi_mem_getsize(const void* memory) {
+  return memory ? head_of(const_cast<void*>(memory))->size : 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sdk/call.h"
+#include "sdk/once.h"
 
 namespace oriel::sdk {
 namespace {
@@ -84,8 +85,14 @@ miBoolean mi_photon_transparent(miColor* energy, miState* state) {
   return send(RayKind::PhotonTransparent, energy, state, vec(state->dir)) ? miTRUE : miFALSE;
 }
 // There are no photons in volumes.
-miBoolean mi_photon_volume_scattering(miColor*, miState*, const miVector*) { return miFALSE; }
-miBoolean mi_store_volume_photon(miColor*, miState*) { return miFALSE; }
+miBoolean mi_photon_volume_scattering(miColor*, miState*, const miVector*) {
+  warn_once("mi_photon_volume_scattering", "photons are not scattered in volumes");
+  return miFALSE;
+}
+miBoolean mi_store_volume_photon(miColor*, miState*) {
+  warn_once("mi_store_volume_photon", "photons are not stored in volumes");
+  return miFALSE;
+}
 
 miBoolean mi_store_photon(miColor* energy, miState* state) {
   PhotonNext* photon = context(state).photon;

@@ -210,17 +210,40 @@ Image to_image(Picture& picture) {
   return image;
 }
 
-void fill(Picture& picture, const Image& image) {
+void fill_row(Picture& picture, const Image& image, int y) {
   const int width = std::min(picture.width, image.width);
-  const int height = std::min(picture.height, image.height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const float* p = image.at(x, image.height - 1 - y);
-      const bool grey = image.channels < 3;
-      const float alpha = image.channels % 2 == 0 ? p[image.channels - 1] : 1;
-      picture.set_colour(x, y,
-                         grey ? Rgba(p[0], p[0], p[0], alpha) : Rgba(p[0], p[1], p[2], alpha));
+  if (y < 0 || y >= std::min(picture.height, image.height)) return;
+  for (int x = 0; x < width; ++x) {
+    const float* p = image.at(x, image.height - 1 - y);
+    const bool grey = image.channels < 3;
+    const float alpha = image.channels % 2 == 0 ? p[image.channels - 1] : 1;
+    picture.set_colour(x, y, grey ? Rgba(p[0], p[0], p[0], alpha) : Rgba(p[0], p[1], p[2], alpha));
+  }
+}
+
+void fill(Picture& picture, const Image& image) {
+  for (int y = 0; y < picture.height; ++y) fill_row(picture, image, y);
+}
+
+std::unique_ptr<Picture> halved(Picture& picture) {
+  auto half =
+      std::make_unique<Picture>(picture.type, (picture.width + 1) / 2, (picture.height + 1) / 2);
+  for (int y = 0; y < half->height; ++y)
+    for (int x = 0; x < half->width; ++x) {
+      const int left = 2 * x, right = std::min(left + 1, picture.width - 1);
+      const int low = 2 * y, high = std::min(low + 1, picture.height - 1);
+      if (traits_of(picture.type).storage == Storage::Label) {
+        std::memcpy(half->row(y, 0) + sizeof(miUint) * static_cast<std::size_t>(x),
+                    picture.row(low, 0) + sizeof(miUint) * static_cast<std::size_t>(left),
+                    sizeof(miUint));
+        continue;
+      }
+      half->set_colour(x, y,
+                       (picture.colour(left, low) + picture.colour(right, low) +
+                        picture.colour(left, high) + picture.colour(right, high)) *
+                           0.25f);
     }
+  return half;
 }
 
 }  // namespace oriel::sdk

@@ -32,6 +32,8 @@ struct Picture : miImg_image {
   Picture& operator=(const Picture&) = delete;
   /// A picture in one block of malloc, pixels included: free() may end it. Null without memory.
   static Picture* in_one_block(miImg_type type, int width, int height);
+  /// At half, a quarter, ... of the width and height, as far as they were asked for.
+  std::vector<std::unique_ptr<Picture>> levels;
 
   bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
   unsigned char* row(int y, int component);
@@ -56,5 +58,9 @@ struct Picture : miImg_image {
 /// Scanned from the top, as the renderer keeps pictures, and back.
 Image to_image(Picture& picture);
 void fill(Picture& picture, const Image& image);
+/// The row y of both, counted from the bottom.
+void fill_row(Picture& picture, const Image& image, int y);
+/// Half as wide and high, by the mean of four pixels; labels are those of the first.
+std::unique_ptr<Picture> halved(Picture& picture);
 
 }  // namespace oriel::sdk

@@ -316,6 +316,7 @@ Host::Record Host::make(miTag tag) {
 
 void* Host::access(miTag tag) {
   if (miObject* made = GeometryWork::object_of(tag)) return made;
+  if (kind_of(tag) == TagKind::Element) return elements_.bytes(tag);
   if (tag == miNULLTAG || !world_) return nullptr;
   if (const ShaderNode* n = node(tag))
     if (UserInstance* user = user_instance(*n)) {
@@ -336,6 +337,7 @@ void* Host::access(miTag tag) {
 }
 
 std::size_t Host::size_of_record(miTag tag) {
+  if (kind_of(tag) == TagKind::Element) return elements_.size(tag);
   if (!access(tag)) return 0;
   const std::shared_lock lock(mutex_);
   const auto found = records_.find(tag);
@@ -374,6 +376,8 @@ miScene_types Host::type_of(miTag tag) const {
       return miSCENE_LIGHTPROFILE;
     case TagKind::Made:
       return GeometryWork::object_of(tag) ? miSCENE_OBJECT : miSCENE_NONE;
+    case TagKind::Element:
+      return static_cast<miScene_types>(elements_.type(tag));
     default:
       return miSCENE_NONE;
   }

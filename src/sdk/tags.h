@@ -26,7 +26,8 @@ enum class TagKind : std::uint8_t {
   Options,
   Root,
   Profile,  ///< Host's list
-  Made      ///< by shaders, Host's list
+  Made,     ///< by shaders, Host's list
+  Element   ///< by mi_db_create or mi_kdtree_create, ShaderElements
 };
 
 inline constexpr unsigned kIndexBits = 26;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "../cli/program.h"
+#include "coverage_table.h"
 
 namespace oriel {
 namespace functions_test {
@@ -15,23 +16,10 @@ namespace fs = std::filesystem;
 
 const fs::path kSource = ORIEL_SOURCE_DIR;
 const fs::path kTable = kSource / "docs/c-interface-functions.md";
+const fs::path kGuide = kSource / "docs/c-interface.md";
 const fs::path kHeaders = kSource / "include/oriel/sdk";
 
-struct Offered {
-  std::string name, header, kind;
-};
-
-std::vector<Offered> offered() {
-  std::vector<Offered> all;
-  std::ifstream file(kHeaders / "functions.txt");
-  for (std::string line; std::getline(file, line);) {
-    Offered one;
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream(line) >> one.name >> one.header >> one.kind;
-    all.push_back(one);
-  }
-  return all;
-}
+std::vector<Offered> offered() { return offered_functions(kHeaders); }
 
 /// What shaders said of one function.
 struct Covered {
@@ -81,12 +69,21 @@ class SdkCoverage : public ProgramTest {
   }
 
   /// Messages have no answer: the shader says them, the program shows them.
-  void expect_messages(const std::string& shown) {
+  void expect_messages(const std::string& shown, const std::string& example,
+                       const std::map<std::string, std::string>& said) {
     std::ofstream told(file("covered.txt"), std::ios::app);
-    for (const char* name : {"mi_error", "mi_warning", "mi_info", "mi_progress", "mi_debug",
-                             "mi_vdebug", "mi_nerror", "mi_nwarning"}) {
-      const bool there = shown.find(std::string("covered: ") + name) != std::string::npos;
-      told << name << " memory.c 0 " << (there ? "right" : "wrong") << "\n";
+    for (const auto& [name, words] : said) {
+      const bool there = shown.find(words) != std::string::npos;
+      told << name << " " << example << " 0 " << (there ? "right" : "wrong") << "\n";
+    }
+  }
+
+  /// Each function with nothing behind it warns once.
+  static void expect_warnings(const std::string& shown, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      const std::size_t first = shown.find(name + ": ");
+      ASSERT_NE(first, std::string::npos) << name << " does not warn:\n" << shown;
+      EXPECT_EQ(shown.find(name + ": ", first + 1), std::string::npos) << name << " warns twice";
     }
   }
 
@@ -107,6 +104,34 @@ class SdkCoverage : public ProgramTest {
             << r.err;
       }
     }
+  }
+
+  /// coverage.txt names each once, says why, and agrees with functions.txt.
+  static void expect_names() {
+    if (std::getenv("ORIEL_UPDATE")) CoverageTable(kHeaders).prune(kHeaders);
+    const CoverageTable coverage(kHeaders);
+    const std::set<std::string> groups = {"declared", "shader", "geometry", "program"};
+    std::set<std::string> names;
+    for (const CoverageLine& line : coverage.lines()) {
+      if (!line.names()) continue;
+      EXPECT_TRUE(names.insert(line.name).second) << line.name << " is listed twice";
+      EXPECT_NE(line.reason, "") << line.name;
+      EXPECT_EQ(groups.count(line.group), 1u) << line.text;
+    }
+    EXPECT_FALSE(names.empty());
+    for (const std::string& name : coverage.superfluous())
+      ADD_FAILURE() << name << " is offered, coverage.txt says why it is not: ORIEL_UPDATE=1";
+    for (const std::string& name : coverage.not_offered())
+      ADD_FAILURE() << name << " is not offered: coverage.txt calls it declared";
+  }
+
+  /// The page with its table of counts, which stands between two marks.
+  static std::string guide(const std::string& counts) {
+    const std::string begin = "<!-- made by SdkCoverage -->\n", end = "<!-- end -->\n";
+    std::string text = text_of(kGuide.string());
+    const std::size_t from = text.find(begin), to = text.find(end);
+    if (from == std::string::npos || to == std::string::npos) return "without marks";
+    return text.replace(from, to - from, begin + "\n" + counts + "\n");
   }
 
   static std::string table(const std::map<std::string, Covered>& all) {
@@ -139,11 +164,33 @@ class SdkCoverage : public ProgramTest {
 
 // acceptance: I4
 TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
-  for (const char* scene : {"vectors", "random", "directions", "highlights", "spaces", "images",
-                            "evaluate", "textures", "tracing", "lights", "indirect", "photons",
-                            "output", "geometry", "shapes", "spectra", "particles"})
-    expect_rendered(scene);
-  expect_messages(render("memory").err);
+  std::map<std::string, std::string> said;
+  for (const char* scene :
+       {"vectors", "random", "directions", "highlights", "spaces", "images", "evaluate", "textures",
+        "tracing", "lights", "indirect", "photons", "output", "geometry", "shapes", "spectra", "particles", "blackbody",
+        "image_tools", "parameter_set", "texture_x", "volume"})
+    said[scene] = expect_rendered(scene);
+  expect_messages(render("memory").err, "memory.c",
+                  {{"mi_error", "covered: mi_error"},
+                   {"mi_warning", "covered: mi_warning"},
+                   {"mi_info", "covered: mi_info"},
+                   {"mi_progress", "covered: mi_progress"},
+                   {"mi_debug", "covered: mi_debug"},
+                   {"mi_vdebug", "covered: mi_vdebug"},
+                   {"mi_nerror", "covered: mi_nerror"},
+                   {"mi_nwarning", "covered: mi_nwarning"}});
+  expect_messages(render("database").err, "database.c",
+                  {{"mi_db_dump", "shaders have made 2 elements of 8000 bytes"}});
+  expect_messages(render("memory_blocks").err, "memory_blocks.c",
+                  {{"mi_mem_summary", "memory in use: "}, {"mi_mem_dump", "memory in use: "}});
+  expect_warnings(render("renderpass").err,
+                  {"mi_renderpass_access", "mi_renderpass_resolution", "mi_renderpass_sample_get",
+                   "mi_renderpass_sample_put", "mi_renderpass_samplerect_black",
+                   "mi_renderpass_samplerect_flush"});
+  expect_warnings(said["output"], {"mi_get_contour_line", "mi_add_contour_lines"});
+  expect_warnings(said["photons"], {"mi_store_volume_photon", "mi_photon_volume_scattering"});
+  expect_warnings(said["indirect"],
+                  {"mi_compute_volume_irradiance", "mi_compute_directional_irradiance"});
   expect_stops();
 
   const auto all = covered();
@@ -161,9 +208,15 @@ TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
   for (const auto& [name, what] : all)
     EXPECT_EQ(names.count(name), 1u) << name << " is covered, but not offered";
 
-  const std::string made = table(all);
-  if (std::getenv("ORIEL_UPDATE")) std::ofstream(kTable) << made;
+  expect_names();
+  const CoverageTable coverage(kHeaders);
+  const std::string made = table(all) + coverage.names(), counted = guide(coverage.counts());
+  if (std::getenv("ORIEL_UPDATE")) {
+    std::ofstream(kTable) << made;
+    std::ofstream(kGuide) << counted;
+  }
   EXPECT_EQ(text_of(kTable.string()), made) << "docs/c-interface-functions.md is out of date";
+  EXPECT_EQ(text_of(kGuide.string()), counted) << "docs/c-interface.md is out of date";
 }
 
 }  // namespace functions_test

@@ -8,6 +8,7 @@
 //   may call what: functions.txt beside this file.
 
 #include "mi_shader_if.h"
+#include "shader/blackbody.h"
 #include "shader/brdf.h"
 #include "shader/call.h"
 #include "shader/database.h"
@@ -15,12 +16,19 @@
 #include "shader/enums.h"
 #include "shader/eval.h"
 #include "shader/image.h"
+#include "shader/image_tools.h"
+#include "shader/info.h"
 #include "shader/irradiance.h"
+#include "shader/kdtree.h"
 #include "shader/light.h"
+#include "shader/memory_blocks.h"
 #include "shader/options.h"
 #include "shader/output.h"
+#include "shader/parameter_set.h"
 #include "shader/photon.h"
+#include "shader/probe.h"
 #include "shader/query.h"
+#include "shader/renderpass.h"
 #include "shader/sample.h"
 #include "shader/scene.h"
 #include "shader/space.h"
@@ -28,8 +36,10 @@
 #include "shader/state.h"
 #include "shader/system.h"
 #include "shader/texture.h"
+#include "shader/texture_x.h"
 #include "shader/trace.h"
 #include "shader/types.h"
 #include "shader/vector.h"
+#include "shader/volume.h"
 
 #endif

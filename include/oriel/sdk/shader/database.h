@@ -7,6 +7,8 @@
 //   mi_db_access gives lights as miLight, instances as miInstance, materials as miMaterial, shader
 //   calls as miFunction, data as miUserdata, images as miImg_image, strings as char. Read only, and
 //   valid to the end of the frame.
+//   Elements that shaders make live to the end of the frame as well and may be written; the frame
+//   after it does not know their tags.
 
 #include "types.h"
 
@@ -24,6 +26,22 @@ int mi_db_type(miTag tag);
 int mi_db_size(miTag tag);
 /// As mi_db_access, and its miScene_types.
 void* mi_db_access_type(int* type, miTag tag);
+/// A new element of `size` bytes of 0, of one of miScene_types above miSCENE_NONE; pinned. NULL,
+/// and tag 0, where none can be made.
+void* mi_db_create(miTag* tag, int type, int size);
+/// Gives an element of mi_db_create another size; what is new is 0. Its address, which may change;
+/// NULL: there is no such element.
+void* mi_db_realloc(miTag tag, int size);
+/// Ends an element of mi_db_create. Elements of the scene stay.
+void mi_db_delete(miTag tag);
+/// A copy of an element with a tag of its own; 0: of this kind there are no copies.
+miTag mi_db_copy(miTag tag);
+/// Whether an element is computed only when it is asked for; never here.
+miBoolean mi_db_isjob(miTag tag);
+/// Tells how many elements shaders have made, and their bytes.
+void mi_db_dump(void);
+/// Sends a changed element to other machines; there are none.
+void mi_db_flush(miTag tag);
 /// An element to be changed, until mi_scene_edit_end.
 void* mi_scene_edit(miTag tag);
 /// Ends mi_scene_edit.

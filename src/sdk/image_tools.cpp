@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What files can hold, smaller images, and colours that fit.
+#include "oriel/sdk/shader/image_tools.h"
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+
+#include "base/math.h"
+#include "render/output_request.h"
+#include "sdk/picture.h"
+
+namespace {
+
+using oriel::sdk::Picture;
+using oriel::sdk::Storage;
+
+/// 0 to 1; not a number is 0.
+float within_one(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
+
+/// Fades to white: moves all channels towards their mean until the largest is 1.
+void fade_to_white(miColor& c) {
+  const float largest = std::max({c.r, c.g, c.b});
+  if (!(largest > 1)) return;
+  const float mean = (c.r + c.g + c.b) * (1.0f / 3);
+  if (!(mean < 1)) {
+    c.r = c.g = c.b = 1;
+    return;
+  }
+  const float keep = (1 - mean) / (largest - mean);
+  for (float* v : {&c.r, &c.g, &c.b}) *v = mean + (*v - mean) * keep;
+}
+
+float tonemapped(float v, float exposure, float gamma) {
+  const float c = v > 0 ? std::min(v * exposure, 1e30f) : 0.0f;
+  // E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002, equation 3.
+  return oriel::math::pow(c / (1 + c), gamma > 0 ? 1 / gamma : 1.0f);
+}
+
+}  // namespace
+
+extern "C" {
+
+miImg_type mi_img_best_type(miImg_format format) {
+  switch (format) {
+    case miIMG_FORMAT_EXR:
+      return miIMG_TYPE_RGBA_FP;
+    case miIMG_FORMAT_HDR:
+      return miIMG_TYPE_RGBE;
+    case miIMG_FORMAT_PNG:
+    case miIMG_FORMAT_TIFF:
+    case miIMG_FORMAT_TIFF_16:
+      return miIMG_TYPE_RGBA_16;
+    case miIMG_FORMAT_JPEG:
+    case miIMG_FORMAT_BMP:
+      return miIMG_TYPE_RGB;
+    default:
+      return miIMG_TYPE_RGBA;
+  }
+}
+
+miBoolean mi_img_type_query(miImg_format format, miImg_type type) {
+  const char* name = format == miIMG_FORMAT_TIFF_16 ? "tif" : mi_img_format_name(format);
+  if (type < 0 || type >= miIMG_NTYPES || oriel::writable_format(name).empty()) return miFALSE;
+  const oriel::sdk::TypeTraits& traits = oriel::sdk::traits_of(type);
+  const Storage storage = traits.storage;
+  switch (format) {
+    case miIMG_FORMAT_EXR:
+      return storage == Storage::Half || storage == Storage::Float ? miTRUE : miFALSE;
+    case miIMG_FORMAT_HDR:
+      return storage == Storage::SharedExponent ? miTRUE : miFALSE;
+    case miIMG_FORMAT_PNG:
+    case miIMG_FORMAT_TIFF:
+    case miIMG_FORMAT_TIFF_16:
+      return storage == Storage::U8 || storage == Storage::U16 ? miTRUE : miFALSE;
+    case miIMG_FORMAT_TARGA:
+      return storage == Storage::U8 ? miTRUE : miFALSE;
+    default:
+      return storage == Storage::U8 && traits.components < 4 ? miTRUE : miFALSE;
+  }
+}
+
+void mi_img_clip_color(miColor* color, miBoolean desaturate) {
+  if (desaturate) fade_to_white(*color);
+  for (float* v : {&color->r, &color->g, &color->b, &color->a}) *v = within_one(*v);
+}
+
+void mi_img_tonemap(miColor* color, miScalar exposure, miScalar gamma) {
+  for (float* v : {&color->r, &color->g, &color->b}) *v = tonemapped(*v, exposure, gamma);
+}
+
+miImg_image* mi_img_pyramid_get_level(miImg_image* image, int level) {
+  static std::mutex mutex;
+  if (!image || level < 0) return nullptr;
+  if (level == 0) return image;
+  auto& whole = *static_cast<Picture*>(image);
+  const std::lock_guard lock(mutex);
+  try {
+    while (whole.levels.size() < static_cast<std::size_t>(level)) {
+      Picture& before = whole.levels.empty() ? whole : *whole.levels.back();
+      if (before.width <= 1 && before.height <= 1) return nullptr;
+      whole.levels.push_back(halved(before));
+    }
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+  return whole.levels[static_cast<std::size_t>(level) - 1].get();
+}
+
+}  // extern "C"

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Probes that reach so far and no farther, and where rays start.
+#include "oriel/sdk/shader/probe.h"
+
+#include "oriel/sdk/shader/trace.h"
+
+extern "C" {
+
+miBoolean mi_trace_probe_x(miState* state, const miVector* direction, const miVector* origin,
+                           double distance) {
+  if (!mi_trace_probe(state, direction, origin)) return miFALSE;
+  // The nearest hit is the only one that may be near enough.
+  miState* child = state->child;
+  if (!child || !(distance > 0) || child->dist <= distance) return miTRUE;
+  child->dist = 0;
+  child->pri = nullptr;
+  child->material = child->instance = miNULLTAG;
+  return miFALSE;
+}
+
+void mi_state_set_pri(miState* state, void* pri) {
+  if (state) state->pri = static_cast<decltype(state->pri)>(pri);
+}
+
+}  // extern "C"

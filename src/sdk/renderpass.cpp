@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of render passes: there are none.
+#include "oriel/sdk/shader/renderpass.h"
+
+#include "sdk/once.h"
+
+namespace {
+
+/// Every answer is that of a pass that is not there.
+miBoolean no_pass(const char* function) {
+  oriel::sdk::warn_once(function, "files of render passes are neither read nor written");
+  return miFALSE;
+}
+
+}  // namespace
+
+extern "C" {
+
+void* mi_renderpass_access(miState*, int, int) {
+  no_pass("mi_renderpass_access");
+  return nullptr;
+}
+
+// Loops over the resolution then end at once.
+miBoolean mi_renderpass_resolution(int* xl, int* yl, int* xs, int* ys, int* xres, int* yres,
+                                   miState*, int, int) {
+  for (int* number : {xl, yl, xs, ys, xres, yres})
+    if (number) *number = 0;
+  return no_pass("mi_renderpass_resolution");
+}
+
+miBoolean mi_renderpass_sample_get(void*, int, miState*, int, int, int) {
+  return no_pass("mi_renderpass_sample_get");
+}
+
+miBoolean mi_renderpass_sample_put(const void*, int, miState*, int, int, int) {
+  return no_pass("mi_renderpass_sample_put");
+}
+
+miBoolean mi_renderpass_samplerect_black(miState*, int, int, int) {
+  return no_pass("mi_renderpass_samplerect_black");
+}
+
+miBoolean mi_renderpass_samplerect_flush(miState*, int, int, int) {
+  return no_pass("mi_renderpass_samplerect_flush");
+}
+
+}  // extern "C"
