@@ -116,7 +116,7 @@ void Host::forget() {
   const std::unique_lock lock(mutex_);
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
       known_.clear();
-  known_texts_.clear(), records_.clear(), lights_.clear();
+  known_texts_.clear(), records_.clear(), replaced_.clear(), lights_.clear(), named_.clear();
   camera_ = nullptr, options_ = nullptr;
   world_ = nullptr;
 }
@@ -221,6 +221,21 @@ const scene::UserData* Host::user_data(miTag tag) const {
   return recall(TagKind::UserData, tag, user_data_);
 }
 
+void Host::declare(const scene::ShaderDeclaration& declaration) {
+  for (const auto& library : libraries_)
+    if (void* function = library->find(declaration.name)) {
+      if (const UserSpec* spec = declare(declaration, *library, function)) registry_->add(spec);
+      return;
+    }
+}
+
+const UserSpec* Host::declaration_named(const std::string& name) const {
+  const auto found = std::find_if(specs_.begin(), specs_.end(), [&](const auto& spec) {
+    return !spec->is_data && spec->own_name == name;
+  });
+  return found == specs_.end() ? nullptr : found->get();
+}
+
 const UserSpec* Host::data_layout(const std::string& name) const {
   const auto found = std::find_if(specs_.rbegin(), specs_.rend(), [&](const auto& spec) {
     return spec->is_data && spec->own_name == name;
@@ -255,6 +270,14 @@ std::string_view Host::text(miTag tag) const {
   const std::shared_lock lock(mutex_);
   return index_of(tag) < texts_.size() ? std::string_view(texts_[index_of(tag)])
                                        : std::string_view();
+}
+
+void Host::warn_once(const char* code, const std::string& text) {
+  {
+    const std::unique_lock lock(mutex_);
+    if (!warned_.insert(text).second) return;
+  }
+  diagnostics_.warning(code, {}, text);
 }
 
 void Host::say(Severity severity, std::string text) {

@@ -6,7 +6,9 @@
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/frame_buffers.h"
+#include "sdk/geometry_parts.h"
 #include "sdk/host.h"
+#include "sdk/made_record.h"
 #include "sdk/query_elements.h"
 #include "sdk/user_data.h"
 
@@ -304,10 +306,31 @@ Host::Record Host::make(miTag tag) {
       r.bytes[s.size()] = std::byte{0};
       return r;
     }
+    case TagKind::Root: {
+      Record r;
+      r.bytes = root_record(*this, r.size);
+      return r;
+    }
+    case TagKind::Made: {
+      Record r;
+      r.bytes = element_record(*this, made::name_of(tag), r.size);
+      return r;
+    }
+    case TagKind::Declaration:
+      if (const UserSpec* spec = declaration(tag)) return record(miFunction_decl{spec->version});
+      break;
     default:
       break;
   }
   return {};
+}
+
+void Host::renew(miTag tag) {
+  const std::unique_lock lock(mutex_);
+  const auto found = records_.find(tag);
+  if (found == records_.end()) return;
+  replaced_.push_back(std::move(found->second));
+  records_.erase(found);
 }
 
 void* Host::access(miTag tag) {
@@ -367,6 +390,8 @@ miScene_types Host::type_of(miTag tag) const {
       return miSCENE_OPTIONS;
     case TagKind::Profile:
       return miSCENE_LIGHTPROFILE;
+    case TagKind::Made:
+      return type_of_element(*this, made::name_of(tag));
     default:
       return miSCENE_NONE;
   }

@@ -141,7 +141,7 @@ class SdkCoverage : public ProgramTest {
 TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
   for (const char* scene :
        {"vectors", "random", "directions", "highlights", "spaces", "images", "evaluate", "textures",
-        "tracing", "lights", "indirect", "photons", "output", "geometry"})
+        "tracing", "lights", "indirect", "photons", "output", "geometry", "elements"})
     expect_rendered(scene);
   expect_messages(render("memory").err);
   expect_stops();
