@@ -111,7 +111,8 @@ std::string finish(GeometryWork& work) {
     callback.call(GeometryWork::tag_of(callback.object), callback.arguments);
   }
   if (work.results.empty()) return {};
-  if (work.results.size() == 1) return work.results[0];
+  if (work.results.size() == 1 && !work.scene->get<scene::Instance>(work.results[0]))
+    return work.results[0];
   scene::InstanceGroup all;
   for (const std::string& result : work.results) {
     if (work.scene->get<scene::Instance>(result)) {

@@ -87,8 +87,9 @@ Mat4 matrix_of(const miMatrix m) {
 }
 
 std::string name_of(miTag tag) {
-  const std::string* name = GeometryWork::name_of(tag);
-  return name ? *name : std::string();
+  if (const std::string* name = GeometryWork::name_of(tag)) return *name;
+  const Host* host = current_host();
+  return host && kind_of(tag) != TagKind::Made ? host->name_of(tag) : std::string();
 }
 
 scene::ShaderList shader_list(const scene::Scene& scene, miTag call) {

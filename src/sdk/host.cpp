@@ -111,6 +111,8 @@ void Host::attach(const World& world) {
   world_ = &world;
 }
 
+void Host::detach() { forget(); }
+
 /// What was made for a world means nothing to the next.
 void Host::forget() {
   const std::unique_lock lock(mutex_);

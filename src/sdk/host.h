@@ -49,6 +49,8 @@ class Host {
   /// The world under way: known from when its first user's shader is bound.
   const World* world() const { return world_; }
   void attach(const World& world);
+  /// Forgets the world that it is attached to.
+  void detach();
   Diagnostics& diagnostics() { return diagnostics_; }
   const std::vector<std::unique_ptr<Library>>& libraries() const { return libraries_; }
   /// Calls the exit functions of the shaders that were initialised, and forgets the world; to be

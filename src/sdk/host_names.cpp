@@ -45,7 +45,8 @@ std::unordered_map<std::string, miTag> names_of(const World& world, Host& host) 
     add(placed_by(scene, world.instances[i].name), make_tag(TagKind::Object, i));
   }
   for (const Material& material : world.materials) add(material.name, host.tag_of(&material));
-  for (const auto& node : world.nodes) add(bound_name(world, node.get()), host.tag_of(node.get()));
+  for (const auto& node : world.nodes)
+    if (world.names.count(node.get())) add(bound_name(world, node.get()), host.tag_of(node.get()));
   for (const auto& texture : world.textures)
     add(bound_name(world, texture.get()), host.tag_of(texture.get()));
   return names;

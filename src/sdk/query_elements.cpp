@@ -86,7 +86,7 @@ bool ask_group(miQ_type query, Host& host, miTag tag, void* result, int index) {
 }
 
 bool ask_data(miQ_type query, Host& host, miTag tag, void* result) {
-  if (kind_of(tag) != TagKind::UserData) return false;
+  if (host.type_of(tag) != miSCENE_USERDATA) return false;
   auto* data = static_cast<miUserdata*>(host.access(tag));
   if (!data) return false;
   switch (query) {

@@ -226,7 +226,10 @@ void output(const Call& call, OutputPicture& picture) {
 
 std::string geometry(const Call& call, scene::Scene& scene) {
   UserInstance& shader = instance_of(call);
-  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  Host& host = *shader.spec->host;
+  // The world of geometry shaders ends before the one that is rendered is known.
+  if (call.point.world) host.attach(*call.point.world);
+  StateFrame frame(host, call.point, nullptr);
   GeometryWork work;
   work.scene = &scene;
   work.prefix = std::string(shader.spec->name) + ":";
@@ -235,6 +238,7 @@ std::string geometry(const Call& call, scene::Scene& scene) {
   std::string made;
   if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) made = finish(work);
   GeometryWork::current() = outer;
+  host.detach();
   return made;
 }
 
