@@ -153,6 +153,60 @@ TEST(Elements, ALightIsFoundByItsName) {
   expect_color(made, written, 1e-3f);
 }
 
+TEST(Elements, ALightListLinksLightsToAnInstance) {
+  const auto linked = [](const std::string& exclusive) {
+    return shown(
+        make("miInstance *in; miTag list; plate(\"p\", 0); mi_api_light_list_begin();"
+             "mi_api_light_list_add(t(\"b_i\")); list = mi_api_light_list_end();"
+             "in = mi_api_instance_begin(t(\"p_i\")); in->light_list = list;"
+             "in->exclusive = " +
+             exclusive +
+             "; in->material = mi_api_name_lookup(t(\"l\"));"
+             "return mi_geoshader_add_result(result,"
+             "  mi_api_instance_end(t(\"p\"), 0, 0));"),
+        "material \"l\" \"mib_illum_lambert\" ( \"diffuse\" 1 1 1, \"mode\" 0 ) end material "
+        "light \"a\" \"mib_light_point\" ( \"color\" 1 0 0 ) origin 0 0 3 end light "
+        "light \"b\" \"mib_light_point\" ( \"color\" 0 1 0 ) origin 0 0 3 end light "
+        "instance \"a_i\" \"a\" end instance instance \"b_i\" \"b\" end instance ",
+        "\"a_i\" \"b_i\" \"made\"");
+  };
+  const Rgb own = linked("miFALSE"), others = linked("miTRUE");
+  EXPECT_EQ(own.x, 0);
+  EXPECT_GT(own.y, .5f);
+  EXPECT_GT(others.x, .5f);
+  EXPECT_EQ(others.y, 0);
+}
+
+TEST(Elements, ATextureIsLookedUp) {
+  ShaderFolder folder;
+  std::ofstream(folder.file("one.ppm"), std::ios::binary) << "P6 1 1 255\n"
+                                                          << std::string("\xff\x00\xff", 3);
+  folder.compile("g",
+                 make("miTag tex; miMaterial *m; miInstance *in;"
+                      "mi_api_texture_begin(t(\"picture\"), 0, 0);"
+                      "tex = mi_api_texture_file_def(t(\"" +
+                      folder.file("one.ppm") +
+                      "\")); if (tex != mi_api_texture_lookup(t(\"picture\"), 0)) return miFALSE;"
+                      "m = mi_api_material_begin(t(\"mat\"));"
+                      "mi_api_function_call(t(\"look\")); mi_api_parameter_name(t(\"tex\"));"
+                      "mi_api_parameter_value(miTYPE_COLOR_TEX, &tex, 0, 0);"
+                      "m->shader = mi_api_function_call_end(0); mi_api_material_end();"
+                      "plate(\"p\", 0); in = mi_api_instance_begin(t(\"p_i\"));"
+                      "in->material = mi_api_name_lookup(t(\"mat\"));"
+                      "return mi_geoshader_add_result(result,"
+                      "  mi_api_instance_end(t(\"p\"), 0, 0));") +
+                     "struct look { miTag tex; };"
+                     "DLLEXPORT miBoolean look(miColor *r, miState *state, struct look *p) {"
+                     "  miVector c = {.5f, .5f, 0};"
+                     "  return mi_lookup_color_texture(r, state, *mi_eval_tag(&p->tex), &c); }");
+  UserScene scene(folder,
+                  std::string(kScene) +
+                      "declare shader color \"look\" ( color texture \"tex\" ) "
+                      "apply material end declare ",
+                  "\"made\"");
+  expect_color(scene.pixel(4, 4), Rgb(1, 0, 1), 1e-3f);
+}
+
 TEST(Elements, ShadowMapsOfALightAreTakenAndIgnored) {
   const Rgb plain = shown(lit(""), kLambert, "\"square_i\" \"made\"");
   const Rgb mapped = shown(lit("l->use_shadow_maps = miTRUE; l->shadowmap_resolution = 512;"
