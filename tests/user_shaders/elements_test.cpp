@@ -69,20 +69,19 @@ TEST(Elements, AnInstanceOfAGeometryShaderCallIsMade) {
 }
 
 TEST(Elements, AGroupIsReadAsItWasMade) {
-  expect_color(
-      shown(make("miGroup *g; miInstance *in; miTag group; plate(\"p\", 1);"
-                 "mi_api_instance_begin(t(\"a\")); mi_api_instance_end(t(\"p\"), 0, 0);"
-                 "mi_api_instance_begin(t(\"b\")); mi_api_instance_end(t(\"p\"), 0, 0);"
-                 "mi_api_instgroup_begin(t(\"both\")); mi_api_instgroup_additem(t(\"gone\"));"
-                 "mi_api_instgroup_clear(); mi_api_instgroup_additem(t(\"a\"));"
-                 "mi_api_instgroup_additem(t(\"b\")); group = mi_api_instgroup_end();"
-                 "if (mi_db_type(group) != miSCENE_GROUP) return miFALSE;"
-                 "g = (miGroup*)mi_db_access(group); if (g->no_kids != 2) return miFALSE;"
-                 "in = (miInstance*)mi_db_access(g->kids[1]);"
-                 "if (strcmp(mi_api_tag_lookup(in->item), \"p\")) return miFALSE;"
-                 "mi_db_unpin(g->kids[1]); mi_db_unpin(group);"
-                 "return mi_geoshader_add_result(result, group);")),
-      Rgb(1), 1e-4f);
+  expect_color(shown(make("miGroup *g; miInstance *in; miTag group; plate(\"p\", 1);"
+                          "mi_api_instance_begin(t(\"a\")); mi_api_instance_end(t(\"p\"), 0, 0);"
+                          "mi_api_instance_begin(t(\"b\")); mi_api_instance_end(t(\"p\"), 0, 0);"
+                          "mi_api_instgroup_begin(t(\"both\")); mi_api_instgroup_additem(t(\"b\"));"
+                          "mi_api_instgroup_clear(); mi_api_instgroup_additem(t(\"a\"));"
+                          "mi_api_instgroup_additem(t(\"b\")); group = mi_api_instgroup_end();"
+                          "if (mi_db_type(group) != miSCENE_GROUP) return miFALSE;"
+                          "g = (miGroup*)mi_db_access(group); if (g->no_kids != 2) return miFALSE;"
+                          "in = (miInstance*)mi_db_access(g->kids[1]);"
+                          "if (strcmp(mi_api_tag_lookup(in->item), \"p\")) return miFALSE;"
+                          "mi_db_unpin(g->kids[1]); mi_db_unpin(group);"
+                          "return mi_geoshader_add_result(result, group);")),
+               Rgb(1), 1e-4f);
 }
 
 TEST(Elements, TheRootGroupIsWalkedWhileRendering) {
