@@ -84,6 +84,7 @@ const ShaderNode* Binder::bind_named(const scene::ShaderElement& element, Scope*
   binding_.push_back(key);
   const NodeList nodes = bind_list(element.functions, scope);
   binding_.pop_back();
+  if (!nodes.empty()) world_.names.try_emplace(nodes.back(), element.name);
   return known[element.name] = nodes.empty() ? nullptr : nodes.back();
 }
 

@@ -55,13 +55,16 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
     auto made =
         TextureNode::open(*element, world_.texture_system, world_.options.gamma, diagnostics_);
     if (made->missing()) report_.missing_textures.push_back(element->file);
-    return textures_[name] = keep(std::move(made));
+    const TextureNode* kept = keep(std::move(made));
+    world_.names.try_emplace(kept, name);
+    return textures_[name] = kept;
   }
   NodeList nodes = bind_list(element->procedure, nullptr);
   float cost = 0;
   for (const ShaderNode* node : nodes) cost += node->cost_;
   const TextureNode* made = keep(std::make_unique<TextureNode>(std::move(nodes)));
   texture_cost_[made] = cost;
+  world_.names.try_emplace(made, name);
   return textures_[name] = made;
 }
 

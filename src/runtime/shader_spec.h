@@ -258,6 +258,7 @@ class Registry {
   /// `maya_x`.
   const ShaderSpec* find(std::string_view name) const;
   const std::vector<const ShaderSpec*>& all() const { return specs_; }
+  void add(const ShaderSpec* spec) { specs_.push_back(spec); }
 
  private:
   std::vector<const ShaderSpec*> specs_;

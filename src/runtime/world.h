@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "geom/accel.h"
@@ -101,6 +102,7 @@ struct World {
   TextureSystem texture_system;
   std::deque<std::unique_ptr<TextureNode>> textures;
   std::deque<std::string> strings;
+  std::unordered_map<const void*, std::string> names;  ///< of bound shaders and textures
 };
 
 /// Way of what the point is on in one motion interval, world.

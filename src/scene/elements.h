@@ -176,6 +176,7 @@ struct UserData {
   std::string file;
   std::string declaration;  ///< of `declare data`
   std::vector<Argument> arguments;
+  std::string next;       ///< data that a geometry shader chained to it; not written to files
   std::string directory;  ///< of the file that defined it, for relative names; not compared
   SourceLocation where;
   friend bool operator==(const UserData&, const UserData&);

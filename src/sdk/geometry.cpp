@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects, instances, groups and lights that geometry shaders make.
-#include <cstring>
+// Objects that geometry shaders make, and what they return.
+#include <deque>
 #include <mutex>
 #include <unordered_map>
 
 #include "sdk/context.h"
+#include "sdk/current.h"
+#include "sdk/geometry_parts.h"
 #include "sdk/geometry_work.h"
+#include "sdk/host.h"
 #include "sdk/tags.h"
 
 namespace oriel::sdk {
@@ -22,37 +25,10 @@ Names& names() {
   return all;
 }
 
-scene::Value boolean(bool on) {
-  scene::Value v;
-  v.kind = scene::Value::Kind::Boolean;
-  v.boolean = on;
-  return v;
-}
-scene::Value integer(int number) {
-  scene::Value v;
-  v.kind = scene::Value::Kind::Numbers;
-  v.integral = true;
-  v.numbers = {static_cast<double>(number)};
-  return v;
-}
-
 /// Sets the last vertex's entry of a column that may not be there yet.
 void set_last(std::vector<std::uint32_t>& column, std::size_t vertices, int value) {
   column.resize(vertices, scene::kNone);
   if (value >= 0) column.back() = static_cast<std::uint32_t>(value);
-}
-
-Mat4 matrix_of(const miMatrix m) {
-  Mat4 out;
-  std::memcpy(out.getValue(), m, sizeof(miMatrix));
-  return out;
-}
-
-/// The name that an item was given by name or by tag.
-std::string item_name(const char* name, miTag tag) {
-  const std::string* known = GeometryWork::name_of(tag);
-  std::string own = taken(name);
-  return known ? *known : own;
 }
 
 }  // namespace
@@ -63,7 +39,23 @@ GeometryWork*& GeometryWork::current() {
 }
 
 std::string GeometryWork::name_for(const char* wanted) {
-  return free_name(wanted ? taken(wanted) : std::string("made"));
+  const std::string name = taken(wanted);
+  if (incremental && !name.empty())
+    if (std::string known = own_name(name); scene->find(known)) return known;
+  return free_name(name);
+}
+
+std::string GeometryWork::own_name(const std::string& name) const {
+  const auto found = given.find(name);
+  return found == given.end() ? name : found->second;
+}
+
+miTag GeometryWork::add(scene::Element element) {
+  const std::string name = scene::name_of(element);
+  scene->add(std::move(element));
+  const miTag tag = tag_of(name);
+  if (Host* host = current_host()) host->renew(tag);
+  return tag;
 }
 
 miTag GeometryWork::tag_of(const std::string& name) {
@@ -85,7 +77,8 @@ const std::string* GeometryWork::name_of(miTag tag) {
 std::string finish(GeometryWork& work) {
   finish_objects(work);
   if (work.results.empty()) return {};
-  if (work.results.size() == 1) return work.results[0];
+  if (work.results.size() == 1 && !work.scene->get<scene::Instance>(work.results[0]))
+    return work.results[0];
   scene::InstanceGroup all;
   for (const std::string& result : work.results) {
     if (work.scene->get<scene::Instance>(result)) {
@@ -216,162 +209,6 @@ miBoolean mi_api_poly_end(void) {
   if (!group) return miFALSE;
   group->polygons.first.push_back(static_cast<std::uint32_t>(group->polygons.indices.size()));
   return miTRUE;
-}
-
-miInstance* mi_api_instance_begin(const char* name) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return nullptr;
-  work->instance = {};
-  work->instance.name = work->name_for(name);
-  work->instance_data = {};
-  for (const int i : {0, 5, 10, 15})
-    work->instance_data.tf.global_to_local[i] = work->instance_data.tf.local_to_global[i] = 1;
-  return &work->instance_data;
-}
-
-miTag mi_api_instance_end(const char* name, miTag item, ...) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || work->instance.name.empty()) return miNULLTAG;
-  scene::Instance& made = work->instance;
-  made.element = item_name(name, item);
-  made.transform = matrix_of(work->instance_data.tf.global_to_local);
-  if (const std::string* material = GeometryWork::name_of(work->instance_data.material))
-    made.materials = {*material};
-  const std::string own = made.name;
-  work->scene->add(std::move(made));
-  made = {};
-  return GeometryWork::tag_of(own);
-}
-
-miGroup* mi_api_instgroup_begin(const char* name) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return nullptr;
-  work->group = {};
-  work->group.name = work->name_for(name);
-  return reinterpret_cast<miGroup*>(&work->group);
-}
-
-miBoolean mi_api_instgroup_additem(const char* name, miTag tag) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return miFALSE;
-  work->group.members.push_back(item_name(name, tag));
-  return miTRUE;
-}
-
-miTag mi_api_instgroup_end(void) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || work->group.name.empty()) return miNULLTAG;
-  const std::string own = work->group.name;
-  work->scene->add(std::move(work->group));
-  work->group = {};
-  return GeometryWork::tag_of(own);
-}
-
-miLight* mi_api_light_begin(const char* name) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return nullptr;
-  work->light = {};
-  work->light.name = work->name_for(name);
-  work->light_data = {};
-  return &work->light_data;
-}
-
-miTag mi_api_light_end(void) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || work->light.name.empty()) return miNULLTAG;
-  const miLight& data = work->light_data;
-  if (data.type != miLIGHT_DIRECTION) work->light.origin = vec(data.origin);
-  if (data.type != miLIGHT_ORIGIN) work->light.direction = vec(data.direction);
-  if (data.type == miLIGHT_SPOT) work->light.spread = data.spread;
-  if (const std::string* shader = GeometryWork::name_of(data.shader))
-    work->light.shaders.push_back({*shader, {}, {}, false, {}});
-  const std::string own = work->light.name;
-  work->scene->add(std::move(work->light));
-  work->light = {};
-  return GeometryWork::tag_of(own);
-}
-
-miBoolean mi_api_function_call(const char* declaration) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return miFALSE;
-  work->calls.push_back({{}, taken(declaration), {}, false, {}});
-  return miTRUE;
-}
-
-miBoolean mi_api_parameter_name(const char* name) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work) return miFALSE;
-  work->parameter = taken(name);
-  return miTRUE;
-}
-
-miBoolean mi_api_parameter_value(miParam_type type, void* value, ...) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || work->calls.empty() || !value) return miFALSE;
-  scene::Value v;
-  const auto numbers = [&](int count) {
-    v.kind = scene::Value::Kind::Numbers;
-    const auto* from = static_cast<const miScalar*>(value);
-    v.numbers.assign(from, from + count);
-  };
-  switch (type) {
-    case miTYPE_BOOLEAN:
-      v = boolean(*static_cast<miBoolean*>(value) != miFALSE);
-      break;
-    case miTYPE_INTEGER:
-      v = integer(*static_cast<miInteger*>(value));
-      break;
-    case miTYPE_SCALAR:
-      numbers(1);
-      break;
-    case miTYPE_COLOR:
-      numbers(4);
-      break;
-    case miTYPE_VECTOR:
-      numbers(3);
-      break;
-    case miTYPE_TRANSFORM:
-      numbers(16);
-      break;
-    case miTYPE_STRING:
-      v.kind = scene::Value::Kind::Text;
-      v.text = static_cast<const char*>(value);
-      break;
-    default: {
-      const std::string* name = GeometryWork::name_of(*static_cast<miTag*>(value));
-      if (!name) return miFALSE;
-      v.kind = scene::Value::Kind::Text;
-      v.text = *name;
-    }
-  }
-  work->calls.back().arguments.push_back({work->parameter, std::move(v), {}});
-  return miTRUE;
-}
-
-miTag mi_api_function_call_end(miTag next) {
-  GeometryWork* work = GeometryWork::current();
-  if (!work || work->calls.empty()) return miNULLTAG;
-  scene::ShaderElement element;
-  element.name = work->name_for(nullptr);
-  element.functions.push_back(std::move(work->calls.back()));
-  work->calls.pop_back();
-  if (const std::string* behind = GeometryWork::name_of(next))
-    element.functions.push_back({*behind, {}, {}, false, {}});
-  const std::string own = element.name;
-  work->scene->add(std::move(element));
-  return GeometryWork::tag_of(own);
-}
-
-miTag mi_api_tag_lookup(const char* name) {
-  const std::string own = taken(name);
-  GeometryWork* work = GeometryWork::current();
-  if (!work || !work->scene->find(own)) return miNULLTAG;
-  return GeometryWork::tag_of(own);
-}
-
-char* mi_api_name_lookup(miTag tag) {
-  const std::string* name = GeometryWork::name_of(tag);
-  return name ? const_cast<char*>(name->c_str()) : nullptr;
 }
 
 }  // extern "C"

@@ -35,11 +35,6 @@ scene::FreeSurface* open_surface() {
   return work && work->surface.open ? &work->surface.surface : nullptr;
 }
 
-/// The element that a shader names: one that it made, else one of the scene.
-std::string element_name(const GeometryWork& work, const std::string& name) {
-  return !name.empty() && work.scene->find(work.prefix + name) ? work.prefix + name : name;
-}
-
 }  // namespace
 }  // namespace oriel::sdk
 
@@ -105,7 +100,7 @@ miBoolean mi_api_surface_begin(const char* name, const char* material) {
   const std::string wanted = taken(material);
   scene::PolygonGroup* group = open_group();
   if (!work || !group) return miFALSE;
-  surface.material = material_index(*group, element_name(*work, wanted));
+  surface.material = material_index(*group, work->own_name(wanted));
   work->surface = {std::move(surface), true};
   return miTRUE;
 }

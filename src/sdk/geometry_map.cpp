@@ -30,6 +30,7 @@ Declarations& declarations() {
   return all;
 }
 
+/// Fields of maps pass as parameters; what is behind them is another structure.
 MapField* field_of(miParameter* parameter) { return reinterpret_cast<MapField*>(parameter); }
 miParameter* parameter_of(MapField* field) { return reinterpret_cast<miParameter*>(field); }
 

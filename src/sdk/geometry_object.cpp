@@ -7,6 +7,7 @@
 #include "sdk/current.h"
 #include "sdk/geometry_work.h"
 #include "sdk/host.h"
+#include "sdk/made_parts.h"
 #include "sdk/tags.h"
 #include "shaders/registry.h"
 
@@ -17,17 +18,10 @@ namespace {
 std::vector<scene::Statement> flag_statements(const miObject& from) {
   std::vector<scene::Statement> flags;
   const auto boolean = [&](const char* word, bool on) {
-    scene::Value v;
-    v.kind = scene::Value::Kind::Boolean;
-    v.boolean = on;
-    flags.push_back({word, false, {v}, {}});
+    made::say(flags, word, made::boolean(on));
   };
-  const auto integer = [&](const char* word, unsigned number) {
-    scene::Value v;
-    v.kind = scene::Value::Kind::Numbers;
-    v.integral = true;
-    v.numbers = {static_cast<double>(number)};
-    flags.push_back({word, false, {v}, {}});
+  const auto integer = [&](const char* word, int number) {
+    made::say(flags, word, made::integer(number));
   };
   boolean("visible", from.visible);
   boolean("shadow", from.shadow);
@@ -50,14 +44,14 @@ miObject default_flags() {
 }
 
 /// The name of the element that a shader means when it begins an object of that name.
-std::string object_name(const GeometryWork& work, const std::string& wanted) {
-  if (!work.filling.empty() &&
-      (wanted.empty() || wanted == work.filling || work.prefix + wanted == work.filling))
+std::string object_name(GeometryWork& work, const std::string& wanted) {
+  const std::string known = work.own_name(wanted);
+  if (!work.filling.empty() && (wanted.empty() || wanted == work.filling || known == work.filling))
     return work.filling;
-  if (work.incremental)
-    for (const std::string& known : {wanted, work.prefix + wanted})
-      if (work.objects.count(known) > 0) return known;
-  return work.free_name(wanted.empty() ? "made" : wanted);
+  if (work.incremental && !wanted.empty() &&
+      (work.objects.count(known) > 0 || work.scene->find(known)))
+    return known;
+  return work.free_name(wanted);
 }
 
 /// Where relative names of files begin: at the scene's own file.
@@ -112,10 +106,13 @@ std::uint32_t material_index(scene::PolygonGroup& group, const std::string& name
   return index;
 }
 
-std::string GeometryWork::free_name(const std::string& wanted) const {
-  std::string own = prefix + wanted;
-  for (int i = 2; scene->find(own); ++i)
-    own = own.substr(0, own.find('#')) + "#" + std::to_string(i);
+std::string GeometryWork::free_name(const std::string& wanted) {
+  const std::string stem = wanted.empty()        ? prefix + "made"
+                           : scene->find(wanted) ? prefix + wanted
+                                                 : wanted;
+  std::string own = stem;
+  for (int i = 2; scene->find(own); ++i) own = stem + "#" + std::to_string(i);
+  if (!wanted.empty()) given[wanted] = own;
   return own;
 }
 
@@ -137,8 +134,10 @@ void finish_objects(GeometryWork& work) {
   }
   work.filling.clear();
   for (const auto& [name, record] : work.objects)
-    if (auto* object = work.scene->get<scene::Object>(name))
+    if (auto* object = work.scene->get<scene::Object>(name)) {
       object->flags = flag_statements(record->flags);
+      made::attach(record->flags, object->flags);
+    }
   for (const auto& [name, record] : work.objects)
     if (!record->file.empty()) load_file(work, name, record->file);
 }
@@ -160,10 +159,11 @@ miObject* mi_api_object_begin(const char* name) {
   work->map = {};
   work->object.name = object_name(*work, wanted);
   auto& record = work->objects[work->object.name];
-  if (!record) {
-    record = std::make_unique<GeometryWork::ObjectRecord>();
+  const bool known = record != nullptr;
+  if (!known) record = std::make_unique<GeometryWork::ObjectRecord>();
+  // The shader may have removed the one that had the name.
+  if (!known || !work->scene->get<scene::Object>(work->object.name))
     record->flags = default_flags();
-  }
   record->file.clear();
   return &record->flags;
 }
@@ -171,10 +171,9 @@ miObject* mi_api_object_begin(const char* name) {
 miTag mi_api_object_end(void) {
   GeometryWork* work = GeometryWork::current();
   if (!work || work->object.name.empty()) return miNULLTAG;
-  const std::string name = work->object.name;
-  work->scene->add(std::move(work->object));
+  const miTag tag = work->add(std::move(work->object));
   work->object = {};
-  return GeometryWork::tag_of(name);
+  return tag;
 }
 
 miBoolean mi_api_object_callback(miApi_object_callback callback, void* args) {
@@ -196,7 +195,9 @@ miBoolean mi_api_object_file(const char* filename) {
 }
 
 miBoolean mi_api_incremental(miBoolean on) {
-  if (GeometryWork* work = GeometryWork::current()) work->incremental = on != miFALSE;
+  GeometryWork* work = GeometryWork::current();
+  if (!work) return miFALSE;
+  work->incremental = on != miFALSE;
   return miTRUE;
 }
 

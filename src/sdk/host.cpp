@@ -162,7 +162,8 @@ void Host::forget() {
   const std::unique_lock lock(mutex_);
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
       known_.clear();
-  known_texts_.clear(), records_.clear(), lights_.clear(), labels_.clear();
+  known_texts_.clear(), records_.clear(), replaced_.clear(), lights_.clear(), labels_.clear();
+  named_.clear();
   labels_ready_ = false;
   elements_.clear();
   said_.clear();
@@ -279,6 +280,21 @@ const scene::UserData* Host::user_data(miTag tag) const {
   return recall(TagKind::UserData, tag, user_data_);
 }
 
+void Host::declare(const scene::ShaderDeclaration& declaration) {
+  for (const auto& library : libraries_)
+    if (void* function = library->find(declaration.name)) {
+      if (const UserSpec* spec = declare(declaration, *library, function)) registry_->add(spec);
+      return;
+    }
+}
+
+const UserSpec* Host::declaration_named(const std::string& name) const {
+  const auto found = std::find_if(specs_.begin(), specs_.end(), [&](const auto& spec) {
+    return !spec->is_data && spec->own_name == name;
+  });
+  return found == specs_.end() ? nullptr : found->get();
+}
+
 const UserSpec* Host::data_layout(const std::string& name) const {
   const auto found = std::find_if(specs_.rbegin(), specs_.rend(), [&](const auto& spec) {
     return spec->is_data && spec->own_name == name;
@@ -322,6 +338,14 @@ bool Host::is_first(std::string_view words) {
   }
   const std::unique_lock lock(mutex_);
   return said_.emplace(words).second;
+}
+
+void Host::warn_once(const char* code, const std::string& text) {
+  {
+    const std::unique_lock lock(mutex_);
+    if (!warned_.insert(text).second) return;
+  }
+  diagnostics_.warning(code, {}, text);
 }
 
 void Host::say(Severity severity, std::string text) {

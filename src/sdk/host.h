@@ -84,10 +84,22 @@ class Host {
   int light(miTag tag) const;
   const InstanceData* instance(miTag tag) const;
 
+  /// Tag of the element or declaration of that name; 0: there is none. While a geometry shader runs
+  /// by the names that it gave.
+  miTag tag_of_name(const std::string& name);
+  /// Name of an element; empty: it has none.
+  std::string name_of(miTag tag) const;
+  /// A declaration by its name, of a shader in one of the libraries; null: there is none.
+  const UserSpec* declaration_named(const std::string& name) const;
+  /// Declares a shader that a geometry shader describes, if a library has it.
+  void declare(const scene::ShaderDeclaration& declaration);
+
   /// The C structure behind a tag (mi_db_access), made when first asked for; null when unknown.
   void* access(miTag tag);
   miScene_types type_of(miTag tag) const;
   std::size_t size_of_record(miTag tag);  ///< bytes
+  /// Makes the C structure anew when it is next asked for; the present one stays readable.
+  void renew(miTag tag);
 
   const miCamera* camera();
   const miOptions* options();
@@ -109,6 +121,8 @@ class Host {
   void say(Severity severity, std::string text);
   /// Reports a crash while a frame is rendered, or after it, and stops the rendering.
   void stop_crashed(const Running& running);
+  /// A warning that is given once for each text.
+  void warn_once(const char* code, const std::string& text);
   /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
   std::atomic<bool>& stopped;
 
@@ -153,6 +167,9 @@ class Host {
   std::unordered_map<const void*, miTag> known_;
   std::unordered_map<std::string, miTag> known_texts_;
   std::unordered_map<miTag, Record> records_;
+  std::vector<Record> replaced_;                  ///< records that shaders may still read
+  std::unordered_map<std::string, miTag> named_;  ///< elements of the world; empty: not made yet
+  std::set<std::string> warned_;
   std::vector<miTag> lights_;
   std::vector<miUint> labels_;  ///< one for each instance, once labels_ready_
   std::atomic<bool> labels_ready_ = false;

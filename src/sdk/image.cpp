@@ -43,7 +43,7 @@ FormatName format_names[] = {
     {miIMG_FORMAT_BMP, "bmp"},  {miIMG_FORMAT_TARGA, "tga"}, {miIMG_FORMAT_TIFF_16, "tif16"},
     {miIMG_FORMAT_JPEG, "jpg"}, {miIMG_FORMAT_HDR, "hdr"},   {miIMG_FORMAT_IFF, "iff"},
     {miIMG_FORMAT_PNG, "png"},  {miIMG_FORMAT_EXR, "exr"},   {miIMG_FORMAT_DDS, "dds"},
-    {miIMG_FORMAT_RGB, "sgi"},  {miIMG_FORMAT_TIFF, "tiff"}, {miIMG_FORMAT_TIFF, "tifu"},
+    {miIMG_FORMAT_RGB, "sgi"},  {miIMG_FORMAT_TIFF, "tiff"}, {miIMG_FORMAT_TIFF_U, "tifu"},
     {miIMG_FORMAT_JPEG, "jpeg"}};
 
 char no_name[] = "";

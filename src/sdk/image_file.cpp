@@ -142,9 +142,10 @@ miBoolean mi_img_create(miImg_file* file, const char* name, miImg_type type, miI
       return failed(file, miIMG_ERR_CREATE,
                     "a shader may not write '" + std::string(name) +
                         "': it lies outside of the folders where scenes may write");
-    const std::string asked = format == miIMG_FORMAT_FROM_EXT  ? extension_of(path)
-                              : format == miIMG_FORMAT_TIFF_16 ? "tif"
-                                                               : mi_img_format_name(format);
+    const std::string asked = format == miIMG_FORMAT_FROM_EXT ? extension_of(path)
+                              : format == miIMG_FORMAT_TIFF_16 || format == miIMG_FORMAT_TIFF_U
+                                  ? "tif"
+                                  : mi_img_format_name(format);
     const std::string_view extension = oriel::writable_format(asked);
     if (extension.empty())
       return failed(file, miIMG_ERR_SUBTYPE,

@@ -175,6 +175,8 @@ TEST(ShaderImages, HaveTypesAndFormatsByName) {
     EXPECT_EQ(mi_img_type_identify(mi_img_type_name(static_cast<miImg_type>(t))), t);
   EXPECT_EQ(mi_img_format_identify("exr"), miIMG_FORMAT_EXR);
   EXPECT_EQ(mi_img_format_identify("tiff"), miIMG_FORMAT_TIFF);
+  EXPECT_EQ(mi_img_format_identify("tifu"), miIMG_FORMAT_TIFF_U);
+  EXPECT_STREQ(mi_img_format_name(miIMG_FORMAT_TIFF_U), "tifu");
   EXPECT_STREQ(mi_img_format_name(miIMG_FORMAT_TARGA), "tga");
 }
 

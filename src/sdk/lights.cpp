@@ -11,6 +11,7 @@
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/host.h"
+#include "sdk/maya_items.h"
 #include "sdk/shader_state.h"
 
 namespace oriel::sdk {
@@ -29,8 +30,10 @@ void give(const std::vector<miTag>& tags, int* n, miTag** lights) {
   *lights = list.data();
 }
 
-/// Writes what the light's shader said into the struct that the asking material left for it.
+/// Writes what the light's shader said into the struct that the asking material left for it, and
+/// into Maya's state items.
 void tell(const Tracer::Arriving& arriving) {
+  light_items() = {arriving.affects_diffuse > 0, arriving.affects_specular > 0};
   int size = 0;
   auto* data =
       static_cast<mia_material_api_lightdata*>(left_value(miA_MATERIAL_API_LIGHTDATA, &size));

@@ -94,22 +94,14 @@ bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
 }
 
 bool ask_group(miQ_type query, Host& host, miTag tag, void* result, int index) {
-  if (kind_of(tag) != TagKind::Root) return false;
-  // Below the root stand all leaves: the camera, the objects, the lights.
-  const World& world = *host.world();
-  const auto objects = static_cast<int>(world.instances.size());
-  const int all = 1 + objects + static_cast<int>(world.lights.size());
-  if (query == miQ_GROUP_NKIDS) return tell(result, all);
-  if (index < 0 || index >= all) return false;
-  if (index == 0) return tell(result, make_tag(TagKind::CameraInstance, 0));
-  const int place = index - 1;
-  return tell(result, place < objects ? make_tag(TagKind::Instance, static_cast<std::size_t>(place))
-                                      : make_tag(TagKind::LightInstance,
-                                                 static_cast<std::size_t>(place - objects)));
+  const auto* group = static_cast<const miGroup*>(host.access(tag));
+  if (!group || host.type_of(tag) != miSCENE_GROUP) return false;
+  if (query == miQ_GROUP_NKIDS) return tell(result, group->no_kids);
+  return index >= 0 && index < group->no_kids && tell(result, group->kids[index]);
 }
 
 bool ask_data(miQ_type query, Host& host, miTag tag, void* result) {
-  if (kind_of(tag) != TagKind::UserData) return false;
+  if (host.type_of(tag) != miSCENE_USERDATA) return false;
   auto* data = static_cast<miUserdata*>(host.access(tag));
   if (!data) return false;
   switch (query) {

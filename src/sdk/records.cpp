@@ -8,6 +8,8 @@
 #include "sdk/frame_buffers.h"
 #include "sdk/geometry_work.h"
 #include "sdk/host.h"
+#include "sdk/made_parts.h"
+#include "sdk/made_record.h"
 #include "sdk/query_elements.h"
 #include "sdk/user_data.h"
 
@@ -308,10 +310,31 @@ Host::Record Host::make(miTag tag) {
       r.bytes[s.size()] = std::byte{0};
       return r;
     }
+    case TagKind::Root: {
+      Record r;
+      r.bytes = root_record(*this, r.size);
+      return r;
+    }
+    case TagKind::Made: {
+      Record r;
+      r.bytes = element_record(*this, made::name_of(tag), r.size);
+      return r;
+    }
+    case TagKind::Declaration:
+      if (const UserSpec* spec = declaration(tag)) return record(miFunction_decl{spec->version});
+      break;
     default:
       break;
   }
   return {};
+}
+
+void Host::renew(miTag tag) {
+  const std::unique_lock lock(mutex_);
+  const auto found = records_.find(tag);
+  if (found == records_.end()) return;
+  replaced_.push_back(std::move(found->second));
+  records_.erase(found);
 }
 
 void* Host::access(miTag tag) {
@@ -338,6 +361,7 @@ void* Host::access(miTag tag) {
 
 std::size_t Host::size_of_record(miTag tag) {
   if (kind_of(tag) == TagKind::Element) return elements_.size(tag);
+  if (GeometryWork::object_of(tag)) return sizeof(miObject);
   if (!access(tag)) return 0;
   const std::shared_lock lock(mutex_);
   const auto found = records_.find(tag);
@@ -375,7 +399,8 @@ miScene_types Host::type_of(miTag tag) const {
     case TagKind::Profile:
       return miSCENE_LIGHTPROFILE;
     case TagKind::Made:
-      return GeometryWork::object_of(tag) ? miSCENE_OBJECT : miSCENE_NONE;
+      if (GeometryWork::object_of(tag)) return miSCENE_OBJECT;
+      return type_of_element(*this, made::name_of(tag));
     case TagKind::Element:
       return static_cast<miScene_types>(elements_.type(tag));
     default:

@@ -11,6 +11,7 @@
 #include "sdk/call.h"
 #include "sdk/geometry_work.h"
 #include "sdk/host.h"
+#include "sdk/maya_items.h"
 #include "sdk/output_work.h"
 #include "sdk/shader_state.h"
 #include "sdk/tags.h"
@@ -145,7 +146,10 @@ LightValue light(const Call& call, const LightCall& light) {
                                             miFALSE,      miFALSE};
   mia_material_api_lightdata data = asked, behind_data = asked;
   LightValue value;
+  LightItems& items = light_items();
+  items = {};
   value.colour = ask_light(shader, frame, false, tells ? &data : nullptr);
+  const LightItems answered = items;
   if (light.light.placed_by_shader) value.origin = vec(state.org);
   // A material in C that asks for its lights itself leaves the struct for them.
   if (int size = 0; !tells) {
@@ -153,8 +157,8 @@ LightValue light(const Call& call, const LightCall& light) {
     if (left && size == sizeof data) data = *static_cast<const mia_material_api_lightdata*>(left);
   }
   value.shadow = frame.context.shadow_asked;
-  value.affects_diffuse = data.affect_diffuse;
-  value.affects_specular = data.affect_specular;
+  value.affects_diffuse = answered.diffuse ? data.affect_diffuse : 0;
+  value.affects_specular = answered.specular ? data.affect_specular : 0;
   value.force_specular = data.force_specular != miFALSE;
   value.is_sun = data.is_mr_sun != miFALSE;
   if (value.shadow) {
@@ -250,7 +254,8 @@ void output(const Call& call, OutputPicture& picture) {
 
 std::string geometry(const Call& call, scene::Scene& scene) {
   UserInstance& shader = instance_of(call);
-  StateFrame frame(*shader.spec->host, call.point, nullptr);
+  Host& host = *shader.spec->host;
+  StateFrame frame(host, call.point, nullptr);
   GeometryWork work;
   work.scene = &scene;
   work.prefix = std::string(shader.spec->name) + ":";

@@ -26,7 +26,7 @@ enum class TagKind : std::uint8_t {
   Options,
   Root,
   Profile,  ///< Host's list
-  Made,     ///< by shaders, Host's list
+  Made,     ///< elements of the scene by name, those that shaders made as well
   Element   ///< by mi_db_create or mi_kdtree_create, ShaderElements
 };
 

@@ -149,6 +149,7 @@ std::unique_ptr<std::byte[]> user_data_record(const scene::UserData& data, Host&
   auto record = std::make_unique<std::byte[]>(std::max(size, sizeof(miUserdata)));
   miUserdata head = {};
   if (layout) head.data_decl = host.tag_of(*layout);
+  head.next_data = host.tag_of_name(data.next);
   head.label = data.label.value_or(0);
   head.parameter_size = static_cast<int>(parameters.size());
   std::memcpy(record.get(), &head, sizeof head);
@@ -159,7 +160,7 @@ std::unique_ptr<std::byte[]> user_data_record(const scene::UserData& data, Host&
 miTag attached_data(const std::vector<scene::Statement>& statements, Host& host) {
   const scene::Statement* s = scene::find_last(statements, "data");
   if (!s || s->values.empty() || s->values[0].kind != Value::Kind::Text) return miNULLTAG;
-  return host.tag_of(host.scene().get<scene::UserData>(s->values[0].text));
+  return host.tag_of_name(s->values[0].text);
 }
 
 }  // namespace oriel::sdk

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Compiles each header for shaders alone, twice, in one standard, without a warning; with -DWHICH=top
-# only those that shaders name. In C++ the source of TRAPS follows, as old sources are compiled.
+# only those that shaders name. Sources of TRAPS follow, as old sources are compiled.
 #   cmake -DCOMPILER=gcc -DSTANDARD=c99 -DFOLDER=.../include/oriel/sdk -DTRAPS=... -DWORK=...
 #         -P this file
 cmake_minimum_required(VERSION 3.25)
@@ -30,6 +30,17 @@ endforeach()
 execute_process(
   COMMAND ${program} -std=${STANDARD} -Wall -Wextra -Wpedantic -Wshadow -Werror -fsyntax-only
           -I${FOLDER} ${units}
+  RESULT_VARIABLE result ERROR_VARIABLE messages)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${COMPILER} -std=${STANDARD}:\n${messages}")
+endif()
+set(language c)
+if(is_cpp)
+  set(language c++)
+endif()
+execute_process(
+  COMMAND ${program} -std=${STANDARD} -w -fsyntax-only -I${FOLDER} -x ${language}
+          ${TRAPS}/own_names.c
   RESULT_VARIABLE result ERROR_VARIABLE messages)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${COMPILER} -std=${STANDARD}:\n${messages}")

@@ -166,10 +166,10 @@ class SdkCoverage : public ProgramTest {
 TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
   std::map<std::string, std::string> said;
   for (const char* scene :
-       {"vectors",     "random",        "directions", "highlights", "spaces",    "images",
-        "evaluate",    "textures",      "tracing",    "lights",     "indirect",  "photons",
-        "output",      "geometry",      "shapes",     "spectra",    "particles", "blackbody",
-        "image_tools", "parameter_set", "texture_x",  "volume"})
+       {"vectors",   "random",      "directions",    "highlights", "spaces",   "images",
+        "evaluate",  "textures",    "tracing",       "lights",     "indirect", "photons",
+        "output",    "geometry",    "elements",      "shapes",     "spectra",  "particles",
+        "blackbody", "image_tools", "parameter_set", "texture_x",  "volume"})
     said[scene] = expect_rendered(scene);
   expect_messages(render("memory").err, "memory.c",
                   {{"mi_error", "covered: mi_error"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a geometry shader make objects, instances, groups, lights and shader calls?
+// How does a geometry shader make objects? Other elements: shader/elements.h, shader/declare.h.
 #ifndef ORIEL_SDK_GEOSHADER_H
 #define ORIEL_SDK_GEOSHADER_H
 
@@ -15,6 +15,8 @@
 #include "geoshader/map.h"
 #include "geoshader/object.h"
 #include "shader.h"
+#include "shader/declare.h"
+#include "shader/elements.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -50,35 +52,6 @@ miBoolean mi_api_poly_index_add(int vertex);
 miBoolean mi_api_poly_hole_add(void);
 /// Ends a polygon.
 miBoolean mi_api_poly_end(void);
-
-/// Begins an instance.
-miInstance* mi_api_instance_begin(const char* name);
-/// Ends an instance of the element of that name or tag; its tag.
-miTag mi_api_instance_end(const char* item_name, miTag item, ...);
-/// Begins a group.
-miGroup* mi_api_instgroup_begin(const char* name);
-/// Adds an instance to the group.
-miBoolean mi_api_instgroup_additem(const char* name, miTag tag);
-/// Ends a group; its tag.
-miTag mi_api_instgroup_end(void);
-/// Begins a light.
-miLight* mi_api_light_begin(const char* name);
-/// Ends a light; its tag.
-miTag mi_api_light_end(void);
-
-/// Begins a call of the shader of that declaration.
-miBoolean mi_api_function_call(const char* declaration);
-/// Names the parameter that the next values are for.
-miBoolean mi_api_parameter_name(const char* name);
-/// A value of the parameter.
-miBoolean mi_api_parameter_value(miParam_type type, void* value, ...);
-/// Ends a call; its tag. next: the call behind it in a list, or 0.
-miTag mi_api_function_call_end(miTag next);
-
-/// Tag of the element of that name; 0 when there is none.
-miTag mi_api_tag_lookup(const char* name);
-/// Name of an element; NULL when it has none.
-char* mi_api_name_lookup(miTag tag);
 
 #ifdef __cplusplus
 }

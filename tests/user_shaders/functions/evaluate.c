@@ -113,7 +113,9 @@ static void scene(miState* state) {
   void** user = NULL;
   char* name = NULL;
   miTag decl = 0, item = 0;
-  int n = 0, type = 0;
+  int n = 0, type = 0, offset = 0;
+  miParam_type found = miTYPE_INVALID;
+  miBoolean is_array = miTRUE;
   miMatrix* m = NULL;
   miInstance* instance = mi_db_access(state->instance);
 
@@ -133,10 +135,21 @@ static void scene(miState* state) {
                       mi_db_type(item) == miSCENE_OBJECT);
   COVER(mi_query, mi_query(miQ_TRANS_WORLD_TO_CAMERA, state, 0, &m) && (*m)[14] == -4);
   COVER(mi_query, !mi_query(miQ_DATA_LABEL, state, 0, &n));
+
+  COVER(mi_api_parameter_lookup,
+        mi_api_parameter_lookup(&found, &is_array, &offset, decl, miFALSE, "color") &&
+            found == miTYPE_COLOR && !is_array &&
+            offset == (int)offsetof(struct cover_evaluate, color));
+  COVER(mi_api_parameter_lookup,
+        !mi_api_parameter_lookup(&found, &is_array, &offset, decl, miFALSE, "no such"));
+  COVER(mi_api_name_lookup, mi_api_name_lookup(mi_mem_strdup("square_i")) == state->instance);
+  COVER(mi_api_tag_lookup, strcmp(mi_api_tag_lookup(state->material), "m") == 0);
 }
 
 DLLEXPORT miBoolean cover_evaluate(miColor* result, miState* state, struct cover_evaluate* paras) {
   static int depth = 0;
+  miBoolean* specular = NULL;
+  miTag ghost;
   *result = paint(0, 1, 0);
   if (!in_picture(state)) return miTRUE;
   if (depth > 0) { /* called by itself, as the shader of its own material */
@@ -150,8 +163,15 @@ DLLEXPORT miBoolean cover_evaluate(miColor* result, miState* state, struct cover
   depth = 1;
   COVER(mi_call_material, mi_call_material(result, state) && SHOWS(*result, 0, 0, 1));
   depth = 0;
-  /* There is no Maya. */
-  COVER(mayabase_stateitem_get, !mayabase_stateitem_get(state, MBSI_NULL));
+  COVER(mayabase_stateitem_get,
+        mayabase_stateitem_get(state, MBSI_LIGHTSPECULAR, &specular, MBSI_NULL) && *specular);
+  COVER(mayabase_stateitem_get, !mayabase_stateitem_get(state, 99, &specular, MBSI_NULL));
+  COVER(mi_has_connections, mi_has_connections(state));
+  ghost = mi_get_ghost(state, &paras->counted);
+  COVER(mi_get_ghost, ghost == *mi_eval_tag(&paras->counter));
+  COVER(mi_is_nonshader_tag, !mi_is_nonshader_tag(ghost) && mi_is_nonshader_tag(miNULLTAG));
+  COVER(oriel_is_shader_tag, oriel_is_shader_tag(ghost) && !oriel_is_shader_tag(state->instance));
+  COVER(mi_get_ghost, mi_get_ghost(state, &paras->scalar) == miNULLTAG);
   COVER(mayabase_lightlink_get, !mayabase_lightlink_get(state, 0));
   COVER(mayabase_lightlink_check, !mayabase_lightlink_check(state, 0));
   COVER(mayabase_texcoords_check, !mayabase_texcoords_check(state, 0));

@@ -73,6 +73,13 @@ static void files(void) {
   COVER(mi_img_create,
         !mi_img_create(&file, "../../covered.exr", miIMG_TYPE_RGBA_FP, miIMG_FORMAT_EXR, 4, 4));
 
+  COVER(mi_img_create,
+        mi_img_create(&file, "covered.tif", miIMG_TYPE_RGB, miIMG_FORMAT_TIFF_U, 4, 4));
+  COVER(mi_img_image_write, mi_img_image_write(&file, image));
+  mi_img_close(&file);
+  COVER(mi_img_open, mi_img_open(&file, "covered.tif", miIMG_TYPE_RGB) && file.height == 4);
+  mi_img_close(&file);
+
   COVER(mi_img_open, mi_img_open(&file, "covered.exr", miIMG_TYPE_RGBA_FP) && file.width == 4);
   again = mi_img_image_alloc(&file);
   COVER(mi_img_image_read, mi_img_image_read(&file, again));

@@ -51,6 +51,7 @@ typedef enum miImg_format {
   miIMG_FORMAT_RGB = 4,
   miIMG_FORMAT_CT = 5,
   miIMG_FORMAT_TIFF = 14,
+  miIMG_FORMAT_TIFF_U = 15,  ///< not compressed
   miIMG_FORMAT_TARGA = 22,
   miIMG_FORMAT_BMP = 23,
   miIMG_FORMAT_TIFF_16 = 30,

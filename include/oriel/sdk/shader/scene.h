@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What does mi_db_access give: lights, instances, materials, shader calls, user data.
+// What does mi_db_access give: lights, instances, groups, materials, shader calls, user data.
 #ifndef ORIEL_SDK_SCENE_H
 #define ORIEL_SDK_SCENE_H
 
@@ -13,10 +13,13 @@
 #include "enums.h"
 #include "types.h"
 
-typedef struct miGroup miGroup;
-typedef struct miFunction_decl miFunction_decl;
 typedef struct miPhen_decl miPhen_decl;
 typedef struct miInfo miInfo;
+
+/// A shader declaration.
+typedef struct miFunction_decl {
+  int version;
+} miFunction_decl;
 
 /// A shader call. `parameters` are the bytes of the parameter struct.
 typedef struct miFunction {
@@ -31,6 +34,11 @@ typedef struct miFunction {
   char parameters[8];
 } miFunction;
 
+/// The `parameters` of a call of type miFUNCTION_OUTFILE.
+typedef struct miDecl_fileparm {
+  char filename[8];  ///< ends with a zero byte; longer than declared
+} miDecl_fileparm;
+
 /// A data element. `parameters` are its bytes.
 typedef struct miUserdata {
   miTag data_decl;
@@ -40,7 +48,15 @@ typedef struct miUserdata {
   char parameters[8];
 } miUserdata;
 
-/// A light element, in the light's own space.
+// miLight::shadowmap_flags.
+#define miSHADOWMAP_MERGE 1
+#define miSHADOWMAP_DETAIL 2
+#define miSHADOWMAP_TRACE 4
+#define miSHADOWMAP_WINDOW 8
+#define miSHADOWMAP_CAMERA 16
+
+/// A light element, in the light's own space. Shadows are always traced: members that describe
+/// shadow maps tell what the scene says and have no effect.
 typedef struct miLight {
   miLight_type type;
   miLight_area area;
@@ -71,9 +87,9 @@ typedef struct miLight {
       miTag object;
     } object;
   } primitive;
-  miUshort samples_u, samples_v;
-  miUshort low_samples_u, low_samples_v, low_level;
-  miUint shadowmap_flags;
+  short samples_u, samples_v;
+  short low_samples_u, low_samples_v, low_level;
+  miUchar shadowmap_flags;  ///< miSHADOWMAP_*
   miCBoolean dirlight_has_org;
   miCBoolean use_shadow_maps;
   miTag shadowmap_file;
@@ -88,7 +104,12 @@ typedef struct miLight {
   miScalar shmap_h_min, shmap_h_max, shmap_v_min, shmap_v_max;
   miTag emitter_spectrum;
   miScalar shadowmap_bias;
-  miTag shmap;
+  struct {
+    miScalar accuracy;
+    int samples;
+    char type;    ///< 'c' colour, 'a' alpha
+    char filter;  ///< first letter of the filter's name
+  } shmap;        ///< detail shadow map
   miTag lightprofile;
   miCBoolean use_lprof;
   miCBoolean photons_only;
@@ -129,7 +150,20 @@ typedef struct miInstance {
   miCBoolean shadowmap;
   miCBoolean exclusive;  ///< light_list lights all but this instance
   miTag light_list;
+  miBoolean shadow_excl;  ///< shadow_list takes shadows from all but this instance
+  miTag shadow_list;
 } miInstance;
+
+/// A group of instances.
+typedef struct miGroup {
+  miGeoScalar merge;  ///< distance in which surfaces join
+  miBoolean placeholder, merge_group;
+  int max_kids, no_kids;
+  int max_connections, no_connections;
+  miTag userdata;
+  miUint label;
+  miTag kids[1];  ///< instances; no_kids of them
+} miGroup;
 
 typedef struct miMaterial {
   miBoolean opaque;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the functions that make elements share: values, statements.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oriel/sdk/shader/types.h"
+#include "scene/elements.h"
+
+namespace oriel::scene {
+class Scene;
+}
+
+namespace oriel::sdk::made {
+
+scene::Value boolean(bool on);
+scene::Value integer(int number);
+scene::Value label(miUint number);
+scene::Value numbers(std::span<const float> values);
+scene::Value text(std::string_view words);
+void say(std::vector<scene::Statement>& statements, const char* keyword, scene::Value value);
+
+/// Name of the element that a tag stands for; empty: none.
+std::string name_of(miTag tag);
+
+/// User data and label of a C structure, as statements.
+template <class T>
+void attach(const T& from, std::vector<scene::Statement>& statements) {
+  if (const std::string data = name_of(from.userdata); !data.empty())
+    say(statements, "data", text(data));
+  if (from.label != 0) say(statements, "tag", label(from.label));
+}
+
+Mat4 matrix_of(const miMatrix m);
+
+/// The shader list behind the tag of a call: one use for each call that was chained to it.
+scene::ShaderList shader_list(const scene::Scene& scene, miTag call);
+
+/// Reports, once for each text, that a request of a shader has no effect.
+void warn_once(const std::string& text);
+
+}  // namespace oriel::sdk::made
