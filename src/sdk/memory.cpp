@@ -73,5 +73,5 @@ char* mi_mem_int_strdup(const char* file, int line, const char* text) {
 }
 
 size_t mi_mem_getsize(const void* memory) {
-  return memory ? head_of(const_cast<void*>(memory))->size : 0;
+  return memory ? malloc_usable_size(const_cast<void*>(memory)) : 0;
 }
