@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // mia_material_api.h at work: what materials say of themselves, what they and lights tell each
 // other.
+#include <fmt/format.h>
+
 #include "render/output_names.h"
 #include "user_picture.h"
 
