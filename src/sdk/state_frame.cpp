@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The miState of a point: the hit, and what the ray inherited.
 #include <algorithm>
+#include <iterator>
 
 #include "sdk/call.h"
 #include "sdk/host.h"
@@ -84,6 +85,7 @@ void StateFrame::set_bases(ShadingPoint& point) {
   // The same numbers: shaders may move the coordinates for those that run after them.
   static_assert(sizeof(Vec3) == sizeof(miVector));
   state.tex_list = reinterpret_cast<miVector*>(point.tex);
+  if (point.environment) std::fill(std::begin(point.tex), std::end(point.tex), Vec3(0));
   for (int i = 0; i < point.texture_spaces; ++i) {
     const auto in_object = [&](const Vec3& v) {
       return as_c(point.to_object ? transform_vector(v, *point.to_object) : v);
