@@ -17,7 +17,11 @@ struct Offered {
   std::string name, header, kind, since;
 
   bool is_of_mental_ray() const { return since != "oriel"; }
-  std::string group() const { return header.rfind("geoshader", 0) == 0 ? "geometry" : "shader"; }
+  std::string group() const {
+    const bool makes = header.rfind("geoshader", 0) == 0 || header == "shader/declare.h" ||
+                       header == "shader/elements.h";
+    return makes ? "geometry" : "shader";
+  }
 };
 
 /// functions.txt

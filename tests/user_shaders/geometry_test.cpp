@@ -115,7 +115,7 @@ TEST(GeometryShaders, HairIsThatOfASceneFile) {
     folder.compile("g", source, cpp ? "cpp" : "c");
     UserScene shader(folder, made(), "\"i\"");
     UserScene text(folder, written(hair_text()), "\"i\"");
-    const scene::Object fur = object_of(shader, "make:fur");
+    const scene::Object fur = object_of(shader, "fur");
     ASSERT_EQ(fur.hairs.size(), 1u);
     scene::Hair expected = object_of(text, "o").hairs.at(0);
     expected.approximate = 1;
@@ -131,13 +131,14 @@ TEST(GeometryShaders, HairBeyondItsScalarsIsDroppedWithAWarning) {
   folder.compile("g", hair_source("o = mi_api_hair_hairs_begin(3); o[0] = 0; o[1] = 30; o[2] = 61;",
                                   "h->approx = 1;"));
   UserScene shader(folder, made(), "\"i\"");
-  EXPECT_EQ(object_of(shader, "make:fur").hairs.at(0).size(), 1u);
+  EXPECT_EQ(object_of(shader, "fur").hairs.at(0).size(), 1u);
   EXPECT_NE(shader.messages().find("did not write"), std::string::npos) << shader.messages();
 }
 
 TEST(GeometryShaders, CallbacksMakeTheContentOfPlaceholdersAndKeepTheirFlags) {
   ShaderFolder folder;
   // The arguments are complete only when the shader returns; each callback makes another height.
+  // The name "i" is taken in the scene: the second placeholder has another one.
   folder.compile(
       "g", kHead +
                "typedef struct { double half, z; const char *name; } Room;"
@@ -147,7 +148,7 @@ TEST(GeometryShaders, CallbacksMakeTheContentOfPlaceholdersAndKeepTheirFlags) {
                "  if (!o || o->shadow) return miFALSE;"
                "  plate(room->half, room->z);"
                "  return mi_api_object_end() == tag; }"
-               "GEO(make) { int i; miTag tag; static const char *names[3] = {\"a\", \"b\", 0};"
+               "GEO(make) { int i; miTag tag; static const char *names[3] = {\"a\", \"i\", 0};"
                "  for (i = 0; i < 3; i++) { miObject *o = open_named(names[i]);"
                "    o->shadow = miFALSE; o->bbox_max.x = 8;"
                "    mi_api_object_callback((miApi_object_callback)fill, &rooms[i]);"
@@ -157,17 +158,17 @@ TEST(GeometryShaders, CallbacksMakeTheContentOfPlaceholdersAndKeepTheirFlags) {
                "    o->geo.placeholder_list.type = miOBJECT_HAIR; mi_scene_edit_end(tag);"
                "    mi_geoshader_add_result(result, tag); }"
                "  rooms[0].half = 8; rooms[0].name = \"a\"; rooms[1].half = 2; rooms[1].z = 1;"
-               "  rooms[1].name = \"make:b\"; rooms[2].half = .5; rooms[2].z = 2;"
+               "  rooms[1].name = \"make:i\"; rooms[2].half = .5; rooms[2].z = 2;"
                "  return miTRUE; }");
   UserScene scene(folder, made(), "\"i\"");
   EXPECT_NEAR(scene.pixel(0, 4, 16).x, 0, 1e-5f);
   EXPECT_NEAR(scene.pixel(2, 4, 16).x, 1, 1e-5f);
   EXPECT_NEAR(scene.pixel(3, 4, 16).x, 2, 1e-5f);
-  const scene::Object a = object_of(scene, "make:a");
+  const scene::Object a = object_of(scene, "a");
   const scene::Statement* shadow = scene::find_last(a.flags, "shadow");
   ASSERT_NE(shadow, nullptr);
   EXPECT_FALSE(shadow->values.at(0).boolean);
-  EXPECT_EQ(object_of(scene, "make:a#2"), scene::Object());
+  EXPECT_EQ(object_of(scene, "make:a"), scene::Object());
 }
 
 TEST(GeometryShaders, PlaceholdersOfFilesHoldTheObjectOfTheFile) {
@@ -278,7 +279,7 @@ TEST(GeometryShaders, FreeFormSurfacesAreThoseOfASceneFile) {
                                   "mi_api_surface_approx(mi_mem_strdup(\"s\"), &a);"));
   UserScene shader(folder, made(), "\"i\"");
   UserScene text(folder, written(dome_text("approximate surface parametric 6 6 \"s\"")), "\"i\"");
-  EXPECT_EQ(object_of(shader, "make:dome").bases, object_of(text, "o").bases);
+  EXPECT_EQ(object_of(shader, "dome").bases, object_of(text, "o").bases);
   expect_same_picture(shader, text);
   EXPECT_EQ(shader.messages(), "");
   // It is no other dome: the coarsest one lies lower between its corners.
@@ -293,7 +294,7 @@ scene::Approximation approximation(const std::string& c, const std::string& name
   folder.compile("g",
                  dome_source(c + "mi_api_surface_approx(mi_mem_strdup(\"" + name + "\"), &a);"));
   UserScene shader(folder, made(), "\"i\"");
-  const auto settings = object_of(shader, "make:dome").groups.at(0).settings;
+  const auto settings = object_of(shader, "dome").groups.at(0).settings;
   if (settings.empty()) return {};
   return scene::approximation_of(settings.at(0)).value();
 }
