@@ -49,7 +49,7 @@ std::string object_name(GeometryWork& work, const std::string& wanted) {
   if (!work.filling.empty() && (wanted.empty() || wanted == work.filling || known == work.filling))
     return work.filling;
   if (work.incremental && !wanted.empty() &&
-      (work.objects.count(known) > 0 || work.scene->find(known)))
+      (work.objects.count(known) > 0 || work.scene->get<scene::Object>(known)))
     return known;
   return work.free_name(wanted);
 }
