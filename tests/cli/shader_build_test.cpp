@@ -38,7 +38,7 @@ TEST_F(ShaderBuildProgram, OldSourcesOfBothLanguagesBuildUnchanged) {
   const std::string folder = (kSource / "tests/sdk/traps").string();
   const RunResult r = run({"shader-build", folder});
   ASSERT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_EQ(r.out, "traps.so: 2 sources\n");
+  EXPECT_EQ(r.out, "traps.so: 3 sources\n");
   EXPECT_NE(r.err.find("trap_dll.cpp is left out"), std::string::npos) << r.err;
   for (const char* name : {"trap_old", "trap_old_init", "trap_old_version", "trap_new",
                            "trap_new_version", "trap_geometry"})
