@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "render/filter.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace oriel {
 
@@ -54,10 +54,10 @@ class Mattes {
  private:
   struct Entry {
     FirstSurface seen;
-    float plain = 0, marked = 0;  ///< samples
+    float positive = 0, negative = 0;  ///< samples
   };
   int width_;
-  float plain_share_, marked_share_;
+  float positive_share_, negative_share_;
   MatteNames names_;
   std::vector<std::vector<Entry>> pixels_;  ///< most see one thing or two
 };

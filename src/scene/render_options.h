@@ -112,10 +112,10 @@ struct UserFrameBuffer {
 struct WithoutEffect {
   std::string keyword;
   enum class Reason : std::uint8_t {
-    NotYet,    ///< its meaning is known, nothing acts on it
-    Kept,      ///< kept and written back, not interpreted
+    NotYet,         ///< its meaning is known, nothing acts on it
+    Uninterpreted,  ///< kept and written back, not interpreted
     Harmless,  ///< concerns speed or another program's method; the picture does not depend on it
-  } reason = Reason::Kept;
+  } reason = Reason::Uninterpreted;
   SourceLocation where;
   bool operator==(const WithoutEffect&) const = default;
 };

@@ -60,11 +60,11 @@ struct Statement {
 /// A construct that is read, kept and written back, but has no meaning to this renderer: free-form
 /// surfaces, subdivision, hair, gui blocks... `text` is its source after the keyword, tokens
 /// separated by blanks.
-struct KeptText {
+struct UninterpretedStatement {
   std::string keyword;
   std::string text;
   SourceLocation where;
-  bool operator==(const KeptText&) const = default;
+  bool operator==(const UninterpretedStatement&) const = default;
 };
 
 /// The last statement of that keyword (later ones override), or null.

@@ -26,7 +26,7 @@ class SceneTracer final : public Tracer {
                                 float reach) override;
   std::optional<Arriving> light(int index, ShadingPoint& point) override;
   Vec2 next() override;
-  Levels levels() const override;
+  Depth depth() const override;
   Seen trace(const ShadingPoint& from, const SubRay& ray) override;
   Rgb irradiance(const ShadingPoint& point, const Vec3& normal) override;
   Rgba shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) override;

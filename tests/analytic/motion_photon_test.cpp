@@ -2,8 +2,8 @@
 // Photons of moving lights and about moving objects: their map is the mean over the shutter, as
 // that of paths, within 4 standard errors (one in 16000 by chance).
 #include "motion_scenes.h"
-#include "transport/indirect_maps.h"
-#include "transport/photon_trace.h"
+#include "transport/indirect_caches.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace motion_photon_test {
@@ -134,7 +134,7 @@ TEST(MovingPhotons, OnAMovingPlateAreFoundWhereverItIs) {
   RayCounts counts;
   const PhotonMaps photons = trace_photons(
       probe.world(), {.each = {.global = {.emit = 1 << 18}}, .depth = {200, 200, 200}}, counts);
-  IndirectMaps maps;
+  IndirectCaches maps;
   maps.global = &photons.global;
   maps.global_lookup = {.count = 400, .radius = .2f};
   PathSettings settings;

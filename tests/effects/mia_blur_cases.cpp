@@ -8,7 +8,7 @@
 #include "base/math.h"
 #include "cases.h"
 #include "mia_stages.h"
-#include "render/lens_shaders.h"
+#include "render/eye_rays.h"
 
 namespace oriel::effects {
 namespace mia_blur {

@@ -332,7 +332,7 @@ TEST(MiaMaterial, HighlightsOnlySendsNoReflectionRays) {
       p.refl_gloss_samples = samples;
       const Closure c = shade(p, seen_from(Vec3(0, 0, 1)));
       for (int i = 0; i < c.count; ++i)
-        if (c.lobes[i].channel == Channel::Reflection) {
+        if (c.lobes[i].type == LobeType::Reflection) {
           EXPECT_TRUE(c.lobes[i].controls.highlights_only) << gloss << ' ' << samples;
         }
     }
