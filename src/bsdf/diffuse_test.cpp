@@ -107,5 +107,13 @@ TEST(Phong, IsTheBareCosinePower) {
   EXPECT_EQ(lobe.eval(direction(40), -direction(40)), 0);
 }
 
+// The half vector of the viewer at 40 degrees and a light at 0 is 20 degrees from the normal.
+TEST(BlinnPhong, IsThePowerOfTheHalfVectorsCosine) {
+  EXPECT_NEAR(blinn_phong(direction(40), direction(40, 180), 20), 1, 1e-5);
+  EXPECT_NEAR(blinn_phong(direction(40), Vec3(0, 0, 1), 10), std::pow(std::cos(M_PI / 9), 10),
+              1e-5);
+  EXPECT_EQ(blinn_phong(direction(40), -direction(40), 10), 0);
+}
+
 }  // namespace diffuse_test
 }  // namespace oriel::bsdf

@@ -40,6 +40,15 @@ inline float fresnel_dielectric(float cos_o, float eta) {
   return 0.5f * (s * s + p * p);
 }
 
+/// The same from the indices and the cosines on both sides; 1 where both are grazing.
+/// Checked: Fresnel.FromBothCosines.
+inline float fresnel_from_cosines(float ior_in, float ior_out, float cos_in, float cos_out) {
+  const float s = ior_in * cos_in + ior_out * cos_out, p = ior_out * cos_in + ior_in * cos_out;
+  if (s == 0 || p == 0) return 1;
+  return 0.5f * (sqr((ior_in * cos_in - ior_out * cos_out) / s) +
+                 sqr((ior_out * cos_in - ior_in * cos_out) / p));
+}
+
 /// Cosine-weighted mean of fresnel_dielectric over the hemisphere of the viewer's side.
 /// Checked: Fresnel.MeanMatchesTheTableAndQuadrature.
 float fresnel_dielectric_mean(float eta);

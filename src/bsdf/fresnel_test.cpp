@@ -38,6 +38,14 @@ TEST(Fresnel, BrewsterAngleLosesTheParallelHalf) {
   EXPECT_NEAR(fresnel_dielectric(cos_deg(56.3099), 1.5f), 0.5 * std::pow(1.25 / 3.25, 2), 1e-6);
 }
 
+TEST(Fresnel, FromBothCosines) {
+  EXPECT_NEAR(fresnel_from_cosines(1, 1.5f, 1, 1), .04f, 1e-6f);
+  // Brewster's angle, whose cosine inside is the sine outside.
+  const float sine = 1.5f / std::sqrt(3.25f), cosine = 1 / std::sqrt(3.25f);
+  EXPECT_NEAR(fresnel_from_cosines(1, 1.5f, cosine, sine), .5f * sqr(1.25f / 3.25f), 1e-6f);
+  EXPECT_EQ(fresnel_from_cosines(1, 1.5f, 0, 0), 1);
+}
+
 TEST(Fresnel, IsTheSameFromBothSides) {
   for (double angle = 0; angle < 90; angle += 5) {
     const double inside = std::asin(std::sin(angle * M_PI / 180) / 1.5);

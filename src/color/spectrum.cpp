@@ -128,4 +128,27 @@ Spectrum daylight_spectrum(float kelvin) {
   return s;
 }
 
+int spectrum_band(float nm) {
+  const float band = (nm - kSpectrumFirstNm) / kSpectrumStepNm + 0.5f;
+  return band >= 0 && band < static_cast<float>(kSpectrumBands) ? static_cast<int>(band) : -1;
+}
+
+Spectrum with_luminance(Spectrum spectrum, float luminance) {
+  const float y = spectrum_xyz(spectrum).y;
+  for (float& band : spectrum) band = y > 0 ? band * (luminance / y) : 0.0f;
+  return spectrum;
+}
+
+std::optional<Spectrum> cie_illuminant(std::string_view name) {
+  constexpr std::pair<std::string_view, float> kDaylights[] = {
+      {"D50", 5003}, {"D55", 5503}, {"D65", 6504}, {"D75", 7504}};
+  for (const auto& [known, kelvin] : kDaylights)
+    if (name == known) return daylight_spectrum(kelvin);
+  if (name == "A") return black_body_spectrum(2856);
+  if (name != "E") return {};
+  Spectrum flat;
+  flat.fill(1);
+  return flat;
+}
+
 }  // namespace oriel

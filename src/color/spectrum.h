@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string_view>
 
 #include "base/vec.h"
 
@@ -35,5 +37,18 @@ Spectrum black_body_spectrum(float kelvin);
 /// Source:  CIE 15:2004, section 3.1 and table T.2.
 /// Checked: Spectrum.DaylightIsTheTableOfD65
 Spectrum daylight_spectrum(float kelvin);
+
+/// Index of the band that contains a wavelength; -1 outside of all bands.
+/// Checked: Spectrum.BandsAreCentredOnTheirWavelengths
+int spectrum_band(float nm);
+
+/// The spectrum scaled to a luminance Y; black where it has none.
+/// Checked: Spectrum.ScalingSetsTheLuminance
+Spectrum with_luminance(Spectrum spectrum, float luminance);
+
+/// A standard illuminant of the CIE: "A", "D50", "D55", "D65", "D75" or "E"; null if unknown.
+/// Source:  CIE 15:2004, section 3.1.
+/// Checked: Spectrum.IlluminantsAreThoseOfTheCie
+std::optional<Spectrum> cie_illuminant(std::string_view name);
 
 }  // namespace oriel

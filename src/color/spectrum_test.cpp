@@ -66,5 +66,37 @@ TEST(Spectrum, TheSmoothestOneOfFlatLightIsFlat) {
   for (const float band : smooth_spectrum(spectrum_xyz(flat))) EXPECT_NEAR(band, 1, 1e-4f);
 }
 
+TEST(Spectrum, BandsAreCentredOnTheirWavelengths) {
+  EXPECT_EQ(spectrum_band(400), 0);
+  EXPECT_EQ(spectrum_band(554.9f), 15);
+  EXPECT_EQ(spectrum_band(555.1f), 16);
+  EXPECT_EQ(spectrum_band(700), 30);
+  EXPECT_EQ(spectrum_band(394), -1);
+  EXPECT_EQ(spectrum_band(706), -1);
+}
+
+TEST(Spectrum, ScalingSetsTheLuminance) {
+  EXPECT_NEAR(spectrum_xyz(with_luminance(black_body_spectrum(3000), 7)).y, 7, 1e-4f);
+  EXPECT_EQ(with_luminance(Spectrum{}, 7)[3], 0);
+}
+
+// Chromaticities of CIE 15:2004, table T.3; 31 bands of 10 nm are within .002.
+TEST(Spectrum, IlluminantsAreThoseOfTheCie) {
+  constexpr struct {
+    const char* name;
+    float x, y;
+  } kTable[] = {{"A", .4476f, .4074f},   {"D50", .3457f, .3585f}, {"D55", .3324f, .3474f},
+                {"D65", .3127f, .3290f}, {"D75", .2990f, .3149f}, {"E", 1 / 3.0f, 1 / 3.0f}};
+  for (const auto& row : kTable) {
+    const std::optional<Spectrum> spectrum = cie_illuminant(row.name);
+    ASSERT_TRUE(spectrum) << row.name;
+    const Vec3 xyz = spectrum_xyz(*spectrum);
+    const float sum = xyz.x + xyz.y + xyz.z;
+    EXPECT_NEAR(xyz.x / sum, row.x, .002f) << row.name;
+    EXPECT_NEAR(xyz.y / sum, row.y, .002f) << row.name;
+  }
+  EXPECT_FALSE(cie_illuminant("F2"));
+}
+
 }  // namespace spectrum_test
 }  // namespace oriel

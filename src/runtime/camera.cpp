@@ -23,6 +23,26 @@ Vec3 Camera::project(const Vec3& point, float time) const {
           (p.y * film * aspect / half_width + 1) / 2 * static_cast<float>(height) - offset.y, -p.z};
 }
 
+Vec3 Camera::raster_of(const Vec3& p) const {
+  /// Depth below which a point counts as in the camera's own plane.
+  constexpr float kLeastDepth = 1e-30f;
+  float x = p.x, y = p.y;
+  if (!orthographic) {
+    const float depth = std::abs(p.z) > kLeastDepth ? -p.z : kLeastDepth;
+    x *= focal / depth;
+    y *= focal / depth;
+  }
+  const float half_width = aperture / 2, half_height = half_width / aspect;
+  return Vec3((x / half_width + 1) / 2 * static_cast<float>(width) - offset.x,
+              (y / half_height + 1) / 2 * static_cast<float>(height) - offset.y, p.z);
+}
+
+Vec2 Camera::pixel_size(float depth) const {
+  const float scale = orthographic ? 1 : depth / focal;
+  return {aperture / static_cast<float>(width) * scale,
+          aperture / aspect / static_cast<float>(height) * scale};
+}
+
 Camera::Ray Camera::ray(Vec2 raster, float time) const {
   // Not by at(): a copy of the camera for each ray would copy its path.
   Mat4 moved{Imath::UNINITIALIZED};

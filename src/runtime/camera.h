@@ -37,6 +37,13 @@ struct Camera {
   /// Where a point is seen: raster x, y, and the distance along the axis. Not finite in the plane
   /// of the camera.
   Vec3 project(const Vec3& point, float time) const;
+  /// Raster x and y of a point of camera space; z stays that of camera space. Points in the plane
+  /// of the camera count as 1e-30 in front of it.
+  /// Checked: Spaces.RasterIsWhereTheEyeRayBegan
+  Vec3 raster_of(const Vec3& camera_point) const;
+  /// Width and height of a pixel at a depth in front of the camera, in units of camera space.
+  /// Checked: Spaces.RasterUnitIsOnePixelOnTheScreen
+  Vec2 pixel_size(float depth) const;
   /// The camera as it stands at a time, and stays.
   Camera at(float time) const;
 };

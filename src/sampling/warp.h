@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.h"
 #include "base/vec.h"
 
 namespace oriel::sampling {
@@ -56,6 +57,15 @@ inline Vec3 sample_cosine_hemisphere(const Vec2& u) {
   return Vec3(d.x, d.y, std::sqrt(std::max(1e-12f, 1 - d.x * d.x - d.y * d.y)));
 }
 inline float cosine_hemisphere_pdf(float cos_theta) { return std::max(0.0f, cos_theta) * kInvPi; }
+
+/// Direction of the cap of the hemisphere where the cosine is at least `least`, with a density in
+/// proportion to the cosine.
+/// Checked: Warp.CapDirectionsMatchTheirDensity.
+inline Vec3 sample_cosine_cap(const Vec2& u, float least) {
+  const float sine2 = u.x * (1 - least * least), phi = kTwoPi * u.y;
+  const float sine = std::sqrt(sine2);
+  return Vec3(sine * math::cos(phi), sine * math::sin(phi), std::sqrt(std::max(0.0f, 1 - sine2)));
+}
 
 inline constexpr float kUniformSpherePdf = 0.25f * kInvPi;
 

@@ -44,6 +44,14 @@ TEST(Warp, DirectionsMatchTheirDensity) {
                  [](const Vec3& w) { return w.z > 0.5f ? cone_pdf(0.5f) : 0; });
 }
 
+// The projected solid angle of the cap is pi (1 - least^2).
+TEST(Warp, CapDirectionsMatchTheirDensity) {
+  expect_matches([](const Vec2& u, float) { return sample_cosine_cap(u, 0.5f); },
+                 [](const Vec3& w) { return w.z > 0.5f ? w.z * kInvPi / 0.75f : 0; });
+  expect_matches([](const Vec2& u, float) { return sample_cosine_cap(u, 0); },
+                 [](const Vec3& w) { return cosine_hemisphere_pdf(w.z); });
+}
+
 TEST(Warp, ConeResolvesTheSun) {
   const float radius_rad = 0.00465f;
   const float width = one_minus_cos(sqr(std::sin(radius_rad)));

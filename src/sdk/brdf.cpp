@@ -5,17 +5,16 @@
 // bsdf/highlights.h times pi: shaders that copy the renderer's own illumination shaders look as
 // these. Phong's, Blinn's and Cook and Torrance's include the light's cosine, since shaders take
 // them as they come; Ward's leave it to the caller.
-#include <algorithm>
 #include <cmath>
 
 #include "base/frame.h"
-#include "base/math.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/highlights.h"
+#include "bsdf/phase.h"
 #include "bsdf/phong.h"
+#include "bsdf/ward_lobe.h"
 #include "oriel/sdk/shader/brdf.h"
 #include "sdk/context.h"
-#include "sdk/ward_lobe.h"
 
 namespace {
 
@@ -23,10 +22,9 @@ using oriel::cross;
 using oriel::dot;
 using oriel::Frame;
 using oriel::kPi;
-using oriel::normalize;
 using oriel::Vec3;
+using oriel::bsdf::WardLobe;
 using oriel::sdk::vec;
-using oriel::sdk::WardLobe;
 
 /// The two directions in the frame of the surface, both away from it.
 struct Local {
@@ -42,10 +40,7 @@ float torrance(const Local& l, float roughness, float ior) {
   return kPi * oriel::bsdf::TorranceHighlight{roughness, ior}.eval(l.wo, l.wi);
 }
 
-float ward(const Local& l, const WardLobe& lobe) {
-  const float value = oriel::bsdf::WardHighlight{lobe.alpha_x(), lobe.alpha_y()}.eval(l.wo, l.wi);
-  return value > 0 ? kPi * value / l.wi.z : 0;
-}
+float ward(const Local& l, const WardLobe& lobe) { return lobe.relative_to_lambert(l.wo, l.wi); }
 
 }  // namespace
 
@@ -61,8 +56,7 @@ miScalar mi_blinn_specular(const miVector* di, const miVector* dr, const miVecto
 
 miScalar mi_blong_specular(miScalar exponent, miState* state, const miVector* dir) {
   const Local l(&state->dir, dir, vec(state->normal));
-  if (l.wo.z <= 0 || l.wi.z <= 0) return 0;
-  return oriel::math::pow(std::max(0.0f, normalize(l.wo + l.wi).z), exponent);
+  return oriel::bsdf::blinn_phong(l.wo, l.wi, exponent);
 }
 
 miBoolean mi_cooktorr_specular(miColor* result, const miVector* di, const miVector* dr,
@@ -93,12 +87,8 @@ miScalar mi_ward_anisglossy(const miVector* di, const miVector* dr, const miVect
   return ward(Local(di, dr, normal, axis), WardLobe(shiny_u, shiny_v));
 }
 
-// Fresnel's equations, from both cosines.
 miScalar mi_fresnel(miScalar ior_in, miScalar ior_out, miScalar t1, miScalar t2) {
-  const float s = ior_in * t1 + ior_out * t2, p = ior_out * t1 + ior_in * t2;
-  if (s == 0 || p == 0) return 1;
-  return 0.5f * (oriel::sqr((ior_in * t1 - ior_out * t2) / s) +
-                 oriel::sqr((ior_out * t1 - ior_in * t2) / p));
+  return oriel::bsdf::fresnel_from_cosines(ior_in, ior_out, t1, t2);
 }
 
 miScalar mi_fresnel_reflection(miState* state, miScalar ior_in, miScalar ior_out) {
@@ -106,11 +96,8 @@ miScalar mi_fresnel_reflection(miState* state, miScalar ior_in, miScalar ior_out
   return oriel::bsdf::fresnel_dielectric(std::abs(state->dot_nd), ior_out / ior_in);
 }
 
-// (1 - k^2) / (4 pi (1 - k cos)^2): Blasi, Le Saec, Schlick, "A Rendering Algorithm for Discrete
-// Volume Density Objects", Eurographics 1993, with the sign that makes k > 0 scatter ahead.
 miScalar mi_schlick_scatter(const miVector* di, const miVector* dr, miScalar directionality) {
-  const float k = oriel::clamp(directionality, -0.9999f, 0.9999f);
-  return (1 - k * k) / (4 * kPi * oriel::sqr(1 - k * dot(vec(*di), vec(*dr))));
+  return oriel::bsdf::SchlickPhase(directionality).eval(dot(vec(*di), vec(*dr)));
 }
 
 int mi_choose_lobe(miState* state, miScalar r) { return oriel::sdk::next(state).x < r ? 1 : 0; }

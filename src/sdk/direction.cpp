@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "base/frame.h"
-#include "base/math.h"
 #include "bsdf/fresnel.h"
+#include "bsdf/phase.h"
+#include "bsdf/ward_lobe.h"
 #include "oriel/sdk/shader/direction.h"
 #include "sampling/warp.h"
 #include "sdk/context.h"
-#include "sdk/ward_lobe.h"
 
 namespace {
 
@@ -18,8 +18,8 @@ using oriel::Frame;
 using oriel::normalize;
 using oriel::Vec2;
 using oriel::Vec3;
+using oriel::bsdf::WardLobe;
 using oriel::sdk::vec;
-using oriel::sdk::WardLobe;
 
 /// The shader's sample as the warps want it: below 1, which a double just below it rounds to.
 Vec2 pair(const double sample[2]) {
@@ -166,18 +166,12 @@ void mi_scattering_dir_diffuse(miVector* dir, miState* state) {
   *dir = oriel::sdk::as_c(oriel::sampling::sample_uniform_sphere(oriel::sdk::next(state)));
 }
 
-// Inverts the integral of Schlick's phase function, see mi_schlick_scatter.
 void mi_scattering_dir_directional(miVector* dir, miState* state, miScalar directionality) {
-  const float k = oriel::clamp(directionality, -0.9999f, 0.9999f);
-  const Vec2 u = oriel::sdk::next(state);
-  const float c = oriel::clamp((2 * u.x - 1 + k) / (1 + k * (2 * u.x - 1)), -1, 1);
-  const float s = std::sqrt(1 - c * c);
-  const oriel::sampling::SinCos turn = oriel::sampling::sincos_turns(u.y);
-  *dir = oriel::sdk::as_c(
-      normalize(Frame(normalize(vec(state->dir))).to_world(Vec3(s * turn.cos, s * turn.sin, c))));
+  const Vec3 local = oriel::bsdf::SchlickPhase(directionality).sample(oriel::sdk::next(state));
+  *dir = oriel::sdk::as_c(normalize(Frame(normalize(vec(state->dir))).to_world(local)));
 }
 
 miScalar mi_scattering_pathlength(miState* state, miScalar k) {
   if (!(k > 0)) return miHUGE_SCALAR;
-  return -oriel::math::log1p(-oriel::sdk::next(state).x) / k;
+  return oriel::bsdf::sample_free_path(oriel::sdk::next(state).x, k);
 }

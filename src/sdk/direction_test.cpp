@@ -3,15 +3,16 @@
 
 #include <cmath>
 
+#include "bsdf/ward_lobe.h"
 #include "oriel/sdk/shader/brdf.h"
 #include "oriel/sdk/shader/direction.h"
 #include "sampling/testing/chi_square.h"
 #include "sdk/testing/bare_state.h"
-#include "sdk/ward_lobe.h"
 
 namespace oriel::sdk {
 namespace direction_test {
 
+using bsdf::WardLobe;
 using testing::BareState;
 using testing::DirectionTest;
 using testing::test_directions;

@@ -6,9 +6,10 @@
 #include <mutex>
 #include <new>
 
-#include "base/math.h"
 #include "output/output_request.h"
+#include "sdk/context.h"
 #include "sdk/picture.h"
+#include "tone/simple_operators.h"
 
 namespace {
 
@@ -17,25 +18,6 @@ using oriel::sdk::Storage;
 
 /// 0 to 1; not a number is 0.
 float within_one(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
-
-/// Fades to white: moves all channels towards their mean until the largest is 1.
-void fade_to_white(miColor& c) {
-  const float largest = std::max({c.r, c.g, c.b});
-  if (!(largest > 1)) return;
-  const float mean = (c.r + c.g + c.b) * (1.0f / 3);
-  if (!(mean < 1)) {
-    c.r = c.g = c.b = 1;
-    return;
-  }
-  const float keep = (1 - mean) / (largest - mean);
-  for (float* v : {&c.r, &c.g, &c.b}) *v = mean + (*v - mean) * keep;
-}
-
-float tonemapped(float v, float exposure, float gamma) {
-  const float c = v > 0 ? std::min(v * exposure, 1e30f) : 0.0f;
-  // E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002, equation 3.
-  return oriel::math::pow(c / (1 + c), gamma > 0 ? 1 / gamma : 1.0f);
-}
 
 }  // namespace
 
@@ -81,12 +63,14 @@ miBoolean mi_img_type_query(miImg_format format, miImg_type type) {
 }
 
 void mi_img_clip_color(miColor* color, miBoolean desaturate) {
-  if (desaturate) fade_to_white(*color);
+  if (desaturate)
+    *color = oriel::sdk::as_c(oriel::tone::desaturate_to_one(oriel::sdk::rgb(*color)), color->a);
   for (float* v : {&color->r, &color->g, &color->b, &color->a}) *v = within_one(*v);
 }
 
 void mi_img_tonemap(miColor* color, miScalar exposure, miScalar gamma) {
-  for (float* v : {&color->r, &color->g, &color->b}) *v = tonemapped(*v, exposure, gamma);
+  for (float* v : {&color->r, &color->g, &color->b})
+    *v = oriel::tone::reinhard(*v, exposure, gamma);
 }
 
 miImg_image* mi_img_pyramid_get_level(miImg_image* image, int level) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indirect light and occlusion at the point.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/frame.h"
-#include "base/math.h"
+#include "sampling/warp.h"
 #include "sdk/call.h"
 #include "sdk/once.h"
 
@@ -83,11 +82,7 @@ miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options,
   int met = 0;
   Vec3 open(0);
   for (int i = 0; i < rays; ++i) {
-    const Vec2 u = next(state);
-    const float sine2 = u.x * (1 - least * least), phi = kTwoPi * u.y;
-    const float sine = std::sqrt(sine2);
-    const Vec3 w = frame.to_world(
-        Vec3(sine * math::cos(phi), sine * math::sin(phi), std::sqrt(std::max(0.0f, 1 - sine2))));
+    const Vec3 w = frame.to_world(sampling::sample_cosine_cap(next(state), least));
     if (dot(w, point.geometric_normal) <= 0 || c.tracer()->probe_from(point, w, reach))
       ++met;
     else

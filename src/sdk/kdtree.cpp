@@ -12,9 +12,9 @@
 
 namespace {
 
+using oriel::geom::PointTree;
 using oriel::sdk::current_host;
 using oriel::sdk::Host;
-using oriel::sdk::PointTree;
 
 // The handle is the tree itself: only pointers to it are handed out.
 PointTree* tree_of(miKdtree* tree) { return reinterpret_cast<PointTree*>(tree); }

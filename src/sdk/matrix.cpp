@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Matrices of shaders: product, inverse, rotation, linear equations, transforms.
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <span>
 
-#include "base/math.h"
+#include "base/linear_system.h"
 #include "oriel/sdk/shader/vector.h"
 
 namespace {
 
 constexpr int kSide = 4;
-// double throughout: what shaders invert is often a product of scales that float does not hold.
-using Rows = double[kSide][kSide];
 
-/// Brings `a` to the identity by rows and does the same to the `columns` of each row of b; false
-/// where a is singular.
-bool eliminate(Rows& a, double* b, int columns) {
-  // Rows of one size first: a small scale beside a far place is not singular.
-  for (int i = 0; i < kSide; ++i) {
-    double largest = 0;
-    for (const double v : a[i]) largest = std::max(largest, std::abs(v));
-    if (!(largest > 0)) return false;
-    for (double& v : a[i]) v /= largest;
-    for (int j = 0; j < columns; ++j) b[i * columns + j] /= largest;
-  }
-  for (int k = 0; k < kSide; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < kSide; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    // What a scale leaves that is smaller by this than how far away it stands is no number.
-    if (!(std::abs(a[pivot][k]) > 1e-13)) return false;
-    if (pivot != k) {
-      std::swap_ranges(a[k], a[k] + kSide, a[pivot]);
-      std::swap_ranges(b + k * columns, b + (k + 1) * columns, b + pivot * columns);
-    }
-    const double inverse = 1 / a[k][k];
-    for (int j = 0; j < kSide; ++j) a[k][j] *= inverse;
-    for (int j = 0; j < columns; ++j) b[k * columns + j] *= inverse;
-    for (int i = 0; i < kSide; ++i) {
-      const double factor = a[i][k];
-      if (i == k || factor == 0) continue;
-      for (int j = 0; j < kSide; ++j) a[i][j] -= factor * a[k][j];
-      for (int j = 0; j < columns; ++j) b[i * columns + j] -= factor * b[k * columns + j];
-    }
-  }
-  return true;
-}
-
-void load(Rows& rows, const miScalar* m) {
-  for (int i = 0; i < kSide; ++i)
-    for (int j = 0; j < kSide; ++j) rows[i][j] = m[i * kSide + j];
-}
-
-/// Columns of one system that mi_matrix_solve takes at a time.
-constexpr int kMostColumns = 16;
+std::span<const float, 16> rows_of(const miScalar* m) { return std::span<const float, 16>(m, 16); }
 
 }  // namespace
 
@@ -86,12 +43,7 @@ float mi_matrix_rot_det(const miMatrix m) {
 }
 
 miBoolean mi_matrix_invert(miMatrix r, const miMatrix m) {
-  Rows rows;
-  load(rows, m);
-  double inverse[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  if (!eliminate(rows, inverse, kSide)) return miFALSE;
-  std::transform(inverse, inverse + 16, r, [](double v) { return static_cast<miScalar>(v); });
-  return miTRUE;
+  return oriel::invert_exactly(rows_of(m), r) ? miTRUE : miFALSE;
 }
 
 void mi_matrix_rotate(miMatrix m, miScalar x, miScalar y, miScalar z) {
@@ -104,40 +56,17 @@ void mi_matrix_rotate(miMatrix m, miScalar x, miScalar y, miScalar z) {
   mi_matrix_prod(m, m, next);
 }
 
-// Rodrigues' formula, transposed for rows; a positive angle turns x to y about z.
 void mi_matrix_rotate_axis(miMatrix m, const miVector* axis, miScalar angle) {
-  mi_matrix_ident(m);
   miVector a = *axis;
   mi_vector_normalize_d(&a);
-  if (mi_vector_dot(&a, &a) == 0) return;
-  const float s = oriel::math::sin(angle), c = oriel::math::cos(angle), t = 1 - c;
-  m[0] = t * a.x * a.x + c;
-  m[1] = t * a.x * a.y + s * a.z;
-  m[2] = t * a.x * a.z - s * a.y;
-  m[4] = t * a.x * a.y - s * a.z;
-  m[5] = t * a.y * a.y + c;
-  m[6] = t * a.y * a.z + s * a.x;
-  m[8] = t * a.x * a.z + s * a.y;
-  m[9] = t * a.y * a.z - s * a.x;
-  m[10] = t * a.z * a.z + c;
+  const oriel::Mat4 rotation = oriel::rotation_about(oriel::Vec3(a.x, a.y, a.z), angle);
+  std::copy_n(rotation.getValue(), 16, m);
 }
 
 // Shaders that bake (two independent ones are public) solve for a 4 x 4 matrix with n = 4: a is a
 // miMatrix, b and x have four rows of n columns.
 miBoolean mi_matrix_solve(miScalar* x, const miScalar* a, const miScalar* b, int n) {
-  for (int first = 0; first < n; first += kMostColumns) {
-    const int columns = std::min(kMostColumns, n - first);
-    double right[kSide * kMostColumns];
-    for (int i = 0; i < kSide; ++i)
-      for (int j = 0; j < columns; ++j) right[i * columns + j] = b[i * n + first + j];
-    Rows rows;
-    load(rows, a);
-    if (!eliminate(rows, right, columns)) return miFALSE;
-    for (int i = 0; i < kSide; ++i)
-      for (int j = 0; j < columns; ++j)
-        x[i * n + first + j] = static_cast<miScalar>(right[i * columns + j]);
-  }
-  return miTRUE;
+  return oriel::solve_linear_system(rows_of(a), b, n, x) ? miTRUE : miFALSE;
 }
 
 void mi_point_transform(miVector* r, const miVector* p, const miMatrix m) {

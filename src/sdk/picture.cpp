@@ -11,6 +11,8 @@
 #include <cstring>
 #include <new>
 
+#include "image/rgbe.h"
+
 namespace oriel::sdk {
 namespace {
 
@@ -154,14 +156,8 @@ void Picture::set_number(int x, int y, int component, float value) {
 
 Rgba Picture::colour(int x, int y) {
   if (storage_ == Storage::SharedExponent) {
-    const int exponent = *(row(y, 3) + x);
-    // Ward's format: mantissas of 8 bits, half a step up, and 128 for an exponent of 0.
-    const auto channel = [&](int k) {
-      return exponent == 0
-                 ? 0
-                 : std::ldexp(static_cast<float>(*(row(y, k) + x)) + 0.5f, exponent - 136);
-    };
-    return Rgba(channel(0), channel(1), channel(2), 1);
+    const Rgb c = decode_rgbe({row(y, 0)[x], row(y, 1)[x], row(y, 2)[x], row(y, 3)[x]});
+    return Rgba(c.x, c.y, c.z, 1);
   }
   const float first = number(x, y, 0);
   if (comp == 1) return Rgba(first, first, first, is_alpha(type) ? first : 1);
@@ -171,14 +167,8 @@ Rgba Picture::colour(int x, int y) {
 
 void Picture::set_colour(int x, int y, const Rgba& v) {
   if (storage_ == Storage::SharedExponent) {
-    int exponent = 0;
-    const float largest = std::max({0.0f, v.r, v.g, v.b});
-    std::frexp(std::min(largest, 1e38f), &exponent);
-    exponent = largest < 1e-38f ? -128 : exponent;
-    for (int k = 0; k < 3; ++k)
-      row(y, k)[x] = static_cast<unsigned char>(
-          clamp(std::floor(std::ldexp(std::max(0.0f, v[k]), 8 - exponent)), 0, 255));
-    row(y, 3)[x] = static_cast<unsigned char>(exponent + 128);
+    const Rgbe code = encode_rgbe(rgb(v));
+    for (int k = 0; k < 4; ++k) row(y, k)[x] = code[static_cast<std::size_t>(k)];
     return;
   }
   if (comp == 1) return set_number(x, y, 0, is_alpha(type) ? v.a : (v.r + v.g + v.b) * (1.0f / 3));

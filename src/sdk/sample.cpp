@@ -4,23 +4,20 @@
 #include <cstdint>
 
 #include "oriel/sdk/shader/sample.h"
-#include "sampling/sampler.h"
+#include "sampling/shifted_net.h"
 #include "sdk/context.h"
 
 namespace {
 
-using oriel::Vec2;
-using oriel::sampling::Sampler;
+using oriel::sampling::ShiftedNet;
 
-/// Pairs of dimensions that a loop keeps even over its samples; further ones are drawn alone.
-constexpr int kPairs = 4;
 /// Loops within loops of one thread that are told apart.
 constexpr int kLoops = 8;
 
-/// A loop of mi_sample, known by its counter: where its pattern of points was shifted to.
+/// A loop of mi_sample, known by its counter.
 struct Loop {
   const int* counter = nullptr;
-  Vec2 shift[kPairs];
+  ShiftedNet net;
 };
 struct Loops {
   Loop of[kLoops];
@@ -28,13 +25,17 @@ struct Loops {
 };
 thread_local Loops loops;
 
+auto numbers_of(const miState* state) {
+  return [state] { return oriel::sdk::next(state); };
+}
+
 Loop& begin_loop(const int* counter, int dimensions, const miState* state) {
   Loop* loop = nullptr;
   for (Loop& l : loops.of)
     if (l.counter == counter) loop = &l;
   if (!loop) loop = &loops.of[loops.next++ % kLoops];
   loop->counter = counter;
-  for (int k = 0; k < kPairs && 2 * k < dimensions; ++k) loop->shift[k] = oriel::sdk::next(state);
+  loop->net.start(dimensions, numbers_of(state));
   return *loop;
 }
 
@@ -44,20 +45,11 @@ const Loop* running_loop(const int* counter) {
   return nullptr;
 }
 
-float wrapped(float x) { return x < 1 ? x : x - 1; }
-
-/// The points of all loops: a net, scrambled alike everywhere. The shift makes each of them even in
-/// the unit square, and what the samples of a pixel draw for it spreads them over the pixel.
+/// A point of a loop; without one, independent numbers.
 void fill(double* sample, int dimensions, int index, const Loop* loop, const miState* state) {
-  Sampler net(0, 0, static_cast<std::uint32_t>(index));
+  if (loop) return loop->net.fill(sample, dimensions, index, numbers_of(state));
   for (int k = 0; 2 * k < dimensions; ++k) {
-    Vec2 u;
-    if (loop && k < kPairs) {
-      u = net.next_2d() + loop->shift[k];
-      u = Vec2(wrapped(u.x), wrapped(u.y));
-    } else {
-      u = oriel::sdk::next(state);
-    }
+    const oriel::Vec2 u = oriel::sdk::next(state);
     sample[2 * k] = u.x;
     if (2 * k + 1 < dimensions) sample[2 * k + 1] = u.y;
   }
@@ -92,13 +84,4 @@ void mi_srandom(long seed) {
   random_count = oriel::sampling::mix_bits(static_cast<std::uint64_t>(seed)) >> 1;
 }
 
-// The generator of POSIX erand48, whose seeds these are: x = (0x5deece66d x + 11) mod 2^48.
-miScalar mi_erandom(unsigned short seed[3]) {
-  const std::uint64_t x =
-      std::uint64_t{seed[0]} | (std::uint64_t{seed[1]} << 16) | (std::uint64_t{seed[2]} << 32);
-  const std::uint64_t y = (x * 0x5deece66dull + 11) & 0xffffffffffffull;
-  seed[0] = static_cast<unsigned short>(y);
-  seed[1] = static_cast<unsigned short>(y >> 16);
-  seed[2] = static_cast<unsigned short>(y >> 32);
-  return static_cast<float>(y >> 24) * 0x1p-24f;
-}
+miScalar mi_erandom(unsigned short seed[3]) { return oriel::sampling::erand48(seed); }

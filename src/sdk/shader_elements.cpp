@@ -30,7 +30,7 @@ miTag ShaderElements::create(int type, std::size_t bytes) {
   return element.bytes ? add(std::move(element)) : miNULLTAG;
 }
 
-miTag ShaderElements::create(std::shared_ptr<PointTree> tree) {
+miTag ShaderElements::create(std::shared_ptr<geom::PointTree> tree) {
   Element element;
   element.type = miSCENE_VENDOR;
   element.tree = std::move(tree);
@@ -96,7 +96,7 @@ int ShaderElements::type(miTag tag) const {
   return element ? element->type : static_cast<int>(miSCENE_NONE);
 }
 
-PointTree* ShaderElements::pin(miTag tag) {
+geom::PointTree* ShaderElements::pin(miTag tag) {
   const std::lock_guard lock(mutex_);
   const Element* element = find(tag);
   if (!element || !element->tree) return nullptr;
@@ -106,7 +106,7 @@ PointTree* ShaderElements::pin(miTag tag) {
   return pinned.tree.get();
 }
 
-void ShaderElements::unpin(const PointTree* tree) {
+void ShaderElements::unpin(const geom::PointTree* tree) {
   const std::lock_guard lock(mutex_);
   const auto found = pinned_.find(tree);
   if (found != pinned_.end() && --found->second.times == 0) pinned_.erase(found);

@@ -7,8 +7,8 @@
 #include <mutex>
 #include <unordered_map>
 
+#include "geom/point_tree.h"
 #include "oriel/sdk/shader/types.h"
-#include "sdk/point_tree.h"
 
 namespace oriel::sdk {
 
@@ -22,7 +22,7 @@ class ShaderElements {
 
   /// A block of zeros; 0 where there is no room for it.
   miTag create(int type, std::size_t bytes);
-  miTag create(std::shared_ptr<PointTree> tree);
+  miTag create(std::shared_ptr<geom::PointTree> tree);
   /// False: there is no such block, or no room.
   bool resize(miTag tag, std::size_t bytes);
   /// False: there is no such block.
@@ -36,8 +36,8 @@ class ShaderElements {
   int type(miTag tag) const;
   /// A tree, which stays until it is unpinned as often as pinned, also when it is erased; null: no
   /// such tree.
-  PointTree* pin(miTag tag);
-  void unpin(const PointTree* tree);
+  geom::PointTree* pin(miTag tag);
+  void unpin(const geom::PointTree* tree);
 
   struct Sum {
     std::size_t elements = 0, bytes = 0;
@@ -52,10 +52,10 @@ class ShaderElements {
     int type = 0;
     std::unique_ptr<void, Free> bytes;
     std::size_t size = 0;
-    std::shared_ptr<PointTree> tree;
+    std::shared_ptr<geom::PointTree> tree;
   };
   struct Pinned {
-    std::shared_ptr<PointTree> tree;
+    std::shared_ptr<geom::PointTree> tree;
     std::size_t times = 0;
   };
   miTag add(Element element);
@@ -63,7 +63,7 @@ class ShaderElements {
 
   mutable std::mutex mutex_;
   std::unordered_map<miTag, Element> elements_;
-  std::unordered_map<const PointTree*, Pinned> pinned_;
+  std::unordered_map<const geom::PointTree*, Pinned> pinned_;
   std::size_t made_ = 0;  ///< tags are never given twice in a frame
 };
 

@@ -42,8 +42,8 @@ TEST(ShaderElements, AreZeroHoweverTheyGrew) {
 
 TEST(ShaderElements, TreesStayWhileTheyAreOpen) {
   ShaderElements elements;
-  const miTag tag = elements.create(std::make_shared<PointTree>(1, 0));
-  PointTree* tree = elements.pin(tag);
+  const miTag tag = elements.create(std::make_shared<geom::PointTree>(1, 0));
+  geom::PointTree* tree = elements.pin(tag);
   ASSERT_TRUE(tree);
   EXPECT_EQ(elements.pin(tag), tree);
   elements.unpin(tree);

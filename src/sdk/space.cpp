@@ -57,22 +57,6 @@ void move_normal(const Way& way, miVector* result, const miVector* in) {
   *result = way.from ? oriel::sdk::as_c(oriel::transform_normal(vec(*in), *way.from)) : *in;
 }
 
-/// Depth below which a point is as good as in the camera's own plane.
-constexpr float kLeastDepth = 1e-30f;
-
-/// Inverts Camera::ray; z stays that of camera space.
-Vec3 raster_of(const Camera& camera, const Vec3& p) {
-  float x = p.x, y = p.y;
-  if (!camera.orthographic) {
-    const float depth = std::abs(p.z) > kLeastDepth ? -p.z : kLeastDepth;
-    x *= camera.focal / depth;
-    y *= camera.focal / depth;
-  }
-  const float half_width = camera.aperture / 2, half_height = half_width / camera.aspect;
-  return Vec3((x / half_width + 1) / 2 * static_cast<float>(camera.width) - camera.offset.x,
-              (y / half_height + 1) / 2 * static_cast<float>(camera.height) - camera.offset.y, p.z);
-}
-
 }  // namespace
 
 #define ORIEL_SPACE(space)                                                                  \
@@ -109,7 +93,7 @@ void mi_point_to_raster(const miState* state, miVector* result, const miVector* 
     return;
   }
   const Vec3 p = oriel::transform_point(vec(*in), world->camera.to_camera);
-  *result = oriel::sdk::as_c(raster_of(world->camera, p));
+  *result = oriel::sdk::as_c(world->camera.raster_of(p));
 }
 
 // Across the view at the depth of the hit, as long as one step of a pixel there.
@@ -119,10 +103,8 @@ miBoolean mi_raster_unit(const miState* state, miVector* x, miVector* y) {
   const Camera& camera = world->camera;
   const float depth = -oriel::transform_point(vec(state->point), camera.to_camera).z;
   if (!(depth > 0)) return miFALSE;
-  const float scale = camera.orthographic ? 1 : depth / camera.focal;
-  const float width = camera.aperture / static_cast<float>(camera.width) * scale;
-  const float height = camera.aperture / camera.aspect / static_cast<float>(camera.height) * scale;
-  const miVector step_x = {width, 0, 0}, step_y = {0, height, 0};
+  const oriel::Vec2 pixel = camera.pixel_size(depth);
+  const miVector step_x = {pixel.x, 0, 0}, step_y = {0, pixel.y, 0};
   mi_vector_from_camera(state, x, &step_x);
   mi_vector_from_camera(state, y, &step_y);
   mi_vector_to_object(state, x, x);

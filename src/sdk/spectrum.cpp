@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "color/spectrum.h"
@@ -21,12 +22,6 @@ Spectrum bands_of(const miSpectrum& s) {
   Spectrum bands = {};
   if (mi_spectrum_check(&s)) std::memcpy(bands.data(), s.value + kSpectrumBandsAt, sizeof bands);
   return bands;
-}
-
-/// Index of the band that holds a wavelength; -1 outside of all.
-int band_at(miScalar nm) {
-  const float band = (nm - kSpectrumFirstNm) / kSpectrumStepNm + 0.5f;
-  return band >= 0 && band < static_cast<float>(kSpectrumBands) ? static_cast<int>(band) : -1;
 }
 
 /// Sets a valid spectrum to bands of which `change` makes new ones.
@@ -49,11 +44,8 @@ void combine_bands(miSpectrum* s, const miSpectrum* other, F&& change) {
 }
 
 /// Sets it to bands that are scaled to a luminance.
-void set_lamp(miSpectrum* s, Spectrum bands, miScalar luminance) {
-  if (!s) return;
-  const float y = spectrum_xyz(bands).y;
-  for (float& band : bands) band = y > 0 ? band * (luminance / y) : 0.0f;
-  set_spectrum(*s, bands);
+void set_scaled(miSpectrum* s, const Spectrum& bands, miScalar luminance) {
+  if (s) set_spectrum(*s, with_luminance(bands, luminance));
 }
 
 }  // namespace
@@ -168,12 +160,12 @@ void mi_spectrum_lerp(miSpectrum* s, const miSpectrum* other, miScalar t) {
 }
 
 miScalar mi_spectrum_value_get(const miSpectrum* s, miScalar nm) {
-  const int band = band_at(nm);
+  const int band = spectrum_band(nm);
   return band >= 0 && mi_spectrum_check(s) ? s->value[kSpectrumBandsAt + band] : 0.0f;
 }
 
 miScalar mi_spectrum_value_set(miSpectrum* s, miScalar nm, miScalar value) {
-  const int band = band_at(nm);
+  const int band = spectrum_band(nm);
   if (band >= 0)
     change_bands(s, [&](Spectrum& bands) { bands[static_cast<std::size_t>(band)] = value; });
   return mi_spectrum_value_get(s, nm);
@@ -184,32 +176,25 @@ miScalar mi_spectrum_value_add(miSpectrum* s, miScalar nm, miScalar value) {
 }
 
 miScalar mi_spectrum_linewidth(const miSpectrum*, miScalar nm) {
-  return band_at(nm) >= 0 ? kSpectrumStepNm : 0.0f;
+  return spectrum_band(nm) >= 0 ? kSpectrumStepNm : 0.0f;
 }
 
 void mi_spectrum_blackbody(miSpectrum* s, miScalar kelvin, miScalar intensity) {
-  set_lamp(s, kelvin > 0 ? black_body_spectrum(kelvin) : Spectrum{}, intensity);
+  set_scaled(s, kelvin > 0 ? black_body_spectrum(kelvin) : Spectrum{}, intensity);
 }
 
 void mi_spectrum_cie_sky(miSpectrum* s, miScalar kelvin, miScalar intensity) {
-  set_lamp(s, daylight_spectrum(kelvin), intensity);
+  set_scaled(s, daylight_spectrum(kelvin), intensity);
 }
 
 void mi_spectrum_cie(miSpectrum* s, miScalar intensity, const char* illuminant) {
-  // CIE 15:2004, section 3.1: temperatures of the illuminants.
-  constexpr std::pair<const char*, float> kDaylights[] = {
-      {"D50", 5003}, {"D55", 5503}, {"D65", 6504}, {"D75", 7504}};
   const std::string name = illuminant ? illuminant : "";
-  for (const auto& [known, kelvin] : kDaylights)
-    if (name == known) return set_lamp(s, daylight_spectrum(kelvin), intensity);
-  if (name == "A") return set_lamp(s, black_body_spectrum(2856), intensity);
-  Spectrum flat;
-  flat.fill(1);
-  if (name != "E") {
+  const std::optional<Spectrum> known = cie_illuminant(name);
+  if (!known) {
     static std::atomic<bool> warned = false;
     warn_once(warned, "unknown CIE illuminant \"" + name + "\"; a flat spectrum is used");
   }
-  set_lamp(s, flat, intensity);
+  set_scaled(s, known ? *known : *cie_illuminant("E"), intensity);
 }
 
 void mi_spectrum_rgb(miColor* to, const miSpectrum* s) {

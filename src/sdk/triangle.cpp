@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geom/barycentric.h"
 #include "geom/motion.h"
 #include "runtime/world.h"
 #include "sdk/context.h"
@@ -17,12 +18,7 @@ Vec3 HitTriangle::position(int corner) const {
 }
 
 Vec3 HitTriangle::weights(const Vec3& place) const {
-  const Vec3 a = position(0), e1 = position(1) - a, e2 = position(2) - a, d = place - a;
-  const Vec3 n = cross(e1, e2);
-  const float area = dot(n, n);
-  if (!(area > 0)) return Vec3(1, 0, 0);
-  const float b = dot(cross(d, e2), n) / area, c = dot(cross(e1, d), n) / area;
-  return Vec3(1 - b - c, b, c);
+  return geom::barycentric_weights(place, position(0), position(1), position(2));
 }
 
 std::optional<HitTriangle> hit_triangle(const ShadingPoint& point) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "image/noise.h"
+#include "sampling/gradient_noise.h"
 
 namespace oriel {
 namespace {
@@ -119,7 +119,7 @@ void turbulence(const Call& call, void* result) {
   const float weaker = math::exp2(-or_one(p.power));
   float sum = 0, weight = 1;
   for (int k = 0; k < passes; ++k, at *= 2.0f, weight *= weaker)
-    sum += weight * std::abs(gradient_noise(at));
+    sum += weight * std::abs(sampling::gradient_noise(at));
   *static_cast<float*>(result) = sum * or_one(p.strength);
 }
 

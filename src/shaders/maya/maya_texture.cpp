@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/math.h"
-#include "image/noise.h"
 #include "runtime/bump.h"
 #include "runtime/texture_node.h"
+#include "sampling/gradient_noise.h"
 #include "shaders/maya/maya_place.h"
 #include "shaders/maya/maya_utility.h"
 
@@ -203,7 +203,7 @@ void noise(const Call& call, void* result, int sizes, bool about_mean) {
   float sum = 0, weights = 0, weight = 1;
   Vec3 at(uv.x * p.frequency, uv.y * p.frequency, .5f);
   for (int k = 0; k < std::clamp(sizes, 1, 9); ++k) {
-    sum += weight * gradient_noise(at);
+    sum += weight * sampling::gradient_noise(at);
     weights += weight;
     weight *= clamp(p.ratio, 0, 1);
     at *= clamp(p.frequencyRatio, 1, 16);
@@ -276,8 +276,8 @@ Vec3 placed(const MayaPlace& p, const Vec3& surface) {
     /// Wobbles along the texture: a guess.
     constexpr float kWobbles = 18;
     const Vec3 at(surface.x * kWobbles, surface.y * kWobbles, 0);
-    uv.x += p.noiseUV.x * gradient_noise(at + Vec3(0, 0, .5f));
-    uv.y += p.noiseUV.y * gradient_noise(at + Vec3(0, 0, 1.5f));
+    uv.x += p.noiseUV.x * sampling::gradient_noise(at + Vec3(0, 0, .5f));
+    uv.y += p.noiseUV.y * sampling::gradient_noise(at + Vec3(0, 0, 1.5f));
   }
   if (p.rotateFrame != 0) uv = turned(uv, angle_of(p.rotateFrame));
   uv = uv - p.translateFrame;

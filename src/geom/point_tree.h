@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace oriel::sdk {
+namespace oriel::geom {
 
 /// A kd-tree that grows: balanced trees of 1, 2, 4, 8, ... points, of which equal ones are merged
 /// when a point is added.
@@ -63,4 +63,4 @@ class PointTree {
   std::vector<Level> levels_;                         ///< the k-th has 2^k points or none
 };
 
-}  // namespace oriel::sdk
+}  // namespace oriel::geom

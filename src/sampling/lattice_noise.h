@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace oriel::sdk {
+namespace oriel::sampling {
 
 /// Noise and its gradient at a place.
 template <int kDimensions>
@@ -22,11 +22,22 @@ struct NoiseAt {
 /// Source:  own construction after Perlin, "Improving Noise", ACM TOG 21(3), 2002 (the polynomial),
 ///          and Lewis, "Algorithms for Solid Noise Synthesis", SIGGRAPH 1989 (values as well as
 ///          gradients).
-/// Checked: Noise.* in noise_test.cpp
+/// Checked: LatticeNoise.*
 template <int kDimensions>
 NoiseAt<kDimensions> lattice_noise(const std::array<float, kDimensions>& at);
 
 template <int kDimensions>
 float noise_bound();
 
-}  // namespace oriel::sdk
+enum class NoiseShape {
+  Bell,  ///< a bell about 0.5 of standard deviation 0.14
+  Even   ///< all values equally often
+};
+
+/// The lattice noise mapped to 0...1, with the gradient of the result.
+///
+/// Checked: ShapedNoise.*
+template <int kDimensions>
+NoiseAt<kDimensions> shaped_noise(const std::array<float, kDimensions>& at, NoiseShape shape);
+
+}  // namespace oriel::sampling

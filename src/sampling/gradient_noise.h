@@ -4,7 +4,7 @@
 
 #include "base/vec.h"
 
-namespace oriel {
+namespace oriel::sampling {
 
 /// Improved gradient noise: 0 at all whole coordinates, smooth to the second derivative, repeats
 /// every 256 units.
@@ -12,7 +12,7 @@ namespace oriel {
 /// Inputs:  p: any; where it is not finite the noise is 0.
 /// Returns: within [-1, 1], mean 0.
 /// Source:  Perlin, "Improving Noise", ACM TOG 21(3), 2002; the permutation is the one he
-/// published. Checked: Noise.*
+/// published. Checked: GradientNoise.*
 float gradient_noise(const Vec3& p);
 
-}  // namespace oriel
+}  // namespace oriel::sampling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sdk/point_tree.h"
+#include "geom/point_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-namespace oriel::sdk {
+namespace oriel::geom {
 namespace {
 
 constexpr std::size_t kAlign = alignof(std::max_align_t);
@@ -126,4 +126,4 @@ std::size_t PointTree::bytes() const {
   return points_.size() * (stride_ + 2 * sizeof(Index));
 }
 
-}  // namespace oriel::sdk
+}  // namespace oriel::geom

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/noise.h"
+#include "sampling/gradient_noise.h"
 
 #include <array>
 #include <cstdint>
 
-namespace oriel {
+namespace oriel::sampling {
 namespace {
 
 constexpr std::array<std::uint8_t, 256> kPermutation = {
@@ -72,4 +72,4 @@ float gradient_noise(const Vec3& p) {
   return lerp(along_z[0], along_z[1], fade(f.z));
 }
 
-}  // namespace oriel
+}  // namespace oriel::sampling

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lobe of glossy directions and of Ward's highlight, by shininess.
+// Sampling of Ward's lobe, with its width given as shininess.
 #pragma once
 
 #include "base/vec.h"
 
-namespace oriel::sdk {
+namespace oriel::bsdf {
 
 /// Directions mirrored at facets whose slopes are Gaussian.
 ///
 /// Conventions: local frame, z = normal, wo.z > 0, u along x. As bsdf/lobe_sample.h.
 /// Model:   root mean square slopes are 1 / shininess (Ward's alpha). A direction that would lie
 ///          below the surface is mirrored above it: the shader has no answer for a lost one.
-/// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 5 and
-/// 6;
-///          Walter, "Notes on the Ward BRDF", 2005, for the density.
+/// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 5
+///          and 6; Walter, "Notes on the Ward BRDF", 2005, for the density.
 /// Checked: WardLobe.*, Directions.GlossyOnesMatchTheirDensity
 class WardLobe {
  public:
@@ -23,12 +22,13 @@ class WardLobe {
   Vec3 sample(const Vec3& wo, const Vec2& u) const;
   /// Density of sample() per solid angle.
   float pdf(const Vec3& wo, const Vec3& wi) const;
-  float alpha_x() const { return ax_; }
-  float alpha_y() const { return ay_; }
+  /// Radiance of Ward's highlight relative to that of a white Lambert surface: pi times the
+  /// reflectance, without the cosine of wi, which WardHighlight includes.
+  float relative_to_lambert(const Vec3& wo, const Vec3& wi) const;
 
  private:
   float mirror_pdf(const Vec3& wo, const Vec3& wi) const;
   float ax_, ay_;
 };
 
-}  // namespace oriel::sdk
+}  // namespace oriel::bsdf

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/noise.h"
+#include "sampling/gradient_noise.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace oriel {
-namespace noise_test {
+namespace oriel::sampling {
+namespace gradient_noise_test {
 
-TEST(Noise, MatchesThePublishedFunction) {
+TEST(GradientNoise, MatchesThePublishedFunction) {
   // The value that implementations of the 2002 reference code agree on.
   EXPECT_NEAR(gradient_noise(Vec3(3.14f, 42, 7)), 0.13691995878400012, 1e-5);
 }
 
-TEST(Noise, IsZeroOnTheLatticeAndBounded) {
+TEST(GradientNoise, IsZeroOnTheLatticeAndBounded) {
   float least = 0, most = 0;
   double sum = 0;
   int count = 0;
@@ -37,7 +37,7 @@ TEST(Noise, IsZeroOnTheLatticeAndBounded) {
   EXPECT_NEAR(sum / count, 0, 0.01);
 }
 
-TEST(Noise, RepeatsAfter256AndIsTotal) {
+TEST(GradientNoise, RepeatsAfter256AndIsTotal) {
   const Vec3 p(1.25f, 2.5f, 3.75f);
   EXPECT_EQ(gradient_noise(p), gradient_noise(p + Vec3(256, -256, 512)));
   EXPECT_TRUE(std::isfinite(gradient_noise(Vec3(1e30f, -1e30f, 1e20f))));
@@ -45,5 +45,5 @@ TEST(Noise, RepeatsAfter256AndIsTotal) {
   EXPECT_EQ(gradient_noise(Vec3(none, 0, 0)), 0);
 }
 
-}  // namespace noise_test
-}  // namespace oriel
+}  // namespace gradient_noise_test
+}  // namespace oriel::sampling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sdk/point_tree.h"
+#include "geom/point_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "sampling/sampler.h"
 
-namespace oriel::sdk {
+namespace oriel::geom {
 namespace point_tree_test {
 
 struct Cloud {
@@ -115,4 +115,4 @@ TEST(PointTree, MayGrowWhileItIsAsked) {
 }
 
 }  // namespace point_tree_test
-}  // namespace oriel::sdk
+}  // namespace oriel::geom

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sdk/ward_lobe.h"
+#include "bsdf/ward_lobe.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/math.h"
+#include "bsdf/highlights.h"
 #include "sampling/warp.h"
 
-namespace oriel::sdk {
+namespace oriel::bsdf {
 namespace {
 
 /// Steepest mean slope, as the renderer's own mib_illum_ward has it: that of a shininess of 0.
-constexpr float kMostSlope = 10;
+constexpr float kMostWardSlope = 10;
 /// Highlights of finer slopes are points that no picture resolves.
-constexpr float kLeastSlope = 1e-4f;
+constexpr float kLeastWardSlope = 1e-4f;
 
-float slope_of(float shiny) { return std::max(kLeastSlope, 1 / std::max(shiny, 1 / kMostSlope)); }
+float ward_slope(float shiny) {
+  return std::max(kLeastWardSlope, 1 / std::max(shiny, 1 / kMostWardSlope));
+}
 
 }  // namespace
 
-WardLobe::WardLobe(float shiny_u, float shiny_v) : ax_(slope_of(shiny_u)), ay_(slope_of(shiny_v)) {}
+WardLobe::WardLobe(float shiny_u, float shiny_v)
+    : ax_(ward_slope(shiny_u)), ay_(ward_slope(shiny_v)) {}
 
 Vec3 WardLobe::sample(const Vec3& wo, const Vec2& u) const {
   const float r = std::sqrt(-math::log1p(-u.x));
@@ -43,4 +47,9 @@ float WardLobe::pdf(const Vec3& wo, const Vec3& wi) const {
   return mirror_pdf(wo, wi) + mirror_pdf(wo, Vec3(wi.x, wi.y, -wi.z));
 }
 
-}  // namespace oriel::sdk
+float WardLobe::relative_to_lambert(const Vec3& wo, const Vec3& wi) const {
+  const float value = WardHighlight{ax_, ay_}.eval(wo, wi);
+  return value > 0 ? kPi * value / wi.z : 0;
+}
+
+}  // namespace oriel::bsdf

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Weights of a triangle's corners at a point.
+#pragma once
+
+#include "base/vec.h"
+
+namespace oriel::geom {
+
+/// Weights of the corners whose mean is the point, projected onto the triangle's plane. Their sum
+/// is 1; outside of the triangle some are negative. A triangle without area gives the first corner.
+/// Checked: Barycentric.*
+inline Vec3 barycentric_weights(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 e1 = b - a, e2 = c - a, d = point - a;
+  const Vec3 n = cross(e1, e2);
+  const float area = dot(n, n);
+  if (!(area > 0)) return Vec3(1, 0, 0);
+  const float wb = dot(cross(d, e2), n) / area, wc = dot(cross(e1, d), n) / area;
+  return Vec3(1 - wb - wc, wb, wc);
+}
+
+}  // namespace oriel::geom
