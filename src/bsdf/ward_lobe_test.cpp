@@ -13,7 +13,7 @@ namespace ward_lobe_test {
 
 TEST(WardLobe, DirectionsMatchTheirDensity) {
   const Vec3 wo(-.6f, 0, .8f);
-  for (const Vec2 shiny : {Vec2(4, 4), Vec2(3, 9)}) {
+  for (const Vec2& shiny : {Vec2(4, 4), Vec2(3, 9)}) {
     const WardLobe lobe(shiny.x, shiny.y);
     const testing::DirectionTest test = testing::test_directions(
         [&](const Vec2& u, float) -> std::optional<Vec3> { return lobe.sample(wo, u); },
@@ -27,8 +27,8 @@ TEST(WardLobe, DirectionsMatchTheirDensity) {
 // The slopes are the reciprocals of the shininess; the highlight includes the cosine.
 TEST(WardLobe, IsWardsReflectance) {
   const Vec3 wo(0, 0, 1), wi(.28f, 0, .96f);
-  EXPECT_FLOAT_EQ(WardLobe(4, 8).relative_to_lambert(wo, wi),
-                  kPi * WardHighlight{.25f, .125f}.eval(wo, wi) / .96f);
+  const float highlight = WardHighlight{.25f, .125f}.eval(wo, wi);
+  EXPECT_FLOAT_EQ(WardLobe(4, 8).relative_to_lambert(wo, wi), kPi * highlight / .96f);
   EXPECT_EQ(WardLobe(4, 8).relative_to_lambert(wo, Vec3(.28f, 0, -.96f)), 0);
 }
 
@@ -37,7 +37,8 @@ TEST(WardLobe, HasAWidestSlope) {
   const Vec3 wo(0, 0, 1), wi(.6f, 0, .8f);
   const float widest = WardLobe(0, 0).relative_to_lambert(wo, wi);
   EXPECT_EQ(widest, WardLobe(.1f, .1f).relative_to_lambert(wo, wi));
-  EXPECT_FLOAT_EQ(widest, kPi * WardHighlight{10, 10}.eval(wo, wi) / .8f);
+  const float highlight = WardHighlight{10, 10}.eval(wo, wi);
+  EXPECT_FLOAT_EQ(widest, kPi * highlight / .8f);
 }
 
 }  // namespace ward_lobe_test
