@@ -96,6 +96,16 @@ if(ORIEL_TESTS)
   add_library(oriel_test_main STATIC ${CMAKE_SOURCE_DIR}/tests/main.cpp)
   target_include_directories(oriel_test_main PRIVATE ${CMAKE_SOURCE_DIR}/src)
   target_link_libraries(oriel_test_main PUBLIC GTest::gtest)
+
+  # What tests share (tests/support). Its headers say what they need: unit tests of a folder include
+  # those that use nothing above that folder, and the linker takes no more than is used.
+  file(GLOB support CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/support/*.cpp)
+  add_library(oriel_test_support STATIC ${support})
+  target_include_directories(oriel_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests
+                             PRIVATE ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/include)
+  target_link_libraries(oriel_test_support PRIVATE GTest::gtest Imath::Imath fmt::fmt TBB::tbb)
+  target_compile_options(oriel_test_support PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_definitions(oriel_test_support PRIVATE ORIEL_PROGRAM="$<TARGET_FILE:oriel>")
 endif()
 
 # oriel_test(NAME SOURCES files... DEPS folders...): a GoogleTest program known to ctest.
@@ -103,7 +113,7 @@ function(oriel_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LIBS" ${ARGN})
   list(TRANSFORM ARG_DEPS PREPEND oriel_)
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE ${ARG_DEPS} ${ARG_LIBS} oriel_test_main)
+  target_link_libraries(${name} PRIVATE oriel_test_support ${ARG_DEPS} ${ARG_LIBS} oriel_test_main)
   # Half the time to compile; what the tests call is optimised fully.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-maybe-uninitialized)
   target_compile_definitions(${name} PRIVATE ORIEL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")

@@ -63,7 +63,7 @@ double student_95(double degrees);
 /// Illuminance in lux of each meter, by paths.
 ///
 /// Inputs:  unit: cd/m2 of one unit of a pixel.
-/// Checked: tests/analytic/measure_test.cpp
+/// Checked: tests/analytic/outputs/measure_test.cpp
 std::vector<Reading> measure_illuminance(const World& world,
                                          const std::vector<IrradianceSensor>& sensors, float unit,
                                          const MeasureRequest& request,

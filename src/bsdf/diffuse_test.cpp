@@ -8,15 +8,12 @@
 #include "bsdf/phong.h"
 #include "bsdf/translucency.h"
 #include "sampling/testing/chi_square.h"
+#include "support/directions.h"
 
 namespace oriel::bsdf {
 namespace diffuse_test {
 
-Vec3 direction(double theta_deg, double phi_deg = 0) {
-  const double t = theta_deg * M_PI / 180, p = phi_deg * M_PI / 180;
-  return Vec3(static_cast<float>(std::sin(t) * std::cos(p)),
-              static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t)));
-}
+using testing::polar_direction;
 
 /// Over azimuth (the lobe's azimuth has a kink a quarter turn from the viewer's) and sin^2.
 double quadrature_albedo(const OrenNayar& lobe, const Vec3& wo) {
@@ -41,8 +38,8 @@ TEST(OrenNayar, RoughnessZeroIsExactlyLambert) {
   const OrenNayar lobe(0);
   for (double to = 0; to < 90; to += 13)
     for (double ti = 1; ti < 90; ti += 11) {
-      const Vec3 wi = direction(ti, 40);
-      EXPECT_EQ(lobe.eval(direction(to), wi), wi.z * kInvPi);
+      const Vec3 wi = polar_direction(ti, 40);
+      EXPECT_EQ(lobe.eval(polar_direction(to), wi), wi.z * kInvPi);
     }
 }
 
@@ -58,17 +55,17 @@ TEST(OrenNayar, CoefficientsMatchThePublishedModel) {
 TEST(OrenNayar, AlbedoMatchesTheClosedForm) {
   const OrenNayar half(0.5f);
   EXPECT_NEAR(half.albedo(1), .78448, 1e-5);
-  EXPECT_NEAR(half.albedo(direction(60).z), .88313, 1e-5);
-  EXPECT_NEAR(half.albedo(direction(85).z), .94031, 2e-4);  // a coarser quadrature's figure
+  EXPECT_NEAR(half.albedo(polar_direction(60).z), .88313, 1e-5);
+  EXPECT_NEAR(half.albedo(polar_direction(85).z), .94031, 2e-4);  // a coarser quadrature's figure
   for (const float sigma : {0.1f, 0.25f, 0.5f, 1.0f})
     for (const double theta : {0.0, 30.0, 60.0, 80.0, 88.0}) {
       const OrenNayar lobe(sigma);
-      const Vec3 wo = direction(theta, 20);
+      const Vec3 wo = polar_direction(theta, 20);
       EXPECT_NEAR(quadrature_albedo(lobe, wo), lobe.albedo(wo.z), 1e-5) << sigma << ' ' << theta;
     }
   // The published model at 0.25 rad and 85 degrees reflects 1.00724; the excess is divided out.
   const double a = 1 - .5 * .0625 / (.0625 + .33), b = .45 * .0625 / (.0625 + .09);
-  EXPECT_NEAR(OrenNayar(0.25f).albedo(direction(85).z) * (a + b / 2), 1.00724, 2e-4);
+  EXPECT_NEAR(OrenNayar(0.25f).albedo(polar_direction(85).z) * (a + b / 2), 1.00724, 2e-4);
 }
 
 TEST(OrenNayar, NeverReflectsMoreThanItReceives) {
@@ -82,37 +79,37 @@ TEST(OrenNayar, FlatLitSphereIsFlatterThanLambert) {
   // Lit from the viewer: Lambert falls with the cosine, a powdery sphere stays bright to its rim.
   const OrenNayar lobe(1);
   for (const double theta : {30.0, 60.0, 80.0}) {
-    const Vec3 w = direction(theta);
+    const Vec3 w = polar_direction(theta);
     const double s = std::sin(theta * M_PI / 180),
                  expected = (.624060 + .412844 * s * s / w.z) * w.z;
     EXPECT_NEAR(lobe.eval(w, w) * kPi, expected, 1e-5);
-    EXPECT_GT(lobe.eval(w, w) / lobe.eval(direction(0), direction(0)), w.z);
+    EXPECT_GT(lobe.eval(w, w) / lobe.eval(polar_direction(0), polar_direction(0)), w.z);
   }
 }
 
 TEST(Translucency, IsLambertOnTheOtherSide) {
   const Translucency lobe;
-  const Vec3 wo = direction(35, 10);
+  const Vec3 wo = polar_direction(35, 10);
   EXPECT_FLOAT_EQ(lobe.eval(wo, Vec3(0, 0, -1)), kInvPi);
-  EXPECT_FLOAT_EQ(lobe.eval(wo, -direction(60)), 0.5f * kInvPi);
-  EXPECT_EQ(lobe.eval(wo, direction(60)), 0);
+  EXPECT_FLOAT_EQ(lobe.eval(wo, -polar_direction(60)), 0.5f * kInvPi);
+  EXPECT_EQ(lobe.eval(wo, polar_direction(60)), 0);
 }
 
 TEST(Phong, IsTheBareCosinePower) {
   const PhongHighlight lobe{20};
-  EXPECT_FLOAT_EQ(lobe.eval(direction(40), direction(40, 180)), kInvPi);
-  EXPECT_NEAR(lobe.eval(direction(40), direction(70, 180)) * kPi, std::pow(std::cos(M_PI / 6), 20),
-              1e-6);
-  EXPECT_EQ(lobe.eval(direction(80), direction(80)), 0);
-  EXPECT_EQ(lobe.eval(direction(40), -direction(40)), 0);
+  EXPECT_FLOAT_EQ(lobe.eval(polar_direction(40), polar_direction(40, 180)), kInvPi);
+  EXPECT_NEAR(lobe.eval(polar_direction(40), polar_direction(70, 180)) * kPi,
+              std::pow(std::cos(M_PI / 6), 20), 1e-6);
+  EXPECT_EQ(lobe.eval(polar_direction(80), polar_direction(80)), 0);
+  EXPECT_EQ(lobe.eval(polar_direction(40), -polar_direction(40)), 0);
 }
 
 // The half vector of the viewer at 40 degrees and a light at 0 is 20 degrees from the normal.
 TEST(BlinnPhong, IsThePowerOfTheHalfVectorsCosine) {
-  EXPECT_NEAR(blinn_phong(direction(40), direction(40, 180), 20), 1, 1e-5);
-  EXPECT_NEAR(blinn_phong(direction(40), Vec3(0, 0, 1), 10), std::pow(std::cos(M_PI / 9), 10),
+  EXPECT_NEAR(blinn_phong(polar_direction(40), polar_direction(40, 180), 20), 1, 1e-5);
+  EXPECT_NEAR(blinn_phong(polar_direction(40), Vec3(0, 0, 1), 10), std::pow(std::cos(M_PI / 9), 10),
               1e-5);
-  EXPECT_EQ(blinn_phong(direction(40), -direction(40), 10), 0);
+  EXPECT_EQ(blinn_phong(polar_direction(40), -polar_direction(40), 10), 0);
 }
 
 }  // namespace diffuse_test

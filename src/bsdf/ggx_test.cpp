@@ -11,16 +11,14 @@
 #include "bsdf/glossy_reflection.h"
 #include "sampling/sampler.h"
 #include "sampling/testing/chi_square.h"
+#include "support/directions.h"
 
 namespace oriel::bsdf {
 namespace ggx_test {
 
-using sampling::Sampler;
+using testing::cosine_direction;
 
-Vec3 direction(float cosine, float phi = 0.3f) {
-  const float s = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-  return Vec3(s * std::cos(phi), s * std::sin(phi), cosine);
-}
+using sampling::Sampler;
 
 /// Mean of sampled weights: the directional albedo.
 double furnace(const GlossyReflection& lobe, const Vec3& wo, std::uint32_t samples = 4096) {
@@ -41,7 +39,7 @@ RandomCase random_case(int n) {
   const Roughness r = anisotropic_roughness(alpha, std::pow(10.0f, 2 * s.next_1d() - 1));
   const float u = s.next_1d();
   const float cosine = std::max(1e-3f, n % 2 ? u : u * u * u);
-  return {r.ax, r.ay, direction(cosine, kTwoPi * s.next_1d())};
+  return {r.ax, r.ay, cosine_direction(cosine, kTwoPi * s.next_1d())};
 }
 
 TEST(Ggx, ProjectedAreaIsOne) {
@@ -50,7 +48,7 @@ TEST(Ggx, ProjectedAreaIsOne) {
     const double integral = testing::integrate(
         [&](double t, double phi) {
           const double tangent = t / (1 - t), c = 1 / std::sqrt(1 + tangent * tangent);
-          const Vec3 h = direction(static_cast<float>(c), static_cast<float>(phi));
+          const Vec3 h = cosine_direction(static_cast<float>(c), static_cast<float>(phi));
           return g.d(h) * c * c * c * c * tangent / ((1 - t) * (1 - t));
         },
         0, 1, 0, 2 * M_PI, 1e-6);
@@ -59,7 +57,8 @@ TEST(Ggx, ProjectedAreaIsOne) {
 }
 
 TEST(Ggx, VisibleNormalsMatchTheirDensity) {
-  const Vec3 views[] = {direction(1), direction(0.6f, 0.4f), direction(0.1f, 2)};
+  const Vec3 views[] = {cosine_direction(1, 0.3), cosine_direction(0.6f, 0.4f),
+                        cosine_direction(0.1f, 2)};
   const Ggx surfaces[] = {{0.35f, 0.35f}, {0.8f, 0.2f}, {0.15f, 1.1f}};
   for (const Vec3& wo : views)
     for (const Ggx& g : surfaces) {
@@ -82,7 +81,8 @@ TEST(GgxAlbedo, MatchesThePublishedLoss) {
   for (const auto& row : table)
     for (int i = 0; i < 5; ++i) {
       const auto a = static_cast<float>(row[0]);
-      EXPECT_NEAR(ggx_albedo(a, a, direction(mu[i])), row[i + 1], 0.004) << a << ' ' << mu[i];
+      EXPECT_NEAR(ggx_albedo(a, a, cosine_direction(mu[i], 0.3)), row[i + 1], 0.004)
+          << a << ' ' << mu[i];
     }
 }
 
@@ -114,7 +114,7 @@ TEST(GlossyReflection, FurnaceIsWhite) {
           for (const float phi : {0.0f, 0.7f, 1.5f}) {
             const Roughness r = gloss_to_roughness(gloss, anisotropy, model);
             if (r.is_mirror()) continue;  // weight 1: DeltaLobes
-            ASSERT_NEAR(furnace({r.ax, r.ay}, direction(mu, phi), 2048), 1, 0.005)
+            ASSERT_NEAR(furnace({r.ax, r.ay}, cosine_direction(mu, phi), 2048), 1, 0.005)
                 << "gloss " << gloss << " anisotropy " << anisotropy << " mu " << mu << " phi "
                 << phi;
           }
@@ -136,7 +136,7 @@ TEST(GlossyReflection, MadeForOneViewerIsTheSameLobe) {
 
 // acceptance: E4
 TEST(GlossyReflection, HighlightNarrowsAtConstantEnergy) {
-  const Vec3 wo = direction(0.8f), mirrored(-wo.x, -wo.y, wo.z);
+  const Vec3 wo = cosine_direction(0.8f, 0.3), mirrored(-wo.x, -wo.y, wo.z);
   float peak = 0;
   for (float gloss = 0; gloss < 0.96f; gloss += 0.05f) {
     const Roughness r = gloss_to_roughness(gloss);
@@ -154,7 +154,8 @@ double half_width(const GlossyReflection& lobe, float phi) {
   double lo = 0, hi = 1.5;
   for (int i = 0; i < 60; ++i) {
     const double mid = 0.5 * (lo + hi);
-    (lobe.eval(wo, direction(static_cast<float>(std::cos(mid)), phi)) > half ? lo : hi) = mid;
+    (lobe.eval(wo, cosine_direction(static_cast<float>(std::cos(mid)), phi)) > half ? lo : hi) =
+        mid;
   }
   return lo;
 }
@@ -179,7 +180,7 @@ TEST(GlossyReflection, StaysFiniteAtTheNarrowestAndWidest) {
     const GlossyReflection lobe(ax, ay);
     for (int n = 0; n < 4000; ++n) {
       Sampler s(n, 3, 0);
-      const Vec3 wo = direction(std::max(1e-4f, s.next_1d()), kTwoPi * s.next_1d());
+      const Vec3 wo = cosine_direction(std::max(1e-4f, s.next_1d()), kTwoPi * s.next_1d());
       const auto r = lobe.sample(wo, s.next_2d(), 0);
       if (!r) continue;
       ASSERT_TRUE(is_finite(r->wi) && std::isfinite(r->weight) && std::isfinite(r->pdf));
@@ -192,7 +193,7 @@ TEST(GlossyReflection, StaysFiniteAtTheNarrowestAndWidest) {
 
 TEST(RoughThinTransmission, CentresOnTheStraightWay) {
   const RoughThinTransmission lobe(0.02f, 0.02f);
-  const Vec3 wo = direction(0.7f);
+  const Vec3 wo = cosine_direction(0.7f, 0.3);
   Vec3 mean(0, 0, 0);
   for (std::uint32_t i = 0; i < 4096; ++i)
     if (const auto s = lobe.sample(wo, Sampler(0, 0, i).next_2d(), 0)) mean += s->wi * s->weight;

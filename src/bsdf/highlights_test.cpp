@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "bsdf/fresnel.h"
+#include "support/directions.h"
 
 namespace oriel::bsdf {
 namespace highlights_test {
 
-Vec3 direction(float degrees, float azimuth_degrees = 0) {
-  const float a = degrees * kPi / 180, phi = azimuth_degrees * kPi / 180;
-  return Vec3(std::sin(a) * std::cos(phi), std::sin(a) * std::sin(phi), std::cos(a));
-}
+using testing::polar_direction;
 
 /// Integral over the hemisphere of lights: the directional albedo.
 template <class H>
@@ -33,8 +31,9 @@ double albedo(const H& highlight, const Vec3& wo) {
 template <class H>
 void expect_reciprocal(const H& highlight) {
   for (int i = 0; i < 50; ++i) {
-    const Vec3 a = direction(static_cast<float>(i) * 1.7f, static_cast<float>(i) * 37);
-    const Vec3 b = direction(static_cast<float>(49 - i) * 1.6f, static_cast<float>(i) * 91 + 10);
+    const Vec3 a = polar_direction(static_cast<float>(i) * 1.7f, static_cast<float>(i) * 37);
+    const Vec3 b =
+        polar_direction(static_cast<float>(49 - i) * 1.6f, static_cast<float>(i) * 91 + 10);
     const float ab = highlight.eval(a, b) / b.z, ba = highlight.eval(b, a) / a.z;
     EXPECT_NEAR(ab, ba, 1e-4f * std::max(1e-4f, ab)) << i;
   }
@@ -43,9 +42,9 @@ void expect_reciprocal(const H& highlight) {
 TEST(Highlights, WardIsNormalisedForSmallSlopes) {
   // Exact as the slopes go to zero, looking straight down. Aslant it falls with the cosine, which
   // later papers mend: Duer, "An Improved Normalization for the Ward Reflectance Model", JGT 2006.
-  EXPECT_NEAR(albedo(WardHighlight{.05f, .05f}, direction(0)), 1, .02);
-  EXPECT_NEAR(albedo(WardHighlight{.05f, .1f}, direction(0)), 1, .03);
-  EXPECT_NEAR(albedo(WardHighlight{.06f, .06f}, direction(30)), std::cos(kPi / 6), .02);
+  EXPECT_NEAR(albedo(WardHighlight{.05f, .05f}, polar_direction(0)), 1, .02);
+  EXPECT_NEAR(albedo(WardHighlight{.05f, .1f}, polar_direction(0)), 1, .03);
+  EXPECT_NEAR(albedo(WardHighlight{.06f, .06f}, polar_direction(30)), std::cos(kPi / 6), .02);
 }
 
 TEST(Highlights, WardAndTorranceAreReciprocal) {
@@ -55,34 +54,35 @@ TEST(Highlights, WardAndTorranceAreReciprocal) {
 
 TEST(Highlights, WardMatchesItsFormula) {
   // Along the mirrored view the exponent is 0: 1 / (4 pi ax ay).
-  const Vec3 wo = direction(40), mirrored = direction(40, 180);
+  const Vec3 wo = polar_direction(40), mirrored = polar_direction(40, 180);
   EXPECT_NEAR((WardHighlight{.2f, .1f}.eval(wo, mirrored)), 1 / (4 * kPi * .02f), 1e-3);
   // Lights at 20 degrees to both sides of the normal of a facet of slope tan(20).
-  const Vec3 wi = direction(40);
+  const Vec3 wi = polar_direction(40);
   const float t = std::tan(20 * kPi / 180);
   const float expected =
       std::exp(-sqr(t / .2f)) * std::sqrt(std::cos(40 * kPi / 180)) / (4 * kPi * .2f * .1f);
-  EXPECT_NEAR((WardHighlight{.2f, .1f}.eval(direction(0), wi)), expected, 1e-4f * expected);
-  EXPECT_GT((WardHighlight{.2f, .1f}.eval(direction(0), direction(20, 0))),
-            (WardHighlight{.2f, .1f}.eval(direction(0), direction(20, 90))));
+  EXPECT_NEAR((WardHighlight{.2f, .1f}.eval(polar_direction(0), wi)), expected, 1e-4f * expected);
+  EXPECT_GT((WardHighlight{.2f, .1f}.eval(polar_direction(0), polar_direction(20, 0))),
+            (WardHighlight{.2f, .1f}.eval(polar_direction(0), polar_direction(20, 90))));
 }
 
 TEST(Highlights, TorranceReflectsWhatFresnelSaysOfSmoothFacets) {
   for (const float degrees : {0.f, 30.f, 50.f}) {
     const float f = fresnel_dielectric(std::cos(degrees * kPi / 180), 1.5f);
-    EXPECT_NEAR(albedo(TorranceHighlight{.06f, 1.5f}, direction(degrees)), f, .05 * f) << degrees;
+    EXPECT_NEAR(albedo(TorranceHighlight{.06f, 1.5f}, polar_direction(degrees)), f, .05 * f)
+        << degrees;
   }
-  EXPECT_EQ((TorranceHighlight{.3f, 1}.eval(direction(10), direction(30))), 0)
+  EXPECT_EQ((TorranceHighlight{.3f, 1}.eval(polar_direction(10), polar_direction(30))), 0)
       << "an index of 1 reflects nothing";
 }
 
 TEST(Highlights, TorrancePeaksBeyondTheMirrorDirection) {
   // Cook, Torrance 1982: at grazing angles the peak lies nearer to the surface.
   const TorranceHighlight rough{.4f, 1.5f};
-  const Vec3 wo = direction(65);
+  const Vec3 wo = polar_direction(65);
   float best = 0, at = 0;
   for (float d = 40; d < 90; d += .5f)
-    if (const float v = rough.eval(wo, direction(d, 180)); v > best) best = v, at = d;
+    if (const float v = rough.eval(wo, polar_direction(d, 180)); v > best) best = v, at = d;
   EXPECT_GT(at, 67);
 }
 
@@ -99,8 +99,8 @@ TEST(Highlights, HairMirrorsInAConeAboutTheFibre) {
 }
 
 TEST(Highlights, NothingShinesFromBehindASurface) {
-  EXPECT_EQ((WardHighlight{}.eval(direction(10), direction(100))), 0);
-  EXPECT_EQ((TorranceHighlight{}.eval(direction(100), direction(10))), 0);
+  EXPECT_EQ((WardHighlight{}.eval(polar_direction(10), polar_direction(100))), 0);
+  EXPECT_EQ((TorranceHighlight{}.eval(polar_direction(100), polar_direction(10))), 0);
 }
 
 }  // namespace highlights_test

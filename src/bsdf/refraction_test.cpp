@@ -8,22 +8,19 @@
 #include "bsdf/specular.h"
 #include "sampling/sampler.h"
 #include "sampling/testing/chi_square.h"
+#include "support/directions.h"
 
 namespace oriel::bsdf {
 namespace refraction_test {
 
-using sampling::Sampler;
+using testing::polar_direction;
 
-Vec3 direction_deg(double theta, double phi = 25) {
-  const double t = theta * M_PI / 180, p = phi * M_PI / 180;
-  return Vec3(static_cast<float>(std::sin(t) * std::cos(p)),
-              static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t)));
-}
+using sampling::Sampler;
 
 TEST(Refraction, FollowsSnell) {
   for (const float eta : {1.5f, 1.33f, 1.33f / 1.5f, 1 / 1.5f})
     for (double theta = 0; theta < 40; theta += 3) {
-      const Vec3 wo = direction_deg(theta);
+      const Vec3 wo = polar_direction(theta, 25);
       const auto s = ClearRefraction{eta}.sample(wo, {}, 0);
       ASSERT_TRUE(s && s->delta);
       EXPECT_EQ(s->weight, 1);
@@ -37,16 +34,16 @@ TEST(Refraction, FollowsSnell) {
 
 TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
   const Vec3 n(0, 0, 1);
-  EXPECT_TRUE(refract(direction_deg(41.80), n, 1 / 1.5f));
-  EXPECT_FALSE(refract(direction_deg(41.82), n, 1 / 1.5f));
-  EXPECT_TRUE(refract(direction_deg(89.9), n, 1.5f));
-  const auto s = ClearRefraction{1 / 1.5f}.sample(direction_deg(60), {}, 0);
+  EXPECT_TRUE(refract(polar_direction(41.80, 25), n, 1 / 1.5f));
+  EXPECT_FALSE(refract(polar_direction(41.82, 25), n, 1 / 1.5f));
+  EXPECT_TRUE(refract(polar_direction(89.9, 25), n, 1.5f));
+  const auto s = ClearRefraction{1 / 1.5f}.sample(polar_direction(60, 25), {}, 0);
   EXPECT_GT(s->wi.z, 0);
   EXPECT_TRUE(s->delta);
 }
 
 TEST(Refraction, ThinSheetDoesNotBend) {
-  const Vec3 wo = direction_deg(70);
+  const Vec3 wo = polar_direction(70, 25);
   const auto s = ClearThinTransmission{}.sample(wo, {}, 0);
   EXPECT_EQ(s->wi, -wo);
   EXPECT_TRUE(s->delta);
@@ -55,7 +52,7 @@ TEST(Refraction, ThinSheetDoesNotBend) {
 TEST(RoughRefraction, TendsToTheClearOne) {
   for (const float eta : {1.5f, 1 / 1.5f}) {
     const RoughRefraction lobe(kMinAlpha, kMinAlpha, eta);
-    const Vec3 wo = direction_deg(30);
+    const Vec3 wo = polar_direction(30, 25);
     const Vec3 clear = *refract(wo, Vec3(0, 0, 1), eta);
     double mean = 0;
     for (std::uint32_t i = 0; i < 1024; ++i)
@@ -70,7 +67,7 @@ TEST(RoughRefraction, FurnaceIsWhite) {
     for (const auto& r : {Roughness{0.3f, 0.3f}, Roughness{0.6f, 0.15f}, Roughness{1, 1}})
       for (const double theta : {0.0, 40.0, 75.0, 87.0}) {
         const RoughRefraction lobe(r.ax, r.ay, eta);
-        const Vec3 wo = direction_deg(theta);
+        const Vec3 wo = polar_direction(theta, 25);
         double sum = 0;
         // |cos| = 1 - t^2 opens up the pole, where lobes of a weak index are narrow.
         for (const double side : {-1.0, 1.0})
@@ -99,7 +96,8 @@ TEST(RoughRefraction, SpreadFallsWithGloss) {
       const RoughRefraction lobe(r.ax, r.ay, eta);
       Vec3 mean(0, 0, 0);
       for (std::uint32_t i = 0; i < 4096; ++i)
-        mean += lobe.sample(direction_deg(20), Sampler(0, 0, i).next_2d(), 0)->wi * (1.0f / 4096);
+        mean +=
+            lobe.sample(polar_direction(20, 25), Sampler(0, 0, i).next_2d(), 0)->wi * (1.0f / 4096);
       const double spread = 1 - length(mean);  // circular variance
       EXPECT_LT(spread, last);
       last = spread;
@@ -118,16 +116,16 @@ TEST(RoughRefraction, IsAsWideAsASheetWhateverTheIndex) {
   };
   for (const float gloss : {0.0f, 0.3f, 0.6f}) {
     const Roughness r = gloss_to_roughness(gloss);
-    const double sheet = spread(RoughThinTransmission(r.ax, r.ay), direction_deg(0));
+    const double sheet = spread(RoughThinTransmission(r.ax, r.ay), polar_direction(0, 25));
     EXPECT_GT(sheet, gloss == 0 ? 0.15 : 0.001);
     for (const float eta : {1.0f, 1.0001f, 1.2f, 1.5f, 2.4f, 1 / 1.5f})
-      EXPECT_NEAR(spread(RoughRefraction(r.ax, r.ay, eta), direction_deg(0)) / sheet, 1, 0.02)
+      EXPECT_NEAR(spread(RoughRefraction(r.ax, r.ay, eta), polar_direction(0, 25)) / sheet, 1, 0.02)
           << eta << ' ' << gloss;
   }
 }
 
 TEST(RoughRefraction, OfEqualIndicesIsTheSheets) {
-  const Vec3 wo = direction_deg(50), wi = -direction_deg(40, 60);
+  const Vec3 wo = polar_direction(50, 25), wi = -polar_direction(40, 60);
   EXPECT_NEAR(RoughRefraction(0.3f, 0.1f, 1).eval(wo, wi),
               RoughThinTransmission(0.3f, 0.1f).eval(wo, wi), 1e-6);
 }

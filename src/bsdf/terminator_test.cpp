@@ -7,17 +7,14 @@
 
 #include "sampling/sampler.h"
 #include "sampling/warp.h"
+#include "support/directions.h"
 
 namespace oriel::bsdf {
 namespace terminator_test {
 
-const Vec3 kUp(0, 0, 1);
+using testing::polar_direction;
 
-/// In the x-z plane, degrees from z toward x.
-Vec3 tilted(float degrees) {
-  const float a = degrees * kPi / 180;
-  return Vec3(std::sin(a), 0, std::cos(a));
-}
+const Vec3 kUp(0, 0, 1);
 
 TEST(Terminator, IsExactlyOneWhereTheNormalsAgree) {
   for (int i = 0; i < 2000; ++i) {
@@ -44,28 +41,29 @@ TEST(Terminator, StaysBetweenZeroAndOne) {
 TEST(Terminator, IsTheCubicOfTheRatioOfCosines) {
   // Normal tilted by 30 degrees, light at 80 on the same side: cos 80 / (cos 50 cos 30) = 0.311941.
   const float g = 0.311941f;
-  EXPECT_NEAR(soft_terminator(kUp, tilted(30), tilted(80)), -g * g * g + g * g + g, 1e-5f);
+  EXPECT_NEAR(soft_terminator(kUp, polar_direction(30), polar_direction(80)),
+              -g * g * g + g * g + g, 1e-5f);
   // On the other side of the geometric normal the shading normal sees less: nothing to soften.
-  EXPECT_EQ(soft_terminator(kUp, tilted(30), tilted(-40)), 1);
+  EXPECT_EQ(soft_terminator(kUp, polar_direction(30), polar_direction(-40)), 1);
 }
 
 TEST(Terminator, FallsContinuouslyToZeroAtTheGeometricHorizon) {
   for (const float tilt : {2.0f, 20.0f, 60.0f}) {
-    const Vec3 ns = tilted(tilt);
+    const Vec3 ns = polar_direction(tilt);
     constexpr float kStep = 0.01f;  // degrees
-    float before = soft_terminator(kUp, ns, tilted(0));
+    float before = soft_terminator(kUp, ns, polar_direction(0));
     float most = 0;
     for (float angle = kStep; angle < 95; angle += kStep) {
-      const float f = soft_terminator(kUp, ns, tilted(angle));
+      const float f = soft_terminator(kUp, ns, polar_direction(angle));
       EXPECT_LE(f, before + 1e-5f) << tilt << ' ' << angle;
       most = std::max(most, std::abs(f - before));
       before = f;
     }
     // The slope in cosines is at most 4/3 over the least of the shading cosine.
-    const float least = dot(ns, tilted(90)) * dot(kUp, ns);
+    const float least = dot(ns, polar_direction(90)) * dot(kUp, ns);
     EXPECT_LE(most, 4.0f / 3 * kStep * kPi / 180 / least * 1.1f + 1e-5f) << tilt;
-    EXPECT_LT(soft_terminator(kUp, ns, tilted(89.99f)), 0.01f) << tilt;
-    EXPECT_EQ(soft_terminator(kUp, ns, tilted(90.01f)), 0) << tilt;
+    EXPECT_LT(soft_terminator(kUp, ns, polar_direction(89.99f)), 0.01f) << tilt;
+    EXPECT_EQ(soft_terminator(kUp, ns, polar_direction(90.01f)), 0) << tilt;
   }
 }
 

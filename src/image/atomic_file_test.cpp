@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "image/test_files.h"
+#include "support/files.h"
 
 namespace oriel {
 namespace atomic_file_test {

@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "image/test_files.h"
+#include "support/files.h"
 
 namespace oriel {
 namespace exr_test {

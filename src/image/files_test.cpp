@@ -12,8 +12,8 @@
 #include "image/exr.h"
 #include "image/module.h"
 #include "image/png.h"
-#include "image/test_files.h"
 #include "image/texture.h"
+#include "support/files.h"
 
 namespace oriel {
 namespace files_test {

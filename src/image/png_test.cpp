@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "image/test_files.h"
+#include "support/files.h"
 
 namespace oriel {
 namespace png_test {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "image/test_layers.h"
+#include "support/output_layers.h"
 
 namespace oriel {
 namespace recombine_test {

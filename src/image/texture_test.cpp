@@ -19,8 +19,8 @@
 #include "image/exr.h"
 #include "image/files.h"
 #include "image/png.h"
-#include "image/test_files.h"
 #include "image/texture_statistics.h"
+#include "support/files.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // OpenImageIO's PNG reader loses the text of an error where libpng jumps out of it.

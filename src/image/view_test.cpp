@@ -5,39 +5,40 @@
 
 #include <limits>
 
+#include "support/expect_near.h"
+
 namespace oriel {
 namespace view_test {
 
-void expect_near(const Rgba& got, const Rgba& want, float tolerance = 1e-6f) {
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(got[i], want[i], tolerance) << "component " << i;
-}
+using testing::expect_near;
 
 TEST(View, DefaultOnlyCutsToTheUnitRange) {
-  expect_near(view_color(Rgba(-1, 0.25f, 3, 2), {}), Rgba(0, 0.25f, 1, 1));
+  expect_near(view_color(Rgba(-1, 0.25f, 3, 2), {}), Rgba(0, 0.25f, 1, 1), 1e-6f);
 }
 
 TEST(View, GammaIsAnExponentOnColourAndNotOnAlpha) {
   ViewOptions options;
   options.gamma = 2;
-  expect_near(view_color(Rgba(0.25f, 0.81f, 4, 0.25f), options), Rgba(0.5f, 0.9f, 1, 0.25f));
+  expect_near(view_color(Rgba(0.25f, 0.81f, 4, 0.25f), options), Rgba(0.5f, 0.9f, 1, 0.25f), 1e-6f);
 }
 
 TEST(View, ClipModesKeepWhatTheyAreNamedFor) {
   const Rgba bright(0.8f, 0.5f, 0.1f, 0.4f);
   ViewOptions options;
-  expect_near(view_color(bright, options), bright);
+  expect_near(view_color(bright, options), bright, 1e-6f);
   options.clip = ColorClip::KeepColor;
-  expect_near(view_color(bright, options), Rgba(0.8f, 0.5f, 0.1f, 0.8f));
+  expect_near(view_color(bright, options), Rgba(0.8f, 0.5f, 0.1f, 0.8f), 1e-6f);
   options.clip = ColorClip::KeepAlpha;
-  expect_near(view_color(bright, options), Rgba(0.4f, 0.4f, 0.1f, 0.4f));
+  expect_near(view_color(bright, options), Rgba(0.4f, 0.4f, 0.1f, 0.4f), 1e-6f);
 }
 
 TEST(View, PremultiplyOffDividesAndCouplesNothing) {
   ViewOptions options;
   options.premultiply = false;
   options.clip = ColorClip::KeepAlpha;
-  expect_near(view_color(Rgba(0.1f, 0.2f, 0.3f, 0.4f), options), Rgba(0.25f, 0.5f, 0.75f, 0.4f));
-  expect_near(view_color(Rgba(0.1f, 0.2f, 0.3f, 0), options), Rgba(0.1f, 0.2f, 0.3f, 0));
+  expect_near(view_color(Rgba(0.1f, 0.2f, 0.3f, 0.4f), options), Rgba(0.25f, 0.5f, 0.75f, 0.4f),
+              1e-6f);
+  expect_near(view_color(Rgba(0.1f, 0.2f, 0.3f, 0), options), Rgba(0.1f, 0.2f, 0.3f, 0), 1e-6f);
 }
 
 TEST(View, DesaturateKeepsTheIntensityAndLeavesColoursInRangeAlone) {
@@ -49,8 +50,8 @@ TEST(View, DesaturateKeepsTheIntensityAndLeavesColoursInRangeAlone) {
   EXPECT_NEAR(got.r, 1, 1e-6f);
   EXPECT_NEAR(weight.dot(rgb(got)), weight.dot(orange), 1e-6f);
   EXPECT_GT(got.b, 0.1f) << "it fades towards white";
-  expect_near(view_color(Rgba(0.9f, 0.2f, 0, 1), options), Rgba(0.9f, 0.2f, 0, 1));
-  expect_near(view_color(Rgba(5, 3, 2, 1), options), Rgba(1, 1, 1, 1));
+  expect_near(view_color(Rgba(0.9f, 0.2f, 0, 1), options), Rgba(0.9f, 0.2f, 0, 1), 1e-6f);
+  expect_near(view_color(Rgba(5, 3, 2, 1), options), Rgba(1, 1, 1, 1), 1e-6f);
   const Rgba negative = view_color(Rgba(-0.2f, 0.5f, 0.5f, 1), options);
   EXPECT_NEAR(negative.r, 0, 1e-6f);
   EXPECT_NEAR(weight.dot(rgb(negative)), weight.dot(Rgb(-0.2f, 0.5f, 0.5f)), 1e-6f);

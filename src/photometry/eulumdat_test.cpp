@@ -7,14 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/directions.h"
+
 namespace oriel::photometry {
 namespace eulumdat_test {
 
-/// Direction of C and gamma as the header states: C90 is +x, C0 is -y, C runs counter-clockwise.
-Vec3 direction(float c, float gamma) {
-  const float g = gamma * kPi / 180, a = (c - 90) * kPi / 180;
-  return {std::sin(g) * std::cos(a), std::sin(g) * std::sin(a), -std::cos(g)};
-}
+using testing::luminaire_direction;
 
 struct Form {
   int symmetry = 0;
@@ -77,8 +75,8 @@ TEST(EulumdatFile, SymmetriesSaveWhatTheFullTableWrites) {
     const LightProfile full = profile_of(file_of({}, intensity));
     for (float plane = 0; plane < 360; plane += 7.5f)
       for (float gamma = 0; gamma <= 180; gamma += 7.5f)
-        ASSERT_NEAR(part.evaluate(direction(plane, gamma)), full.evaluate(direction(plane, gamma)),
-                    2e-2f)
+        ASSERT_NEAR(part.evaluate(luminaire_direction(gamma, plane - 90)),
+                    full.evaluate(luminaire_direction(gamma, plane - 90)), 2e-2f)
             << c.form.symmetry << ": " << plane << ' ' << gamma;
   }
 }

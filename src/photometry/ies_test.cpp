@@ -7,8 +7,12 @@
 #include <cmath>
 #include <fstream>
 
+#include "support/directions.h"
+
 namespace oriel::photometry {
 namespace ies_test {
+
+using testing::luminaire_direction;
 
 std::string list(const std::vector<float>& values) {
   return fmt::format("{}\n", fmt::join(values, " "));
@@ -22,11 +26,6 @@ std::vector<float> steps(float first, float last, float step) {
 
 /// An intensity without any symmetry of its own, in the luminaire's frame.
 float lobes(const Vec3& d) { return 100 + 60 * d.x + 30 * d.y - 40 * d.z + 25 * d.x * d.y * d.z; }
-
-Vec3 type_c(float v, float h) {
-  const float p = v * kPi / 180, a = h * kPi / 180;
-  return {std::sin(p) * std::cos(a), std::sin(p) * std::sin(a), -std::cos(p)};
-}
 
 template <class F>
 std::string file_of(int type, const std::vector<float>& v, const std::vector<float>& h,
@@ -48,7 +47,9 @@ LightProfile profile_of(const std::string& text) { return LightProfile(parse_ies
 void expect_same(const LightProfile& a, const LightProfile& b) {
   for (float v = 0; v <= 180; v += 7.5f)
     for (float h = 0; h < 360; h += 7.5f)
-      ASSERT_NEAR(a.evaluate(type_c(v, h)), b.evaluate(type_c(v, h)), 1e-2f) << v << ' ' << h;
+      ASSERT_NEAR(a.evaluate(luminaire_direction(v, h)), b.evaluate(luminaire_direction(v, h)),
+                  1e-2f)
+          << v << ' ' << h;
 }
 
 // acceptance: H6
@@ -64,7 +65,7 @@ TEST(IesFile, SymmetriesSaveWhatTheFullTableWrites) {
                 {"90 - 270", steps(90, 270, 15), Vec3(0, 1, 1), ""}};
   for (const auto& c : kCases) {
     const auto intensity = [&](float a, float b) {
-      Vec3 d = type_c(a, b);
+      Vec3 d = luminaire_direction(a, b);
       if (c.mirror.x == 0) d.x = std::abs(d.x);
       if (c.mirror.y == 0) d.y = std::abs(d.y);
       return lobes(d);
@@ -78,7 +79,7 @@ TEST(IesFile, SymmetriesSaveWhatTheFullTableWrites) {
   expect_same(profile_of(file_of(1, v, {0}, round)),
               profile_of(file_of(1, v, steps(0, 360, 90), round)));
   // A circle whose last plane was left out.
-  const auto any = [](float a, float b) { return lobes(type_c(a, b)); };
+  const auto any = [](float a, float b) { return lobes(luminaire_direction(a, b)); };
   expect_same(profile_of(file_of(1, v, steps(0, 345, 15), any)),
               profile_of(file_of(1, v, steps(0, 360, 15), any)));
 }
@@ -102,7 +103,7 @@ TEST(IesFile, TypesCBAndAMeanTheSameDirections) {
   };
   const LightProfile c =
       profile_of(file_of(1, steps(0, 180, 2.5f), steps(0, 360, 2.5f),
-                         [&](float v, float h) { return spot(type_c(v, h), beam); }));
+                         [&](float v, float h) { return spot(luminaire_direction(v, h), beam); }));
   const LightProfile b = profile_of(
       file_of(2, half, half, [&](float v, float h) { return spot(type_b(v, h), beam); }));
   const LightProfile a = profile_of(

@@ -7,9 +7,12 @@
 #include <functional>
 
 #include "sampling/testing/chi_square.h"
+#include "support/directions.h"
 
 namespace oriel::photometry {
 namespace light_profile_test {
+
+using testing::luminaire_direction;
 
 /// A table of that function of polar angle and azimuth, both in degrees.
 CandelaTable table_of(const std::function<float(float, float)>& f, float polar_step,
@@ -20,11 +23,6 @@ CandelaTable table_of(const std::function<float(float, float)>& f, float polar_s
   for (const float a : table.azimuth)
     for (const float p : table.polar) table.candela.push_back(f(p, a));
   return table;
-}
-
-Vec3 toward(float polar_deg, float azimuth_deg) {
-  const float p = polar_deg * kPi / 180, a = azimuth_deg * kPi / 180;
-  return {std::sin(p) * std::cos(a), std::sin(p) * std::sin(a), -std::cos(p)};
 }
 
 float cosine(float deg) { return std::cos(deg * kPi / 180); }
@@ -56,12 +54,12 @@ TEST(LightProfile, EntriesAreMetAndBetweenThemIntensityIsLinear) {
     const LightProfile profile(table, {.cubic = cubic});
     for (std::size_t a = 0; a < table.azimuth.size(); ++a)
       for (std::size_t p = 1; p + 1 < table.polar.size(); ++p)
-        EXPECT_NEAR(profile.evaluate(toward(table.polar[p], table.azimuth[a])), table.at(a, p),
-                    2e-3f);
+        EXPECT_NEAR(profile.evaluate(luminaire_direction(table.polar[p], table.azimuth[a])),
+                    table.at(a, p), 2e-3f);
   }
   const LightProfile profile(table);
   const float middle = (table.at(2, 1) + table.at(3, 1) + table.at(2, 2) + table.at(3, 2)) / 4;
-  EXPECT_NEAR(profile.evaluate(toward(22.5f, 75)), middle, 2e-3f);
+  EXPECT_NEAR(profile.evaluate(luminaire_direction(22.5f, 75)), middle, 2e-3f);
   EXPECT_EQ(
       LightProfile(table_of([](float, float) { return 1.0f; }, 45, 90, 90)).evaluate(Vec3(0, 0, 1)),
       0);
@@ -74,21 +72,25 @@ TEST(LightProfile, CubicsStayBetweenNeighboursAndComeNearerToSmoothCurves) {
   const LightProfile coarse(table_of(smooth, 15, 360, 90), {.cubic = true, .polar_cells = 12});
   double straight_error = 0, cubic_error = 0;
   for (float p = .5f; p < 90; ++p) {
-    straight_error += std::abs(straight.evaluate(toward(p, 9)) - smooth(p, 0));
-    cubic_error += std::abs(cubic.evaluate(toward(p, 9)) - smooth(p, 0));
-    EXPECT_LE(cubic.evaluate(toward(p, 9)), 500.001f);
+    straight_error += std::abs(straight.evaluate(luminaire_direction(p, 9)) - smooth(p, 0));
+    cubic_error += std::abs(cubic.evaluate(luminaire_direction(p, 9)) - smooth(p, 0));
+    EXPECT_LE(cubic.evaluate(luminaire_direction(p, 9)), 500.001f);
   }
   EXPECT_LT(cubic_error, .5 * straight_error);
   // A grid of twelve cells has the cubic's values at every 7.5 degrees and lines between.
-  EXPECT_NEAR(coarse.evaluate(toward(22.5f, 0)), cubic.evaluate(toward(22.5f, 0)), .5f);
-  EXPECT_NEAR(coarse.evaluate(toward(26.25f, 0)),
-              (coarse.evaluate(toward(22.5f, 0)) + coarse.evaluate(toward(30, 0))) / 2, .01f);
+  EXPECT_NEAR(coarse.evaluate(luminaire_direction(22.5f, 0)),
+              cubic.evaluate(luminaire_direction(22.5f, 0)), .5f);
+  EXPECT_NEAR(coarse.evaluate(luminaire_direction(26.25f, 0)),
+              (coarse.evaluate(luminaire_direction(22.5f, 0)) +
+               coarse.evaluate(luminaire_direction(30, 0))) /
+                  2,
+              .01f);
   // A step is not overshot.
   const LightProfile step(table_of([](float p, float) { return p < 40 ? 100.0f : 0.0f; }, 10, 360),
                           {.cubic = true});
   for (float p = 0; p <= 180; p += .5f) {
-    EXPECT_GE(step.evaluate(toward(p, 0)), 0);
-    EXPECT_LE(step.evaluate(toward(p, 0)), 100.001f);
+    EXPECT_GE(step.evaluate(luminaire_direction(p, 0)), 0);
+    EXPECT_LE(step.evaluate(luminaire_direction(p, 0)), 100.001f);
   }
 }
 

@@ -16,7 +16,7 @@ namespace oriel {
 /// Model:   an object whose element is as it was keeps its mesh, and what the ray tracer built for
 ///          it where it is instanced; what moved or is new is made anew, and where all instances
 ///          are as they were nothing is. Displaced meshes depend on shaders: always made anew.
-/// Checked: Animation.* in tests/analytic/animation_test.cpp
+/// Checked: Animation.* in tests/analytic/motion/animation_test.cpp
 struct GeometryCache {
   struct Form {
     /// scene::Scene::revision of the object, and of what says how finely it is tessellated.

@@ -21,7 +21,7 @@ namespace oriel {
 ///          the world, how it glows.
 /// Errors:  OR-RN-057 a pattern that matches nothing; OR-RN-058 too many groups, the last ones are
 ///          left out.
-/// Checked: LightLayers.* in tests/analytic/light_layers_test.cpp
+/// Checked: LightLayers.* in tests/analytic/lights/light_layers_test.cpp
 LightLayers resolve_light_layers(const std::vector<scene::Leaf>& leaves,
                                  const std::vector<scene::LightGroup>& groups, const World& world,
                                  const std::vector<EmissionKind>& emits, Diagnostics& diagnostics);

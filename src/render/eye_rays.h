@@ -15,7 +15,7 @@ inline constexpr int kMostLensRays = 65536;
 ///
 /// Model:   rays of one sample, and those of all samples of a pixel, lie evenly on the lens. Counts
 ///          of samples that materials share (PathSettings::paths_of_pixel) are shared by all paths.
-/// Checked: LensBokeh.* in tests/analytic/lens_bokeh_test.cpp
+/// Checked: LensBokeh.* in tests/analytic/camera/lens_bokeh_test.cpp
 PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
                           sampling::Sampler& sampler, RayCounts& counts);
 

@@ -50,7 +50,7 @@ struct MapFiles {
 /// Errors:  OR-RN-042 a map cannot be read or written (a warning; it is made anew), and those of
 ///          the files (OR-TR-1xx).
 /// Checked: tests/cross_method (three methods on the same scenes), MapFiles.* in
-///          tests/analytic/map_files_test.cpp, EmulatedReflection.* in tests/analytic
+///          tests/analytic/gather/map_files_test.cpp, EmulatedReflection.* in tests/analytic
 class IndirectPasses {
  public:
   explicit IndirectPasses(const World& world);

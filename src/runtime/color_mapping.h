@@ -20,7 +20,7 @@ Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rg
 ///          lens shader fills the channel every mode is 0.
 /// Inputs:  shown: after lens shaders; film: before them.
 /// Source:  manual 3.1.2.1.
-/// Checked: SideChannel.* in tests/analytic/exposure_test.cpp
+/// Checked: SideChannel.* in tests/analytic/camera/exposure_test.cpp
 Rgb map_output(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& shown,
                const Rgb& film);
 

@@ -40,7 +40,7 @@ struct EmittedPhoton {
 ///          sends photons itself is given the energy of the element, or the flux that the light's
 ///          shader has; what it sends is what lands. Whether a light casts shadows does
 ///          not matter: photons are always stopped.
-/// Checked: PhotonEmission.* in tests/analytic/photon_test.cpp.
+/// Checked: PhotonEmission.* in tests/analytic/photons/photon_test.cpp.
 class PhotonSource {
  public:
   PhotonSource(const World& world, const Light& light, const EmissionRequest& request = {});

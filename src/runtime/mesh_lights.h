@@ -22,7 +22,7 @@ struct EmissiveTriangle {
 ///
 /// Model:   12 bytes for each triangle, 4 more for each of an instance that glows somewhere, and
 ///          about 230 for each of at most kMostClusters clusters.
-/// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/emission_test.cpp
+/// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/lights/emission_test.cpp
 class MeshLights {
  public:
   static constexpr std::size_t kMostClusters = 16384;

@@ -46,7 +46,7 @@ struct PortalTraits {
 ///          the edges. A share of the mean is spread evenly over directions, so that what the table
 ///          smoothed away is still found.
 /// Source:  Bitterli, Novak, Jarosz, "Portal-Masked Environment Map Sampling", EGSR 2015.
-/// Checked: Portal.* in tests/analytic/portal_test.cpp.
+/// Checked: Portal.* in tests/analytic/portals/portal_test.cpp.
 class PortalTable {
  public:
   PortalTable(const NodeList& shaders, const World& world, RayKind lookup, const Vec3& x,
@@ -108,7 +108,7 @@ std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, 
 float pdf_through(const Light& light, const Vec3& from, const Vec3& wi);
 /// Radiance toward a point, wi from there to the portal, both where they are in truth. `kind`: the
 /// threshold acts on Light and FinalGather; eyes, mirrors and glass see the surface as it is.
-/// Checked: PortalSeen.* in tests/analytic/portal_seen_test.cpp
+/// Checked: PortalSeen.* in tests/analytic/portals/portal_seen_test.cpp
 Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
                     float cosine, RayKind kind = RayKind::Light);
 /// Mean luminance of all that is behind it.

@@ -9,7 +9,7 @@ namespace oriel {
 
 /// Ray time for what `sampler` draws: its samples lie evenly over the time that the shutter is
 /// open; 0 where nothing moves. A dimension of its own: pictures of still scenes stay as they are.
-/// Checked: Motion.* in tests/analytic/motion_test.cpp
+/// Checked: Motion.* in tests/analytic/motion/motion_test.cpp
 inline float shutter_time(const scene::Shutter& shutter, const sampling::Sampler& sampler) {
   constexpr std::uint32_t kTimeBranch = 9000;
   if (!shutter.on) return 0;

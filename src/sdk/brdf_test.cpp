@@ -8,21 +8,18 @@
 #include "oriel/sdk/shader/call.h"
 #include "sampling/testing/chi_square.h"
 #include "sdk/testing/bare_state.h"
+#include "support/directions.h"
 
 namespace oriel::sdk {
 namespace brdf_test {
 
 using bsdf::WardLobe;
 using testing::BareState;
+using testing::cosine_direction;
 using testing::integrate;
 
 constexpr miVector kNormal = {0, 0, 1};
 
-miVector towards(double cosine, double phi) {
-  const double sine = std::sqrt(1 - cosine * cosine);
-  return {static_cast<float>(sine * std::cos(phi)), static_cast<float>(sine * std::sin(phi)),
-          static_cast<float>(cosine)};
-}
 miVector reversed(miVector v) {
   mi_vector_neg(&v);
   return v;
@@ -43,7 +40,8 @@ TEST(Fresnel, MatchesClosedForms) {
 TEST(Highlights, OfPhongArePowersOfTheCosine) {
   BareState bare;
   bare.look_down(.6f, .8f);
-  const miVector mirror = {.6f, 0, .8f}, off = towards(.8, 0.5), below = {.6f, 0, -.8f};
+  const miVector mirror = {.6f, 0, .8f}, off = as_c(cosine_direction(.8, 0.5)),
+                 below = {.6f, 0, -.8f};
   EXPECT_NEAR(mi_phong_specular(30, &bare.state(), &mirror), 1, 1e-4f);
   const float c = mi_vector_dot(&mirror, &off);
   EXPECT_NEAR(mi_phong_specular(30, &bare.state(), &off), std::pow(c, 30.0f), 1e-5f);
@@ -73,7 +71,7 @@ TEST(Highlights, OfFacetsMatchTheClosedFormStraightAhead) {
 }
 
 TEST(Highlights, AreReciprocalButForTheCosine) {
-  const miVector a = towards(.7, .3), b = towards(.4, 2);
+  const miVector a = as_c(cosine_direction(.7, .3)), b = as_c(cosine_direction(.4, 2));
   const miVector from_a = reversed(a), from_b = reversed(b);
   EXPECT_NEAR(mi_blinn_specular(&from_a, &b, &kNormal, .5f, 1.5f) / b.z,
               mi_blinn_specular(&from_b, &a, &kNormal, .5f, 1.5f) / a.z, 1e-5f);
@@ -84,11 +82,11 @@ TEST(Highlights, AreReciprocalButForTheCosine) {
 TEST(Highlights, OfWardReflectNoMoreThanArrives) {
   for (const float shiny : {2.0f, 5.0f, 15.0f})
     for (const double cosine : {1.0, .7, .3, .1}) {
-      const miVector from = reversed(towards(cosine, 0));
+      const miVector from = reversed(as_c(cosine_direction(cosine, 0)));
       // A white Lambert surface has the value 1: pi is the share of all light.
       const double albedo = integrate(
                                 [&](double z, double phi) {
-                                  const miVector to = towards(z, phi);
+                                  const miVector to = as_c(cosine_direction(z, phi));
                                   return z * mi_ward_glossy(&from, &to, &kNormal, shiny);
                                 },
                                 0, 1, -M_PI, M_PI, 1e-4, 10) /
@@ -104,7 +102,7 @@ TEST(Highlights, OfWardAreAsWideAsItsDirections) {
   // Straight ahead the lobe over the density is 1 / pi by the facets, up to the cosines.
   const miVector down = {0, 0, -1}, u = {1, 0, 0}, v = {0, 1, 0};
   for (const double phi : {0.0, .8, 1.57}) {
-    const miVector to = towards(.99, phi);
+    const miVector to = as_c(cosine_direction(.99, phi));
     const float value = mi_ward_anisglossy(&down, &to, &kNormal, &u, &v, 4, 12);
     const float density = WardLobe(4, 12).pdf(Vec3(0, 0, 1), vec(to));
     EXPECT_NEAR(value / (kPi * density), 1, .02f) << phi;
@@ -119,7 +117,7 @@ TEST(PhaseFunction, IntegratesToOneAndLeansAhead) {
     double whole = 0, mean_cosine = 0;
     for (int i = 0; i < 20000; ++i) {
       const double c = -1 + (i + .5) / 10000;
-      const miVector to = towards(c, 0);
+      const miVector to = as_c(cosine_direction(c, 0));
       const double p = mi_schlick_scatter(&along, &to, k) * 2 * M_PI / 10000;
       whole += p;
       mean_cosine += p * c;

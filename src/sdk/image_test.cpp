@@ -6,15 +6,18 @@
 #include <filesystem>
 
 #include "image/files.h"
-#include "image/test_files.h"
 #include "oriel/sdk/shader/image.h"
 #include "output/camera_output.h"
 #include "sdk/current.h"
 #include "sdk/picture.h"
 #include "sdk/testing/bare_state.h"
+#include "support/expect_near.h"
+#include "support/files.h"
 
 namespace oriel::sdk {
 namespace image_test {
+
+using testing::expect_near;
 
 /// Lets shaders write into a folder of the test.
 struct Writable {
@@ -25,13 +28,6 @@ struct Writable {
 
 miColor colour_at(int x, int y) {
   return {.125f * static_cast<float>(x), .25f * static_cast<float>(y), .5f, .75f};
-}
-
-void expect_near(const miColor& a, const miColor& b, float tolerance) {
-  EXPECT_NEAR(a.r, b.r, tolerance);
-  EXPECT_NEAR(a.g, b.g, tolerance);
-  EXPECT_NEAR(a.b, b.b, tolerance);
-  EXPECT_NEAR(a.a, b.a, tolerance);
 }
 
 void write_and_read(const char* name, miImg_type type, miImg_format format, float tolerance) {

@@ -5,16 +5,13 @@
 
 #include "oriel/sdk/shader/texture.h"
 #include "oriel/sdk/shader/vector.h"
+#include "support/expect_near.h"
 
 namespace matrix_test {
 
-constexpr miMatrix kPlaced = {2, 0, 0, 0, 0, .5f, .25f, 0, .5f, -1, 3, 0, 7, -2, 1, 1};
+using oriel::testing::expect_near;
 
-void expect_near(const miVector& v, float x, float y, float z, float tolerance = 1e-6f) {
-  EXPECT_NEAR(v.x, x, tolerance);
-  EXPECT_NEAR(v.y, y, tolerance);
-  EXPECT_NEAR(v.z, z, tolerance);
-}
+constexpr miMatrix kPlaced = {2, 0, 0, 0, 0, .5f, .25f, 0, .5f, -1, 3, 0, 7, -2, 1, 1};
 
 TEST(Matrix, TimesItsInverseIsTheIdentity) {
   miMatrix inverse, product;
@@ -57,10 +54,10 @@ TEST(Matrix, RotatesRowVectorsRightHanded) {
   miVector r;
   mi_matrix_rotate_axis(m, &z, static_cast<float>(M_PI_2));
   mi_vector_transform(&r, &x, m);
-  expect_near(r, 0, 1, 0);
+  expect_near(r, {0, 1, 0}, 1e-6f);
   mi_matrix_rotate(m, static_cast<float>(M_PI_2), 0, static_cast<float>(M_PI_2));
   mi_vector_transform(&r, &y, m);  // to z by the first turn, which the last one leaves
-  expect_near(r, 0, 0, 1);
+  expect_near(r, {0, 0, 1}, 1e-6f);
 }
 
 TEST(Matrix, RotatesByAnglesAboutTheAxes) {
@@ -71,22 +68,22 @@ TEST(Matrix, RotatesByAnglesAboutTheAxes) {
   miVector r;
   mi_matrix_rotate(m, kAngle, 0, 0);
   mi_vector_transform(&r, &v, m);
-  expect_near(r, 1, 2 * c - 3 * s, 2 * s + 3 * c);
+  expect_near(r, {1, 2 * c - 3 * s, 2 * s + 3 * c}, 1e-6f);
   mi_matrix_rotate(m, 0, kAngle, 0);
   mi_vector_transform(&r, &v, m);
-  expect_near(r, c + 3 * s, 2, 3 * c - s);
+  expect_near(r, {c + 3 * s, 2, 3 * c - s}, 1e-6f);
   mi_matrix_rotate(m, 0, 0, kAngle);
   mi_vector_transform(&r, &v, m);
-  expect_near(r, c - 2 * s, s + 2 * c, 3);
+  expect_near(r, {c - 2 * s, s + 2 * c, 3}, 1e-6f);
 }
 
 TEST(Matrix, MovesPointsNotVectors) {
   const miVector v = {1, 2, 3};
   miVector p = v;
   mi_point_transform(&p, &p, kPlaced);
-  expect_near(p, 10.5f, -4, 10.5f);
+  expect_near(p, {10.5f, -4, 10.5f}, 1e-6f);
   mi_vector_transform(&p, &v, kPlaced);
-  expect_near(p, 3.5f, -2, 9.5f);
+  expect_near(p, {3.5f, -2, 9.5f}, 1e-6f);
 }
 
 TEST(Matrix, DividesByWhatAProjectionLeaves) {
@@ -94,7 +91,7 @@ TEST(Matrix, DividesByWhatAProjectionLeaves) {
   const miVector p = {2, 4, -2};
   miVector r;
   mi_point_transform(&r, &p, projection);
-  expect_near(r, 1, 2, -1);
+  expect_near(r, {1, 2, -1}, 1e-6f);
 }
 
 TEST(Matrix, TransposedInverseKeepsNormalsSquare) {

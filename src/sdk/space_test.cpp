@@ -3,17 +3,13 @@
 
 #include "oriel/sdk/shader/space.h"
 #include "sdk/testing/bare_state.h"
+#include "support/expect_near.h"
 
 namespace oriel::sdk {
 namespace space_test {
 
 using testing::BareState;
-
-void expect_near(const miVector& v, const miVector& w, float tolerance = 1e-5f) {
-  EXPECT_NEAR(v.x, w.x, tolerance);
-  EXPECT_NEAR(v.y, w.y, tolerance);
-  EXPECT_NEAR(v.z, w.z, tolerance);
-}
+using testing::expect_near;
 
 using Move = void (*)(const miState*, miVector*, const miVector*);
 struct Space {

@@ -5,16 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "sky/units.h"
+#include "support/directions.h"
 
 namespace oriel::sky {
 namespace cie_sky_test {
 
-constexpr float kDeg = kPi / 180;
+using testing::sky_direction;
 
-Vec3 toward(float elevation_deg, float azimuth_deg = 0) {
-  const float e = elevation_deg * kDeg, a = azimuth_deg * kDeg;
-  return Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
-}
+constexpr float kDeg = kPi / 180;
 
 /// Illuminance of a plane with that normal, by plain sums over the sphere.
 float illuminance(const CieSky& sky, const Vec3& normal) {
@@ -35,7 +33,7 @@ TEST(CieSky, ClearSkyLightsAPlaneAsIntegrated) {
                             {45, 4.8486f}, {60, 3.1905f}, {75, 1.8504f}};
   for (const auto& [elevation, ratio] : table) {
     EXPECT_NEAR(cie_clear_horizontal(std::sin(elevation * kDeg)), ratio, 1e-3f * ratio);
-    const CieSky sky({.zenith_luminance = 1, .sun_direction = toward(elevation)});
+    const CieSky sky({.zenith_luminance = 1, .sun_direction = sky_direction(elevation)});
     EXPECT_NEAR(illuminance(sky, Vec3(0, 0, 1)), ratio, 2e-3f * ratio) << elevation;
   }
 }
@@ -44,14 +42,15 @@ TEST(CieSky, OvercastSkyLightsPlanesAsTheClosedFormsSay) {
   const CieSky sky({.zenith_luminance = 1000, .overcast = 1});
   EXPECT_NEAR(illuminance(sky, Vec3(0, 0, 1)), 2443.461f, 1e-3f * 2443);
   EXPECT_NEAR(illuminance(sky, Vec3(1, 0, 0)), .396177f * 2443.461f, 1e-3f * 968);
-  EXPECT_NEAR(sky.luminance(toward(90)), 1000, 1e-3f);
-  EXPECT_NEAR(sky.luminance(toward(.001f)), 333.34f, .1f);
-  EXPECT_EQ(sky.luminance(toward(-.001f)), 0);
+  EXPECT_NEAR(sky.luminance(sky_direction(90)), 1000, 1e-3f);
+  EXPECT_NEAR(sky.luminance(sky_direction(.001f)), 333.34f, .1f);
+  EXPECT_EQ(sky.luminance(sky_direction(-.001f)), 0);
 }
 
 TEST(CieSky, GivenLuminanceOrIlluminanceIsMet) {
   for (const float overcast : {0.0f, 0.3f, 1.0f}) {
-    CieParameters p{.zenith_luminance = 2500, .overcast = overcast, .sun_direction = toward(35)};
+    CieParameters p{
+        .zenith_luminance = 2500, .overcast = overcast, .sun_direction = sky_direction(35)};
     EXPECT_NEAR(CieSky(p).luminance(Vec3(0, 0, 1)), 2500, .1f);
     p.zenith_luminance = 0;
     p.diffuse_horizontal_illuminance = 12000;
@@ -63,12 +62,12 @@ TEST(CieSky, GivenLuminanceOrIlluminanceIsMet) {
 }
 
 TEST(CieSky, OvercastMixesInAStraightLine) {
-  CieParameters p{.sun_direction = toward(50)};
+  CieParameters p{.sun_direction = sky_direction(50)};
   const auto at = [&](float overcast, const Vec3& d) {
     p.overcast = overcast;
     return CieSky(p).luminance(d);
   };
-  for (const Vec3& d : {toward(80, 30), toward(20, 170), toward(50, 3)}) {
+  for (const Vec3& d : {sky_direction(80, 30), sky_direction(20, 170), sky_direction(50, 3)}) {
     const float clear = at(0, d), cloudy = at(1, d);
     EXPECT_NEAR(at(.25f, d), .75f * clear + .25f * cloudy, 1e-4f * (clear + cloudy));
   }
@@ -83,8 +82,8 @@ TEST(CieSky, AutomaticLuminanceFollowsTheSunsHeight) {
   for (const float h : {10.0f, 30.0f, 60.0f})
     EXPECT_NEAR(cie_overcast_zenith(std::sin(h * kDeg)) * kCieOvercastHorizontal,
                 300 + 21000 * std::sin(h * kDeg), 20);
-  EXPECT_EQ(CieSky({.sun_direction = toward(-19)}).luminance(Vec3(0, 0, 1)), 0);
-  EXPECT_GT(CieSky({.sun_direction = toward(-5)}).luminance(Vec3(0, 0, 1)), 0);
+  EXPECT_EQ(CieSky({.sun_direction = sky_direction(-19)}).luminance(Vec3(0, 0, 1)), 0);
+  EXPECT_GT(CieSky({.sun_direction = sky_direction(-5)}).luminance(Vec3(0, 0, 1)), 0);
 }
 
 TEST(CieSky, ValuesAreInScenesUnits) {
@@ -99,12 +98,12 @@ TEST(CieSky, ValuesAreInScenesUnits) {
 }
 
 TEST(CieSky, YIsUpTurnsIt) {
-  CieParameters p{.sun_direction = toward(30, 20)};
+  CieParameters p{.sun_direction = sky_direction(30, 20)};
   const CieSky z(p);
   p.y_is_up = true;
   p.sun_direction = Vec3(p.sun_direction.x, p.sun_direction.z, p.sun_direction.y);
   const CieSky y(p);
-  const Vec3 d = toward(40, 70);
+  const Vec3 d = sky_direction(40, 70);
   EXPECT_FLOAT_EQ(y.luminance(Vec3(d.x, d.z, d.y)), z.luminance(d));
 }
 

@@ -6,24 +6,21 @@
 #include "sky/cie_sky.h"
 #include "sky/daylight.h"
 #include "sky/physical_sky.h"
+#include "support/directions.h"
 
 namespace oriel::sky {
 namespace given_luminance_test {
 
-constexpr float kDeg = kPi / 180;
+using testing::sky_direction;
+
 const Vec3 kUp(0, 0, 1);
 /// The CIE clear sky is one of Perez' form.
 constexpr PerezCoefficients kCieClear{-1, -0.32f, 10 / 0.91f, -3, 0.45f / 0.91f};
 
-Vec3 toward(float elevation_deg, float azimuth_deg = 0) {
-  const float e = elevation_deg * kDeg, a = azimuth_deg * kDeg;
-  return Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
-}
-
 SkyParameters given(const GivenLuminance& luminance, float elevation = 40) {
   SkyParameters p;
   p.rgb_unit_conversion = Rgb(1);
-  p.sun_direction = toward(elevation);
+  p.sun_direction = sky_direction(elevation);
   p.luminance = luminance;
   return p;
 }
@@ -48,18 +45,19 @@ float card(const SkyParameters& p) {
 }
 
 TEST(Preetham, GivenCoefficientsDistributeLuminance) {
-  const Vec3 sun = toward(35);
+  const Vec3 sun = sky_direction(35);
   PreethamSky sky(sun, 4);
   const auto before = sky.xyy(kUp);
-  const auto colour = sky.xyy(toward(20, 50));
+  const auto colour = sky.xyy(sky_direction(20, 50));
   sky.distribute(kCieClear);
   EXPECT_NEAR(sky.xyy(kUp).luminance, before.luminance, 1e-4f * before.luminance);
-  for (const Vec3& d : {toward(80, 40), toward(35, 10), toward(10, 120), toward(3, 180)}) {
+  for (const Vec3& d : {sky_direction(80, 40), sky_direction(35, 10), sky_direction(10, 120),
+                        sky_direction(3, 180)}) {
     const float expected = before.luminance * cie_clear_relative(d.z, dot(d, sun), sun.z);
     EXPECT_NEAR(sky.xyy(d).luminance, expected, 1e-3f * expected);
   }
-  EXPECT_EQ(sky.xyy(toward(20, 50)).x, colour.x);
-  EXPECT_EQ(sky.xyy(toward(20, 50)).y, colour.y);
+  EXPECT_EQ(sky.xyy(sky_direction(20, 50)).x, colour.x);
+  EXPECT_EQ(sky.xyy(sky_direction(20, 50)).y, colour.y);
 }
 
 TEST(GivenLuminance, ZenithIsMet) {
@@ -86,12 +84,13 @@ TEST(GivenLuminance, WithoutCoefficientsTheHazeDistributes) {
   SkyParameters scaled = given({.zenith = 1234});
   scaled.haze = 3;
   const float factor = luminance_at(scaled, kUp) / luminance_at(plain, kUp);
-  for (const Vec3& d : {toward(60, 30), toward(5, 170)})
+  for (const Vec3& d : {sky_direction(60, 30), sky_direction(5, 170)})
     EXPECT_NEAR(luminance_at(scaled, d), factor * luminance_at(plain, d), 1e-3f * factor * 1e4f);
   // Without any level they are the same.
   SkyParameters same = given({});
   same.haze = 3;
-  EXPECT_FLOAT_EQ(luminance_at(same, toward(20, 9)), luminance_at(plain, toward(20, 9)));
+  EXPECT_FLOAT_EQ(luminance_at(same, sky_direction(20, 9)),
+                  luminance_at(plain, sky_direction(20, 9)));
 }
 
 TEST(GivenLuminance, GroundIsLitByIt) {
@@ -111,7 +110,7 @@ TEST(GivenLuminance, StrangeCoefficientsStayFinite) {
        {PerezCoefficients{-3, 0, 0, 0, 0}, PerezCoefficients{5, 90, 1, 300, -9},
         PerezCoefficients{1e30f, -1e30f, 1e30f, 1e30f, 1e30f}}) {
     const PhysicalSky sky(given({.horizontal_illuminance = 100, .distribution = form}));
-    for (const Vec3& d : {kUp, toward(40), toward(1, 77), toward(-20)}) {
+    for (const Vec3& d : {kUp, sky_direction(40), sky_direction(1, 77), sky_direction(-20)}) {
       const Rgb c = sky.radiance(d);
       for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(c[k]) && c[k] >= 0) << c[k];
     }
@@ -120,15 +119,15 @@ TEST(GivenLuminance, StrangeCoefficientsStayFinite) {
 
 TEST(Sun, GivenIlluminanceIsMetInTheHazesColour) {
   SunParameters p{.rgb_unit_conversion = Rgb(1), .haze = 4};
-  const Rgb plain = sun_colour(p, toward(25));
+  const Rgb plain = sun_colour(p, sky_direction(25));
   p.normal_illuminance = 60000;
-  const Rgb fixed = sun_colour(p, toward(25));
+  const Rgb fixed = sun_colour(p, sky_direction(25));
   EXPECT_NEAR(luminance(fixed), 60000, 6);
   EXPECT_NEAR(fixed.x / fixed.z, plain.x / plain.z, 1e-4f * plain.x / plain.z);
-  EXPECT_NEAR(luminance(sun_colour(p, toward(3))), 60000, 6);
-  EXPECT_TRUE(is_black(sun_colour(p, toward(-1))));
+  EXPECT_NEAR(luminance(sun_colour(p, sky_direction(3))), 60000, 6);
+  EXPECT_TRUE(is_black(sun_colour(p, sky_direction(-1))));
   p.normal_illuminance = 0;
-  EXPECT_TRUE(is_black(sun_colour(p, toward(25))));
+  EXPECT_TRUE(is_black(sun_colour(p, sky_direction(25))));
 }
 
 }  // namespace given_luminance_test

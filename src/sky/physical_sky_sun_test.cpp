@@ -3,17 +3,16 @@
 #include "color/luminance.h"
 #include "sky/daylight.h"
 #include "sky/physical_sky.h"
+#include "support/directions.h"
 
 #include <gtest/gtest.h>
 
 namespace oriel::sky {
 namespace physical_sky_sun_test {
 
-constexpr float kDeg = kPi / 180;
+using testing::sky_direction;
 
-Vec3 elevated(float elevation_deg) {
-  return Vec3(std::cos(elevation_deg * kDeg), 0, std::sin(elevation_deg * kDeg));
-}
+constexpr float kDeg = kPi / 180;
 
 SunParameters sun_in_lux(float haze = 0) {
   SunParameters p;
@@ -25,7 +24,7 @@ SunParameters sun_in_lux(float haze = 0) {
 SkyParameters sky_in_lux(float elevation_deg) {
   SkyParameters p;
   p.rgb_unit_conversion = Rgb(1);
-  p.sun_direction = elevated(elevation_deg);
+  p.sun_direction = sky_direction(elevation_deg);
   return p;
 }
 
@@ -44,7 +43,7 @@ float added(const SkyParameters& p, const Vec3& d, SkyPart part = SkyPart::Every
 
 // acceptance: S1
 TEST(Sun, UnitsScaleItsColour) {
-  const Vec3 d = elevated(45);
+  const Vec3 d = sky_direction(45);
   SunParameters p = sun_in_lux();
   EXPECT_NEAR(luminance(sun_colour(p, d)), 92372, 92);
   p.rgb_unit_conversion = Rgb(0.0f);
@@ -56,7 +55,7 @@ TEST(Sun, UnitsScaleItsColour) {
 TEST(Sun, ColourFollowsHazeAndHeight) {
   const float table[][4] = {{0, 10, 43315, 20066}, {1, 45, 86524, 63192}, {15, 45, 15310, 5559}};
   for (const auto& [haze, elevation, red, blue] : table) {
-    const Rgb c = sun_colour(sun_in_lux(haze), elevated(elevation));
+    const Rgb c = sun_colour(sun_in_lux(haze), sky_direction(elevation));
     EXPECT_NEAR(c.x, red, 1e-3f * red);
     EXPECT_NEAR(c.z, blue, 1e-3f * blue);
   }
@@ -67,7 +66,7 @@ TEST(Sun, TracksTheClearDayOfTheIes) {
   // Illuminance by the recommended practice of 1984: 127500 exp(-.21 / sin h), mean distance.
   const float table[][2] = {{45, 94740}, {60, 100046}, {90, 103349}};
   for (const auto& [elevation, lux] : table)
-    EXPECT_NEAR(luminance(sun_colour(sun_in_lux(), elevated(elevation))), lux, .025f * lux);
+    EXPECT_NEAR(luminance(sun_colour(sun_in_lux(), sky_direction(elevation))), lux, .025f * lux);
 }
 
 // acceptance: S6
@@ -76,14 +75,14 @@ TEST(Sun, SetsAtTheMovedHorizon) {
     SunParameters p = sun_in_lux();
     p.horizon_height = height;
     const float horizon_deg = std::asin(height / 10) / kDeg;
-    EXPECT_TRUE(is_black(sun_colour(p, elevated(horizon_deg - 0.1f)))) << height;
-    EXPECT_GT(luminance(sun_colour(p, elevated(horizon_deg + 0.1f))), 0) << height;
+    EXPECT_TRUE(is_black(sun_colour(p, sky_direction(horizon_deg - 0.1f)))) << height;
+    EXPECT_GT(luminance(sun_colour(p, sky_direction(horizon_deg + 0.1f))), 0) << height;
   }
 }
 
 // acceptance: S5
 TEST(Sun, TintsAsTheSky) {
-  const Vec3 d = elevated(20);
+  const Vec3 d = sky_direction(20);
   SunParameters p = sun_in_lux();
   const Rgb neutral = sun_colour(p, d);
   p.redblueshift = 0.3f;
@@ -98,7 +97,7 @@ TEST(Sun, TintsAsTheSky) {
 // acceptance: S15
 TEST(Sun, YIsUpOnAndMultiplier) {
   SunParameters p = sun_in_lux();
-  const Vec3 d = elevated(30);
+  const Vec3 d = sky_direction(30);
   const Rgb one = sun_colour(p, d);
   p.y_is_up = true;
   EXPECT_EQ(sun_colour(p, Vec3(d.x, d.z, d.y)), one);
@@ -178,7 +177,7 @@ TEST(PhysicalSky, DiscSinksWithTheMovedHorizon) {
   // 15 degrees is z = .26, above the moved horizon .05; at 2 degrees the ground hides the sun.
   const PhysicalSky up(p);
   EXPECT_GT(up.radiance(p.sun_direction).x, 10 * up.radiance(p.sun_direction, SkyPart::Gradient).x);
-  p.sun_direction = elevated(2);
+  p.sun_direction = sky_direction(2);
   const PhysicalSky down(p);
   EXPECT_EQ(down.radiance(p.sun_direction), down.ground_radiance());
 }

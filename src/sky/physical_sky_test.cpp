@@ -6,6 +6,7 @@
 #include "base/frame.h"
 #include "color/luminance.h"
 #include "sky/daylight.h"
+#include "support/directions.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +15,15 @@
 namespace oriel::sky {
 namespace physical_sky_test {
 
-constexpr float kDeg = kPi / 180;
+using testing::sky_direction;
 
-Vec3 direction(float elevation_deg, float azimuth_deg) {
-  const float el = elevation_deg * kDeg, az = azimuth_deg * kDeg;
-  return Vec3(std::cos(el) * std::cos(az), std::cos(el) * std::sin(az), std::sin(el));
-}
+constexpr float kDeg = kPi / 180;
 
 SkyParameters in_lux(float elevation_deg, float haze = 0) {
   SkyParameters p;
   p.rgb_unit_conversion = Rgb(1);
   p.haze = haze;
-  p.sun_direction = direction(elevation_deg, 0);
+  p.sun_direction = sky_direction(elevation_deg, 0);
   return p;
 }
 
@@ -75,7 +73,7 @@ TEST(PhysicalSky, Conversion0318GivesLuminance) {
   SkyParameters p = in_lux(45);
   p.rgb_unit_conversion = Rgb(0.318f);
   // Table: 4012.13 cd/m2 opposite the sun at 45 degrees; 0.318 is 1/pi less 0.1 %.
-  const float value = luminance(gradient(p, direction(45, 180)));
+  const float value = luminance(gradient(p, sky_direction(45, 180)));
   EXPECT_NEAR(value, 4012.13f * 0.318f * kPi, 1e-3f * value);
 }
 
@@ -83,7 +81,7 @@ TEST(PhysicalSky, Conversion0318GivesLuminance) {
 TEST(PhysicalSky, ConversionOfZeroMaps80000LuxToOne) {
   SkyParameters zero = in_lux(45), one = in_lux(45);
   zero.rgb_unit_conversion = Rgb(0.0f);
-  const Vec3 d = direction(50, 70);
+  const Vec3 d = sky_direction(50, 70);
   expect_same(gradient(zero, d) * 80000, gradient(one, d));
   const SkyParameters defaults;
   SkyParameters lux = defaults;
@@ -109,13 +107,13 @@ TEST(PhysicalSky, HazeBrightensAndWhitensTheSky) {
 TEST(PhysicalSky, NeutralTintChangesNothing) {
   const SkyParameters p = in_lux(45, 4);
   const PreethamSky model(p.sun_direction, 6);
-  expect_same(gradient(p, direction(30, 80)), model.radiance(direction(30, 80)) * kPi);
+  expect_same(gradient(p, sky_direction(30, 80)), model.radiance(sky_direction(30, 80)) * kPi);
 }
 
 // acceptance: S5
 TEST(PhysicalSky, SaturationZeroIsGreyOfTheSameLuminance) {
   SkyParameters p = in_lux(45, 2);
-  const Vec3 d = direction(60, 100);
+  const Vec3 d = sky_direction(60, 100);
   const float y = luminance(gradient(p, d));
   p.saturation = 0;
   expect_same(gradient(p, d), Rgb(y));
@@ -139,7 +137,7 @@ TEST(PhysicalSky, SaturationGrowsThroughOneToTwo) {
 TEST(PhysicalSky, HazeDeepensDesaturation) {
   // At haze 15 the cube of the saturation counts: 0.5 acts as 0.125.
   SkyParameters p = in_lux(45, 15);
-  const Vec3 d = direction(60, 100);
+  const Vec3 d = sky_direction(60, 100);
   const Rgb full = gradient(p, d);
   p.saturation = 0.5f;
   const Rgb grey(luminance(full));
@@ -149,7 +147,7 @@ TEST(PhysicalSky, HazeDeepensDesaturation) {
 // acceptance: S5
 TEST(PhysicalSky, RedShiftScalesRedAgainstBlue) {
   SkyParameters p = in_lux(45);
-  const Vec3 d = direction(60, 100);
+  const Vec3 d = sky_direction(60, 100);
   const Rgb neutral = gradient(p, d);
   for (float shift : {0.3f, -0.3f}) {
     p.redblueshift = shift;
@@ -180,7 +178,7 @@ TEST(PhysicalSky, ExtremeHorizonsAreAllSkyOrAllGround) {
   p.horizon_height = -10;
   const PhysicalSky aloft(p);
   for (float elevation = -85; elevation <= 85; elevation += 10) {
-    const Vec3 d = direction(elevation, 200);
+    const Vec3 d = sky_direction(elevation, 200);
     EXPECT_EQ(buried.radiance(d), buried.ground_radiance());
     EXPECT_NE(aloft.radiance(d), aloft.ground_radiance());
   }
@@ -208,7 +206,7 @@ TEST(PhysicalSky, GroundSkyIlluminanceMatchesTable) {
   const float table[][3] = {
       {10, 14868, 6242}, {30, 20977, 40467}, {45, 22769, 65317}, {60, 22293, 84847}};
   for (const auto& [elevation, sky_lux, sun_lux] : table) {
-    const PreethamSky model(direction(elevation, 0), 2);
+    const PreethamSky model(sky_direction(elevation, 0), 2);
     EXPECT_NEAR(luminance(horizontal_illuminance_25(model)), sky_lux, 1e-3f * sky_lux);
     // A Lambert ground in the pi convention: albedo times illuminance, whatever the haze.
     for (float haze : {0.0f, 6.0f}) {
@@ -241,7 +239,7 @@ TEST(PhysicalSky, GroundLightsAWallWithHalfItsRadiance) {
 TEST(PhysicalSky, BlackGroundBouncesNothing) {
   SkyParameters p = in_lux(45);
   p.ground_color = Rgb(0.0f);
-  EXPECT_TRUE(is_black(PhysicalSky(p).radiance(direction(-60, 10))));
+  EXPECT_TRUE(is_black(PhysicalSky(p).radiance(sky_direction(-60, 10))));
 }
 
 TEST(PhysicalSky, GroundIsColouredByItsAlbedo) {
@@ -268,27 +266,27 @@ TEST(PhysicalSky, TwilightFadesByTheFourthPower) {
 // acceptance: S8
 TEST(PhysicalSky, NightColourIsAFloorPerChannel) {
   SkyParameters p = in_lux(45);
-  const Vec3 d = direction(40, 120);
+  const Vec3 d = sky_direction(40, 120);
   const Rgb day = gradient(p, d);
   p.night_color = Rgb(0.5f * day.x, 2 * day.y, 0.5f * day.z);
   expect_same(gradient(p, d), Rgb(day.x, 2 * day.y, day.z));
   // Deep in the night it is all there is, above the horizon only, and units do not scale it.
-  p.sun_direction = direction(-40, 0);
+  p.sun_direction = sky_direction(-40, 0);
   p.rgb_unit_conversion = Rgb(0.0001f);
   expect_same(gradient(p, d), p.night_color);
-  EXPECT_TRUE(is_black(gradient(p, direction(-40, 120))));
+  EXPECT_TRUE(is_black(gradient(p, sky_direction(-40, 120))));
 }
 
 // acceptance: S15
 TEST(PhysicalSky, YIsUpExchangesYAndZ) {
   SkyParameters z_up = in_lux(35, 3);
-  z_up.sun_direction = direction(35, 25);
+  z_up.sun_direction = sky_direction(35, 25);
   z_up.horizon_height = 0.2f;
   SkyParameters y_up = z_up;
   y_up.y_is_up = true;
   std::swap(y_up.sun_direction.y, y_up.sun_direction.z);
   for (float elevation = -40; elevation < 90; elevation += 13) {
-    const Vec3 d = direction(elevation, 60);
+    const Vec3 d = sky_direction(elevation, 60);
     EXPECT_EQ(PhysicalSky(z_up).radiance(d), PhysicalSky(y_up).radiance(Vec3(d.x, d.z, d.y)));
   }
 }
@@ -296,7 +294,7 @@ TEST(PhysicalSky, YIsUpExchangesYAndZ) {
 // acceptance: S15
 TEST(PhysicalSky, OnAndMultiplierScaleIt) {
   SkyParameters p = in_lux(45);
-  for (const Vec3& d : {direction(30, 10), direction(-30, 10), p.sun_direction}) {
+  for (const Vec3& d : {sky_direction(30, 10), sky_direction(-30, 10), p.sun_direction}) {
     p.multiplier = 1;
     const Rgb one = PhysicalSky(p).radiance(d);
     p.multiplier = 2.5f;
@@ -314,7 +312,7 @@ TEST(PhysicalSky, OnAndMultiplierScaleIt) {
 TEST(PhysicalSky, LengthOfTheSunDirectionDoesNotMatter) {
   SkyParameters p = in_lux(45), longer = p;
   longer.sun_direction *= 37;
-  expect_same(gradient(longer, direction(30, 10)), gradient(p, direction(30, 10)));
+  expect_same(gradient(longer, sky_direction(30, 10)), gradient(p, sky_direction(30, 10)));
 }
 
 TEST(PhysicalSky, HorizonRadianceIsTheLimitFromAbove) {

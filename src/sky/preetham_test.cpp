@@ -4,18 +4,16 @@
 
 #include "color/luminance.h"
 #include "sky/daylight.h"
+#include "support/directions.h"
 
 #include <gtest/gtest.h>
 
 namespace oriel::sky {
 namespace preetham_test {
 
-constexpr float kDeg = kPi / 180;
+using testing::sky_direction;
 
-Vec3 direction(float elevation_deg, float azimuth_deg) {
-  const float el = elevation_deg * kDeg, az = azimuth_deg * kDeg;
-  return Vec3(std::cos(el) * std::cos(az), std::cos(el) * std::sin(az), std::sin(el));
-}
+constexpr float kDeg = kPi / 180;
 
 void expect_relative(float value, float expected, float tolerance, const char* what) {
   EXPECT_NEAR(value, expected, tolerance * expected) << what;
@@ -93,7 +91,8 @@ TEST(Preetham, ZenithMatchesTable) {
     EXPECT_NEAR(chromaticity.x, row.zenith_x, 2e-5f);
     EXPECT_NEAR(chromaticity.y, row.zenith_y, 2e-5f);
     // The look-up straight up is the zenith.
-    const auto up = PreethamSky(direction(row.elevation_deg, 20), row.turbidity).xyy(Vec3(0, 0, 1));
+    const auto up =
+        PreethamSky(sky_direction(row.elevation_deg, 20), row.turbidity).xyy(Vec3(0, 0, 1));
     expect_relative(up.luminance, row.zenith, 1e-3f, "look-up");
     EXPECT_NEAR(up.x, row.zenith_x, 2e-5f);
     EXPECT_NEAR(up.y, row.zenith_y, 2e-5f);
@@ -110,49 +109,50 @@ TEST(Preetham, PointSamplesMatchTable) {
                             {3, 45, 80, 0, 17239.70f},  {3, 45, 80, 180, 7653.94f},
                             {5, 30, 80, 0, 20997.14f},  {5, 30, 80, 180, 6116.77f}};
   for (const Sample& s : samples) {
-    const PreethamSky sky(direction(s.elevation_deg, 33), s.turbidity);
-    const auto c = sky.xyy(direction(90 - s.zenith_angle_deg, 33 + s.azimuth_deg));
+    const PreethamSky sky(sky_direction(s.elevation_deg, 33), s.turbidity);
+    const auto c = sky.xyy(sky_direction(90 - s.zenith_angle_deg, 33 + s.azimuth_deg));
     expect_relative(c.luminance, s.luminance, 1e-3f, "luminance");
   }
 }
 
 // acceptance: S3
 TEST(Preetham, ChromaticityMatchesTable) {
-  const Vec3 sun = direction(45, 0);
+  const Vec3 sun = sky_direction(45, 0);
   const PreethamSky sky(sun, 2);
-  EXPECT_NEAR(sky.xyy(direction(45, 180)).y, .23712f, 2e-5f);
-  EXPECT_NEAR(sky.xyy(direction(10, 0)).y, .29565f, 3e-5f);
-  EXPECT_NEAR(sky.xyy(direction(10, 0)).x, .27915f, 3e-5f);
+  EXPECT_NEAR(sky.xyy(sky_direction(45, 180)).y, .23712f, 2e-5f);
+  EXPECT_NEAR(sky.xyy(sky_direction(10, 0)).y, .29565f, 3e-5f);
+  EXPECT_NEAR(sky.xyy(sky_direction(10, 0)).x, .27915f, 3e-5f);
   const PreethamSky paper(sun, 2, {.paper_chromaticity = true});
-  EXPECT_NEAR(paper.xyy(direction(10, 0)).x, .28701f, 3e-5f);
+  EXPECT_NEAR(paper.xyy(sky_direction(10, 0)).x, .28701f, 3e-5f);
 }
 
 // acceptance: S3
 TEST(Preetham, HorizontalIlluminanceMatchesTable) {
   for (const Row& row : kTable) {
-    const PreethamSky sky(direction(row.elevation_deg, 0), row.turbidity);
+    const PreethamSky sky(sky_direction(row.elevation_deg, 0), row.turbidity);
     expect_relative(luminance(horizontal_illuminance(sky)), row.sky_lux, 1e-3f, "sky");
   }
 }
 
 TEST(Preetham, AntisolarClampHoldsTheHalfSkyAwayFromTheSun) {
-  const Vec3 sun = direction(20, 0);
+  const Vec3 sun = sky_direction(20, 0);
   const PreethamSky open(sun, 2), held(sun, 2, {.clamp_antisolar = true});
-  EXPECT_FLOAT_EQ(open.xyy(direction(60, 40)).luminance, held.xyy(direction(60, 40)).luminance);
-  EXPECT_NE(open.xyy(direction(20, 180)).luminance, held.xyy(direction(20, 180)).luminance);
+  EXPECT_FLOAT_EQ(open.xyy(sky_direction(60, 40)).luminance,
+                  held.xyy(sky_direction(60, 40)).luminance);
+  EXPECT_NE(open.xyy(sky_direction(20, 180)).luminance, held.xyy(sky_direction(20, 180)).luminance);
 }
 
 TEST(Preetham, LookUpsBelowTheHorizonMeetIt) {
-  const PreethamSky sky(direction(30, 0), 4);
+  const PreethamSky sky(sky_direction(30, 0), 4);
   const auto at = sky.xyy(normalize(Vec3(0.6f, 0.8f, kLowestSkyZ)));
   const auto below = sky.xyy(Vec3(0.6f, 0.8f, -0.5f));
   EXPECT_NEAR(at.luminance, below.luminance, 1e-3f * at.luminance);
 }
 
 TEST(Preetham, RadianceCarriesTheModelsLuminance) {
-  const PreethamSky sky(direction(35, 0), 4);
+  const PreethamSky sky(sky_direction(35, 0), 4);
   for (float azimuth = 0; azimuth < 180; azimuth += 15) {
-    const Vec3 w = direction(40, azimuth);
+    const Vec3 w = sky_direction(40, azimuth);
     expect_relative(luminance(sky.radiance(w)), sky.xyy(w).luminance, 1e-3f, "luminance");
   }
 }

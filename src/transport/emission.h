@@ -55,7 +55,7 @@ std::vector<EmissionKind> emissive_instances(const World& world,
 ///          are taken. None at all where glowing surfaces are as wide as the scene (their
 ///          participation ratio in the power above kWideShare of its box's surface): rays find
 ///          those better.
-/// Checked: Emission.* in tests/analytic/emission_test.cpp
+/// Checked: Emission.* in tests/analytic/lights/emission_test.cpp
 inline constexpr std::size_t kMostEmissiveTriangles = std::size_t{1} << 22;
 inline constexpr float kWideShare = 0.25f;
 MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& materials);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel render on files with several render statements: which frames, and what their files are
 // called.
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace animation_test {

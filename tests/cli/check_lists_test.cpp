@@ -2,7 +2,7 @@
 // What oriel check lists of scenes that others wrote.
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace check_lists_test {

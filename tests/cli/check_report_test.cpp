@@ -2,7 +2,7 @@
 // oriel check --report as a user calls it.
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace check_report_test {

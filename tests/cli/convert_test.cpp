@@ -7,7 +7,7 @@
 
 #include "image/files.h"
 #include "models/testing/model_file.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace convert_test {

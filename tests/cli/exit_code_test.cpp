@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel render ends with 0 only where nothing that was asked for is missing.
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace exit_code_test {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace explain_test {

@@ -4,7 +4,7 @@
 
 #include "image/exr.h"
 #include "image/files.h"
-#include "program.h"
+#include "support/program.h"
 #include "tone/exposure.h"
 
 namespace oriel {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace light_groups_test {

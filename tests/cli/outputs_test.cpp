@@ -2,7 +2,7 @@
 // Outputs of materials as a user asks for them: layers of EXR files, and what is said without any.
 #include "image/exr.h"
 #include "output/output_names.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace outputs_test {

@@ -2,7 +2,7 @@
 // oriel profile.
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace profile_test {

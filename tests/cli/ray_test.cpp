@@ -2,7 +2,7 @@
 // The command line of the old stand-alone program: typical calls and the files that come of them.
 #include "image/exr.h"
 #include "image/files.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace ray_test {

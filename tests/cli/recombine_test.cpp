@@ -5,8 +5,8 @@
 
 #include "image/exr.h"
 #include "image/files.h"
-#include "image/test_layers.h"
-#include "program.h"
+#include "support/output_layers.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace recombine_test {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "image/exr.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace scene_code_test {

@@ -3,7 +3,7 @@
 #include <dlfcn.h>
 
 #include "mi/reader.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace shader_build_test {

@@ -2,7 +2,7 @@
 // oriel shader-build on folders of old sources: flags, helpers, what stays undefined, hints.
 #include <dlfcn.h>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace shader_tree_test {

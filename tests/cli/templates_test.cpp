@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace templates_test {

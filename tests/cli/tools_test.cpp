@@ -5,7 +5,7 @@
 
 #include "image/exr.h"
 #include "image/files.h"
-#include "program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace tools_test {

@@ -10,6 +10,7 @@
 #include "prepare/testing/prepared_scene.h"
 #include "sampling/testing/chi_square.h"
 #include "sampling/warp.h"
+#include "support/expect_near.h"
 
 namespace oriel {
 namespace view_contract_test {
@@ -17,6 +18,7 @@ namespace view_contract_test {
 // double: the yardstick of a density over 131072 cells.
 constexpr double kPiDouble = 3.14159265358979323846;
 
+using testing::expect_near_relative;
 using testing::PreparedScene;
 using testing::scene_text;
 
@@ -112,10 +114,6 @@ TEST_P(EnvironmentContract, ImportanceSamplingIsUnbiased) {
 INSTANTIATE_TEST_SUITE_P(Skies, EnvironmentContract, ::testing::ValuesIn(skies()),
                          [](const auto& param) { return std::string(param.param.name); });
 
-void expect_near(const Vec3& a, const Vec3& b) {
-  EXPECT_LT(length(a - b), 1e-5f * (1 + length(b)));
-}
-
 /// A camera 40 x 30 pixels, film 2 x 1.5, turned so that it looks along world x with z up.
 Camera turned() {
   Camera camera;
@@ -136,9 +134,9 @@ TEST(CameraContract, PerspectiveRaysPassThroughTheirPointOfTheFilm) {
        {Vec2(20, 15), Vec2(0, 0), Vec2(40, 30), Vec2(.5f, 29.5f), Vec2(33, 4)}) {
     const Camera::Ray ray = camera.ray(raster);
     const float x = raster.x / 40 * 2 - 1, y = (raster.y / 30 - .5f) * 1.5f;
-    expect_near(ray.origin, Vec3(5, 6, 7));
+    expect_near_relative(ray.origin, Vec3(5, 6, 7), 1e-5f);
     // Forward 3, right x (world -y), up y (world z).
-    expect_near(ray.direction, normalize(Vec3(3, -x, y)));
+    expect_near_relative(ray.direction, normalize(Vec3(3, -x, y)), 1e-5f);
     EXPECT_NEAR(ray.cos_to_film, 3 / std::sqrt(9 + x * x + y * y), 1e-6);
   }
 }
@@ -148,8 +146,9 @@ TEST(CameraContract, OrthographicRaysAreParallelAcrossTheWidthOfView) {
   camera.orthographic = true;
   for (const Vec2& raster : {Vec2(20, 15), Vec2(0, 0), Vec2(40, 30)}) {
     const Camera::Ray ray = camera.ray(raster);
-    expect_near(ray.direction, Vec3(1, 0, 0));
-    expect_near(ray.origin, Vec3(5, 6 - (raster.x / 20 - 1), 7 + (raster.y / 30 - .5f) * 1.5f));
+    expect_near_relative(ray.direction, Vec3(1, 0, 0), 1e-5f);
+    expect_near_relative(ray.origin,
+                         Vec3(5, 6 - (raster.x / 20 - 1), 7 + (raster.y / 30 - .5f) * 1.5f), 1e-5f);
     EXPECT_EQ(ray.cos_to_film, 1);
     EXPECT_FLOAT_EQ(ray.width, 2.0f / 40);
   }
@@ -160,10 +159,11 @@ TEST(CameraContract, OffsetsShiftThePlaneByWholePixels) {
   Camera shifted = turned();
   shifted.offset = Vec2(3, -2);
   for (const Vec2& raster : {Vec2(10, 10), Vec2(33.5f, 7)}) {
-    expect_near(shifted.ray(raster).direction, still.ray(raster + Vec2(3, -2)).direction);
+    expect_near_relative(shifted.ray(raster).direction, still.ray(raster + Vec2(3, -2)).direction,
+                         1e-5f);
     Camera a = still, b = shifted;
     a.orthographic = b.orthographic = true;
-    expect_near(b.ray(raster).origin, a.ray(raster + Vec2(3, -2)).origin);
+    expect_near_relative(b.ray(raster).origin, a.ray(raster + Vec2(3, -2)).origin, 1e-5f);
   }
 }
 
@@ -185,8 +185,8 @@ TEST(CameraContract, TheInstancesMatrixTakesTheWorldToTheCamera) {
       "instance \"cam_inst\" \"cam\" transform 1 0 0 0 0 1 0 0 0 0 1 0 -2 -3 -4 1 end instance");
   const PreparedScene s(text);
   ASSERT_TRUE(s.world) << s.messages();
-  expect_near(s.world->camera.ray(Vec2(8, 6)).origin, Vec3(2, 3, 4));
-  expect_near(s.world->camera.ray(Vec2(8, 6)).direction, Vec3(0, 0, -1));
+  expect_near_relative(s.world->camera.ray(Vec2(8, 6)).origin, Vec3(2, 3, 4), 1e-5f);
+  expect_near_relative(s.world->camera.ray(Vec2(8, 6)).direction, Vec3(0, 0, -1), 1e-5f);
 }
 
 class LensContract : public ::testing::TestWithParam<const ShaderSpec*> {};

@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-#include "../analytic/scene_text.h"
 #include "color/luminance.h"
 #include "output/output.h"
 #include "output/output_names.h"
 #include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
+#include "support/scene_text.h"
 
 namespace oriel::cross_method {
 
-using analytic::SceneText;
-using analytic::text_of;
 using scene::IndirectMethod;
+using testing::SceneText;
+using testing::text_of;
 
 struct Method {
   IndirectMethod id;

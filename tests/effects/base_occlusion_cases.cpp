@@ -8,12 +8,10 @@
 namespace oriel::effects {
 namespace base_occlusion {
 
-const Vec3 kUp(0, 0, 1);
-
 /// A plate at the origin that shows the call, and an infinite wall in the plane x = `wall`.
 SceneText beside_wall(const std::string& shown, float wall) {
   SceneText scene;
-  scene.statement(shown).square("m", Vec3(0), 5, kUp).lambert("wall", 0);
+  scene.statement(shown).plate("m").lambert("wall", 0);
   return scene.polygon("wall", {Vec3(wall, -1000, -1), Vec3(wall, 1000, -1), Vec3(wall, 1000, 2000),
                                 Vec3(wall, -1000, 2000)});
 }
@@ -111,7 +109,7 @@ void add_common(Cases& all, const std::string& shader, const std::string& wide,
       return half(call_of(shader, fmt::format("{}, samples {}", grey, samples)));
     };
     const Measured one = with(1), four = with(4);
-    analytic::expect_exact("one ray", one, .5f, .05f);
+    testing::expect_exact("one ray", one, .5f, .05f);
     EXPECT_NEAR(four.each(four.counts.probe), 4 * one.each(one.counts.probe), 1e-3);
     EXPECT_GT(one.each(one.counts.probe), .5);
   }));
@@ -139,7 +137,7 @@ void add_gathered(Cases& all) {
   const std::string name = "mib_fg_occlusion.result_when_fg_is_off";
   const Stage gathered = [](const std::string& call) {
     SceneText scene("trace depth 8 8 12 finalgather on");
-    scene.statement(shown_as_light(call)).square("m", Vec3(0), 5, kUp);
+    scene.statement(shown_as_light(call)).plate("m");
     return seen(scene, 64);
   };
   const std::string color = ".3 .2 .1 1";
@@ -170,14 +168,14 @@ void add_bent(Cases& all) {
   // Its own environment, else the scene's.
   const Stage below_sky = [skies](const std::string& call) {
     SceneText scene;
-    scene.statement(shown_as_light(call, skies)).square("m", Vec3(0), 5, kUp).uniform_sky(.25f);
+    scene.statement(shown_as_light(call, skies)).plate("m").uniform_sky(.25f);
     return seen(scene, 64);
   };
   const std::string open_up = "bent_normals .5 .5 1 1, strength 1";
   all.push_back(both(gives(name + "environment", below_sky, open_up,
                            {{"\"sky\"", white}, {"\"blue\"", Rgb(0, 0, 1)}}),
                      shows(name + "environment", [=] {
-                       analytic::expect_exact(
+                       testing::expect_exact(
                            "the scene's", below_sky(call_of("mib_bent_normal_env", open_up)), .25f);
                      })));
   // The direction +x of each space, looked up in a picture around the scene.
@@ -197,7 +195,7 @@ void add_bent(Cases& all) {
   const std::string low = "bent_normals .933 .5 .75 1, strength 1, environment \"sky\"";
   const auto many = [=](const std::string& call) {
     SceneText scene;
-    scene.statement(shown_as_light(call, skies)).square("m", Vec3(0), 5, kUp);
+    scene.statement(shown_as_light(call, skies)).plate("m");
     return seen(scene, 4096);
   };
   all.push_back(both(gives(name + "samples_spread", many, low, {{"0", white}, {".3", white}}),
@@ -208,7 +206,7 @@ void add_bent(Cases& all) {
                           fmt::format("{}, samples_spread 1, env_samples {}", low, samples)));
     };
     const Measured one = with(1), four = with(4);
-    analytic::expect_same("mean", four, one, .05f);
+    testing::expect_same("mean", four, one, .05f);
     EXPECT_LT(four.error.y, .8f * one.error.y) << "more look-ups are smoother";
   }));
 }

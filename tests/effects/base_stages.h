@@ -24,7 +24,7 @@ inline Stage refracted_place() {
   return [](const std::string& call) {
     SceneText scene;
     scene.statement("material \"m\" " + call + " end material")
-        .square("m", Vec3(0), 5, Vec3(0, 0, 1))
+        .plate("m")
         .statement("material \"ground\" \"test_place\" ( \"scale\" 1 0 0 ) end material")
         .square("ground", Vec3(0, 0, -2), 9, Vec3(0, 0, 1));
     return Probe(scene.str(), known_shaders()).ray(Vec3(-1, 0, 1), Vec3(1, 0, -1), 64);

@@ -137,7 +137,7 @@ SceneText square_of(const std::string& call) {
   SceneText scene;
   scene.statement(
       fmt::format("shader \"s\" {}\nmaterial \"m\" = \"s\" shadow = \"s\" end material", call));
-  return scene.square("m", Vec3(0), 5, Vec3(0, 0, 1));
+  return scene.plate("m");
 }
 
 Measured seen_value(const std::string& call, const std::string& member, const std::string& elements,
@@ -159,7 +159,7 @@ Measured seen_from_above(const SceneText& scene, float degrees, int samples) {
 
 const Registry& known_shaders() {
   static const Registry registry([] {
-    std::vector<const ShaderSpec*> specs = analytic::test_registry().all();
+    std::vector<const ShaderSpec*> specs = testing::test_registry().all();
     specs.push_back(&kTestShow);
     return specs;
   }());
@@ -185,7 +185,7 @@ std::string call_of(std::string_view shader, const std::string& parameters) {
 void expect_more(const Measured& more, const Measured& less, int channel) {
   const float error = std::hypot(more.error[channel], less.error[channel]);
   EXPECT_GT(more.mean[channel] - less.mean[channel],
-            4 * error + analytic::kRounding * std::abs(more.mean[channel]))
+            4 * error + testing::kRounding * std::abs(more.mean[channel]))
       << more.mean[channel] << " against " << less.mean[channel];
 }
 
@@ -205,9 +205,9 @@ Case gives(const std::string& parameter, Stage stage, const std::string& others,
   return {parameter, [=] {
             ASSERT_GE(values.size(), 2u);
             for (const Given& each : values)
-              analytic::expect_exact(parameter + " " + each.value,
-                                     measured(parameter, stage, others, each.value), each.expected,
-                                     .05f);
+              testing::expect_exact(parameter + " " + each.value,
+                                    measured(parameter, stage, others, each.value), each.expected,
+                                    .05f);
           }};
 }
 
@@ -218,8 +218,8 @@ Case scales(const std::string& parameter, Stage stage, const std::string& others
             EXPECT_GT(max_component(expected.mean), 0) << "nothing is scaled";
             expected.mean *= factor;
             expected.error *= factor;
-            analytic::expect_same(parameter, measured(parameter, stage, others, other), expected,
-                                  .05f);
+            testing::expect_same(parameter, measured(parameter, stage, others, other), expected,
+                                 .05f);
           }};
 }
 

@@ -9,14 +9,15 @@
 #include <string_view>
 #include <vector>
 
-#include "../analytic/probe.h"
+#include "support/probe.h"
 
 namespace oriel::effects {
 
-using analytic::Measured;
-using analytic::Probe;
-using analytic::SceneText;
-using analytic::text_of;
+using testing::kUp;
+using testing::Measured;
+using testing::Probe;
+using testing::SceneText;
+using testing::text_of;
 
 /// A scene around a shader's call (`.mi` text: "name" ( "parameter" value, ... )) and what is
 /// measured in it.

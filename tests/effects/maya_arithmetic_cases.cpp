@@ -59,8 +59,8 @@ void add_sums(Cases& all) {
     const std::string array =
         fmt::format("{} [ {}, {}, {} ]", list, term(4), term(.5f), term(1.5f));
     all.push_back(both(count, shows(count.parameter, [out, array, sum = sum(6)] {
-                         analytic::expect_exact("array", out(call_of("maya_plusminusavg", array)),
-                                                sum);
+                         testing::expect_exact("array", out(call_of("maya_plusminusavg", array)),
+                                               sum);
                        })));
     // The last of i + 1 terms, the first of which is 4, in the sum, the difference and the mean.
     for (int i = 0; i < 16; ++i) {

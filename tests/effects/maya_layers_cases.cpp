@@ -23,7 +23,7 @@ Stage plate(bool sky) {
     SceneText scene;
     scene.statement(kMayaSources + kSurfaces)
         .statement("shader \"s\" " + call + "\nmaterial \"m\" = \"s\" shadow = \"s\" end material")
-        .square("m", Vec3(0), 5, Vec3(0, 0, 1));
+        .plate("m");
     if (sky)
       scene.uniform_sky(1);
     else
@@ -98,7 +98,7 @@ void add_layered(Cases& all) {
                            "\"maya_layeredshader\" ( \"inputs\" [ { \"color\" = "
                            "\"surface.outColor\", \"transparency\" .5 .25 1 }, "
                            "{ \"color\" 1 2 4, \"transparency\" 0 0 0 } ] )";
-                       analytic::expect_exact("array", sun(call), kShown + Rgb(.5f, .5f, 4));
+                       testing::expect_exact("array", sun(call), kShown + Rgb(.5f, .5f, 4));
                      })));
 }
 

@@ -92,8 +92,8 @@ void add_entries(Cases& all) {
                            "{ \"position\" 0, \"color\" 0 1 0 }, "
                            "{ \"position\" .5, \"color\" 0 0 1 } ] )";
                        const auto at = [&](float t) { return at_coordinate(.5f, t)(call); };
-                       analytic::expect_exact("lower half", at(.25f), Rgb(0, .5f, .5f));
-                       analytic::expect_exact("upper half", at(.75f), Rgb(.5f, 0, .5f));
+                       testing::expect_exact("lower half", at(.25f), Rgb(0, .5f, .5f));
+                       testing::expect_exact("upper half", at(.75f), Rgb(.5f, 0, .5f));
                      })));
 }
 

@@ -241,7 +241,7 @@ std::vector<float> reds(const std::string& call, const std::vector<Vec2>& places
   const Probe probe(testing::scene_text("shader \"seen\" " + call +
                                         "\nmaterial \"m\" \"maya_surfaceshader\" ( \"outColor\" = "
                                         "\"seen.outColor\" ) end material\n"),
-                    analytic::test_registry());
+                    testing::test_registry());
   std::vector<float> found;
   for (const Vec2& place : places) {
     const Vec2 at = place_of(place.x, place.y), raster(at.x * 16, at.y * 12);

@@ -5,17 +5,16 @@
 
 #include <fstream>
 
-#include "../analytic/portal_scenes.h"
 #include "base/math.h"
 #include "cases.h"
-#include "image/test_files.h"
 #include "mia_stages.h"
+#include "support/files.h"
+#include "support/portal_scenes.h"
 #include "transport/photon/photon_trace.h"
 
 namespace oriel::effects {
 namespace mia_light {
 
-const Vec3 kUp(0, 0, 1);
 /// What a white Lambert surface shows under a lux.
 constexpr float kPerLux = kInvPi;
 

@@ -40,8 +40,6 @@ const Registry& known() {
   return registry;
 }
 
-const Vec3 kUp(0, 0, 1);
-
 /// Edges of a plate whose surface has its material "m" and lies at z = 0.
 enum class Edge {
   Out,    ///< at y = 2, where the plate turns down

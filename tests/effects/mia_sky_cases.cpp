@@ -18,7 +18,6 @@ namespace mia_sky {
 std::string sky_at(float elevation = 45, float azimuth = 0) {
   return "rgb_unit_conversion 1 1 1, sun_direction " + text_of(toward(elevation, azimuth));
 }
-const Vec3 kUp(0, 0, 1);
 /// Numbers and a colour to connect.
 SceneText with_values() {
   SceneText scene;

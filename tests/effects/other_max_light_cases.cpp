@@ -19,7 +19,7 @@ constexpr const char* kDown = "direction 0 0 -1";
 Stage over_floor(const std::string& floor, const std::string& place) {
   return composed([=](SceneText& scene, const std::string& call) {
     add_material(scene, floor);
-    scene.square("m", Vec3(0), 5, Vec3(0, 0, 1)).light("l", call + " " + place);
+    scene.plate("m").light("l", call + " " + place);
   });
 }
 /// On a white square.

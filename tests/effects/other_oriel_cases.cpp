@@ -25,7 +25,7 @@ Measured before_lambert(const std::string& call) {
       "instance \"sun_i\" \"sun\" end instance\n"
       "material \"m\" {} \"mib_illum_lambert\" ( \"diffuse\" 1 1 1 ) end material\n",
       kPictures, text_of(-kToSun), call);
-  return Probe(testing::scene_text(elements, "\"sun_i\""), analytic::test_registry())
+  return Probe(testing::scene_text(elements, "\"sun_i\""), testing::test_registry())
       .ray(Vec3(0), Vec3(0, 0, -1), 64);
 }
 Rgb lit(const Vec3& normal) { return Rgb(std::max(0.0f, dot(normal, kToSun))); }
@@ -69,7 +69,7 @@ void add_vector(Cases& all) {
         "\"brdf_0_degree_refl\" 1, \"refl_gloss\" .5, \"refl_hl_only\" on, \"anisotropy\" 5, "
         "\"anisotropy_channel\" -4 ) end material",
         call_of("oriel_tex_vector", std::string("vector ") + vector)));
-    scene.square("m", Vec3(0), 5, Vec3(0, 0, 1));
+    scene.plate("m");
     scene.light("sun", fmt::format("\"mib_light_infinite\" ( \"color\" 1 1 1 ) direction {}", sun));
     return Probe(scene.str()).onto(Vec3(0), Vec3(0, 0, 1), 0, 64).mean.x;
   };

@@ -10,8 +10,6 @@ namespace {
 
 using namespace other_stages;
 
-const Vec3 kUp(0, 0, 1);
-
 /// "test_sky" ( above 1, below .2 ).
 void two_skies(SceneText& scene) {
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" .2 .2 .2 )");
@@ -66,7 +64,7 @@ Stage deflected() {
         scene.material("floor",
                        "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" = "
                        "\"place\"");
-        scene.square("m", Vec3(0), 5, kUp).square("floor", Vec3(0, 0, -1), 5, kUp);
+        scene.plate("m").square("floor", Vec3(0, 0, -1), 5, kUp);
       },
       {.degrees = 45});
 }

@@ -11,8 +11,6 @@ namespace {
 
 using namespace other_stages;
 
-const Vec3 kUp(0, 0, 1);
-
 /// As a lens of the camera, of that colour.
 Stage mapped(const Rgb& color) {
   return [=](const std::string& call) {
@@ -131,7 +129,7 @@ const std::string kShares =
 Measured scattered_photons(const std::string& call) {
   SceneText scene;
   add_material(scene, call, kShares);
-  scene.square("m", Vec3(0), 5, kUp);
+  scene.plate("m");
   scene.light("spot",
               "\"physical_light\" ( \"color\" 9 9 9, \"cone\" .95 ) origin 0 0 1 "
               "direction 0 0 -1 spread .9");

@@ -47,7 +47,7 @@ inline Stage square_in(std::function<void(SceneText&)> lit, View view = {},
   return composed(
       [=](SceneText& scene, const std::string& call) {
         add_material(scene, call, elements);
-        scene.square("m", Vec3(0), 5, Vec3(0, 0, 1));
+        scene.plate("m");
         lit(scene);
       },
       view);

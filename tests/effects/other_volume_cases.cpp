@@ -9,8 +9,6 @@ namespace {
 
 using namespace other_stages;
 
-const Vec3 kUp(0, 0, 1);
-
 /// Four units of air before a wall of radiance 1, under suns of a red and a green 2 that shine in a
 /// direction.
 Stage air(const std::string& sun, const Vec3& view = Vec3(0, 0, -1)) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explanations of pixels: they add up to the picture, and say of simple scenes what is so.
 #include "analysis/explain.h"
-#include "../analytic/picture.h"
 #include "color/luminance.h"
+#include "support/picture.h"
 
-namespace oriel::analytic {
+namespace oriel::testing {
 namespace explain_test {
-
-const Vec3 kUp(0, 0, 1);
 
 /// A scene made ready, which explanations may part by its sources.
 struct Prepared {
@@ -214,4 +212,4 @@ TEST(Explain, ParametersThatShadersGiveHaveTheirValues) {
 }
 
 }  // namespace explain_test
-}  // namespace oriel::analytic
+}  // namespace oriel::testing

@@ -2,18 +2,18 @@
 // Models from their file to light: colours of corners and brushed metal.
 #include <fmt/format.h>
 
-#include "../analytic/probe.h"
 #include "mi/writer.h"
 #include "models/daylight.h"
 #include "models/testing/gltf_file.h"
+#include "support/probe.h"
 
 namespace oriel {
 namespace colors_test {
 
-using analytic::Probe;
 using models::testing::GltfFile;
 using models::testing::json;
 using models::testing::Made;
+using testing::Probe;
 
 const Vec3 kUp(0, 0, 1), kMiddle(.25f, .25f, 0);
 /// Of the triangle's corners at kMiddle.

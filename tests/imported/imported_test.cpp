@@ -2,20 +2,20 @@
 // Models from their file to light: normals by pictures and clear coats against closed forms.
 #include <fmt/format.h>
 
-#include "../analytic/probe.h"
 #include "bsdf/terminator.h"
 #include "mi/writer.h"
 #include "models/daylight.h"
 #include "models/testing/model_file.h"
+#include "support/probe.h"
 
 namespace oriel {
 namespace imported_test {
 
-using analytic::expect_exact;
-using analytic::Measured;
-using analytic::Probe;
 using models::testing::Folder;
 using models::testing::Quad;
+using testing::expect_exact;
+using testing::Measured;
+using testing::Probe;
 
 const Vec3 kUp(0, 0, 1);
 /// Where three lights stand, red, green and blue, and the quaternions that turn z there.

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "image/test_files.h"
 #include "output/output_names.h"
 #include "prepare/testing/prepared_scene.h"
+#include "support/files.h"
 
 namespace oriel {
 namespace camera_output_test {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "image/exr.h"
-#include "image/test_files.h"
 #include "output/camera_output.h"
 #include "prepare/testing/prepared_scene.h"
+#include "support/files.h"
 
 namespace oriel {
 namespace output_test {

@@ -4,16 +4,17 @@
 
 #include <sstream>
 
-#include "../analytic/probe.h"
+#include "support/probe.h"
 
 namespace oriel::sensitivity {
 
-using analytic::kRounding;
-using analytic::Measured;
-using analytic::Probe;
-using analytic::SceneText;
-using analytic::test_registry;
-using analytic::text_of;
+using testing::kRounding;
+using testing::kUp;
+using testing::Measured;
+using testing::Probe;
+using testing::SceneText;
+using testing::test_registry;
+using testing::text_of;
 
 /// One parameter and a check that changing it changes the picture as the manual says.
 struct Case {
@@ -32,8 +33,6 @@ Cases occlusion_cases();
 Cases option_cases();
 Cases interpolation_cases();
 Cases base_layer_cases();
-
-inline const Vec3 kUp(0, 0, 1);
 
 /// Nothing but a diffuse colour, a mirror, a sheet that passes everything, glass that does.
 inline const std::string kMatte = "reflectivity 0, ";
@@ -63,7 +62,7 @@ inline std::string parameters(const std::string& list) {
 /// A square plate of that material at the origin that faces up.
 inline SceneText plate(const std::string& list) {
   SceneText scene;
-  return scene.material("m", parameters(list)).square("m", Vec3(0), 5, kUp);
+  return scene.material("m", parameters(list)).plate("m");
 }
 /// The same under a white sky of radiance 1; under a sun of 1 that shines that way.
 inline SceneText plate_in_sky(const std::string& list) { return plate(list).uniform_sky(1); }

@@ -11,7 +11,7 @@ Measured two_suns(const std::string& list) {
   for (const auto& [name, color] : {std::pair{"red", "1 0 0"}, std::pair{"green", "0 1 0"}})
     scene.light(name,
                 fmt::format("\"mib_light_infinite\" ( \"color\" {} ) direction 0 0 -1", color));
-  scene.material("m", parameters(kMatte + "diffuse 1 1 1, " + list)).square("m", Vec3(0), 5, kUp);
+  scene.material("m", parameters(kMatte + "diffuse 1 1 1, " + list)).plate("m");
   return seen_direct(scene);
 }
 

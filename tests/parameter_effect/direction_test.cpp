@@ -14,7 +14,7 @@ Widths widths(const std::string& list, const std::string& element = {}) {
     SceneText scene;
     scene.material("m",
                    parameters(kMirror + "refl_gloss .4, refl_hl_only on, anisotropy 4, " + list));
-    if (element.empty()) scene.square("m", Vec3(0), 5, kUp);
+    if (element.empty()) scene.plate("m");
     scene.statement(element);
     std::string text = with_sun(scene, -normalize(kUp + side * .18f)).str();
     const std::string members = "instgroup \"world\" \"cam_i\"";

@@ -3,6 +3,7 @@
 #include "cases.h"
 #include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
+#include "support/picture.h"
 
 namespace oriel::sensitivity {
 namespace {
@@ -22,14 +23,10 @@ struct Picture {
         .square("m", Vec3(0, 0, -2), 10, kUp);
     const float z = mirror ? 2 : -6;
     scene.polygon("glow", {Vec3(0, -9, z), Vec3(9, -9, z), Vec3(9, 9, z), Vec3(0, 9, z)});
-    const testing::PreparedScene prepared(scene.str(), test_registry());
-    EXPECT_TRUE(prepared.world) << prepared.messages();
-    if (!prepared.world) return;
-    RenderSession session(*prepared.world, {.budget = {.samples = 4}});
-    session.run();
-    rays = session.rays();
+    const testing::RenderedScene rendered(scene, {.budget = {.samples = 4}});
+    rays = rendered.session().rays();
     constexpr int kSize = 32;
-    const auto at = [&](int x, int y) { return session.film().pixel(x, y).beauty.r; };
+    const auto at = [&](int x, int y) { return rendered.at(x, y).r; };
     for (int y = 0; y < kSize; ++y) {
       edge += at(16, y) / kSize;
       beside += at(20, y) / kSize;

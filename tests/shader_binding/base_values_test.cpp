@@ -6,9 +6,12 @@
 
 #include "probe.h"
 #include "runtime/texture_node.h"
+#include "support/expect_near.h"
 
 namespace oriel {
 namespace base_values_test {
+
+using testing::expect_near;
 
 /// One call of a shader, evaluated at a point.
 struct Node {
@@ -32,13 +35,6 @@ struct Node {
 
 Rgba color_of(std::string_view shader, std::string_view arguments, std::string_view before = {}) {
   return Node(shader, arguments, before).color();
-}
-
-void expect_near(const Rgba& c, const Rgba& wanted, float tolerance = 1e-5f) {
-  EXPECT_NEAR(c.r, wanted.r, tolerance);
-  EXPECT_NEAR(c.g, wanted.g, tolerance);
-  EXPECT_NEAR(c.b, wanted.b, tolerance);
-  EXPECT_NEAR(c.a, wanted.a, tolerance);
 }
 
 TEST(BaseColors, GreysAreCopiedToAllChannels) {

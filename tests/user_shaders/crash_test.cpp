@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Crashes of libraries: wherever they happen, the message names the function and the program fails.
-#include "../cli/program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace crash_test {

@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "../cli/program.h"
 #include "coverage_table.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace functions_test {

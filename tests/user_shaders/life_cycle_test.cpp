@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../cli/program.h"
+#include "support/program.h"
 #include "user_scene.h"
 
 namespace oriel {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `oriel render` says when a library of a scene is absent or does not load.
-#include "../cli/program.h"
+#include "support/program.h"
 
 namespace oriel {
 namespace load_failures_test {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/light_emission.h"
+#include "support/picture.h"
 #include "transport/photon/photon_trace.h"
 #include "user_picture.h"
 
@@ -11,6 +12,7 @@ namespace oriel {
 namespace photons_test {
 
 using testing::expect_color;
+using testing::mean_of;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -48,11 +50,7 @@ Measured measure(UserScene& scene, scene::IndirectMethod method, int seeds) {
     settings.seed = static_cast<std::uint32_t>(seed);
     RenderSession session(*scene.world, settings);
     session.run();
-    Rgb mean(0);
-    for (int y = 0; y < session.film().height(); ++y)
-      for (int x = 0; x < session.film().width(); ++x)
-        mean += rgb(session.film().pixel(x, y).beauty);
-    mean *= 1 / static_cast<float>(session.film().pixel_count());
+    const Rgb mean = mean_of(session.film());
     sum += mean;
     squares += mean * mean;
   }

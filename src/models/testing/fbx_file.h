@@ -10,6 +10,7 @@
 
 #include "models/import.h"
 #include "scene/scene.h"
+#include "support/expect_near.h"
 
 namespace oriel::models::testing {
 
@@ -82,8 +83,6 @@ inline Vec3 view_of(const scene::Scene& scene, const char* instance) {
   return transform_vector(Vec3(0, 0, -1), to_world(scene, instance));
 }
 
-inline void expect_near(const Vec3& a, const Vec3& b, float tolerance = 1e-5f) {
-  EXPECT_LT(length(a - b), tolerance) << a << " instead of " << b;
-}
+using oriel::testing::expect_near;
 
 }  // namespace oriel::models::testing

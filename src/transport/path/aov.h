@@ -30,7 +30,7 @@ inline constexpr std::size_t kLevels = 5;
 /// Model:   levels are those of the first material times the share of it that exists, so that means
 ///          over a pixel recombine: raw = mean of results / mean of levels.
 /// Source:  manual 1.6.11.
-/// Checked: Outputs.* in tests/analytic/outputs_test.cpp
+/// Checked: Outputs.* in tests/analytic/outputs/outputs_test.cpp
 struct AovValues {
   std::array<Rgb, kAovs> result;
   std::array<Rgb, kLevels> level;

@@ -30,7 +30,7 @@ struct GridPoint {
 ///          sources without a visible shape are highlights and are not interpolated.
 /// Inputs:  density: 0..5 as the manual counts them: 2, 1, 1/2, 1/3, 1/4, 1/5 points for a pixel.
 /// Source:  manual 1.6.9.
-/// Checked: tests/analytic/interpolation_test.cpp
+/// Checked: tests/analytic/materials/interpolation_test.cpp
 class GlossyGrid {
  public:
   static constexpr int kDensities = 6;

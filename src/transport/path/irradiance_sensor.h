@@ -26,7 +26,7 @@ struct IrradianceSensor {
 /// Model:   the path tracer from a white diffuse closure: direct light of all lights and the
 ///          environment by multiple importance sampling, indirect light by rays. Maps, where the
 ///          settings have them, are read from the second surface on.
-/// Checked: Measure.* in tests/analytic/measure_test.cpp
+/// Checked: Measure.* in tests/analytic/outputs/measure_test.cpp
 Rgb sample_irradiance(const World& world, const IrradianceSensor& sensor,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts);
 

@@ -14,7 +14,7 @@ namespace oriel {
 ///          distance; without a distance each counts fully. Unlit: transparent things occlude too.
 /// Inputs:  distance: scene units, 0 = any; samples: > 0.
 /// Source:  manual 1.6.7.1; the linear fade is a guess.
-/// Checked: Occlusion.* in tests/analytic/occlusion_test.cpp (corner, slab, closed box).
+/// Checked: Occlusion.* in tests/analytic/materials/occlusion_test.cpp (corner, slab, closed box).
 float free_share(const World& world, const ShadingPoint& point, const Vec3& normal, float distance,
                  int samples, sampling::Sampler& sampler, RayCounts& counts);
 

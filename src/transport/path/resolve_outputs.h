@@ -16,7 +16,7 @@ namespace oriel {
 ///          indirect_post_ao.
 /// Inputs:  means: of all paths of the pixel; beauty: of the pixel.
 /// Source:  manual 1.6.11.
-/// Checked: ResolveOutputs.*, tests/analytic/outputs_test.cpp
+/// Checked: ResolveOutputs.*, tests/analytic/outputs/outputs_test.cpp
 MaterialOutputs resolve_outputs(const AovValues& means, const Rgb& beauty);
 
 }  // namespace oriel

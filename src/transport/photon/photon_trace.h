@@ -28,7 +28,7 @@ struct PhotonSettings {
 
 /// Whether a light sends photons: it is on, and has energy where that counts.
 /// Source:  manual 2.5 (automatic_photon_energy): without energy "photon emission is disabled".
-/// Checked: PhotonEnergy.* in tests/analytic/photon_energy_test.cpp
+/// Checked: PhotonEnergy.* in tests/analytic/photons/photon_energy_test.cpp
 bool sends_photons(const Light& light, const PhotonSettings& settings);
 
 /// Where the power went, mean over the photons of each light, summed over lights.

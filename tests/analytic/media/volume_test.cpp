@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Air that scatters light more than once, and what dims light on its way.
+#include <array>
+#include <numeric>
+
+#include "support/probe.h"
+#include "transport/photon/photon_trace.h"
+
+namespace oriel::testing {
+namespace volume_test {
+
+const Vec3 kUp(0, 1, 0);  // the air ends along y
+
+const char* const kSun = "\"mib_light_infinite\" ( \"color\" 1 1 1 ) direction 0 -1 0";
+
+/// Below the height the air, over a black ground; a sun from straight above of irradiance pi.
+SceneText slab(float depth, float albedo, float g, const char* light = kSun) {
+  SceneText scene;
+  return scene.material("black", "\"reflectivity\" 0, \"diffuse\" 0 0 0")
+      .square("black", Vec3(0), 4000, kUp)
+      .light("sun", light)
+      .camera(fmt::format("focal 1 aperture 1 aspect 1 resolution 32 32 volume \"parti_volume\" ( "
+                          "\"mode\" 1, \"height\" {}, \"extinction\" 1, \"scatter\" {} {} {}, "
+                          "\"r\" 1, \"g1\" {} )",
+                          depth, albedo, albedo, albedo, g));
+}
+
+/// Chandrasekhar's H of an even phase function, by its integral equation in the form that converges
+/// for all albedos: 1 / H(mu) = sqrt(1 - w) + w / 2 int_0^1 H(m) m / (mu + m) dm.
+/// Source: Chandrasekhar, "Radiative Transfer", 1960, section 38.
+double chandrasekhar_h(double albedo, double mu) {
+  constexpr int kCells = 400;
+  std::array<double, kCells> h;
+  h.fill(1);
+  const auto at = [&](double x) {
+    double sum = 0;
+    for (int i = 0; i < kCells; ++i) {
+      const double m = (i + .5) / kCells;
+      sum += h[static_cast<std::size_t>(i)] * m / (x + m) / kCells;
+    }
+    return 1 / (std::sqrt(1 - albedo) + albedo / 2 * sum);
+  };
+  for (int k = 0; k < 60; ++k) {
+    std::array<double, kCells> next;
+    for (int i = 0; i < kCells; ++i) next[static_cast<std::size_t>(i)] = at((i + .5) / kCells);
+    for (int i = 0; i < kCells; ++i) {
+      const auto j = static_cast<std::size_t>(i);
+      h[j] = (h[j] + next[j]) / 2;
+    }
+  }
+  return at(mu);
+}
+
+TEST(ScatteringAir, DeepAirReflectsAsChandrasekharFound) {
+  EXPECT_NEAR(chandrasekhar_h(1, 1), 2.9078, .005);  // his table XI
+  for (const float albedo : {.5f, .9f}) {
+    const Probe probe(slab(30, albedo, 0));
+    for (const float degrees : {0.0f, 60.0f}) {
+      // Of a flux pi F straight down, radiance w / 4 F mu0 / (mu + mu0) H(mu) H(mu0).
+      const double mu = std::cos(double(degrees) * M_PI / 180);
+      const double exact =
+          albedo / 4 / (1 + mu) * chandrasekhar_h(albedo, 1) * chandrasekhar_h(albedo, mu);
+      expect_exact(fmt::format("albedo {}, seen at {} degrees", albedo, degrees),
+                   probe.onto(Vec3(0, 30, 0), kUp, degrees, 1 << 14, 1), static_cast<float>(exact),
+                   .03f);
+    }
+  }
+}
+
+/// What a slab sends up, and lets down to its ground, of light from straight above: photons one by
+/// one, by their optical depth alone.
+struct Shares {
+  double up = 0, down = 0;
+};
+Shares walk_slab(float depth, float albedo, float g, int photons) {
+  Shares s;
+  for (int i = 0; i < photons; ++i) {
+    sampling::Sampler u(3, 5, static_cast<std::uint32_t>(i), 77);
+    double z = 0, mu = 1;  // down from the top
+    for (int k = 0; k < 500; ++k) {
+      z -= mu * std::log(1 - double(u.next_1d()));
+      if (z < 0 || z > double(depth)) break;
+      if (u.next_1d() >= albedo) {
+        mu = 0;
+        break;
+      }
+      const double x = double(u.next_1d()), gg = double(g);
+      double c = 1 - 2 * x;
+      if (g != 0) {
+        const double a = (1 - gg * gg) / (1 - gg + 2 * gg * x);
+        c = (1 + gg * gg - a * a) / (2 * gg);
+      }
+      const double phi = 2 * M_PI * double(u.next_1d());
+      mu = mu * c + std::sqrt(std::max(0.0, (1 - mu * mu) * (1 - c * c))) * std::cos(phi);
+      mu = std::clamp(mu, -1.0, 1.0);
+    }
+    if (mu != 0 && z < 0) s.up += 1.0 / photons;
+    if (mu != 0 && z > double(depth)) s.down += 1.0 / photons;
+  }
+  return s;
+}
+
+TEST(ScatteringAir, SlabsLetThroughWhatPhotonsDo) {
+  for (const float g : {0.0f, .75f, -.4f})
+    for (const float albedo : {.6f, 1.0f}) {
+      const float depth = 2;
+      const Shares exact = walk_slab(depth, albedo, g, 1 << 17);
+      // A card on the ground, so small that the air does not see it, seen from close by.
+      SceneText scene = slab(depth, albedo, g);
+      scene.lambert("card", 1).square("card", Vec3(0, 1e-3f, 0), .005f, kUp);
+      const Measured m = Probe(scene).onto(Vec3(0, 1e-3f, 0), kUp, 0, 1 << 15, 1e-3f);
+      const double error = std::sqrt(exact.down * (1 - exact.down) / (1 << 17));
+      EXPECT_NEAR(m.mean.x, exact.down, 4 * std::hypot(double(m.error.x), error) + .004)
+          << "albedo " << albedo << ", g " << g;
+      EXPECT_LT(m.error.x, .02f);
+      figure(fmt::format("slab, albedo {}, g {}", albedo, g), exact.down, double(m.mean.x),
+             double(m.error.x));
+    }
+}
+
+TEST(ScatteringAir, PhotonsAreScatteredAsPathsAre) {
+  for (const float g : {0.0f, .75f}) {
+    const float depth = 2, albedo = .9f;
+    const Shares exact = walk_slab(depth, albedo, g, 1 << 17);
+    // All but straight down: photons of a sun would pass beside the ground.
+    const Probe probe(slab(depth, albedo, g,
+                           "\"physical_light\" ( \"color\" 1 1 1 ) origin 0 3 0 direction 0 -1 0 "
+                           "spread .99995"));
+    PhotonSettings settings{.depth = {200, 200, 200}};
+    settings.each.global.emit = 1 << 15;
+    PhotonBalance balance;
+    RayCounts counts;
+    trace_photons(probe.world(), settings, counts, &balance);
+    EXPECT_NEAR(balance.escaped.x / balance.emitted.x, exact.up, .01) << g;
+    EXPECT_NEAR(balance.escaped.x + balance.absorbed.x + balance.stopped.x, balance.emitted.x,
+                1e-4 * balance.emitted.x);
+  }
+}
+
+TEST(ScatteringAir, AFurnaceStaysEven) {
+  // A sky all around, air that takes nothing, and white ground: all is as bright.
+  SceneText scene;
+  scene.lambert("white", 1)
+      .square("white", Vec3(0), 4000, kUp)
+      .uniform_sky(1)
+      .camera(
+          "focal 1 aperture 1 aspect 1 resolution 32 32 volume \"parti_volume\" ( \"mode\" 1, "
+          "\"height\" 2, \"extinction\" .7, \"scatter\" 1 1 1, \"r\" .5, \"g1\" .6, "
+          "\"g2\" -.3 )");
+  const Probe probe(scene);
+  expect_exact("down", probe.ray(Vec3(0, 5, 0), Vec3(0, -1, .2f), 1 << 14), 1.0f, .03f);
+  expect_exact("up", probe.ray(Vec3(0, .5f, 0), Vec3(0, 1, .2f), 1 << 14), 1.0f, .03f);
+}
+
+TEST(VolumeNodes, FogMayFadeLightRays) {
+  const auto lit = [](const char* lightrays) {
+    SceneText scene;
+    scene.lambert("card", 1)
+        .square("card", Vec3(0), 1, kUp)
+        .light("lamp", "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 2 0")
+        .camera(fmt::format("focal 1 aperture 1 aspect 1 resolution 32 32 volume \"mib_volume\" ( "
+                            "\"max\" 8, \"lightrays\" {} )",
+                            lightrays));
+    return Probe(scene).direct_only().onto(Vec3(0), kUp, 0, 64, .8f);
+  };
+  expect_exact("off", lit("off"), .9f, .01f);
+  expect_exact("on", lit("on"), .9f * .75f, .01f);
+}
+
+SceneText marched(const char* shader, const char* parameters) {
+  SceneText scene;
+  return scene.statement(shader)
+      .emitter("glow", .5f)
+      .square("glow", Vec3(0, 0, -4), 50, Vec3(0, 0, 1))
+      .camera(fmt::format("focal 1 aperture 1 aspect 1 resolution 32 32 "
+                          "volume \"mib_ray_marcher\" ( \"shader\" \"s\", {} )",
+                          parameters));
+}
+Measured along_z(const SceneText& scene) {
+  return Probe(scene).direct_only().ray(Vec3(0), Vec3(0, 0, -1), 64);
+}
+
+TEST(RayMarcher, IntegratesAShaderAlongTheRay) {
+  const char* const kPlace = "shader \"s\" \"test_place\" ( \"scale\" 0 0 -.25 )";
+  // int_0^4 z / 4 dz = 2, beside the glow of .5; the trapezoid rule has it whatever the places.
+  for (const char* parameters : {"\"num\" 0", "\"num\" 2", "\"num\" 7", "\"distance\" .3"})
+    expect_exact(parameters, along_z(marched(kPlace, parameters)), Rgb(.5f, .5f, 2.5f));
+}
+
+TEST(RayMarcher, RefinesWhereNeighboursDiffer) {
+  // Light behind z = -1.3 alone: a stretch of 2.7 of 1.
+  const char* const kStep =
+      "shader \"p\" \"test_place\" ( \"scale\" 0 0 -.2 ) "
+      "shader \"s\" \"mib_texture_checkerboard\" ( \"coord\" = \"p\", \"xsize\" 1, "
+      "\"ysize\" 1, \"zsize\" .26, "
+      "\"color001\" 1 1 1 )";
+  const auto error = [&](const char* parameters) {
+    return std::abs(along_z(marched(kStep, parameters)).mean.x - .5f - 2.7f);
+  };
+  EXPECT_GT(error("\"num\" 2"), .1f);
+  EXPECT_LT(error("\"num\" 2, \"subdiv\" 12, \"contrast\" .1 .1 .1"), 2e-3f);
+  EXPECT_LT(error("\"num\" 2, \"distance\" .001"), 2e-3f);
+  // Differences below the contrast are left alone.
+  EXPECT_GT(error("\"num\" 2, \"subdiv\" 12, \"contrast\" 2 2 2"), .1f);
+}
+
+}  // namespace volume_test
+}  // namespace oriel::testing
