@@ -72,7 +72,7 @@ constexpr ShaderSpec kPlainGlossy = {.name = "plain_glossy",
                                      .apply = kApplyMaterial,
                                      .params = kPlainRows,
                                      .params_size = sizeof(Plain),
-                                     .material = shade_plain};
+                                     .material = {.fill = shade_plain}};
 
 const Registry& registry() {
   static const Registry registry([] {

@@ -230,11 +230,11 @@ json used_shaders(const CheckedScene& c) {
     if (!spec) {
       judge_foreign(c, name, type.shows, entry);
     } else {
-      entry["status"] = worst_of(entry["parameters"], spec->stands_in);
+      entry["status"] = worst_of(entry["parameters"], spec->fallback.is_fallback);
       entry["library"] = spec->library;
       entry["doc"] = spec->doc;
-      entry["stands_in"] = spec->stands_in;
-      if (spec->stands_in)
+      entry["stands_in"] = spec->fallback.is_fallback;
+      if (spec->fallback.is_fallback)
         entry["note"] = "stands in for another program's shader, by what is public of it";
     }
     list.push_back(std::move(entry));

@@ -114,7 +114,7 @@ const char* output_name(Aov component) {
 
 std::string material_name(const Material* material) {
   for (auto node = material->surface.rbegin(); node != material->surface.rend(); ++node)
-    if ((*node)->spec().material)
+    if ((*node)->spec().material.fill)
       return fmt::format("{} ({})", material->name, (*node)->spec().name);
   return material->name;
 }

@@ -44,7 +44,7 @@ void follow_mappings(const World& world, const NodeList& outputs, const Vec2& ra
   }
   colour = e.shown;
   for (const ShaderNode* node : outputs) {
-    if (!node->spec().lens) continue;
+    if (!node->spec().lens.map_color) continue;
     const Rgb after = map_output({node}, world, raster, colour, e.colour);
     e.mappings.push_back({node, true, colour, after});
     colour = after;

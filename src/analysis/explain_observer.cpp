@@ -76,7 +76,7 @@ std::vector<ExplainedParameter> parameters_at(const Material& material, ShadingP
   std::vector<ExplainedParameter> found;
   for (const ShaderNode* node : material.surface) {
     const ShaderSpec& spec = node->spec();
-    if (!spec.material || spec.deferred) continue;
+    if (!spec.material.fill || spec.binding.deferred) continue;
     node->with_params(point, [&](const Call& call) {
       for (const ParamSpec& p : spec.params) {
         const ShaderNode* source = node->source(p.offset);

@@ -28,13 +28,13 @@ class ShaderReader {
 
   void append(const scene::Output& output, NodeList& nodes) {
     for (const ShaderNode* node : binder_.bind(output.shaders)) {
-      if (node->spec().lens) {
+      if (node->spec().lens.map_color) {
         nodes.push_back(node);
         note_preview(*node, world_);
         warn_missing_channel(*node, output);
       } else if (node->spec().output) {
         nodes.push_back(node);
-      } else if (!node->spec().stands_in &&
+      } else if (!node->spec().fallback.is_fallback &&
                  !is_substitute(node->spec()))  // the host's buffers, glow
         diagnostics_.warning("OR-RN-052", output.where,
                              fmt::format("shader \"{}\" does not act as an output shader; skipped",

@@ -21,15 +21,15 @@ void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
                Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.lens)) {
     const ShaderSpec& spec = node->spec();
-    if (spec.lens_eye) {
+    if (spec.lens.trace) {
       world.lens_rays.push_back(node);
-    } else if (spec.lens) {
+    } else if (spec.lens.map_color) {
       // Each lens shader asks the next for the ray's colour and maps what comes back.
       world.lens.insert(world.lens.begin(), node);
       note_preview(*node, world);
-    } else if (spec.lens_ray) {
-      if (spec.lens_rays(*node) > 0) world.lens_rays.push_back(node);
-    } else if (spec.volume)
+    } else if (spec.lens.bend_ray) {
+      if (spec.lens.ray_count(*node) > 0) world.lens_rays.push_back(node);
+    } else if (spec.volume.evaluate)
       world.eye_volume.push_back(node);
     else if (!is_substitute(spec))
       diagnostics.warning(
@@ -42,9 +42,10 @@ void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
                  Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.volume)) {
     const ShaderSpec& spec = node->spec();
-    if (spec.volume) {
+    if (spec.volume.evaluate) {
       world.camera_volume.push_back(node);
-      if (spec.dims_light && spec.dims_light(*node)) world.light_volume.push_back(node);
+      if (spec.volume.dims_light && spec.volume.dims_light(*node))
+        world.light_volume.push_back(node);
     } else if (!is_substitute(spec)) {
       diagnostics.warning(
           "OR-RN-011", camera.where,
@@ -89,7 +90,7 @@ std::vector<UserBuffer> user_buffers(const scene::RenderOptions& options,
 /// Buffers are filled by shaders that libraries bring, and they alone ask for their parameters.
 bool has_buffer_writers(const World& world) {
   return std::any_of(world.nodes.begin(), world.nodes.end(),
-                     [](const auto& node) { return node->spec().deferred; });
+                     [](const auto& node) { return node->spec().binding.deferred; });
 }
 
 }  // namespace

@@ -177,8 +177,9 @@ const ShaderNode* emitter_of(const scene::Light& element, const Light& light, Bi
   const NodeList nodes = binder.bind(element.emitters);
   if (nodes.empty()) return nullptr;
   const ShaderSpec& spec = nodes.back()->spec();
-  const bool tells = (spec.light && !spec.prepare_light && !spec.profile) || spec.value;
-  return spec.emit || (tells && (spec.apply & kApplyEmitter)) ? nodes.back() : nullptr;
+  const bool tells =
+      (spec.light.evaluate && !spec.light.prepare && !spec.light.profile) || spec.value;
+  return spec.photon.emit || (tells && (spec.apply & kApplyEmitter)) ? nodes.back() : nullptr;
 }
 
 }  // namespace
@@ -229,7 +230,7 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
                           fmt::format("area light \"{}\" of kind user is rendered as a point "
                                       "light: {} does not choose the points of its samples",
                                       leaf.light()->name, spec.name));
-    if (spec.light_cone && spec.prepare_light && light.shape != LightShape::Directional)
+    if (spec.light.cone && spec.light.prepare && light.shape != LightShape::Directional)
       diagnostics.warning(
           "OR-RN-024", leaf.light()->where,
           fmt::format("{} works on directional lights only; light \"{}\" gives none", spec.name,
@@ -240,12 +241,13 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     if (light.shape == LightShape::Directional) toward.ray_direction = -light.direction;
     toward.environment = light.shape == LightShape::Directional;
     light.shader->with_params(toward, [&](const Call& call) {
-      light.profile_placement.profile = spec.profile ? spec.profile(call.params, light) : nullptr;
-      if (spec.light_cone && light.shape == LightShape::Directional)
-        light.cone_angle = std::min(spec.light_cone(call.params), kPi / 2);
-      if (spec.portal) {
+      light.profile_placement.profile =
+          spec.light.profile ? spec.light.profile(call.params, light) : nullptr;
+      if (spec.light.cone && light.shape == LightShape::Directional)
+        light.cone_angle = std::min(spec.light.cone(call.params), kPi / 2);
+      if (spec.light.portal) {
         light.portal = std::make_unique<Portal>();
-        if (spec.portal(call.params, *light.portal))
+        if (spec.light.portal(call.params, *light.portal))
           place_portal(*leaf.light(), light, diagnostics);
         else
           light.portal.reset();
@@ -255,8 +257,8 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
         light.photons.has_energy = true;
         light.photons.none |= !light.portal;
       }
-      if (spec.prepare_light) light.state = spec.prepare_light(call.params, light);
-      if (spec.photons) spec.photons(call.params, light, light.photons);
+      if (spec.light.prepare) light.state = spec.light.prepare(call.params, light);
+      if (spec.light.photons) spec.light.photons(call.params, light, light.photons);
     });
     light.emitter = emitter_of(*leaf.light(), light, binder);
   }

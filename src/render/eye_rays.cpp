@@ -51,15 +51,16 @@ class LensChain final : public LensNext {
     point.world = &s_.world;
     point.ray_origin = ray.origin;
     point.ray_direction = ray.direction;
-    if (node.spec().lens_eye) {
+    if (node.spec().lens.trace) {
       const Rgba colour = node.with_params(
-          point, [&](const Call& call) { return node.spec().lens_eye(call, behind); });
+          point, [&](const Call& call) { return node.spec().lens.trace(call, behind); });
       const Seen first = behind.first_.value_or(Seen{});
       return {colour, first.distance, first.normal};
     }
     const Vec2 u = s_.sampler.next_2d();
-    const Rgb weight = node.with_params(
-        point, [&](const Call& call) { return node.spec().lens_ray(call, s_.camera, u, ray); });
+    const Rgb weight = node.with_params(point, [&](const Call& call) {
+      return node.spec().lens.bend_ray(call, s_.camera, u, ray);
+    });
     Seen seen = behind.trace(ray);
     seen.colour *= Rgba(weight.x, weight.y, weight.z, 1);
     return seen;
@@ -84,7 +85,7 @@ class LensChain final : public LensNext {
   std::optional<Seen> first_;
 };
 
-bool asks_for_rays(const ShaderNode* node) { return node->spec().lens_eye != nullptr; }
+bool asks_for_rays(const ShaderNode* node) { return node->spec().lens.trace != nullptr; }
 
 /// A sample through lenses some of which make its colour themselves.
 PathResult trace_chain(const World& world, const Camera& camera, float time, Vec2 raster,
@@ -111,7 +112,7 @@ PathResult trace_through_lens(const World& world, const Camera& camera, float ti
     point.ray_direction = ray.direction;
     const Vec2 u = sampler.next_2d();
     weight *= node->with_params(
-        point, [&](const Call& call) { return node->spec().lens_ray(call, camera, u, ray); });
+        point, [&](const Call& call) { return node->spec().lens.bend_ray(call, camera, u, ray); });
   }
   if (is_black(weight)) {  // no light comes this way
     if (settings.firsts) settings.firsts->emplace_back();
@@ -144,7 +145,7 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
     return trace_chain(world, camera, time, raster, settings, sampler, counts);
   int rays = 1;
   for (const ShaderNode* node : world.lens_rays)
-    rays = std::clamp(rays * std::clamp(node->spec().lens_rays(*node), 1, kMostLensRays), 1,
+    rays = std::clamp(rays * std::clamp(node->spec().lens.ray_count(*node), 1, kMostLensRays), 1,
                       kMostLensRays);
   const auto n = static_cast<std::uint32_t>(rays);
   const float share = 1 / static_cast<float>(rays);

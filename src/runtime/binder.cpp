@@ -172,17 +172,17 @@ const ShaderNode* Binder::bind_call(const std::string& type,
   if (!spec) return bind_unknown(type, args, where, scope);
   ++report_.shaders[type];
   ShaderNode* node = make_node(*spec);
-  if (spec->stands_in) {
+  if (spec->fallback.is_fallback) {
     ++report_.fallbacks[type];
     if (const auto* own = scene_.find_declaration(type)) bind_declared(*node, own->parameters);
   }
   for (const scene::Argument& argument : args) bind_argument(*node, argument, scope);
   count_lobes(*node, where);
   node->defer_connections();
-  if (spec->prepare) node->state_ = spec->prepare(node->constants_.data(), world_);
-  if (spec->prepare_call)
-    node->state_ =
-        spec->prepare_call({node->constants_.data(), nullptr, constant_point_, node}, world_);
+  if (spec->binding.prepare) node->state_ = spec->binding.prepare(node->constants_.data(), world_);
+  if (spec->binding.prepare_call)
+    node->state_ = spec->binding.prepare_call(
+        {node->constants_.data(), nullptr, constant_point_, node}, world_);
   return node;
 }
 
@@ -234,7 +234,7 @@ NodeList Binder::bind_displacement(const scene::ShaderList& list, Scope* scope) 
 NodeList Binder::bind_volume(const scene::ShaderList& list, Scope* scope) {
   NodeList nodes;
   for (const ShaderNode* node : bind_list(list, scope)) {
-    if (node->spec().volume)
+    if (node->spec().volume.evaluate)
       nodes.push_back(node);
     else if (node != fallback_)
       diagnostics_.warning(
@@ -260,22 +260,22 @@ void Binder::bind_shadow(const scene::ShaderList& list, Scope* scope, Material& 
     const auto itself = std::find_if(
         bound.surface.begin(), bound.surface.end(),
         [&](const ShaderNode* n) { return n == node || (bare && &n->spec() == &spec); });
-    if (spec.shadow && itself != bound.surface.end()) {
+    if (spec.material.shadow && itself != bound.surface.end()) {
       // One function for both, with one set of parameters.
       slot.shadow.push_back(*itself);
       others = true;
       continue;
     }
     // A stand-in without a function of its own leaves shadows to the surface.
-    const bool none = spec.stands_in && !spec.shadow && !spec.material;
+    const bool none = spec.fallback.is_fallback && !spec.material.shadow && !spec.material.fill;
     if (none || in_surface([&](const ShaderNode* n) {
-          return n == node || (bare && !spec.shadow && &n->spec() == &spec);
+          return n == node || (bare && !spec.material.shadow && &n->spec() == &spec);
         })) {
       slot.shadow_surface = bound.surface;
-    } else if (spec.shadow) {
+    } else if (spec.material.shadow) {
       slot.shadow.push_back(node);
       others = true;
-    } else if (spec.material) {
+    } else if (spec.material.fill) {
       slot.shadow_surface.push_back(node);
       others = true;
     } else {
@@ -328,9 +328,9 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
   if (const auto* list = material.slot("photon")) {
     for (const ShaderNode* node : bind_list(*list, scope)) {
       const ShaderSpec& spec = node->spec();
-      if (spec.photon)
+      if (spec.photon.scatter)
         bound.photon.push_back(node);
-      else if (spec.material && !spec.stands_in)
+      else if (spec.material.fill && !spec.fallback.is_fallback)
         bound.photon_surface.push_back(node);
     }
   }
@@ -341,7 +341,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
         fmt::format("material \"{}\" asks for a light map; none is made", material.name),
         "the picture is lit as a whole and needs none; textures that were painted before are read");
   const auto transmits = [](const ShaderNode* node) {
-    return node->spec().may_transmit && node->spec().may_transmit(*node);
+    return node->spec().material.may_transmit && node->spec().material.may_transmit(*node);
   };
   const auto some_transmit = [&](const NodeList& nodes) {
     return std::any_of(nodes.begin(), nodes.end(), transmits);
@@ -354,7 +354,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
           : bound.may_have_holes;
   bound.may_transmit = bound.may_transmit && bound.has_shadow_shader && !bound.opaque;
   for (const ShaderNode* node : bound.surface) {
-    if (node->spec().has_outputs) bound.outputs = node->spec().has_outputs(*node);
+    if (node->spec().material.has_outputs) bound.outputs = node->spec().material.has_outputs(*node);
   }
   return bound;
 }

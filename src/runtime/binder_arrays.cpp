@@ -40,7 +40,7 @@ void Binder::bind_element(ShaderNode& node, const ParamSpec& param, std::size_t 
     const bool by_name = param.element == ParamType::Shader ||
                          param.element == ParamType::ColorTexture ||
                          param.element == ParamType::LightProfile;
-    if (value.kind == Value::Kind::Connection && !by_name && !node.spec().deferred)
+    if (value.kind == Value::Kind::Connection && !by_name && !node.spec().binding.deferred)
       return mismatch(node, param, value);
     return bind_value(node, param, offset, param.element, value, scope);
   }

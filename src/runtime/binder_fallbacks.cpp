@@ -71,13 +71,14 @@ void Binder::bind_parts(ShaderNode& node, const scene::Argument& argument, Scope
 bool Binder::bind_passed_through(ShaderNode& node, const scene::Argument& argument, Scope* scope) {
   const Value& value = argument.value;
   const bool named = value.kind == Value::Kind::Connection || value.kind == Value::Kind::Text;
-  if (!node.spec().passes_through || !named || value.text.empty()) return false;
+  if (!node.spec().fallback.passes_through || !named || value.text.empty()) return false;
   const ParamSpec& input = node.spec().params.front();
   if (node.connected(input.offset)) return false;
   const ShaderNode* source = find_named(value.text, scope);
   if (!source && value.text.find('.') != std::string::npos)
     source = find_named(value.text.substr(0, value.text.rfind('.')), scope);
-  return source && source->spec().material && bind_input(node, input.offset, *source, value.where);
+  return source && source->spec().material.fill &&
+         bind_input(node, input.offset, *source, value.where);
 }
 
 const ShaderNode* Binder::bind_unknown(const std::string& type,

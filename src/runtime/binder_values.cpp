@@ -122,7 +122,7 @@ void Binder::set_default(const ParamSpec& param, ParamType type, std::byte* targ
 
 void Binder::set_defaults(ShaderNode& node) {
   const ShaderSpec& spec = node.spec();
-  ORIEL_ASSERT(spec.deferred || spec.params_size <= kMostParamBytes);
+  ORIEL_ASSERT(spec.binding.deferred || spec.params_size <= kMostParamBytes);
   ORIEL_ASSERT(spec.result_size <= kMostParamBytes);
   node.storage_.resize(spec.params_size / sizeof(std::max_align_t) + 1);
   auto* bytes = reinterpret_cast<std::byte*>(node.storage_.data());
@@ -135,10 +135,10 @@ void Binder::bind_argument(ShaderNode& node, const scene::Argument& argument, Sc
   const ShaderSpec& spec = node.spec();
   const auto found = std::find_if(spec.params.begin(), spec.params.end(), [&](const ParamSpec& p) {
     if (argument.name == p.name || (p.alias && argument.name == p.alias)) return true;
-    return spec.stands_in && same_but_for_case(argument.name, p.name);
+    return spec.fallback.is_fallback && same_but_for_case(argument.name, p.name);
   });
   const bool grouped = argument.value.kind == Value::Kind::Struct;
-  if (spec.stands_in && (found == spec.params.end() || grouped))
+  if (spec.fallback.is_fallback && (found == spec.params.end() || grouped))
     return bind_parts(node, argument, scope);
   if (found == spec.params.end() && argument.value.kind == Value::Kind::Struct) {
     // Members of a struct are parameters of their own, "outer.inner".
@@ -194,11 +194,11 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
       if (!source.node) return;
       // A member of its result is a value, all of it the material.
       const bool whole = source.offset == 0 && source.type == ParamType::Color;
-      if (param.takes_material && whole && source.node->spec().material) {
+      if (param.takes_material && whole && source.node->spec().material.fill) {
         bind_input(node, offset, *source.node, value.where);
         return;
       }
-      if (!source.node->spec().value && !source.node->spec().material) {
+      if (!source.node->spec().value && !source.node->spec().material.fill) {
         diagnostics_.warning(
             "OR-RT-012", value.where,
             fmt::format("shader \"{}\" gives no value that \"{}\" of \"{}\" can use",
@@ -209,7 +209,7 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
       const bool again = !node.connections_.empty() &&
                          node.connections_.back().source == source.node &&
                          node.connections_.back().unfiltered == param.unfiltered;
-      const float cost = source.node->cost_ * node.spec().evaluations;
+      const float cost = source.node->cost_ * node.spec().binding.evaluations;
       if (!again && !(reaches(node, source.node, value.where) && afford(node, cost, value.where)))
         return;
       node.connections_.push_back(
@@ -243,13 +243,13 @@ bool Binder::bind_input(ShaderNode& node, std::size_t offset, const ShaderNode& 
 
 void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
   const ShaderSpec& spec = node.spec();
-  if (!spec.material) return;
-  const int own = spec.most_lobes ? spec.most_lobes(node) : 1;
+  if (!spec.material.fill) return;
+  const int own = spec.material.max_lobes ? spec.material.max_lobes(node) : 1;
   int of_inputs = 0;
   for (std::size_t i = 0; i < node.material_inputs_.size(); ++i) {
     const ShaderNode& source = *node.material_inputs_[i].source;
-    const int all = spec.one_material ? std::max(of_inputs, source.most_lobes_)
-                                      : of_inputs + source.most_lobes_;
+    const int all = spec.material.one_material ? std::max(of_inputs, source.most_lobes_)
+                                               : of_inputs + source.most_lobes_;
     if (own + all > Closure::kMostLobes) {
       diagnostics_.warning(
           "OR-RT-008", where,
@@ -320,7 +320,7 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
       if (value.text.empty()) return;
       const ShaderRef ref{resolve(value.text, value.where, scope).node};
       if (!ref.node) return;
-      if (param.takes_material && ref.node->spec().material) {
+      if (param.takes_material && ref.node->spec().material.fill) {
         if (bind_input(node, offset, *ref.node, value.where)) store(target, ref);
       } else if (reaches(node, ref.node, value.where) &&
                  afford(node, ref.node->cost_, value.where)) {

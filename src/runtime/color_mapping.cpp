@@ -17,8 +17,8 @@ Rgb map_with(const ShaderNode& node, const World& world, Vec2 raster, const Rgb&
   point.ray_origin = ray.origin;
   point.ray_direction = ray.direction;
   const LensCall lens{ray.cos_to_film, world.camera.orthographic};
-  return node.with_params(point,
-                          [&](const Call& call) { return node.spec().lens(call, lens, color); });
+  return node.with_params(
+      point, [&](const Call& call) { return node.spec().lens.map_color(call, lens, color); });
 }
 
 bool fills(const ShaderNode& node, std::string_view channel) {
@@ -61,7 +61,7 @@ Rgb map_output(const NodeList& shaders, const World& world, Vec2 raster, const R
 }
 
 LensTraits lens_traits(const ShaderNode& node) {
-  return node.spec().lens_traits ? node.spec().lens_traits(node) : LensTraits{};
+  return node.spec().lens.traits ? node.spec().lens.traits(node) : LensTraits{};
 }
 
 bool has_side_channel(const World& world, std::string_view name) {

@@ -166,10 +166,13 @@ const ShaderSpec kFallbackShader = {
           *static_cast<Rgba*>(result) = Rgba(kMissingColor.x, kMissingColor.y, kMissingColor.z, 1);
         },
     .material =
-        [](const Call& call, Closure& closure) {
-          closure.add(LobeKind::Diffuse, LobeType::Diffuse, kMissingColor,
-                      Frame(call.point.normal));
-          closure.albedo = kMissingColor;
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  closure.add(LobeKind::Diffuse, LobeType::Diffuse, kMissingColor,
+                              Frame(call.point.normal));
+                  closure.albedo = kMissingColor;
+                },
         },
 };
 
@@ -181,22 +184,27 @@ const ShaderSpec kApproximateMaterial = {
     .params_size = sizeof(Guess),
     .value = [](const Call& call,
                 void* result) { *static_cast<Rgba*>(result) = looked_up(call.as<Guess>(), call); },
-    .material = guess_material,
+    .material = {
+        .fill = guess_material,
+        .may_transmit =
+            [](const ShaderNode& node) {
+              const auto& p = node.constants<Guess>();
+              return !is_black(rgb(p.transparency)) || !(rgb(p.opacity) == Rgb(1)) ||
+                     node.connected(offsetof(Guess, transparency)) ||
+                     node.connected(offsetof(Guess, opacity)) || node.inputs_may_transmit();
+            },
+        .max_lobes =
+            [](const ShaderNode& node) {
+              return node.material_input(offsetof(Guess, surface)) ? 0 : 4;
+            },
+    },
     .light =
-        [](const Call& call, const LightCall&) {
-          const auto& p = call.as<Guess>();
-          return LightValue{rgb(p.color) * p.intensity, p.shadow};
-        },
-    .may_transmit =
-        [](const ShaderNode& node) {
-          const auto& p = node.constants<Guess>();
-          return !is_black(rgb(p.transparency)) || !(rgb(p.opacity) == Rgb(1)) ||
-                 node.connected(offsetof(Guess, transparency)) ||
-                 node.connected(offsetof(Guess, opacity)) || node.inputs_may_transmit();
-        },
-    .most_lobes =
-        [](const ShaderNode& node) {
-          return node.material_input(offsetof(Guess, surface)) ? 0 : 4;
+        {
+            .evaluate =
+                [](const Call& call, const LightCall&) {
+                  const auto& p = call.as<Guess>();
+                  return LightValue{rgb(p.color) * p.intensity, p.shadow};
+                },
         },
 };
 

@@ -119,7 +119,7 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
   const ShaderNode* shader = light.shader;
   if (is_photon(kind)) {
     // The shader of direct light tells of photons what it tells of that.
-    if (light.emitter && !light.emitter->spec().emit)
+    if (light.emitter && !light.emitter->spec().photon.emit)
       shader = light.emitter;
     else
       kind = RayKind::Light;
@@ -129,8 +129,8 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
   const ShaderSpec& spec = shader->spec();
   const RayKind before = std::exchange(point.ray_kind, kind);
   LightValue value;
-  if (spec.light)
-    value = shader->with_params(point, [&](const Call& c) { return spec.light(c, call); });
+  if (spec.light.evaluate)
+    value = shader->with_params(point, [&](const Call& c) { return spec.light.evaluate(c, call); });
   else if (spec.value)
     value.colour = rgb(shader->color(point));
   point.ray_kind = before;
@@ -155,8 +155,10 @@ Rgb volume_transmittance(const World& world, const NodeList& volume, const Vec3&
   way.ray_length = distance;
   way.world = &world;
   for (const ShaderNode* node : volume)
-    if (const ShaderSpec& spec = node->spec(); spec.dims_light && spec.dims_light(*node))
-      kept *= node->with_params(way, [&](const Call& call) { return spec.volume(call); }).kept;
+    if (const ShaderSpec& spec = node->spec();
+        spec.volume.dims_light && spec.volume.dims_light(*node))
+      kept *=
+          node->with_params(way, [&](const Call& call) { return spec.volume.evaluate(call); }).kept;
   return kept;
 }
 

@@ -66,7 +66,7 @@ PhotonSource::PhotonSource(const World& world, const Light& light, const Emissio
   // A portal's photons are as strong as what is behind it, whatever the element says.
   if (light.portal) return;
   if (is_flat(light.shape)) by_cosine_ = !lacks_cosine(world, light);
-  by_emitter_ = light.emitter && light.emitter->spec().emit;
+  by_emitter_ = light.emitter && light.emitter->spec().photon.emit;
   if (by_emitter_) {
     power_of_all_ = request.energy ? *request.energy * kPi : estimate_flux(kFluxSamples);
     return;
@@ -203,7 +203,7 @@ EmittedPhoton PhotonSource::emit_by_shader(Vec2 u_place, Vec2 u_direction, RayKi
   ShadingPoint point = lit_point(*world_, light.position, light.direction);
   point.ray_kind = kind;
   light.emitter->with_params(
-      point, [&](const Call& call) { light.emitter->spec().emit(call, light, emission); });
+      point, [&](const Call& call) { light.emitter->spec().photon.emit(call, light, emission); });
   return photon;
 }
 

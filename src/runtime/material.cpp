@@ -8,8 +8,8 @@ namespace oriel {
 void shade(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
   for (const ShaderNode* node : shaders) {
     const ShaderSpec& spec = node->spec();
-    if (spec.material) {
-      node->with_params(point, [&](const Call& call) { spec.material(call, closure); });
+    if (spec.material.fill) {
+      node->with_params(point, [&](const Call& call) { spec.material.fill(call, closure); });
     } else if (spec.value) {
       // A value shader as surface: what it returns is what is seen (also bump shaders in a list).
       closure.emission = rgb(node->color(point));
@@ -41,8 +41,8 @@ void shade_blocker(const Material& material, ShadingPoint& point, Closure& closu
 Rgb filter_light(const Material& material, ShadingPoint& point, Rgb light) {
   const RayKind kind = std::exchange(point.ray_kind, RayKind::Shadow);
   for (const ShaderNode* node : material.shadow)
-    light = node->with_params(point,
-                              [&](const Call& call) { return node->spec().shadow(call, light); });
+    light = node->with_params(
+        point, [&](const Call& call) { return node->spec().material.shadow(call, light); });
   point.ray_kind = kind;
   return light;
 }

@@ -10,7 +10,7 @@ bool shade_material(const Call& call, std::size_t offset, const Rgb& level, Clos
   if (!source) return false;
   ClosurePart part(closure);
   source->with_params(call.point,
-                      [&](const Call& inner) { source->spec().material(inner, closure); });
+                      [&](const Call& inner) { source->spec().material.fill(inner, closure); });
   part.join(level);
   return true;
 }

@@ -13,7 +13,7 @@ namespace oriel {
 namespace {
 
 bool has_alias(const ShaderSpec& spec, std::string_view name) {
-  std::string_view rest = spec.aliases;
+  std::string_view rest = spec.fallback.aliases;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(' '), rest.size());
     if (same_but_for_case(rest.substr(0, end), name)) return true;
@@ -32,7 +32,8 @@ const ShaderSpec* Registry::find(std::string_view name) const {
   const std::string older =
       newer ? "maya_" + std::string(name.substr(kNewer.size())) : std::string(name);
   for (const ShaderSpec* s : specs_)
-    if (s->stands_in && (same_but_for_case(s->name, older) || has_alias(*s, older))) return s;
+    if (s->fallback.is_fallback && (same_but_for_case(s->name, older) || has_alias(*s, older)))
+      return s;
   return nullptr;
 }
 
@@ -151,13 +152,13 @@ const ShaderNode* ShaderNode::material_input(std::size_t offset) const {
 bool ShaderNode::inputs_may_transmit() const {
   return std::any_of(material_inputs_.begin(), material_inputs_.end(), [](const MaterialInput& i) {
     const ShaderSpec& spec = i.source->spec();
-    return spec.may_transmit && spec.may_transmit(*i.source);
+    return spec.material.may_transmit && spec.material.may_transmit(*i.source);
   });
 }
 
 void ShaderNode::defer_connections() {
   const auto is_asked_for = [&](const Connection& c) {
-    return spec_->deferred ||
+    return spec_->binding.deferred ||
            std::any_of(spec_->params.begin(), spec_->params.end(),
                        [&](const ParamSpec& p) { return p.asked_for && p.offset == c.offset; });
   };

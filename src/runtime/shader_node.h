@@ -50,7 +50,7 @@ class ShaderNode {
   /// The material that stands for the parameter at `offset`; null when there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }
-  /// Connections that nobody asks but the shader itself (ShaderSpec::deferred,
+  /// Connections that nobody asks but the shader itself (BindingTraits::deferred,
   /// ParamSpec::asked_for).
   const std::vector<Connection>& connections() const { return deferred_; }
   /// Writes what is connected to the parameter at `offset`, converted to its type. False: nothing
@@ -74,7 +74,9 @@ class ShaderNode {
   Vec3 vector(ShadingPoint& point) const;
 
   /// Whether it is asked for a value by tracing rays: it is a material, or lies over one.
-  bool is_shaded() const { return spec_->material && (!spec_->value || !material_inputs_.empty()); }
+  bool is_shaded() const {
+    return spec_->material.fill && (!spec_->value || !material_inputs_.empty());
+  }
   /// Writes the raw result (spec().result_size bytes): what its shader says; of a material its
   /// finished colour at the point and, where it has them, its outputs. Black where nothing can be
   /// traced: in shadow rays, photons, displacement.

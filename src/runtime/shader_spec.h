@@ -153,7 +153,109 @@ struct VolumeValue {
   Vec3 place{0}, onward{0};
 };
 
-/// A built-in shader. Functions are null where the shader has no such role.
+// Roles
+//   A shader has a role where the role's functions are set; null functions and default structs
+//   mean that it lacks the role. `const void* params` are constant parameters.
+
+/// Shades surfaces, in the slots of materials.
+struct MaterialRole {
+  /// Fills the closure.
+  void (*fill)(const Call&, Closure&) = nullptr;
+  /// In a material's slot `shadow`: what is left of the light so far, which starts as white at the
+  /// lit point, behind the blocker at call.point. call.point.light is the light; -1 for the
+  /// environment and for rays that replace shadow rays and do not know it.
+  Rgb (*shadow)(const Call&, const Rgb& light) = nullptr;
+  /// False when constant parameters rule out that light passes (cut-out, transparency).
+  bool (*may_transmit)(const ShaderNode&) = nullptr;
+  /// False where it emits nothing anywhere. Null: unknown.
+  bool (*may_emit)(const ShaderNode&) = nullptr;
+  /// Upper bound on the number of lobes it adds itself, by constant parameters. Null: one.
+  int (*max_lobes)(const ShaderNode&) = nullptr;
+  /// At a point it evaluates only one of the materials it is connected to.
+  bool one_material = false;
+  /// False when constant parameters leave the result as the only output. Null: it has all.
+  bool (*has_outputs)(const ShaderNode&) = nullptr;
+  /// Densities of the grids it interpolates over, a bit each. Null: none.
+  unsigned (*grids)(const ShaderNode&) = nullptr;
+};
+
+/// Says what a light sends.
+struct LightRole {
+  /// Colour of one light sample.
+  LightValue (*evaluate)(const Call&, const LightCall&) = nullptr;
+  /// Built once for each light that uses the shader.
+  std::unique_ptr<ShaderState> (*prepare)(const void* params, const Light&) = nullptr;
+  /// The profile by which a light of constant parameters distributes its light, its strength
+  /// apart; null: none. The light's own element may name one: light.luminaire.
+  const photometry::LightProfile* (*profile)(const void* params, const Light& light) = nullptr;
+  /// For lights in windows (runtime/portal.h), instead of `evaluate`. False: the portal is off.
+  bool (*portal)(const void* params, PortalTraits&) = nullptr;
+  /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
+  float (*cone)(const void* params) = nullptr;
+  /// Overrides the photon settings of the light's element.
+  void (*photons)(const void* params, const Light&, LightPhotons&) = nullptr;
+};
+
+/// Acts between camera and film.
+struct LensRole {
+  /// Maps a colour on its way to the film.
+  Rgb (*map_color)(const Call&, const LensCall&, const Rgb&) = nullptr;
+  /// Further requests of `map_color`. Null: none.
+  LensTraits (*traits)(const ShaderNode&) = nullptr;
+  /// Bends an eye ray of the camera through a lens; u is uniform in [0,1)^2. Returns the weight of
+  /// the radiance along the ray.
+  Rgb (*bend_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
+  /// Number of rays that replace each eye ray, by constant parameters; 0 = the lens is off.
+  int (*ray_count)(const ShaderNode&) = nullptr;
+  /// Returns the colour of an eye ray, from any number of rays that it traces behind itself.
+  Rgba (*trace)(const Call&, LensNext&) = nullptr;
+};
+
+/// Sends photons on, or out.
+struct PhotonRole {
+  /// In a material's slot `photon`: decides what happens to a photon of that energy.
+  void (*scatter)(const Call&, const Rgb& energy, PhotonNext&) = nullptr;
+  /// In a light's list `emitter`: sends one photon.
+  void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;
+};
+
+/// Acts as a volume.
+struct VolumeRole {
+  /// Between call.point's ray origin and the surface at its ray_length. Rays of kind Light end at
+  /// the lit point and begin at the light, or infinitely far away: only `kept` counts. Rays of
+  /// photons are passed in the direction of eye rays; `added` is ignored for them.
+  VolumeValue (*evaluate)(const Call&) = nullptr;
+  /// Whether it is evaluated for rays of kind Light, by constant parameters. Null: it is not.
+  bool (*dims_light)(const ShaderNode&) = nullptr;
+  /// It also acts on rays that hit nothing, whose ray_length is infinite.
+  bool acts_on_endless_rays = false;
+};
+
+/// How a call is bound and what it costs.
+struct BindingTraits {
+  /// Built once from the constant parameters.
+  std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
+  /// Built once from the call: its node and constant parameters, no point. For shaders that keep
+  /// state of their own for each call.
+  std::unique_ptr<ShaderState> (*prepare_call)(const Call&, const World&) = nullptr;
+  /// It evaluates connected parameters itself, one by one (ShaderNode::connections).
+  bool deferred = false;
+  /// How often one evaluation evaluates its inputs.
+  float evaluations = 1;
+};
+
+/// A shader of another program that Oriel replaces from its public description:
+/// runtime/binder_fallbacks.cpp.
+struct FallbackTraits {
+  bool is_fallback = false;
+  /// Further names of the shader, separated by blanks.
+  const char* aliases = "";
+  /// It shows its material input unchanged. A connection to a material binds to that input,
+  /// whatever the parameter is called.
+  bool passes_through = false;
+};
+
+/// A built-in shader: its declaration and its roles.
 struct ShaderSpec {
   const char* name;
   const char* library;  ///< "architectural", "base", "physics"
@@ -168,83 +270,20 @@ struct ShaderSpec {
 
   /// Writes the result (Rgba, float, Vec3, bool, int or the result struct).
   void (*value)(const Call&, void* result) = nullptr;
-  /// Fills the closure.
-  void (*material)(const Call&, Closure&) = nullptr;
-  /// Stands in a material's slot `shadow`: what is left of the light so far, which starts as white
-  /// at the lit point, behind the blocker at call.point. call.point.light is the light; -1 for the
-  /// environment and for rays that stand for shadow rays and do not know it.
-  Rgb (*shadow)(const Call&, const Rgb& light) = nullptr;
-  /// Colour of one light sample.
-  LightValue (*light)(const Call&, const LightCall&) = nullptr;
-  /// Built once for each light the shader stands in.
-  std::unique_ptr<ShaderState> (*prepare_light)(const void* params, const Light&) = nullptr;
-  /// The profile by which a light of constant parameters distributes its light, its strength
-  /// apart; null: by none. The light's own element may name one: light.luminaire.
-  const photometry::LightProfile* (*profile)(const void* params, const Light& light) = nullptr;
-  /// For lights that stand in a window (runtime/portal.h), instead of `light`. False: it is off.
-  bool (*portal)(const void* params, PortalTraits&) = nullptr;
-  /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
-  float (*light_cone)(const void* params) = nullptr;
-  /// What it says of the photons of the light it stands in, over what the element says.
-  void (*photons)(const void* params, const Light&, LightPhotons&) = nullptr;
-  /// Maps a colour on its way to the film.
-  Rgb (*lens)(const Call&, const LensCall&, const Rgb&) = nullptr;
-  /// What it asks for beside that. Null: nothing.
-  LensTraits (*lens_traits)(const ShaderNode&) = nullptr;
-  /// Bends an eye ray of the camera through a lens; u is uniform in [0,1)^2. Returns the weight of
-  /// what the ray sees.
-  Rgb (*lens_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
-  /// How many rays each eye ray becomes, by constant parameters; 0 = the lens is off.
-  int (*lens_rays)(const ShaderNode&) = nullptr;
-  /// Makes the colour of an eye ray of what it asks for behind itself, by any number of rays.
-  Rgba (*lens_eye)(const Call&, LensNext&) = nullptr;
-  /// Stands in a material's slot `photon`: what becomes of a photon of that energy.
-  void (*photon)(const Call&, const Rgb& energy, PhotonNext&) = nullptr;
-  /// Stands in a light's list `emitter`: sends one photon.
-  void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;
-  /// Makes geometry: adds elements to the scene and returns the name of what it made; empty: none.
+  MaterialRole material{};
+  LightRole light{};
+  LensRole lens{};
+  PhotonRole photon{};
+  VolumeRole volume{};
+  /// Adds elements to the scene and returns the name of the object or group; empty: none.
   std::string (*geometry)(const Call&, scene::Scene&) = nullptr;
-  /// Stands among the options' `state` shaders.
+  /// Runs before and after an eye sample, as one of the options' `state` shaders.
   void (*around_sample)(const Call&, EyeSample&) = nullptr;
   /// Works on the finished picture.
   void (*output)(const Call&, OutputPicture&) = nullptr;
-  /// Acts as a volume: between call.point's ray origin and the surface at its ray_length. Rays of
-  /// kind Light end at what is lit and begin at the light, or endlessly far: only `kept` counts. Of
-  /// photons' rays, turned as all rays are, `added` does not.
-  VolumeValue (*volume)(const Call&) = nullptr;
-  /// Whether rays of kind Light ask it, by constant parameters. Null: they do not.
-  bool (*dims_light)(const ShaderNode&) = nullptr;
-  /// It may act on rays that meet nothing as well, which have a ray_length without end.
-  bool acts_on_endless_rays = false;
-  /// Built once from the constant parameters.
-  std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
-  /// Built once from the call: its node and constant parameters, no point. For shaders that keep
-  /// something of their own for each call.
-  std::unique_ptr<ShaderState> (*prepare_call)(const Call&, const World&) = nullptr;
-  /// It asks for connected parameters itself, one by one (ShaderNode::connections).
-  bool deferred = false;
-  /// False when constant parameters rule out that light passes (cut-out, transparency).
-  bool (*may_transmit)(const ShaderNode&) = nullptr;
-  /// Materials: false where they emit nothing anywhere. Null: that is not known.
-  bool (*may_emit)(const ShaderNode&) = nullptr;
-  /// Most lobes it adds itself, by constant parameters. Null: one.
-  int (*most_lobes)(const ShaderNode&) = nullptr;
-  /// Of the materials it is connected to only one is asked at a point.
-  bool one_material = false;
-  /// False when constant parameters leave the result as the only output. Null: it has all.
-  bool (*has_outputs)(const ShaderNode&) = nullptr;
-  /// Densities of the grids it interpolates over, a bit each. Null: none.
-  unsigned (*grids)(const ShaderNode&) = nullptr;
-  /// It takes the place of another program's shader of that name, known by what is public of it:
-  /// see runtime/binder_fallbacks.cpp.
-  bool stands_in = false;
-  /// Stand-ins: further names of the shader, separated by blanks.
-  const char* aliases = "";
-  /// Stand-ins: it shows its material input unchanged. A connection to a material binds to that
-  /// input, whatever the parameter is called.
-  bool passes_through = false;
-  /// How often one evaluation asks what is connected to it.
-  float evaluations = 1;
+
+  BindingTraits binding{};
+  FallbackTraits fallback{};
 };
 
 /// Whether two names are the same but for upper and lower case of ASCII letters.

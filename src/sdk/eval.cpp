@@ -89,7 +89,7 @@ bool run_node(const ShaderNode& node, miState& state, void* result, miShader_typ
   ShadingPoint point = point_of(&state);
   const ShadingPoint before = point;
   const CallerScope caller(Caller::at_point(&state, point));
-  if (node.spec().material) return shade_material(node, point, state, result);
+  if (node.spec().material.fill) return shade_material(node, point, state, result);
   if (!node.spec().value) return false;
   Result own(node.spec().result_size);
   node.value(point, own.bytes);

@@ -49,7 +49,7 @@ bool shade_material(const ShaderNode& node, ShadingPoint& point, miState& state,
   // results, as the manual's example does.
   const ShaderSpec& spec = node.spec();
   const bool whole = !storage && spec.results.size() == kMaterialResults &&
-                     (!spec.has_outputs || spec.has_outputs(node));
+                     (!spec.material.has_outputs || spec.material.has_outputs(node));
   MaterialOutputs parts{};
   const NodeList surface{&node};
   const Rgba colour = point.tracer->shade(surface, point, storage || whole ? &parts : nullptr);

@@ -276,28 +276,28 @@ int no_lobes(const ShaderNode&) { return 0; }
 
 void set_roles(UserSpec& spec) {
   const auto acts_as = [&](unsigned bit) { return spec.apply == 0 || (spec.apply & bit) != 0; };
-  spec.deferred = true;
-  spec.prepare_call = prepare_call;
+  spec.binding.deferred = true;
+  spec.binding.prepare_call = prepare_call;
   spec.value = value;
-  spec.most_lobes = no_lobes;
-  if (acts_as(kApplyMaterial)) spec.material = material;
+  spec.material.max_lobes = no_lobes;
+  if (acts_as(kApplyMaterial)) spec.material.fill = material;
   if (acts_as(kApplyShadow)) {
-    spec.shadow = shadow;
-    spec.may_transmit = always;
+    spec.material.shadow = shadow;
+    spec.material.may_transmit = always;
   }
-  spec.may_emit = never;
-  if (acts_as(kApplyLight)) spec.light = light;
-  if (acts_as(kApplyVolume)) spec.volume = volume;
-  if (acts_as(kApplyLens)) spec.lens_eye = lens;
-  if (acts_as(kApplyPhoton)) spec.photon = photon;
-  if (acts_as(kApplyEmitter)) spec.emit = emit;
+  spec.material.may_emit = never;
+  if (acts_as(kApplyLight)) spec.light.evaluate = light;
+  if (acts_as(kApplyVolume)) spec.volume.evaluate = volume;
+  if (acts_as(kApplyLens)) spec.lens.trace = lens;
+  if (acts_as(kApplyPhoton)) spec.photon.scatter = photon;
+  if (acts_as(kApplyEmitter)) spec.photon.emit = emit;
   if (acts_as(kApplyState)) spec.around_sample = around_sample;
   if (acts_as(kApplyOutput)) spec.output = output;
   spec.geometry = geometry;
 }
 
 UserInstance* user_instance(const ShaderNode& node) {
-  if (node.spec().prepare_call != prepare_call) return nullptr;
+  if (node.spec().binding.prepare_call != prepare_call) return nullptr;
   return static_cast<UserInstance*>(const_cast<ShaderState*>(node.state()));
 }
 

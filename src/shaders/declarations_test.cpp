@@ -250,8 +250,9 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_NE(spec->apply, 0u) << spec->name;
     EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
     EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
-    EXPECT_TRUE(spec->value || spec->material || spec->light || spec->portal || spec->lens ||
-                spec->lens_ray || spec->shadow || spec->volume || spec->stands_in)
+    EXPECT_TRUE(spec->value || spec->material.fill || spec->light.evaluate || spec->light.portal ||
+                spec->lens.map_color || spec->lens.bend_ray || spec->material.shadow ||
+                spec->volume.evaluate || spec->fallback.is_fallback)
         << spec->name;
     std::set<std::string> names;
     for (const ParamSpec& p : spec->params) {

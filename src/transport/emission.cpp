@@ -18,7 +18,7 @@ constexpr std::uint32_t kTrianglesAsked = 16;
 
 bool may_emit(const Material& material) {
   return std::any_of(material.surface.begin(), material.surface.end(), [](const ShaderNode* node) {
-    return !node->spec().may_emit || node->spec().may_emit(*node);
+    return !node->spec().material.may_emit || node->spec().material.may_emit(*node);
   });
 }
 

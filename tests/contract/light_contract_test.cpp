@@ -35,7 +35,7 @@ constexpr std::pair<const char*, const char*> kShapes[] = {
 std::vector<Case> cases(bool extended = false) {
   std::vector<Case> all;
   for (const ShaderSpec* spec : builtin_shaders().all())
-    if (spec->light)
+    if (spec->light.evaluate)
       for (const auto& [name, shape] : kShapes)
         if (!extended || &name >= &kShapes[kFirstExtended].first)
           all.push_back({spec->name, name, shape});

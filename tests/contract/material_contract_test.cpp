@@ -57,8 +57,8 @@ struct Case {
     point.dpdu = Vec3(1, 0.2f, 0);
     point.dpdv = Vec3(0, 1, 0);
     point.world = &world;
-    const auto state = spec.prepare ? spec.prepare(params.data(), world) : nullptr;
-    spec.material(Call{params.data(), state.get(), point}, closure);
+    const auto state = spec.binding.prepare ? spec.binding.prepare(params.data(), world) : nullptr;
+    spec.material.fill(Call{params.data(), state.get(), point}, closure);
     choose();
     make_ready(closure, point.wo());
   }
@@ -216,7 +216,7 @@ TEST_P(MaterialContract, NeverReturnsMoreThanArrives) {
 std::vector<const ShaderSpec*> materials() {
   std::vector<const ShaderSpec*> found;
   for (const ShaderSpec* spec : builtin_shaders().all())
-    if (spec->material) found.push_back(spec);
+    if (spec->material.fill) found.push_back(spec);
   return found;
 }
 

@@ -145,11 +145,13 @@ constexpr ShaderSpec kRandomMia = {
     .name = "random_mia",
     .library = "test",
     .apply = kApplyMaterial | kApplyShadow,
-    .material =
-        [](const Call& call, Closure& closure) {
-          kMiaMaterialX.material(Call{current->data(), nullptr, call.point}, closure);
-        },
-    .may_transmit = [](const ShaderNode&) { return true; },
+    .material = {
+        .fill =
+            [](const Call& call, Closure& closure) {
+              kMiaMaterialX.material(Call{current->data(), nullptr, call.point}, closure);
+            },
+        .may_transmit = [](const ShaderNode&) { return true; },
+    },
 };
 
 /// A ball, a plate and a floor of the current material, two lights and a sky, made ready once.

@@ -202,7 +202,7 @@ TEST_P(LensContract, AnyColourComesOutFiniteAndNeverNegative) {
     for (const float b : {0.5f, -2.0f, kInf, kNan})
       for (const float cosine : {1.0f, 0.5f, 0.0f}) {
         const Rgb c = node->with_params(point, [&](const Call& call) {
-          return node->spec().lens(call, {cosine, false}, Rgb(a, b, .2f));
+          return node->spec().lens.map_color(call, {cosine, false}, Rgb(a, b, .2f));
         });
         EXPECT_TRUE(is_finite(Vec3(c.x, c.y, c.z))) << a << ' ' << b;
         EXPECT_TRUE(c.x >= 0 && c.y >= 0 && c.z >= 0) << a << ' ' << b;
@@ -217,7 +217,7 @@ TEST_P(LensContract, BrighterLightIsNeverDarker) {
   float last = -1;
   for (float v = 1e-4f; v < 1e6f; v *= 1.3f) {
     const Rgb c = node->with_params(point, [&](const Call& call) {
-      return node->spec().lens(call, {1, false}, Rgb(v));
+      return node->spec().lens.map_color(call, {1, false}, Rgb(v));
     });
     EXPECT_GE(c.x, last - 1e-6f);
     last = c.x;
@@ -227,7 +227,7 @@ TEST_P(LensContract, BrighterLightIsNeverDarker) {
 std::vector<const ShaderSpec*> lenses() {
   std::vector<const ShaderSpec*> found;
   for (const ShaderSpec* spec : builtin_shaders().all())
-    if (spec->lens) found.push_back(spec);
+    if (spec->lens.map_color) found.push_back(spec);
   return found;
 }
 

@@ -30,7 +30,7 @@ Stage lens(const Rgb& color, Vec2 place = Vec2(.5f)) {
     const ShaderNode* node = scene.world->lens.at(0);
     Measured measured;
     measured.mean = node->with_params(
-        point, [&](const Call& c) { return node->spec().lens(c, LensCall{}, color); });
+        point, [&](const Call& c) { return node->spec().lens.map_color(c, LensCall{}, color); });
     return measured;
   };
 }

@@ -25,10 +25,13 @@ constexpr ShaderSpec kTestNormal = {
     .params = kTestNormalRows,
     .params_size = sizeof(TestNormal),
     .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<TestNormal>();
-          const Vec3 returned = p.shader.node->vector(call.point);
-          closure.emission = (p.normal ? call.point.normal : returned) + Vec3(kMore);
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  const auto& p = call.as<TestNormal>();
+                  const Vec3 returned = p.shader.node->vector(call.point);
+                  closure.emission = (p.normal ? call.point.normal : returned) + Vec3(kMore);
+                },
         },
 };
 const Registry& known() {

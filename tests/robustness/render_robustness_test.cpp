@@ -50,7 +50,7 @@ Outcome render(std::string_view text, int grid = 6) {
         for (const ShaderNode* node : s.world->lens) {
           ShadingPoint point;
           node->with_params(point, [&](const Call& call) {
-            c = node->spec().lens(call, {eye.cos_to_film, camera.orthographic}, c);
+            c = node->spec().lens.map_color(call, {eye.cos_to_film, camera.orthographic}, c);
           });
         }
         if (!is_finite(Vec3(c.x, c.y, c.z))) out.finite = false;
@@ -298,7 +298,7 @@ TEST(RenderRobustness, LightsOfAnyMakeGiveFiniteLight) {
 // Each parameter of each built-in material at values no artist writes.
 TEST(RenderRobustness, MaterialsSurviveAbsurdParameters) {
   for (const ShaderSpec* spec : builtin_shaders().all()) {
-    if (!spec->material) continue;
+    if (!spec->material.fill) continue;
     for (const ParamSpec& row : spec->params) {
       std::vector<std::string> values;
       switch (row.type) {

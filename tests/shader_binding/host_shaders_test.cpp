@@ -291,7 +291,7 @@ TEST(HostShaders, AllAreReportedAndNothingOfThemIsExact) {
   for (const ShaderSpec* spec : builtin_shaders().all()) {
     if (std::string_view(spec->library) != "hosts") continue;
     ++count;
-    EXPECT_TRUE(spec->stands_in) << spec->name;
+    EXPECT_TRUE(spec->fallback.is_fallback) << spec->name;
     for (const ParamSpec& p : spec->params)
       EXPECT_NE(p.support, Support::Exact) << spec->name << '.' << p.name;
     // A call without parameters, in the slot where it belongs, reads without an error.

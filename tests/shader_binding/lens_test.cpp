@@ -23,7 +23,7 @@ struct Exposed : testing::PreparedScene {
     ShadingPoint point;
     const ShaderNode* node = world->lens.at(0);
     return node->with_params(point, [&](const Call& call) {
-      return node->spec().lens(call, {cosine, orthographic}, c);
+      return node->spec().lens.map_color(call, {cosine, orthographic}, c);
     });
   }
 };

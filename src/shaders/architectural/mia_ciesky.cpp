@@ -75,10 +75,13 @@ const ShaderSpec kMiaCieSky = {
               now == state.parameters ? state.sky.radiance(d) : sky::CieSky(now).radiance(d);
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
         },
-    .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<CieSkyState>(
-          cie_parameters(*static_cast<const MiaCieskyParams*>(params), world));
-    },
+    .binding =
+        {
+            .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<CieSkyState>(
+                  cie_parameters(*static_cast<const MiaCieskyParams*>(params), world));
+            },
+        },
 };
 
 }  // namespace oriel

@@ -118,7 +118,7 @@ const ShaderSpec kMiaEnvBlur = {
     .params = kMiaEnvblurRows,
     .params_size = sizeof(MiaEnvblurParams),
     .value = blur,
-    .prepare = prepare,
+    .binding = {.prepare = prepare},
 };
 
 }  // namespace oriel

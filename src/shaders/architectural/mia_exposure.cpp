@@ -96,26 +96,32 @@ const ShaderSpec kMiaExposurePhotographic = {
     .doc = "Exposes as a camera: film speed, shutter and aperture on pixels in cd/m2.",
     .params = kPhotographicRows,
     .params_size = sizeof(Photographic),
-    .lens =
-        [](const Call& call, const LensCall& lens, const Rgb& c) {
-          return static_cast<const PhotographicState*>(call.state)
-              ->with(photographic_parameters(call.as<Photographic>()), [&](const auto& exposure) {
-                return exposure(c, lens.orthographic ? 1.0f : lens.cos_to_film);
-              });
-        },
-    .lens_traits =
-        [](const ShaderNode& node) {
-          const auto& p = node.constants<Photographic>();
-          return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
-                            .side_channel_mode = std::clamp(p.side_channel_mode, 0, 2),
-                            .side_channel = p.side_channel,
-                            .luminance = p.film_iso > 0 ? p.cm2_factor : 0,
-                            .gamma = p.gamma};
-        },
-    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<PhotographicState>(
-          photographic_parameters(*static_cast<const Photographic*>(params)));
+    .lens = {
+        .map_color =
+            [](const Call& call, const LensCall& lens, const Rgb& c) {
+              return static_cast<const PhotographicState*>(call.state)
+                  ->with(photographic_parameters(call.as<Photographic>()),
+                         [&](const auto& exposure) {
+                           return exposure(c, lens.orthographic ? 1.0f : lens.cos_to_film);
+                         });
+            },
+        .traits =
+            [](const ShaderNode& node) {
+              const auto& p = node.constants<Photographic>();
+              return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
+                                .side_channel_mode = std::clamp(p.side_channel_mode, 0, 2),
+                                .side_channel = p.side_channel,
+                                .luminance = p.film_iso > 0 ? p.cm2_factor : 0,
+                                .gamma = p.gamma};
+            },
     },
+    .binding =
+        {
+            .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<PhotographicState>(
+                  photographic_parameters(*static_cast<const Photographic*>(params)));
+            },
+        },
 };
 
 const ShaderSpec kMiaExposureSimple = {
@@ -126,21 +132,27 @@ const ShaderSpec kMiaExposureSimple = {
     .doc = "Maps colours by gain, knee and gamma.",
     .params = kSimpleRows,
     .params_size = sizeof(Simple),
-    .lens =
-        [](const Call& call, const LensCall&, const Rgb& c) {
-          return static_cast<const SimpleState*>(call.state)
-              ->with(simple_parameters(call.as<Simple>()),
-                     [&](const auto& exposure) { return exposure(c); });
-        },
-    .lens_traits =
-        [](const ShaderNode& node) {
-          const auto& p = node.constants<Simple>();
-          return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
-                            .gamma = p.gamma};
-        },
-    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<SimpleState>(simple_parameters(*static_cast<const Simple*>(params)));
+    .lens = {
+        .map_color =
+            [](const Call& call, const LensCall&, const Rgb& c) {
+              return static_cast<const SimpleState*>(call.state)
+                  ->with(simple_parameters(call.as<Simple>()),
+                         [&](const auto& exposure) { return exposure(c); });
+            },
+        .traits =
+            [](const ShaderNode& node) {
+              const auto& p = node.constants<Simple>();
+              return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
+                                .gamma = p.gamma};
+            },
     },
+    .binding =
+        {
+            .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<SimpleState>(
+                  simple_parameters(*static_cast<const Simple*>(params)));
+            },
+        },
 };
 
 }  // namespace oriel

@@ -82,10 +82,13 @@ const ShaderSpec kMiaExposurePhotographicRev = {
                             : lens::ReversePhotographicExposure(now)(rgb(p.input), cosine);
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, p.input.a);
         },
-    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<State>(
-          photographic_parameters(*static_cast<const MiaExposureRevParams*>(params)));
-    },
+    .binding =
+        {
+            .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<State>(
+                  photographic_parameters(*static_cast<const MiaExposureRevParams*>(params)));
+            },
+        },
 };
 
 }  // namespace oriel

@@ -109,21 +109,26 @@ const ShaderSpec kMiaLensBokeh = {
     .doc = "Depth of field, with the shape of the lens opening.",
     .params = kMiaLensBokehRows,
     .params_size = sizeof(Bokeh),
-    .lens_ray =
-        [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
-          const auto& p = call.as<Bokeh>();
-          const auto s = static_cast<const BokehState*>(call.state)->aperture.sample(u);
-          bend(camera, p.plane, p.radius, s.point, ray);
-          return s.weight;
-        },
-    .lens_rays =
-        [](const ShaderNode& node) {
-          const auto& p = node.constants<Bokeh>();
-          return p.on ? std::max(p.samples, 1) : 0;
-        },
-    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<BokehState>(*static_cast<const Bokeh*>(params));
+    .lens = {
+        .bend_ray =
+            [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
+              const auto& p = call.as<Bokeh>();
+              const auto s = static_cast<const BokehState*>(call.state)->aperture.sample(u);
+              bend(camera, p.plane, p.radius, s.point, ray);
+              return s.weight;
+            },
+        .ray_count =
+            [](const ShaderNode& node) {
+              const auto& p = node.constants<Bokeh>();
+              return p.on ? std::max(p.samples, 1) : 0;
+            },
     },
+    .binding =
+        {
+            .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<BokehState>(*static_cast<const Bokeh*>(params));
+            },
+        },
 };
 
 const ShaderSpec kPhysicalLensDof = {
@@ -133,13 +138,15 @@ const ShaderSpec kPhysicalLensDof = {
     .doc = "Depth of field of a round lens.",
     .params = kDofRows,
     .params_size = sizeof(LensDof),
-    .lens_ray =
-        [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
-          const auto& p = call.as<LensDof>();
-          bend(camera, p.plane, p.radius, lens::Aperture(0, 0, 1).sample(u).point, ray);
-          return Rgb(1);
-        },
-    .lens_rays = [](const ShaderNode&) { return kDofRays; },
+    .lens = {
+        .bend_ray =
+            [](const Call& call, const Camera& camera, const Vec2& u, Camera::Ray& ray) {
+              const auto& p = call.as<LensDof>();
+              bend(camera, p.plane, p.radius, lens::Aperture(0, 0, 1).sample(u).point, ray);
+              return Rgb(1);
+            },
+        .ray_count = [](const ShaderNode&) { return kDofRays; },
+    },
 };
 
 }  // namespace oriel

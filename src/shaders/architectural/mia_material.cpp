@@ -375,11 +375,12 @@ const ShaderSpec kMiaMaterial = {
         "share the light.",
     .params = mia_material_rows().first(kMiaMaterialRows),
     .params_size = sizeof(MiaMaterialParams),
-    .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, false); },
-    .may_transmit = mia_may_transmit,
-    .may_emit = mia_may_emit,
-    .most_lobes = mia_most_lobes,
-    .grids = mia_grids,
+    .material = {.fill = [](const Call& call,
+                            Closure& closure) { shade_mia(call, closure, false); },
+                 .may_transmit = mia_may_transmit,
+                 .may_emit = mia_may_emit,
+                 .max_lobes = mia_most_lobes,
+                 .grids = mia_grids},
 };
 
 const ShaderSpec kMiaMaterialX = {
@@ -393,12 +394,12 @@ const ShaderSpec kMiaMaterialX = {
     .result = ParamType::Struct,
     .results = kResults,
     .result_size = kResultSize,
-    .material = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
-    .may_transmit = mia_may_transmit,
-    .may_emit = mia_may_emit,
-    .most_lobes = mia_most_lobes,
-    .has_outputs = mia_has_outputs,
-    .grids = mia_grids,
+    .material = {.fill = [](const Call& call, Closure& closure) { shade_mia(call, closure, true); },
+                 .may_transmit = mia_may_transmit,
+                 .may_emit = mia_may_emit,
+                 .max_lobes = mia_most_lobes,
+                 .has_outputs = mia_has_outputs,
+                 .grids = mia_grids},
 };
 
 const ShaderSpec kMiaMaterialXPasses = [] {

@@ -65,7 +65,7 @@ ShadingPoint seen_from(const Vec3& wo) {
 
 Closure shade(const P& p, ShadingPoint point, const ShaderSpec& spec = kMiaMaterialX) {
   Closure closure;
-  spec.material(Call{&p, nullptr, point}, closure);
+  spec.material.fill(Call{&p, nullptr, point}, closure);
   return closure;
 }
 

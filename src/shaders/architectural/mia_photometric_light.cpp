@@ -120,13 +120,16 @@ const ShaderSpec kMiaPhotometricLight = {
     .doc = "A light of so many candela or lumen, evenly, as a spot, or as measured.",
     .params = kMiaPhotometricLightRows,
     .params_size = sizeof(MiaPhotometricLightParams),
-    .light = value,
-    .profile = profile,
-    // Its photons are as strong as its light, whatever energy the element writes.
-    .photons =
-        [](const void*, const Light&, LightPhotons& photons) {
-          photons.emission.energy.reset();
-          photons.has_energy = true;
+    .light =
+        {
+            .evaluate = value,
+            .profile = profile,
+            // Its photons are as strong as its light, whatever energy the element writes.
+            .photons =
+                [](const void*, const Light&, LightPhotons& photons) {
+                  photons.emission.energy.reset();
+                  photons.has_energy = true;
+                },
         },
 };
 

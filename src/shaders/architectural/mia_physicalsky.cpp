@@ -222,11 +222,14 @@ const ShaderSpec kMiaPhysicalSky = {
     .params = kMiaPhysicalskyRows,
     .params_size = sizeof(MiaPhysicalskyParams),
     .value = sky_value,
-    .volume = air,
-    .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<PhysicalSkyState>(
-          parameters_of(*static_cast<const MiaPhysicalskyParams*>(params), world), world);
-    },
+    .volume = {.evaluate = air},
+    .binding =
+        {
+            .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<PhysicalSkyState>(
+                  parameters_of(*static_cast<const MiaPhysicalskyParams*>(params), world), world);
+            },
+        },
 };
 
 }  // namespace oriel

@@ -131,18 +131,20 @@ const ShaderSpec kMiaPhysicalSun = {
     .doc = "Sunlight for a directional light: colour and strength by haze and height.",
     .params = kMiaPhysicalsunRows,
     .params_size = sizeof(MiaPhysicalsunParams),
-    .light = sunlight,
-    .prepare_light = [](const void* params, const Light& light) -> std::unique_ptr<ShaderState> {
-      auto state = std::make_unique<SunState>();
-      state->colour = colour_of(*static_cast<const MiaPhysicalsunParams*>(params), light);
-      return state;
-    },
-    .light_cone =
-        [](const void* params) {
-          const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
-          return p.samples == 0 ? 0.0f : sky::sun_cone_angle(p.shadow_softness, p.haze);
+    .light = {
+        .evaluate = sunlight,
+        .prepare = [](const void* params, const Light& light) -> std::unique_ptr<ShaderState> {
+          auto state = std::make_unique<SunState>();
+          state->colour = colour_of(*static_cast<const MiaPhysicalsunParams*>(params), light);
+          return state;
         },
-    .photons = photons_of,
+        .cone =
+            [](const void* params) {
+              const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
+              return p.samples == 0 ? 0.0f : sky::sun_cone_angle(p.shadow_softness, p.haze);
+            },
+        .photons = photons_of,
+    },
 };
 
 }  // namespace oriel

@@ -73,7 +73,7 @@ const ShaderSpec kMiaPortalLight = {
     .doc = "A rectangle in a window that shines with the sky or environment behind it.",
     .params = kMiaPortalLightRows,
     .params_size = sizeof(MiaPortalLightParams),
-    .portal = portal,
+    .light = {.portal = portal},
 };
 
 }  // namespace oriel

@@ -182,8 +182,7 @@ const ShaderSpec kMibBumpMap = {
           move_normal(call.as<Map>(), point);
           *static_cast<Vec3*>(result) = point.back_side ? -point.normal : point.normal;
         },
-    .material = move_for_list,
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {.fill = move_for_list, .max_lobes = [](const ShaderNode&) { return 0; }},
 };
 
 const ShaderSpec kMibPassthroughBumpMap = {
@@ -199,8 +198,7 @@ const ShaderSpec kMibPassthroughBumpMap = {
           move_normal(call.as<Map>(), call.point);
           *static_cast<Rgba*>(result) = Rgba(0);
         },
-    .material = move_for_list,
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {.fill = move_for_list, .max_lobes = [](const ShaderNode&) { return 0; }},
 };
 
 const ShaderSpec kMibBumpMap2 = {
@@ -215,14 +213,16 @@ const ShaderSpec kMibBumpMap2 = {
           move_normal(call.as<Map2>(), call.point);
           *static_cast<Rgba*>(result) = call.as<Map2>().color;
         },
-    .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Map2>();
-          move_normal(p, call.point);
-          shade_input(call, offsetof(Map2, color), p.color, Rgb(1), closure);
-        },
-    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {
+        .fill =
+            [](const Call& call, Closure& closure) {
+              const auto& p = call.as<Map2>();
+              move_normal(p, call.point);
+              shade_input(call, offsetof(Map2, color), p.color, Rgb(1), closure);
+            },
+        .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+        .max_lobes = [](const ShaderNode&) { return 0; },
+    },
 };
 
 }  // namespace oriel

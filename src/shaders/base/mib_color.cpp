@@ -378,9 +378,9 @@ const ShaderSpec kMibColorMix = {
     .params = kMixRows,
     .params_size = sizeof(Mix),
     .value = mix,
-    .material = mix_materials,
-    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {.fill = mix_materials,
+                 .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+                 .max_lobes = [](const ShaderNode&) { return 0; }},
 };
 
 const ShaderSpec kMibColorSpread = {
@@ -417,9 +417,13 @@ const ShaderSpec kMibBlackbody = {
     .params = kTemperatureRows,
     .params_size = sizeof(Temperature),
     .value = blackbody,
-    .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
-      return std::make_unique<BodyState>(static_cast<const Temperature*>(params)->temperature);
-    },
+    .binding =
+        {
+            .prepare = [](const void* params, const World&) -> std::unique_ptr<ShaderState> {
+              return std::make_unique<BodyState>(
+                  static_cast<const Temperature*>(params)->temperature);
+            },
+        },
 };
 
 }  // namespace oriel

@@ -185,8 +185,8 @@ const ShaderSpec kMibGlossyReflection = {
     .doc = "A blurred reflection blended over another material.",
     .params = kReflectionRows,
     .params_size = sizeof(Reflection),
-    .material = reflection,
-    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+    .material = {.fill = reflection,
+                 .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); }},
 };
 
 const ShaderSpec kMibGlossyRefraction = {
@@ -197,9 +197,9 @@ const ShaderSpec kMibGlossyRefraction = {
     .doc = "A blurred refraction blended over other materials.",
     .params = kRefractionRows,
     .params_size = sizeof(Refraction),
-    .material = refraction,
-    .may_transmit = [](const ShaderNode&) { return true; },
-    .one_material = true,
+    .material = {.fill = refraction,
+                 .may_transmit = [](const ShaderNode&) { return true; },
+                 .one_material = true},
 };
 
 }  // namespace oriel

@@ -213,8 +213,13 @@ const ShaderSpec kMibIllumLambert = {
     .doc = "A perfectly diffuse surface.",
     .params = kLambertRows,
     .params_size = sizeof(Lambert),
-    .material = [](const Call& call,
-                   Closure& closure) { shade_diffuse(call.as<Lambert>(), call.point, closure); },
+    .material =
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  shade_diffuse(call.as<Lambert>(), call.point, closure);
+                },
+        },
 };
 
 const ShaderSpec kMibIllumPhong = {
@@ -226,15 +231,18 @@ const ShaderSpec kMibIllumPhong = {
     .params = kPhongRows,
     .params_size = sizeof(Phong),
     .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Phong>();
-          const Frame frame = shade_diffuse(p, call.point, closure);
-          const Rgb specular = rgb(p.specular);
-          if (is_black(specular)) return;
-          add_highlight(LobeKind::PhongHighlight, specular, frame, closure).roughness =
-              std::max(0.0f, p.exponent);
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  const auto& p = call.as<Phong>();
+                  const Frame frame = shade_diffuse(p, call.point, closure);
+                  const Rgb specular = rgb(p.specular);
+                  if (is_black(specular)) return;
+                  add_highlight(LobeKind::PhongHighlight, specular, frame, closure).roughness =
+                      std::max(0.0f, p.exponent);
+                },
+            .max_lobes = two_lobes,
         },
-    .most_lobes = two_lobes,
 };
 
 const ShaderSpec kMibIllumBlinn = {
@@ -245,8 +253,7 @@ const ShaderSpec kMibIllumBlinn = {
     .doc = "A diffuse surface with the highlight of facets of one index.",
     .params = kBlinnRows,
     .params_size = sizeof(Blinn),
-    .material = blinn,
-    .most_lobes = two_lobes,
+    .material = {.fill = blinn, .max_lobes = two_lobes},
 };
 
 const ShaderSpec kMibIllumCooktorr = {
@@ -257,8 +264,7 @@ const ShaderSpec kMibIllumCooktorr = {
     .doc = "A diffuse surface with the highlight of facets, which shifts in colour.",
     .params = kCooktorrRows,
     .params_size = sizeof(Cooktorr),
-    .material = cooktorr,
-    .most_lobes = [](const ShaderNode&) { return 4; },
+    .material = {.fill = cooktorr, .max_lobes = [](const ShaderNode&) { return 4; }},
 };
 
 const ShaderSpec kMibIllumWard = {
@@ -270,11 +276,14 @@ const ShaderSpec kMibIllumWard = {
     .params = kWardRows,
     .params_size = sizeof(Ward),
     .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Ward>();
-          ward(p, brushed(p, call.point), call.point, closure);
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  const auto& p = call.as<Ward>();
+                  ward(p, brushed(p, call.point), call.point, closure);
+                },
+            .max_lobes = two_lobes,
         },
-    .most_lobes = two_lobes,
 };
 
 const ShaderSpec kMibIllumWardDeriv = {
@@ -286,10 +295,13 @@ const ShaderSpec kMibIllumWardDeriv = {
     .params = kWardDerivRows,
     .params_size = sizeof(WardDeriv),
     .material =
-        [](const Call& call, Closure& closure) {
-          ward(call.as<WardDeriv>(), call.point.dpdu, call.point, closure);
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  ward(call.as<WardDeriv>(), call.point.dpdu, call.point, closure);
+                },
+            .max_lobes = two_lobes,
         },
-    .most_lobes = two_lobes,
 };
 
 const ShaderSpec kMibIllumHair = {
@@ -300,8 +312,7 @@ const ShaderSpec kMibIllumHair = {
     .doc = "A diffuse ribbon with the highlight of a fibre.",
     .params = kPhongRows,
     .params_size = sizeof(Phong),
-    .material = hair,
-    .most_lobes = two_lobes,
+    .material = {.fill = hair, .max_lobes = two_lobes},
 };
 
 }  // namespace oriel

@@ -124,7 +124,7 @@ const ShaderSpec kMibLensStencil = {
     .doc = "A picture over the image that covers parts of it.",
     .params = kStencilRows,
     .params_size = sizeof(Stencil),
-    .lens = stencil,
+    .lens = {.map_color = stencil},
 };
 
 const ShaderSpec kMibLensClamp = {
@@ -134,7 +134,7 @@ const ShaderSpec kMibLensClamp = {
     .doc = "Maps a range of brightness to 0..1 and cuts what lies out of it.",
     .params = kClampRows,
     .params_size = sizeof(Clamp),
-    .lens = clamp_lens,
+    .lens = {.map_color = clamp_lens},
 };
 
 const ShaderSpec kMibVolume = {
@@ -144,10 +144,14 @@ const ShaderSpec kMibVolume = {
     .doc = "Even fog.",
     .params = kVolumeRows,
     .params_size = sizeof(Volume),
-    .volume = fog,
-    .dims_light =
-        [](const ShaderNode& node) {
-          return node.constants<Volume>().lightrays || node.connected(offsetof(Volume, lightrays));
+    .volume =
+        {
+            .evaluate = fog,
+            .dims_light =
+                [](const ShaderNode& node) {
+                  return node.constants<Volume>().lightrays ||
+                         node.connected(offsetof(Volume, lightrays));
+                },
         },
 };
 
@@ -158,7 +162,8 @@ const ShaderSpec kOversamplingLens = {
     .doc = "Accepted; the sampler decides how many rays a pixel gets.",
     .params = kOversamplingRows,
     .params_size = sizeof(Oversampling),
-    .lens = [](const Call&, const LensCall&, const Rgb& color) { return shown(color); },
+    .lens = {.map_color = [](const Call&, const LensCall&,
+                             const Rgb& color) { return shown(color); }},
 };
 
 }  // namespace oriel

@@ -119,9 +119,12 @@ const ShaderSpec kMibLightInfinite = {
     .params = kInfiniteRows,
     .params_size = sizeof(Infinite),
     .light =
-        [](const Call& call, const LightCall&) {
-          const auto& p = call.as<Infinite>();
-          return LightValue{rgb(p.color), p.shadow, clamp01(p.factor)};
+        {
+            .evaluate =
+                [](const Call& call, const LightCall&) {
+                  const auto& p = call.as<Infinite>();
+                  return LightValue{rgb(p.color), p.shadow, clamp01(p.factor)};
+                },
         },
 };
 
@@ -132,8 +135,13 @@ const ShaderSpec kMibLightPoint = {
     .doc = "A point light whose strength does not change with distance unless told.",
     .params = kPointRows,
     .params_size = sizeof(Point),
-    .light = [](const Call& call,
-                const LightCall& l) { return ranged_light(call.as<Point>(), l.distance); },
+    .light =
+        {
+            .evaluate =
+                [](const Call& call, const LightCall& l) {
+                  return ranged_light(call.as<Point>(), l.distance);
+                },
+        },
 };
 
 const ShaderSpec kMibLightSpot = {
@@ -144,11 +152,14 @@ const ShaderSpec kMibLightSpot = {
     .params = kSpotRows,
     .params_size = sizeof(Spot),
     .light =
-        [](const Call& call, const LightCall& l) {
-          const auto& p = call.as<Spot>();
-          LightValue value = ranged_light(p, l.distance);
-          value.colour *= spot_share(l.light, l.direction, p.cone);
-          return value;
+        {
+            .evaluate =
+                [](const Call& call, const LightCall& l) {
+                  const auto& p = call.as<Spot>();
+                  LightValue value = ranged_light(p, l.distance);
+                  value.colour *= spot_share(l.light, l.direction, p.cone);
+                  return value;
+                },
         },
 };
 
@@ -160,9 +171,13 @@ const ShaderSpec kPhysicalLight = {
     .doc = "A light with physical decay; its colour is an energy.",
     .params = kPhysicalRows,
     .params_size = sizeof(Physical),
-    .light = physical_value,
-    // That of the light's element: it tells where the energy goes, not how much it is.
-    .profile = [](const void*, const Light& light) { return light.profile_placement.profile; },
+    .light =
+        {
+            .evaluate = physical_value,
+            // That of the light's element: it tells where the energy goes, not how much it is.
+            .profile = [](const void*,
+                          const Light& light) { return light.profile_placement.profile; },
+        },
 };
 
 }  // namespace oriel

@@ -55,12 +55,15 @@ const ShaderSpec kMibLightPhotometric = {
     .doc = "A light with a measured distribution, in candela.",
     .params = kMibLightPhotometricRows,
     .params_size = sizeof(MibLightPhotometricParams),
-    .light = photometric_value,
-    .profile =
-        [](const void* params, const Light& light) {
-          const photometry::LightProfile* own =
-              static_cast<const MibLightPhotometricParams*>(params)->profile.profile;
-          return own ? own : light.profile_placement.profile;
+    .light =
+        {
+            .evaluate = photometric_value,
+            .profile =
+                [](const void* params, const Light& light) {
+                  const photometry::LightProfile* own =
+                      static_cast<const MibLightPhotometricParams*>(params)->profile.profile;
+                  return own ? own : light.profile_placement.profile;
+                },
         },
 };
 

@@ -213,8 +213,7 @@ const ShaderSpec kMibReflect = {
     .doc = "A mirror blended over another material.",
     .params = kReflectRows,
     .params_size = sizeof(Reflect),
-    .material = reflect,
-    .may_transmit = inputs_pass,
+    .material = {.fill = reflect, .may_transmit = inputs_pass},
 };
 
 const ShaderSpec kMibRefract = {
@@ -249,8 +248,7 @@ const ShaderSpec kMibOpacity = {
     .doc = "A material of which only a share exists.",
     .params = kOpacityRows,
     .params_size = sizeof(Opacity),
-    .material = opacity,
-    .may_transmit = opacity_passes,
+    .material = {.fill = opacity, .may_transmit = opacity_passes},
 };
 
 const ShaderSpec kMibContinue = {
@@ -276,10 +274,10 @@ const ShaderSpec kMibTwosided = {
           const auto& p = call.as<Twosided>();
           *static_cast<Rgba*>(result) = call.point.back_side ? p.back : p.front;
         },
-    .material = twosided,
-    .may_transmit = inputs_pass,
-    .most_lobes = [](const ShaderNode&) { return 0; },
-    .one_material = true,
+    .material = {.fill = twosided,
+                 .may_transmit = inputs_pass,
+                 .max_lobes = [](const ShaderNode&) { return 0; },
+                 .one_material = true},
 };
 
 const ShaderSpec kMibDielectric = {
@@ -289,8 +287,7 @@ const ShaderSpec kMibDielectric = {
     .doc = "The refraction of glass blended over another material.",
     .params = kDielectricRows,
     .params_size = sizeof(Dielectric),
-    .material = dielectric,
-    .may_transmit = dielectric_passes,
+    .material = {.fill = dielectric, .may_transmit = dielectric_passes},
 };
 
 const ShaderSpec kMibRefractionIndex = {

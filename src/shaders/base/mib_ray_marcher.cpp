@@ -114,8 +114,11 @@ const ShaderSpec kMibRayMarcher = {
           *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
         },
     .volume =
-        [](const Call& call) {
-          return VolumeValue{Rgb(1), march(call)};
+        {
+            .evaluate =
+                [](const Call& call) {
+                  return VolumeValue{Rgb(1), march(call)};
+                },
         },
 };
 

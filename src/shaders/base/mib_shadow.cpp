@@ -49,19 +49,21 @@ const ShaderSpec kMibShadowTransparency = {
     .doc = "Filters the light that passes an object, in its material's slot shadow.",
     .params = kShadowTransparencyRows,
     .params_size = sizeof(ShadowTransparency),
-    .shadow =
-        [](const Call& call, const Rgb& light) {
-          const auto& p = call.as<ShadowTransparency>();
-          return applies(p, call.point.light) ? light * passes(p) : light;
-        },
-    .may_transmit =
-        [](const ShaderNode& node) {
-          const auto& p = node.constants<ShadowTransparency>();
-          return max_component(passes(p)) > 0 || p.lights.size > 0 || p.mode == 1 ||
-                 node.connected(offsetof(ShadowTransparency, color)) ||
-                 node.connected(offsetof(ShadowTransparency, transp)) ||
-                 node.connected(offsetof(ShadowTransparency, mode));
-        },
+    .material = {
+        .shadow =
+            [](const Call& call, const Rgb& light) {
+              const auto& p = call.as<ShadowTransparency>();
+              return applies(p, call.point.light) ? light * passes(p) : light;
+            },
+        .may_transmit =
+            [](const ShaderNode& node) {
+              const auto& p = node.constants<ShadowTransparency>();
+              return max_component(passes(p)) > 0 || p.lights.size > 0 || p.mode == 1 ||
+                     node.connected(offsetof(ShadowTransparency, color)) ||
+                     node.connected(offsetof(ShadowTransparency, transp)) ||
+                     node.connected(offsetof(ShadowTransparency, mode));
+            },
+    },
 };
 
 }  // namespace oriel

@@ -30,15 +30,16 @@ constexpr ShaderSpec storing(const char* name) {
           .doc = "Stand-in: shows its material; the render element is not stored.",
           .params = kWrappedRows,
           .params_size = sizeof(Wrapped),
-          .material =
-              [](const Call& call, Closure& closure) {
-                shade_input(call, offsetof(Wrapped, Material), call.as<Wrapped>().Material, Rgb(1),
-                            closure);
-              },
-          .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
-          .most_lobes = [](const ShaderNode&) { return 0; },
-          .stands_in = true,
-          .passes_through = true};
+          .material = {
+              .fill =
+                  [](const Call& call, Closure& closure) {
+                    shade_input(call, offsetof(Wrapped, Material), call.as<Wrapped>().Material,
+                                Rgb(1), closure);
+                  },
+              .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+              .max_lobes = [](const ShaderNode&) { return 0; },
+          },
+          .fallback = {.is_fallback = true, .passes_through = true}};
 }
 
 constexpr ShaderSpec kNodes[] = {
@@ -53,7 +54,7 @@ constexpr ShaderSpec kNodes[] = {
      .result = ParamType::Vector,
      .result_size = sizeof(Vec3),
      .value = [](const Call&, void* result) { *static_cast<Vec3*>(result) = Vec3(0); },
-     .stands_in = true},
+     .fallback = {.is_fallback = true}},
 };
 
 }  // namespace

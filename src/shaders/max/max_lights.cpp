@@ -95,8 +95,8 @@ constexpr ShaderSpec light(const char* name, const char* doc, std::span<const Pa
           .doc = doc,
           .params = rows,
           .params_size = sizeof(Lamp),
-          .light = value,
-          .stands_in = true};
+          .light = {.evaluate = value},
+          .fallback = {.is_fallback = true}};
 }
 
 constexpr ShaderSpec kDefault =

@@ -127,7 +127,7 @@ void standard(const Call& call, Closure& closure) {
   ShadingPoint& point = call.point;
   const Rgba grey(.5f, .5f, .5f, 1), none(0);
   Illumination i{none, grey, none, false, 0, none, 0, 0};
-  if (p.Shader.node && p.Shader.node->spec().material == illumination)
+  if (p.Shader.node && p.Shader.node->spec().material.fill == illumination)
     p.Shader.node->with_params(point, [&](const Call& c) { i = c.as<Illumination>(); });
   i.Diffuse = opaque(mapped(p, kDiffuseMap, rgb(i.Diffuse), point));
   i.Specular = opaque(mapped(p, kSpecularMap, rgb(i.Specular), point));
@@ -165,9 +165,8 @@ constexpr ShaderSpec kIllumination = {
     .params_size = sizeof(Illumination),
     .value = [](const Call& call,
                 void* result) { *static_cast<Rgba*>(result) = call.as<Illumination>().Diffuse; },
-    .material = illumination,
-    .most_lobes = [](const ShaderNode&) { return 2; },
-    .stands_in = true,
+    .material = {.fill = illumination, .max_lobes = [](const ShaderNode&) { return 2; }},
+    .fallback = {.is_fallback = true},
 };
 
 constexpr ShaderSpec kNodes[] = {
@@ -177,19 +176,18 @@ constexpr ShaderSpec kNodes[] = {
      .doc = "Stand-in for the material of objects without one.",
      .params = kDefaultRows,
      .params_size = sizeof(Default),
-     .material = default_material,
-     .most_lobes = [](const ShaderNode&) { return 2; },
-     .stands_in = true},
+     .material = {.fill = default_material, .max_lobes = [](const ShaderNode&) { return 2; }},
+     .fallback = {.is_fallback = true}},
     {.name = "max_StandardMaterial",
      .library = "hosts",
      .apply = kApplySurface,
      .doc = "Stand-in for the host's standard material.",
      .params = kStandardRows,
      .params_size = sizeof(Standard),
-     .material = standard,
-     .may_transmit = standard_passes,
-     .most_lobes = [](const ShaderNode&) { return 4; },
-     .stands_in = true},
+     .material = {.fill = standard,
+                  .may_transmit = standard_passes,
+                  .max_lobes = [](const ShaderNode&) { return 4; }},
+     .fallback = {.is_fallback = true}},
     kIllumination,
     renamed(kIllumination, "max_base_PhongIllumination"),
     renamed(kIllumination, "max_base_MetalIllumination"),
@@ -202,7 +200,7 @@ constexpr ShaderSpec kNodes[] = {
      .library = "hosts",
      .apply = kApplyShadow,
      .doc = "Stand-in for the host's shadows: as the surface itself lets light pass.",
-     .stands_in = true},
+     .fallback = {.is_fallback = true}},
 };
 
 }  // namespace

@@ -124,7 +124,7 @@ constexpr ShaderSpec kOutput = {
     .params = kOutputRows,
     .params_size = sizeof(Output),
     .value = [](const Call&, void* result) { *static_cast<Rgba*>(result) = Rgba(0); },
-    .stands_in = true};
+    .fallback = {.is_fallback = true}};
 
 void bitmap(const Call& call, void* result) {
   const auto& p = call.as<Bitmap>();
@@ -189,7 +189,7 @@ constexpr ShaderSpec map(const char* name, const char* doc, std::span<const Para
           .params = rows,
           .params_size = size,
           .value = value,
-          .stands_in = true};
+          .fallback = {.is_fallback = true}};
 }
 
 constexpr ShaderSpec kGenerator = [] {
@@ -210,10 +210,12 @@ constexpr ShaderSpec kBuffer = {
     .library = "hosts",
     .apply = kApplyLens,
     .doc = "The host's buffers beside the picture: without effect.",
-    // A lens of no rays is off.
-    .lens_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
-    .lens_rays = [](const ShaderNode&) { return 0; },
-    .stands_in = true};
+    .lens = {
+        // A lens of no rays is off.
+        .bend_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
+        .ray_count = [](const ShaderNode&) { return 0; },
+    },
+    .fallback = {.is_fallback = true}};
 
 constexpr ShaderSpec kNodes[] = {
     kBitmap,

@@ -206,7 +206,7 @@ constexpr ShaderSpec node(const char* name, const char* doc, std::span<const Par
                      .params_size = size,
                      .result = result,
                      .value = value,
-                     .stands_in = true};
+                     .fallback = {.is_fallback = true}};
   if (result == ParamType::Vector) spec.result_size = sizeof(Vec3);
   if (result == ParamType::Scalar) spec.result_size = sizeof(float);
   return spec;

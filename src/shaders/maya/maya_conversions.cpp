@@ -82,7 +82,7 @@ constexpr ShaderSpec joining(const char* name, std::span<const ParamSpec> parts)
                 const auto& p = call.as<Three>();
                 *static_cast<Vec3*>(result) = Vec3(p.first, p.second, p.third);
               },
-          .stands_in = true};
+          .fallback = {.is_fallback = true}};
 }
 constexpr ShaderSpec parting(const char* name, std::span<const ParamSpec> whole,
                              std::span<const ParamSpec> parts) {
@@ -100,7 +100,7 @@ constexpr ShaderSpec parting(const char* name, std::span<const ParamSpec> whole,
                 const Vec3& v = call.as<Whole>().whole;
                 *static_cast<Three*>(result) = {v.x, v.y, v.z};
               },
-          .stands_in = true};
+          .fallback = {.is_fallback = true}};
 }
 
 constexpr ShaderSpec kNodes[] = {
@@ -112,7 +112,7 @@ constexpr ShaderSpec kNodes[] = {
      .results = kSampledResults,
      .result_size = sizeof(Sampled),
      .value = sample,
-     .stands_in = true},
+     .fallback = {.is_fallback = true}},
     joining("maya_rgb_to_color", kRgb),
     joining("maya_xyz_to_vector", kXyz),
     joining("maya_uvw_to_vector", kUvw),

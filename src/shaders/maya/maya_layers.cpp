@@ -138,14 +138,16 @@ const ShaderSpec kMayaShadingengine = {
     .doc = "Stand-in for the host's shading engine: the surface it is connected to.",
     .params = kEngineRows,
     .params_size = sizeof(Engine),
-    .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Engine>();
-          shade_input(call, offsetof(Engine, surfaceShader), p.surfaceShader, Rgb(1), closure);
-        },
-    .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
-    .most_lobes = [](const ShaderNode&) { return 0; },
-    .stands_in = true,
+    .material = {
+        .fill =
+            [](const Call& call, Closure& closure) {
+              const auto& p = call.as<Engine>();
+              shade_input(call, offsetof(Engine, surfaceShader), p.surfaceShader, Rgb(1), closure);
+            },
+        .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+        .max_lobes = [](const ShaderNode&) { return 0; },
+    },
+    .fallback = {.is_fallback = true},
 };
 
 const ShaderSpec kMayaLayeredshader = {
@@ -155,9 +157,8 @@ const ShaderSpec kMayaLayeredshader = {
     .doc = "Stand-in for the host's layered shader.",
     .params = kLayerRows,
     .params_size = sizeof(Layers),
-    .material = layered,
-    .may_transmit = layers_pass,
-    .stands_in = true,
+    .material = {.fill = layered, .may_transmit = layers_pass},
+    .fallback = {.is_fallback = true},
 };
 
 const ShaderSpec kMayaUsebackground = {
@@ -169,22 +170,24 @@ const ShaderSpec kMayaUsebackground = {
         "mirror.",
     .params = kBackgroundRows,
     .params_size = sizeof(Background),
-    .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Background>();
-          const Rgb mirror = clamped(p.specularColor) * clamp01(p.reflectivity);
-          if (!is_black(mirror)) {
-            const Vec3 normal = facing_viewer(call.point.normal, call.point);
-            closure.add(LobeKind::Mirror, LobeType::Reflection, mirror,
-                        Frame(reflecting_outward(normal, call.point)));
-          }
-          const Rgb lit = Rgb(1) - (Rgb(1) - lit_share(call.point)) * clamp01(p.shadowMask);
-          transmit(call, (Rgb(1) - mirror) * lit, closure);
-          closure.propagate_alpha = true;
-        },
-    .may_transmit = [](const ShaderNode&) { return true; },
-    .most_lobes = [](const ShaderNode&) { return 2; },
-    .stands_in = true,
+    .material = {
+        .fill =
+            [](const Call& call, Closure& closure) {
+              const auto& p = call.as<Background>();
+              const Rgb mirror = clamped(p.specularColor) * clamp01(p.reflectivity);
+              if (!is_black(mirror)) {
+                const Vec3 normal = facing_viewer(call.point.normal, call.point);
+                closure.add(LobeKind::Mirror, LobeType::Reflection, mirror,
+                            Frame(reflecting_outward(normal, call.point)));
+              }
+              const Rgb lit = Rgb(1) - (Rgb(1) - lit_share(call.point)) * clamp01(p.shadowMask);
+              transmit(call, (Rgb(1) - mirror) * lit, closure);
+              closure.propagate_alpha = true;
+            },
+        .may_transmit = [](const ShaderNode&) { return true; },
+        .max_lobes = [](const ShaderNode&) { return 2; },
+    },
+    .fallback = {.is_fallback = true},
 };
 
 const ShaderSpec kMayaShadow = {
@@ -194,14 +197,16 @@ const ShaderSpec kMayaShadow = {
     .doc = "Stand-in for the host's shadows.",
     .params = kShadowRows,
     .params_size = sizeof(Shadow),
-    .shadow = [](const Call& call,
-                 const Rgb& light) { return light * clamped(call.as<Shadow>().transparency); },
-    .may_transmit =
-        [](const ShaderNode& node) {
-          return !is_black(rgb(node.constants<Shadow>().transparency)) ||
-                 node.connected(offsetof(Shadow, transparency));
-        },
-    .stands_in = true,
+    .material = {
+        .shadow = [](const Call& call,
+                     const Rgb& light) { return light * clamped(call.as<Shadow>().transparency); },
+        .may_transmit =
+            [](const ShaderNode& node) {
+              return !is_black(rgb(node.constants<Shadow>().transparency)) ||
+                     node.connected(offsetof(Shadow, transparency));
+            },
+    },
+    .fallback = {.is_fallback = true},
 };
 
 const ShaderSpec kMayaTransparent = {
@@ -209,9 +214,9 @@ const ShaderSpec kMayaTransparent = {
     .library = "hosts",
     .apply = kApplyShadow,
     .doc = "Stand-in for the host's shadow shader of what casts none.",
-    .shadow = [](const Call&, const Rgb& light) { return light; },
-    .may_transmit = [](const ShaderNode&) { return true; },
-    .stands_in = true,
+    .material = {.shadow = [](const Call&, const Rgb& light) { return light; },
+                 .may_transmit = [](const ShaderNode&) { return true; }},
+    .fallback = {.is_fallback = true},
 };
 
 const ShaderSpec kMayaPhotonsurface = {
@@ -219,7 +224,7 @@ const ShaderSpec kMayaPhotonsurface = {
     .library = "hosts",
     .apply = kApplyPhoton,
     .doc = "Stand-in for the host's photon shader: photons are scattered by the surface.",
-    .stands_in = true,
+    .fallback = {.is_fallback = true},
 };
 
 }  // namespace oriel

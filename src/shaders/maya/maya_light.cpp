@@ -111,7 +111,7 @@ constexpr ShaderSpec kLight = {
     .library = "hosts",
     .apply = kApplyLight,
     .params_size = sizeof(Lamp),
-    .stands_in = true,
+    .fallback = {.is_fallback = true},
 };
 
 constexpr ShaderSpec light(const char* name, const char* doc, std::span<const ParamSpec> rows,
@@ -120,7 +120,7 @@ constexpr ShaderSpec light(const char* name, const char* doc, std::span<const Pa
   spec.name = name;
   spec.doc = doc;
   spec.params = rows;
-  spec.light = value;
+  spec.light.evaluate = value;
   return spec;
 }
 
@@ -134,7 +134,7 @@ const ShaderSpec kMayaDirectionallight = [] {
   ShaderSpec spec =
       light("maya_directionallight", "Stand-in for the host's directional light.", kDirectionalRows,
             [](const Call& call, const LightCall&) { return lamp(call.as<Lamp>()); });
-  spec.light_cone = [](const void* params) {
+  spec.light.cone = [](const void* params) {
     return std::max(0.0f, angle_of(static_cast<const Lamp*>(params)->lightAngle) / 2);
   };
   return spec;

@@ -153,7 +153,7 @@ const ShaderSpec kMayaRamp = {
           const float alpha = maya_luminance(c);
           *static_cast<Textured*>(result) = {Rgba(c.x, c.y, c.z, 1), alpha};
         },
-    .stands_in = true,
+    .fallback = {.is_fallback = true},
 };
 
 }  // namespace oriel

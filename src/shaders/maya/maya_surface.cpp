@@ -216,10 +216,8 @@ constexpr ShaderSpec surface(const char* name, const char* doc, std::span<const 
       .results = kShownResults,
       .result_size = sizeof(Shown),
       .value = show,
-      .material = material,
-      .may_transmit = body_passes,
-      .most_lobes = most_coated,
-      .stands_in = true,
+      .material = {.fill = material, .may_transmit = body_passes, .max_lobes = most_coated},
+      .fallback = {.is_fallback = true},
   };
 }
 
@@ -229,7 +227,7 @@ void lambert(const Call& call, Closure& closure) { body(call, Rgb(1), closure); 
 
 const ShaderSpec kMayaLambert = [] {
   ShaderSpec spec = surface("maya_lambert", "Stand-in for the host's lambert.", kRows, lambert);
-  spec.most_lobes = [](const ShaderNode&) { return 3; };
+  spec.material.max_lobes = [](const ShaderNode&) { return 3; };
   return spec;
 }();
 const ShaderSpec kMayaPhong =
@@ -257,14 +255,17 @@ const ShaderSpec kMayaSurfaceshader = {
           *static_cast<Shown*>(result) = {p.outColor, p.outTransparency};
         },
     .material =
-        [](const Call& call, Closure& closure) {
-          const auto& p = call.as<Plain>();
-          closure.emission += rgb(p.outColor);
-          add(LobeKind::ThinTransmission, LobeType::Refraction, clamped(p.outTransparency),
-              facing_viewer(call.point.normal, call.point), closure);
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  const auto& p = call.as<Plain>();
+                  closure.emission += rgb(p.outColor);
+                  add(LobeKind::ThinTransmission, LobeType::Refraction, clamped(p.outTransparency),
+                      facing_viewer(call.point.normal, call.point), closure);
+                },
+            .may_transmit = plain_passes,
         },
-    .may_transmit = plain_passes,
-    .stands_in = true,
+    .fallback = {.is_fallback = true},
 };
 
 }  // namespace oriel

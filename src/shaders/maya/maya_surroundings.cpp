@@ -34,7 +34,7 @@ constexpr auto kDisplayRows = about({
 bool encoded_elsewhere(const World& world) {
   if (world.options.gamma != 1) return true;
   return std::any_of(world.lens.begin(), world.lens.end(), [](const ShaderNode* node) {
-    return node->spec().lens_traits && node->spec().lens_traits(*node).gamma > 1;
+    return node->spec().lens.traits && node->spec().lens.traits(*node).gamma > 1;
   });
 }
 
@@ -61,7 +61,7 @@ constexpr ShaderSpec displacing(const char* name) {
                 const auto& p = call.as<Displacement>();
                 *static_cast<float*>(result) = p.displacement * p.scale;
               },
-          .stands_in = true};
+          .fallback = {.is_fallback = true}};
 }
 
 /// What has no part in a picture of Oriel's: passed over. As a lens it is one of no rays, which is
@@ -72,9 +72,10 @@ constexpr ShaderSpec passed_over(const char* name, unsigned apply, const char* d
       .library = "hosts",
       .apply = apply,
       .doc = doc,
-      .lens_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
-      .lens_rays = [](const ShaderNode&) { return 0; },
-      .stands_in = true,
+      .lens = {
+          .bend_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
+          .ray_count = [](const ShaderNode&) { return 0; }},
+      .fallback = {.is_fallback = true},
   };
 }
 
@@ -89,7 +90,7 @@ constexpr ShaderSpec kNodes[] = {
      .params_size = sizeof(Background),
      .value = [](const Call& call,
                  void* result) { *static_cast<Rgba*>(result) = call.as<Background>().color; },
-     .stands_in = true},
+     .fallback = {.is_fallback = true}},
     passed_over("maya_shaderglow", kApplyOutput, "The host's glow: without effect."),
     passed_over("maya_volumesampler", kApplyVolume, "The host's volumes: without effect."),
     passed_over("maya_volumeengine", kApplyVolume, "The host's volumes: without effect."),
@@ -99,9 +100,9 @@ constexpr ShaderSpec kNodes[] = {
      .doc = "Stand-in for the host's colour management: encodes the picture for a display.",
      .params = kDisplayRows,
      .params_size = sizeof(Display),
-     .lens = encode,
-     .stands_in = true,
-     .aliases = "maya_colormgt maya_colormanager maya_colourmanagement"},
+     .lens = {.map_color = encode},
+     .fallback = {.is_fallback = true,
+                  .aliases = "maya_colormgt maya_colormanager maya_colourmanagement"}},
     passed_over("maya_options", kApplyOutput, "The host's options: without effect."),
     passed_over("maya_state", kApplyOutput, "The host's state: without effect."),
     passed_over("maya_lightlink", kApplyLight, "The host's links of lights: without effect."),

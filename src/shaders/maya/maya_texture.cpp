@@ -264,7 +264,7 @@ constexpr ShaderSpec texture(const char* name, const char* doc, std::span<const 
       .results = kTexturedResults,
       .result_size = sizeof(Textured),
       .value = value,
-      .stands_in = true,
+      .fallback = {.is_fallback = true},
   };
 }
 
@@ -322,8 +322,7 @@ const ShaderSpec kMayaPlace2dtex = {
           const Vec3 uv = coordinate(call, offsetof(MayaPlace, uvCoord), p.uvCoord);
           *static_cast<Placed*>(result) = {placed(p, uv), Vec3(0), p};
         },
-    .stands_in = true,
-    .aliases = "maya_place2dtexture",
+    .fallback = {.is_fallback = true, .aliases = "maya_place2dtexture"},
 };
 
 const ShaderSpec kMayaFile =
@@ -349,8 +348,8 @@ const ShaderSpec kMayaBump2d = {
     .result = ParamType::Vector,
     .result_size = sizeof(Vec3),
     .value = bump,
-    .stands_in = true,
-    .evaluations = 5,
+    .binding = {.evaluations = 5},
+    .fallback = {.is_fallback = true},
 };
 
 }  // namespace oriel

@@ -121,13 +121,16 @@ constexpr ShaderSpec kMatte = {
     .doc = "Stand-in: a background that catches shadows.",
     .params = kMatteRows,
     .params_size = sizeof(Matte),
-    .material = matte,
-    .may_transmit =
-        [](const ShaderNode& node) {
-          return node.constants<Matte>().opacity < 1 || node.connected(offsetof(Matte, opacity));
-        },
-    .most_lobes = [](const ShaderNode&) { return 0; },
-    .stands_in = true,
+    .material = {
+        .fill = matte,
+        .may_transmit =
+            [](const ShaderNode& node) {
+              return node.constants<Matte>().opacity < 1 ||
+                     node.connected(offsetof(Matte, opacity));
+            },
+        .max_lobes = [](const ShaderNode&) { return 0; },
+    },
+    .fallback = {.is_fallback = true},
 };
 
 constexpr ShaderSpec kNodes[] = {
@@ -143,13 +146,15 @@ constexpr ShaderSpec kNodes[] = {
            const Rgb c = gamma_gain(p, rgb(p.input));
            *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, p.input.a);
          },
-     .lens = [](const Call& call, const LensCall&,
-                const Rgb& c) { return gamma_gain(call.as<GammaGain>(), c); },
-     .lens_traits =
-         [](const ShaderNode& node) {
-           return LensTraits{.gamma = node.constants<GammaGain>().gamma};
-         },
-     .stands_in = true},
+     .lens = {
+         .map_color = [](const Call& call, const LensCall&,
+                         const Rgb& c) { return gamma_gain(call.as<GammaGain>(), c); },
+         .traits =
+             [](const ShaderNode& node) {
+               return LensTraits{.gamma = node.constants<GammaGain>().gamma};
+             },
+     },
+     .fallback = {.is_fallback = true}},
     {.name = "mip_rayswitch",
      .library = "hosts",
      .apply = kApplyMaterial | kApplyTexture | kApplyEnvironment | kApplyShadow | kApplyPhoton,
@@ -160,15 +165,17 @@ constexpr ShaderSpec kNodes[] = {
          [](const Call& call, void* result) {
            *static_cast<Rgba*>(result) = chosen_value(call, chosen(call.point.ray_kind));
          },
-     .material =
-         [](const Call& call, Closure& closure) {
-           const std::size_t at = chosen(call.point.ray_kind);
-           shade_input(call, at, chosen_value(call, at), Rgb(1), closure);
-         },
-     .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
-     .most_lobes = [](const ShaderNode&) { return 0; },
-     .one_material = true,
-     .stands_in = true},
+     .material = {
+         .fill =
+             [](const Call& call, Closure& closure) {
+               const std::size_t at = chosen(call.point.ray_kind);
+               shade_input(call, at, chosen_value(call, at), Rgb(1), closure);
+             },
+         .may_transmit = [](const ShaderNode& node) { return node.inputs_may_transmit(); },
+         .max_lobes = [](const ShaderNode&) { return 0; },
+         .one_material = true,
+     },
+     .fallback = {.is_fallback = true}},
     kMatte,
     renamed(kMatte, "mip_matteshadow_mtl"),
 };

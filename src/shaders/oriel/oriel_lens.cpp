@@ -149,8 +149,7 @@ const ShaderSpec kOrielLensPanorama = {
     .doc = "The whole surroundings in one picture.",
     .params = kPanoramaRows,
     .params_size = sizeof(Panorama),
-    .lens_ray = unroll,
-    .lens_rays = one_ray,
+    .lens = {.bend_ray = unroll, .ray_count = one_ray},
 };
 
 const ShaderSpec kOrielLensFisheye = {
@@ -160,8 +159,7 @@ const ShaderSpec kOrielLensFisheye = {
     .doc = "A round picture of a wide angle.",
     .params = kFisheyeRows,
     .params_size = sizeof(FisheyeLens),
-    .lens_ray = bend_round,
-    .lens_rays = one_ray,
+    .lens = {.bend_ray = bend_round, .ray_count = one_ray},
 };
 
 const ShaderSpec kOrielLensCube = {
@@ -171,8 +169,7 @@ const ShaderSpec kOrielLensCube = {
     .doc = "Six square views for a cube around the scene.",
     .params = kCubeRows,
     .params_size = sizeof(CubeLens),
-    .lens_ray = unfold,
-    .lens_rays = one_ray,
+    .lens = {.bend_ray = unfold, .ray_count = one_ray},
 };
 
 const ShaderSpec kOrielLensShift = {
@@ -182,8 +179,7 @@ const ShaderSpec kOrielLensShift = {
     .doc = "Moves the film: shifted lenses and two-point perspective.",
     .params = kShiftRows,
     .params_size = sizeof(Shift),
-    .lens_ray = shift,
-    .lens_rays = one_ray,
+    .lens = {.bend_ray = shift, .ray_count = one_ray},
 };
 
 }  // namespace oriel

@@ -63,11 +63,13 @@ const ShaderSpec kOrielNormalMap = {
     .result = ParamType::Vector,
     .result_size = sizeof(Vec3),
     .value = give_normal,
-    .material =
-        [](const Call& call, Closure&) {
-          call.point.normal = mapped_normal(call.as<NormalMap>(), call.point);
-        },
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {
+        .fill =
+            [](const Call& call, Closure&) {
+              call.point.normal = mapped_normal(call.as<NormalMap>(), call.point);
+            },
+        .max_lobes = [](const ShaderNode&) { return 0; },
+    },
 };
 
 }  // namespace oriel

@@ -34,8 +34,8 @@ const ShaderSpec kOrielTexVector = {
           leave_vector(call);
           *static_cast<Vec3*>(result) = call.as<TexVector>().vector;
         },
-    .material = [](const Call& call, Closure&) { leave_vector(call); },
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {.fill = [](const Call& call, Closure&) { leave_vector(call); },
+                 .max_lobes = [](const ShaderNode&) { return 0; }},
 };
 
 }  // namespace oriel

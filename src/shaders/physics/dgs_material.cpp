@@ -219,8 +219,7 @@ const ShaderSpec kDgsMaterial = {
     .doc = "Diffuse, glossy and specular parts that reflect and let light through.",
     .params = kDgsRows,
     .params_size = sizeof(Dgs),
-    .material = dgs,
-    .most_lobes = dgs_lobes,
+    .material = {.fill = dgs, .max_lobes = dgs_lobes},
 };
 
 const ShaderSpec kDgsMaterialPhoton = {
@@ -231,8 +230,7 @@ const ShaderSpec kDgsMaterialPhoton = {
     .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .params = kDgsPhotonRows,
     .params_size = sizeof(Dgs),
-    .material = dgs,
-    .most_lobes = dgs_lobes,
+    .material = {.fill = dgs, .max_lobes = dgs_lobes},
 };
 
 const ShaderSpec kPathMaterial = {
@@ -243,8 +241,7 @@ const ShaderSpec kPathMaterial = {
     .doc = "The same as dgs_material.",
     .params = kDgsRows,
     .params_size = sizeof(Dgs),
-    .material = dgs,
-    .most_lobes = dgs_lobes,
+    .material = {.fill = dgs, .max_lobes = dgs_lobes},
 };
 
 const ShaderSpec kDielectricMaterial = {
@@ -255,9 +252,9 @@ const ShaderSpec kDielectricMaterial = {
     .doc = "Glass and liquids: Fresnel's reflection and refraction, absorption inside.",
     .params = kDielectricRows,
     .params_size = sizeof(Dielectric),
-    .material = dielectric,
-    .may_transmit = always,
-    .most_lobes = [](const ShaderNode&) { return 3; },
+    .material = {.fill = dielectric,
+                 .may_transmit = always,
+                 .max_lobes = [](const ShaderNode&) { return 3; }},
 };
 
 const ShaderSpec kDielectricMaterialPhoton = {
@@ -268,9 +265,9 @@ const ShaderSpec kDielectricMaterialPhoton = {
     .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .params = kDielectricPhotonRows,
     .params_size = sizeof(Dielectric),
-    .material = dielectric,
-    .may_transmit = always,
-    .most_lobes = [](const ShaderNode&) { return 3; },
+    .material = {.fill = dielectric,
+                 .may_transmit = always,
+                 .max_lobes = [](const ShaderNode&) { return 3; }},
 };
 
 const ShaderSpec kTransmat = {
@@ -278,9 +275,9 @@ const ShaderSpec kTransmat = {
     .library = "physics",
     .apply = kApplyMaterial | kApplyShadow,
     .doc = "Lets everything through unchanged.",
-    .material = pass_all,
-    .may_transmit = always,
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {.fill = pass_all,
+                 .may_transmit = always,
+                 .max_lobes = [](const ShaderNode&) { return 0; }},
 };
 
 const ShaderSpec kTransmatPhoton = {
@@ -288,9 +285,9 @@ const ShaderSpec kTransmatPhoton = {
     .library = "physics",
     .apply = kApplyPhoton,
     .doc = "In the slot photon of a material: what photons meet in place of its surface.",
-    .material = pass_all,
-    .may_transmit = always,
-    .most_lobes = [](const ShaderNode&) { return 0; },
+    .material = {.fill = pass_all,
+                 .may_transmit = always,
+                 .max_lobes = [](const ShaderNode&) { return 0; }},
 };
 
 const ShaderSpec kMibPhotonBasic = {
@@ -300,8 +297,7 @@ const ShaderSpec kMibPhotonBasic = {
     .doc = "In the slot photon of a material: what photons meet in place of its surface.",
     .params = kPhotonBasicRows,
     .params_size = sizeof(PhotonBasic),
-    .material = photon_basic,
-    .most_lobes = [](const ShaderNode&) { return 3; },
+    .material = {.fill = photon_basic, .max_lobes = [](const ShaderNode&) { return 3; }},
 };
 
 }  // namespace oriel

@@ -174,9 +174,9 @@ const ShaderSpec kPartiVolume = {
     .doc = "Air that dims and scatters light.",
     .params = kPartiVolumeRows,
     .params_size = sizeof(Air),
-    .volume = air,
-    .dims_light = [](const ShaderNode&) { return true; },
-    .acts_on_endless_rays = true,
+    .volume = {.evaluate = air,
+               .dims_light = [](const ShaderNode&) { return true; },
+               .acts_on_endless_rays = true},
 };
 
 const ShaderSpec kPartiVolumePhoton = {
@@ -187,7 +187,7 @@ const ShaderSpec kPartiVolumePhoton = {
     .doc = "Accepted; photons are scattered as the camera's own volume says.",
     .params = kPhotonRows,
     .params_size = sizeof(Air),
-    .volume = air,
+    .volume = {.evaluate = air},
 };
 
 }  // namespace oriel

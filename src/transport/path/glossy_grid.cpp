@@ -37,7 +37,7 @@ GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint3
   unsigned wanted = 0;
   // Also those of shaders that others ask for their colour.
   for (const auto& node : world.nodes)
-    if (node->spec().grids) wanted |= node->spec().grids(*node);
+    if (node->spec().material.grids) wanted |= node->spec().material.grids(*node);
   if (!wanted) return;
   grids_.resize(kDensities);
   std::mutex mutex;

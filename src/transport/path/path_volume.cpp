@@ -14,9 +14,9 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
   // The last shader of a list takes what the ones before it left: it is the nearest to the eye.
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
     const ShaderSpec& spec = (*node)->spec();
-    if (endless && !spec.acts_on_endless_rays) continue;
+    if (endless && !spec.volume.acts_on_endless_rays) continue;
     const VolumeValue volume =
-        (*node)->with_params(way, [&](const Call& call) { return spec.volume(call); });
+        (*node)->with_params(way, [&](const Call& call) { return spec.volume.evaluate(call); });
     add(on_way(), throughput_ * volume.added, layer_of_rest());
     const float turned = scatters ? max_component(volume.scattered) : 0;
     if (!(turned > 0)) {

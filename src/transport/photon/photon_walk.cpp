@@ -139,10 +139,10 @@ bool PhotonWalk::pass_volume(const Vec3& end, float length) {
     return false;
   for (const ShaderNode* node : volume) {
     const ShaderSpec& spec = node->spec();
-    if (endless && !spec.acts_on_endless_rays) continue;
-    if (medium_.volume && !(spec.dims_light && spec.dims_light(*node))) continue;
+    if (endless && !spec.volume.acts_on_endless_rays) continue;
+    if (medium_.volume && !(spec.volume.dims_light && spec.volume.dims_light(*node))) continue;
     const VolumeValue value =
-        node->with_params(way, [&](const Call& call) { return spec.volume(call); });
+        node->with_params(way, [&](const Call& call) { return spec.volume.evaluate(call); });
     const Rgb now = power();
     const float most = max_component(now);
     if (!(most > 0)) return false;
@@ -332,8 +332,8 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
   const Rgb arriving = power();
   PhotonChoice choice(sampler_, settings_.globillum);
   for (const ShaderNode* node : material.photon)
-    node->with_params(point,
-                      [&](const Call& call) { node->spec().photon(call, arriving, choice); });
+    node->with_params(
+        point, [&](const Call& call) { node->spec().photon.scatter(call, arriving, choice); });
   if (choice.stored && seen && visibility(point) & kReceivesCaustics) store(point, *choice.stored);
   const PhotonChoice::Way& way = choice.way;
   if (choice.ways == 0) return absorb(), false;

@@ -117,11 +117,14 @@ constexpr ShaderSpec kFlagLight = {.name = "flag_light",
                                    .apply = kApplyLight,
                                    .params = kFlagRows,
                                    .params_size = sizeof(Flags),
-                                   .light = [](const Call& call, const LightCall&) {
-                                     const Flags& f = call.as<Flags>();
-                                     return LightValue{.colour = Rgb(1),
-                                                       .affects_diffuse = f.diffuse,
-                                                       .affects_specular = f.specular};
+                                   .light = {
+                                       .evaluate =
+                                           [](const Call& call, const LightCall&) {
+                                             const Flags& f = call.as<Flags>();
+                                             return LightValue{.colour = Rgb(1),
+                                                               .affects_diffuse = f.diffuse,
+                                                               .affects_specular = f.specular};
+                                           },
                                    }};
 
 const Registry& flag_registry() {

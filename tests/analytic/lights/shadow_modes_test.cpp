@@ -32,17 +32,19 @@ constexpr ShaderSpec kTestStep = {
     .apply = kApplyShadow,
     .params = kTestStepRows,
     .params_size = sizeof(TestStep),
-    .shadow =
-        [](const Call& call, const Rgb& light) {
-          StepLog& log = step_log();
-          const std::lock_guard lock(log.mutex);
-          log.heights.push_back(call.point.position.z);
-          log.kinds.push_back(call.point.ray_kind);
-          log.lights.push_back(call.point.light);
-          const auto& p = call.as<TestStep>();
-          return light * p.scale - Rgb(p.less);
-        },
-    .may_transmit = [](const ShaderNode&) { return true; },
+    .material = {
+        .shadow =
+            [](const Call& call, const Rgb& light) {
+              StepLog& log = step_log();
+              const std::lock_guard lock(log.mutex);
+              log.heights.push_back(call.point.position.z);
+              log.kinds.push_back(call.point.ray_kind);
+              log.lights.push_back(call.point.light);
+              const auto& p = call.as<TestStep>();
+              return light * p.scale - Rgb(p.less);
+            },
+        .may_transmit = [](const ShaderNode&) { return true; },
+    },
 };
 
 const Registry& registry() {

@@ -18,8 +18,11 @@ constexpr ShaderSpec kTestNormal = {
     .params = kTestNormalRows,
     .params_size = sizeof(TestNormal),
     .material =
-        [](const Call& call, Closure& closure) {
-          closure.emission = (call.as<TestNormal>().normal + Vec3(1)) * .5f;
+        {
+            .fill =
+                [](const Call& call, Closure& closure) {
+                  closure.emission = (call.as<TestNormal>().normal + Vec3(1)) * .5f;
+                },
         },
 };
 

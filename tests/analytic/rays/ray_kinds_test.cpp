@@ -37,15 +37,20 @@ constexpr ShaderSpec kTestKind = {
     .params = kTestKindRows,
     .params_size = sizeof(TestKind),
     .value = [](const Call& call, void* result) { *static_cast<Rgba*>(result) = note(call); },
-    .shadow = [](const Call& call, const Rgb& light) { return light * rgb(note(call)); },
-    .light = [](const Call& call, const LightCall&) { return LightValue{rgb(note(call))}; },
-    .lens = [](const Call& call, const LensCall&, const Rgb& c) { return c * rgb(note(call)); },
-    .volume =
-        [](const Call& call) {
-          return VolumeValue{rgb(note(call)), Rgb(0)};
-        },
-    .dims_light = [](const ShaderNode&) { return true; },
-    .may_transmit = [](const ShaderNode&) { return true; },
+    .material = {
+        .shadow = [](const Call& call, const Rgb& light) { return light * rgb(note(call)); },
+        .may_transmit = [](const ShaderNode&) { return true; }},
+    .light = {.evaluate = [](const Call& call,
+                             const LightCall&) { return LightValue{rgb(note(call))}; }},
+    .lens = {.map_color = [](const Call& call, const LensCall&,
+                             const Rgb& c) { return c * rgb(note(call)); }},
+    .volume = {
+        .evaluate =
+            [](const Call& call) {
+              return VolumeValue{rgb(note(call)), Rgb(0)};
+            },
+        .dims_light = [](const ShaderNode&) { return true; },
+    },
 };
 
 const Registry& registry() {
