@@ -13,8 +13,8 @@ namespace oriel {
 /// Source:  Ward, "Real Pixels", Graphics Gems II, 1991.
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// Negative channels are 0, as are colours below the least normal float; large ones are limited to 1e38.
-/// Checked: RgbeTest.*
+/// Negative channels are 0, as are colours below the least normal float; large ones are limited to
+/// 1e38. Checked: RgbeTest.*
 Rgbe encode_rgbe(const Rgb& color);
 /// The middle of the interval that the code stands for.
 Rgb decode_rgbe(const Rgbe& code);

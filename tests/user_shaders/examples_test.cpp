@@ -8,7 +8,7 @@
 namespace oriel {
 namespace examples_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserPicture;
 using testing::UserScene;
@@ -65,12 +65,12 @@ TEST(Examples, LacquerShowsItsPaintUnderTheCoat) {
   // Glass reflects .04 straight on, hardly more at the angles of this pixel.
   const double cosine =
       mean_over_pixel(4, 4, [](double x, double y) { return 3 / std::sqrt(x * x + y * y + 9); });
-  expect_color(lit.pixel(4, 4, 256), Rgb(.8f, .4f, .2f) * float(.96 * cosine), 4e-3f);
+  expect_near(lit.pixel(4, 4, 256), Rgb(.8f, .4f, .2f) * float(.96 * cosine), 4e-3f);
   // Under an even sky: what the coat reflects, and of the rest the paint's share.
   UserScene sky(example.folder, example.declaration + lamp + lacquer + UserScene::square("m"),
                 "\"square_i\"", "",
                 "environment \"mib_color_mix\" ( \"num\" 0, \"color_base\" 1 1 1 1 )");
-  expect_color(sky.pixel(4, 4, 64), Rgb(.8f, .4f, .2f) * .96f + Rgb(.04f), 2e-3f);
+  expect_near(sky.pixel(4, 4, 64), Rgb(.8f, .4f, .2f) * .96f + Rgb(.04f), 2e-3f);
 }
 
 TEST(Examples, CheckerIsEvenAndOddInTurn) {
@@ -85,10 +85,10 @@ TEST(Examples, CheckerIsEvenAndOddInTurn) {
                   "\"square_i\"");
   // The square is 16 wide: four units of the view are one field.
   const Rgb even(.1f, .2f, .3f), odd(.6f, .7f, .8f);
-  expect_color(scene.pixel(1, 1), even, 1e-5f);
-  expect_color(scene.pixel(5, 1), odd, 1e-5f);
-  expect_color(scene.pixel(2, 6), odd, 1e-5f);
-  expect_color(scene.pixel(7, 7), even, 1e-5f);
+  expect_near(scene.pixel(1, 1), even, 1e-5f);
+  expect_near(scene.pixel(5, 1), odd, 1e-5f);
+  expect_near(scene.pixel(2, 6), odd, 1e-5f);
+  expect_near(scene.pixel(7, 7), even, 1e-5f);
 }
 
 TEST(Examples, BeaconTurnsWithTheFrames) {
@@ -127,7 +127,7 @@ TEST(Examples, HighlightOnlyShinesOnOtherMaterialsAsAnyLight) {
   scene.indirect = false;
   const double wanted = mean_over_pixel(
       6, 6, [](double x, double y) { return 9 * 3 / std::pow(x * x + y * y + 9, 1.5); });
-  expect_color(scene.pixel(6, 6, 1024), Rgb(1, 2, 3) * float(wanted), .01f);
+  expect_near(scene.pixel(6, 6, 1024), Rgb(1, 2, 3) * float(wanted), .01f);
 }
 
 TEST(Examples, StainedGlassTintsTheLightByItsWayThroughThePane) {
@@ -152,7 +152,7 @@ TEST(Examples, StainedGlassTintsTheLightByItsWayThroughThePane) {
       }));
     };
     SCOPED_TRACE(mode);
-    expect_color(scene.pixel(6, 5, 1024), Rgb(passes(.9), passes(.5), passes(.1)), 3e-3f);
+    expect_near(scene.pixel(6, 5, 1024), Rgb(passes(.9), passes(.5), passes(.1)), 3e-3f);
   }
 }
 
@@ -167,7 +167,7 @@ TEST(Examples, DuskGoesFromHorizonToZenithAndGlows) {
       mean_over_pixel(6, 6, [&](double x, double y) { return std::sqrt(y / view(x, y)); }));
   const auto glow = static_cast<float>(
       mean_over_pixel(6, 6, [&](double x, double y) { return std::pow(4 / view(x, y), 16); }));
-  expect_color(scene.pixel(6, 6, 1024), Rgb(1 - blue, glow, blue), 4e-3f);
+  expect_near(scene.pixel(6, 6, 1024), Rgb(1 - blue, glow, blue), 4e-3f);
 }
 
 TEST(Examples, FisheyeMapsDistancesToAngles) {
@@ -180,7 +180,7 @@ TEST(Examples, FisheyeMapsDistancesToAngles) {
       return 4 * std::tan(r * kPi / 3) * at / 4 / r;
     }));
   };
-  expect_color(scene.pixel(5, 4, 1024), Rgb(wanted(0), wanted(1), 0), .02f);
+  expect_near(scene.pixel(5, 4, 1024), Rgb(wanted(0), wanted(1), 0), .02f);
 }
 
 TEST(Examples, GroundFogDimsByTheDensityOnTheWay) {
@@ -195,7 +195,7 @@ TEST(Examples, GroundFogDimsByTheDensityOnTheWay) {
     for (int i = 0; i < 100; ++i) depth += .2 * std::exp(-y * (i + .5) / 100 / 1.5) * length / 100;
     return std::exp(-depth);
   }));
-  expect_color(scene.pixel(5, 5, 1024), Rgb(.5f * kept, .5f * kept + 1 - kept, .5f * kept), 4e-3f);
+  expect_near(scene.pixel(5, 5, 1024), Rgb(.5f * kept, .5f * kept + 1 - kept, .5f * kept), 4e-3f);
 }
 
 TEST(Examples, RipplesMoveTheSurfaceUpAndDownWithTheFrames) {
@@ -229,8 +229,8 @@ TEST(Examples, StairsRiseStepByStep) {
   EXPECT_NEAR(scene.pixel(4, 6).z, -.1f, 1e-5f);
   EXPECT_NEAR(scene.pixel(5, 6, 512).y, 2.5f * 4.1f / 4, .02f);
   // As wide as was said, and nothing below the ground.
-  expect_color(scene.pixel(7, 4), Rgb(0), 0);
-  expect_color(scene.pixel(4, 3), Rgb(0), 0);
+  expect_near(scene.pixel(7, 4), Rgb(0), 0);
+  expect_near(scene.pixel(4, 3), Rgb(0), 0);
 }
 
 TEST(Examples, VignetteDarkensByTheCosineToTheFourth) {

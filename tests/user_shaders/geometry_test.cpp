@@ -7,7 +7,7 @@
 namespace oriel {
 namespace geometry_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -49,7 +49,7 @@ void expect_same_picture(UserScene& a, UserScene& b) {
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
       const Rgb one = a.pixel(x, y, 16);
-      expect_color(one, b.pixel(x, y, 16), 1e-6f);
+      expect_near(one, b.pixel(x, y, 16), 1e-6f);
       covered += one != Rgb(0);
     }
   EXPECT_GT(covered, 8);
@@ -341,7 +341,7 @@ TEST(GeometryShaders, AreNeededByNoOtherShaderOfTheirLibrary) {
                   ".75, \"diffuse\" 0 0 0 ) end material instance \"i\" geometry \"make\" ( ) "
                   "material \"m\" end instance ",
                   "\"i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(.25f, .5f, .75f), 1e-5f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(.25f, .5f, .75f), 1e-5f);
   EXPECT_EQ(scene.host->world(), nullptr) << "the world of geometry shaders is gone";
 }
 

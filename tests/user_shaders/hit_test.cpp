@@ -5,7 +5,7 @@
 namespace oriel {
 namespace hit_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -30,7 +30,7 @@ TEST(UserHits, BumpsAreCountedWhereTheirVectorsAreWritten) {
   const ShaderFolder folder;
   folder.compile("b", kBumps);
   UserScene without(folder, shown("b.so", "bumps") + UserScene::square("m"), "\"square_i\"");
-  expect_color(without.pixel(4, 4, 4), Rgb(1, 0, 0), 0);
+  expect_near(without.pixel(4, 4, 4), Rgb(1, 0, 0), 0);
   UserScene with(folder,
                  shown("b.so", "bumps") +
                      "object \"square\" visible shadow trace group -8 -8 0 8 -8 0 8 8 0 -8 8 0 "
@@ -38,7 +38,7 @@ TEST(UserHits, BumpsAreCountedWhereTheirVectorsAreWritten) {
                      "v 3 t 7 8 9 c 0 1 2 3 end group end object "
                      "instance \"square_i\" \"square\" material \"m\" end instance ",
                  "\"square_i\"");
-  expect_color(with.pixel(4, 4, 4), Rgb(1, 1, 2), 1e-6f);
+  expect_near(with.pixel(4, 4, 4), Rgb(1, 1, 2), 1e-6f);
 }
 
 /// The handle as sources keep it and as they make a seed of it.
@@ -57,8 +57,8 @@ TEST(UserHits, TheHandleOfAPrimitiveIsStableAndItsOwn) {
   const Rgb one = scene.pixel(1, 6, 1), other = scene.pixel(6, 1, 1);
   EXPECT_EQ(one.y, 1);
   EXPECT_NE(one.x, other.x);
-  expect_color(scene.pixel(2, 6, 16), one, 0);
-  expect_color(scene.pixel(6, 2, 16), other, 0);
+  expect_near(scene.pixel(2, 6, 16), one, 0);
+  expect_near(scene.pixel(6, 2, 16), other, 0);
 }
 
 TEST(UserHits, ChildrenHaveTheHandleOfWhatTheyHit) {
@@ -81,7 +81,7 @@ TEST(UserHits, ChildrenHaveTheHandleOfWhatTheyHit) {
                       "material \"m\" end instance " +
                       UserScene::square("m"),
                   "\"square_i\" \"top_i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(1), 0);
+  expect_near(scene.pixel(4, 4, 4), Rgb(1), 0);
 }
 
 TEST(UserHits, WithoutAHandleLightsOfBothSidesAreTaken) {
@@ -102,7 +102,7 @@ TEST(UserHits, WithoutAHandleLightsOfBothSidesAreTaken) {
                       UserScene::square("m"),
                   "\"square_i\" \"lamp_i\"");
   scene.indirect = false;
-  expect_color(scene.pixel(4, 4, 4), Rgb(0, 1, 0), 1e-5f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(0, 1, 0), 1e-5f);
 }
 
 }  // namespace hit_test

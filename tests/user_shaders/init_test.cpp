@@ -5,7 +5,7 @@
 namespace oriel {
 namespace init_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -32,7 +32,7 @@ TEST(UserInit, TheFirstInitOfARunReadsStringsAndItsMessagesAreShown) {
                   "link \"l.so\" declare shader color \"tint\" ( string \"name\" ) apply lens end "
                   "declare ",
                   "", "", "lens \"tint\" ( \"name\" \"red\" )");
-  expect_color(scene.pixel(4, 4, 1), Rgb(1, 0, 0), 0);
+  expect_near(scene.pixel(4, 4, 1), Rgb(1, 0, 0), 0);
   EXPECT_NE(scene.messages().find("said by init"), std::string::npos) << scene.messages();
 }
 

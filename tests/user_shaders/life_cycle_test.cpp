@@ -10,7 +10,7 @@
 namespace oriel {
 namespace life_cycle_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -103,7 +103,7 @@ TEST(LifeCycle, WithoutAskingForEachCallInitComesOnce) {
                              "DLLEXPORT miBoolean once(miColor *r, miState *state, void *p) {"
                              "  r->r = calls; r->g = r->b = r->a = 1; return miTRUE; }");
   UserScene scene(folder, two_calls("once"), "\"square_i\" \"half_i\"");
-  for (const int x : {1, 6}) expect_color(scene.pixel(x, 4, 1), Rgb(1), 0);
+  for (const int x : {1, 6}) expect_near(scene.pixel(x, 4, 1), Rgb(1), 0);
 }
 
 TEST(LifeCycle, EachCallHasPointersOfThreadsOfItsOwn) {
@@ -118,7 +118,7 @@ TEST(LifeCycle, EachCallHasPointersOfThreadsOfItsOwn) {
                              "  r->r = before == NULL; r->g = after == p;"
                              "  r->b = n == 1 && all[0] == p; r->a = 1; return miTRUE; }");
   UserScene scene(folder, two_calls("keep"), "\"square_i\" \"half_i\"");
-  for (const int x : {1, 6}) expect_color(scene.pixel(x, 4, 1), Rgb(1), 0);
+  for (const int x : {1, 6}) expect_near(scene.pixel(x, 4, 1), Rgb(1), 0);
 }
 
 // acceptance: I4
@@ -131,7 +131,7 @@ TEST(LifeCycle, AnotherVersionIsAnErrorAndNoneIsTakenAsItIs) {
                                   "version 3"),
             std::string::npos)
       << wrong.messages();
-  expect_color(wrong.pixel(4, 4), Rgb(.1f, .2f, .3f), 1e-6f);
+  expect_near(wrong.pixel(4, 4), Rgb(.1f, .2f, .3f), 1e-6f);
   UserScene none(folder, flat_scene("flat.so", ""), "\"square_i\"");
   EXPECT_EQ(none.messages(), "");
 }
@@ -144,7 +144,7 @@ TEST(LifeCycle, LibrariesOfOtherSystemsAreFoundByTheirStem) {
        {"flat.so", "flat.dll", "C:\\\\mray\\\\lib\\\\flat.dll", "/usr/local/mi/flat.so", "flat"}) {
     UserScene scene(folder, flat_scene(written), "\"square_i\"");
     EXPECT_EQ(scene.messages(), "") << written;
-    expect_color(scene.pixel(4, 4), Rgb(.1f, .2f, .3f), 1e-6f);
+    expect_near(scene.pixel(4, 4), Rgb(.1f, .2f, .3f), 1e-6f);
   }
 }
 

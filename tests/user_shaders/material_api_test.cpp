@@ -9,7 +9,7 @@
 namespace oriel {
 namespace material_api_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserPicture;
 using testing::UserScene;
@@ -77,11 +77,11 @@ TEST(MaterialApi, BothStructsAreToldApartByTheirSize) {
   UserScene bare(folder, scene_of("= \"x\""), "\"lamp_i\" \"square_i\"");
   const Rgb wanted = mean_output(UserPicture(bare, 8, true), "diffuse_result");
   EXPECT_GT(wanted.x, .05f);
-  expect_color(asked(0), wanted, 1e-4f);
-  expect_color(asked(1), wanted, 1e-4f);
+  expect_near(asked(0), wanted, 1e-4f);
+  expect_near(asked(1), wanted, 1e-4f);
   // Sizes that are none of either: the material leaves the struct alone.
-  expect_color(asked(2), Rgb(.125f, 0, 0), 1e-6f);
-  expect_color(asked(3), Rgb(.125f, 0, 0), 1e-6f);
+  expect_near(asked(2), Rgb(.125f, 0, 0), 1e-6f);
+  expect_near(asked(3), Rgb(.125f, 0, 0), 1e-6f);
 }
 
 // acceptance: I1
@@ -133,7 +133,7 @@ TEST(MaterialApi, TheOlderStructHasEachPartUnderItsOwnName) {
                     "\"lamp_i\" \"square_i\"");
     const Rgb expected = mean_output(wanted, members[i].second);
     SCOPED_TRACE(members[i].first);
-    expect_color(UserPicture(scene, 16).mean(), expected, .02f * max_component(expected) + 1e-6f);
+    expect_near(UserPicture(scene, 16).mean(), expected, .02f * max_component(expected) + 1e-6f);
     EXPECT_EQ(scene.messages(), "");
   }
 }
@@ -183,8 +183,8 @@ TEST(MaterialApi, CallersGetTheWholeStruct) {
     const Rgb expected = name == "result" ? wanted.mean() : mean_output(wanted, name);
     bright += expected.x > .01f;
     // Quotients of means are not means of quotients where levels change over the picture.
-    expect_color(shown(i, "on"), expected, .02f * max_component(expected) + 1e-6f);
-    if (i > 0) expect_color(shown(i, "off"), Rgb(0), 0);
+    expect_near(shown(i, "on"), expected, .02f * max_component(expected) + 1e-6f);
+    if (i > 0) expect_near(shown(i, "off"), Rgb(0), 0);
   }
   EXPECT_GE(bright, 10);
 }
@@ -248,7 +248,7 @@ TEST(MaterialApi, TheSunSaysThatItIsOne) {
                       lamp("\"mib_light_point\" ( \"color\" 1 1 1 )") + sun +
                       "material \"m\" \"suns\" ( ) end material " + UserScene::square("m"),
                   "\"lamp_i\" \"sun_i\" \"square_i\"");
-  expect_color(UserPicture(scene).mean(), Rgb(1, 1, 0), 1e-6f);
+  expect_near(UserPicture(scene).mean(), Rgb(1, 1, 0), 1e-6f);
 }
 
 /// Light shader "tell": shines white and does STATEMENTS with `data`, the light data or null.
@@ -291,7 +291,7 @@ TEST(MaterialApi, AHighlightOnlyLightMakesNoDiffuseLight) {
       "1 ) version 1 apply light end declare " +
       lamp("\"ex_highlight_only\" ( \"color\" 1 1 1 )");
   const Parts parts = lit_parts(folder, declared + glossy());
-  expect_color(parts.diffuse, Rgb(0), 0);
+  expect_near(parts.diffuse, Rgb(0), 0);
   EXPECT_GT(parts.specular.x, .005f);
   // Other materials leave nothing, and the light shines on them.
   UserScene plain(folder,
@@ -312,8 +312,8 @@ TEST(MaterialApi, LightsShareThemselvesOutToDiffuseLightAndHighlights) {
   const Parts whole =
       lit_parts(folder, lamp("\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on )") + glossy());
   EXPECT_GT(whole.specular.x, .01f);
-  expect_color(shared.diffuse, whole.diffuse * .25f, 1e-4f * whole.diffuse.x);
-  expect_color(shared.specular, whole.specular * .5f, 1e-4f * whole.specular.x);
+  expect_near(shared.diffuse, whole.diffuse * .25f, 1e-4f * whole.diffuse.x);
+  expect_near(shared.specular, whole.specular * .5f, 1e-4f * whole.specular.x);
 }
 
 // acceptance: I3
@@ -327,10 +327,10 @@ TEST(MaterialApi, LightsThatAreSeenShowHighlightsWhenTheyForceThem) {
   const Parts quiet = lit_parts(quiet_folder, seen + glossy());
   const Parts forced = lit_parts(folder, seen + glossy());
   const Parts wanted = lit_parts(quiet_folder, seen + glossy(", \"no_visible_area_hl\" off"));
-  expect_color(quiet.specular, Rgb(0), 0);
+  expect_near(quiet.specular, Rgb(0), 0);
   EXPECT_GT(wanted.specular.x, .01f);
-  expect_color(forced.specular, wanted.specular, 1e-4f * wanted.specular.x);
-  expect_color(forced.diffuse, quiet.diffuse, 1e-4f * quiet.diffuse.x);
+  expect_near(forced.specular, wanted.specular, 1e-4f * wanted.specular.x);
+  expect_near(forced.diffuse, quiet.diffuse, 1e-4f * quiet.diffuse.x);
 }
 
 // acceptance: I3

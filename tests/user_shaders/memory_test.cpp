@@ -5,7 +5,7 @@
 namespace oriel {
 namespace memory_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -40,7 +40,7 @@ TEST(UserMemory, AnyBlockIsReleased) {
                   "material \"m\" \"blocks\" ( ) end material " +
                       UserScene::square("m"),
                   "\"square_i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(1), 0);
+  expect_near(scene.pixel(4, 4, 4), Rgb(1), 0);
 }
 
 }  // namespace memory_test

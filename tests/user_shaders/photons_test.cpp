@@ -11,7 +11,7 @@
 namespace oriel {
 namespace photons_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::mean_of;
 using testing::ShaderFolder;
 using testing::UserScene;
@@ -167,7 +167,7 @@ TEST(UserPhotons, EmittersSendTheEnergyOfTheLightTheirOwnWay) {
     const EmittedPhoton photon = source.emit(u, s.next_2d());
     EXPECT_EQ(photon.origin, Vec3(0, 0, 3));
     // pi times the energy, however far it goes: as physical_light of that colour.
-    expect_color(source.power(photon, 1.5f), Rgb(40 * kPi), 1e-3f);
+    expect_near(source.power(photon, 1.5f), Rgb(40 * kPi), 1e-3f);
     cosines += -photon.direction.z / kCount;
     least = std::min(least, -photon.direction.z);
   }
@@ -187,7 +187,7 @@ TEST(UserPhotons, AnEmitterWithoutAnEnergyIsGivenTheFluxOfTheLight) {
   const Rgb flux = PhotonSource(*plain.world, plain.world->lights.at(0)).estimate_flux(256);
   const Rgb power = source.power(source.emit(Vec2(.3f), Vec2(.6f)), 2);
   EXPECT_GT(flux.x, 1);
-  expect_color(power, flux, 1e-3f * flux.x);
+  expect_near(power, flux, 1e-3f * flux.x);
 }
 
 TEST(UserPhotons, PhotonsOfAnEmitterLightThePictureAsThoseOfASpot) {

@@ -6,7 +6,7 @@
 namespace oriel {
 namespace state_flow_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserScene;
 
@@ -58,7 +58,7 @@ TEST(UserStateFlow, ReflectionsInheritUserDataAndTagsAndShowWhatTheyBecame) {
                   "link \"f.so\" " + declared("caster") + declared("reader") + material("caster") +
                       material("reader") + ceiling("reader_m") + UserScene::square("caster_m"),
                   "\"square_i\" \"ceiling_i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(.75f, 1, 1), 1e-6f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(.75f, 1, 1), 1e-6f);
 }
 
 TEST(UserStateFlow, TransparentRefractedAndGatherRaysInheritUserData) {
@@ -85,7 +85,7 @@ TEST(UserStateFlow, TransparentRefractedAndGatherRaysInheritUserData) {
                       "\"under_i\" \"under\" material \"reader_m\" end instance " +
                       UserScene::square("caster_m"),
                   "\"square_i\" \"under_i\"", "", "environment \"sky\" ( )");
-  expect_color(scene.pixel(4, 4, 4), Rgb(.25f, .25f, kPi), 1e-4f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(.25f, .25f, kPi), 1e-4f);
 }
 
 const std::string kAskedLight =
@@ -116,7 +116,7 @@ TEST(UserStateFlow, LightShadersSeeTheShaderThatAsked) {
                       material("asker") + UserScene::square("asker_m"),
                   "\"square_i\" \"lamp_i\"");
   scene.indirect = false;
-  expect_color(scene.pixel(4, 4, 4), Rgb(.25f, 1, 1), 1e-6f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(.25f, 1, 1), 1e-6f);
 }
 
 TEST(UserStateFlow, ShadowShadersSeeTheLight) {
@@ -148,7 +148,7 @@ TEST(UserStateFlow, ShadowShadersSeeTheLight) {
                       UserScene::square("asker_m"),
                   "\"square_i\" \"lamp_i\" \"wall_i\"");
   scene.indirect = false;
-  expect_color(scene.pixel(4, 4, 4), Rgb(1), 1e-5f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(1), 1e-5f);
 }
 
 TEST(UserStateFlow, LightShadersThatBuiltInMaterialsAskSeeAParentWithAShader) {
@@ -182,7 +182,7 @@ TEST(UserStateFlow, MaterialsBehindBuiltInMirrorsHaveAParentWithAShader) {
                       " end material " +
                       ceiling("reader_m") + UserScene::square("mirror"),
                   "\"square_i\" \"ceiling_i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(1), 1e-5f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(1), 1e-5f);
 }
 
 TEST(UserStateFlow, EnvironmentShadersSeeThePlaceOfTheEyeSample) {
@@ -202,11 +202,11 @@ TEST(UserStateFlow, EnvironmentShadersSeeThePlaceOfTheEyeSample) {
   const std::string sky = "link \"e.so\" " + declared("sky", "environment");
   const Rgb wanted(2.5f / 8, 5.5f / 8, 1);
   UserScene empty(folder, sky, "", "", "environment \"sky\" ( )");
-  expect_color(empty.pixel(2, 5, 256), wanted, 1e-3f);
+  expect_near(empty.pixel(2, 5, 256), wanted, 1e-3f);
   UserScene mirror(folder,
                    sky + declared("caster") + material("caster") + UserScene::square("caster_m"),
                    "\"square_i\"", "", "environment \"sky\" ( )");
-  expect_color(mirror.pixel(2, 5, 256), wanted, 1e-3f);
+  expect_near(mirror.pixel(2, 5, 256), wanted, 1e-3f);
 }
 
 TEST(UserStateFlow, EachStateHasItsOwnChild) {
@@ -229,7 +229,7 @@ TEST(UserStateFlow, EachStateHasItsOwnChild) {
                   "link \"c.so\" " + declared("chain") + material("chain") + ceiling("chain_m") +
                       UserScene::square("chain_m"),
                   "\"square_i\" \"ceiling_i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(1), 0);
+  expect_near(scene.pixel(4, 4, 4), Rgb(1), 0);
 }
 
 TEST(UserStateFlow, AfterAMissTheChildHasNoDistance) {
@@ -254,7 +254,7 @@ TEST(UserStateFlow, AfterAMissTheChildHasNoDistance) {
                       "material \"deep_m\" end instance " +
                       UserScene::square("deep_m"),
                   "\"square_i\" \"small_i\"");
-  expect_color(scene.pixel(4, 4, 4), Rgb(1), 0);
+  expect_near(scene.pixel(4, 4, 4), Rgb(1), 0);
 }
 
 TEST(UserStateFlow, LensesHandUserDataToTheMaterialsOfTheirRays) {
@@ -275,7 +275,7 @@ TEST(UserStateFlow, LensesHandUserDataToTheMaterialsOfTheirRays) {
                   "link \"l.so\" " + declared("outer", "lens") + declared("inner", "lens") +
                       declared("reader") + material("reader") + UserScene::square("reader_m"),
                   "\"square_i\"", "", "lens \"outer\" ( ) lens \"inner\" ( )");
-  expect_color(scene.pixel(4, 4, 4), Rgb(.5f, 1, 1), 1e-6f);
+  expect_near(scene.pixel(4, 4, 4), Rgb(.5f, 1, 1), 1e-6f);
 }
 
 }  // namespace state_flow_test

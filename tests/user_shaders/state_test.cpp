@@ -5,7 +5,7 @@
 namespace oriel {
 namespace state_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserPicture;
 using testing::UserScene;
@@ -48,7 +48,7 @@ TEST(UserState, IsCalledAroundEachSampleAndMayChangeItsColour) {
                   "frame buffer 0 \"s_fp\" state \"around\" ( \"buffer\" 0, \"tint\" 1 .5 0 ) ");
   EXPECT_EQ(scene.messages(), "");
   const UserPicture picture(scene, 4);
-  expect_color(rgb(picture.session->film().pixel(4, 4).beauty), Rgb(.5f, .25f, 1), 1e-6f);
+  expect_near(rgb(picture.session->film().pixel(4, 4).beauty), Rgb(.5f, .25f, 1), 1e-6f);
   ASSERT_EQ(scene.world->user_buffers.size(), 1u);
   EXPECT_NEAR(picture.session->film().user_buffer(4, 4, 0).r, 10, 1e-5f);
 }
@@ -61,7 +61,7 @@ TEST(UserState, SeveralAreCalledInOrderAndSeeWhatMissedRaysReturn) {
                   "state [ \"around\" ( \"tint\" 1 1 1 ) , \"around\" ( \"tint\" 1 1 1 ) ] ");
   EXPECT_EQ(scene.world->state_shaders.size(), 2u);
   const UserPicture picture(scene, 4);
-  expect_color(picture.mean(), Rgb(0), 1e-6f);
+  expect_near(picture.mean(), Rgb(0), 1e-6f);
 }
 
 TEST(UserState, AShaderOfAnotherKindIsToldOfAndLeftOut) {

@@ -6,7 +6,7 @@
 namespace oriel {
 namespace threads_test {
 
-using testing::expect_color;
+using testing::expect_near;
 using testing::ShaderFolder;
 using testing::UserPicture;
 using testing::UserScene;
@@ -71,7 +71,7 @@ TEST(UserThreads, ThreadsHaveNumbersOfTheirOwn) {
   UserScene scene(folder, shown("n.so", "number") + UserScene::square("m"), "\"square_i\"", "",
                   "resolution 64 64");
   const UserPicture picture(scene, 64);
-  expect_color(picture.mean(), Rgb(1), 0);
+  expect_near(picture.mean(), Rgb(1), 0);
 }
 
 /// Shows 1 where a thread has a pointer before it stored one.

@@ -17,6 +17,7 @@
 #include "sampling/sampler.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
+#include "support/expect_near.h"
 
 namespace oriel::testing {
 
@@ -115,9 +116,5 @@ class UserScene {
     return all;
   }
 };
-
-inline void expect_color(const Rgb& found, const Rgb& wanted, float tolerance) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], wanted[i], tolerance) << "channel " << i;
-}
 
 }  // namespace oriel::testing
