@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/math.h"
 #include "color/black_body.h"
 #include "color/cie_daylight.h"
 
 namespace oriel {
 namespace {
 
-constexpr float kSecondRadiationNmK = 1.4387769e7f;  // h c / k, SI 2019
+// exp(h c / (nm k K)) at 560 nm exceeds the largest float below this temperature.
+constexpr float kColdestVisibleK = 290;
 
 // CIE 15:2004, table T.2, 400 to 700 nm by 10 nm.
 constexpr float kDaylight[kSpectrumBands][3] = {
@@ -106,14 +106,12 @@ Spectrum smooth_spectrum(const Vec3& xyz) {
 
 Spectrum black_body_spectrum(float kelvin) {
   Spectrum s;
-  const auto planck = [kelvin](float nm) {
-    const float x = nm / 560;
-    return 1 / (x * x * x * x * x * math::expm1(kSecondRadiationNmK / (nm * kelvin)));
-  };
-  // Below some 300 K the visible light is less than a float holds.
-  const float middle = planck(560);
-  for (int i = 0; i < kSpectrumBands; ++i)
-    s[static_cast<std::size_t>(i)] = middle > 0 ? planck(band_nm(i)) / middle : 0.0f;
+  // A body this cold emits less visible light than a float holds: its spectrum is black.
+  const double middle = kelvin < kColdestVisibleK ? 0 : black_body_spectral_radiance(560, kelvin);
+  for (int i = 0; i < kSpectrumBands; ++i) {
+    const double radiance = middle > 0 ? black_body_spectral_radiance(band_nm(i), kelvin) : 0;
+    s[static_cast<std::size_t>(i)] = middle > 0 ? static_cast<float>(radiance / middle) : 0.0f;
+  }
   return s;
 }
 
