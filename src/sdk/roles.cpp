@@ -262,7 +262,12 @@ std::string geometry(const Call& call, scene::Scene& scene) {
   GeometryWork* const outer = std::exchange(GeometryWork::current(), &work);
   Result c(*shader.spec);
   std::string made;
-  if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) made = finish(work);
+  if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) {
+    // A shader may write one tag as its result, without mi_geoshader_add_result.
+    miTag& tag = reinterpret_cast<miTag&>(*c.bytes);
+    if (work.results.empty()) mi_geoshader_add_result(&tag, tag);
+    made = finish(work);
+  }
   GeometryWork::current() = outer;
   return made;
 }

@@ -72,6 +72,10 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
   if (const std::optional<HitTriangle> hit = hit_triangle(point)) {
     const Vec3 weights = hit->weights(point.position);
     for (int i = 0; i < 3; ++i) state.bary[i] = weights[i];
+  } else if (point.instance >= 0 && !point.environment) {
+    // Hair: 0 to 1 from its left to its right side, seen along the ray with its tip up.
+    const Vec3 right = cross(point.ray_direction, point.dpdu);
+    if (right != Vec3(0)) state.bary[0] = .5f + .5f * dot(point.geometric_normal, normalize(right));
   }
   if (!point.environment) state.pri = handle_of(point.instance, point.primitive);
   state.point = as_c(point.position);
