@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crashes of libraries: wherever they happen, the message names the function and the program fails.
+// A crash in any function of a library is reported with the name of the function, and the program
+// exits with an error code.
 #include "../cli/program.h"
 
 namespace oriel {
