@@ -12,9 +12,6 @@
 namespace oriel {
 namespace {
 
-// exp(h c / (nm k K)) at 560 nm exceeds the largest float below this temperature.
-constexpr float kColdestVisibleK = 290;
-
 // CIE 15:2004, table T.2, 400 to 700 nm by 10 nm.
 constexpr float kDaylight[kSpectrumBands][3] = {
     {94.8f, 43.4f, -1.1f},  {104.8f, 46.3f, -0.5f}, {105.9f, 43.9f, -0.7f}, {96.8f, 37.1f, -1.2f},
@@ -106,10 +103,10 @@ Spectrum smooth_spectrum(const Vec3& xyz) {
 
 Spectrum black_body_spectrum(float kelvin) {
   Spectrum s;
-  // A body this cold emits less visible light than a float holds: its spectrum is black.
-  const double middle = kelvin < kColdestVisibleK ? 0 : black_body_spectral_radiance(560, kelvin);
+  // 0 below some 290 K, where the exponential exceeds the largest float: the spectrum is black.
+  const double middle = black_body_spectral_radiance(560, kelvin);
   for (int i = 0; i < kSpectrumBands; ++i) {
-    const double radiance = middle > 0 ? black_body_spectral_radiance(band_nm(i), kelvin) : 0;
+    const double radiance = black_body_spectral_radiance(band_nm(i), kelvin);
     s[static_cast<std::size_t>(i)] = middle > 0 ? static_cast<float>(radiance / middle) : 0.0f;
   }
   return s;
