@@ -85,7 +85,8 @@ endfunction()
 function(oriel_hosts_shaders target)
   target_link_libraries(${target} PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,oriel_sdk>)
   foreach(names mi_* mayabase_* oriel_approx_* oriel_is_* oriel_light_* oriel_spectrum_*
-          oriel_options_* oriel_framebuffers_* oriel_parameter_*)
+          oriel_options_* oriel_framebuffers_* oriel_parameter_*
+          exit _exit _Exit quick_exit)
     target_link_options(${target} PRIVATE "LINKER:--export-dynamic-symbol=${names}")
   endforeach()
 endfunction()

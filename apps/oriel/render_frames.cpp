@@ -409,7 +409,6 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
                   DiagnosticPrinter& printer) {
   scene::Scene scene;
   catch_interrupts();
-  catch_crashes();
   FrameRenderer renderer(arguments, plan, scene, diagnostics, printer);
   int frames = 0, rendered = 0;
   while (!interrupted() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {

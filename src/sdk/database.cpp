@@ -41,7 +41,7 @@ void mi_db_delete(miTag tag) {
   Host* host = current_host();
   if (!host || tag == miNULLTAG || host->elements().erase(tag)) return;
   if (kind_of(tag) != TagKind::Element)
-    warn_once("mi_db_delete", "elements of the scene cannot be deleted while it is rendered");
+    warn_no_effect("mi_db_delete", "elements of the scene cannot be deleted while it is rendered");
 }
 
 miTag mi_db_copy(miTag tag) {

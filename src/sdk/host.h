@@ -115,13 +115,13 @@ class Host {
   /// What shaders made for themselves in this frame.
   ShaderElements& elements() { return elements_; }
 
-  /// Whether the frame asks for the first time with these words.
+  /// Whether this host is asked for the first time with these words; quick where it is not.
   bool is_first(std::string_view words);
 
   void say(Severity severity, std::string text);
   /// Reports a crash while a frame is rendered, or after it, and stops the rendering.
   void stop_crashed(const Running& running);
-  /// A warning that is given once for each text.
+  /// A warning that is given the first time that this host is asked for its text (`is_first`).
   void warn_once(const char* code, const std::string& text);
   /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
   std::atomic<bool>& stopped;
@@ -169,7 +169,6 @@ class Host {
   std::unordered_map<miTag, Record> records_;
   std::vector<Record> replaced_;                  ///< records that shaders may still read
   std::unordered_map<std::string, miTag> named_;  ///< elements of the world; empty: not made yet
-  std::set<std::string> warned_;
   std::vector<miTag> lights_;
   std::vector<miUint> labels_;  ///< one for each instance, once labels_ready_
   std::atomic<bool> labels_ready_ = false;

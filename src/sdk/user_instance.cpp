@@ -173,7 +173,7 @@ void UserInstance::initialise(Host& host) {
       initialised = true;
     }
   });
-  restore_crash_handlers();
+  install_crash_handlers();
   if (!done) host.stop_crashed(running);
 }
 
