@@ -91,6 +91,16 @@ function(oriel_hosts_shaders target)
   endforeach()
 endfunction()
 
+# How shaders of users are compiled, by `oriel shader-build`, by oriel_add_shader_library of the
+# installed package and by pkg-config: old sources compare overflowing integers, cast between
+# pointers to different types, and test `this` and dereferenced pointers against null.
+set(ORIEL_SHADER_FLAGS -fno-strict-aliasing -fwrapv -fno-delete-null-pointer-checks)
+# Makes a C++ function that ends without `return` go back to its caller, as it does in C.
+set(ORIEL_SHADER_RETURN_FLAGS_CLANG -fno-strict-return)
+set(ORIEL_SHADER_RETURN_FLAGS_GNU -fsanitize=unreachable -fsanitize-undefined-trap-on-error)
+list(JOIN ORIEL_SHADER_FLAGS " " ORIEL_SHADER_FLAGS_TEXT)
+list(JOIN ORIEL_SHADER_RETURN_FLAGS_GNU " " ORIEL_SHADER_RETURN_FLAGS_GNU_TEXT)
+
 # The `main` of all test programs. Its headers are its own: a program that tests headers alone gets
 # nothing of Oriel with it.
 if(ORIEL_TESTS)

@@ -46,8 +46,9 @@ void mi_db_delete(miTag tag) {
 
 miTag mi_db_copy(miTag tag) {
   Host* host = current_host();
-  // Shader calls and profiles are more than their bytes.
-  if (!host || kind_of(tag) == TagKind::Function || kind_of(tag) == TagKind::Profile)
+  // Shader calls, profiles and images are more than their bytes.
+  if (!host || kind_of(tag) == TagKind::Function || kind_of(tag) == TagKind::Profile ||
+      kind_of(tag) == TagKind::Texture)
     return miNULLTAG;
   const void* from = host->access(tag);
   if (!from) return miNULLTAG;

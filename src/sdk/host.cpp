@@ -9,6 +9,7 @@
 
 #include "sdk/call.h"
 #include "sdk/current.h"
+#include "sdk/picture.h"
 #include "shaders/registry.h"
 
 namespace oriel::sdk {
@@ -161,7 +162,8 @@ void Host::forget() {
   const std::unique_lock lock(mutex_);
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
       known_.clear();
-  known_texts_.clear(), records_.clear(), replaced_.clear(), lights_.clear(), labels_.clear();
+  known_texts_.clear(), records_.clear(), pictures_.clear(), replaced_.clear(), lights_.clear(),
+      labels_.clear();
   named_.clear();
   labels_ready_ = false;
   elements_.clear();
@@ -169,9 +171,21 @@ void Host::forget() {
   world_ = nullptr;
 }
 
+void Host::exit_later(UserInstance& instance) {
+  if (!instance.spec->exit) return;
+  auto late = std::make_unique<UserInstance>();
+  late->spec = instance.spec;
+  late->block = std::move(instance.block);
+  late->function = instance.function;
+  late->parameters = instance.parameters;
+  late->user = instance.user;
+  late->thread_pointers.of = std::move(instance.thread_pointers.of);
+  late->lock = std::exchange(instance.lock, {});
+  late_exits_.push_back(std::move(late));
+}
+
 void Host::end_frame() {
   const std::lock_guard guard(shader_lock_);
-  if (!world_) return;
   set_current_host(this);
   ShadingPoint nowhere;
   nowhere.world = world_;
@@ -182,15 +196,23 @@ void Host::end_frame() {
     if (!run_guarded(running, [&] { reinterpret_cast<Exit>(spec.exit)(&state, parameters); }))
       stop_crashed(running);
   };
-  for (const auto& node : world_->nodes) {
-    UserInstance* instance = user_instance(*node);
-    if (!instance || !instance->initialised || !instance->spec->exit) continue;
+  for (std::size_t i = 0; world_ && i < world_->nodes.size(); ++i) {
+    UserInstance* instance = user_instance(*world_->nodes[i]);
+    if (!instance || !instance->initialised) continue;
+    instance->initialised = false;
+    if (!instance->spec->exit) continue;
     StateFrame frame(*this, nowhere, nullptr);
     frame.state.shader = instance->function;
     frame.context.shader = instance;
-    instance->initialised = false;
     call_exit(*instance->spec, frame.state, instance->parameters);
   }
+  for (const auto& late : late_exits_) {
+    StateFrame frame(*this, nowhere, nullptr);
+    frame.state.shader = late->function;
+    frame.context.shader = late.get();
+    call_exit(*late->spec, frame.state, late->parameters);
+  }
+  late_exits_.clear();
   for (const auto& spec : specs_) {
     if (!spec->initialised) continue;
     spec->initialised = false;

@@ -108,6 +108,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     open.cut_outs *= t;
   };
   MediumOnWay way;
+  way.begin_in(volume_around(world, ray));
   Vec3 left = point.position;
   for (int i = 0; i < kMostShadowBlockers; ++i) {
     geom::Hit hit;
