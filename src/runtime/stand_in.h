@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What takes the place of a shader nobody has: a guess from the names of its parameters, or magenta
+// The replacement of an unavailable shader: a guess from the names of its parameters, or magenta
 // as material and as value.
 #pragma once
 

@@ -67,7 +67,7 @@ void Path::dim(const Rgb& factor) {
   lights_ *= factor;
 }
 
-/// The surface by which the outputs are told apart.
+/// The surface that determines the outputs.
 void Path::meet_first(const Closure& closure) {
   parted_ = true;
   at_first_ = closure.outputs;

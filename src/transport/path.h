@@ -63,7 +63,7 @@ struct PathSettings {
   Rgba* motion = nullptr;
   /// Where each path through the camera adds what it met first; null = nowhere.
   std::vector<FirstSurface>* firsts = nullptr;
-  PathWitness* witness = nullptr;  ///< who is told of all that; null = nobody
+  PathWitness* witness = nullptr;  ///< optional observer of path events; may be null
   bool meters = false;             ///< the irradiance of the first surface is wanted: a second path
 };
 
