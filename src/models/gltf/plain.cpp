@@ -37,11 +37,10 @@ void tell_unknown(const json& root, Diagnostics& diagnostics) {
     if (const std::string name = words(required); !name.empty() && !is_known(name))
       unknown.insert(name);
   if (!unknown.empty())
-    diagnostics.warning(
-        "OR-MD-021", {},
-        fmt::format("unsupported required extensions: {}; their data is skipped",
-                    fmt::join(unknown, ", ")),
-        "export it without");
+    diagnostics.warning("OR-MD-021", {},
+                        fmt::format("unsupported required extensions: {}; their data is skipped",
+                                    fmt::join(unknown, ", ")),
+                        "export it without");
 }
 
 /// Materials are found by their names later: each gets one of its own.
