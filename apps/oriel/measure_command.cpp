@@ -371,7 +371,7 @@ Command add_measure_command(CLI::App& program) {
                   "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
   app->add_option(
       "--meters-per-unit", p.meters_per_unit,
-      "Metres of a scene unit: places are told in metres, lengths may be given as 0.5m. "
+      "Metres per scene unit: positions are printed in metres, lengths may be given as 0.5m. "
       "Light does not change: lamps of the language shine by scene units");
   app->add_option("--sun", a->sun, "As of oriel render")->type_name("LAT,LON,TIME");
   app->add_option("--north", a->north, "As of oriel render");

@@ -194,7 +194,7 @@ class FrameRenderer {
                        [](const PictureFile& f) { return (f.layers & kPhotometricLayers) != 0; });
   }
 
-  /// cd/m2, asked for only where a layer is told in it.
+  /// cd/m2; computed only where a layer uses it.
   float unit_of_pixels() {
     if (!has_photometric_layers()) return 1;
     if (a_.unit_luminance) return *a_.unit_luminance;

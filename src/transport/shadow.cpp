@@ -32,7 +32,7 @@ void pass(const Material& material, const Closure& closure, ShadingPoint& blocke
     open.clear *= here.clear;
     open.cut_outs *= here.cut_outs;
   }
-  // Rays that see the surface itself do not go by what stands in for it.
+  // Rays that see the surface itself ignore its replacement.
   if (material.filters_shadows()) open.cut_outs = Rgb(0);
 }
 
