@@ -3,9 +3,9 @@
 
 #include "base/file_text.h"
 #include "base/temporary_folder.h"
+#include "output/camera_output.h"
+#include "output/output.h"
 #include "quick_look.h"
-#include "render/camera_output.h"
-#include "render/output.h"
 
 namespace oriel::app {
 namespace {

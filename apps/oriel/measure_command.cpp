@@ -6,14 +6,14 @@
 #include <cstdio>
 #include <fstream>
 
+#include "analysis/measure.h"
 #include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "interrupt.h"
 #include "measure_places.h"
-#include "render/camera_output.h"
-#include "render/measure.h"
-#include "render/prepare.h"
+#include "output/camera_output.h"
+#include "prepare/prepare.h"
 #include "render/unit_luminance.h"
 #include "scene_code.h"
 #include "scene_file.h"
@@ -106,7 +106,7 @@ std::vector<SpotReading> read_spots(const MeasureArguments& a, const World& worl
   const std::vector<Vec2> corners = corners_of(a.pixels, world.camera);
   const auto luminances = measure_luminance(world, corners, unit, a.request, &interrupted());
   std::vector<SpotReading> spots;
-  std::vector<LightMeter> meters;
+  std::vector<IrradianceSensor> meters;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const int y = world.camera.height - 1 - static_cast<int>(corners[i].y);
     spots.push_back({static_cast<int>(corners[i].x),
@@ -114,7 +114,7 @@ std::vector<SpotReading> read_spots(const MeasureArguments& a, const World& worl
                      find_spot(world, corners[i] + Vec2(.5f)),
                      luminances[i],
                      {}});
-    if (spots.back().spot.surface) meters.push_back(spots.back().spot.meter);
+    if (spots.back().spot.surface) meters.push_back(spots.back().spot.sensor);
   }
   const auto lux = measure_illuminance(world, meters, unit, a.request, {}, &interrupted());
   std::size_t next = 0;
@@ -176,8 +176,8 @@ json json_of(const Measurement& m) {
     json spot = {{"pixel", {r.x, r.y}}, {"luminance", json_of(r.luminance)}};
     if (r.spot.surface) {
       spot["illuminance"] = json_of(r.illuminance);
-      spot["position"] = json_of(r.spot.meter.position, m.length_unit);
-      spot["normal"] = json_of(r.spot.meter.normal);
+      spot["position"] = json_of(r.spot.sensor.position, m.length_unit);
+      spot["normal"] = json_of(r.spot.sensor.normal);
       spot["distance"] = r.spot.distance * m.length_unit;
       spot["material"] = r.spot.material;
       spot["instance"] = r.spot.instance;
@@ -250,7 +250,7 @@ void print_spot(const SpotReading& r, float unit, const char* length) {
   fmt::print("  {:<12}{} cd/m2\n", "luminance", text_of(r.luminance));
   if (!r.spot.surface) return fmt::print("  no surface\n");
   fmt::print("  {:<12}{} lux\n", "illuminance", text_of(r.illuminance));
-  fmt::print("  {:<12}{}, {:.4g} {} away\n", "place", place_text(r.spot.meter.position, unit),
+  fmt::print("  {:<12}{}, {:.4g} {} away\n", "place", place_text(r.spot.sensor.position, unit),
              r.spot.distance * unit, length);
   fmt::print("  {:<12}{} of {}\n", "material", r.spot.material, r.spot.instance);
 }
@@ -387,7 +387,7 @@ Command add_measure_command(CLI::App& program) {
                   "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
   app->add_option(
       "--meters-per-unit", p.meters_per_unit,
-      "Metres of a scene unit: places are told in metres, lengths may be given as 0.5m. "
+      "Metres per scene unit: positions are printed in metres, lengths may be given as 0.5m. "
       "Light does not change: lamps of the language shine by scene units");
   app->add_option("--sun", a->sun, "As of oriel render")->type_name("LAT,LON,TIME");
   app->add_option("--north", a->north, "As of oriel render");

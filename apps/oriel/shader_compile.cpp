@@ -45,7 +45,7 @@ void ShaderCompilers::choose_standard(const std::string& standard) {
   c_standard_ = c89 ? "gnu89" : standard;
 }
 
-/// Sources of the time rely on what compilers let pass then; newer ones are told to as well.
+/// Flags that make new compilers accept what compilers of the time accepted.
 std::vector<std::string> ShaderCompilers::dialect(bool c) const {
   if (!c) return {"-std=" + cxx_standard_, "-fpermissive", "-Wno-narrowing"};
   return {"-std=" + c_standard_,

@@ -79,7 +79,8 @@ bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
   const std::uint32_t mask = host.world()->accel->instance(index).mask;
   const auto meets = [&](std::uint32_t kinds) { return miBoolean{(mask & kinds) != 0}; };
   const auto bits = [&](unsigned casts, unsigned receives) {
-    return static_cast<miUint>(((data.takes & casts) ? 1 : 0) | ((data.takes & receives) ? 2 : 0));
+    return static_cast<miUint>(((data.visibility & casts) ? 1 : 0) |
+                               ((data.visibility & receives) ? 2 : 0));
   };
   switch (query) {
     case miQ_OBJ_VISIBLE:

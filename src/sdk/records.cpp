@@ -20,8 +20,8 @@ namespace {
 
 void store(miMatrix to, const Mat4& from) { std::memcpy(to, from.getValue(), sizeof(miMatrix)); }
 miColor color(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
-miUchar bits(unsigned takes, unsigned casts, unsigned receives) {
-  return static_cast<miUchar>(((takes & casts) ? 1 : 0) | ((takes & receives) ? 2 : 0));
+miUchar bits(unsigned visibility, unsigned casts, unsigned receives) {
+  return static_cast<miUchar>(((visibility & casts) ? 1 : 0) | ((visibility & receives) ? 2 : 0));
 }
 
 /// The frame as the camera writes it: `frame number time field`.
@@ -212,7 +212,7 @@ miInstance instance_of(const InstanceData& from, miTag object, Host& host) {
     out.material =
         host.tag_of(&host.world()->materials[static_cast<std::size_t>(from.materials.front())]);
   out.mtl_array_size = static_cast<int>(from.materials.size());
-  const unsigned t = from.takes;
+  const unsigned t = from.visibility;
   out.visible = miTRUE;
   out.shadow = static_cast<miUchar>(from.receives_shadow ? 3 : 1);
   out.reflection = bits(t, kSendsReflections, kSendsReflections);

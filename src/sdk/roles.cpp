@@ -173,7 +173,7 @@ LightValue light(const Call& call, const LightCall& light) {
 
 /// What a volume does is affine in the light that comes to it: two calls tell it. Photons are
 /// dimmed as light is.
-AirValue volume(const Call& call) {
+VolumeValue volume(const Call& call) {
   UserInstance& shader = instance_of(call);
   const auto pass = [&](float behind) {
     StateFrame frame(*shader.spec->host, call.point);

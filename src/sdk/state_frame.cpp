@@ -49,10 +49,10 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   set_bases(point);
   set_parent(parent);
   if (point.tracer) {
-    const Tracer::Levels levels = point.tracer->levels();
-    state.reflection_level = levels.reflections;
-    state.refraction_level = levels.refractions;
-    state.importance = levels.importance;
+    const Tracer::Depth depth = point.tracer->depth();
+    state.reflection_level = depth.reflections;
+    state.refraction_level = depth.refractions;
+    state.importance = depth.importance;
   } else {
     state.importance = 1;
   }
@@ -124,11 +124,11 @@ void StateFrame::set_parent(miState* parent) {
       state.refraction_level = parent->refraction_level;
     }
   } else if (state.type != miRAY_EYE) {
-    stand_in_.emplace(state);
-    stand_in_->type = miRAY_EYE;
-    stand_in_->point = state.org;
-    stand_in_->parent = nullptr;
-    state.parent = &*stand_in_;
+    eye_state_.emplace(state);
+    eye_state_->type = miRAY_EYE;
+    eye_state_->point = state.org;
+    eye_state_->parent = nullptr;
+    state.parent = &*eye_state_;
   }
 }
 

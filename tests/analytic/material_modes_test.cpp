@@ -3,7 +3,7 @@
 #include "bsdf/fresnel.h"
 #include "picture.h"
 #include "runtime/texture_direction.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 #include "transport/surface.h"
 
 namespace oriel::analytic {
