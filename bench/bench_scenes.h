@@ -31,7 +31,7 @@ std::string small_room();
 std::string big_room();
 
 /// A closed room (y up) that the sky lights through a window: what FinalGather.* in
-/// tests/keystone/smoothness_test.cpp shows, 320 x 240 pixels, bounces not cut by any method.
+/// tests/cross_method/smoothness_test.cpp shows, 320 x 240 pixels, bounces not cut by any method.
 ///
 /// Inputs:  portal: a portal light fills the window. floor, walls: parameters of mia_material_x
 ///          beside the diffuse colour.

@@ -14,10 +14,10 @@
 
 #include "base/parallel.h"
 #include "color/luminance.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 #include "shaders/registry.h"
 #include "timing.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace {
 

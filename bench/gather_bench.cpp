@@ -29,8 +29,8 @@
 #include "color/srgb.h"
 #include "image/files.h"
 #include "image/flip.h"
+#include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
-#include "render/testing/prepared_scene.h"
 #include "shaders/registry.h"
 #include "timing.h"
 

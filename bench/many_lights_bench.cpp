@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "path_picture.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 #include "timing.h"
 
 namespace {

@@ -13,12 +13,12 @@
 #include "bench_scenes.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/gloss.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "shaders/registry.h"
 #include "timing.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace {
 
@@ -55,12 +55,12 @@ void shade_plain(const Call& call, Closure& closure) {
   const float level =
       p.reflectivity > 0 ? p.reflectivity * bsdf::fresnel_dielectric(cosine, p.refr_ior) : 0;
   const Rgb diffuse = rgb(p.diffuse) * (1 - level);
-  closure.add(LobeKind::Diffuse, Channel::Diffuse, diffuse, frame);
+  closure.add(LobeKind::Diffuse, LobeType::Diffuse, diffuse, frame);
   closure.albedo = diffuse + Rgb(level);
   if (level <= 0) return;
   const bsdf::Roughness roughness = bsdf::gloss_to_roughness(p.refl_gloss, 1);
   Lobe& lobe = closure.add(roughness.is_mirror() ? LobeKind::Mirror : LobeKind::GlossyReflection,
-                           Channel::Reflection, Rgb(level), reflecting);
+                           LobeType::Reflection, Rgb(level), reflecting);
   lobe.alpha_x = roughness.ax;
   lobe.alpha_y = roughness.ay;
   lobe.controls.cutoff = 0.01f;

@@ -17,10 +17,10 @@
 #include "base/parallel.h"
 #include "bench_scenes.h"
 #include "mi/reader.h"
-#include "render/prepare.h"
+#include "prepare/prepare.h"
 #include "shaders/registry.h"
 #include "timing.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "runtime/world.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace oriel::bench {
 

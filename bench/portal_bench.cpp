@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "path_picture.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 #include "shaders/registry.h"
 #include "timing.h"
 

@@ -17,7 +17,7 @@
 #include "base/parallel.h"
 #include "bench_scenes.h"
 #include "mi/reader.h"
-#include "render/prepare.h"
+#include "prepare/prepare.h"
 #include "shaders/registry.h"
 #include "timing.h"
 

@@ -17,7 +17,7 @@
 #include "bench_scenes.h"
 #include "mi/reader.h"
 #include "path_picture.h"
-#include "render/prepare.h"
+#include "prepare/prepare.h"
 #include "sdk/host.h"
 #include "shaders/registry.h"
 #include "timing.h"

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "file.h"
-#include "transport/gather_map.h"
-#include "transport/photon_file.h"
+#include "transport/gather/gather_map.h"
+#include "transport/photon/photon_file.h"
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "mi/reader.h"
-#include "render/prepare.h"
+#include "prepare/prepare.h"
 #include "render/session.h"
 #include "shaders/registry.h"
 

@@ -11,9 +11,9 @@
 #include "check_shaders.h"
 #include "check_thumbnail.h"
 #include "command.h"
+#include "output/camera_output.h"
+#include "prepare/prepare.h"
 #include "render/budget.h"
-#include "render/camera_output.h"
-#include "render/prepare.h"
 #include "render/session.h"
 #include "scene/option_table.h"
 #include "scene_code.h"
@@ -54,16 +54,18 @@ void count_inert(const scene::Element& element, std::map<std::string, int>& kept
 /// Constructs that were read and have no effect, by keyword.
 std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
   std::map<std::string, int> kept;
-  const auto count = [&](const std::vector<scene::KeptText>& texts, const char* where) {
-    for (const scene::KeptText& t : texts) ++kept[fmt::format("{} {}", where, t.keyword)];
+  const auto count = [&](const std::vector<scene::UninterpretedStatement>& texts,
+                         const char* where) {
+    for (const scene::UninterpretedStatement& t : texts)
+      ++kept[fmt::format("{} {}", where, t.keyword)];
   };
   for (const scene::Element& element : scene.elements()) {
     count_inert(element, kept);
     if (const auto* k = std::get_if<scene::KeptElement>(&element)) ++kept[k->kind];
-    if (const auto* o = std::get_if<scene::Options>(&element)) count(o->kept, "options");
-    if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->kept, "camera");
-    if (const auto* i = std::get_if<scene::Instance>(&element)) count(i->kept, "instance");
-    if (const auto* o = std::get_if<scene::Object>(&element)) count(o->kept, "object");
+    if (const auto* o = std::get_if<scene::Options>(&element)) count(o->uninterpreted, "options");
+    if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->uninterpreted, "camera");
+    if (const auto* i = std::get_if<scene::Instance>(&element)) count(i->uninterpreted, "instance");
+    if (const auto* o = std::get_if<scene::Object>(&element)) count(o->uninterpreted, "object");
   }
   return kept;
 }
@@ -112,18 +114,18 @@ json picture_json(const World& world) {
 /// as well, and those of outputs and lenses.
 void list_shaders(const CheckedScene& checked, json& result) {
   const json used = used_shaders(checked);
-  json calls = json::object(), stand_ins = json::object();
+  json calls = json::object(), fallbacks = json::object();
   json magenta = json::array(), without_effect = json::array();
   for (const json& shader : used) {
     const std::string type = shader["type"];
     calls[type] = shader["calls"];
-    if (shader.value("stands_in", false)) stand_ins[type] = shader["calls"];
+    if (shader.value("stands_in", false)) fallbacks[type] = shader["calls"];
     if (shader["status"] == "unknown")
       (shader["magenta"] ? magenta : without_effect).push_back(type);
   }
   result["used_shaders"] = used;
   result["shaders"] = calls;
-  result["stand_ins"] = stand_ins;
+  result["stand_ins"] = fallbacks;
   result["missing"]["shaders"] = magenta;
   result["missing"]["shaders_without_effect"] = without_effect;
   result["textures"] = used_textures(checked);

@@ -3,9 +3,9 @@
 
 #include "base/file_text.h"
 #include "base/temporary_folder.h"
+#include "output/camera_output.h"
+#include "output/output.h"
 #include "quick_look.h"
-#include "render/camera_output.h"
-#include "render/output.h"
 
 namespace oriel::app {
 namespace {
@@ -20,6 +20,10 @@ std::string rendered(scene::Scene& scene, const sdk::TrustedFolders& trusted, st
         camera_output_shaders(look.camera, scene, look.host.registry(), look.world, unheard);
     write_picture(file, look.session, {});
     png = file_text(file.path);
+    // What a crash leaves of the picture is not shown.
+    for (const Diagnostic& d : look.host.diagnostics().all())
+      if (look.host.stopped && d.severity == Severity::Error) why = d.message;
+    if (!why.empty()) png.clear();
   });
   if (!seen) why = "the scene has no camera that could render it";
   return png;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel denoise: takes the noise out of a finished render, from the layers of its own file.
-#include "image/denoise.h"
+#include "denoise/denoise.h"
 
 #include <fmt/format.h>
 

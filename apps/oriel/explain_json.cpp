@@ -48,7 +48,7 @@ json surface_json(const ExplainReport& r, std::size_t index) {
                      {"variance", l.variance}});
   json out = {{"light", light}};
   if (index == 0) return out;
-  out["way"] = way_name(s.way);
+  out["way"] = segment_name(s.way);
   out["from"] = s.from;
   out["instance"] = instance_name(r.world, s.instance);
   out["material"] = s.material->name;
@@ -99,13 +99,13 @@ const char* lobe_name(LobeKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-const char* way_name(Way way) {
+const char* segment_name(PathSegment way) {
   constexpr const char* kNames[] = {"eye",        "diffuse",    "translucency",
                                     "reflection", "refraction", "straight"};
   return kNames[static_cast<std::size_t>(way)];
 }
 
-const char* output_name(Component component) {
+const char* output_name(Aov component) {
   constexpr const char* kNames[] = {"diffuse_result", "spec_result",    "refl_result",
                                     "refr_result",    "tran_result",    "indirect_result",
                                     "add_result",     "opacity_result", "other"};
@@ -130,8 +130,8 @@ json explain_json(const ExplainReport& r) {
               {"unit_luminance", r.unit.cd_m2},
               {"unit_luminance_by", r.unit.by},
               {"unexplained", explain_json_of(e.unexplained)}};
-  for (std::size_t i = 0; i < kComponents; ++i) {
-    const auto c = static_cast<Component>(i);
+  for (std::size_t i = 0; i < kAovs; ++i) {
+    const auto c = static_cast<Aov>(i);
     out["outputs"][output_name(c)] = {{"light", explain_json_of(e.parts[i])},
                                       {"variance", e.noise[i]}};
   }

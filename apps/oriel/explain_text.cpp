@@ -23,7 +23,7 @@ struct Item {
   Rgb light{0};
   std::string words;
   std::size_t surface = 0;  ///< whose own items follow; 0 = none
-  bool plain = true;        ///< one light: its tint is told behind it
+  bool plain = true;        ///< one light, followed by its tint
 };
 
 class Writer {
@@ -113,7 +113,7 @@ class Writer {
       const double part = share(item.light);
       if (part < kSmall) continue;
       const bool goes_on = item.surface > 0 && depth < kDeepest;
-      // The first surface has been told of: its light stands at the margin.
+      // The first surface is already printed: its light is not indented.
       const bool is_told = index == 0 && item.surface > 0 && part > 1 - kSmall;
       if (!is_told)
         line("{:{}}{:>3.0f} %  {}{}", "", indent * 2, 100 * part, item.words,
@@ -128,9 +128,9 @@ class Writer {
     std::vector<Item> items;
     for (const ExplainedLight& l : s.light) {
       std::string words = light_words(l.part, e_.sources[l.source], is_environment(l.source));
-      if (l.part == Component::Diffuse || l.part == Component::Specular)
+      if (l.part == Aov::Diffuse || l.part == Aov::Specular)
         words += shadow_words(r_, s, e_.sources[l.source]);
-      if (l.part == Component::Indirect) words += map_words(s);
+      if (l.part == Aov::Indirect) words += map_words(s);
       items.push_back({l.light, words, 0});
     }
     std::vector<std::size_t> bounces;
@@ -170,7 +170,7 @@ class Writer {
   /// Lights that bring nothing to what the camera sees first, and why.
   void darkness() {
     for (const ExplainedSurface& s : e_.surfaces) {
-      if (s.way != Way::Eye || s.instance < 0 || s.met <= kSmall) continue;
+      if (s.way != PathSegment::Eye || s.instance < 0 || s.met <= kSmall) continue;
       std::vector<std::string> dark = lost_lights(r_, s);
       if (dark.empty()) continue;
       line("\nLights that bring {} nothing:", instance_name(r_.world, s.instance));
@@ -196,8 +196,8 @@ class Writer {
 
   void layers() {
     std::vector<Item> items;
-    for (std::size_t i = 0; i < kComponents; ++i)
-      items.push_back({e_.parts[i], output_name(static_cast<Component>(i)), 0});
+    for (std::size_t i = 0; i < kAovs; ++i)
+      items.push_back({e_.parts[i], output_name(static_cast<Aov>(i)), 0});
     const std::string words = list(std::move(items));
     if (!words.empty()) line("By layer: {}", words);
   }
@@ -233,7 +233,7 @@ class Writer {
     for (const double v : e_.noise) all += v;
     if (error < 1e-4 * whole_ || !(all > 0)) return line("  There is next to none.");
     const auto most = std::max_element(e_.noise.begin(), e_.noise.end());
-    const auto part = static_cast<Component>(most - e_.noise.begin());
+    const auto part = static_cast<Aov>(most - e_.noise.begin());
     line("  {:.0f} % of it is in {}. {}", 100 * *most / all, output_name(part),
          noise_advice(r_, part));
     line("  Half the noise takes four times the samples.");

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "render/explain.h"
+#include "analysis/explain.h"
 #include "render/unit_luminance.h"
 
 namespace oriel::app {
@@ -29,9 +29,9 @@ nlohmann::json explain_json(const ExplainReport& report);
 std::string instance_name(const World& world, int instance);
 std::string lamp_name(const World& world, int light);
 const char* lobe_name(LobeKind kind);
-const char* way_name(Way way);
+const char* segment_name(PathSegment way);
 /// The output of materials that a component is, "other" for what belongs to none.
-const char* output_name(Component component);
+const char* output_name(Aov component);
 /// The element and shader of a material: "wood (mia_material_x)".
 std::string material_name(const Material* material);
 

@@ -82,22 +82,22 @@ std::string lobe_words(const ExplainedLobe& lobe) {
   return words;
 }
 
-std::string light_words(Component part, const std::string& source, bool environment) {
+std::string light_words(Aov part, const std::string& source, bool environment) {
   const std::string who = environment ? "the environment" : source;
   switch (part) {
-    case Component::Diffuse:
+    case Aov::Diffuse:
       return "direct light of " + who;
-    case Component::Specular:
+    case Aov::Specular:
       return "highlight of " + who;
-    case Component::Reflection:
+    case Aov::Reflection:
       return "reflection of " + who;
-    case Component::Refraction:
+    case Aov::Refraction:
       return who + ", seen through it";
-    case Component::Translucency:
+    case Aov::Translucency:
       return "light of " + who + " from its other side";
-    case Component::Indirect:
+    case Aov::Indirect:
       return "indirect light of " + who;
-    case Component::Added:
+    case Aov::Added:
       return "its own glow";
     default:
       return who + ", seen directly";
@@ -131,11 +131,11 @@ std::string seen_words(const World& world, const ExplainedSurface& s) {
       fmt::format("{} (material {}), {:.3g} away", instance_name(world, s.instance),
                   s.material->name, s.distance);
   switch (s.way) {
-    case Way::Reflection:
+    case PathSegment::Reflection:
       return "reflection of " + what;
-    case Way::Refraction:
+    case PathSegment::Refraction:
       return "what refraction shows: " + what;
-    case Way::Straight:
+    case PathSegment::Straight:
       return "seen through it: " + what;
     default:
       return what;
@@ -179,22 +179,22 @@ double noise_of_mean(const Rgb& variance) {
   return deviation * deviation;
 }
 
-std::string noise_advice(const ExplainReport& r, Component part) {
+std::string noise_advice(const ExplainReport& r, Aov part) {
   switch (part) {
-    case Component::Indirect:
+    case Aov::Indirect:
       return r.plan.gather || r.plan.global
                  ? "More gather rays or photons make the maps smoother."
                  : "Its rays seldom find the light: --gi fg gathers it once for many pixels, and "
                    "portals in windows lead rays to the sky.";
-    case Component::Diffuse:
+    case Aov::Diffuse:
       return "Large lights, half hidden, are seen by chance: only more samples help.";
-    case Component::Specular:
-    case Component::Reflection:
+    case Aov::Specular:
+    case Aov::Reflection:
       return "Glossy rays find different things: raise the material's reflection samples "
              "(refl_gloss_samples), or let it interpolate.";
-    case Component::Refraction:
+    case Aov::Refraction:
       return "Rays behind it find different things: raise refr_gloss_samples where it is frosted.";
-    case Component::Translucency:
+    case Aov::Translucency:
       return "Light from the other side is found by chance: only more samples help.";
     default:
       return "The pixel's samples see different things: an edge, or a lens out of focus.";

@@ -18,7 +18,7 @@ std::string tint(const Rgb& colour);
 std::string lobe_words(const ExplainedLobe& lobe);
 
 /// "direct light of lamp". Inputs: environment: the source is that.
-std::string light_words(Component part, const std::string& source, bool environment);
+std::string light_words(Aov part, const std::string& source, bool environment);
 
 /// "; 38 % of what it sends there is shadowed, most by wall"; empty where nothing is.
 std::string shadow_words(const ExplainReport& report, const ExplainedSurface& surface,
@@ -40,6 +40,6 @@ std::string constants_of(const ShaderNode& node);
 double noise_of_mean(const Rgb& variance);
 
 /// What the noise of a part comes from and what helps.
-std::string noise_advice(const ExplainReport& report, Component part);
+std::string noise_advice(const ExplainReport& report, Aov part);
 
 }  // namespace oriel::app

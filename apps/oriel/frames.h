@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "render/camera_output.h"
-#include "render/stereo.h"
+#include "output/camera_output.h"
+#include "prepare/stereo.h"
 
 namespace oriel::app {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geom/mesh.h"
-#include "transport/light_meter.h"
+#include "transport/path/irradiance_sensor.h"
 
 namespace oriel::app {
 
@@ -23,7 +23,7 @@ struct PlaceArguments {
 /// Sensors row by row, as they lie in the plan: columns along the first edge, rows from the far end
 /// of the second edge to its near one. Single points have neither.
 struct Places {
-  std::vector<LightMeter> meters;
+  std::vector<IrradianceSensor> meters;
   int columns = 0, rows = 0;
   float spacing[2] = {0, 0};  ///< along both edges, scene units
 };

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "render/camera_output.h"
-#include "render/prepare.h"
+#include "output/camera_output.h"
+#include "prepare/prepare.h"
 #include "shaders/registry.h"
 
 namespace oriel::app {

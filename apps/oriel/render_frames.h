@@ -9,9 +9,9 @@
 
 #include "frames.h"
 #include "mi/reader.h"
-#include "render/camera_output.h"
-#include "render/output.h"
-#include "render/prepare.h"
+#include "output/camera_output.h"
+#include "output/output.h"
+#include "prepare/prepare.h"
 #include "render/session.h"
 #include "scene_file.h"
 #include "sky/solar_position.h"

@@ -13,9 +13,9 @@
 #include "image/exr.h"
 #include "image/files.h"
 #include "image/view.h"
-#include "lens/display_views.h"
-#include "lens/exposure.h"
 #include "pictures.h"
+#include "tone/display_views.h"
+#include "tone/exposure.h"
 
 namespace oriel::app {
 namespace {

@@ -116,14 +116,14 @@ void read_output(Parse& parse, Camera& camera, SourceLocation at) {
 
 // The items of a pass end where the next statement begins.
 void keep_pass(Parse& parse, Camera& camera, SourceLocation at) {
-  scene::KeptText kept{"pass", keep_until_word(parse, kCameraWords), at};
+  scene::UninterpretedStatement uninterpreted{"pass", keep_until_word(parse, kCameraWords), at};
   if (parse.incremental) {
-    const std::string name = kept.text.substr(0, kept.text.find(' '));
-    std::erase_if(camera.kept, [&](const scene::KeptText& k) {
-      return k.keyword == kept.keyword && k.text.substr(0, k.text.find(' ')) == name;
+    const std::string name = uninterpreted.text.substr(0, uninterpreted.text.find(' '));
+    std::erase_if(camera.uninterpreted, [&](const scene::UninterpretedStatement& k) {
+      return k.keyword == uninterpreted.keyword && k.text.substr(0, k.text.find(' ')) == name;
     });
   }
-  camera.kept.push_back(std::move(kept));
+  camera.uninterpreted.push_back(std::move(uninterpreted));
 }
 
 // Bare keyword: the list is cleared. Otherwise the shaders come behind those already there.

@@ -119,7 +119,7 @@ void read_render(Parse& parse, SourceLocation at) {
 using ElementReader = std::function<void(Parse&, SourceLocation)>;
 
 const std::map<std::string, ElementReader, std::less<>>& element_readers() {
-  const auto kept = [](std::string_view kind) {
+  const auto uninterpreted = [](std::string_view kind) {
     return [kind](Parse& p, SourceLocation at) { read_kept_element(p, kind, at); };
   };
   const auto texture = [](std::string_view word) {
@@ -142,11 +142,11 @@ const std::map<std::string, ElementReader, std::less<>>& element_readers() {
       {"scalar", texture("scalar")},
       {"vector", texture("vector")},
       {"data", read_user_data},
-      {"gui", kept("gui")},
+      {"gui", uninterpreted("gui")},
       {"assembly", read_assembly},
-      {"colorprofile", kept("colorprofile")},
-      {"spectrum", kept("spectrum")},
-      {"registry", kept("registry")}};
+      {"colorprofile", uninterpreted("colorprofile")},
+      {"spectrum", uninterpreted("spectrum")},
+      {"registry", uninterpreted("registry")}};
   return readers;
 }
 

@@ -145,7 +145,8 @@ void read_shader_declaration(Parse& parse, bool old_form, SourceLocation at) {
   try {
     read_declaration_head(parse, d, at);
     d.old_form = old_form;
-    while (!old_form && !parse.in.at_word("end")) read_requirement(parse, d.requirements, d.kept);
+    while (!old_form && !parse.in.at_word("end"))
+      read_requirement(parse, d.requirements, d.uninterpreted);
     if (!old_form) parse.expect_end("declare");
     parse.declare(std::move(d));
   } catch (const SyntaxError&) {
@@ -162,7 +163,7 @@ void read_data_declaration(Parse& parse, SourceLocation at) {
     d.name = parse.defined_name(parse.name("the name of the data"));
     parse.expect_punct('(');
     d.parameters = read_parameter_declarations(parse, ')');
-    while (!parse.in.at_word("end")) read_requirement(parse, d.requirements, d.kept);
+    while (!parse.in.at_word("end")) read_requirement(parse, d.requirements, d.uninterpreted);
     parse.expect_end("declare");
   } catch (const SyntaxError&) {
     parse.recover("declare");
@@ -193,16 +194,16 @@ void read_declaration_head(Parse& parse, scene::ShaderDeclaration& d, SourceLoca
 }
 
 void read_requirement(Parse& parse, std::vector<scene::Statement>& requirements,
-                      std::vector<scene::KeptText>& kept) {
+                      std::vector<scene::UninterpretedStatement>& uninterpreted) {
   const SourceLocation at = parse.in.where();
   if (parse.in.accept_word("apply")) {
     requirements.push_back(read_apply(parse, at));
   } else if (parse.in.accept_word("gui")) {
-    kept.push_back(read_gui(parse, at));
+    uninterpreted.push_back(read_gui(parse, at));
   } else if (parse.in.accept_word("hardware")) {
-    scene::KeptText text{"hardware", "", at};
+    scene::UninterpretedStatement text{"hardware", "", at};
     if (parse.in.at_punct('(')) keep_brackets(parse, text.text);
-    kept.push_back(std::move(text));
+    uninterpreted.push_back(std::move(text));
   } else if (auto statement = read_statement(parse, requirement_forms(), "a declaration")) {
     requirements.push_back(std::move(*statement));
   }

@@ -55,7 +55,7 @@ void read_declaration_head(Parse& parse, scene::ShaderDeclaration& d, SourceLoca
 std::vector<scene::ParamDecl> read_parameter_declarations(Parse& parse, char close);
 /// A statement of a declaration's end part (version, apply, ...), into `d`.
 void read_requirement(Parse& parse, std::vector<scene::Statement>& requirements,
-                      std::vector<scene::KeptText>& kept);
+                      std::vector<scene::UninterpretedStatement>& uninterpreted);
 
 // kept.cpp: constructs that are kept as text
 void append_source(std::string& text, const Token& token);
@@ -67,7 +67,7 @@ void keep_brackets(Parse& parse, std::string& text);
 std::string keep_until_word(Parse& parse, std::span<const std::string_view> words);
 /// `gui`, `registry`, `colorprofile`, `spectrum` elements.
 void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at);
-scene::KeptText read_gui(Parse& parse, SourceLocation at);
+scene::UninterpretedStatement read_gui(Parse& parse, SourceLocation at);
 
 // commands.cpp
 /// Reads one statement of the top level; true after `render`.

@@ -25,7 +25,7 @@ bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Where an item or the camera's next statement begins; ends an item that nobody knows.
+// Where an item or the camera's next statement begins; ends an unknown item.
 std::vector<std::string_view> ending_words() {
   std::vector<std::string_view> words = {"datatype",  "filename", "filetype",
                                          "filtering", "primary",  "user"};
@@ -64,16 +64,16 @@ void read_modifier(Parse& parse, FrameBuffer& buffer) {
 void keep_unknown(Parse& parse, FrameBuffer& buffer) {
   const SourceLocation at = parse.in.where();
   const Token token = parse.in.peek();
-  scene::KeptText kept{std::string(token.raw), "", at};
+  scene::UninterpretedStatement uninterpreted{std::string(token.raw), "", at};
   parse.in.next();
-  kept.text = keep_until_word(parse, ends());
+  uninterpreted.text = keep_until_word(parse, ends());
   const std::vector<std::string> known(ends().begin(), ends().end());
-  const std::string near = nearest_name(kept.keyword, known);
+  const std::string near = nearest_name(uninterpreted.keyword, known);
   parse.diagnostics.note(code::kIgnored, at,
                          fmt::format("item '{}' of framebuffer \"{}\" is kept but has no meaning",
-                                     kept.keyword, buffer.name),
+                                     uninterpreted.keyword, buffer.name),
                          near.empty() ? "" : "did you mean " + near + "?");
-  buffer.kept.push_back(std::move(kept));
+  buffer.uninterpreted.push_back(std::move(uninterpreted));
 }
 
 // A value too many, or of another kind than the item has.

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace include_test {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "mi/number.h"
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace lexer_test {

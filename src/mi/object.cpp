@@ -46,9 +46,9 @@ const FormTable& object_forms() {
 }
 
 void keep_geometry(Parse& parse, Object& object, SourceLocation at) {
-  scene::KeptText kept{std::string(parse.in.next().text), "", at};
-  kept.text = keep_until_word(parse, kBodyWords);
-  object.kept.push_back(std::move(kept));
+  scene::UninterpretedStatement uninterpreted{std::string(parse.in.next().text), "", at};
+  uninterpreted.text = keep_until_word(parse, kBodyWords);
+  object.uninterpreted.push_back(std::move(uninterpreted));
 }
 
 void read_object_statement(Parse& parse, Object& object, StatementList& flags) {

@@ -137,27 +137,27 @@ bool starts_option(Parse& parse) {
 }
 
 // contour store "f" ( ), attribute ...
-scene::KeptText keep_option(Parse& parse, std::string keyword, SourceLocation at) {
-  scene::KeptText kept{std::move(keyword), "", at};
+scene::UninterpretedStatement keep_option(Parse& parse, std::string keyword, SourceLocation at) {
+  scene::UninterpretedStatement uninterpreted{std::move(keyword), "", at};
   while (parse.in.at_word("store") || parse.in.at_word("contrast")) {
-    if (kept.keyword != "contour") break;
-    append_source(kept.text, parse.in.next());
+    if (uninterpreted.keyword != "contour") break;
+    append_source(uninterpreted.text, parse.in.next());
   }
-  if (kept.keyword == "attribute") {
+  if (uninterpreted.keyword == "attribute") {
     while (!parse.in.at_end() && !parse.in.at_word("end")) {
       if (parse.in.at(Token::Kind::Word) && starts_option(parse)) break;
-      append_source(kept.text, parse.in.next());
+      append_source(uninterpreted.text, parse.in.next());
     }
-    return kept;
+    return uninterpreted;
   }
   while (at_shader(parse)) {
-    if (parse.in.at_punct('=')) append_source(kept.text, parse.in.next());
+    if (parse.in.at_punct('=')) append_source(uninterpreted.text, parse.in.next());
     if (!parse.in.peek().is_name()) parse.unexpected("a shader");
-    append_source(kept.text, parse.in.next());
+    append_source(uninterpreted.text, parse.in.next());
     if (!parse.in.at_punct('(')) break;
-    keep_brackets(parse, kept.text);
+    keep_brackets(parse, uninterpreted.text);
   }
-  return kept;
+  return uninterpreted;
 }
 
 // state function | state [ function, ... ]. What follows one function may be a string option.
@@ -191,7 +191,7 @@ void read_option(Parse& parse, scene::Options& options, StatementList& statement
   }
   for (const std::string_view word : {"contour", "attribute"})
     if (parse.in.accept_word(word)) {
-      options.kept.push_back(keep_option(parse, std::string(word), at));
+      options.uninterpreted.push_back(keep_option(parse, std::string(word), at));
       return;
     }
   if (auto statement = read_statement(parse, option_forms(), "options"))

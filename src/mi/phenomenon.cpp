@@ -73,7 +73,7 @@ void read_body(Parse& parse, Phenomenon& phenomenon) {
                    std::end(kListWords)) {
       read_list(parse, phenomenon, at);
     } else {
-      read_requirement(parse, phenomenon.requirements, phenomenon.declaration.kept);
+      read_requirement(parse, phenomenon.requirements, phenomenon.declaration.uninterpreted);
     }
   }
   parse.expect_end("declare");

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 #include "mi/writer.h"
 #include "scene/hierarchy.h"
 

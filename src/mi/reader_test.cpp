@@ -2,7 +2,7 @@
 // Statements, element by element, and what happens when they are wrong.
 #include "mi/reader.h"
 
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace reader_test {
@@ -124,7 +124,7 @@ TEST(FrameBuffer, ItemsHaveTheirPlacesAndEndWithTheNextStatement) {
   EXPECT_FALSE(c.frame_buffers[1].filtering.has_value());
   EXPECT_EQ(*c.focal, 50);
   EXPECT_EQ(*c.aperture, 36);
-  EXPECT_EQ(c.kept.size(), 1u);
+  EXPECT_EQ(c.uninterpreted.size(), 1u);
 }
 
 TEST(FrameBuffer, UnknownItemsAreKeptWithANoteAndStrayValuesSkipped) {
@@ -136,8 +136,8 @@ TEST(FrameBuffer, UnknownItemsAreKeptWithANoteAndStrayValuesSkipped) {
   EXPECT_EQ(read.diagnostics.all()[0].hint, "did you mean filtering?");
   const auto& c = read.get<scene::Camera>("c");
   ASSERT_EQ(c.frame_buffers.size(), 1u);
-  ASSERT_EQ(c.frame_buffers[0].kept.size(), 1u);
-  EXPECT_EQ(c.frame_buffers[0].kept[0].text, "on deep [ 1 ( 2 ) ]");
+  ASSERT_EQ(c.frame_buffers[0].uninterpreted.size(), 1u);
+  EXPECT_EQ(c.frame_buffers[0].uninterpreted[0].text, "on deep [ 1 ( 2 ) ]");
   EXPECT_EQ(c.frame_buffers[0].primary, true);
   EXPECT_EQ(c.frame_buffers[0].user, false);
   EXPECT_EQ(*c.focal, 50);

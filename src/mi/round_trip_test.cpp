@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "mi/random_scene.h"
 #include "mi/reader.h"
+#include "mi/testing/random_scene.h"
 #include "mi/writer.h"
 
 namespace oriel::mi {

@@ -77,12 +77,12 @@ void merge_functions(scene::ShaderList& old, scene::ShaderList changed) {
     return;
   }
   for (scene::Argument& argument : changed[0].arguments) {
-    auto& kept = old[0].arguments;
-    const auto found = std::find_if(kept.begin(), kept.end(), [&](const scene::Argument& a) {
-      return a.name == argument.name;
-    });
-    if (found == kept.end())
-      kept.push_back(std::move(argument));
+    auto& uninterpreted = old[0].arguments;
+    const auto found =
+        std::find_if(uninterpreted.begin(), uninterpreted.end(),
+                     [&](const scene::Argument& a) { return a.name == argument.name; });
+    if (found == uninterpreted.end())
+      uninterpreted.push_back(std::move(argument));
     else
       *found = std::move(argument);
   }

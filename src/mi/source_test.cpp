@@ -2,7 +2,7 @@
 // Line ends and encodings of scene files.
 #include "mi/source.h"
 
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace source_test {

@@ -71,21 +71,21 @@ class SubdivisionReader {
       material = builder_.last_material = builder_.material_index(parse_.in.next().str());
     corners_.clear();
     while (parse_.at_number()) corners_.push_back(index_of(parse_));
-    const bool kept = is_face(at);
-    if (kept) add_face(material);
+    const bool uninterpreted = is_face(at);
+    if (uninterpreted) add_face(material);
     const auto face = static_cast<std::uint32_t>(surface_.faces.size() - 1);
     for (;;) {
       const SourceLocation here = parse_.in.where();
       if (parse_.in.accept_word("crease")) {
-        read_creases(face, kept);
+        read_creases(face, uninterpreted);
         continue;
       }
       if (parse_.in.accept_word("trim")) {
         const std::uint32_t parts = index_of(parse_);
-        if (kept) surface_.trims.push_back({face, parts});
+        if (uninterpreted) surface_.trims.push_back({face, parts});
         continue;
       }
-      scene::KeptText text{"", "", here};
+      scene::UninterpretedStatement text{"", "", here};
       if (parse_.in.at_punct('{')) {
         text.keyword = "{";
         parse_.in.next();
@@ -96,7 +96,7 @@ class SubdivisionReader {
       } else {
         return;
       }
-      if (kept) surface_.details.push_back({face, std::move(text)});
+      if (uninterpreted) surface_.details.push_back({face, std::move(text)});
     }
   }
 
@@ -133,7 +133,7 @@ class SubdivisionReader {
     faces.material.push_back(material);
   }
 
-  void read_creases(std::uint32_t face, bool kept) {
+  void read_creases(std::uint32_t face, bool uninterpreted) {
     constexpr std::size_t kMaskBits = 32;
     const auto edges = static_cast<std::uint32_t>(corners_.size());
     std::uint32_t mask = kNone;
@@ -145,7 +145,8 @@ class SubdivisionReader {
         value = parse_.real("a sharpness");
       else if (surface_.form == Form::CcMesh)
         break;
-      if (kept && value > 0) surface_.creases.push_back({face, edge, std::min(value, 1.0f)});
+      if (uninterpreted && value > 0)
+        surface_.creases.push_back({face, edge, std::min(value, 1.0f)});
     }
     while (parse_.at_number()) parse_.in.next();
   }

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "mi/codes.h"
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 #define EXPECT_SILENT(read) EXPECT_TRUE((read).diagnostics.all().empty()) << (read).messages()
 

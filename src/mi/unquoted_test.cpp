@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names without quotes, as hand-written scenes have them, and stray tokens.
 #include "mi/reader.h"
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace unquoted_test {

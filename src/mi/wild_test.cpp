@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mi/test_support.h"
+#include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace wild_test {
@@ -346,7 +346,7 @@ TEST(Wild, DeclarationsMayReturnNamelessStructuresAndUseTypesAsNames) {
   EXPECT_EQ(d->results.size(), 2u);
   EXPECT_EQ(d->parameters[1].default_value->numbers[0], -1);
   EXPECT_EQ(d->requirements[1].values.size(), 2u);
-  EXPECT_EQ(d->kept[0].keyword, "gui");
+  EXPECT_EQ(d->uninterpreted[0].keyword, "gui");
 }
 
 // acceptance: H1

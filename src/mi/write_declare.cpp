@@ -106,7 +106,7 @@ void write_declaration(TextSink& out, const scene::ShaderDeclaration& d) {
   write_head(out, d.old_form ? "" : "shader ", d);
   if (d.old_form) return;
   write_requirements(out, d.requirements);
-  write_kept(out, d.kept, 1);
+  write_uninterpreted(out, d.uninterpreted, 1);
   out.put("end declare\n");
 }
 
@@ -117,7 +117,7 @@ void write_declaration(TextSink& out, const scene::DataDeclaration& d) {
   write_list(out, d.parameters, '(', ')', 0);
   out.put('\n');
   write_requirements(out, d.requirements);
-  write_kept(out, d.kept, 1);
+  write_uninterpreted(out, d.uninterpreted, 1);
   out.put("end declare\n");
 }
 
@@ -139,7 +139,7 @@ void write_phenomenon(TextSink& out, const scene::Phenomenon& p) {
   }
   write_requirements(out, p.requirements);
   write_requirements(out, p.declaration.requirements);
-  write_kept(out, p.declaration.kept, 1);
+  write_uninterpreted(out, p.declaration.uninterpreted, 1);
   out.put("end declare\n");
 }
 

@@ -123,7 +123,7 @@ void write_frame_buffer(TextSink& out, const scene::FrameBuffer& buffer, int dep
   flag("primary", buffer.primary);
   flag("user", buffer.user);
   write_statements(out, buffer.modifiers, depth + 1);
-  write_kept(out, buffer.kept, depth + 1);
+  write_uninterpreted(out, buffer.uninterpreted, depth + 1);
 }
 
 void write_links(TextSink& out, std::string_view keyword,
@@ -198,7 +198,7 @@ void write_element(TextSink& out, const scene::Options& options, int depth) {
     }
     out.put(" ]\n");
   }
-  write_kept(out, options.kept, depth + 1);
+  write_uninterpreted(out, options.uninterpreted, depth + 1);
   end(out, "options", depth);
 }
 
@@ -227,7 +227,7 @@ void write_element(TextSink& out, const scene::Camera& camera, int depth) {
   write_list(out, "environment", camera.environment, depth + 1);
   // These blocks end where another camera statement begins, so they come last.
   for (const scene::FrameBuffer& b : camera.frame_buffers) write_frame_buffer(out, b, depth + 1);
-  write_kept(out, camera.kept, depth + 1);
+  write_uninterpreted(out, camera.uninterpreted, depth + 1);
   end(out, "camera", depth);
 }
 
@@ -310,7 +310,7 @@ void write_element(TextSink& out, const scene::Instance& instance, int depth) {
   out.put('\n');
   // Flags first: `light` and `motion` behind them could otherwise swallow `shadow` and `off`.
   write_statements(out, instance.flags, depth + 1);
-  write_kept(out, instance.kept, depth + 1);
+  write_uninterpreted(out, instance.uninterpreted, depth + 1);
   write_transform(out, instance, depth + 1);
   write_materials(out, instance, depth + 1);
   write_links(out, "light", instance.light_links, depth + 1);

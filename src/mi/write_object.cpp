@@ -125,7 +125,7 @@ void write_element(TextSink& out, const scene::Object& object, int depth) {
   write_statements(out, object.flags, depth + 1);
   // Bases come before the groups that use them.
   write_bases(out, object.bases);
-  write_kept(out, object.kept, depth + 1);
+  write_uninterpreted(out, object.uninterpreted, depth + 1);
   for (const PolygonGroup& group : object.groups) write_group(out, group, has_labels(object));
   for (const scene::Hair& hair : object.hairs) write_hair(out, hair, depth + 1);
   out.put("end object\n");

@@ -22,7 +22,9 @@ void write_shader_list(TextSink& out, const scene::ShaderList& list, int depth);
 /// One line.
 void write_statement(TextSink& out, const scene::Statement& statement, int depth);
 void write_statements(TextSink& out, const std::vector<scene::Statement>& statements, int depth);
-void write_kept(TextSink& out, const std::vector<scene::KeptText>& kept, int depth);
+void write_uninterpreted(TextSink& out,
+                         const std::vector<scene::UninterpretedStatement>& uninterpreted,
+                         int depth);
 void write_names(TextSink& out, const std::vector<std::string>& names);  ///< [ "a", "b" ]
 void write_matrix(TextSink& out, const Mat4& matrix, int depth);
 

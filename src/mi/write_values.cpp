@@ -114,8 +114,10 @@ void write_statements(TextSink& out, const std::vector<scene::Statement>& statem
   for (const auto& statement : statements) write_statement(out, statement, depth);
 }
 
-void write_kept(TextSink& out, const std::vector<scene::KeptText>& kept, int depth) {
-  for (const auto& k : kept) {
+void write_uninterpreted(TextSink& out,
+                         const std::vector<scene::UninterpretedStatement>& uninterpreted,
+                         int depth) {
+  for (const auto& k : uninterpreted) {
     write_indent(out, depth);
     out.put(k.keyword);
     out.put(' ');

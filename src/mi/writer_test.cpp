@@ -157,8 +157,8 @@ TEST(Writer, CamerasPutOutputsFirstAndKeptBlocksLast) {
   c.frame_buffers[0].datatype = "rgba";
   c.frame_buffers[0].filtering = false;
   c.frame_buffers[0].modifiers = {statement("quality", {numbers({90}, true)})};
-  c.frame_buffers[0].kept = {{"deep", "[ 1 2 ]", {}}};
-  c.kept = {{"pass", "\"p\" read", {}}};
+  c.frame_buffers[0].uninterpreted = {{"deep", "[ 1 2 ]", {}}};
+  c.uninterpreted = {{"pass", "\"p\" read", {}}};
   EXPECT_EQ(written(c),
             "camera \"cam\"\n"
             "    output \"rgba\" \"a.tif\"\n"

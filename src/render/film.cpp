@@ -49,13 +49,13 @@ Rgb half_difference(const PixelMeans& means) {
   return (means.beauty - means.second) * ratio;
 }
 
-/// Parts are told apart where they spread this many times as much as noise alone makes them, and
-/// not where they do less; in between by and by. Noise alone reaches the first at times and the
-/// second hardly ever.
+/// Parts are mapped separately where their spread is kApart times that of noise alone, and together
+/// below kAlike times; in between gradually. Noise alone sometimes reaches the first limit and
+/// hardly ever the second.
 constexpr float kAlike = 1.5f, kApart = 4;
 /// The same in denoised pixels, where what is left of noise would be seen as dots.
 constexpr float kSurelyApart = 12;
-/// Nothing is told apart where denoising left 1 / (1 + 1 / kTakenAway) of the light. A guess.
+/// Parts are mapped together where denoising left 1 / (1 + 1 / kTakenAway) of the light. A guess.
 constexpr float kTakenAway = 8;
 
 /// Samples of a part, below which nothing is said of noise within parts.
@@ -94,12 +94,12 @@ void SubPixelMeans::add(const FilmSample& s) {
   m2 += before * brightness(c - beauty[i]);
 }
 
-void OutputMeans::add(const Outputs* outputs) {
-  static const Outputs kNothing;
-  const Outputs& o = outputs ? *outputs : kNothing;
+void OutputMeans::add(const AovValues* outputs) {
+  static const AovValues kNothing;
+  const AovValues& o = outputs ? *outputs : kNothing;
   const float share = 1 / static_cast<float>(++samples);
   const auto mix = [&](Rgb& m, const Rgb& v) { m += (finite_or_black(v) - m) * share; };
-  for (std::size_t i = 0; i < kComponents; ++i) mix(mean.result[i], o.result[i]);
+  for (std::size_t i = 0; i < kAovs; ++i) mix(mean.result[i], o.result[i]);
   for (std::size_t i = 0; i < kLevels; ++i) mix(mean.level[i], o.level[i]);
   mix(mean.occlusion, o.occlusion);
   mix(mean.dimming, o.dimming);
@@ -111,43 +111,43 @@ Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, b
     : width_(width),
       height_(height),
       clips_(filter.clips()),
-      plain_share_(filter.positive_share()),
-      marked_share_(-filter.negative_share()),
-      plain_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      marked_(filter.has_negative_lobes() ? plain_.size() : 0),
+      positive_share_(filter.positive_share()),
+      negative_share_(-filter.negative_share()),
+      positive_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      negative_(filter.has_negative_lobes() ? positive_.size() : 0),
       map_(std::move(map)),
-      outputs_(keeps_outputs ? plain_.size() : 0),
-      marked_outputs_(keeps_outputs ? marked_.size() : 0),
+      outputs_(keeps_outputs ? positive_.size() : 0),
+      negative_outputs_(keeps_outputs ? negative_.size() : 0),
       light_layers_(light_layers),
-      lights_(light_layers * plain_.size(), Rgb(0)),
-      marked_lights_(light_layers * marked_.size(), Rgb(0)),
+      lights_(light_layers * positive_.size(), Rgb(0)),
+      negative_lights_(light_layers * negative_.size(), Rgb(0)),
       user_buffers_(std::move(user_buffers)),
-      buffers_(user_buffers_.size() * plain_.size(), Rgba(0)),
-      marked_buffers_(user_buffers_.size() * marked_.size(), Rgba(0)),
-      plain_parts_(map_ ? plain_.size() : 0),
-      marked_parts_(map_ ? marked_.size() : 0) {}
+      buffers_(user_buffers_.size() * positive_.size(), Rgba(0)),
+      negative_buffers_(user_buffers_.size() * negative_.size(), Rgba(0)),
+      positive_parts_(map_ ? positive_.size() : 0),
+      negative_parts_(map_ ? negative_.size() : 0) {}
 
 void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
-  const bool marked = sample.negative && !marked_.empty();
-  (marked ? marked_ : plain_)[i].add(sample);
+  const bool negative = sample.negative && !negative_.empty();
+  (negative ? negative_ : positive_)[i].add(sample);
   if (keeps_outputs())
-    (marked ? marked_outputs_ : outputs_)[i].add(is_finite(sample.beauty) ? sample.outputs
-                                                                          : nullptr);
-  if (map_) (marked ? marked_parts_ : plain_parts_)[i].add(sample);
-  if (!user_buffers_.empty()) add_buffers(i, marked, sample.buffers);
+    (negative ? negative_outputs_ : outputs_)[i].add(is_finite(sample.beauty) ? sample.outputs
+                                                                              : nullptr);
+  if (map_) (negative ? negative_parts_ : positive_parts_)[i].add(sample);
+  if (!user_buffers_.empty()) add_buffers(i, negative, sample.buffers);
   if (light_layers_ == 0) return;
-  Rgb* means = &(marked ? marked_lights_ : lights_)[i * light_layers_];
-  const float share = 1 / static_cast<float>((marked ? marked_ : plain_)[i].samples);
+  Rgb* means = &(negative ? negative_lights_ : lights_)[i * light_layers_];
+  const float share = 1 / static_cast<float>((negative ? negative_ : positive_)[i].samples);
   const bool known = sample.by_light && is_finite(sample.beauty);
   for (std::size_t k = 0; k < light_layers_; ++k)
     means[k] += ((known ? finite_or_black(sample.by_light[k]) : Rgb(0)) - means[k]) * share;
 }
 
-void Film::add_buffers(std::size_t i, bool marked, const Rgba* values) {
+void Film::add_buffers(std::size_t i, bool negative, const Rgba* values) {
   const std::size_t count = user_buffers_.size();
-  Rgba* means = &(marked ? marked_buffers_ : buffers_)[i * count];
-  const float share = 1 / static_cast<float>((marked ? marked_ : plain_)[i].samples);
+  Rgba* means = &(negative ? negative_buffers_ : buffers_)[i * count];
+  const float share = 1 / static_cast<float>((negative ? negative_ : positive_)[i].samples);
   const bool first = samples(i) == 1;
   for (std::size_t k = 0; k < count; ++k) {
     const Rgba value = values ? finite_or_nothing(values[k]) : Rgba(0);
@@ -162,85 +162,87 @@ void Film::clear() {
   const auto reset = [](auto& means) {
     std::fill(means.begin(), means.end(), typename std::decay_t<decltype(means)>::value_type{});
   };
-  reset(plain_), reset(marked_), reset(outputs_), reset(marked_outputs_);
-  reset(plain_parts_), reset(marked_parts_);
+  reset(positive_), reset(negative_), reset(outputs_), reset(negative_outputs_);
+  reset(positive_parts_), reset(negative_parts_);
   std::fill(lights_.begin(), lights_.end(), Rgb(0));
-  std::fill(marked_lights_.begin(), marked_lights_.end(), Rgb(0));
+  std::fill(negative_lights_.begin(), negative_lights_.end(), Rgb(0));
   std::fill(buffers_.begin(), buffers_.end(), Rgba(0));
-  std::fill(marked_buffers_.begin(), marked_buffers_.end(), Rgba(0));
+  std::fill(negative_buffers_.begin(), negative_buffers_.end(), Rgba(0));
 }
 
 double Film::mean_samples() const {
   double sum = 0;  // double: counts of millions of pixels
-  for (std::size_t i = 0; i < plain_.size(); ++i) sum += samples(i);
-  return plain_.empty() ? 0 : sum / static_cast<double>(plain_.size());
+  for (std::size_t i = 0; i < positive_.size(); ++i) sum += samples(i);
+  return positive_.empty() ? 0 : sum / static_cast<double>(positive_.size());
 }
 
 Film::Shares Film::shares(std::size_t pixel) const {
-  if (marked_.empty() || marked_[pixel].samples == 0) return {1, 0};
+  if (negative_.empty() || negative_[pixel].samples == 0) return {1, 0};
   // Until both kinds have been drawn one stands for the other.
-  if (plain_[pixel].samples == 0) return {0, 1};
-  return {plain_share_, marked_share_};
+  if (positive_[pixel].samples == 0) return {0, 1};
+  return {positive_share_, negative_share_};
 }
 
 Rgb Film::color(std::size_t i) const {
   const Shares s = shares(i);
-  const Rgb c =
-      weigh(s.plain, plain_[i].beauty, s.marked, marked_.empty() ? nullptr : &marked_[i].beauty);
+  const Rgb c = weigh(s.positive, positive_[i].beauty, s.negative,
+                      negative_.empty() ? nullptr : &negative_[i].beauty);
   return clips_ ? not_negative(c) : c;
 }
 
 Rgb Film::color_error(std::size_t i) const {
   const Shares s = shares(i);
-  Rgb variance = variance_of_mean(plain_[i], s.plain);
-  if (!marked_.empty()) variance += variance_of_mean(marked_[i], s.marked);
+  Rgb variance = variance_of_mean(positive_[i], s.positive);
+  if (!negative_.empty()) variance += variance_of_mean(negative_[i], s.negative);
   return Rgb(std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z));
 }
 
 Film::Pixel Film::pixel(int x, int y) const {
   const std::size_t i = index(x, y);
-  const PixelMeans& p = plain_[i];
-  const PixelMeans* m = marked_.empty() ? nullptr : &marked_[i];
+  const PixelMeans& p = positive_[i];
+  const PixelMeans* m = negative_.empty() ? nullptr : &negative_[i];
   const Shares s = shares(i);
 
   Pixel out;
   const Rgb c = color(i);
-  float alpha = weigh(s.plain, p.alpha, s.marked, m ? &m->alpha : nullptr);
+  float alpha = weigh(s.positive, p.alpha, s.negative, m ? &m->alpha : nullptr);
   // Coverage outside 0...1 has no meaning, whatever the filter.
   if (m) alpha = clamp01(alpha);
   out.beauty = Rgba(c.x, c.y, c.z, alpha);
-  out.albedo = weigh(s.plain, p.albedo, s.marked, m ? &m->albedo : nullptr);
-  out.normal = weigh(s.plain, p.normal, s.marked, m ? &m->normal : nullptr);
+  out.albedo = weigh(s.positive, p.albedo, s.negative, m ? &m->albedo : nullptr);
+  out.normal = weigh(s.positive, p.normal, s.negative, m ? &m->normal : nullptr);
   const Rgb error = color_error(i);
   out.variance = error * error;
-  out.halves = half_difference(p) * s.plain;
-  if (m) out.halves += half_difference(*m) * s.marked;
+  out.split_difference = half_difference(p) * s.positive;
+  if (m) out.split_difference += half_difference(*m) * s.negative;
 
   // A mean of distances, not a filtered one: negative weights make no sense of them.
   const auto over_hits = [&](float PixelMeans::*value) {
-    const auto plain = static_cast<float>(p.hits), marked = m ? static_cast<float>(m->hits) : 0;
-    return (p.*value * plain + (m ? m->*value * marked : 0)) / std::max(plain + marked, 1.0f);
+    const auto positive = static_cast<float>(p.hits),
+               negative = m ? static_cast<float>(m->hits) : 0;
+    return (p.*value * positive + (m ? m->*value * negative : 0)) /
+           std::max(positive + negative, 1.0f);
   };
   out.depth = over_hits(&PixelMeans::depth);
   out.irradiance = over_hits(&PixelMeans::irradiance);
   return out;
 }
 
-Outputs Film::outputs(int x, int y) const {
+AovValues Film::outputs(int x, int y) const {
   const std::size_t i = index(x, y);
   if (!keeps_outputs()) return {};
   const Shares s = shares(i);
-  const Outputs& p = outputs_[i].mean;
-  if (marked_outputs_.empty()) return p;
-  const Outputs& m = marked_outputs_[i].mean;
-  Outputs out;
-  for (std::size_t c = 0; c < kComponents; ++c)
-    out.result[c] = p.result[c] * s.plain + m.result[c] * s.marked;
+  const AovValues& p = outputs_[i].mean;
+  if (negative_outputs_.empty()) return p;
+  const AovValues& m = negative_outputs_[i].mean;
+  AovValues out;
+  for (std::size_t c = 0; c < kAovs; ++c)
+    out.result[c] = p.result[c] * s.positive + m.result[c] * s.negative;
   for (std::size_t c = 0; c < kLevels; ++c)
-    out.level[c] = p.level[c] * s.plain + m.level[c] * s.marked;
-  out.occlusion = p.occlusion * s.plain + m.occlusion * s.marked;
-  out.dimming = p.dimming * s.plain + m.dimming * s.marked;
-  out.opacity = p.opacity * s.plain + m.opacity * s.marked;
+    out.level[c] = p.level[c] * s.positive + m.level[c] * s.negative;
+  out.occlusion = p.occlusion * s.positive + m.occlusion * s.negative;
+  out.dimming = p.dimming * s.positive + m.dimming * s.negative;
+  out.opacity = p.opacity * s.positive + m.opacity * s.negative;
   if (clips_) {
     // Parts of what the filter clips to nothing are nothing.
     const Rgb whole = color(i);
@@ -254,8 +256,8 @@ Outputs Film::outputs(int x, int y) const {
 Rgb Film::light(int x, int y, std::size_t layer) const {
   const std::size_t i = index(x, y), at = i * light_layers_ + layer;
   const Shares s = shares(i);
-  Rgb out =
-      weigh(s.plain, lights_[at], s.marked, marked_lights_.empty() ? nullptr : &marked_lights_[at]);
+  Rgb out = weigh(s.positive, lights_[at], s.negative,
+                  negative_lights_.empty() ? nullptr : &negative_lights_[at]);
   if (clips_) {
     const Rgb whole = color(i);
     for (int k = 0; k < 3; ++k)
@@ -268,8 +270,8 @@ Rgba Film::user_buffer(int x, int y, std::size_t buffer) const {
   const std::size_t i = index(x, y), at = i * user_buffers_.size() + buffer;
   if (user_buffers_[buffer] == BufferMean::FirstSample) return buffers_[at];
   const Shares s = shares(i);
-  return weigh(s.plain, buffers_[at], s.marked,
-               marked_buffers_.empty() ? nullptr : &marked_buffers_[at]);
+  return weigh(s.positive, buffers_[at], s.negative,
+               negative_buffers_.empty() ? nullptr : &negative_buffers_[at]);
 }
 
 bool Film::is_written(std::size_t buffer) const {
@@ -278,19 +280,20 @@ bool Film::is_written(std::size_t buffer) const {
       if (values[at] != Rgba(0)) return true;
     return false;
   };
-  return holds(buffers_) || holds(marked_buffers_);
+  return holds(buffers_) || holds(negative_buffers_);
 }
 
 Film::Part Film::part(std::size_t i, std::size_t cell) const {
   const Shares s = shares(i);
-  const SubPixelMeans& plain = plain_parts_[i];
-  const SubPixelMeans* marked = marked_parts_.empty() ? nullptr : &marked_parts_[i];
-  const bool has_plain = plain.samples[cell] > 0, has_marked = marked && marked->samples[cell] > 0;
-  if (!has_plain && !has_marked) return {};
-  Rgb c = has_plain ? plain.beauty[cell] : marked->beauty[cell];
-  if (has_plain && has_marked)
-    c = not_negative(plain.beauty[cell] * s.plain + marked->beauty[cell] * s.marked);
-  return {c, static_cast<float>(plain.samples[cell] + (marked ? marked->samples[cell] : 0))};
+  const SubPixelMeans& positive = positive_parts_[i];
+  const SubPixelMeans* negative = negative_parts_.empty() ? nullptr : &negative_parts_[i];
+  const bool has_positive = positive.samples[cell] > 0,
+             has_negative = negative && negative->samples[cell] > 0;
+  if (!has_positive && !has_negative) return {};
+  Rgb c = has_positive ? positive.beauty[cell] : negative->beauty[cell];
+  if (has_positive && has_negative)
+    c = not_negative(positive.beauty[cell] * s.positive + negative->beauty[cell] * s.negative);
+  return {c, static_cast<float>(positive.samples[cell] + (negative ? negative->samples[cell] : 0))};
 }
 
 float Film::Parts::kept(float alike, float apart) const {
@@ -318,7 +321,7 @@ Film::Parts Film::parts(std::size_t i) const {
   // Of few samples the noise within parts is not known.
   p.noise = std::numeric_limits<float>::infinity();
   if (p.samples >= kLeastSamplesOfPart * kSubPixels) {
-    const float m2 = plain_parts_[i].m2 + (marked_parts_.empty() ? 0 : marked_parts_[i].m2);
+    const float m2 = positive_parts_[i].m2 + (negative_parts_.empty() ? 0 : negative_parts_[i].m2);
     p.noise = m2 / (p.samples - count) * (count - 1) / p.samples;
   }
   return p;
@@ -358,18 +361,18 @@ Rgb Film::shown(int x, int y, const Rgb& denoised) const {
   return sum * (1 / p.samples);
 }
 
-bool Film::has_halves() const {
-  for (const PixelMeans& p : plain_)
+bool Film::has_split_samples() const {
+  for (const PixelMeans& p : positive_)
     if (p.samples < 2 * kHalfBlock) return false;
-  return !plain_.empty();
+  return !positive_.empty();
 }
 
-Film::Level Film::level(std::size_t i) const {
+Film::Estimate Film::estimate(std::size_t i) const {
   const int x = static_cast<int>(i % static_cast<std::size_t>(width_));
   const int y = static_cast<int>(i / static_cast<std::size_t>(width_));
   const bool known = samples(i) > 1;
   const Rgb c = color(i), e = known ? color_error(i) : Rgb(0);
-  Level level{brightness(c), brightness(e)};
+  Estimate level{brightness(c), brightness(e)};
   if (map_) {
     level.mean = brightness(map_(x, y, c));
     if (level.error > 0)

@@ -12,7 +12,7 @@
 
 #include "base/vec.h"
 #include "render/filter.h"
-#include "transport/outputs.h"
+#include "transport/path/aov.h"
 
 namespace oriel {
 
@@ -41,12 +41,12 @@ struct FilmSample {
   float depth = 0;  ///< scene units; 0 = nothing was hit, which does not count
   Vec3 normal{0};
   Rgb albedo{0};
-  float irradiance = 0;              ///< of what was hit, by luminance; pixel units times pi
-  std::uint8_t sub_pixel = 0;        ///< see sub_pixel_of()
-  bool negative = false;             ///< fell where the pixel filter is negative
-  const Outputs* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
-  const Rgb* by_light = nullptr;     ///< the beauty by layers of lights, where the film keeps them
-  const Rgba* buffers = nullptr;     ///< of users' frame buffers, where the film keeps them
+  float irradiance = 0;                ///< of what was hit, by luminance; pixel units times pi
+  std::uint8_t sub_pixel = 0;          ///< see sub_pixel_of()
+  bool negative = false;               ///< fell where the pixel filter is negative
+  const AovValues* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
+  const Rgb* by_light = nullptr;  ///< the beauty by layers of lights, where the film keeps them
+  const Rgba* buffers = nullptr;  ///< of users' frame buffers, where the film keeps them
 };
 
 /// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
@@ -81,8 +81,8 @@ struct SubPixelMeans {
 /// Means of the parts of the beauty.
 struct OutputMeans {
   std::uint32_t samples = 0;
-  Outputs mean;
-  void add(const Outputs* outputs);
+  AovValues mean;
+  void add(const AovValues* outputs);
 };
 
 /// How the film keeps one frame buffer that users' shaders write.
@@ -118,15 +118,15 @@ class Film {
   std::size_t light_layers() const { return light_layers_; }
   std::size_t user_buffers() const { return user_buffers_.size(); }
   bool mapped() const { return static_cast<bool>(map_); }
-  std::size_t pixel_count() const { return plain_.size(); }
+  std::size_t pixel_count() const { return positive_.size(); }
 
   void add(int x, int y, const FilmSample& sample);
-  /// As if nothing had been added.
+  /// Removes all samples.
   void clear();
 
   std::uint32_t samples(int x, int y) const { return samples(index(x, y)); }
   std::uint32_t samples(std::size_t pixel) const {
-    return plain_[pixel].samples + (marked_.empty() ? 0 : marked_[pixel].samples);
+    return positive_[pixel].samples + (negative_.empty() ? 0 : negative_[pixel].samples);
   }
   /// Mean number of samples of a pixel.
   double mean_samples() const;
@@ -134,16 +134,16 @@ class Film {
   /// One pixel, filtered. The normal is not normalised (0 where there is none).
   struct Pixel {
     Rgba beauty{0, 0, 0, 0};
-    Rgb variance{0};       ///< of the beauty's mean; 0 below two samples
-    Rgb halves{0};         ///< half of (mean of one half of the samples - mean of the other)
-    float depth = 0;       ///< mean over samples that hit something; 0 = none did
-    float irradiance = 0;  ///< likewise
+    Rgb variance{0};          ///< of the beauty's mean; 0 below two samples
+    Rgb split_difference{0};  ///< half of (mean of one half of the samples - mean of the other)
+    float depth = 0;          ///< mean over samples that hit something; 0 = none did
+    float irradiance = 0;     ///< likewise
     Vec3 normal{0};
     Rgb albedo{0};
   };
   Pixel pixel(int x, int y) const;
   /// Its parts, filtered as the beauty is; their results sum to it.
-  Outputs outputs(int x, int y) const;
+  AovValues outputs(int x, int y) const;
   /// The beauty by a layer of lights, filtered as the beauty is; all layers sum to it.
   Rgb light(int x, int y, std::size_t layer) const;
   /// A user's buffer: filtered as the beauty is, though never clipped; or what the first sample
@@ -161,25 +161,25 @@ class Film {
 
   /// Weights of both kinds of samples in the pixel; they sum to 1.
   struct Shares {
-    float plain, marked;
+    float positive, negative;
   };
   Shares shares_of(int x, int y) const { return shares(index(x, y)); }
 
   /// Whether every pixel has two halves of samples, of four at least.
-  bool has_halves() const;
+  bool has_split_samples() const;
 
   /// Brightness of what is shown (mean of three channels) and the standard error of it, which for
   /// mapped colours is how far the map moves when the colour moves by its error. The error is
   /// infinite below two samples.
-  struct Level {
+  struct Estimate {
     float mean, error;
   };
-  Level level(std::size_t pixel) const;
+  Estimate estimate(std::size_t pixel) const;
 
-  const std::vector<PixelMeans>& plain() const { return plain_; }
+  const std::vector<PixelMeans>& positive() const { return positive_; }
 
  private:
-  void add_buffers(std::size_t pixel, bool marked, const Rgba* values);
+  void add_buffers(std::size_t pixel, bool negative, const Rgba* values);
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
@@ -201,7 +201,7 @@ class Film {
     float samples = 0;
     float spread = 0;  ///< mean squared distance of brightness from the mean
     float noise = 0;   ///< what that would be if the parts were alike
-    /// How far parts are told apart when they are mapped: 0 where they spread `alike` times as much
+    /// How far parts are mapped separately: 0 where they spread `alike` times as much
     /// as noise makes them, 1 from `apart` times on.
     float kept(float alike, float apart) const;
   };
@@ -209,16 +209,16 @@ class Film {
 
   int width_, height_;
   bool clips_;
-  float plain_share_, marked_share_;
-  std::vector<PixelMeans> plain_;
-  std::vector<PixelMeans> marked_;  ///< empty unless the filter has negative lobes
+  float positive_share_, negative_share_;
+  std::vector<PixelMeans> positive_;
+  std::vector<PixelMeans> negative_;  ///< empty unless the filter has negative lobes
   DisplayMap map_;
-  std::vector<OutputMeans> outputs_, marked_outputs_;  ///< empty unless kept
+  std::vector<OutputMeans> outputs_, negative_outputs_;  ///< empty unless kept
   std::size_t light_layers_;
-  std::vector<Rgb> lights_, marked_lights_;  ///< means, one after the other
+  std::vector<Rgb> lights_, negative_lights_;  ///< means, one after the other
   std::vector<BufferMean> user_buffers_;
-  std::vector<Rgba> buffers_, marked_buffers_;             ///< as lights_
-  std::vector<SubPixelMeans> plain_parts_, marked_parts_;  ///< empty without a map
+  std::vector<Rgba> buffers_, negative_buffers_;                ///< as lights_
+  std::vector<SubPixelMeans> positive_parts_, negative_parts_;  ///< empty without a map
 };
 
 }  // namespace oriel

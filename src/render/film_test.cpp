@@ -37,27 +37,27 @@ TEST(Film, VarianceIsThatOfTheMean) {
   for (const float v : {1.0f, 2.0f, 3.0f, 4.0f}) film.add(0, 0, sample_of(v));
   EXPECT_FLOAT_EQ(film.pixel(0, 0).beauty.g, 2.5f);
   EXPECT_FLOAT_EQ(film.pixel(0, 0).variance.y, 5.0f / 12);
-  EXPECT_FLOAT_EQ(film.level(0).mean, 2.5f);
-  EXPECT_FLOAT_EQ(film.level(0).error, std::sqrt(5.0f / 12));
+  EXPECT_FLOAT_EQ(film.estimate(0).mean, 2.5f);
+  EXPECT_FLOAT_EQ(film.estimate(0).error, std::sqrt(5.0f / 12));
 }
 
 TEST(Film, HalvesAreEveryOtherFourSamples) {
   Film film(1, 1, box());
   // Means 2.5 of samples 0-3, 6.5 of 4-7, 10.5 of 8-11, 13.5 of the two after them.
   for (int i = 1; i <= 8; ++i) film.add(0, 0, sample_of(float(i)));
-  EXPECT_TRUE(film.has_halves());
-  EXPECT_FLOAT_EQ(film.pixel(0, 0).halves.x, (2.5f - 6.5f) / 2);
+  EXPECT_TRUE(film.has_split_samples());
+  EXPECT_FLOAT_EQ(film.pixel(0, 0).split_difference.x, (2.5f - 6.5f) / 2);
   for (int i = 9; i <= 14; ++i) film.add(0, 0, sample_of(float(i)));
-  EXPECT_NEAR(film.pixel(0, 0).halves.x, (6.5f - (4 * 6.5f + 2 * 13.5f) / 6) / 2, 1e-5f);
+  EXPECT_NEAR(film.pixel(0, 0).split_difference.x, (6.5f - (4 * 6.5f + 2 * 13.5f) / 6) / 2, 1e-5f);
 }
 
 TEST(Film, HalvesOfFewSamplesAreNotThere) {
   Film film(2, 1, box());
   for (int i = 0; i < 8; ++i) film.add(0, 0, sample_of(1));
   for (int i = 0; i < 7; ++i) film.add(1, 0, sample_of(1));
-  EXPECT_FALSE(film.has_halves());
+  EXPECT_FALSE(film.has_split_samples());
   film.add(1, 0, sample_of(1));
-  EXPECT_TRUE(film.has_halves());
+  EXPECT_TRUE(film.has_split_samples());
 }
 
 TEST(Film, CleanColoursAreShownWithTheEdgesOfTheirPixel) {
@@ -79,10 +79,10 @@ TEST(Film, CleanColoursAreShownWithTheEdgesOfTheirPixel) {
 
 TEST(Film, ErrorIsUnknownBelowTwoSamples) {
   Film film(1, 1, box());
-  EXPECT_EQ(film.level(0).error, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(film.estimate(0).error, std::numeric_limits<float>::infinity());
   film.add(0, 0, sample_of(3));
-  EXPECT_EQ(film.level(0).error, std::numeric_limits<float>::infinity());
-  EXPECT_EQ(film.level(0).mean, 3);
+  EXPECT_EQ(film.estimate(0).error, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(film.estimate(0).mean, 3);
 }
 
 TEST(Film, DepthAndIrradianceAreMeansOverHits) {
@@ -114,18 +114,18 @@ TEST(Film, NoiseIsJudgedOnWhatIsShown) {
   Film film(2, 1, box(), burnt);
   for (const float v : {10.0f, 20.0f}) film.add(0, 0, sample_of(v));
   for (const float v : {0.1f, 0.3f}) film.add(1, 0, sample_of(v));
-  EXPECT_EQ(film.level(0).error, 0);
-  EXPECT_EQ(film.level(0).mean, 1);
+  EXPECT_EQ(film.estimate(0).error, 0);
+  EXPECT_EQ(film.estimate(0).mean, 1);
   EXPECT_GT(film.pixel(0, 0).variance.x, 0);
-  EXPECT_NEAR(film.level(1).error, 0.1, 1e-6);  // 0.2 / sqrt(2) / sqrt(2)
+  EXPECT_NEAR(film.estimate(1).error, 0.1, 1e-6);  // 0.2 / sqrt(2) / sqrt(2)
 }
 
 TEST(Film, AMapThatDoublesColoursDoublesTheirError) {
   // The standard error of the mean of .1 and .3 is .1.
   Film film(1, 1, box(), [](int, int, const Rgb& c) { return c * 2.0f; });
   for (const float v : {0.1f, 0.3f}) film.add(0, 0, sample_of(v));
-  EXPECT_NEAR(film.level(0).mean, 0.4, 1e-6);
-  EXPECT_NEAR(film.level(0).error, 0.2, 1e-6);
+  EXPECT_NEAR(film.estimate(0).mean, 0.4, 1e-6);
+  EXPECT_NEAR(film.estimate(0).error, 0.2, 1e-6);
 }
 
 TEST(Film, MappedPartsAreFilteredAsThePictureIs) {
@@ -276,23 +276,23 @@ TEST(Film, ConstantIsKeptByFiltersWithNegativeLobes) {
 
 /// A sample whose light came through those parts.
 struct PartedSample {
-  Outputs parts;
+  AovValues parts;
   FilmSample sample;
 
   PartedSample(float diffuse, float reflection, bool negative) {
-    parts[Component::Diffuse] = Rgb(diffuse, diffuse / 2, 0);
-    parts[Component::Reflection] = Rgb(reflection);
-    parts.level_of(Component::Diffuse) = Rgb(.5f);
-    parts.level_of(Component::Reflection) = Rgb(.25f);
+    parts[Aov::Diffuse] = Rgb(diffuse, diffuse / 2, 0);
+    parts[Aov::Reflection] = Rgb(reflection);
+    parts.level_of(Aov::Diffuse) = Rgb(.5f);
+    parts.level_of(Aov::Reflection) = Rgb(.25f);
     parts.occlusion = Rgb(.75f);
     parts.opacity = .5f;
-    sample.beauty = parts[Component::Diffuse] + parts[Component::Reflection];
+    sample.beauty = parts[Aov::Diffuse] + parts[Aov::Reflection];
     sample.negative = negative;
     sample.outputs = &parts;
   }
 };
 
-Rgb sum_of_results(const Outputs& o) {
+Rgb sum_of_results(const AovValues& o) {
   Rgb sum(0);
   for (const Rgb& c : o.result) sum += c;
   return sum;
@@ -301,16 +301,16 @@ Rgb sum_of_results(const Outputs& o) {
 TEST(OutputMeans, AreMeansOfAllSamples) {
   OutputMeans means;
   PartedSample a(1, 4, false), b(3, 0, false);
-  b.parts.level_of(Component::Diffuse) = Rgb(.1f);
+  b.parts.level_of(Aov::Diffuse) = Rgb(.1f);
   means.add(&a.parts);
   means.add(&b.parts);
   means.add(nullptr);
   means.add(nullptr);
   EXPECT_EQ(means.samples, 4u);
-  EXPECT_FLOAT_EQ(means.mean[Component::Diffuse].x, 1);
-  EXPECT_FLOAT_EQ(means.mean[Component::Diffuse].y, .5f);
-  EXPECT_FLOAT_EQ(means.mean[Component::Reflection].x, 1);
-  EXPECT_FLOAT_EQ(means.mean.level_of(Component::Diffuse).x, .15f);
+  EXPECT_FLOAT_EQ(means.mean[Aov::Diffuse].x, 1);
+  EXPECT_FLOAT_EQ(means.mean[Aov::Diffuse].y, .5f);
+  EXPECT_FLOAT_EQ(means.mean[Aov::Reflection].x, 1);
+  EXPECT_FLOAT_EQ(means.mean.level_of(Aov::Diffuse).x, .15f);
   // Samples without parts: nothing is occluded or cut out there.
   EXPECT_FLOAT_EQ(means.mean.occlusion.x, .875f);
   EXPECT_FLOAT_EQ(means.mean.opacity, .75f);
@@ -318,14 +318,14 @@ TEST(OutputMeans, AreMeansOfAllSamples) {
 
 TEST(OutputMeans, WhatIsNoNumberIsBlack) {
   OutputMeans means;
-  Outputs bad;
+  AovValues bad;
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  bad[Component::Specular] = Rgb(1, nan, 1);
-  bad.level_of(Component::Specular) = Rgb(std::numeric_limits<float>::infinity());
+  bad[Aov::Specular] = Rgb(1, nan, 1);
+  bad.level_of(Aov::Specular) = Rgb(std::numeric_limits<float>::infinity());
   bad.opacity = nan;
   means.add(&bad);
-  EXPECT_EQ(means.mean[Component::Specular], Rgb(0));
-  EXPECT_EQ(means.mean.level_of(Component::Specular), Rgb(0));
+  EXPECT_EQ(means.mean[Aov::Specular], Rgb(0));
+  EXPECT_EQ(means.mean.level_of(Aov::Specular), Rgb(0));
   EXPECT_EQ(means.mean.opacity, 0);
 }
 
@@ -336,7 +336,7 @@ TEST(Film, KeepsOutputsOnlyWhereAsked) {
   PartedSample s(1, 2, false);
   film.add(1, 0, s.sample);
   EXPECT_EQ(sum_of_results(film.outputs(0, 0)), Rgb(0));
-  EXPECT_EQ(film.outputs(1, 0)[Component::Reflection], Rgb(2));
+  EXPECT_EQ(film.outputs(1, 0)[Aov::Reflection], Rgb(2));
   EXPECT_EQ(film.outputs(1, 0).opacity, .5f);
 }
 
@@ -353,14 +353,14 @@ TEST(Film, SamplesThatAreNoNumbersBringNoOutputs) {
 TEST(Film, OutputsAreFilteredAsThePictureIs) {
   const FilterSampler filter = mitchell(false);
   Film film(1, 1, filter, {}, true);
-  PartedSample plain(1, 4, false), marked(3, 2, true);
-  film.add(0, 0, plain.sample);
-  film.add(0, 0, marked.sample);
-  Outputs o = film.outputs(0, 0);
+  PartedSample positive(1, 4, false), negative(3, 2, true);
+  film.add(0, 0, positive.sample);
+  film.add(0, 0, negative.sample);
+  AovValues o = film.outputs(0, 0);
   const float p = filter.positive_share(), m = filter.negative_share();
-  EXPECT_FLOAT_EQ(o[Component::Diffuse].x, p * 1 - m * 3);
-  EXPECT_FLOAT_EQ(o[Component::Reflection].x, p * 4 - m * 2);
-  EXPECT_FLOAT_EQ(o.level_of(Component::Diffuse).x, .5f) << "what is alike everywhere stays";
+  EXPECT_FLOAT_EQ(o[Aov::Diffuse].x, p * 1 - m * 3);
+  EXPECT_FLOAT_EQ(o[Aov::Reflection].x, p * 4 - m * 2);
+  EXPECT_FLOAT_EQ(o.level_of(Aov::Diffuse).x, .5f) << "what is alike everywhere stays";
   EXPECT_FLOAT_EQ(o.opacity, .5f);
   EXPECT_FLOAT_EQ(o.occlusion.x, .75f);
   const Rgba beauty = film.pixel(0, 0).beauty;
@@ -371,9 +371,9 @@ TEST(Film, OutputsAreFilteredAsThePictureIs) {
 // acceptance: U3
 TEST(Film, ClippedPicturesAreTheSumOfTheirOutputsToo) {
   Film film(1, 1, mitchell(true), {}, true);
-  PartedSample plain(0, 1, false), marked(100, 1, true);
-  film.add(0, 0, plain.sample);
-  film.add(0, 0, marked.sample);
+  PartedSample positive(0, 1, false), negative(100, 1, true);
+  film.add(0, 0, positive.sample);
+  film.add(0, 0, negative.sample);
   const Rgba beauty = film.pixel(0, 0).beauty;
   EXPECT_EQ(beauty.r, 0);
   EXPECT_GT(beauty.b, 0) << "blue is not clipped";
@@ -387,7 +387,7 @@ TEST(Film, OneKindOfSamplesStandsForBoth) {
     Film film(1, 1, mitchell(false), {}, true);
     PartedSample s(1, 2, negative);
     film.add(0, 0, s.sample);
-    EXPECT_FLOAT_EQ(film.outputs(0, 0)[Component::Reflection].x, 2) << negative;
+    EXPECT_FLOAT_EQ(film.outputs(0, 0)[Aov::Reflection].x, 2) << negative;
     EXPECT_FLOAT_EQ(film.outputs(0, 0).opacity, .5f) << negative;
   }
 }

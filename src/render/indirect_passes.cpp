@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "render/gather_passes.h"
-#include "transport/gather_map.h"
-#include "transport/photon_trace.h"
+#include "transport/gather/gather_map.h"
+#include "transport/gather/gather_passes.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel {
 namespace {
@@ -109,13 +109,14 @@ PathSettings IndirectPasses::path_settings() const {
 
 void IndirectPasses::run(const World& world, const Window& window, std::uint32_t seed,
                          RayCounts& counts, const MapFiles& files, Diagnostics& diagnostics,
-                         const Watch& watch, const std::function<void()>& after_pass) {
-  if (plan_.global || plan_.caustic) shoot(world, seed, counts, files, diagnostics, watch);
-  if (plan_.gather) gather(world, window, seed, counts, files, diagnostics, watch, after_pass);
+                         const ProgressMonitor& monitor, const std::function<void()>& after_pass) {
+  if (plan_.global || plan_.caustic) shoot(world, seed, counts, files, diagnostics, monitor);
+  if (plan_.gather) gather(world, window, seed, counts, files, diagnostics, monitor, after_pass);
 }
 
 void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& counts,
-                           const MapFiles& files, Diagnostics& diagnostics, const Watch& watch) {
+                           const MapFiles& files, Diagnostics& diagnostics,
+                           const ProgressMonitor& monitor) {
   const scene::RenderOptions& options = world.options;
   const std::string& file = files.photons;
   const bool read = !file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file) &&
@@ -124,8 +125,8 @@ void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& co
   if (!read) {
     const PhotonSettings settings = photon_settings(world, plan_, seed);
     note_lights_without_energy(world, settings, diagnostics);
-    photons_ = trace_photons(world, settings, counts, nullptr, watch);
-    if (!file.empty() && !watch.cancelled())
+    photons_ = trace_photons(world, settings, counts, nullptr, monitor);
+    if (!file.empty() && !monitor.cancelled())
       tried([&] { save_photon_maps(file, photons_); }, diagnostics);
   }
   const geom::Box3 box = world.accel->bounds();
@@ -137,7 +138,8 @@ void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& co
 
 void IndirectPasses::gather(const World& world, const Window& window, std::uint32_t seed,
                             RayCounts& counts, const MapFiles& files, Diagnostics& diagnostics,
-                            const Watch& watch, const std::function<void()>& after_pass) {
+                            const ProgressMonitor& monitor,
+                            const std::function<void()>& after_pass) {
   const scene::FinalGatherOptions& options = world.options.finalgather;
   GatherPasses passes;
   passes.records = gather_settings(world.options, world.accel->bounds());
@@ -152,14 +154,14 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   passes.covered.radii = passes.records.radii;
   if (paths_.diffuse_bounces > 0) {
     GatherSettings behind = passes.records;
-    behind.path.lamps = !plan_.global;
+    behind.path.finite_lights = !plan_.global;
     bounces_ = gather_bounces(world, first_gather_points(world, window, passes, counts), behind,
-                              seed, counts, watch);
+                              seed, counts, monitor);
     maps_.bounces = &bounces_.cache;
     maps_.bounces_query = bounces_.query;
     maps_.bounces_held = bounces_.held;
   }
-  const IndirectMaps behind = maps_;
+  const IndirectCaches behind = maps_;
   if (plan_.global || plan_.caustic || maps_.bounces) passes.records.path.maps = &behind;
 
   using Rebuild = scene::FinalGatherOptions::Rebuild;
@@ -175,7 +177,7 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   maps_.gather_scale = rgb(options.scale);
   if (options.rebuild == Rebuild::Freeze && !files.gather.empty()) return;
   const std::size_t before = cache_.records().size();
-  gather_for_picture(world, window, passes, cache_, counts, watch, after_pass);
+  gather_for_picture(world, window, passes, cache_, counts, monitor, after_pass);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
   if (!files.gather.empty() && changed)
     save_gather_map(cache_.records(), files.gather.front(), diagnostics);

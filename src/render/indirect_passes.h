@@ -7,14 +7,14 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "render/gather_bounces.h"
-#include "render/window.h"
+#include "runtime/window.h"
 #include "runtime/world.h"
-#include "transport/gather_cache.h"
-#include "transport/indirect_maps.h"
-#include "transport/path.h"
-#include "transport/photon_file.h"
-#include "transport/watch.h"
+#include "transport/gather/gather_bounces.h"
+#include "transport/gather/gather_cache.h"
+#include "transport/indirect_caches.h"
+#include "transport/path/path.h"
+#include "transport/photon/photon_file.h"
+#include "transport/progress_monitor.h"
 
 namespace oriel {
 
@@ -49,7 +49,7 @@ struct MapFiles {
 ///          `finalgather rebuild freeze`: read and used as they are.
 /// Errors:  OR-RN-042 a map cannot be read or written (a warning; it is made anew), and those of
 ///          the files (OR-TR-1xx).
-/// Checked: tests/keystone (three methods on the same scenes), MapFiles.* in
+/// Checked: tests/cross_method (three methods on the same scenes), MapFiles.* in
 ///          tests/analytic/map_files_test.cpp, EmulatedReflection.* in tests/analytic
 class IndirectPasses {
  public:
@@ -59,7 +59,7 @@ class IndirectPasses {
 
   /// `after_pass`: called when there is more to see than before.
   void run(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-           const MapFiles& files, Diagnostics& diagnostics, const Watch& watch,
+           const MapFiles& files, Diagnostics& diagnostics, const ProgressMonitor& monitor,
            const std::function<void()>& after_pass);
 
   const IndirectPlan& plan() const { return plan_; }
@@ -71,13 +71,13 @@ class IndirectPasses {
 
  private:
   void shoot(const World& world, std::uint32_t seed, RayCounts& counts, const MapFiles& files,
-             Diagnostics& diagnostics, const Watch& watch);
+             Diagnostics& diagnostics, const ProgressMonitor& monitor);
   void gather(const World& world, const Window& window, std::uint32_t seed, RayCounts& counts,
-              const MapFiles& files, Diagnostics& diagnostics, const Watch& watch,
+              const MapFiles& files, Diagnostics& diagnostics, const ProgressMonitor& monitor,
               const std::function<void()>& after_pass);
 
   IndirectPlan plan_;
-  IndirectMaps maps_;
+  IndirectCaches maps_;
   PathSettings paths_;  ///< behind a diffuse surface
   PhotonMaps photons_;
   Bounces bounces_;

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "render/filter.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace oriel {
 
 /// Ranks of Cryptomattes when nobody says how many, and the most that may be asked for.
 inline constexpr int kMatteRanks = 6, kMostMatteRanks = 64;
 
-/// How what is seen is told apart.
+/// What distinguishes the mattes.
 enum class MatteKind : std::uint8_t { Object, Material, Asset };
 
 /// What World does not keep of its instances, one entry for each.
@@ -54,10 +54,10 @@ class Mattes {
  private:
   struct Entry {
     FirstSurface seen;
-    float plain = 0, marked = 0;  ///< samples
+    float positive = 0, negative = 0;  ///< samples
   };
   int width_;
-  float plain_share_, marked_share_;
+  float positive_share_, negative_share_;
   MatteNames names_;
   std::vector<std::vector<Entry>> pixels_;  ///< most see one thing or two
 };

@@ -22,25 +22,25 @@ int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 }  // namespace
 
-float relative_noise(const Film::Level& level, float picture) {
-  if (!(level.error > 0)) return 0;
-  return level.error / std::sqrt(std::max({level.mean, kDarkestJudged * picture, 1e-20f}) *
-                                 std::max(picture, 1e-20f));
+float relative_noise(const Film::Estimate& estimate, float picture) {
+  if (!(estimate.error > 0)) return 0;
+  return estimate.error / std::sqrt(std::max({estimate.mean, kDarkestJudged * picture, 1e-20f}) *
+                                    std::max(picture, 1e-20f));
 }
 
-std::vector<Film::Level> film_levels(const Film& film) {
-  std::vector<Film::Level> levels(film.pixel_count());
+std::vector<Film::Estimate> film_estimates(const Film& film) {
+  std::vector<Film::Estimate> estimates(film.pixel_count());
   const auto width = static_cast<std::size_t>(film.width());
   parallel_for(static_cast<std::size_t>(film.height()), [&](std::size_t y) {
-    for (std::size_t i = y * width; i < (y + 1) * width; ++i) levels[i] = film.level(i);
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) estimates[i] = film.estimate(i);
   });
-  return levels;
+  return estimates;
 }
 
-float picture_level(const std::vector<Film::Level>& levels) {
+float picture_brightness(const std::vector<Film::Estimate>& estimates) {
   double sum = 0;  // double: millions of terms
-  for (const Film::Level& level : levels) sum += std::sqrt(std::max(level.mean, 0.0f));
-  const double mean = levels.empty() ? 0 : sum / static_cast<double>(levels.size());
+  for (const Film::Estimate& estimate : estimates) sum += std::sqrt(std::max(estimate.mean, 0.0f));
+  const double mean = estimates.empty() ? 0 : sum / static_cast<double>(estimates.size());
   return static_cast<float>(mean * mean);
 }
 
@@ -73,11 +73,11 @@ bool Progressive::out_of_time() const {
 }
 
 void Progressive::choose_active() {
-  const std::vector<Film::Level> levels = film_levels(film_);
-  const float picture = picture_level(levels);
+  const std::vector<Film::Estimate> estimates = film_estimates(film_);
+  const float picture = picture_brightness(estimates);
   for (std::size_t i = 0; i < state_.active.size(); ++i)
     state_.active[i] = film_.samples(i) < budget_.min_samples ||
-                       relative_noise(levels[i], picture) > budget_.noise;
+                       relative_noise(estimates[i], picture) > budget_.noise;
   dilate_active();
 }
 
@@ -111,14 +111,14 @@ std::optional<StopReason> Progressive::begin_pass() {
 }
 
 void Progressive::estimate(double seconds_of_run, double samples_of_run) {
-  const std::vector<Film::Level> levels = film_levels(film_);
-  const float picture = picture_level(levels);
+  const std::vector<Film::Estimate> estimates = film_estimates(film_);
+  const float picture = picture_brightness(estimates);
   const auto pixels = static_cast<double>(film_.pixel_count());
   double noise = 0, missing = 0, active = 0;  // double: sums over all pixels
   bool known = true;
   for (std::size_t i = 0; i < film_.pixel_count(); ++i) {
     const double n = film_.samples(i);
-    const float e = relative_noise(levels[i], picture);
+    const float e = relative_noise(estimates[i], picture);
     known = known && std::isfinite(e);
     noise += e;
     double needed = budget_.max_samples;

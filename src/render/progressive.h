@@ -107,14 +107,14 @@ class Progressive {
 };
 
 /// Noise of a pixel as Progressive defines it.
-float relative_noise(const Film::Level& level, float picture_level);
+float relative_noise(const Film::Estimate& estimate, float picture_brightness);
 
 /// Levels of all pixels.
-std::vector<Film::Level> film_levels(const Film& film);
+std::vector<Film::Estimate> film_estimates(const Film& film);
 
 /// Brightness of the picture as noise is judged by: square of the mean root of the pixels'
 /// brightness, which a few lamps in view hardly move.
-float picture_level(const std::vector<Film::Level>& levels);
+float picture_brightness(const std::vector<Film::Estimate>& estimates);
 
 /// The number of samples that follows `samples` in the order of passes.
 std::uint32_t next_pass_target(std::uint32_t samples);

@@ -27,9 +27,9 @@ void noisy_half(int x, int y, std::uint32_t index, FilmSample& s) {
 }
 
 bool same_bytes(const Film& a, const Film& b) {
-  return a.plain().size() == b.plain().size() &&
-         std::memcmp(a.plain().data(), b.plain().data(), a.plain().size() * sizeof(PixelMeans)) ==
-             0;
+  return a.positive().size() == b.positive().size() &&
+         std::memcmp(a.positive().data(), b.positive().data(),
+                     a.positive().size() * sizeof(PixelMeans)) == 0;
 }
 
 Film rendered(int threads, const RenderBudget& budget) {
@@ -74,9 +74,9 @@ TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
   Film film(kWidth, kHeight, box());
   Progressive run(film, {.max_samples = 4096, .noise = target});
   EXPECT_EQ(run.run(noisy_half), StopReason::Noise);
-  const float picture = picture_level(film_levels(film));
+  const float picture = picture_brightness(film_estimates(film));
   for (std::size_t i = 0; i < film.pixel_count(); ++i)
-    EXPECT_LE(relative_noise(film.level(i), picture), target);
+    EXPECT_LE(relative_noise(film.estimate(i), picture), target);
 }
 
 TEST(Progressive, WithoutTargetEveryPixelGetsTheSamplesAskedFor) {
@@ -192,10 +192,10 @@ TEST(Progressive, PassesGrowByAlignedBlocks) {
 
 TEST(Budget, ComesFromSamplesAndContrast) {
   scene::RenderOptions options;  // samples -2 0, contrast .1
-  const RenderBudget plain = render_budget(options, {});
-  EXPECT_EQ(plain.max_samples, kFewestSceneSamples);
-  EXPECT_EQ(plain.min_samples, kFewestJudgedSamples);
-  EXPECT_NEAR(plain.noise, 0.1 / (1.96 * std::sqrt(2.0)), 1e-4);
+  const RenderBudget positive = render_budget(options, {});
+  EXPECT_EQ(positive.max_samples, kFewestSceneSamples);
+  EXPECT_EQ(positive.min_samples, kFewestJudgedSamples);
+  EXPECT_NEAR(positive.noise, 0.1 / (1.96 * std::sqrt(2.0)), 1e-4);
   options.samples_min = 3;
   options.samples_max = 4;
   options.contrast = Rgba(0.02f, 0.01f, 0.03f, 0.1f);

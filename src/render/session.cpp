@@ -8,8 +8,9 @@
 #include <mutex>
 
 #include "color/luminance.h"
-#include "render/lens_shaders.h"
+#include "render/eye_rays.h"
 #include "render/state_shaders.h"
+#include "runtime/color_mapping.h"
 #include "sampling/sampler.h"
 
 namespace oriel {
@@ -54,7 +55,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       unit_luminance_(settings.unit_luminance),
       window_(window_of(world, settings.crop)),
       maps_window_(settings.maps_for ? window_of(world, settings.maps_for) : window_),
-      witness_(settings.witness),
+      observer_(settings.observer),
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
@@ -77,8 +78,8 @@ void RenderSession::clear_film() {
 PathSettings RenderSession::path_settings() const {
   PathSettings settings = passes_.path_settings();
   settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
-  settings.meters = irradiance_;
-  settings.witness = witness_;
+  settings.irradiance = irradiance_;
+  settings.observer = observer_;
   // The grid's points were found through the camera's middle: a lens sees others at a pixel.
   settings.grid = has_grid() ? &*grid_ : nullptr;
   return settings;
@@ -98,9 +99,9 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   const auto call = [&](Moment at) { call_state_shaders(world_, raster, at, path, buffers); };
   call(Moment::StateInit);
   call(Moment::SampleInit);
-  if (settings.witness) settings.witness->begin(offset.negative);
+  if (settings.observer) settings.observer->begin_sample(offset.negative);
   path = trace_eye_rays(world_, raster, settings, sampler, counts);
-  if (settings.witness) settings.witness->end(path.radiance);
+  if (settings.observer) settings.observer->end_sample(path.radiance);
   call(Moment::SampleExit);
   call(Moment::StateExit);
   FilmSample s;
@@ -124,7 +125,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
   struct PerThread {
     PathSettings paths;
     RayCounts counts = {};
-    Outputs outputs = {};  // of the sample under way, until the film has it
+    AovValues outputs = {};  // of the sample under way, until the film has it
     LightParts by_light;
     std::vector<Rgba> buffers = {};
     std::vector<FirstSurface> firsts = {};
@@ -160,12 +161,12 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  Watch watch{cancel, {}};
+  ProgressMonitor monitor{cancel, {}};
   double told = 0, shown = 0;
   const char* stage = nullptr;
   std::mutex mutex;
   if (callbacks.progress)
-    watch.progress = [&](const char* name, double share) {
+    monitor.progress = [&](const char* name, double share) {
       const std::lock_guard lock(mutex);
       if (name == stage && seconds() - told < kSecondsBetweenPassReports) return;
       stage = name;
@@ -177,13 +178,14 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
       callbacks.progress(p);
     };
   const auto after_pass = [&] {
-    if (!callbacks.pass || seconds() - shown < kSecondsBetweenPreviews || watch.cancelled()) return;
+    if (!callbacks.pass || seconds() - shown < kSecondsBetweenPreviews || monitor.cancelled())
+      return;
     Progressive once(film_, {.max_samples = 1});
     draw(once, {{}, callbacks.pass}, cancel);
     clear_film();
     shown = seconds();
   };
-  passes_.run(world_, maps_window_, seed_, rays_, map_files_, diagnostics_, watch, after_pass);
+  passes_.run(world_, maps_window_, seed_, rays_, map_files_, diagnostics_, monitor, after_pass);
 }
 
 StopReason RenderSession::show_preview() {

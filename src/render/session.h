@@ -11,11 +11,11 @@
 #include "render/indirect_passes.h"
 #include "render/mattes.h"
 #include "render/progressive.h"
-#include "render/window.h"
+#include "runtime/window.h"
 #include "runtime/world.h"
 #include "transport/counts.h"
-#include "transport/glossy_grid.h"
-#include "transport/witness.h"
+#include "transport/path/glossy_grid.h"
+#include "transport/path/path_observer.h"
 
 namespace oriel {
 
@@ -29,9 +29,9 @@ struct SessionSettings {
   float unit_luminance = 1;             ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};      ///< cut to the picture; replaces the camera's window
   std::optional<Window> maps_for = {};  ///< what gather points are placed for; unset: the window
-  /// Told of the paths of the picture; it hears one pixel after the other from any thread, so the
-  /// window should be one pixel. Outlives the session; null = nobody.
-  PathWitness* witness = nullptr;
+  /// Optional observer of the paths of the picture; may be null. Called for one pixel after the
+  /// other from any thread, so the window should be one pixel. Outlives the session.
+  PathObserver* observer = nullptr;
   std::optional<MatteNames> mattes = {};  ///< keep what each pixel sees first
   MapFiles map_files = {};
   Diagnostics* diagnostics = nullptr;  ///< of map files; outlives the session; may be null
@@ -92,7 +92,7 @@ class RenderSession {
   bool irradiance_, motion_;
   float unit_luminance_;
   Window window_, maps_window_;
-  PathWitness* witness_;
+  PathObserver* observer_;
   FilterSampler filter_;
   RenderBudget budget_;
   Film film_;

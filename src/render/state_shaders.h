@@ -5,7 +5,7 @@
 #include <span>
 
 #include "runtime/world.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace oriel {
 

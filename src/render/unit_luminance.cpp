@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "render/lens_shaders.h"
+#include "runtime/color_mapping.h"
 #include "sky/units.h"
 
 namespace oriel {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "runtime/stand_in.h"
+#include "runtime/fallback_shader.h"
 
 namespace oriel {
 namespace {
@@ -148,9 +148,9 @@ ShaderNode* Binder::make_node(const ShaderSpec& spec) {
   return node;
 }
 
-const ShaderNode* Binder::stand_in() {
-  if (!stand_in_) stand_in_ = make_node(kStandIn);
-  return stand_in_;
+const ShaderNode* Binder::fallback() {
+  if (!fallback_) fallback_ = make_node(kFallbackShader);
+  return fallback_;
 }
 
 const ShaderNode* Binder::bind_call(const std::string& type,
@@ -158,7 +158,7 @@ const ShaderNode* Binder::bind_call(const std::string& type,
                                     Scope* scope) {
   if (depth_ >= kMostDepth) {
     diagnostics_.error("OR-RT-003", where, "shader calls are nested too deeply");
-    return stand_in();
+    return fallback();
   }
   struct Deeper {
     int& depth;
@@ -173,7 +173,7 @@ const ShaderNode* Binder::bind_call(const std::string& type,
   ++report_.shaders[type];
   ShaderNode* node = make_node(*spec);
   if (spec->stands_in) {
-    ++report_.stand_ins[type];
+    ++report_.fallbacks[type];
     if (const auto* own = scene_.find_declaration(type)) bind_declared(*node, own->parameters);
   }
   for (const scene::Argument& argument : args) bind_argument(*node, argument, scope);
@@ -194,7 +194,7 @@ const ShaderNode* Binder::bind_phenomenon(const scene::Phenomenon& phenomenon,
       diagnostics_.error(
           "OR-RT-004", where,
           fmt::format("phenomenon \"{}\" calls itself", phenomenon.declaration.name));
-      return stand_in();
+      return fallback();
     }
   scopes_.push_back(std::make_unique<Scope>(Scope{&phenomenon, &args, scope, {}}));
   Scope* inner = scopes_.back().get();
@@ -215,15 +215,15 @@ const ShaderNode* Binder::bind_phenomenon(const scene::Phenomenon& phenomenon,
   diagnostics_.warning(
       "OR-RT-002", where,
       fmt::format("phenomenon \"{}\" has no root shader", phenomenon.declaration.name));
-  return stand_in();
+  return fallback();
 }
 
 NodeList Binder::bind_displacement(const scene::ShaderList& list, Scope* scope) {
   NodeList nodes;
   for (const ShaderNode* node : bind_list(list, scope)) {
-    if (node->spec().value && node != stand_in_)
+    if (node->spec().value && node != fallback_)
       nodes.push_back(node);
-    else if (node != stand_in_)
+    else if (node != fallback_)
       diagnostics_.warning(
           "OR-RT-030", list.front().where,
           fmt::format("shader \"{}\" gives no value to displace by; skipped", node->spec().name));
@@ -236,7 +236,7 @@ NodeList Binder::bind_volume(const scene::ShaderList& list, Scope* scope) {
   for (const ShaderNode* node : bind_list(list, scope)) {
     if (node->spec().volume)
       nodes.push_back(node);
-    else if (node != stand_in_)
+    else if (node != fallback_)
       diagnostics_.warning(
           "OR-RT-046", list.front().where,
           fmt::format("shader \"{}\" does not act as a volume; skipped", node->spec().name));
@@ -253,7 +253,7 @@ void Binder::bind_shadow(const scene::ShaderList& list, Scope* scope, Material& 
   Material slot;
   for (const scene::ShaderUse& use : list) {
     const ShaderNode* node = bind_use(use, scope);
-    if (!node || node == stand_in_) continue;
+    if (!node || node == fallback_) continue;
     const ShaderSpec& spec = node->spec();
     // The surface itself; a call of its shader without arguments takes over the surface's.
     const bool bare = use.reference.empty() && !use.interface && use.arguments.empty();

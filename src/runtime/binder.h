@@ -20,9 +20,9 @@ struct BindingReport {
   std::map<std::string, int> shaders;
   /// "shader.parameter" set by the scene but not followed exactly -> places
   std::map<std::string, int> approximated, ignored;
-  /// Types of shaders nobody has; those of which something could be guessed stand in `guessed`.
+  /// Types of unavailable shaders; those with a fallback shader are also in `guessed`.
   std::vector<std::string> missing_shaders, missing_textures;
-  std::map<std::string, int> stand_ins;        ///< shader type of a host -> how many calls
+  std::map<std::string, int> fallbacks;        ///< shader type of a host -> how many calls
   std::map<std::string, std::string> guessed;  ///< shader type -> what was taken for what
 };
 
@@ -130,7 +130,7 @@ class Binder {
   void mismatch(const ShaderNode& node, const ParamSpec& param, const scene::Value& value);
   const TextureNode* texture(const std::string& name, SourceLocation where, Scope* scope);
   ShaderNode* make_node(const ShaderSpec& spec);
-  const ShaderNode* stand_in();
+  const ShaderNode* fallback();
 
   const scene::Scene& scene_;
   const Registry& registry_;
@@ -146,7 +146,7 @@ class Binder {
   std::vector<std::unique_ptr<Scope>> scopes_;
   std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
   int depth_ = 0;
-  const ShaderNode* stand_in_ = nullptr;
+  const ShaderNode* fallback_ = nullptr;
   std::map<std::string, int> reported_;
   BindingReport report_;
   ShadingPoint constant_point_;

@@ -35,7 +35,7 @@ enum class LobeKind : std::uint8_t {
 inline bool is_highlight(LobeKind kind) { return kind >= LobeKind::PhongHighlight; }
 
 /// The output of the material a lobe belongs to.
-enum class Channel : std::uint8_t { Diffuse, Reflection, Refraction, Translucency };
+enum class LobeType : std::uint8_t { Diffuse, Reflection, Refraction, Translucency };
 
 /// How the manual lets rays of a lobe be limited.
 struct LobeControls {
@@ -74,7 +74,7 @@ struct Occlusion {
 /// Level times a lobe whose own directional albedo is at most 1.
 struct Lobe {
   LobeKind kind = LobeKind::Diffuse;
-  Channel channel = Channel::Diffuse;
+  LobeType type = LobeType::Diffuse;
   Rgb level{0};         ///< per view direction; includes energy conservation and the angle curve
   Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
   float roughness = 0;  ///< Diffuse: sigma; of highlights see LobeKind
@@ -139,11 +139,11 @@ struct Closure {
     return false;
   }
 
-  Lobe& add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame) {
+  Lobe& add(LobeKind kind, LobeType type, const Rgb& level, const Frame& frame) {
     ORIEL_ASSERT(count < kMostLobes);
     Lobe& lobe = *new (&lobes[count++]) Lobe{};
     lobe.kind = kind;
-    lobe.channel = channel;
+    lobe.type = type;
     lobe.level = level;
     lobe.frame = frame;
     return lobe;

@@ -23,7 +23,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// The area over which a light spreads what it sends along wi's opposite. What a profile measured
 /// is for the cylinder as seen from there, else cylinders send as their shader says on the mean.
 float sending_area(const Light& light, const Vec3& wi) {
-  if (light.shape != LightShape::Cylinder || !light.luminaire) return light.area;
+  if (light.shape != LightShape::Cylinder || !light.profile_placement) return light.area;
   const float half = length(light.edge_u);
   return 4 * light.radius * half * std::max(1e-3f, length(cross(wi, light.edge_u)) / half);
 }
@@ -137,14 +137,14 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
   return value;
 }
 
-Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi,
-                     float distance) {
-  if (world.air_on_light.empty()) return Rgb(1);
-  return kept_by_air(world, world.air_on_light, point.position, wi, distance);
+Rgb volume_transmittance_to_light(const World& world, const ShadingPoint& point, const Vec3& wi,
+                                  float distance) {
+  if (world.light_volume.empty()) return Rgb(1);
+  return volume_transmittance(world, world.light_volume, point.position, wi, distance);
 }
 
-Rgb kept_by_air(const World& world, const NodeList& air, const Vec3& at, const Vec3& wi,
-                float distance) {
+Rgb volume_transmittance(const World& world, const NodeList& volume, const Vec3& at, const Vec3& wi,
+                         float distance) {
   Rgb kept(1);
   ShadingPoint way;
   way.ray_kind = RayKind::Light;
@@ -154,7 +154,7 @@ Rgb kept_by_air(const World& world, const NodeList& air, const Vec3& at, const V
   way.ray_direction = -wi;
   way.ray_length = distance;
   way.world = &world;
-  for (const ShaderNode* node : air)
+  for (const ShaderNode* node : volume)
     if (const ShaderSpec& spec = node->spec(); spec.dims_light && spec.dims_light(*node))
       kept *= node->with_params(way, [&](const Call& call) { return spec.volume(call); }).kept;
   return kept;
@@ -330,7 +330,8 @@ std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point,
     sample->wi = moved.direction(sample->wi);
   }
   if (kind == RayKind::Light && point.world && !light.portal)
-    sample->irradiance *= air_before_light(*point.world, point, sample->wi, sample->distance);
+    sample->irradiance *=
+        volume_transmittance_to_light(*point.world, point, sample->wi, sample->distance);
   return sample;
 }
 
@@ -351,7 +352,7 @@ std::optional<LightHit> intersect_light(const Light& light, ShadingPoint& from,
     hit->pdf *= moved.crowding(at_rest);
   }
   if (kind == RayKind::Light && from.world && !light.portal)
-    hit->radiance *= air_before_light(*from.world, from, direction, hit->t);
+    hit->radiance *= volume_transmittance_to_light(*from.world, from, direction, hit->t);
   return hit;
 }
 

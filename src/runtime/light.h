@@ -8,8 +8,8 @@
 #include <string>
 
 #include "runtime/light_photons.h"
-#include "runtime/luminaire.h"
 #include "runtime/portal.h"
+#include "runtime/profile_placement.h"
 #include "runtime/shader_node.h"
 
 namespace oriel {
@@ -37,9 +37,9 @@ struct Light {
   bool visible = false;  ///< the shape is seen by rays
   /// Kind `user`: a point from which the shader moves each sample (LightValue::origin).
   bool placed_by_shader = false;
-  LightPhotons photons;  ///< as its element and its shader ask
-  Luminaire luminaire;   ///< set where the shader distributes light by a profile
-  Mat4 to_local;         ///< world to the light's space
+  LightPhotons photons;                ///< as its element and its shader ask
+  ProfilePlacement profile_placement;  ///< set where the shader distributes light by a profile
+  Mat4 to_local;                       ///< world to the light's space
   Mat4 to_world;
   /// Where what is written goes, world to world, at equal steps of a ray's time; empty: it stays.
   /// Samples, hits and photons of a light that moves are worked out where it stands as written.
@@ -75,7 +75,8 @@ inline constexpr float kAsWritten = -1;
 ///          light is the mean of its shader over the shape (per area; rectangles with decay are
 ///          sampled by solid angle, which has the same mean and less noise).
 /// `kind`: as ask_light_shader.
-/// Checked: Lights.* in runtime/light_test.cpp (sphere, disc, rectangle against closed forms).
+/// Checked: AreaLight.* in tests/analytic (shapes against closed forms), LightContract.*,
+///          ExtendedLightContract.*
 std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind = RayKind::Light);
 
@@ -107,11 +108,12 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
 /// Share of a light's colour that the air leaves on its way to a point: from there along wi, as
 /// long, infinity for what is endlessly far. sample_light and intersect_light have it in what they
 /// return for kind Light; the environment's light does not.
-Rgb air_before_light(const World& world, const ShadingPoint& point, const Vec3& wi, float distance);
+Rgb volume_transmittance_to_light(const World& world, const ShadingPoint& point, const Vec3& wi,
+                                  float distance);
 
 /// The same of volume shaders; those count that act on light.
-Rgb kept_by_air(const World& world, const NodeList& air, const Vec3& at, const Vec3& wi,
-                float distance);
+Rgb volume_transmittance(const World& world, const NodeList& volume, const Vec3& at, const Vec3& wi,
+                         float distance);
 
 /// Whether rays may meet it.
 inline bool has_extent(LightShape shape) {

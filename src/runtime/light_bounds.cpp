@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lights are like from afar: what a tree of lights goes by.
+// Bounds of lights for distant points, used by the light tree.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,10 +119,10 @@ LightBounds bounds_of(const Light& light, const World& world, float reach) {
   }
   const float near = reach * kNear, far = reach * kFar;
   float at_near = 0, at_far = 0;
-  if (light.luminaire) {
+  if (light.profile_placement) {
     // Seldom does an axis meet the beam: the mean over all directions by the profile's own.
-    const photometry::LightProfile& profile = *light.luminaire.profile;
-    const Vec3 beam = light.luminaire.to_world(profile.peak_direction());
+    const photometry::LightProfile& profile = *light.profile_placement.profile;
+    const Vec3 beam = light.profile_placement.to_world(profile.peak_direction());
     const float mean = profile.flux() / (4 * kPi * std::max(profile.peak(), 1e-20f));
     at_near = brightness(light, world, beam, near) * mean;
     at_far = brightness(light, world, beam, far) * mean;
@@ -174,7 +174,7 @@ LightGroups group_lights(const World& world) {
       b.falling = std::max(b.falling, none ? 1.0f : falling);
     }
   }
-  groups.lamps = LightTree(bounds[0], names[0]);
+  groups.finite = LightTree(bounds[0], names[0]);
   groups.portals = LightTree(bounds[1], names[1]);
   return groups;
 }

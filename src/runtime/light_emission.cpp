@@ -129,10 +129,10 @@ Vec3 PhotonSource::outside(const Vec3& place, const Vec3& direction) const {
 /// that all photons of a profile's light are equally strong.
 EmittedPhoton PhotonSource::emit_by_profile(Vec2 u_place, Vec2 u_direction) const {
   const Light& light = *light_;
-  const auto s = light.luminaire.profile->sample(u_direction);
+  const auto s = light.profile_placement.profile->sample(u_direction);
   EmittedPhoton photon;
   photon.origin = light.position;
-  photon.direction = light.luminaire.to_world(s.direction);
+  photon.direction = light.profile_placement.to_world(s.direction);
   if (!(s.pdf > 0)) return photon;
   float area = 1;  // as seen along the direction
   if (is_flat(light.shape)) {
@@ -230,7 +230,7 @@ EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const 
     return photon;
   }
 
-  if (light.luminaire) return emit_by_profile(u_place, u_direction);
+  if (light.profile_placement) return emit_by_profile(u_place, u_direction);
   EmittedPhoton photon;
   float cone = 1 - std::min(least_cosine(light), 1.0f);  // 1 - its cosine
   if (light.shape == LightShape::Point) {

@@ -112,7 +112,7 @@ LightBounds bounds_of(const Light& light, const World& world, float reach);
 /// The lights of a scene by the way they are chosen.
 struct LightGroups {
   std::vector<int> infinite;  ///< without a place
-  LightTree lamps;            ///< with one
+  LightTree finite;           ///< with one
   LightTree portals;
 };
 LightGroups group_lights(const World& world);

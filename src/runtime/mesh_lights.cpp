@@ -54,7 +54,7 @@ class Clustering {
 
 }  // namespace
 
-MeshLights::MeshLights(std::vector<GlowingTriangle> triangles, std::span<const LightBounds> bounds,
+MeshLights::MeshLights(std::vector<EmissiveTriangle> triangles, std::span<const LightBounds> bounds,
                        std::span<const std::uint32_t> triangles_of_instance) {
   if (triangles.empty()) return;
   // Halving fills clusters by a half and more.
@@ -81,7 +81,7 @@ MeshLights::MeshLights(std::vector<GlowingTriangle> triangles, std::span<const L
     }
     double sum = 0;
     for (std::uint32_t k = starts_[c]; k < starts_[c + 1]; ++k) {
-      const GlowingTriangle& t = triangles[clusters.order[k]];
+      const EmissiveTriangle& t = triangles[clusters.order[k]];
       sum += static_cast<double>(t.power);
       number_of_[first_[t.instance] + t.primitive] = static_cast<std::uint32_t>(shares_.size());
       shares_.push_back({t.instance, t.primitive, static_cast<float>(sum / power)});

@@ -12,7 +12,7 @@
 namespace oriel {
 
 /// A triangle of an instance of the world's accel.
-struct GlowingTriangle {
+struct EmissiveTriangle {
   std::uint32_t instance = 0, primitive = 0;
   float power = 0;  ///< luminance times area, of both sides; above 0
 };
@@ -22,7 +22,7 @@ struct GlowingTriangle {
 ///
 /// Model:   12 bytes for each triangle, 4 more for each of an instance that glows somewhere, and
 ///          about 230 for each of at most kMostClusters clusters.
-/// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/glow_test.cpp
+/// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/emission_test.cpp
 class MeshLights {
  public:
   static constexpr std::size_t kMostClusters = 16384;
@@ -30,7 +30,7 @@ class MeshLights {
   MeshLights() = default;
   /// Inputs:  bounds: of each triangle; instances: how many the accel has, and for those with
   ///          triangles here how many triangles their mesh has, else 0.
-  MeshLights(std::vector<GlowingTriangle> triangles, std::span<const LightBounds> bounds,
+  MeshLights(std::vector<EmissiveTriangle> triangles, std::span<const LightBounds> bounds,
              std::span<const std::uint32_t> triangles_of_instance);
 
   bool empty() const { return shares_.empty(); }

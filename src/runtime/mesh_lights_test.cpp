@@ -10,7 +10,7 @@ namespace oriel {
 namespace mesh_lights_test {
 
 struct Triangles {
-  std::vector<GlowingTriangle> list;
+  std::vector<EmissiveTriangle> list;
   std::vector<LightBounds> bounds;
 };
 
@@ -52,7 +52,7 @@ TEST(MeshLights, ChancesSumToNearlyOneAndAreThoseOfTheChoices) {
     for (int place = 0; place < 3; ++place) {
       const LitPoint lit{Vec3(10 * u(engine), 10 * u(engine), -1), Vec3(0, 0, 1)};
       double sum = 0;  // double: thousands of terms
-      for (const GlowingTriangle& g : t.list)
+      for (const EmissiveTriangle& g : t.list)
         sum += static_cast<double>(lights.probability(lit, g.instance, g.primitive));
       // What the cones of several triangles together might light, though none of them does, ends
       // a few choices in nothing.

@@ -243,7 +243,7 @@ void open_portals(World& world) {
     Light& light = world.lights[i];
     if (!light.portal) continue;
     Portal& portal = *light.portal;
-    world.has_gels |= !portal.visible && portal.transparency != Rgb(1);
+    world.has_tinted_portals |= !portal.visible && portal.transparency != Rgb(1);
     portal.world = &world;
     if (!portal.own_environment)
       portal.shaders = world.environment.shaders();

@@ -88,7 +88,7 @@ struct LensCall {
 /// What an exposure asks for beside mapping colours.
 struct LensTraits {
   const TextureNode* preview = nullptr;  ///< shown in place of a rendering; null = none
-  int side_channel_mode = 0;             ///< see map_output() in render/lens_shaders.h
+  int side_channel_mode = 0;             ///< see map_output() in runtime/color_mapping.h
   std::string_view side_channel = {};
   float luminance = 0;  ///< cd/m2 that it takes one unit of a pixel for; 0 = no physical unit
   float gamma = 1;
@@ -148,7 +148,7 @@ class OutputPicture;
 /// arrives, and `added` comes on top. `scattered` is the weight of the light that comes to `place`,
 /// on the way, from where `onward` (unit) points, and is turned to the ray there: one example of
 /// many, drawn by chance; not in `added`, black where there is none.
-struct AirValue {
+struct VolumeValue {
   Rgb kept{1}, added{0}, scattered{0};
   Vec3 place{0}, onward{0};
 };
@@ -198,7 +198,7 @@ struct ShaderSpec {
   int (*lens_rays)(const ShaderNode&) = nullptr;
   /// Makes the colour of an eye ray of what it asks for behind itself, by any number of rays.
   Rgba (*lens_eye)(const Call&, LensNext&) = nullptr;
-  /// Stands in a material's slot `photon`: what becomes of a photon of that energy.
+  /// Stands in a material's slot `photon`: scatters a photon of that energy.
   void (*photon)(const Call&, const Rgb& energy, PhotonNext&) = nullptr;
   /// Stands in a light's list `emitter`: sends one photon.
   void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;
@@ -211,7 +211,7 @@ struct ShaderSpec {
   /// Acts as a volume: between call.point's ray origin and the surface at its ray_length. Rays of
   /// kind Light end at what is lit and begin at the light, or endlessly far: only `kept` counts. Of
   /// photons' rays, turned as all rays are, `added` does not.
-  AirValue (*volume)(const Call&) = nullptr;
+  VolumeValue (*volume)(const Call&) = nullptr;
   /// Whether rays of kind Light ask it, by constant parameters. Null: they do not.
   bool (*dims_light)(const ShaderNode&) = nullptr;
   /// It may act on rays that meet nothing as well, which have a ray_length without end.
@@ -236,7 +236,7 @@ struct ShaderSpec {
   /// Densities of the grids it interpolates over, a bit each. Null: none.
   unsigned (*grids)(const ShaderNode&) = nullptr;
   /// It takes the place of another program's shader of that name, known by what is public of it:
-  /// see runtime/binder_stand_ins.cpp.
+  /// see runtime/binder_fallbacks.cpp.
   bool stands_in = false;
   /// Stand-ins: further names of the shader, separated by blanks.
   const char* aliases = "";

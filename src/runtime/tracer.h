@@ -53,18 +53,18 @@ class Tracer {
   // For shaders that bring a finished colour: each answer is an estimate whose mean is right.
 
   /// How far the path has come that asks.
-  struct Levels {
+  struct Depth {
     int reflections = 0, refractions = 0;
     float importance = 1;  ///< share of the pixel that it decides, at most 1
   };
-  virtual Levels levels() const = 0;
+  virtual Depth depth() const = 0;
 
   struct SubRay {
     RayKind kind = RayKind::Reflect;  ///< Eye, Reflect, Refract, Transparent
     Vec3 direction{0, 0, 1};          ///< unit
     bool from_surface = true;         ///< leaves the point's surface, else `origin`
     Vec3 origin{0};
-    Levels levels;                                         ///< those of the new ray
+    Depth depth;                                           ///< those of the new ray
     float reach = std::numeric_limits<float>::infinity();  ///< beyond it is the environment
   };
   struct Seen {

@@ -25,7 +25,7 @@
 namespace oriel {
 
 /// What an instance does with rays and photons beside being met by them; bits.
-enum Takes : std::uint16_t {
+enum VisibilityFlags : std::uint16_t {
   kSendsReflections = 1u << 0,
   kSendsRefractions = 1u << 1,
   kSendsTransparency = 1u << 2,
@@ -36,11 +36,12 @@ enum Takes : std::uint16_t {
   kMeetsGlobillum = 1u << 7,
   kCastsGlobillum = 1u << 8,
   kReceivesGlobillum = 1u << 9,
-  kTakesAll = (1u << 10) - 1
+  kAllVisibility = (1u << 10) - 1
 };
 /// The bits of one kind of photon, moved to those of caustics.
-inline unsigned photon_bits(unsigned takes, bool caustic) {
-  return (caustic ? takes : takes >> 3) & (kMeetsCaustics | kCastsCaustics | kReceivesCaustics);
+inline unsigned photon_bits(unsigned visibility, bool caustic) {
+  return (caustic ? visibility : visibility >> 3) &
+         (kMeetsCaustics | kCastsCaustics | kReceivesCaustics);
 }
 
 /// One leaf of the instance graph that holds geometry.
@@ -53,7 +54,7 @@ struct InstanceData {
   bool linked = false;
   bool lights_exclusive = false;
   bool receives_shadow = true;
-  std::uint16_t takes = kTakesAll;  ///< see Takes
+  std::uint16_t visibility = kAllVisibility;  ///< see Takes
 };
 
 /// A frame buffer that shaders write to (`frame buffer N "type"`, `framebuffer` of the camera).
@@ -78,19 +79,19 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
-  LightGroups light_groups;      ///< indices into lights
-  LightLayers light_layers;      ///< whose light is kept apart
-  MeshLights mesh_lights;        ///< surfaces that glow
-  bool has_gels = false;         ///< some portal dims what is seen through it
-  bool has_area_lights = false;  ///< some light has a shape that rays can meet
+  LightGroups light_groups;         ///< indices into lights
+  LightLayers light_layers;         ///< whose light is kept apart
+  MeshLights mesh_lights;           ///< surfaces that glow
+  bool has_tinted_portals = false;  ///< some portal dims what is seen through it
+  bool has_area_lights = false;     ///< some light has a shape that rays can meet
   EnvironmentLight environment;
   NodeList lens;           ///< colour-mapping lens shaders, in the order in which they map
   NodeList lens_rays;      ///< lens shaders that bend eye rays, in order
   NodeList state_shaders;  ///< called around eye samples
   const TextureNode* preview = nullptr;   ///< shown in place of a rendering; null = none
-  NodeList air;                           ///< volume shaders of the camera: around all rays
-  NodeList air_on_light;                  ///< those of them that dim light on its way
-  NodeList air_of_eye;                    ///< those that stand as its lens: eye rays alone
+  NodeList camera_volume;                 ///< volume shaders of the camera: around all rays
+  NodeList light_volume;                  ///< those of them that dim light on its way
+  NodeList eye_volume;                    ///< those that stand as its lens: eye rays alone
   bool has_object_volumes = false;        ///< some material has volume shaders
   bool has_transparent_blockers = false;  ///< some material may let light pass
   std::uint32_t shadowless = 0;           ///< bits geom::RayMask::Shadowless* that instances have

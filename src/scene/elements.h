@@ -16,8 +16,8 @@ namespace oriel::scene {
 struct Options {
   std::string name;
   std::vector<Statement> statements;
-  ShaderList state;            ///< called around the samples of the picture
-  std::vector<KeptText> kept;  ///< contour, data blocks
+  ShaderList state;                                   ///< called around the samples of the picture
+  std::vector<UninterpretedStatement> uninterpreted;  ///< contour, data blocks
   SourceLocation where;
   bool operator==(const Options&) const = default;
 };
@@ -42,7 +42,7 @@ struct FrameBuffer {
   std::optional<bool> primary;       ///< it is the picture itself
   std::optional<bool> user;          ///< only shaders write into it
   std::vector<Statement> modifiers;  ///< compression, quality, dpi, premultiplied, ...
-  std::vector<KeptText> kept;        ///< items nobody knows
+  std::vector<UninterpretedStatement> uninterpreted;  ///< unknown items
   SourceLocation where;
   bool operator==(const FrameBuffer&) const = default;
 };
@@ -59,7 +59,7 @@ struct Camera {
   ShaderList lens, volume, environment;
   std::vector<Statement> other;  ///< offset, window, clip, frame, dof, ... as written
   std::vector<FrameBuffer> frame_buffers;
-  std::vector<KeptText> kept;  ///< pass blocks
+  std::vector<UninterpretedStatement> uninterpreted;  ///< pass blocks
   SourceLocation where;
   bool operator==(const Camera&) const = default;
 };
@@ -140,7 +140,7 @@ struct Instance {
   std::vector<std::string> materials;
   std::optional<LightLinks> light_links, shadow_links;
   std::optional<std::vector<Argument>> parameters;
-  std::vector<KeptText> kept;
+  std::vector<UninterpretedStatement> uninterpreted;
   SourceLocation where;
   bool operator==(const Instance&) const = default;
 };

@@ -10,7 +10,7 @@
 namespace oriel::scene {
 
 /// `tag N` among an element's statements, within 32 bits; 0: none is written.
-/// Checked: Mattes.* in render/mattes_test.cpp, UserQueries.* in tests/user_shaders
+/// Checked: Mattes.* in output/mattes_test.cpp, UserQueries.* in tests/user_shaders
 std::uint32_t label_of(const std::vector<Statement>& statements);
 
 }  // namespace oriel::scene

@@ -61,7 +61,7 @@ struct Object {
   std::vector<Basis> bases;      ///< of free-form curves and surfaces
   std::vector<PolygonGroup> groups;
   std::vector<Hair> hairs;
-  std::vector<KeptText> kept;  ///< other geometry
+  std::vector<UninterpretedStatement> uninterpreted;  ///< other geometry
   std::string content;  ///< of a placeholder (`file "f"`): the object loaded for it, if it was
   SourceLocation where;
   bool tagged() const;

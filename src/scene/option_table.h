@@ -11,10 +11,10 @@
 namespace oriel::scene {
 
 enum class OptionSupport : std::uint8_t {
-  Effective,  ///< changes the picture as documented
-  NotYet,     ///< typed here, nothing acts on it
-  Kept,       ///< kept as written, not interpreted
-  Harmless    ///< the picture does not depend on it
+  Effective,      ///< changes the picture as documented
+  NotYet,         ///< typed here, nothing acts on it
+  Uninterpreted,  ///< kept as written, not interpreted
+  Harmless        ///< the picture does not depend on it
 };
 
 /// One value of a statement. A row of numbers counts as one item per number.
@@ -51,7 +51,7 @@ struct OptionRow {
   /// What may follow: `bool`, `int`, `float`, `string`, `list` or a literal word, alternatives
   /// separated by `|`, `_` for a blank within one, optional rests in brackets; `...` = anything.
   std::string_view form;
-  OptionSupport support = OptionSupport::Kept;
+  OptionSupport support = OptionSupport::Uninterpreted;
   std::string_view meaning;
   void (*set)(RenderOptions&, const OptionValues&) = nullptr;
 };

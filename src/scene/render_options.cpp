@@ -150,7 +150,7 @@ class Interpreter {
     keep(row.keyword,
          row.support == OptionSupport::NotYet     ? Reason::NotYet
          : row.support == OptionSupport::Harmless ? Reason::Harmless
-                                                  : Reason::Kept,
+                                                  : Reason::Uninterpreted,
          where);
   }
 
@@ -199,8 +199,8 @@ RenderOptions interpret_options(const Options& options, Diagnostics& diagnostics
                                  : value->kind == Value::Kind::Boolean && !value->boolean);
   Interpreter interpreter(result, !off, diagnostics);
   for (const Statement& s : options.statements) interpreter.read(s);
-  for (const KeptText& k : options.kept)
-    interpreter.keep(k.keyword, WithoutEffect::Reason::Kept, k.where);
+  for (const UninterpretedStatement& k : options.uninterpreted)
+    interpreter.keep(k.keyword, WithoutEffect::Reason::Uninterpreted, k.where);
   return result;
 }
 

@@ -112,10 +112,10 @@ struct UserFrameBuffer {
 struct WithoutEffect {
   std::string keyword;
   enum class Reason : std::uint8_t {
-    NotYet,    ///< its meaning is known, nothing acts on it
-    Kept,      ///< kept and written back, not interpreted
+    NotYet,         ///< its meaning is known, nothing acts on it
+    Uninterpreted,  ///< kept and written back, not interpreted
     Harmless,  ///< concerns speed or another program's method; the picture does not depend on it
-  } reason = Reason::Kept;
+  } reason = Reason::Uninterpreted;
   SourceLocation where;
   bool operator==(const WithoutEffect&) const = default;
 };
@@ -160,7 +160,7 @@ struct RenderOptions {
       light_groups;  ///< `"light group NAME" "PATTERN,..."`; layers of EXR files
 
   std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
-  std::vector<std::string> unknown_strings;   ///< string options nobody here knows, each once
+  std::vector<std::string> unknown_strings;   ///< unknown string options, each once
 
   /// Whether photons bring the light that glass bends. Paths do not: where they find the light,
   /// glass casts transparent shadows.

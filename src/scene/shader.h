@@ -73,8 +73,8 @@ struct ShaderDeclaration {
   std::vector<ParamDecl> results;  ///< one unnamed for a plain type, the members for a struct
   std::vector<ParamDecl> parameters;
   std::vector<Statement> requirements;  ///< version, apply, trace, shadow, ... as written
-  std::vector<KeptText> kept;           ///< gui and hardware blocks
-  bool old_form = false;                ///< without the word shader: ended at the parenthesis
+  std::vector<UninterpretedStatement> uninterpreted;  ///< gui and hardware blocks
+  bool old_form = false;  ///< without the word shader: ended at the parenthesis
   SourceLocation where;
   bool operator==(const ShaderDeclaration&) const = default;
 };
@@ -84,7 +84,7 @@ struct DataDeclaration {
   std::string name;
   std::vector<ParamDecl> parameters;
   std::vector<Statement> requirements;
-  std::vector<KeptText> kept;  ///< gui blocks
+  std::vector<UninterpretedStatement> uninterpreted;  ///< gui blocks
   SourceLocation where;
   bool operator==(const DataDeclaration&) const = default;
 };

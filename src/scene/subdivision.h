@@ -36,7 +36,7 @@ struct SubdivisionSurface {
   /// What stands behind a base face and is not followed: `detail`, the hierarchy in braces.
   struct Detail {
     std::uint32_t face = 0;
-    KeptText text;
+    UninterpretedStatement text;
     bool operator==(const Detail&) const = default;
   };
   /// `derivative order [space texture space]`: which derivatives shaders will ask for.

@@ -12,7 +12,7 @@ namespace oriel::scene {
 struct Argument;
 
 /// One value of a parameter or statement, as written. The declared type is applied when the value
-/// is bound (runtime/bind.h), so a value can be kept and written back although nobody knows its
+/// is bound (runtime/bind.h), so a value can be kept and written back even with an unknown
 /// shader.
 struct Value {
   enum class Kind : std::uint8_t {
@@ -60,11 +60,11 @@ struct Statement {
 /// A construct that is read, kept and written back, but has no meaning to this renderer: free-form
 /// surfaces, subdivision, hair, gui blocks... `text` is its source after the keyword, tokens
 /// separated by blanks.
-struct KeptText {
+struct UninterpretedStatement {
   std::string keyword;
   std::string text;
   SourceLocation where;
-  bool operator==(const KeptText&) const = default;
+  bool operator==(const UninterpretedStatement&) const = default;
 };
 
 /// The last statement of that keyword (later ones override), or null.

@@ -31,7 +31,7 @@ class StateFrame {
   void set_parent(miState* parent);
 
   /// Parent where the one that cast the ray is a built-in shader.
-  std::optional<miState> stand_in_;
+  std::optional<miState> eye_state_;
   miVector bump_x_[kMostTextureSpaces], bump_y_[kMostTextureSpaces], derivs_[NO_DERIVS];
 };
 

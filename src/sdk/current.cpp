@@ -4,7 +4,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "render/camera_output.h"
+#include "output/camera_output.h"
 
 namespace oriel::sdk {
 namespace {

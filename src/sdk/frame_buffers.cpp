@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "render/camera_output.h"
+#include "output/camera_output.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
 

@@ -13,8 +13,8 @@
 #include "oriel/sdk/shader/image.h"
 #include "oriel/sdk/shader/image_tools.h"
 #include "oriel/sdk/shader/system.h"
-#include "render/camera_output.h"
-#include "render/output_request.h"
+#include "output/camera_output.h"
+#include "output/output_request.h"
 #include "sdk/current.h"
 #include "sdk/picture.h"
 

@@ -8,7 +8,7 @@
 #include "image/files.h"
 #include "image/test_files.h"
 #include "oriel/sdk/shader/image.h"
-#include "render/camera_output.h"
+#include "output/camera_output.h"
 #include "sdk/current.h"
 #include "sdk/picture.h"
 #include "sdk/testing/bare_state.h"

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "base/math.h"
-#include "render/output_request.h"
+#include "output/output_request.h"
 #include "sdk/picture.h"
 
 namespace {

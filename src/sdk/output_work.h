@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "render/output_picture.h"
+#include "output/output_picture.h"
 #include "sdk/picture.h"
 
 namespace oriel::sdk {

@@ -4,6 +4,7 @@
 #include "scene/label.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
+#include "sdk/made_record.h"
 #include "sdk/user_data.h"
 
 namespace oriel::sdk {
@@ -39,6 +40,13 @@ geom::Box3 object_bounds(const Host& host, std::size_t index) {
 
 }  // namespace
 
+void store_written(Host& host, miTag tag, miLight& out) {
+  const auto* statements = statements_of(host, tag);
+  if (!statements) return;
+  out.label = scene::label_of(*statements);
+  store_shadow_maps(*statements, out);
+}
+
 miTag data_of(Host& host, miTag tag) {
   const auto* statements = statements_of(host, tag);
   return statements ? attached_data(*statements, host) : miNULLTAG;
@@ -71,7 +79,8 @@ bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
   const std::uint32_t mask = host.world()->accel->instance(index).mask;
   const auto meets = [&](std::uint32_t kinds) { return miBoolean{(mask & kinds) != 0}; };
   const auto bits = [&](unsigned casts, unsigned receives) {
-    return static_cast<miUint>(((data.takes & casts) ? 1 : 0) | ((data.takes & receives) ? 2 : 0));
+    return static_cast<miUint>(((data.visibility & casts) ? 1 : 0) |
+                               ((data.visibility & receives) ? 2 : 0));
   };
   switch (query) {
     case miQ_OBJ_VISIBLE:

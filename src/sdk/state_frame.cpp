@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The miState of a point: the hit, and what the ray inherited.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "sdk/call.h"
 #include "sdk/host.h"
@@ -47,10 +49,10 @@ StateFrame::StateFrame(Host& host, ShadingPoint& point, miState* parent) : state
   set_bases(point);
   set_parent(parent);
   if (point.tracer) {
-    const Tracer::Levels levels = point.tracer->levels();
-    state.reflection_level = levels.reflections;
-    state.refraction_level = levels.refractions;
-    state.importance = levels.importance;
+    const Tracer::Depth depth = point.tracer->depth();
+    state.reflection_level = depth.reflections;
+    state.refraction_level = depth.refractions;
+    state.importance = depth.importance;
   } else {
     state.importance = 1;
   }
@@ -61,7 +63,8 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
   state.motion = as_c(motion_of(point));
   state.org = as_c(point.ray_origin);
   state.dir = as_c(point.ray_direction);
-  state.dist = point.environment ? 0 : point.ray_length;
+  const bool endless = point.environment || std::isinf(point.ray_length);
+  state.dist = endless ? 0 : point.ray_length;
   state.material = point.environment ? 0 : host.tag_of(point.material);
   if (point.instance >= 0) {
     state.instance = make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
@@ -77,7 +80,7 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
     const Vec3 right = cross(point.ray_direction, point.dpdu);
     if (right != Vec3(0)) state.bary[0] = .5f + .5f * dot(point.geometric_normal, normalize(right));
   }
-  if (!point.environment) state.pri = handle_of(point.instance, point.primitive);
+  if (!endless) state.pri = handle_of(point.instance, point.primitive);
   state.point = as_c(point.position);
   state.normal = as_c(point.normal);
   state.normal_geom = as_c(point.geometric_normal);
@@ -90,6 +93,9 @@ void StateFrame::set_bases(ShadingPoint& point) {
   static_assert(sizeof(Vec3) == sizeof(miVector));
   state.tex_list = reinterpret_cast<miVector*>(point.tex);
   if (point.environment) std::fill(std::begin(point.tex), std::end(point.tex), Vec3(0));
+  // Shaders read spaces that an object lacks; what one writes there the next finds.
+  if (!std::exchange(point.other_spaces_cleared, true))
+    std::fill(point.tex + point.texture_spaces, std::end(point.tex), Vec3(0));
   for (int i = 0; i < point.texture_spaces; ++i) {
     const auto in_object = [&](const Vec3& v) {
       return as_c(point.to_object ? transform_vector(v, *point.to_object) : v);
@@ -122,11 +128,11 @@ void StateFrame::set_parent(miState* parent) {
       state.refraction_level = parent->refraction_level;
     }
   } else if (state.type != miRAY_EYE) {
-    stand_in_.emplace(state);
-    stand_in_->type = miRAY_EYE;
-    stand_in_->point = state.org;
-    stand_in_->parent = nullptr;
-    state.parent = &*stand_in_;
+    eye_state_.emplace(state);
+    eye_state_->type = miRAY_EYE;
+    eye_state_->point = state.org;
+    eye_state_->parent = nullptr;
+    state.parent = &*eye_state_;
   }
 }
 

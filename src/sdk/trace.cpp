@@ -103,7 +103,7 @@ void fade(Tracer::Seen& seen, miState& state, const Vec3& direction) {
 
 /// Sends a ray as the state asks.
 bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
-          const Tracer::Levels& levels) {
+          const Tracer::Depth& depth) {
   Context& c = context(state);
   *result = {0, 0, 0, 0};
   if (!c.tracer()) {
@@ -111,7 +111,7 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
     return false;
   }
   const ShadingPoint point = point_of(state);
-  Tracer::SubRay ray{kind, normalize(direction), state->pri != nullptr, point.position, levels};
+  Tracer::SubRay ray{kind, normalize(direction), state->pri != nullptr, point.position, depth};
   if (c.falloff_stop > 0) ray.reach = static_cast<float>(c.falloff_stop);
   if (c.ray_offset > 0) {
     ray.origin = point.position + ray.direction * static_cast<float>(c.ray_offset);
@@ -131,8 +131,8 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
       answered ? child_of(*state, *answer) : child_of(*state, static_cast<miRay_type>(kind));
   child.org = as_c(ray.from_surface ? point.position : ray.origin);
   child.dir = as_c(ray.direction);
-  child.reflection_level = levels.reflections;
-  child.refraction_level = levels.refractions;
+  child.reflection_level = depth.reflections;
+  child.refraction_level = depth.refractions;
   describe_hit(seen.met, *c.host, child);
   keep_child(state, child);
   *result = as_c(seen.colour);
@@ -147,9 +147,9 @@ miBoolean cast_deeper(miColor* result, miState* state, RayKind kind, const Vec3&
     keep_missing_child(state, static_cast<miRay_type>(kind));
     return miFALSE;
   }
-  const Tracer::Levels levels = {state->reflection_level + (reflection ? 1 : 0),
-                                 state->refraction_level + (reflection ? 0 : 1), state->importance};
-  return cast(result, state, kind, direction, levels) ? miTRUE : miFALSE;
+  const Tracer::Depth depth = {state->reflection_level + (reflection ? 1 : 0),
+                               state->refraction_level + (reflection ? 0 : 1), state->importance};
+  return cast(result, state, kind, direction, depth) ? miTRUE : miFALSE;
 }
 
 }  // namespace

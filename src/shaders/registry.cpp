@@ -31,7 +31,7 @@
 #include "shaders/base/mib_texture.h"
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
-#include "shaders/hosts/host_shaders.h"
+#include "shaders/maya/host_shaders.h"
 #include "shaders/oriel/oriel_lens.h"
 #include "shaders/oriel/oriel_normal_map.h"
 #include "shaders/oriel/oriel_tex_vector.h"

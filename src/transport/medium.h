@@ -25,7 +25,7 @@ struct MediumOnWay {
     volume_known = true;
   }
   /// At a surface, before it is passed: the medium of the way to it.
-  void arrive(const Closure& closure, const ShadingPoint& point) {
+  void meet_surface(const Closure& closure, const ShadingPoint& point) {
     if (!known && point.back_side && !closure.thin_walled) medium = closure.inside;
     if (!volume_known && point.back_side && closure.volume) volume = closure.volume;
   }

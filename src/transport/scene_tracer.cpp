@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/scene_tracer.h"
 
-#include "transport/path_walk.h"
-#include "transport/resolve_outputs.h"
+#include "transport/path/path_walk.h"
+#include "transport/path/resolve_outputs.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
 
@@ -31,7 +31,7 @@ sampling::Sampler SceneTracer::next_stream() {
   return stream;
 }
 
-Tracer::Levels SceneTracer::levels() const { return path_ ? path_->levels() : Levels{}; }
+Tracer::Depth SceneTracer::depth() const { return path_ ? path_->depth() : Depth{}; }
 
 Tracer::Seen SceneTracer::trace(const ShadingPoint& from, const SubRay& ray) {
   return path_ ? path_->trace_for_shader(from, ray, next_stream()) : Seen{};
@@ -43,7 +43,7 @@ Rgb SceneTracer::irradiance(const ShadingPoint& point, const Vec3& normal) {
 
 Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) {
   if (!path_) return Rgba(0);
-  Outputs parts;
+  AovValues parts;
   const Rgba colour =
       path_->shade_for_shader(surface, point, outputs ? &parts : nullptr, next_stream());
   if (outputs) *outputs = resolve_outputs(parts, rgb(colour));
@@ -108,7 +108,7 @@ std::optional<Tracer::Arriving> SceneTracer::light(int index, ShadingPoint& poin
   const auto s = sample_light(world_.lights[static_cast<std::size_t>(index)], point, next());
   if (!s) return std::nullopt;
   Rgb open(1);
-  if (s->shadow && takes_shadows(world_, point)) {
+  if (s->shadow && receives_shadows(world_, point)) {
     const Rgb all = shadow_transmittance(world_, point, s->wi, s->reach, counts_, index).all;
     open = all + (Rgb(1) - all) * s->shadow_factor;
   }

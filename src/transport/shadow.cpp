@@ -20,19 +20,19 @@ constexpr float kShortOfLight = 1 - 1e-4f;
 
 /// Takes from what is open what a blocker keeps.
 void pass(const Material& material, const Closure& closure, ShadingPoint& blocker,
-          const scene::RenderOptions& options, Openness& open) {
+          const scene::RenderOptions& options, Transmittance& open) {
   if (!material.shadow.empty()) {
     const Rgb before = open.all;
     open.all = filter_light(material, blocker, before);
     for (int k = 0; k < 3; ++k) open.clear[k] *= before[k] > 0 ? open.all[k] / before[k] : 0;
   }
   if (!material.filters_shadows() || !material.shadow_surface.empty()) {
-    const Openness here = straight_transmission(closure, options);
+    const Transmittance here = straight_transmission(closure, options);
     open.all *= here.all;
     open.clear *= here.clear;
     open.cut_outs *= here.cut_outs;
   }
-  // Rays that see the surface itself do not go by what stands in for it.
+  // Rays that see the surface itself ignore its replacement.
   if (material.filters_shadows()) open.cut_outs = Rgb(0);
 }
 
@@ -45,7 +45,7 @@ Rgb transmittance(const Medium& medium, float distance) {
   return t;
 }
 
-Openness straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
+Transmittance straight_transmission(const Closure& closure, const scene::RenderOptions& options) {
   Rgb all(0), clear(0);
   const bool refracts = closure.refractive_caustics && options.brings_caustics();
   if (!refracts)
@@ -73,7 +73,7 @@ bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec
   return world.accel->occluded(leave(point, wi, distance * kShortOfLight, geom::RayMask::Shadow));
 }
 
-bool takes_shadows(const World& world, const ShadingPoint& point) {
+bool receives_shadows(const World& world, const ShadingPoint& point) {
   if (world.options.shadow == scene::ShadowMode::Off) return false;
   return point.instance < 0 ||
          world.instances[static_cast<std::size_t>(point.instance)].receives_shadow;
@@ -83,14 +83,14 @@ Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by) {
   point.light = -1;
   shade_blocker(material, point, by);
-  Openness open;
+  Transmittance open;
   pass(material, by, point, options, open);
   return open.all;
 }
 
-Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
-                              float distance, RayCounts& counts, int light) {
-  constexpr Openness kClosed{Rgb(0), Rgb(0), Rgb(0)};
+Transmittance shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
+                                   float distance, RayCounts& counts, int light) {
+  constexpr Transmittance kClosed{Rgb(0), Rgb(0), Rgb(0)};
   const float tfar =
       std::isinf(distance) ? std::numeric_limits<float>::infinity() : distance * kShortOfLight;
   geom::Ray ray = leave(point, wi, tfar, geom::RayMask::Shadow);
@@ -101,13 +101,14 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
   // Walk the transparent ones from the point to the light.
   const bool segments = world.options.shadow == scene::ShadowMode::Segments;
   ray.mask = geom::RayMask::ShadowTransparent;
-  Openness open;
+  Transmittance open;
   const auto dim = [&](const Rgb& t) {
     open.all *= t;
     open.clear *= t;
     open.cut_outs *= t;
   };
   MediumOnWay way;
+  way.begin_in(volume_around(world, ray));
   Vec3 left = point.position;
   for (int i = 0; i < kMostShadowBlockers; ++i) {
     geom::Hit hit;
@@ -117,7 +118,7 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
       if (segments && !way.medium.clear() && !std::isinf(ray.tfar))
         dim(transmittance(way.medium, ray.tfar));
       if (way.volume && !std::isinf(ray.tfar))
-        dim(kept_by_air(world, *way.volume, left, wi, ray.tfar));
+        dim(volume_transmittance(world, *way.volume, left, wi, ray.tfar));
       return open;
     }
     ShadingPoint blocker;
@@ -127,8 +128,9 @@ Openness shadow_transmittance(const World& world, const ShadingPoint& point, con
     const Material& material = material_of(world, hit);
     Closure closure;
     shade_blocker(material, blocker, closure);
-    way.arrive(closure, blocker);
-    if (way.volume) dim(kept_by_air(world, *way.volume, left, wi, length(blocker.position - left)));
+    way.meet_surface(closure, blocker);
+    if (way.volume)
+      dim(volume_transmittance(world, *way.volume, left, wi, length(blocker.position - left)));
     if (segments) {
       // From where the ray left: its origin is a little off the surface, and glass may be thin.
       dim(transmittance(way.medium, length(blocker.position - left)));

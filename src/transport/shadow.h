@@ -8,7 +8,7 @@
 namespace oriel {
 
 /// Share of the light that arrives, per channel.
-struct Openness {
+struct Transmittance {
   Rgb all{1};       ///< straight through whatever lets light pass
   Rgb clear{1};     ///< the same, rough transparency taken as closed
   Rgb cut_outs{1};  ///< through holes of materials alone
@@ -27,8 +27,8 @@ struct Openness {
 ///          index into World::lights, which shadow shaders may ask for; -1 = the environment.
 /// Source:  manual 1.6.8.2 and 1.6.8.3 (do_refractive_caustics).
 /// Checked: Glass.Shadows*, Glass.SkyThroughASlab*, CutOut.*, ShadowModes.* in tests/analytic.
-Openness shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
-                              float distance, RayCounts& counts, int light = -1);
+Transmittance shadow_transmittance(const World& world, const ShadingPoint& point, const Vec3& wi,
+                                   float distance, RayCounts& counts, int light = -1);
 
 /// Whether rays of lobes meet something before `distance` that casts no shadow.
 ///
@@ -43,11 +43,11 @@ bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3&
 bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec3& wi,
                         float distance, RayCounts& counts);
 
-/// Whether lights are shadowed at the point: not when the scene or its instance says so.
-bool takes_shadows(const World& world, const ShadingPoint& point);
+/// Whether lights are shadowed at the point: not if the scene or its instance disables them.
+bool receives_shadows(const World& world, const ShadingPoint& point);
 
 /// Shares a closure lets pass straight, for shadow rays and what must match them.
-Openness straight_transmission(const Closure& closure, const scene::RenderOptions& options);
+Transmittance straight_transmission(const Closure& closure, const scene::RenderOptions& options);
 
 /// The same of a blocker, by the surface or what stands for it in the slot `shadow`. `by` becomes
 /// the closure that media behind it go by.

@@ -135,12 +135,12 @@ TEST(BumpModes, SparedDiffuseLightStaysAndTheReflectionTurns) {
         .ray(Vec3(0, 0, 1), -kUp, 64)
         .outputs;
   };
-  Outputs plain = measure(""), spared = measure(", \"bump\" \"tilt\", \"no_diffuse_bump\" on");
-  Outputs bumped = measure(", \"bump\" \"tilt\"");
-  expect_vector(spared[Component::Diffuse], plain[Component::Diffuse], "diffuse, spared");
-  EXPECT_GT(length(bumped[Component::Diffuse] - plain[Component::Diffuse]), .05f);
-  EXPECT_GT(length(spared[Component::Reflection] - plain[Component::Reflection]), .05f);
-  expect_vector(spared[Component::Reflection], bumped[Component::Reflection], "reflection");
+  AovValues plain = measure(""), spared = measure(", \"bump\" \"tilt\", \"no_diffuse_bump\" on");
+  AovValues bumped = measure(", \"bump\" \"tilt\"");
+  expect_vector(spared[Aov::Diffuse], plain[Aov::Diffuse], "diffuse, spared");
+  EXPECT_GT(length(bumped[Aov::Diffuse] - plain[Aov::Diffuse]), .05f);
+  EXPECT_GT(length(spared[Aov::Reflection] - plain[Aov::Reflection]), .05f);
+  expect_vector(spared[Aov::Reflection], bumped[Aov::Reflection], "reflection");
 }
 
 /// A fence with round holes about whole numbers, at z = 1, before a glow of 2.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "prepare/testing/prepared_scene.h"
 #include "probe.h"
-#include "render/testing/prepared_scene.h"
 #include "sampling/warp.h"
 
 namespace oriel::analytic {

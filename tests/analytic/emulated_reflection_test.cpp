@@ -2,9 +2,9 @@
 // Reflections without rays: soft ones made of what final gathering found.
 #include <gtest/gtest.h>
 
+#include "prepare/testing/prepared_scene.h"
 #include "probe.h"
 #include "render/session.h"
-#include "render/testing/prepared_scene.h"
 
 namespace oriel::analytic {
 namespace emulated_reflection_test {
@@ -39,7 +39,7 @@ struct Board {
   Rgb reflection(int y0, int y1) const {
     Rgb sum(0);
     for (int y = y0; y < y1; ++y)
-      for (int x = 4; x < 12; ++x) sum += session->film().outputs(x, y)[Component::Reflection];
+      for (int x = 4; x < 12; ++x) sum += session->film().outputs(x, y)[Aov::Reflection];
     return sum / static_cast<float>(8 * (y1 - y0));
   }
 };

@@ -5,9 +5,9 @@
 
 #include "image/files.h"
 #include "image/test_files.h"
-#include "lens/exposure.h"
-#include "render/camera_output.h"
-#include "render/testing/prepared_scene.h"
+#include "output/camera_output.h"
+#include "prepare/testing/prepared_scene.h"
+#include "tone/exposure.h"
 
 namespace oriel {
 namespace exposure_test {

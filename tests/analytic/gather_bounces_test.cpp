@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the records of further bounces are placed.
-#include "render/gather_bounces.h"
+#include "transport/gather/gather_bounces.h"
 
 #include "probe.h"
-#include "transport/indirect_maps.h"
+#include "transport/indirect_caches.h"
 
 namespace oriel::analytic {
 namespace gather_bounces_test {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
-#include "render/testing/prepared_scene.h"
-#include "transport/glossy_grid.h"
+#include "transport/path/glossy_grid.h"
 
 namespace oriel {
 namespace interpolation_test {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
-#include "render/testing/prepared_scene.h"
 
 namespace oriel {
 namespace lens_bokeh_test {
@@ -17,8 +17,8 @@ using testing::PreparedScene;
 constexpr int kSize = 120;  // pixels a side; the picture is as wide as far
 
 /// A glowing square of side `side`, `z` before the camera, seen through that lens list.
-std::string glow_at(double z, double side, const std::string& lens,
-                    const std::string& elements = {}) {
+std::string emission_at(double z, double side, const std::string& lens,
+                        const std::string& elements = {}) {
   return fmt::format(
       "options \"opt\" object space filter box 1 1 end options\n{0}\n"
       "camera \"cam\" focal 1 aperture 1 aspect 1 resolution {1} {1} {2} end camera\n"
@@ -84,7 +84,7 @@ TEST(LensBokeh, BlurDiscsHaveTheRadiusOfAThinLens) {
   };
   for (const Row& row : {Row{4, 1}, Row{4, .6}, Row{8, .5}, Row{1, .3}, Row{1.5, .8}}) {
     const double side = 0.1 * row.z;  // 12 pixels wherever it stands
-    const Rendered r(glow_at(
+    const Rendered r(emission_at(
         row.z, side, bokeh(fmt::format("\"plane\" {}, \"radius\" {}", kPlane, row.radius))));
     const double pixel = kPlane / kSize;  // of the plane in focus
     const double exact = row.radius * std::abs(kPlane - row.z) / row.z / pixel;
@@ -98,20 +98,20 @@ TEST(LensBokeh, BlurDiscsHaveTheRadiusOfAThinLens) {
 
 // acceptance: K1
 TEST(LensBokeh, ThingsAtThePlaneAreSharp) {
-  const Rendered sharp(glow_at(2, .2, bokeh("\"plane\" 2, \"radius\" 1")));
-  const Rendered pinhole(glow_at(2, .2, {}));
+  const Rendered sharp(emission_at(2, .2, bokeh("\"plane\" 2, \"radius\" 1")));
+  const Rendered pinhole(emission_at(2, .2, {}));
   for (int y = -20; y < 20; ++y)
     for (int x = -20; x < 20; ++x) ASSERT_NEAR(sharp.at(x, y).r, pinhole.at(x, y).r, 1e-4f);
   // Hosts that look along -z may write the plane's z.
-  const Rendered negative(glow_at(2, .2, bokeh("\"plane\" -2, \"radius\" 1")));
+  const Rendered negative(emission_at(2, .2, bokeh("\"plane\" -2, \"radius\" 1")));
   EXPECT_EQ(negative.spread(), sharp.spread());
 }
 
 // acceptance: K2
 TEST(LensBokeh, BiasPushesLightToTheMiddleOrToTheRim) {
   const auto spread = [](const char* bias) {
-    return Rendered(
-               glow_at(4, .4, bokeh(fmt::format("\"plane\" 2, \"radius\" 1, \"bias\" {}", bias))))
+    return Rendered(emission_at(4, .4,
+                                bokeh(fmt::format("\"plane\" 2, \"radius\" 1, \"bias\" {}", bias))))
         .spread();
   };
   // Mean square of u^(1 / (2 bias)): 1/3, 1/2, 2/3 of the radius' 30 pixels squared.
@@ -124,10 +124,10 @@ TEST(LensBokeh, BiasPushesLightToTheMiddleOrToTheRim) {
 // acceptance: K2
 TEST(LensBokeh, BladesMakePolygonsWhoseCornersTurn) {
   const auto blades = [](const char* angle) {
-    return Rendered(glow_at(4, .16,
-                            bokeh(fmt::format("\"plane\" 2, \"radius\" 1.2, "
-                                              "\"blade_count\" 4, \"blade_angle\" {}",
-                                              angle))));
+    return Rendered(emission_at(4, .16,
+                                bokeh(fmt::format("\"plane\" 2, \"radius\" 1.2, "
+                                                  "\"blade_count\" 4, \"blade_angle\" {}",
+                                                  angle))));
   };
   // Corners 36 pixels away: along the axes, and an eighth of a turn later along the diagonals.
   const Rendered axes = blades("0"), diagonals = blades(".125"), turn = blades("1");
@@ -155,7 +155,7 @@ TEST(LensBokeh, PointsOfLightShowTheKernelPicture) {
   const std::string lens = bokeh(
       "\"plane\" 2, \"radius\" 1.6, \"use_bokeh\" on, \"bokeh\" \"k\", \"samples\" 16, "
       "\"blade_count\" 3, \"bias\" 8");
-  const Rendered behind(glow_at(4, .64, lens, kKernel), 32);
+  const Rendered behind(emission_at(4, .64, lens, kKernel), 32);
   Rgb mean(0);
   for (const auto& row : kCells)
     for (const Rgb& c : row) mean += c / 9;
@@ -168,7 +168,7 @@ TEST(LensBokeh, PointsOfLightShowTheKernelPicture) {
         EXPECT_NEAR(got[k], kCells[y][x][k] * share, .06f * share) << x << " " << y;
     }
   // Before the plane, upside down: half as far, the blur is as large.
-  const Rendered before(glow_at(4 / 3., .213, lens, kKernel), 16);
+  const Rendered before(emission_at(4 / 3., .213, lens, kKernel), 16);
   EXPECT_GT(before.block(32, 32).x, 5 * before.block(32, 32).y);
   EXPECT_EQ(before.block(0, 32).x, 0);
   EXPECT_GT(before.block(-32, 32).y, 5 * before.block(-32, 32).x);
@@ -178,10 +178,10 @@ TEST(LensBokeh, PointsOfLightShowTheKernelPicture) {
 TEST(LensBokeh, ColouredKernelsLeaveFringesAtBlurredEdgesAlone) {
   // Red to the left, cyan to the right: balanced, so where the view is full it is white.
   const std::string kernel = "color texture \"k\" [2 1 3] 'ff0000' '00ffff'";
-  const Rendered r(glow_at(4, 2,
-                           bokeh("\"plane\" 2, \"radius\" .5, \"use_bokeh\" on, "
-                                 "\"bokeh\" \"k\", \"samples\" 16"),
-                           kernel));
+  const Rendered r(emission_at(4, 2,
+                               bokeh("\"plane\" 2, \"radius\" .5, \"use_bokeh\" on, "
+                                     "\"bokeh\" \"k\", \"samples\" 16"),
+                               kernel));
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(r.block(0, 0)[k], 1, .02);
   // The square's image ends 30 pixels from the middle, blurred over 15 either way.
   EXPECT_GT(r.block(-34, 0).x, 0.05f + r.block(-34, 0).y);
@@ -191,7 +191,7 @@ TEST(LensBokeh, ColouredKernelsLeaveFringesAtBlurredEdgesAlone) {
 // acceptance: K4
 TEST(LensBokeh, SamplesAreRaysOfEachEyeRay) {
   const auto rays = [](const std::string& lens) {
-    return Rendered(glow_at(4, .4, lens), 4).session->rays().eye;
+    return Rendered(emission_at(4, .4, lens), 4).session->rays().eye;
   };
   const std::uint64_t plain = rays({});
   EXPECT_EQ(plain, std::uint64_t{kSize} * kSize * 4);
@@ -203,16 +203,17 @@ TEST(LensBokeh, SamplesAreRaysOfEachEyeRay) {
 
 // acceptance: K4
 TEST(LensBokeh, OffIsNoLens) {
-  const Rendered off(glow_at(4, .4, bokeh("\"on\" off, \"plane\" 2")), 4);
-  const Rendered plain(glow_at(4, .4, {}), 4);
+  const Rendered off(emission_at(4, .4, bokeh("\"on\" off, \"plane\" 2")), 4);
+  const Rendered plain(emission_at(4, .4, {}), 4);
   EXPECT_EQ(off.session->rays().eye, plain.session->rays().eye);
   for (int x = -40; x < 40; ++x) ASSERT_EQ(off.at(x, 2).r, plain.at(x, 2).r);
 }
 
 // acceptance: K2, K4
 TEST(LensBokeh, DefaultsRenderThePictureOfPhysicalLensDof) {
-  const Rendered bladed(glow_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1")), 4);
-  const Rendered dof(glow_at(4, .4, "lens \"physical_lens_dof\" ( \"plane\" 2, \"radius\" 1 )"), 4);
+  const Rendered bladed(emission_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1")), 4);
+  const Rendered dof(emission_at(4, .4, "lens \"physical_lens_dof\" ( \"plane\" 2, \"radius\" 1 )"),
+                     4);
   for (int y = -40; y < 40; ++y)
     for (int x = -40; x < 40; ++x) ASSERT_EQ(dof.at(x, y).r, bladed.at(x, y).r);
   EXPECT_EQ(dof.session->rays().eye, bladed.session->rays().eye);
@@ -221,7 +222,8 @@ TEST(LensBokeh, DefaultsRenderThePictureOfPhysicalLensDof) {
 TEST(LensBokeh, MoreRaysMakeSmootherPictures) {
   const auto noise = [](int samples) {
     const Rendered r(
-        glow_at(4, .4, bokeh(fmt::format("\"plane\" 2, \"radius\" 1, \"samples\" {}", samples))),
+        emission_at(4, .4,
+                    bokeh(fmt::format("\"plane\" 2, \"radius\" 1, \"samples\" {}", samples))),
         4);
     double sum = 0, squares = 0;
     for (int y = -15; y < 15; ++y)
@@ -236,7 +238,7 @@ TEST(LensBokeh, ExposuresInTheSameListStillMap) {
   const std::string exposure =
       "\"mia_exposure_simple\" ( \"gain\" .5, \"compression\" 0, \"gamma\" 1 )";
   for (const std::string& list : {lens + " " + exposure, exposure + " " + lens}) {
-    const Rendered r(glow_at(2, .5, "lens " + list), 1);
+    const Rendered r(emission_at(2, .5, "lens " + list), 1);
     EXPECT_NEAR(r.session->film().shown(kSize / 2, kSize / 2).x, .5f, 1e-5f);
     EXPECT_NEAR(r.at(0, 0).r, 1, 1e-5f);
     EXPECT_EQ(r.session->rays().eye, 4u * kSize * kSize);
@@ -245,12 +247,12 @@ TEST(LensBokeh, ExposuresInTheSameListStillMap) {
 
 TEST(LensBokeh, ScaledCamerasBlurInSceneUnits) {
   // The instance's matrix goes from world to camera: here the camera is twice as large.
-  std::string text = glow_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"));
+  std::string text = emission_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"));
   const std::string plain = "instance \"cam_i\" \"cam\" end";
   text.replace(text.find(plain), plain.size(),
                "instance \"cam_i\" \"cam\" transform .5 0 0 0 0 .5 0 0 0 0 .5 0 0 0 0 1 end");
   EXPECT_NEAR(Rendered(text).spread(),
-              Rendered(glow_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"))).spread(), 1e-3);
+              Rendered(emission_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"))).spread(), 1e-3);
 }
 
 }  // namespace lens_bokeh_test

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "image/relight.h"
+#include "output/output.h"
+#include "prepare/testing/prepared_scene.h"
 #include "probe.h"
-#include "render/output.h"
-#include "render/testing/prepared_scene.h"
 
 namespace oriel::analytic {
 namespace light_layers_test {

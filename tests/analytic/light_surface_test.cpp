@@ -148,8 +148,8 @@ std::pair<float, float> split(const std::string& flags, const std::string& shape
       .light("lamp", fmt::format("\"{}\" ( {} ) origin 0 0 2 {}", shader, flags, shape), instance);
   Probe probe(scene.str(), flag_registry());
   const Measured m = probe.outputs().onto(Vec3(0), kUp, 0, 1 << 14);
-  const auto of = [&](Component c) { return m.outputs.result[static_cast<std::size_t>(c)].x; };
-  return {of(Component::Diffuse), of(Component::Specular) + of(Component::Reflection)};
+  const auto of = [&](Aov c) { return m.outputs.result[static_cast<std::size_t>(c)].x; };
+  return {of(Aov::Diffuse), of(Aov::Specular) + of(Aov::Reflection)};
 }
 
 // acceptance: G4

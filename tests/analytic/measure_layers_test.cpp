@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The layer of illuminance: what a meter reads on the first surface, whatever that is made of.
+#include "output/output.h"
 #include "probe.h"
-#include "render/output.h"
 
 namespace oriel::analytic {
 namespace measure_layers_test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light meters in rooms with a window: portals change nothing, and gathering finds what paths find.
+#include "analysis/measure.h"
 #include "color/luminance.h"
+#include "output/output.h"
 #include "portal_scenes.h"
-#include "render/measure.h"
-#include "render/output.h"
 #include "render/session.h"
 
 namespace oriel::analytic {
@@ -14,7 +14,8 @@ TEST(MeasureRooms, APortalChangesNoReadingBehindIt) {
   SceneText closed = open, split = open;
   add_window(closed);
   add_window(split, 4, "\"cutoff_threshold\" 0");
-  const std::vector<LightMeter> meters = {{Vec3(1, 0, .8f), kUp}, {Vec3(2.5f, .5f, .8f), kUp}};
+  const std::vector<IrradianceSensor> meters = {{Vec3(1, 0, .8f), kUp},
+                                                {Vec3(2.5f, .5f, .8f), kUp}};
   const auto read = [&](const SceneText& scene, double precision) {
     return measure_illuminance(probe_of(scene).world(), meters, 1, {.precision = precision});
   };

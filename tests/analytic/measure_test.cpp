@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light meters in places where illuminance is known in closed form.
-#include "render/measure.h"
+#include "analysis/measure.h"
 #include "color/luminance.h"
 #include "probe.h"
 
@@ -22,11 +22,11 @@ void expect_reads(const std::string& name, const Reading& r, double exact,
 }
 
 /// One meter, with a pixel unit of 1 cd/m2.
-Reading measure(const SceneText& scene, const LightMeter& meter,
+Reading measure(const SceneText& scene, const IrradianceSensor& meter,
                 const MeasureRequest& request = {.precision = .005}) {
   return measure_illuminance(Probe(scene).world(), {meter}, 1, request).front();
 }
-const LightMeter kMeter{Vec3(0), kUp};
+const IrradianceSensor kMeter{Vec3(0), kUp};
 
 /// A dark board in the plane z with a hole of that half width and centre.
 SceneText& board_with_hole(SceneText& scene, float z, float half, const Vec3& c = Vec3(0)) {
@@ -94,7 +94,7 @@ TEST(Measure, LampsBringWhatTheirShapesDo) {
   for (const float d : {.5f, 2.0f}) {
     const SceneText above = lamp(fmt::format("origin 0 0 {}", d), 4000);
     expect_reads(fmt::format("1000 cd at {}", d), measure(above, kMeter), 1000 / (d * d));
-    const LightMeter tilted{Vec3(0), Vec3(0, std::sqrt(.75f), .5f)};
+    const IrradianceSensor tilted{Vec3(0), Vec3(0, std::sqrt(.75f), .5f)};
     expect_reads("at 60 degrees", measure(above, tilted), 500 / (d * d));
     EXPECT_EQ(measure(above, {Vec3(0), -kUp}).value, 0);
   }
@@ -153,7 +153,7 @@ TEST(Measure, SunThroughAHoleBringsItsFlux) {
   // Sensors whose place is drawn with each sample: the mean over 4 m2 of floor under the hole.
   const auto floor = [&](std::size_t, sampling::Sampler& sampler, RayCounts& counts) {
     const Vec2 u = sampler.next_2d();
-    const LightMeter meter{Vec3(-2 + 2 * u.x, -1 + 2 * u.y, 0), kUp};
+    const IrradianceSensor meter{Vec3(-2 + 2 * u.x, -1 + 2 * u.y, 0), kUp};
     return double{luminance(sample_irradiance(probe.world(), meter, {}, sampler, counts))};
   };
   const Reading r = take_readings(1, floor, {.precision = .005}).front();
@@ -180,7 +180,7 @@ TEST(Measure, IntegratingCubeKeepsItsFlux) {
     settings.indirect = indirect;
     const auto anywhere = [&](std::size_t, sampling::Sampler& sampler, RayCounts& counts) {
       const Vec2 u = sampler.next_2d();
-      const LightMeter meter{Vec3(4 * u.x - 2, 4 * u.y - 2, -2), kUp, 1e-4f};
+      const IrradianceSensor meter{Vec3(4 * u.x - 2, 4 * u.y - 2, -2), kUp, 1e-4f};
       return double{luminance(sample_irradiance(probe.world(), meter, settings, sampler, counts))};
     };
     return take_readings(1, anywhere, {.precision = .004}).front();
@@ -204,7 +204,7 @@ TEST(Measure, NinetyFiveOfAHundredIntervalsHoldTheClosedForm) {
   int held = 0;
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed)
     for (const Reading& r :
-         measure_illuminance(probe.world(), std::vector<LightMeter>(kMeters, kMeter), 1,
+         measure_illuminance(probe.world(), std::vector<IrradianceSensor>(kMeters, kMeter), 1,
                              {.precision = .03, .seed = seed}))
       held += std::abs(r.value - 752.2747) <= r.half_width;
   // Four sigma of the binomial distribution.

@@ -2,7 +2,7 @@
 // Claims of the manual that hold by paths, by final gathering and by photons alike.
 #include "picture.h"
 #include "portal_scenes.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace method_modes_test {

@@ -4,7 +4,7 @@
 // within 4 standard errors: one in 16000 by chance.
 #include "motion_scenes.h"
 #include "portal_scenes.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace motion_light_test {

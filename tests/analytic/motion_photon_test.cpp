@@ -2,8 +2,8 @@
 // Photons of moving lights and about moving objects: their map is the mean over the shutter, as
 // that of paths, within 4 standard errors (one in 16000 by chance).
 #include "motion_scenes.h"
-#include "transport/indirect_maps.h"
-#include "transport/photon_trace.h"
+#include "transport/indirect_caches.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace motion_photon_test {
@@ -104,7 +104,7 @@ TEST(MovingPhotons, OfALampAndBehindABlockerAreTheMeanOfPaths) {
        "transform " + shift(-1.3f, 0, 1.9f) +
            " motion transform .5 0 0 0 0 .5 0 0 0 0 .5 0 -.4 -.25 -.5 1",
        ""},
-      // Its strength on the way is told by how far it has come.
+      // Its distance determines its strength on the way.
       {"lamp without decay", "\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin 0 0 0",
        "transform " + shift(-1, -1, 1.5f) + " motion transform " + shift(1, 1.5f, -1), ""},
       {"blocker", physical(100) + kPanel, "transform " + shift(0, 0, 1.9f), moves_by(2.4f, .5f)},
@@ -134,7 +134,7 @@ TEST(MovingPhotons, OnAMovingPlateAreFoundWhereverItIs) {
   RayCounts counts;
   const PhotonMaps photons = trace_photons(
       probe.world(), {.each = {.global = {.emit = 1 << 18}}, .depth = {200, 200, 200}}, counts);
-  IndirectMaps maps;
+  IndirectCaches maps;
   maps.global = &photons.global;
   maps.global_lookup = {.count = 400, .radius = .2f};
   PathSettings settings;

@@ -2,8 +2,8 @@
 // What moves along a strip of pixels, and what rays see of it while the shutter is open.
 #pragma once
 
+#include "output/output.h"
 #include "probe.h"
-#include "render/output.h"
 
 namespace oriel::analytic {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion blur against closed forms: streaks, turning bars, moving cameras, shadows and mirrors.
 #include "motion_scenes.h"
-#include "render/lens_shaders.h"
 
 namespace oriel::analytic {
 namespace motion_test {

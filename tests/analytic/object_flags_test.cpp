@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flags of objects: which rays leave them, and what photons do at them.
 #include "probe.h"
-#include "transport/gather_points.h"
-#include "transport/photon_trace.h"
+#include "transport/gather/gather_points.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace object_flags_test {
@@ -236,7 +236,7 @@ TEST(ObjectFlags, OptionsSpeakForObjectsThatDoNot) {
 }
 
 /// Onto a wall of the room.
-Rgb wall(const Room& room, const IndirectMaps& maps) {
+Rgb wall(const Room& room, const IndirectCaches& maps) {
   const Probe probe(text_of(room));
   sampling::Sampler sampler(0, 0, 0);
   RayCounts counts;
@@ -250,14 +250,14 @@ Rgb wall(const Room& room, const IndirectMaps& maps) {
 
 TEST(ObjectFlags, MapsAreReadWhereObjectsReceive) {
   const Traced t = trace({.cell = true}, true, true);
-  IndirectMaps global;
+  IndirectCaches global;
   global.global = &t.maps.global;
   global.global_lookup = {.count = 500, .radius = .5f};
   const Rgb from_global = wall({}, global);
   EXPECT_GT(from_global.x, 0);
   EXPECT_EQ(wall({.room_flags = "globillum 8"}, global), Rgb(0));
   EXPECT_EQ(wall({.room_flags = "globillum 4 caustic 12 finalgather 8"}, global), from_global);
-  IndirectMaps caustic;
+  IndirectCaches caustic;
   caustic.caustic = &t.maps.caustic;
   caustic.caustic_lookup = {.count = 500, .radius = .5f};
   // Without gather rays nothing comes beside the map.
@@ -286,7 +286,7 @@ TEST(ObjectFlags, WithoutSendingGatherRaysNothingIsGatheredOrReadAtAnObject) {
   GatherCache cache;
   const GatherRecord record = gather_at(usual.world(), points[0], settings, {0, 0, 0}, counts);
   cache.insert({&record, 1});
-  IndirectMaps maps;
+  IndirectCaches maps;
   maps.gather = &cache;
   maps.query = gather_query(usual.world().options.finalgather, settings.radii);
   EXPECT_GT(wall({}, maps).x, 0);

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "probe.h"
-#include "transport/occlusion.h"
+#include "transport/path/occlusion.h"
 
 namespace oriel::analytic {
 namespace occlusion_test {
@@ -144,7 +144,7 @@ struct UnderSlab {
   static constexpr float kFree = 1 - (1 - kHeight) * (1 - kHeight);
 
   Measured total;
-  Outputs parts;
+  AovValues parts;
 
   explicit UnderSlab(const std::string& occlusion, const std::string& glow = "1 1 1",
                      bool lamp = true) {
@@ -161,12 +161,12 @@ struct UnderSlab {
     constexpr int kPaths = 4096;
     for (int i = 0; i < kPaths; ++i) {
       sampling::Sampler sampler(1, 2, static_cast<std::uint32_t>(i));
-      Outputs one;
+      AovValues one;
       const PathSettings settings{.outputs = &one};
       RayCounts counts;
       trace_path(probe.world(), {Vec3(.1f, 0, .25f), normalize(Vec3(-.1f, 0, -.25f)), 1, 0, 0},
                  Vec2(0), settings, sampler, counts);
-      for (std::size_t c = 0; c < kComponents; ++c)
+      for (std::size_t c = 0; c < kAovs; ++c)
         parts.result[c] += one.result[c] / static_cast<float>(kPaths);
     }
   }
@@ -182,11 +182,10 @@ TEST(Occlusion, DetailsMultiplyIndirectLightAlone) {
     const float open = S::kFree + dark * (1 - S::kFree);
     expect_exact(fmt::format("indirect light occluded, dark {}", dark), on.total,
                  S::kAlbedo * (1 + open));
-    EXPECT_EQ(on.parts[Component::Diffuse], off.parts[Component::Diffuse])
+    EXPECT_EQ(on.parts[Aov::Diffuse], off.parts[Aov::Diffuse])
         << "direct light is untouched, to the last bit";
-    EXPECT_GT(on.parts[Component::Diffuse].x, .5f * S::kAlbedo);
-    EXPECT_NEAR(on.parts[Component::Indirect].x / off.parts[Component::Indirect].x, open,
-                .02f * open);
+    EXPECT_GT(on.parts[Aov::Diffuse].x, .5f * S::kAlbedo);
+    EXPECT_NEAR(on.parts[Aov::Indirect].x / off.parts[Aov::Indirect].x, open, .02f * open);
   }
 }
 

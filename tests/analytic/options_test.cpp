@@ -106,21 +106,19 @@ Measured lit_card(const std::string& more, Estimator e = Estimator::Mis) {
 TEST(IndirectMultiplier, ScalesIndirectLightAndNothingElse) {
   for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
     Measured plain = lit_card("\"indirect_multiplier\" 1", e);
-    EXPECT_GT(plain.outputs[Component::Indirect].x, .1f);
-    EXPECT_GT(plain.outputs[Component::Diffuse].x, .1f);
-    EXPECT_GT(plain.outputs[Component::Reflection].x, .05f);
+    EXPECT_GT(plain.outputs[Aov::Indirect].x, .1f);
+    EXPECT_GT(plain.outputs[Aov::Diffuse].x, .1f);
+    EXPECT_GT(plain.outputs[Aov::Reflection].x, .05f);
     for (const float by : {0.0f, .5f, 3.0f}) {
       Measured m = lit_card(fmt::format("\"indirect_multiplier\" {}", by), e);
       for (int k = 0; k < 3; ++k) {
-        EXPECT_NEAR(m.outputs[Component::Indirect][k], by * plain.outputs[Component::Indirect][k],
-                    1e-5f * by);
-        for (const Component c : {Component::Diffuse, Component::Reflection, Component::Specular})
+        EXPECT_NEAR(m.outputs[Aov::Indirect][k], by * plain.outputs[Aov::Indirect][k], 1e-5f * by);
+        for (const Aov c : {Aov::Diffuse, Aov::Reflection, Aov::Specular})
           EXPECT_NEAR(m.outputs[c][k], plain.outputs[c][k], 1e-6f);
-        EXPECT_NEAR(m.mean[k] - plain.mean[k], (by - 1) * plain.outputs[Component::Indirect][k],
-                    1e-5f);
+        EXPECT_NEAR(m.mean[k] - plain.mean[k], (by - 1) * plain.outputs[Aov::Indirect][k], 1e-5f);
       }
       figure(fmt::format("indirect light times {}", by), by,
-             m.outputs[Component::Indirect].x / plain.outputs[Component::Indirect].x, 0);
+             m.outputs[Aov::Indirect].x / plain.outputs[Aov::Indirect].x, 0);
     }
   }
 }

@@ -199,24 +199,23 @@ TEST(Outputs, ClippedPixelsAreTheSumOfTheirPartsToo) {
   // What a filter clips to black, of parts thousands of times as bright as the limit is dark.
   const FilterSampler filter({scene::FilterKind::ClipMitchell, 4, 4});
   Film film(1, 1, filter, {}, true);
-  Outputs plain, ring;
-  plain[Component::Diffuse] = Rgb(.1234567f);
-  ring[Component::Diffuse] = Rgb(.3333333f), ring[Component::Reflection] = Rgb(777.7777f);
+  AovValues plain, ring;
+  plain[Aov::Diffuse] = Rgb(.1234567f);
+  ring[Aov::Diffuse] = Rgb(.3333333f), ring[Aov::Reflection] = Rgb(777.7777f);
   FilmSample a, b;
   a.beauty = Rgb(.1234567f), a.outputs = &plain;
   b.beauty = Rgb(.3333333f) + Rgb(777.7777f), b.outputs = &ring, b.negative = true;
   film.add(0, 0, a);
   film.add(0, 0, b);
-  Outputs o = film.outputs(0, 0);
+  AovValues o = film.outputs(0, 0);
   // As a compositor adds them, `other` last.
   Rgb sum(0);
-  for (const Component c : {Component::Diffuse, Component::Indirect, Component::Specular,
-                            Component::Reflection, Component::Refraction, Component::Translucency,
-                            Component::Added, Component::Background, Component::Other})
+  for (const Aov c : {Aov::Diffuse, Aov::Indirect, Aov::Specular, Aov::Reflection, Aov::Refraction,
+                      Aov::Translucency, Aov::Added, Aov::Background, Aov::Other})
     sum += o[c];
   EXPECT_EQ(film.pixel(0, 0).beauty.r, 0);
   EXPECT_EQ(sum.x, 0);
-  EXPECT_EQ(o[Component::Other].x, 0) << "no light out of nowhere in a black pixel";
+  EXPECT_EQ(o[Aov::Other].x, 0) << "no light out of nowhere in a black pixel";
 }
 
 }  // namespace outputs_sum_test

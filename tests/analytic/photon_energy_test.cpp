@@ -3,7 +3,7 @@
 #include "portal_scenes.h"
 #include "render/indirect_passes.h"
 #include "render/session.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace photon_energy_test {

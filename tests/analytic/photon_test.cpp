@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Photon maps against closed forms of closed rooms, glass and mirrors, and against paths.
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 #include <algorithm>
 #include <cstring>
@@ -308,11 +308,12 @@ TEST(PhotonTrace, ProgressGrowsToOne) {
   scene.light("lamp", physical(100) + " origin 0 0 1");
   scene.light("second", physical(50) + " origin 1 0 1");
   std::vector<double> shares;
-  const Watch watch{.progress = [&](const char*, double share) { shares.push_back(share); }};
+  const ProgressMonitor monitor{
+      .progress = [&](const char*, double share) { shares.push_back(share); }};
   RayCounts counts;
   const LightPhotons each = emitting(100'000);  // more than one round
   trace_photons(Probe(scene).world(), {.each = each, .environment = each, .depth = kDeep}, counts,
-                nullptr, watch);
+                nullptr, monitor);
   ASSERT_GT(shares.size(), 2u);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_GT(shares.front(), 0);

@@ -2,7 +2,7 @@
 // The physics library's materials, glossy and occlusion nodes, lens and volume shaders.
 #include "picture.h"
 #include "probe.h"
-#include "render/lens_shaders.h"
+#include "runtime/color_mapping.h"
 
 namespace oriel::analytic {
 namespace physics_nodes_test {

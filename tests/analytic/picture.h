@@ -4,9 +4,9 @@
 
 #include <set>
 
+#include "output/output.h"
+#include "output/output_names.h"
 #include "probe.h"
-#include "render/output.h"
-#include "render/output_names.h"
 
 namespace oriel::analytic {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Portal lights and the indirect light behind them: photons, and the sky as a bounce.
 #include "portal_scenes.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace portal_photons_test {

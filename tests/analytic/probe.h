@@ -9,10 +9,10 @@
 
 #include "base/parallel.h"
 #include "mi/reader.h"
-#include "render/prepare.h"
+#include "prepare/prepare.h"
 #include "scene_text.h"
 #include "shaders/registry.h"
-#include "transport/path.h"
+#include "transport/path/path.h"
 
 namespace oriel::analytic {
 
@@ -105,8 +105,8 @@ struct Measured {
   RayCounts counts;  ///< of all samples together
   double samples = 0;
   float alpha = 0;
-  float extent = 1;  ///< diagonal of the scene's bounds, scene units
-  Outputs outputs;   ///< mean results and levels, where Probe::outputs() asked for them
+  float extent = 1;   ///< diagonal of the scene's bounds, scene units
+  AovValues outputs;  ///< mean results and levels, where Probe::outputs() asked for them
 
   /// Mean number of rays of one kind for each path, as in `m.each(m.counts.reflect)`.
   double each(std::uint64_t count) const { return double(count) / samples; }
@@ -146,7 +146,7 @@ class Probe {
     return *this;
   }
 
-  /// Paths that share the sample counts of the materials; unless told, each lobe gets one ray.
+  /// Paths that share the sample counts of the materials; by default each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {
     settings_.paths_of_pixel = paths;
     return *this;
@@ -203,7 +203,7 @@ class Probe {
     std::vector<Rgb> means(kBatches);
     std::vector<RayCounts> counts(kBatches);
     std::vector<float> alphas(kBatches);
-    std::vector<Outputs> outputs(kBatches);
+    std::vector<AovValues> outputs(kBatches);
     std::vector<std::pair<Rgb, Rgb>> ranges(kBatches, {Rgb(1e30f), Rgb(-1e30f)});
     parallel_for(kBatches, [&](std::size_t b) {
       Imath::Vec3<double> sum(0.0);  // double: up to a million terms
@@ -227,9 +227,9 @@ class Probe {
       m.mean += means[static_cast<std::size_t>(b)] / kBatches;
       m.alpha += alphas[static_cast<std::size_t>(b)] / kBatches;
       m.counts += counts[static_cast<std::size_t>(b)];
-      const Outputs& part = outputs[static_cast<std::size_t>(b)];
+      const AovValues& part = outputs[static_cast<std::size_t>(b)];
       const float share = 1 / (kBatches * static_cast<float>(per_batch));
-      for (std::size_t i = 0; i < kComponents; ++i) m.outputs.result[i] += part.result[i] * share;
+      for (std::size_t i = 0; i < kAovs; ++i) m.outputs.result[i] += part.result[i] * share;
       for (std::size_t i = 0; i < kLevels; ++i) m.outputs.level[i] += part.level[i] * share;
       m.outputs.opacity = part.opacity;
     }

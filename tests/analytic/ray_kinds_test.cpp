@@ -4,8 +4,8 @@
 #include <initializer_list>
 
 #include "probe.h"
-#include "render/lens_shaders.h"
-#include "transport/photon_trace.h"
+#include "runtime/color_mapping.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace ray_kinds_test {
@@ -44,7 +44,7 @@ constexpr ShaderSpec kTestKind = {
     .lens = [](const Call& call, const LensCall&, const Rgb& c) { return c * rgb(note(call)); },
     .volume =
         [](const Call& call) {
-          return AirValue{rgb(note(call)), Rgb(0)};
+          return VolumeValue{rgb(note(call)), Rgb(0)};
         },
     .dims_light = [](const ShaderNode&) { return true; },
     .may_transmit = [](const ShaderNode&) { return true; },

@@ -263,12 +263,12 @@ TEST(Highlight, OutputsHoldReflectionOrHighlightAndBothOnlyWhenAsked) {
       const std::string name = fmt::format("gloss {}, estimator {}", gloss, static_cast<int>(e));
       const float one = seen.mean.x;
       EXPECT_GT(one, .2f);
-      EXPECT_EQ(seen.outputs[Component::Specular].x, 0) << name;
-      EXPECT_NEAR(seen.outputs[Component::Reflection].x / one, 1, .0001f) << name;
-      EXPECT_EQ(hidden.outputs[Component::Reflection].x, 0) << name;
-      EXPECT_NEAR(hidden.outputs[Component::Specular].x / one, 1, .01f) << name;
-      EXPECT_NEAR(both.outputs[Component::Reflection].x / one, 1, .01f) << name;
-      EXPECT_NEAR(both.outputs[Component::Specular].x / one, 1, .01f) << name;
+      EXPECT_EQ(seen.outputs[Aov::Specular].x, 0) << name;
+      EXPECT_NEAR(seen.outputs[Aov::Reflection].x / one, 1, .0001f) << name;
+      EXPECT_EQ(hidden.outputs[Aov::Reflection].x, 0) << name;
+      EXPECT_NEAR(hidden.outputs[Aov::Specular].x / one, 1, .01f) << name;
+      EXPECT_NEAR(both.outputs[Aov::Reflection].x / one, 1, .01f) << name;
+      EXPECT_NEAR(both.outputs[Aov::Specular].x / one, 1, .01f) << name;
       EXPECT_NEAR(both.mean.x / one, 2, .02f) << name;
       figure("reflection + highlight over one of them, " + name, 2, both.mean.x / one,
              std::hypot(both.error.x, 2 * seen.error.x) / one);

@@ -324,7 +324,7 @@ TEST(RoundCorners, NineModesTakeAndGiveTheirVectors) {
 }
 
 /// What the diffuse component sees of a sun along x, at a point of a box near its edge.
-Outputs lit(const std::string& bump, const std::string& round) {
+AovValues lit(const std::string& bump, const std::string& round) {
   SceneText scene;
   scene.statement("shader \"tilt\" \"test_tilt\" ( \"normal\" .6 0 .8 )")
       .statement("shader \"round\" \"mia_roundcorners\" ( " + round + " )")
@@ -352,32 +352,32 @@ float sunlight(const Vec3& n) {
 // acceptance: C3, C4
 TEST(RoundCorners, ActAsOverallBumpWithoutDiffuseBumpsAndPassOnOthers) {
   const std::string radius = "\"radius\" .1, \"bump_mode\" ";
-  const Outputs plain = lit("\"bump_mode\" 5", "");
+  const AovValues plain = lit("\"bump_mode\" 5", "");
   // Round corners in mode 0 move the normal themselves, which an input of vectors takes as well.
-  Outputs first;
+  AovValues first;
   for (const int mode : {0, 1, 2, 3, 5, 6, 7}) {
-    Outputs o = lit(fmt::format("\"overall_bump\" = \"round\", \"no_diffuse_bump\" on, "
-                                "\"bump_mode\" {}",
-                                mode ? mode : 5),
-                    radius + std::to_string(mode));
+    AovValues o = lit(fmt::format("\"overall_bump\" = \"round\", \"no_diffuse_bump\" on, "
+                                  "\"bump_mode\" {}",
+                                  mode ? mode : 5),
+                      radius + std::to_string(mode));
     if (mode == 0) first = o;
-    EXPECT_NEAR(o[Component::Diffuse].x / Outputs(plain)[Component::Diffuse].x,
+    EXPECT_NEAR(o[Aov::Diffuse].x / AovValues(plain)[Aov::Diffuse].x,
                 sunlight(normalize(Vec3(.5f, 0, 1))), 1e-4f)
         << mode;
-    EXPECT_LT(length(o[Component::Reflection] - first[Component::Reflection]), 1e-4f) << mode;
+    EXPECT_LT(length(o[Aov::Reflection] - first[Aov::Reflection]), 1e-4f) << mode;
   }
   // As standard bump, and in the old input, they spare the diffuse component on request.
   for (const char* bump :
        {"\"standard_bump\" = \"round\", \"bump_mode\" 5", "\"bump\" \"round\", \"bump_mode\" 0"})
-    EXPECT_EQ(lit(std::string(bump) + ", \"no_diffuse_bump\" on", radius + "0")[Component::Diffuse],
-              Outputs(plain)[Component::Diffuse])
+    EXPECT_EQ(lit(std::string(bump) + ", \"no_diffuse_bump\" on", radius + "0")[Aov::Diffuse],
+              AovValues(plain)[Aov::Diffuse])
         << bump;
   // The bump shader passes through, and its result is rounded.
-  Outputs passed = lit("\"bump\" \"round\", \"bump_mode\" 0", "\"bump\" \"tilt\"");
-  EXPECT_NEAR(passed[Component::Diffuse].x / Outputs(plain)[Component::Diffuse].x,
+  AovValues passed = lit("\"bump\" \"round\", \"bump_mode\" 0", "\"bump\" \"tilt\"");
+  EXPECT_NEAR(passed[Aov::Diffuse].x / AovValues(plain)[Aov::Diffuse].x,
               sunlight(Vec3(.6f, 0, .8f)), 1e-4f);
-  Outputs both = lit("\"bump\" \"round\", \"bump_mode\" 0", radius + "0, \"bump\" \"tilt\"");
-  EXPECT_NEAR(both[Component::Diffuse].x / Outputs(plain)[Component::Diffuse].x,
+  AovValues both = lit("\"bump\" \"round\", \"bump_mode\" 0", radius + "0, \"bump\" \"tilt\"");
+  EXPECT_NEAR(both[Aov::Diffuse].x / AovValues(plain)[Aov::Diffuse].x,
               sunlight(normalize(Vec3(1.1f, 0, .8f))), 1e-4f);
 }
 

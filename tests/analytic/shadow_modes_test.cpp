@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "probe.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 #include "transport/shadow.h"
 
 namespace oriel::analytic {
@@ -113,8 +113,8 @@ TEST(ShadowModes, ABlockerThatBecomesOpaqueEndsTheShadowRay) {
     ShadingPoint point;
     point.normal = point.geometric_normal = kUp;
     point.position = Vec3(0, 0, .5f);
-    const Openness open = shadow_transmittance(probe.world(), point, kUp,
-                                               std::numeric_limits<float>::infinity(), counts, 0);
+    const Transmittance open = shadow_transmittance(
+        probe.world(), point, kUp, std::numeric_limits<float>::infinity(), counts, 0);
     EXPECT_EQ(open.all, Rgb(0));
     EXPECT_EQ(step_log().heights, (std::vector<float>{1, 2})) << mode;
   }

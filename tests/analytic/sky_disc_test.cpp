@@ -2,7 +2,8 @@
 // The sun's disc in glossy reflections and blurred environments; vignetting of parallel views; more
 // rays through a lens than were allowed.
 #include "portal_scenes.h"
-#include "render/lens_shaders.h"
+#include "render/eye_rays.h"
+#include "runtime/color_mapping.h"
 #include "sky/physical_sky.h"
 
 namespace oriel::analytic {

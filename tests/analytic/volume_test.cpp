@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "probe.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::analytic {
 namespace volume_test {

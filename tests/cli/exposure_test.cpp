@@ -4,8 +4,8 @@
 
 #include "image/exr.h"
 #include "image/files.h"
-#include "lens/exposure.h"
 #include "program.h"
+#include "tone/exposure.h"
 
 namespace oriel {
 namespace exposure_test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outputs of materials as a user asks for them: layers of EXR files, and what is said without any.
 #include "image/exr.h"
+#include "output/output_names.h"
 #include "program.h"
-#include "render/output_names.h"
 
 namespace oriel {
 namespace outputs_test {

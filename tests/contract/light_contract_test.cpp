@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 #include "sampling/testing/chi_square.h"
 
 namespace oriel {

@@ -7,14 +7,14 @@
 #include <random>
 
 #include "mi/reader.h"
+#include "output/output_names.h"
+#include "prepare/prepare.h"
 #include "random_params.h"
-#include "render/output_names.h"
-#include "render/prepare.h"
 #include "shaders/architectural/mia_material.h"
 #include "shaders/registry.h"
 #include "transport/lobes.h"
-#include "transport/path.h"
-#include "transport/resolve_outputs.h"
+#include "transport/path/path.h"
+#include "transport/path/resolve_outputs.h"
 
 namespace oriel {
 namespace outputs_contract_test {
@@ -80,7 +80,7 @@ double lobe_albedo(const Closure& closure, int index, const ShadingPoint& point,
   Closure alone;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    alone.add(lobe.kind, lobe.channel, Rgb(i == index ? 1.0f : 0.0f), lobe.frame) = lobe;
+    alone.add(lobe.kind, lobe.type, Rgb(i == index ? 1.0f : 0.0f), lobe.frame) = lobe;
     alone.lobes[i].level = Rgb(i == index ? 1.0f : 0.0f);
   }
   double sum = 0;
@@ -224,7 +224,7 @@ TEST(RandomArchitecturalMaterial, OutputsOfEveryPathAreItsRadiance) {
     for (std::uint32_t path = 0; path < 6; ++path) {
       sampling::Sampler sampler(n, 5, path);
       const Vec2 raster(8 * unit(engine), 8 * unit(engine));
-      Outputs parts;
+      AovValues parts;
       RayCounts counts;
       const PathSettings settings{.paths_of_pixel = 16, .outputs = &parts};
       const PathResult r =

@@ -5,7 +5,7 @@
 #include "base_stages.h"
 #include "cases.h"
 #include "color/luminance.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 
 namespace oriel::effects {
 namespace base_lens {

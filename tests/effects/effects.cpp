@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 
 namespace oriel::effects {
 namespace {

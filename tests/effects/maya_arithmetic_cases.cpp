@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maya's utilities: shaders/hosts/maya_arithmetic.cpp, maya_conversions.cpp, maya_surroundings.cpp.
+// Maya's utilities: shaders/maya/maya_arithmetic.cpp, maya_conversions.cpp, maya_surroundings.cpp.
 #include <cmath>
 
 #include "cases.h"
 #include "maya_stages.h"
-#include "render/lens_shaders.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
+#include "runtime/color_mapping.h"
 
 namespace oriel::effects {
 namespace maya_arithmetic {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maya's layers, shading engine, use-background and shadow shader: shaders/hosts/maya_layers.cpp.
+// Maya's layers, shading engine, use-background and shadow shader: shaders/maya/maya_layers.cpp.
 #include <numeric>
 
 #include "cases.h"

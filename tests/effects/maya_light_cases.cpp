@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maya's lights: shaders/hosts/maya_light.cpp.
+// Maya's lights: shaders/maya/maya_light.cpp.
 #include <cmath>
 
 #include "cases.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maya's ramp: shaders/hosts/maya_ramp.cpp.
+// Maya's ramp: shaders/maya/maya_ramp.cpp.
 #include <algorithm>
 #include <cmath>
 

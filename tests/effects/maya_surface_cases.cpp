@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maya's surfaces: shaders/hosts/maya_surface.cpp.
+// Maya's surfaces: shaders/maya/maya_surface.cpp.
 #include <cmath>
 
 #include "cases.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maya's textures, their placement and bumps: shaders/hosts/maya_texture.cpp.
+// Maya's textures, their placement and bumps: shaders/maya/maya_texture.cpp.
 #include <algorithm>
 #include <cmath>
 
 #include "cases.h"
 #include "maya_stages.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 
 namespace oriel::effects {
 namespace maya_texture {

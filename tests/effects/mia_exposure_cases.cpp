@@ -6,10 +6,10 @@
 #include "cases.h"
 #include "color/luminance.h"
 #include "mia_stages.h"
-#include "render/camera_output.h"
-#include "render/lens_shaders.h"
+#include "output/camera_output.h"
+#include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
-#include "render/testing/prepared_scene.h"
+#include "runtime/color_mapping.h"
 
 namespace oriel::effects {
 namespace mia_exposure {

@@ -10,7 +10,7 @@
 #include "cases.h"
 #include "image/test_files.h"
 #include "mia_stages.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::effects {
 namespace mia_light {

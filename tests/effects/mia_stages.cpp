@@ -5,7 +5,7 @@
 
 #include "base/math.h"
 #include "color/luminance.h"
-#include "render/lens_shaders.h"
+#include "runtime/color_mapping.h"
 
 namespace oriel::effects {
 

@@ -3,7 +3,7 @@
 // shaders/architectural/mia_lens_bokeh.cpp.
 #include "cases.h"
 #include "other_stages.h"
-#include "render/lens_shaders.h"
+#include "render/eye_rays.h"
 
 namespace oriel::effects {
 namespace other_lenses {

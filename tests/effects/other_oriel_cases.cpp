@@ -3,7 +3,7 @@
 // oriel_vertex_color.cpp.
 #include "cases.h"
 #include "other_stages.h"
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 
 namespace oriel::effects {
 namespace other_own_textures {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of the production library: shaders/hosts/production.cpp.
+// Stand-ins for shaders of the production library: shaders/maya/production.cpp.
 #include "cases.h"
 #include "other_stages.h"
-#include "render/lens_shaders.h"
-#include "transport/photon_trace.h"
+#include "runtime/color_mapping.h"
+#include "transport/photon/photon_trace.h"
 
 namespace oriel::effects {
 namespace other_production {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explanations of pixels: they add up to the picture, and say of simple scenes what is so.
-#include "render/explain.h"
+#include "analysis/explain.h"
 #include "../analytic/picture.h"
 #include "color/luminance.h"
 
@@ -31,7 +31,7 @@ struct Prepared {
 };
 
 /// The surface of that instance which paths came to that way; fails where there is none.
-const ExplainedSurface* find(const Explanation& e, const World& world, Way way,
+const ExplainedSurface* find(const Explanation& e, const World& world, PathSegment way,
                              const std::string& instance) {
   for (const ExplainedSurface& s : e.surfaces)
     if (s.way == way && s.instance >= 0 &&
@@ -40,8 +40,7 @@ const ExplainedSurface* find(const Explanation& e, const World& world, Way way,
   return nullptr;
 }
 
-Rgb light_of(const Explanation& e, const ExplainedSurface& s, Component part,
-             const std::string& source) {
+Rgb light_of(const Explanation& e, const ExplainedSurface& s, Aov part, const std::string& source) {
   Rgb sum(0);
   for (const ExplainedLight& l : s.light)
     if (l.part == part && e.sources[l.source] == source) sum += l.light;
@@ -133,10 +132,10 @@ TEST(Explain, SharesSumThroughAFilterWithNegativeLobesAndALens) {
 TEST(Explain, LightsHaveTheSharesThatTheyHave) {
   const Prepared suns(plate(kGrey).light("strong", sun(3)).light("weak", sun(1)));
   const Explanation e = suns.at(3, 3);
-  const ExplainedSurface* s = find(e, *suns.world, Way::Eye, "shape0_i");
+  const ExplainedSurface* s = find(e, *suns.world, PathSegment::Eye, "shape0_i");
   ASSERT_NE(s, nullptr);
-  expect_near(light_of(e, *s, Component::Diffuse, "strong_i"), Rgb(1.5f), 1e-5f, "albedo x 3");
-  expect_near(light_of(e, *s, Component::Diffuse, "weak_i"), Rgb(.5f), 1e-5f, "albedo x 1");
+  expect_near(light_of(e, *s, Aov::Diffuse, "strong_i"), Rgb(1.5f), 1e-5f, "albedo x 3");
+  expect_near(light_of(e, *s, Aov::Diffuse, "weak_i"), Rgb(.5f), 1e-5f, "albedo x 1");
   EXPECT_NEAR(s->distance, 1, .01);
   EXPECT_NEAR(s->met, 1, 1e-6);
   ASSERT_EQ(s->lobes.size(), 1u);
@@ -151,7 +150,7 @@ TEST(Explain, ShadowsNameWhoCastsThem) {
                             .light("sun", sun(2))
                             .light("below", sun(2, "0 0 1")));
   const Explanation e = shaded.at(3, 3);
-  const ExplainedSurface* s = find(e, *shaded.world, Way::Eye, "shape0_i");
+  const ExplainedSurface* s = find(e, *shaded.world, PathSegment::Eye, "shape0_i");
   ASSERT_NE(s, nullptr);
   ASSERT_EQ(s->lamps.size(), 2u);
   for (const ExplainedLamp& lamp : s->lamps) {
@@ -175,10 +174,10 @@ TEST(Explain, MirrorsShowWhatIsSeenInThem) {
           .square("wall", Vec3(0, 0, 1), 3, -kUp)
           .light("sun", light_through_the_plate()));
   const Explanation e = mirror.at(3, 3);
-  const ExplainedSurface* wall = find(e, *mirror.world, Way::Reflection, "shape1_i");
+  const ExplainedSurface* wall = find(e, *mirror.world, PathSegment::Reflection, "shape1_i");
   ASSERT_NE(wall, nullptr);
   EXPECT_EQ(wall->from, 1u) << "seen in the plate";
-  expect_near(light_of(e, *wall, Component::Diffuse, "sun_i"), Rgb(.4f), 1e-4f,
+  expect_near(light_of(e, *wall, Aov::Diffuse, "sun_i"), Rgb(.4f), 1e-4f,
               "albedo x level of the mirror");
   expect_near(e.total(1), e.colour, 1e-5f, "all is reflection");
 }
@@ -189,7 +188,7 @@ TEST(Explain, BouncesNameTheSurfaceTheyComeFrom) {
                          .square("wall", Vec3(0, 0, 2), 3, -kUp)
                          .light("sun", light_through_the_plate()));
   const Explanation e = lit.at(3, 3, 256);
-  const ExplainedSurface* wall = find(e, *lit.world, Way::Diffuse, "shape1_i");
+  const ExplainedSurface* wall = find(e, *lit.world, PathSegment::Diffuse, "shape1_i");
   ASSERT_NE(wall, nullptr);
   EXPECT_TRUE(wall->behind);
   EXPECT_GT(luminance(e.colour), .1f);

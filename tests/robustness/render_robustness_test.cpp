@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "render/testing/prepared_scene.h"
-#include "transport/path.h"
+#include "prepare/testing/prepared_scene.h"
+#include "transport/path/path.h"
 
 namespace oriel {
 namespace render_robustness_test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What users' shaders write into frame buffers, in files and before output shaders.
 #include "image/files.h"
-#include "render/output_names.h"
+#include "output/output_names.h"
 #include "user_picture.h"
 
 namespace oriel {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What geometry shaders make is what the same element of a scene file is.
-#include "render/generated_geometry.h"
+#include "prepare/generated_geometry.h"
 #include "scene/approximation.h"
 #include "user_scene.h"
 

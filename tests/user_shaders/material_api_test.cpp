@@ -3,7 +3,7 @@
 // other.
 #include <fmt/format.h>
 
-#include "render/output_names.h"
+#include "output/output_names.h"
 #include "user_picture.h"
 
 namespace oriel {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "runtime/light_emission.h"
-#include "transport/photon_trace.h"
+#include "transport/photon/photon_trace.h"
 #include "user_picture.h"
 
 namespace oriel {

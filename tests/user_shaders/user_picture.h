@@ -3,8 +3,8 @@
 #pragma once
 
 #include "image/exr.h"
-#include "render/camera_output.h"
-#include "render/output.h"
+#include "output/camera_output.h"
+#include "output/output.h"
 #include "user_scene.h"
 
 namespace oriel::testing {

@@ -11,8 +11,8 @@
 
 #include "base/temporary_folder.h"
 #include "mi/reader.h"
-#include "render/lens_shaders.h"
-#include "render/prepare.h"
+#include "prepare/prepare.h"
+#include "render/eye_rays.h"
 #include "render/session.h"
 #include "sampling/sampler.h"
 #include "sdk/host.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-#include "render/testing/prepared_scene.h"
+#include "prepare/testing/prepared_scene.h"
 #include "sampling/sampler.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
@@ -23,7 +23,7 @@ class NumbersOnly final : public Tracer {
   std::optional<Met> probe(const Vec3&, const Vec3&, float) override { return {}; }
   std::optional<Met> probe_from(const ShadingPoint&, const Vec3&, float) override { return {}; }
   std::optional<Arriving> light(int, ShadingPoint&) override { return {}; }
-  Levels levels() const override { return {}; }
+  Depth depth() const override { return {}; }
   Seen trace(const ShadingPoint&, const SubRay&) override { return {}; }
   Rgb irradiance(const ShadingPoint&, const Vec3& normal) override {
     return normal.z > 0 ? above : below;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "lens/exposure.h"
 #include "runtime/shader_node.h"
+#include "tone/exposure.h"
 
 namespace oriel {
 namespace {

@@ -3,8 +3,8 @@
 // shaders (per sample) or output shaders (per pixel); and the photographic one undone.
 #pragma once
 
-#include "lens/exposure.h"
 #include "runtime/shader_spec.h"
+#include "tone/exposure.h"
 
 namespace oriel {
 

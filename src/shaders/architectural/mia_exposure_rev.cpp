@@ -3,9 +3,9 @@
 // that a photograph behind the scene comes out as it was.
 #include <algorithm>
 
-#include "lens/exposure_reverse.h"
 #include "runtime/world.h"
 #include "shaders/architectural/mia_exposure.h"
+#include "tone/exposure_reverse.h"
 
 namespace oriel {
 namespace {

@@ -149,13 +149,13 @@ void add_reflection(const MiaMaterialParams& p, const ReflectingLayer& layer, co
   const bool mirror_rays = mirror || layer.samples == 0;
   const LobeControls controls = reflection_controls(p, layer.samples);
   if (mirror_rays) {
-    Lobe& lobe = closure.add(LobeKind::Mirror, Channel::Reflection, layer.level, frame);
+    Lobe& lobe = closure.add(LobeKind::Mirror, LobeType::Reflection, layer.level, frame);
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only;
   }
   if (!mirror) {
     // With mirror rays the highlight still follows the gloss.
-    Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, layer.level, frame);
+    Lobe& lobe = closure.add(LobeKind::GlossyReflection, LobeType::Reflection, layer.level, frame);
     set_roughness(lobe, roughness);
     lobe.controls = controls;
     lobe.controls.highlights_only = p.refl_hl_only || mirror_rays;
@@ -171,7 +171,7 @@ void add_refraction(const MiaMaterialParams& p, const ShadingPoint& point, const
   const LobeKind kind = p.thin_walled
                             ? (clear ? LobeKind::ThinTransmission : LobeKind::GlossyThin)
                             : (clear ? LobeKind::ClearRefraction : LobeKind::GlossyRefraction);
-  Lobe& lobe = closure.add(kind, Channel::Refraction, level, stretched_frame(p, point, normal));
+  Lobe& lobe = closure.add(kind, LobeType::Refraction, level, stretched_frame(p, point, normal));
   lobe.eta = eta;
   if (!clear) set_roughness(lobe, roughness);
   lobe.controls.samples = static_cast<float>(std::max(p.refr_gloss_samples, 1));
@@ -207,7 +207,7 @@ float gather_quality(const MiaMaterialParams& p) {
 void add_diffuse(const MiaMaterialParams& p, const Rgb& level, const Vec3& normal,
                  Closure& closure) {
   if (is_black(level)) return;
-  Lobe& lobe = closure.add(LobeKind::Diffuse, Channel::Diffuse, level, Frame(normal));
+  Lobe& lobe = closure.add(LobeKind::Diffuse, LobeType::Diffuse, level, Frame(normal));
   // Beyond this nothing changes but the square overflows.
   lobe.roughness = clamp(p.diffuse_roughness, 0, 1e3f);
   lobe.controls.samples = gather_quality(p);
@@ -256,7 +256,7 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
     const float eta = inside ? 1 / std::max(p.refr_ior, 0.1f) : std::max(p.refr_ior, 0.1f);
     add_refraction(p, point, n.specular, levels.refraction, eta, closure);
     if (!is_black(levels.translucency))
-      closure.add(LobeKind::Translucency, Channel::Translucency, levels.translucency,
+      closure.add(LobeKind::Translucency, LobeType::Translucency, levels.translucency,
                   Frame(n.diffuse));
     closure.inside = inside_of(p);
   }

@@ -73,10 +73,11 @@ Distribution spot(const MiaPhotometricLightParams& p, const LightCall& l) {
 
 Distribution distribution(const MiaPhotometricLightParams& p, const LightCall& l) {
   if (p.distribution_mode == kSpot) return spot(p, l);
-  const photometry::LightProfile* profile = l.light.luminaire.profile;
+  const photometry::LightProfile* profile = l.light.profile_placement.profile;
   const bool inside = in_spread(l.light, l.direction);
   if (p.distribution_mode == kProfile && profile)
-    return {inside ? l.light.luminaire.candela(l.direction) : 0, profile->flux(), profile->peak()};
+    return {inside ? l.light.profile_placement.candela(l.direction) : 0, profile->flux(),
+            profile->peak()};
   const bool flat = is_flat(l.light.shape);
   return {inside ? (flat ? l.emitter_cos : 1) : 0, flat ? kPi : 4 * kPi, 1};
 }
@@ -87,7 +88,7 @@ float intensity(const MiaPhotometricLightParams& p, const LightCall& l) {
   const photometry::LightProfile* profile = p.profile.profile;
   if (p.intensity_mode == kFlux) return d.flux > 0 ? d.here * p.manual_flux_lm / d.flux : 0;
   if (p.intensity_mode == kFromProfile) {
-    if (p.distribution_mode == kProfile && l.light.luminaire) return d.here;
+    if (p.distribution_mode == kProfile && l.light.profile_placement) return d.here;
     // Spread otherwise, a profile still says how much.
     if (profile) return d.flux > 0 ? d.here * profile->flux() / d.flux : 0;
   }
@@ -106,7 +107,7 @@ LightValue value(const Call& call, const LightCall& l) {
 const photometry::LightProfile* profile(const void* params, const Light& light) {
   const MiaPhotometricLightParams& p = *static_cast<const MiaPhotometricLightParams*>(params);
   if (p.distribution_mode != kProfile) return nullptr;
-  return p.profile.profile ? p.profile.profile : light.luminaire.profile;
+  return p.profile.profile ? p.profile.profile : light.profile_placement.profile;
 }
 
 }  // namespace

@@ -193,10 +193,10 @@ void sky_value(const Call& call, void* result) {
 }
 
 /// Aerial perspective: what is far fades to the horizon behind it.
-AirValue air(const Call& call) {
+VolumeValue air(const Call& call) {
   const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
   return with_sky(
-      call, [&](const sky::PhysicalSky& sky, const sky::SkyParameters& now) -> AirValue {
+      call, [&](const sky::PhysicalSky& sky, const sky::SkyParameters& now) -> VolumeValue {
         if (!now.on || !(now.multiplier > 0)) return {};
         const float haze = sky::aerial_haze(call.point.ray_length, p.visibility_distance, p.haze);
         if (haze == 0) return {};

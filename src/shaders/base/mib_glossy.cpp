@@ -144,7 +144,7 @@ void reflection(const Call& call, Closure& closure) {
                          p.edge_factor, dot(normal, call.point.wo()));
   shade_input(call, offsetof(Reflection, base_material), p.base_material, Rgb(1) - k, closure);
   if (is_black(k)) return;
-  Lobe& lobe = closure.add(LobeKind::GlossyReflection, Channel::Reflection, k,
+  Lobe& lobe = closure.add(LobeKind::GlossyReflection, LobeType::Reflection, k,
                            blurred_frame(p, reflecting_outward(normal, call.point)));
   if (!blur(p, lobe)) lobe.kind = LobeKind::Mirror;
   lobe.controls.falloff_distance = std::max(0.0f, p.max_distance);
@@ -167,7 +167,7 @@ void refraction(const Call& call, Closure& closure) {
   const float index = clamp(p.ior > 0 ? p.ior : 1, 0.1f, 10);
   const bool straight = index == 1;
   Lobe& lobe = closure.add(straight ? LobeKind::GlossyThin : LobeKind::GlossyRefraction,
-                           Channel::Refraction, k, blurred_frame(p, normal));
+                           LobeType::Refraction, k, blurred_frame(p, normal));
   lobe.eta = point.back_side ? 1 / index : index;
   if (!blur(p, lobe)) lobe.kind = straight ? LobeKind::ThinTransmission : LobeKind::ClearRefraction;
   closure.thin_walled = straight;

@@ -126,7 +126,7 @@ constexpr ParamSpec kWardDerivRows[] = {
     {ORIEL_PARAM(WardDeriv, lights), .doc = kList, .declared_default = false},
 };
 
-/// Steepest facets and narrowest lobes that are told apart.
+/// Limits of the slopes of facets and of the widths of lobes.
 constexpr float kMostSlope = 10;
 
 template <class P>
@@ -137,12 +137,12 @@ Frame shade_diffuse(const P& p, const ShadingPoint& point, Closure& closure) {
   closure.lights = p.lights;
   closure.albedo = rgb(p.diffuse);
   if (!is_black(closure.albedo))
-    closure.add(LobeKind::Diffuse, Channel::Diffuse, closure.albedo, frame);
+    closure.add(LobeKind::Diffuse, LobeType::Diffuse, closure.albedo, frame);
   return frame;
 }
 
 Lobe& add_highlight(LobeKind kind, const Rgb& level, const Frame& frame, Closure& closure) {
-  Lobe& lobe = closure.add(kind, Channel::Reflection, level, frame);
+  Lobe& lobe = closure.add(kind, LobeType::Reflection, level, frame);
   lobe.controls.highlights_only = true;
   return lobe;
 }

@@ -107,7 +107,7 @@ Rgb clamp_lens(const Call& call, const LensCall&, const Rgb& film) {
   return l > 0 ? color * ((l - p.floor) / range / l) : Rgb(0);
 }
 
-AirValue fog(const Call& call) {
+VolumeValue fog(const Call& call) {
   const auto& p = call.as<Volume>();
   if (!(p.max > 0)) return {};
   if (std::isinf(call.point.ray_length)) return {};

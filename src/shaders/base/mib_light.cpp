@@ -96,7 +96,7 @@ LightValue physical_value(const Call& call, const LightCall& l) {
   Rgb c = rgb(p.color);
   if (l.light.shape != LightShape::Directional) {
     // Energy spreads over the sphere: divided by its 4 pi steradians, or by a profile.
-    const Luminaire& measured = l.light.luminaire;
+    const ProfilePlacement& measured = l.light.profile_placement;
     const float spread =
         measured ? measured.candela(l.direction) / measured.profile->flux() : 1 / (4 * kPi);
     c *= distance_decay(l.light, l.distance) * spread;
@@ -129,7 +129,7 @@ const ShaderSpec kMibLightPoint = {
     .name = "mib_light_point",
     .library = "base",
     .apply = kApplyLight,
-    .doc = "A point light whose strength does not change with distance unless told.",
+    .doc = "A point light without decay by default.",
     .params = kPointRows,
     .params_size = sizeof(Point),
     .light = [](const Call& call,
@@ -162,7 +162,7 @@ const ShaderSpec kPhysicalLight = {
     .params_size = sizeof(Physical),
     .light = physical_value,
     // That of the light's element: it tells where the energy goes, not how much it is.
-    .profile = [](const void*, const Light& light) { return light.luminaire.profile; },
+    .profile = [](const void*, const Light& light) { return light.profile_placement.profile; },
 };
 
 }  // namespace oriel

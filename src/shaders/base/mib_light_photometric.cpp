@@ -37,7 +37,8 @@ LightValue photometric_value(const Call& call, const LightCall& l) {
   const MibLightPhotometricParams& p = call.as<MibLightPhotometricParams>();
   LightValue v{.shadow = p.shadow, .shadow_factor = clamp01(p.factor)};
   if (!in_spread(l.light, l.direction)) return v;
-  const float candela = l.light.luminaire ? l.light.luminaire.candela(l.direction) : 1;
+  const float candela =
+      l.light.profile_placement ? l.light.profile_placement.candela(l.direction) : 1;
   float share = distance_decay(l.light, l.distance) * kInvPi;
   if (p.stop > p.start && p.stop > 0 && l.distance > p.start)
     share *= std::max(0.0f, (p.stop - l.distance) / (p.stop - p.start));
@@ -59,7 +60,7 @@ const ShaderSpec kMibLightPhotometric = {
         [](const void* params, const Light& light) {
           const photometry::LightProfile* own =
               static_cast<const MibLightPhotometricParams*>(params)->profile.profile;
-          return own ? own : light.luminaire.profile;
+          return own ? own : light.profile_placement.profile;
         },
 };
 

@@ -100,7 +100,7 @@ void reflect(const Call& call, Closure& closure) {
   shade_input(call, offsetof(Reflect, input), p.input, rest_of(k), closure);
   if (is_black(k)) return;
   const Vec3 normal = facing_viewer(call.point.normal, call.point);
-  Lobe& lobe = closure.add(LobeKind::Mirror, Channel::Reflection, k,
+  Lobe& lobe = closure.add(LobeKind::Mirror, LobeType::Reflection, k,
                            Frame(reflecting_outward(normal, call.point)));
   if (p.notrace) {
     // A reflection that ends at once and fades to the environment.
@@ -112,7 +112,7 @@ void reflect(const Call& call, Closure& closure) {
 
 void add_transmission(const Call& call, const Rgb& k, Closure& closure) {
   if (is_black(k)) return;
-  closure.add(LobeKind::ThinTransmission, Channel::Refraction, k, facing_frame(call.point));
+  closure.add(LobeKind::ThinTransmission, LobeType::Refraction, k, facing_frame(call.point));
   closure.albedo += k;
 }
 
@@ -122,7 +122,7 @@ void add_refraction(const Call& call, const Rgb& k, float ior, Closure& closure)
   constexpr float kLeast = 0.1f, kMost = 10;
   const float eta = clamp(ior != 0 ? ior : 1, kLeast, kMost);
   if (eta == 1 || is_black(k)) return add_transmission(call, k, closure);
-  closure.add(LobeKind::ClearRefraction, Channel::Refraction, k, facing_frame(call.point)).eta =
+  closure.add(LobeKind::ClearRefraction, LobeType::Refraction, k, facing_frame(call.point)).eta =
       eta;
   closure.thin_walled = false;
   closure.albedo += k;

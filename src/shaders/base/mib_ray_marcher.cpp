@@ -115,7 +115,7 @@ const ShaderSpec kMibRayMarcher = {
         },
     .volume =
         [](const Call& call) {
-          return AirValue{Rgb(1), march(call)};
+          return VolumeValue{Rgb(1), march(call)};
         },
 };
 

@@ -71,7 +71,8 @@ constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, ior_out), .min = 0, .doc = "Index outside; 0 = 1.",
      .declared_default = false},
     {ORIEL_PARAM(Dielectric, ignore_normals),
-     .doc = "Tell inside from outside by the depth of the ray; it is told by the normal.",
+     .doc = "Distinguish inside and outside by the depth of the ray; the normal is used "
+            "instead.",
      .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(Dielectric, phong_coef), .min = 0,
      .doc = "Exponent of a highlight of light sources; 0 = none.", .support = Support::Approximated,
@@ -112,9 +113,9 @@ float ratio(const ShadingPoint& point, float inside, float outside = 1) {
 
 float roughness_of(float shiny) { return std::sqrt(2 / (4 * std::max(0.0f, shiny) + 2)); }
 
-void add(LobeKind kind, Channel channel, const Rgb& level, const Frame& frame, Closure& closure) {
+void add(LobeKind kind, LobeType type, const Rgb& level, const Frame& frame, Closure& closure) {
   if (is_black(level)) return;
-  closure.add(kind, channel, level, frame);
+  closure.add(kind, type, level, frame);
   closure.albedo += level;
 }
 
@@ -123,7 +124,7 @@ void add_glossy(const Dgs& p, const ShadingPoint& point, const Vec3& normal, con
   if (is_black(level)) return;
   const bool even = p.shiny != 0;
   Lobe& lobe = closure.add(
-      kind, kind == LobeKind::GlossyReflection ? Channel::Reflection : Channel::Refraction, level,
+      kind, kind == LobeKind::GlossyReflection ? LobeType::Reflection : LobeType::Refraction, level,
       even ? Frame(normal) : Frame::along(normal, point.dpdu));
   const bsdf::Roughness roughness = bsdf::limited_roughness(
       roughness_of(even ? p.shiny : p.shiny_u), roughness_of(even ? p.shiny : p.shiny_v));
@@ -141,18 +142,18 @@ void dgs(const Call& call, Closure& closure) {
   const Vec3 mirroring = reflecting_outward(normal, point);
   const float through = clamp01(p.transp);
   const Rgb diffuse = rgb(p.diffuse), glossy = rgb(p.glossy), specular = rgb(p.specular);
-  add(LobeKind::Diffuse, Channel::Diffuse, diffuse * (1 - through), Frame(normal), closure);
+  add(LobeKind::Diffuse, LobeType::Diffuse, diffuse * (1 - through), Frame(normal), closure);
   add_glossy(p, point, mirroring, glossy * (1 - through), LobeKind::GlossyReflection, closure);
-  add(LobeKind::Mirror, Channel::Reflection, specular * (1 - through), Frame(mirroring), closure);
+  add(LobeKind::Mirror, LobeType::Reflection, specular * (1 - through), Frame(mirroring), closure);
   if (through == 0) return;
 
   const float eta = ratio(point, p.ior);
   closure.thin_walled = eta == 1;
   const int first = closure.count;
-  add(LobeKind::Translucency, Channel::Translucency, diffuse * through, Frame(normal), closure);
+  add(LobeKind::Translucency, LobeType::Translucency, diffuse * through, Frame(normal), closure);
   add_glossy(p, point, normal, glossy * through,
              eta == 1 ? LobeKind::GlossyThin : LobeKind::GlossyRefraction, closure);
-  add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, Channel::Refraction,
+  add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, LobeType::Refraction,
       specular * through, Frame(normal), closure);
   for (int i = first; i < closure.count; ++i) closure.lobes[i].eta = eta;
 }
@@ -171,16 +172,16 @@ void dielectric(const Call& call, Closure& closure) {
   const Vec3 normal = facing_viewer(point.normal, point);
   const float eta = ratio(point, p.ior, p.ior_out);
   const float reflected = bsdf::fresnel_dielectric(dot(normal, point.wo()), eta);
-  add(LobeKind::Mirror, Channel::Reflection, Rgb(reflected),
+  add(LobeKind::Mirror, LobeType::Reflection, Rgb(reflected),
       Frame(reflecting_outward(normal, point)), closure);
   if (reflected < 1) {
-    closure.add(LobeKind::ClearRefraction, Channel::Refraction, Rgb(1 - reflected), Frame(normal))
+    closure.add(LobeKind::ClearRefraction, LobeType::Refraction, Rgb(1 - reflected), Frame(normal))
         .eta = eta;
     closure.albedo += Rgb(1 - reflected);
   }
   if (p.phong_coef > 0 && reflected > 0) {
     Lobe& lobe =
-        closure.add(LobeKind::PhongHighlight, Channel::Reflection, Rgb(reflected), Frame(normal));
+        closure.add(LobeKind::PhongHighlight, LobeType::Reflection, Rgb(reflected), Frame(normal));
     lobe.roughness = p.phong_coef;
     lobe.controls.highlights_only = true;
   }
@@ -193,13 +194,13 @@ void dielectric(const Call& call, Closure& closure) {
 void photon_basic(const Call& call, Closure& closure) {
   const auto& p = call.as<PhotonBasic>();
   const Vec3 normal = facing_viewer(call.point.normal, call.point);
-  add(LobeKind::Diffuse, Channel::Diffuse, rgb(p.diffuse), Frame(normal), closure);
-  add(LobeKind::Mirror, Channel::Reflection, rgb(p.specular),
+  add(LobeKind::Diffuse, LobeType::Diffuse, rgb(p.diffuse), Frame(normal), closure);
+  add(LobeKind::Mirror, LobeType::Reflection, rgb(p.specular),
       Frame(reflecting_outward(normal, call.point)), closure);
   const float eta = clamp(or_one(p.ior_frac), 0.1f, 10);
   const Rgb transp = rgb(p.transp);
   if (is_black(transp)) return;
-  add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, Channel::Refraction,
+  add(eta == 1 ? LobeKind::ThinTransmission : LobeKind::ClearRefraction, LobeType::Refraction,
       transp, Frame(normal), closure);
   closure.lobes[closure.count - 1].eta = eta;
   closure.thin_walled = eta == 1;

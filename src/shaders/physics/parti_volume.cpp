@@ -129,7 +129,7 @@ Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
   return Frame(forward).to_world(Vec3(sine * math::cos(phi), sine * math::sin(phi), cosine));
 }
 
-AirValue air(const Call& call) {
+VolumeValue air(const Call& call) {
   const auto& p = call.as<Air>();
   const ShadingPoint& eye = call.point;
   const bool light = eye.ray_kind == RayKind::Light;
@@ -138,7 +138,7 @@ AirValue air(const Call& call) {
                           : within(p, eye.ray_origin, eye.ray_direction, eye.ray_length);
   const float depth = p.extinction * s.length();
   if (!(depth > 0)) return {};
-  AirValue out;
+  VolumeValue out;
   out.kept = Rgb(math::exp(-depth));
   if (light || !eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
   // A place on the stretch, as likely as light from there gets through.
@@ -151,7 +151,7 @@ AirValue air(const Call& call) {
   out.place = place.position;
   out.onward = turned(p, eye.ray_direction, eye.tracer->next(), choice.x);
   if (is_photon(eye.ray_kind)) return out;
-  const NodeList& dimming = eye.world->air_on_light;
+  const NodeList& dimming = eye.world->light_volume;
   const bool dims = std::find(dimming.begin(), dimming.end(), call.node) == dimming.end();
   if (p.lights.size > 0) {
     for (const LightRef ref : p.lights)

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "denoise/denoise_planes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "base/math.h"
+#include "base/parallel.h"
+
+namespace oriel::denoising {
+namespace {
+
+/// Albedos below this are not divided by: a black surface has no irradiance to speak of.
+constexpr float kSmallestAlbedo = 0.05f;
+
+/// Depth enters as a logarithm, so that it means the same near and far; a factor of 1.25 counts as
+/// much as two normals 60 degrees apart.
+constexpr float kDepthScale = 4;
+/// Nothing hit is further than anything by this much.
+constexpr float kNothing = 1;
+
+/// Radii over which variance is smoothed and over which it is brought to the level that the halves
+/// show. Samples that are spread evenly converge faster than their own variance says.
+/// Source: the idea is that of Rousselle et al. 2012; the radii are such that 9 and 441 pixels are
+///         averaged, 33 % and 5 % of noise left in a variance.
+constexpr int kVarianceRadius = 1, kLevelRadius = 10;
+
+/// A pixel is an outlier when its error is at least this part of it and it is this many times as
+/// bright as all but kOutlierPeers of its 24 neighbours: what is bright in truth is so in many
+/// samples, and a firefly in one.
+constexpr float kOutlierError = 0.3f, kOutlierFactor = 1.5f;
+constexpr int kOutlierPeers = 2;
+
+Planes read(const Image* image, int channels) {
+  if (!image) return {};
+  Planes out(image->width, image->height, channels);
+  parallel_for(std::size_t(image->height), [&](std::size_t y) {
+    for (int c = 0; c < channels; ++c)
+      for (int x = 0; x < image->width; ++x) {
+        const float v = image->at(x, int(y))[c];
+        out.row(c, int(y))[x] = std::isfinite(v) ? v : 0.0f;
+      }
+  });
+  return out;
+}
+
+void check(const DenoiseInput& input) {
+  if (!input.color || input.color->empty())
+    throw std::runtime_error("denoising needs a colour picture");
+  if (!input.half_difference && !input.variance)
+    throw std::runtime_error("denoising needs to know the noise: halves or variance");
+  const auto fits = [&](const Image* image, int channels, const char* what) {
+    if (image && (image->width != input.color->width || image->height != input.color->height ||
+                  image->channels < channels))
+      throw std::runtime_error(std::string("denoising: the picture of ") + what +
+                               " has another size than colour, or too few channels");
+  };
+  fits(input.color, 3, "colour");
+  fits(input.half_difference, 3, "half differences");
+  fits(input.variance, 3, "variance");
+  fits(input.albedo, 3, "albedo");
+  fits(input.normal, 3, "normals");
+  fits(input.depth, 1, "depth");
+}
+
+Planes read_features(const DenoiseInput& input) {
+  Planes out(input.color->width, input.color->height, kFeatures);
+  const auto copy = [&](const Planes& from, int first) {
+    std::copy(from.values.begin(), from.values.end(), out.plane(first));
+  };
+  if (input.albedo) copy(read(input.albedo, 3), 0);
+  if (input.normal) copy(read(input.normal, 3), 3);
+  if (input.depth) {
+    Planes depth = read(input.depth, 1);
+    const float furthest = *std::max_element(depth.values.begin(), depth.values.end());
+    const float nothing = furthest > 0 ? math::log(furthest) + kNothing : 0.0f;
+    for (float& d : depth.values) d = kDepthScale * (d > 0 ? math::log(d) : nothing);
+    copy(depth, 6);
+  }
+  return out;
+}
+
+float sum3(const Planes& p, std::size_t i) { return p.plane(0)[i] + p.plane(1)[i] + p.plane(2)[i]; }
+
+/// Scales outliers down to the neighbours they are measured by; halves and variance go with them.
+void tame_outliers(Noisy& n) {
+  const Planes before = n.color;
+  const auto brightness = [&](int x, int y) {
+    return sum3(before, std::size_t(y) * before.width + x);
+  };
+  parallel_for(std::size_t(before.height), [&](std::size_t row) {
+    const int y = int(row);
+    for (int x = 0; x < before.width; ++x) {
+      const std::size_t i = row * before.width + x;
+      const float own = brightness(x, y);
+      float error = n.variance.count ? sum3(n.variance, i) : 0.0f;
+      if (n.half.count) {
+        const float half = std::abs(sum3(n.half, i));
+        error = std::max(error, half * half / 3);
+      }
+      if (!(own > 0) || 3 * error < kOutlierError * kOutlierError * own * own) continue;
+      std::array<float, kOutlierPeers + 1> brightest = {};  // in falling order
+      for (int v = std::max(y - 2, 0); v <= std::min(y + 2, before.height - 1); ++v)
+        for (int u = std::max(x - 2, 0); u <= std::min(x + 2, before.width - 1); ++u) {
+          if (u == x && v == y) continue;
+          float b = brightness(u, v);
+          for (float& rank : brightest)
+            if (b > rank) std::swap(b, rank);
+        }
+      const float limit = kOutlierFactor * brightest.back();
+      if (own <= limit) continue;
+      const float scale = limit / own;
+      for (int c = 0; c < 3; ++c) {
+        n.color.plane(c)[i] *= scale;
+        if (n.half.count) n.half.plane(c)[i] *= scale;
+        if (n.variance.count) n.variance.plane(c)[i] *= scale * scale;
+      }
+    }
+  });
+}
+
+void divide_by_albedo(Noisy& n) {
+  for (std::size_t i = 0; i < n.mean.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const float albedo = n.features.plane(c)[i];
+      const float divisor = albedo > kSmallestAlbedo ? albedo : kSmallestAlbedo;
+      n.albedo.plane(c)[i] = divisor;
+      n.mean.plane(c)[i] /= divisor;
+      if (n.half.count) n.half.plane(c)[i] /= divisor;
+      if (n.variance.count) n.variance.plane(c)[i] /= divisor * divisor;
+    }
+}
+
+/// The variance of the mean: the samples' own tells where, the halves tell how much.
+Planes estimate_variance(const Noisy& n) {
+  if (!n.half.count) return n.variance;
+  Planes squares = n.half;
+  for (float& v : squares.values) v *= v;
+  if (!n.variance.count) return box_blur(squares, kVarianceRadius + 1);
+  Planes out = n.variance;
+  const Planes shown = box_blur(squares, kLevelRadius), told = box_blur(out, kLevelRadius);
+  const Planes smooth = box_blur(out, kVarianceRadius);
+  for (std::size_t i = 0; i < out.values.size(); ++i)
+    if (told.values[i] > 0)
+      out.values[i] =
+          (out.values[i] + smooth.values[i]) / 2 * std::min(shown.values[i] / told.values[i], 2.0f);
+  return out;
+}
+
+}  // namespace
+
+Planes box_blur(const Planes& planes, int radius) {
+  Planes across(planes.width, planes.height, planes.count), out = across;
+  const std::size_t rows = std::size_t(planes.height) * planes.count;
+  // Plain sums, not running ones: those would carry the rounding of bright pixels into dark ones.
+  parallel_for(rows, [&](std::size_t row) {
+    const float* from = planes.values.data() + row * planes.width;
+    float* to = across.values.data() + row * planes.width;
+    for (int x = 0; x < planes.width; ++x) {
+      const int first = std::max(x - radius, 0), last = std::min(x + radius, planes.width - 1);
+      float sum = 0;
+      for (int i = first; i <= last; ++i) sum += from[i];
+      to[x] = sum / float(last - first + 1);
+    }
+  });
+  parallel_for(rows, [&](std::size_t row) {
+    const int y = int(row % planes.height), c = int(row / planes.height);
+    const int first = std::max(y - radius, 0), last = std::min(y + radius, planes.height - 1);
+    float* to = out.row(c, y);
+    for (int i = first; i <= last; ++i) {
+      const float* from = across.row(c, i);
+      for (int x = 0; x < planes.width; ++x) to[x] += from[x];
+    }
+    for (int x = 0; x < planes.width; ++x) to[x] /= float(last - first + 1);
+  });
+  return out;
+}
+
+Noisy prepare(const DenoiseInput& input, const DenoiseOptions& options) {
+  check(input);
+  Noisy n;
+  n.color = read(input.color, 3);
+  n.half = read(input.half_difference, 3);
+  n.variance = read(input.variance, 3);
+  for (float& v : n.variance.values) v = std::max(v, 0.0f);
+  n.features = read_features(input);
+  if (options.clamp_outliers) tame_outliers(n);
+  n.mean = n.color;
+  n.albedo = Planes(n.mean.width, n.mean.height, 3, 1);
+  if (input.albedo && options.divide_by_albedo) divide_by_albedo(n);
+  n.variance = estimate_variance(n);
+  return n;
+}
+
+}  // namespace oriel::denoising

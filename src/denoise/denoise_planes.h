@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the steps of the denoiser hand each other: planes of floats, and the noisy picture in them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "denoise/denoise.h"
+
+namespace oriel::denoising {
+
+/// Planar channels, so that loops over pixels of a row run in vector registers.
+struct Planes {
+  int width = 0, height = 0, count = 0;
+  std::vector<float> values;
+
+  Planes() = default;
+  Planes(int w, int h, int n, float value = 0)
+      : width(w), height(h), count(n), values(std::size_t(w) * h * n, value) {}
+  std::size_t size() const { return std::size_t(width) * height; }
+  float* plane(int i) { return values.data() + size() * i; }
+  const float* plane(int i) const { return values.data() + size() * i; }
+  float* row(int i, int y) { return plane(i) + std::size_t(y) * width; }
+  const float* row(int i, int y) const { return plane(i) + std::size_t(y) * width; }
+};
+
+/// Means over squares of 2 radius + 1 pixels; at the border over what there is of them.
+Planes box_blur(const Planes& planes, int radius);
+
+/// Albedo 3, normal 3, logarithm of depth.
+inline constexpr int kFeatures = 7;
+
+/// The picture in the form the regression takes it.
+struct Noisy {
+  Planes color;     ///< 3: as it came, less outliers
+  Planes mean;      ///< 3: colour, or irradiance where albedo is divided out
+  Planes half;      ///< 3: half the difference of the halves; empty: not known
+  Planes variance;  ///< 3: of the mean
+  Planes features;  ///< kFeatures, scaled so that a difference of 1 is a large one
+  Planes albedo;    ///< 3: what the mean was divided by
+};
+
+/// Reads the input: replaces what is not finite, tames outliers, divides by albedo, estimates the
+/// variance.
+Noisy prepare(const DenoiseInput& input, const DenoiseOptions& options);
+
+}  // namespace oriel::denoising

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "denoise/denoise_regression.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "base/parallel.h"
+
+namespace oriel::denoising {
+namespace {
+
+/// Sizes of patch and window.
+/// Source: Bitterli et al. 2016.
+constexpr int kPatch = 3, kWindow = 9;
+constexpr int kPatchSide = 2 * kPatch + 1, kWindowSide = 2 * kWindow + 1;
+constexpr int kOffsets = kWindowSide * kWindowSide;
+
+/// A tile's weights (0.7 MB) stay in the second-level cache from one step to the next.
+constexpr int kTileWidth = 32, kTileHeight = 16;
+constexpr int kHalo = kPatch + kWindow;
+constexpr int kLocalWidth = kTileWidth + 2 * kHalo, kLocalHeight = kTileHeight + 2 * kHalo;
+
+/// Relative differences below this count as none, or equal pixels would divide 0 by 0.
+constexpr float kRelativeResolution = 1e-5f;
+
+/// Squared feature distance at which a neighbour has lost 1 - 1/e of its weight. Features follow
+/// the linear model up to here; beyond it, at another surface, the model says nothing. Twice or
+/// half of it changes the error on scenes/interior by 2 %.
+constexpr float kFeatureReach = 0.5f;
+
+/// How much colour may change, relative to itself, over a feature difference of 1: the prior of
+/// the slopes. Wide, so that data decide wherever they can; 1 is 4 % worse on
+/// scenes/interior, 4 as good.
+constexpr float kSlopePrior = 2.0f;
+/// Keeps the system regular where a feature does not vary at all.
+constexpr float kSmallestRidge = 1e-4f;
+/// Past this slopes are nought anyway.
+constexpr float kLargestRidge = 1e6f;
+
+constexpr int kColors = 3;
+constexpr int kTerms = 1 + 2 + kFeatures;  ///< constant, position, features
+constexpr int kPairs = kTerms * (kTerms + 1) / 2;
+constexpr int kLanes = 8;
+/// Neighbouring pixels, one to a lane of a vector register: the sums below are two thirds of the
+/// denoiser's time, and take three times as long as loops over arrays.
+typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
+
+/// A tile with its surroundings; beyond the picture the border pixel goes on.
+struct Tile {
+  using Plane = float[kLocalHeight][kLocalWidth];
+  Plane guide[kColors], guide_variance[kColors];
+  Plane target[kColors], target_variance;
+  Plane features[kFeatures];
+  Plane inside;  ///< 0 beyond the picture
+  float distance[kOffsets][kTileHeight][kTileWidth];
+};
+
+void load(const Planes& from, int channel, int x0, int y0, Tile::Plane& to) {
+  for (int y = 0; y < kLocalHeight; ++y) {
+    const float* row = from.row(channel, std::clamp(y0 + y - kHalo, 0, from.height - 1));
+    for (int x = 0; x < kLocalWidth; ++x)
+      to[y][x] = row[std::clamp(x0 + x - kHalo, 0, from.width - 1)];
+  }
+}
+
+void load(const Estimate& target, const Estimate& guide, const Planes& features, int x0, int y0,
+          Tile& tile) {
+  for (int c = 0; c < kColors; ++c) {
+    load(guide.mean, c, x0, y0, tile.guide[c]);
+    load(guide.variance, c, x0, y0, tile.guide_variance[c]);
+    load(target.mean, c, x0, y0, tile.target[c]);
+  }
+  for (int f = 0; f < kFeatures; ++f) load(features, f, x0, y0, tile.features[f]);
+  for (int y = 0; y < kLocalHeight; ++y) {
+    for (int x = 0; x < kLocalWidth; ++x) {
+      const int px = x0 + x - kHalo, py = y0 + y - kHalo;
+      const bool inside = px >= 0 && py >= 0 && px < features.width && py < features.height;
+      tile.inside[y][x] = inside ? 1.0f : 0.0f;
+      const std::size_t i = std::size_t(std::clamp(py, 0, features.height - 1)) * features.width +
+                            std::clamp(px, 0, features.width - 1);
+      tile.target_variance[y][x] = (target.variance.plane(0)[i] + target.variance.plane(1)[i] +
+                                    target.variance.plane(2)[i]) /
+                                   kColors;
+    }
+  }
+}
+
+/// Squared differences of the guide to itself, shifted, in units of its variance, less the part
+/// that noise alone makes.
+/// Source: Rousselle et al. 2012, the distance of two pixels with variance cancelled, alpha = 1.
+void shifted_distances(const Tile& tile, int dx, int dy,
+                       float (&out)[kTileHeight + 2 * kPatch][kTileWidth + 2 * kPatch]) {
+  for (int y = 0; y < kTileHeight + 2 * kPatch; ++y) {
+    std::fill(out[y], out[y] + kTileWidth + 2 * kPatch, 0.0f);
+    for (int c = 0; c < kColors; ++c) {
+      const float* up = &tile.guide[c][y + kWindow][kWindow];
+      const float* uq = &tile.guide[c][y + kWindow + dy][kWindow + dx];
+      const float* vp = &tile.guide_variance[c][y + kWindow][kWindow];
+      const float* vq = &tile.guide_variance[c][y + kWindow + dy][kWindow + dx];
+      for (int x = 0; x < kTileWidth + 2 * kPatch; ++x) {
+        const float difference = up[x] - uq[x];
+        const float expected = vp[x] + std::min(vp[x], vq[x]);
+        const float resolved =
+            kRelativeResolution * kRelativeResolution * (up[x] * up[x] + uq[x] * uq[x]) + 1e-30f;
+        out[y][x] += (difference * difference - expected) / (resolved + vp[x] + vq[x]);
+      }
+    }
+  }
+}
+
+/// Patch distances of all offsets, for a bandwidth of 1.
+void patch_distances(Tile& tile) {
+  float point[kTileHeight + 2 * kPatch][kTileWidth + 2 * kPatch];
+  float across[kTileHeight + 2 * kPatch][kTileWidth];
+  constexpr float kMean = 1.0f / (kColors * kPatchSide * kPatchSide);
+  for (int o = 0; o < kOffsets; ++o) {
+    shifted_distances(tile, o % kWindowSide - kWindow, o / kWindowSide - kWindow, point);
+    for (int y = 0; y < kTileHeight + 2 * kPatch; ++y)
+      for (int x = 0; x < kTileWidth; ++x) {
+        float sum = 0;
+        for (int i = 0; i < kPatchSide; ++i) sum += point[y][x + i];
+        across[y][x] = sum;
+      }
+    for (int y = 0; y < kTileHeight; ++y)
+      for (int x = 0; x < kTileWidth; ++x) {
+        float sum = 0;
+        for (int i = 0; i < kPatchSide; ++i) sum += across[y + i][x];
+        tile.distance[o][y][x] = std::max(sum * kMean, 0.0f);
+      }
+  }
+}
+
+Lanes lanes(const float* from) {
+  Lanes v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+
+Lanes greater(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+
+/// exp(-d) for d >= 0, within 2 % of 1 where it matters and exactly 0 from 64 on.
+Lanes falloff(const Lanes& d) {
+  Lanes e = greater(1 - d * (1.0f / 64), Lanes{});
+  e *= e, e *= e, e *= e, e *= e, e *= e;
+  return e * e;
+}
+
+bool all_zero(const Lanes& v) {
+  float sum = 0;
+  for (int l = 0; l < kLanes; ++l) sum += v[l];  // weights: none is negative
+  return sum == 0;
+}
+
+/// The neighbours in one row of the window that have any weight, as seen from their pixels.
+struct Neighbours {
+  int count = 0;
+  Lanes weight[kBandwidths][kWindowSide];
+  Lanes terms[kWindowSide][kTerms];
+  Lanes change[kWindowSide][kColors];
+};
+
+void find_neighbours(const Tile& tile, int x, int y, int dy,
+                     const std::array<float, kBandwidths>& inverse_squares, Neighbours& out) {
+  out.count = 0;
+  const int py = y + kHalo, px = x + kHalo, qy = py + dy;
+  for (int dx = -kWindow; dx <= kWindow; ++dx) {
+    const int qx = px + dx, n = out.count;
+    const int offset = (dy + kWindow) * kWindowSide + dx + kWindow;
+    auto& t = out.terms[n];
+    t[0] = Lanes{} + 1;
+    t[1] = Lanes{} + float(dx) / kWindow;
+    t[2] = Lanes{} + float(dy) / kWindow;
+    Lanes apart = {};
+    for (int f = 0; f < kFeatures; ++f) {
+      t[3 + f] = lanes(&tile.features[f][qy][qx]) - lanes(&tile.features[f][py][px]);
+      apart += t[3 + f] * t[3 + f];
+    }
+    const Lanes near = falloff(apart * (1 / kFeatureReach)) * lanes(&tile.inside[qy][qx]);
+    const Lanes distance = lanes(&tile.distance[offset][y][x]);
+    for (int b = 0; b < kBandwidths; ++b)
+      out.weight[b][n] = falloff(distance * inverse_squares[b]) * near;
+    if (all_zero(out.weight[kBandwidths - 1][n])) continue;  // the widest
+    for (int c = 0; c < kColors; ++c)
+      out.change[n][c] = lanes(&tile.target[c][qy][qx]) - lanes(&tile.target[c][py][px]);
+    ++out.count;
+  }
+}
+
+constexpr int pair_index(int i, int j) { return i * (i + 1) / 2 + j; }  // j <= i
+
+/// The normal equations of kLanes pixels.
+struct Sums {
+  Lanes matrix[kPairs] = {};
+  Lanes right[kTerms][kColors] = {};
+
+  /// Adds a row's neighbours to equation I, whose sums stay in registers meanwhile.
+  template <int I>
+  void add(const Neighbours& n, const Lanes* weight) {
+    Lanes m[I + 1], r[kColors];
+    std::copy_n(&matrix[pair_index(I, 0)], I + 1, m);
+    std::copy_n(right[I], kColors, r);
+    for (int k = 0; k < n.count; ++k) {
+      const Lanes wt = weight[k] * n.terms[k][I];
+      for (int j = 0; j <= I; ++j) m[j] += wt * n.terms[k][j];
+      for (int c = 0; c < kColors; ++c) r[c] += wt * n.change[k][c];
+    }
+    std::copy_n(m, I + 1, &matrix[pair_index(I, 0)]);
+    std::copy_n(r, kColors, right[I]);
+  }
+  template <int... I>
+  void add_all(const Neighbours& n, const Lanes* weight, std::integer_sequence<int, I...>) {
+    (add<I>(n, weight), ...);
+  }
+};
+
+/// The first unknown of the ridge-regularised equations: the correction at the pixel itself.
+void solve(Sums& s, const Lanes& ridge, Lanes (&out)[kColors]) {
+  auto& a = s.matrix;
+  for (int i = 1; i < kTerms; ++i) a[pair_index(i, i)] += ridge;
+  // Eliminated from the last unknown down to the first, nothing need be put back in.
+  for (int k = kTerms - 1; k > 0; --k) {
+    const Lanes inverse = 1 / greater(a[pair_index(k, k)], ridge);
+    for (int i = 0; i < k; ++i) {
+      const Lanes factor = a[pair_index(k, i)] * inverse;
+      for (int j = 0; j <= i; ++j) a[pair_index(i, j)] -= factor * a[pair_index(k, j)];
+      for (int c = 0; c < kColors; ++c) s.right[i][c] -= factor * s.right[k][c];
+    }
+  }
+  for (int c = 0; c < kColors; ++c) out[c] = a[0] > 0 ? s.right[0][c] / a[0] : Lanes{};
+}
+
+/// The ridge of a Gaussian prior on slopes is noise variance over the prior's variance.
+Lanes ridge_of(const Tile& tile, int x, int y, const Sums& s) {
+  const Lanes weight = greater(s.matrix[0], Lanes{} + 1e-30f);
+  Lanes level = {};
+  for (int c = 0; c < kColors; ++c) {
+    const Lanes mean = lanes(&tile.target[c][y + kHalo][x + kHalo]) + s.right[0][c] / weight;
+    level += mean * mean / float(kColors);
+  }
+  const Lanes ratio = lanes(&tile.target_variance[y + kHalo][x + kHalo]) /
+                      (kSlopePrior * kSlopePrior * level + 1e-30f);
+  return kSmallestRidge * weight + (ratio < kLargestRidge ? ratio : Lanes{} + kLargestRidge);
+}
+
+void store(const Lanes (&values)[kColors], int x, int y, Planes& out) {
+  for (int c = 0; c < kColors; ++c)
+    for (int l = 0; l < std::min(kLanes, out.width - x); ++l) out.row(c, y)[x + l] = values[c][l];
+}
+
+}  // namespace
+
+std::array<Planes, kBandwidths> regress(const Estimate& target, const Estimate& guide,
+                                        const Planes& features, float strength) {
+  const int width = features.width, height = features.height;
+  std::array<Planes, kBandwidths> out;
+  for (Planes& planes : out) planes = Planes(width, height, kColors);
+  std::array<float, kBandwidths> inverse_squares;
+  for (int b = 0; b < kBandwidths; ++b)
+    inverse_squares[b] = 1 / (kBandwidth[b] * kBandwidth[b] * strength * strength);
+  const int columns = (width + kTileWidth - 1) / kTileWidth;
+  const int rows = (height + kTileHeight - 1) / kTileHeight;
+  parallel_for(std::size_t(columns) * rows, [&](std::size_t i) {
+    const int x0 = int(i % columns) * kTileWidth, y0 = int(i / columns) * kTileHeight;
+    const auto tile = std::make_unique<Tile>();
+    load(target, guide, features, x0, y0, *tile);
+    patch_distances(*tile);
+    Neighbours neighbours;
+    for (int y = 0; y < std::min(kTileHeight, height - y0); ++y)
+      for (int x = 0; x < std::min(kTileWidth, width - x0); x += kLanes) {
+        std::array<Sums, kBandwidths> sums;
+        for (int dy = -kWindow; dy <= kWindow; ++dy) {
+          find_neighbours(*tile, x, y, dy, inverse_squares, neighbours);
+          for (int b = 0; b < kBandwidths; ++b)
+            sums[b].add_all(neighbours, neighbours.weight[b],
+                            std::make_integer_sequence<int, kTerms>());
+        }
+        for (int b = 0; b < kBandwidths; ++b) {
+          Lanes correction[kColors];
+          solve(sums[b], ridge_of(*tile, x, y, sums[b]), correction);
+          store(correction, x0 + x, y0 + y, out[b]);
+        }
+      }
+  });
+  return out;
+}
+
+}  // namespace oriel::denoising

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/matte_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "base/parallel.h"
+#include "image/cryptomatte.h"
+#include "scene/label.h"
+
+namespace oriel {
+namespace {
+
+constexpr std::array<MatteKind, 3> kKinds = {MatteKind::Object, MatteKind::Material,
+                                             MatteKind::Asset};
+
+const char* type_name(MatteKind kind) {
+  return kind == MatteKind::Object     ? "CryptoObject"
+         : kind == MatteKind::Material ? "CryptoMaterial"
+                                       : "CryptoAsset";
+}
+
+std::vector<std::string> names_of(const RenderSession& session, MatteKind kind) {
+  const World& world = session.world();
+  std::vector<std::string> names;
+  if (kind == MatteKind::Asset) return session.mattes()->names().assets;
+  if (kind == MatteKind::Object)
+    for (const InstanceData& i : world.instances) names.push_back(i.name);
+  else
+    for (const Material& m : world.materials) names.push_back(m.name);
+  return names;
+}
+
+/// An image of the whole picture with f(shares, values) written where the film is.
+Image over_window(const RenderSession& session, int channels,
+                  const std::function<void(const std::vector<Mattes::Share>&, float*)>& f) {
+  const Window& w = session.window();
+  Image image(session.world().camera.width, session.world().camera.height, channels);
+  parallel_for(static_cast<std::size_t>(w.height()), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < w.width(); ++x)
+      f(session.mattes()->shares(x, y), image.at(w.x0 + x, image.height - w.y1 + y));
+  });
+  return image;
+}
+
+/// Of a pixel: who covers most of it, all materials of an instance together.
+Mattes::Share foremost(const std::vector<Mattes::Share>& shares) {
+  Mattes::Share most;
+  for (const Mattes::Share& share : shares) {
+    float sum = 0;
+    for (const Mattes::Share& other : shares)
+      if (other.seen.instance == share.seen.instance) sum += other.coverage;
+    if (sum > most.coverage) most = {share.seen, sum};
+  }
+  return most;
+}
+
+/// Ranks of one kind as one picture of 2 x ranks channels.
+Image ranked(const RenderSession& session, MatteKind kind, int ranks) {
+  std::vector<float> ids;
+  for (const std::string& name : names_of(session, kind)) ids.push_back(cryptomatte_id(name));
+  const Material* first = session.world().materials.data();
+  const auto id_of = [&](const FirstSurface& seen) {
+    if (seen.instance < 0) return 0.0f;
+    return kind == MatteKind::Material ? ids[static_cast<std::size_t>(seen.material - first)]
+                                       : ids[static_cast<std::size_t>(seen.instance)];
+  };
+  return over_window(session, 2 * ranks, [&](const auto& seen, float* to) {
+    std::vector<CryptomatteShare> shares;
+    shares.reserve(seen.size());
+    for (const Mattes::Share& s : seen) shares.push_back({id_of(s.seen), s.coverage});
+    rank_shares(shares, {to, static_cast<std::size_t>(2 * ranks)});
+  });
+}
+
+}  // namespace
+
+MatteNames matte_names(const scene::Scene& scene, const World& world, int depth) {
+  MatteNames names;
+  names.depth = depth;
+  for (const InstanceData& data : world.instances) {
+    const auto* instance = scene.get<scene::Instance>(data.name);
+    const auto* object = instance ? scene.get<scene::Object>(instance->element) : nullptr;
+    names.assets.push_back(object ? object->name : data.name);
+    const std::uint32_t label = instance ? scene::label_of(instance->flags) : 0;
+    names.labels.push_back(label == 0 && object ? scene::label_of(object->flags) : label);
+  }
+  return names;
+}
+
+std::vector<Layer> cryptomatte_layers(const RenderSession& session) {
+  std::vector<Layer> layers;
+  if (!session.mattes()) return layers;
+  const int files = (session.mattes()->names().depth + 1) / 2;
+  for (const MatteKind kind : kKinds) {
+    if (files == 0) break;
+    const Image all = ranked(session, kind, 2 * files);
+    for (int i = 0; i < files; ++i) {
+      Image image(all.width, all.height, 4);
+      for (std::size_t p = 0; p < all.pixel_count(); ++p)
+        std::copy_n(
+            &all.pixels[p * static_cast<std::size_t>(4 * files) + static_cast<std::size_t>(4 * i)],
+            4, &image.pixels[4 * p]);
+      layers.push_back(
+          {fmt::format("{}{:02}", type_name(kind), i), {"r", "g", "b", "a"}, std::move(image)});
+    }
+  }
+  return layers;
+}
+
+std::map<std::string, std::string> cryptomatte_metadata(const RenderSession& session) {
+  std::map<std::string, std::string> all;
+  if (!session.mattes() || session.mattes()->names().depth == 0) return all;
+  for (const MatteKind kind : kKinds)
+    all.merge(cryptomatte_metadata(type_name(kind), names_of(session, kind)));
+  return all;
+}
+
+Image label_image(const RenderSession& session) {
+  return over_window(session, 1, [&](const auto& shares, float* to) {
+    const FirstSurface seen = foremost(shares).seen;
+    const auto& labels = session.mattes()->names().labels;
+    *to =
+        seen.instance < 0 ? 0 : static_cast<float>(labels[static_cast<std::size_t>(seen.instance)]);
+  });
+}
+
+Image coverage_image(const RenderSession& session) {
+  return over_window(session, 1, [](const auto& shares, float* to) {
+    const Mattes::Share most = foremost(shares);
+    *to = most.seen.instance < 0 ? 0 : most.coverage;
+  });
+}
+
+}  // namespace oriel

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The meshes of a picture: made, displaced, or taken over from the frame before.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "prepare/geometry_cache.h"
+#include "prepare/prepare.h"
+#include "prepare/prepare_displacement.h"
+#include "prepare/tessellation_plan.h"
+
+namespace oriel {
+
+/// One mesh of the world: a job's as a set of displacement shaders leaves it.
+struct MeshVariant {
+  std::size_t job = 0;
+  Displacement displacement;
+  const scene::Leaf* first = nullptr;  ///< the leaf its shaders see
+  geom::MeshId id{};
+};
+
+/// From a plan to meshes in the world's accel, which is that of the frame before where there is
+/// one. In order: slots() to bind materials, add() for the variants, instances, commit().
+class MeshTable {
+ public:
+  MeshTable(const scene::Scene& scene, TessellationPlan plan, World& world, GeometryCache& cache,
+            Diagnostics& diagnostics);
+
+  std::size_t size() const { return plan_.jobs.size(); }
+  std::uint32_t of_leaf(std::size_t leaf) const { return plan_.job_of_leaf[leaf]; }
+  const std::vector<geom::MaterialSlot>& slots(std::size_t job) const;
+  /// Whether a mesh of the frame before may have to be made anew at the end.
+  bool takes_over() const {
+    return std::any_of(kept_.begin(), kept_.end(), [](const auto& k) { return k.has_value(); });
+  }
+  void add(std::vector<MeshVariant>& variants, PrepareReport& report);
+  void commit();
+
+ private:
+  GeometryCache::Form form_of(const TessellationJob& job) const;
+  std::optional<geom::MeshId> kept_mesh(const TessellationJob& job) const;
+  geom::Mesh make(std::size_t job) const;
+  geom::Mesh with_keys(geom::Mesh mesh) const;
+
+  const scene::Scene& scene_;
+  TessellationPlan plan_;
+  World& world_;
+  GeometryCache& cache_;
+  Diagnostics& diagnostics_;
+  std::vector<geom::Mesh> meshes_;                 // of the jobs that are not kept
+  std::vector<std::optional<geom::MeshId>> kept_;  // from the frame before
+  std::map<geom::MeshId, std::size_t> plain_;      // jobs of undisplaced meshes
+};
+
+}  // namespace oriel

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prepare/prepare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "prepare/generated_geometry.h"
+#include "prepare/prepare_light_layers.h"
+#include "prepare/prepare_parts.h"
+#include "runtime/color_mapping.h"
+#include "runtime/fallback_shader.h"
+#include "scene/render_options.h"
+#include "transport/emission.h"
+
+namespace oriel {
+namespace {
+
+/// A volume shader as a lens acts on eye rays alone.
+void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
+               Diagnostics& diagnostics) {
+  for (const ShaderNode* node : binder.bind(camera.lens)) {
+    const ShaderSpec& spec = node->spec();
+    if (spec.lens_eye) {
+      world.lens_rays.push_back(node);
+    } else if (spec.lens) {
+      // Each lens shader asks the next for the ray's colour and maps what comes back.
+      world.lens.insert(world.lens.begin(), node);
+      note_preview(*node, world);
+    } else if (spec.lens_ray) {
+      if (spec.lens_rays(*node) > 0) world.lens_rays.push_back(node);
+    } else if (spec.volume)
+      world.eye_volume.push_back(node);
+    else if (!is_substitute(spec))
+      diagnostics.warning(
+          "OR-RN-010", camera.where,
+          fmt::format("lens shader \"{}\" does not act as a lens; skipped", node->spec().name));
+  }
+}
+
+void bind_volume(const scene::Camera& camera, Binder& binder, World& world,
+                 Diagnostics& diagnostics) {
+  for (const ShaderNode* node : binder.bind(camera.volume)) {
+    const ShaderSpec& spec = node->spec();
+    if (spec.volume) {
+      world.camera_volume.push_back(node);
+      if (spec.dims_light && spec.dims_light(*node)) world.light_volume.push_back(node);
+    } else if (!is_substitute(spec)) {
+      diagnostics.warning(
+          "OR-RN-011", camera.where,
+          fmt::format("volume shader \"{}\" does not act as a volume; skipped", spec.name));
+    }
+  }
+}
+
+void bind_state_shaders(const scene::Options& options, Binder& binder, World& world,
+                        Diagnostics& diagnostics) {
+  for (const ShaderNode* node : binder.bind(options.state)) {
+    if (node->spec().around_sample)
+      world.state_shaders.push_back(node);
+    else if (!is_substitute(node->spec()))
+      diagnostics.warning(
+          "OR-RN-012", options.where,
+          fmt::format("\"{}\" does not act as a state shader; skipped", node->spec().name));
+  }
+}
+
+/// `rgba`, `s_fp`, `n`...: of how many numbers a value is.
+UserBuffer::Kind kind_of_buffer(std::string_view type) {
+  const std::string_view stem = type.substr(0, type.find('_'));
+  if (stem == "s" || stem == "z" || stem == "a" || stem == "depth") return UserBuffer::Kind::Scalar;
+  if (stem == "n" || stem == "m" || stem == "normal" || stem == "motion")
+    return UserBuffer::Kind::Vector;
+  return UserBuffer::Kind::Color;
+}
+
+/// Buffers by number of the options, buffers by name of the camera.
+std::vector<UserBuffer> user_buffers(const scene::RenderOptions& options,
+                                     const scene::Camera& camera) {
+  std::vector<UserBuffer> buffers;
+  for (const scene::UserFrameBuffer& b : options.frame_buffers)
+    buffers.push_back({b.index, {}, kind_of_buffer(b.type), b.interpolate});
+  int number = kFirstNamedBuffer;
+  for (const scene::FrameBuffer& b : camera.frame_buffers)
+    buffers.push_back({number++, b.name, kind_of_buffer(b.datatype), b.filtering.value_or(true)});
+  return buffers;
+}
+
+/// Buffers are filled by shaders that libraries bring, and they alone ask for their parameters.
+bool has_buffer_writers(const World& world) {
+  return std::any_of(world.nodes.begin(), world.nodes.end(),
+                     [](const auto& node) { return node->spec().deferred; });
+}
+
+}  // namespace
+
+std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& command,
+                               const Registry& registry, const PrepareOptions& options,
+                               Diagnostics& diagnostics, PrepareReport& report) {
+  auto world = std::make_unique<World>();
+  world->coarse_tables = options.coarse_tables;
+  if (const auto* block = scene.get<scene::Options>(command.options))
+    world->options = scene::interpret_options(*block, diagnostics);
+  else
+    diagnostics.warning(
+        "OR-RN-002", command.where,
+        fmt::format("there are no options \"{}\"; defaults are used", command.options));
+
+  world->shutter = scene::shutter_of(world->options.motion);
+  if (world->options.geometry) make_geometry(scene, world->options, registry, diagnostics);
+  const std::vector<scene::Leaf> leaves =
+      scene::flatten(scene, command.root, diagnostics, {},
+                     scene::photon_flags(world->options.caustic.object_flags,
+                                         world->options.globillum.object_flags));
+  const scene::Camera* camera = nullptr;
+  const std::string& camera_name = options.camera.empty() ? command.camera : options.camera;
+  if (!place_camera(scene, leaves, camera_name, options, *world, camera, diagnostics))
+    return nullptr;
+
+  world->user_buffers = user_buffers(world->options, *camera);
+  const LightNames light_names = place_lights(leaves, *world, diagnostics);
+  Binder binder(scene, registry, *world, light_names, diagnostics);
+  bind_lights(leaves, binder, *world, diagnostics);
+  // The environment before materials: nothing in it depends on them.
+  world->environment = EnvironmentLight(binder.bind(camera->environment), *world);
+  if (const auto* block = scene.get<scene::Options>(command.options))
+    bind_state_shaders(*block, binder, *world, diagnostics);
+  if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
+  if (world->options.volume) bind_volume(*camera, binder, *world, diagnostics);
+  place_geometry(scene, leaves, light_names, command.options, binder, options, *world, diagnostics,
+                 report);
+  if (!has_buffer_writers(*world)) world->user_buffers.clear();
+  open_portals(*world);
+  world->light_groups = group_lights(*world);
+  const std::vector<EmissionKind> glowing = emissive_materials(*world);
+  world->mesh_lights = mesh_lights_of(*world, glowing);
+  std::vector<scene::LightGroup> groups = options.light_groups;
+  for (const scene::LightGroup& g : world->options.light_groups)
+    if (std::none_of(groups.begin(), groups.end(), [&](auto& o) { return o.name == g.name; }))
+      groups.push_back(g);
+  if (!groups.empty()) {
+    const std::vector<EmissionKind> emits = emissive_instances(*world, glowing);
+    world->light_layers = resolve_light_layers(leaves, groups, *world, emits, diagnostics);
+  }
+
+  report.binding = binder.report();
+  report.lights = world->lights.size();
+  report.instances = world->instances.size();
+  return world;
+}
+
+}  // namespace oriel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measured distributions on lights: which profile, and how it stands in the world.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/diagnostic.h"
+#include "photometry/light_profile.h"
+#include "scene/elements.h"
+
+namespace oriel {
+
+// Conventions
+//   The profile's nadir (photometry/light_profile.h) is the light's direction; a light without one
+//   shines along -z of its space. Its +x is the x axis of the light's space, made perpendicular to
+//   the direction; where that is the x axis itself, the y axis stands in.
+struct ProfilePlacement {
+  const photometry::LightProfile* profile = nullptr;  ///< null: the light has none
+  Vec3 x{1, 0, 0}, y{0, 1, 0}, nadir{0, 0, -1};       ///< unit, world
+  explicit operator bool() const { return profile != nullptr; }
+
+  Vec3 to_profile(const Vec3& world) const {
+    return {dot(world, x), dot(world, y), -dot(world, nadir)};
+  }
+  Vec3 to_world(const Vec3& local) const { return x * local.x + y * local.y - nadir * local.z; }
+  /// Intensity in a direction of the world, cd.
+  float candela(const Vec3& direction) const { return profile->evaluate(to_profile(direction)); }
+};
+
+/// Inputs:  direction: of the light, unit, world. A mirrored space mirrors the profile.
+/// Checked: PhotometricLights.AProfileTurnsWithItsLight.
+ProfilePlacement place_luminaire(const photometry::LightProfile* profile, const Mat4& to_world,
+                                 const Vec3& direction);
+
+/// Reads what a lightprofile element names.
+///
+/// Model:   `format` (else told by content), `file` (relative to the scene file), `flags` (1:
+///          angles run clockwise, 2: against the clock, else as the format says), `hermite` 3
+///          (cubic, else linear), `resolution` (cells of the cubic's table).
+/// Errors:  OR-RT-040 and null: the file cannot be used; with its line. OR-RT-041: a note.
+/// Checked: PhotometricLights.* in tests/shader_binding/photometric_test.cpp.
+std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightProfile& element,
+                                                             Diagnostics& diagnostics);
+
+}  // namespace oriel

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "base/math.h"
+#include "shaders/base/light_falloff.h"
+#include "shaders/max/max_shaders.h"
+#include "shaders/maya/host_rows.h"
+
+namespace oriel {
+namespace {
+
+struct Lamp {
+  bool On;
+  Rgba Color;
+  float Multiplier;
+  bool AffectDiffuse, AffectSpecular;
+  float HotSpot, Falloff;
+  bool UseNearAttenuation;
+  float NearStart, NearEnd;
+  bool UseFarAttenuation;
+  float FarStart, FarEnd;
+  int Decay;
+  float DecayRadius;
+  bool CastShadows;
+  Rgba ShadowColor;
+  float ShadowDensity;
+};
+
+constexpr auto kDefaultRows = about({
+    {ORIEL_PARAM(Lamp, Color), .fallback = {1, 1, 1}, .doc = "Colour."},
+    {ORIEL_PARAM(Lamp, Multiplier), .fallback = {1}, .doc = "Factor of the colour."},
+});
+constexpr auto kRows = joined(
+    kDefaultRows,
+    about({
+        {ORIEL_PARAM(Lamp, On), .fallback = {1}, .doc = "It shines."},
+        {ORIEL_PARAM(Lamp, AffectDiffuse), .fallback = {1}, .doc = "Light diffuse surfaces."},
+        {ORIEL_PARAM(Lamp, AffectSpecular), .fallback = {1}, .doc = "Make highlights."},
+        {ORIEL_PARAM(Lamp, UseNearAttenuation), .doc = "Dark up to NearStart."},
+        {ORIEL_PARAM(Lamp, NearStart), .unit = "scene units", .doc = "Nothing up to here."},
+        {ORIEL_PARAM(Lamp, NearEnd), .unit = "scene units", .doc = "Full strength from here."},
+        {ORIEL_PARAM(Lamp, UseFarAttenuation), .doc = "Dark from FarEnd."},
+        {ORIEL_PARAM(Lamp, FarStart), .unit = "scene units", .doc = "Full strength up to here."},
+        {ORIEL_PARAM(Lamp, FarEnd), .unit = "scene units", .doc = "Nothing from here."},
+        {ORIEL_PARAM(Lamp, Decay), .min = 0, .max = 2,
+         .doc = "Exponent of the distance by which it weakens past DecayRadius."},
+        {ORIEL_PARAM(Lamp, DecayRadius), .unit = "scene units", .doc = "Where decay begins."},
+        {ORIEL_PARAM(Lamp, CastShadows), .fallback = {1}, .doc = "Cast shadows."},
+        {ORIEL_PARAM(Lamp, ShadowColor), .doc = "Light of shadows.", .support = Support::Ignored},
+        {ORIEL_PARAM(Lamp, ShadowDensity), .fallback = {1}, .doc = "Darkness of shadows."},
+    }));
+constexpr auto kConeRows =
+    joined(kRows, about({
+                      {ORIEL_PARAM(Lamp, HotSpot), .fallback = {43}, .unit = "degrees",
+                       .doc = "Width of the cone of full strength."},
+                      {ORIEL_PARAM(Lamp, Falloff), .fallback = {45}, .unit = "degrees",
+                       .doc = "Width of the cone of any light."},
+                  }));
+
+LightValue plain(const Lamp& p) { return {rgb(p.Color) * p.Multiplier, false, 0}; }
+
+LightValue lamp(const Lamp& p, float distance) {
+  if (!p.On) return {};
+  LightValue value = plain(p);
+  value.shadow = p.CastShadows;
+  value.shadow_factor = clamp01(1 - p.ShadowDensity);
+  value.affects_diffuse = p.AffectDiffuse ? 1.0f : 0.0f;
+  value.affects_specular = p.AffectSpecular ? 1.0f : 0.0f;
+  if (!std::isfinite(distance)) return value;
+  if (p.UseNearAttenuation) value.colour *= smoothstep(p.NearStart, p.NearEnd, distance);
+  if (p.UseFarAttenuation) value.colour *= 1 - smoothstep(p.FarStart, p.FarEnd, distance);
+  const float from = std::max(p.DecayRadius, 1e-6f);
+  if (p.Decay > 0 && distance > from)
+    value.colour *= math::pow(from / distance, static_cast<float>(p.Decay));
+  return value;
+}
+
+LightValue spot(const Call& call, const LightCall& l) {
+  const auto& p = call.as<Lamp>();
+  LightValue value = lamp(p, l.distance);
+  if (!in_spread(l.light, l.direction)) return {};
+  if (!l.light.has_direction && l.light.spread < -1) return value;
+  const float inner = angle_of(p.HotSpot) / 2, outer = std::max(inner, angle_of(p.Falloff) / 2);
+  const float angle = math::acos(clamp(dot(l.direction, l.light.direction), -1, 1));
+  value.colour *= outer > inner ? 1 - smoothstep(inner, outer, angle) : angle <= inner ? 1.0f : 0;
+  return value;
+}
+
+constexpr ShaderSpec light(const char* name, const char* doc, std::span<const ParamSpec> rows,
+                           LightValue (*value)(const Call&, const LightCall&)) {
+  return {.name = name,
+          .library = "hosts",
+          .apply = kApplyLight,
+          .doc = doc,
+          .params = rows,
+          .params_size = sizeof(Lamp),
+          .light = value,
+          .stands_in = true};
+}
+
+constexpr ShaderSpec kDefault =
+    light("max_DefaultLight", "Stand-in for the light of scenes without lights.", kDefaultRows,
+          [](const Call& call, const LightCall&) { return plain(call.as<Lamp>()); });
+
+constexpr ShaderSpec kNodes[] = {
+    kDefault,
+    renamed(kDefault, "adsk_Light_Default"),
+    light("max_OmniLight", "Stand-in for the host's omni light.", kRows,
+          [](const Call& call, const LightCall& l) { return lamp(call.as<Lamp>(), l.distance); }),
+    light("max_SpotLight", "Stand-in for the host's spot light.", kConeRows, spot),
+    light("max_DirectionalLight", "Stand-in for the host's directional light.", kRows,
+          [](const Call& call, const LightCall& l) { return lamp(call.as<Lamp>(), l.distance); }),
+};
+
+}  // namespace
+
+std::span<const ShaderSpec> max_lights() { return kNodes; }
+
+}  // namespace oriel

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shaders/maya/maya_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/math.h"
+#include "shaders/base/light_falloff.h"
+#include "shaders/maya/host_rows.h"
+
+namespace oriel {
+namespace {
+
+struct Lamp {
+  Rgba color;
+  float intensity;
+  bool useRayTraceShadows;
+  Rgba shadowColor;
+  bool emitDiffuse, emitSpecular;
+  float lightAngle;
+  float ambientShade;
+  int decayRate;
+  float coneAngle, penumbraAngle, dropoff;
+};
+
+constexpr auto kCommonRows = about({
+    {ORIEL_PARAM(Lamp, color), .fallback = {1, 1, 1}, .doc = "Colour."},
+    {ORIEL_PARAM(Lamp, intensity), .fallback = {1}, .doc = "Factor of the colour."},
+    {ORIEL_PARAM(Lamp, useRayTraceShadows), .fallback = {1}, .doc = "Cast shadows."},
+    {ORIEL_PARAM(Lamp, shadowColor), .doc = "Share that passes opaque blockers; its mean."},
+    {ORIEL_PARAM(Lamp, emitDiffuse), .fallback = {1}, .doc = "Light diffuse surfaces."},
+});
+constexpr auto kRows =
+    joined(kCommonRows,
+           about({{ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1}, .doc = "Make highlights."}}));
+constexpr auto kDirectionalRows =
+    joined(kRows, about({{ORIEL_PARAM(Lamp, lightAngle), .min = 0, .unit = "radians",
+                          .doc = "Width of the cone the light comes from."}}));
+constexpr auto kAmbientRows = joined(
+    kCommonRows, about({
+                     {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
+                      .doc = "Ambient light makes no highlights.", .support = Support::Ignored},
+                     {ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
+                      .doc = "Share that depends on the direction to the light; the rest is "
+                             "independent of it."},
+                 }));
+constexpr auto kPointRows =
+    joined(kRows, about({{ORIEL_PARAM(Lamp, decayRate), .min = 0, .max = 3,
+                          .doc = "Exponent of the distance by which it weakens."}}));
+constexpr auto kSpotRows = joined(
+    kPointRows,
+    about({
+        {ORIEL_PARAM(Lamp, coneAngle), .fallback = {.698132f}, .min = 0, .unit = "radians",
+         .doc = "Width of the cone; more than a turn is taken for degrees."},
+        {ORIEL_PARAM(Lamp, penumbraAngle), .unit = "radians",
+         .doc = "Width of the rim that fades: outside of the cone, where negative inside of it."},
+        {ORIEL_PARAM(Lamp, dropoff), .min = 0, .doc = "Exponent of the cosine to the axis."},
+    }));
+
+LightValue lamp(const Lamp& p) {
+  const Rgba& s = p.shadowColor;
+  LightValue value{rgb(p.color) * p.intensity, p.useRayTraceShadows,
+                   clamp01((s.r + s.g + s.b) / 3)};
+  value.affects_diffuse = p.emitDiffuse ? 1.0f : 0.0f;
+  value.affects_specular = p.emitSpecular ? 1.0f : 0.0f;
+  return value;
+}
+
+LightValue point_light(const Lamp& p, float distance) {
+  LightValue value = lamp(p);
+  if (p.decayRate > 0)
+    value.colour *= math::pow(std::max(distance, 1e-6f), -static_cast<float>(p.decayRate));
+  return value;
+}
+
+/// 1 within the cone, fading over the penumbra, 0 past it and past the element's own cone.
+float cone_share(const Lamp& p, const LightCall& l) {
+  if (!in_spread(l.light, l.direction)) return 0;
+  if (!l.light.has_direction && l.light.spread < -1) return 1;
+  const float half = angle_of(p.coneAngle) / 2, rim = angle_of(p.penumbraAngle);
+  const float inner = std::max(0.0f, half + std::min(rim, 0.0f));
+  const float outer = std::min(kPi, half + std::max(rim, 0.0f));
+  const float angle = math::acos(clamp(dot(l.direction, l.light.direction), -1, 1));
+  if (angle > outer) return 0;
+  return outer > inner ? clamp01((outer - angle) / (outer - inner)) : 1;
+}
+
+LightValue spot_light(const Lamp& p, const LightCall& l) {
+  LightValue value = point_light(p, l.distance);
+  value.colour *= cone_share(p, l);
+  if (p.dropoff > 0)
+    value.colour *= math::pow(std::max(0.0f, dot(l.direction, l.light.direction)), p.dropoff);
+  return value;
+}
+
+/// What transport takes away by the cosine is given back to the part without a direction.
+LightValue ambient_light(const Call& call, const LightCall& l) {
+  /// Below this cosine light fades all the same, that samples stay bounded.
+  constexpr float kLeastCosine = 0.05f;
+  const auto& p = call.as<Lamp>();
+  LightValue value = lamp(p);
+  const float cosine = std::max(kLeastCosine, -dot(call.point.normal, l.direction));
+  const float shade = clamp01(p.ambientShade);
+  value.colour *= shade + (1 - shade) / cosine;
+  value.affects_specular = 0;
+  return value;
+}
+
+constexpr ShaderSpec kLight = {
+    .name = "",
+    .library = "hosts",
+    .apply = kApplyLight,
+    .params_size = sizeof(Lamp),
+    .stands_in = true,
+};
+
+constexpr ShaderSpec light(const char* name, const char* doc, std::span<const ParamSpec> rows,
+                           LightValue (*value)(const Call&, const LightCall&)) {
+  ShaderSpec spec = kLight;
+  spec.name = name;
+  spec.doc = doc;
+  spec.params = rows;
+  spec.light = value;
+  return spec;
+}
+
+LightValue point_value(const Call& call, const LightCall& l) {
+  return point_light(call.as<Lamp>(), l.distance);
+}
+
+}  // namespace
+
+const ShaderSpec kMayaDirectionallight = [] {
+  ShaderSpec spec =
+      light("maya_directionallight", "Stand-in for the host's directional light.", kDirectionalRows,
+            [](const Call& call, const LightCall&) { return lamp(call.as<Lamp>()); });
+  spec.light_cone = [](const void* params) {
+    return std::max(0.0f, angle_of(static_cast<const Lamp*>(params)->lightAngle) / 2);
+  };
+  return spec;
+}();
+
+const ShaderSpec kMayaPointlight =
+    light("maya_pointlight", "Stand-in for the host's point light.", kPointRows, point_value);
+
+const ShaderSpec kMayaVolumelight =
+    light("maya_volumelight", "Stand-in for the host's volume light: a point light.", kPointRows,
+          point_value);
+
+const ShaderSpec kMayaSpotlight =
+    light("maya_spotlight", "Stand-in for the host's spot light.", kSpotRows,
+          [](const Call& call, const LightCall& l) { return spot_light(call.as<Lamp>(), l); });
+
+const ShaderSpec kMayaArealight = light("maya_arealight", "Stand-in for the host's area light.",
+                                        kPointRows, [](const Call& call, const LightCall& l) {
+                                          LightValue value =
+                                              point_light(call.as<Lamp>(), l.distance);
+                                          value.colour *= l.emitter_cos;
+                                          return value;
+                                        });
+
+const ShaderSpec kMayaShapelight = renamed(kMayaArealight, "maya_shapelight");
+
+const ShaderSpec kMayaAmbientlight = light(
+    "maya_ambientlight", "Stand-in for the host's ambient light.", kAmbientRows, ambient_light);
+
+}  // namespace oriel

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where Maya's textures lie: the placement that its place node and its file node share.
+#pragma once
+
+#include "shaders/maya/host_rows.h"
+
+namespace oriel {
+
+struct MayaPlace {
+  Vec3 uvCoord, coverage, translateFrame;
+  float rotateFrame;
+  bool mirrorU, mirrorV, stagger, wrapU, wrapV;
+  Vec3 repeatUV, offset;
+  float rotateUV;
+  Vec3 noiseUV;
+};
+
+inline constexpr auto kMayaPlaceRows = about({
+    {ORIEL_PARAM(MayaPlace, uvCoord), .doc = "Where, when connected."},
+    {ORIEL_PARAM(MayaPlace, coverage), .fallback = {1, 1, 0}, .doc = "Size of the frame."},
+    {ORIEL_PARAM(MayaPlace, translateFrame), .doc = "Move of the frame."},
+    {ORIEL_PARAM(MayaPlace, rotateFrame), .unit = "radians",
+     .doc = "Turn of the frame about the middle."},
+    {ORIEL_PARAM(MayaPlace, mirrorU), .doc = "Mirror every other tile."},
+    {ORIEL_PARAM(MayaPlace, mirrorV), .doc = "Mirror every other tile."},
+    {ORIEL_PARAM(MayaPlace, stagger), .doc = "Shift every other row by half a tile."},
+    {ORIEL_PARAM(MayaPlace, wrapU), .fallback = {1}, .doc = "The frame comes again."},
+    {ORIEL_PARAM(MayaPlace, wrapV), .fallback = {1}, .doc = "The frame comes again."},
+    {ORIEL_PARAM(MayaPlace, repeatUV), .fallback = {1, 1, 0}, .doc = "Tiles in the frame."},
+    {ORIEL_PARAM(MayaPlace, offset), .doc = "Move of the tiles."},
+    {ORIEL_PARAM(MayaPlace, rotateUV), .unit = "radians", .doc = "Turn of the tiles."},
+    {ORIEL_PARAM(MayaPlace, noiseUV), .doc = "Strength of wobbling."},
+});
+
+/// A coordinate outside of every frame.
+inline const Vec3 kMayaNowhere(-1e6f, -1e6f, 0);
+inline bool is_nowhere(const Vec3& uv) { return uv.x < -1e5f; }
+
+/// uv within the placed texture; kMayaNowhere outside of the frame. Checked: MayaTextures.*
+Vec3 placed(const MayaPlace& p, const Vec3& uv);
+
+/// How much faster uv runs once it is placed, along u and v.
+inline Vec2 tiles_of(const MayaPlace& p) {
+  const auto ratio = [](float repeat, float coverage) {
+    return coverage > 0 ? std::abs(repeat) / coverage : 1;
+  };
+  return {ratio(p.repeatUV.x, p.coverage.x), ratio(p.repeatUV.y, p.coverage.y)};
+}
+
+}  // namespace oriel

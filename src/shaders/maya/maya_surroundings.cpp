@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "color/srgb.h"
+#include "runtime/world.h"
+#include "shaders/maya/host_rows.h"
+#include "shaders/maya/maya_utility.h"
+
+namespace oriel {
+namespace {
+
+struct Displacement {
+  float displacement, scale;
+};
+struct Background {
+  Rgba color;
+};
+struct Display {
+  float gamma;
+};
+
+constexpr auto kDisplacementRows = about({
+    {ORIEL_PARAM(Displacement, displacement), .unit = "scene units", .doc = "Height."},
+    {ORIEL_PARAM(Displacement, scale), .fallback = {1}, .doc = "Factor of the height."},
+});
+constexpr auto kBackgroundRows =
+    about({{ORIEL_PARAM(Background, color), .doc = "Colour all around."}});
+
+constexpr auto kDisplayRows = about({
+    {ORIEL_PARAM(Display, gamma), .min = 0, .doc = "Gamma of the display; 0: the sRGB curve."},
+});
+
+/// Whether the options or a lens shader already encode colours for a display.
+bool encoded_elsewhere(const World& world) {
+  if (world.options.gamma != 1) return true;
+  return std::any_of(world.lens.begin(), world.lens.end(), [](const ShaderNode* node) {
+    return node->spec().lens_traits && node->spec().lens_traits(*node).gamma > 1;
+  });
+}
+
+Rgb encode(const Call& call, const LensCall&, const Rgb& colour) {
+  if (call.point.world && encoded_elsewhere(*call.point.world)) return colour;
+  const float gamma = call.as<Display>().gamma;
+  const Rgb light(usable_light(colour.x), usable_light(colour.y), usable_light(colour.z));
+  if (gamma <= 0) return srgb_encode(light);
+  const auto channel = [&](float v) { return math::pow(v, 1 / gamma); };
+  return Rgb(channel(light.x), channel(light.y), channel(light.z));
+}
+
+constexpr ShaderSpec displacing(const char* name) {
+  return {.name = name,
+          .library = "hosts",
+          .apply = kApplyTexture,
+          .doc = "Stand-in for the host's displacement.",
+          .params = kDisplacementRows,
+          .params_size = sizeof(Displacement),
+          .result = ParamType::Scalar,
+          .result_size = sizeof(float),
+          .value =
+              [](const Call& call, void* result) {
+                const auto& p = call.as<Displacement>();
+                *static_cast<float*>(result) = p.displacement * p.scale;
+              },
+          .stands_in = true};
+}
+
+/// What has no part in a picture of Oriel's: passed over. As a lens it is one of no rays, which is
+/// off.
+constexpr ShaderSpec passed_over(const char* name, unsigned apply, const char* doc) {
+  return {
+      .name = name,
+      .library = "hosts",
+      .apply = apply,
+      .doc = doc,
+      .lens_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
+      .lens_rays = [](const ShaderNode&) { return 0; },
+      .stands_in = true,
+  };
+}
+
+constexpr ShaderSpec kNodes[] = {
+    displacing("maya_displace"),
+    displacing("maya_material_displace"),
+    {.name = "maya_envcolor",
+     .library = "hosts",
+     .apply = kApplyEnvironment,
+     .doc = "Stand-in for the host's background colour.",
+     .params = kBackgroundRows,
+     .params_size = sizeof(Background),
+     .value = [](const Call& call,
+                 void* result) { *static_cast<Rgba*>(result) = call.as<Background>().color; },
+     .stands_in = true},
+    passed_over("maya_shaderglow", kApplyOutput, "The host's glow: without effect."),
+    passed_over("maya_volumesampler", kApplyVolume, "The host's volumes: without effect."),
+    passed_over("maya_volumeengine", kApplyVolume, "The host's volumes: without effect."),
+    {.name = "maya_colormanagement",
+     .library = "hosts",
+     .apply = kApplyLens | kApplyOutput,
+     .doc = "Stand-in for the host's colour management: encodes the picture for a display.",
+     .params = kDisplayRows,
+     .params_size = sizeof(Display),
+     .lens = encode,
+     .stands_in = true,
+     .aliases = "maya_colormgt maya_colormanager maya_colourmanagement"},
+    passed_over("maya_options", kApplyOutput, "The host's options: without effect."),
+    passed_over("maya_state", kApplyOutput, "The host's state: without effect."),
+    passed_over("maya_lightlink", kApplyLight, "The host's links of lights: without effect."),
+};
+
+}  // namespace
+
+std::span<const ShaderSpec> maya_surroundings() { return kNodes; }
+
+}  // namespace oriel

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/emission.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/parallel.h"
+#include "color/luminance.h"
+#include "geom/motion.h"
+#include "runtime/tracer.h"
+#include "transport/surface.h"
+
+namespace oriel {
+namespace {
+
+/// Triangles that are asked of each instance.
+constexpr std::uint32_t kTrianglesAsked = 16;
+
+bool may_emit(const Material& material) {
+  return std::any_of(material.surface.begin(), material.surface.end(), [](const ShaderNode* node) {
+    return !node->spec().may_emit || node->spec().may_emit(*node);
+  });
+}
+
+/// Stands for the scene where only what a surface is by itself is wanted; notes who asks for light.
+class NothingThere final : public Tracer {
+ public:
+  bool asked = false;
+
+  std::optional<Met> probe(const Vec3&, const Vec3&, float) override { return std::nullopt; }
+  std::optional<Met> probe_from(const ShadingPoint&, const Vec3&, float) override {
+    return std::nullopt;
+  }
+  std::optional<Arriving> light(int, ShadingPoint&) override {
+    asked = true;
+    return std::nullopt;
+  }
+  Vec2 next() override { return Vec2(0.5f); }
+  Depth depth() const override { return {}; }
+  Seen trace(const ShadingPoint&, const SubRay&) override {
+    asked = true;
+    return {};
+  }
+  Rgb irradiance(const ShadingPoint&, const Vec3&) override {
+    asked = true;
+    return Rgb(0);
+  }
+  Rgba shade(const NodeList&, ShadingPoint&, MaterialOutputs*) override {
+    asked = true;
+    return Rgba(0);
+  }
+  bool write_buffer(std::size_t, const Rgba&) override { return false; }
+  std::optional<Rgba> read_buffer(std::size_t) const override { return std::nullopt; }
+};
+
+}  // namespace
+
+TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive,
+                           float time) {
+  const geom::InstanceDesc& desc = world.accel->instance(instance);
+  const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
+  const auto at = geom::corners_at(mesh, mesh.triangles[primitive], time);
+  TriangleCorners corners{at[0], at[1], at[2]};
+  if (world.accel->is_baked(desc.mesh)) return corners;
+  const Mat4 forward = desc.path.empty() ? desc.local_to_world : geom::matrix_at(desc.path, time);
+  for (Vec3* p : {&corners.a, &corners.b, &corners.c}) *p = transform_point(*p, forward);
+  return corners;
+}
+
+ShadingPoint point_of_triangle(const World& world, std::uint32_t instance, std::uint32_t primitive,
+                               float u, float v, bool from_behind, RayKind kind) {
+  geom::Hit hit;
+  hit.t = 1;
+  hit.u = u;
+  hit.v = v;
+  hit.instance = instance;
+  hit.primitive = primitive;
+  hit.time = world.shutter.middle();
+  geom::SurfacePoint surface;
+  world.accel->interpolate(hit, surface);
+  geom::Ray ray;
+  ray.dir = from_behind ? surface.ng : -surface.ng;
+  ray.org = surface.p - ray.dir;
+  ShadingPoint point;
+  fill_point(world, ray, hit, {}, kind, point);
+  return point;
+}
+
+SurfaceEmission emission_at(const Material& material, ShadingPoint& point) {
+  NothingThere nothing;
+  point.tracer = &nothing;
+  Closure closure;
+  shade(material, point, closure);
+  point.tracer = nullptr;
+  return {closure.emission * closure.opacity, nothing.asked};
+}
+
+std::vector<EmissionKind> emissive_materials(const World& world) {
+  std::vector<EmissionKind> kinds(world.materials.size(), EmissionKind::None);
+  std::vector<int> left(world.materials.size());
+  for (std::size_t m = 0; m < left.size(); ++m)
+    left[m] = may_emit(world.materials[m]) ? kEmissionProbes : 0;
+  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
+    const geom::InstanceDesc& desc = world.accel->instance(i);
+    const std::vector<int>& worn = world.instances[desc.user].materials;
+    if (std::none_of(worn.begin(), worn.end(),
+                     [&](int m) { return left[static_cast<std::size_t>(m)] > 0; }))
+      continue;
+    const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    const std::uint32_t step = std::max(1u, count / kTrianglesAsked);
+    for (std::uint32_t t = step / 2; t < count; t += step) {
+      const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
+      if (left[m] <= 0) continue;
+      for (const bool behind : {false, true})
+        // Some show the eye what they do not light the scene by.
+        for (const RayKind kind : {RayKind::FinalGather, RayKind::Eye}) {
+          ShadingPoint point = point_of_triangle(world, i, t, 1 / 3.0f, 1 / 3.0f, behind, kind);
+          const SurfaceEmission glow = emission_at(world.materials[m], point);
+          if (glow.of_lights)
+            kinds[m] = EmissionKind::OfLights;
+          else if (max_component(glow.radiance) > 0 && kinds[m] == EmissionKind::None)
+            kinds[m] = EmissionKind::Source;
+        }
+      left[m] = kinds[m] != EmissionKind::None ? 0 : left[m] - 1;
+    }
+  }
+  return kinds;
+}
+
+std::vector<EmissionKind> emissive_instances(const World& world,
+                                             const std::vector<EmissionKind>& materials) {
+  std::vector<EmissionKind> kinds(world.instances.size(), EmissionKind::None);
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    for (const int m : world.instances[i].materials) {
+      const EmissionKind kind = materials[static_cast<std::size_t>(m)];
+      if (kind != EmissionKind::None && kinds[i] != EmissionKind::Source) kinds[i] = kind;
+    }
+  return kinds;
+}
+
+namespace {
+
+/// Where triangles are asked, as weights of their corners b and c; in large meshes only the first.
+constexpr Vec2 kPlaces[] = {
+    {1 / 3.0f, 1 / 3.0f}, {1 / 6.0f, 1 / 6.0f}, {2 / 3.0f, 1 / 6.0f}, {1 / 6.0f, 2 / 3.0f}};
+constexpr std::size_t kLargeMesh = 50000;
+
+/// The tree only goes by the box: a few times are enough.
+void extend_over_time(const World& world, std::uint32_t instance, std::uint32_t triangle,
+                      geom::Box3& box) {
+  constexpr int kTimes = 8;
+  for (int i = 0; i <= kTimes; ++i) {
+    const TriangleCorners at =
+        corners_of(world, instance, triangle, world.shutter.at(static_cast<float>(i) / kTimes));
+    for (const Vec3& p : {at.a, at.b, at.c}) box.extendBy(p);
+  }
+}
+
+struct Sides {
+  float front = 0, back = 0;  ///< luminance, means over the places
+};
+
+Sides glow_of(const World& world, const Material& material, std::uint32_t instance,
+              std::uint32_t primitive, std::size_t places) {
+  Sides glow;
+  for (std::size_t i = 0; i < places; ++i)
+    for (const bool behind : {false, true}) {
+      ShadingPoint point = point_of_triangle(world, instance, primitive, kPlaces[i].x, kPlaces[i].y,
+                                             behind, RayKind::FinalGather);
+      const float l = luminance(emission_at(material, point).radiance) / static_cast<float>(places);
+      if (l > 0 && std::isfinite(l)) (behind ? glow.back : glow.front) += l;
+    }
+  return glow;
+}
+
+/// What of one instance glows.
+struct GlowingInstance {
+  std::uint32_t instance = 0;
+  std::vector<EmissiveTriangle> triangles;
+  std::vector<LightBounds> bounds;
+  double power = 0, power_by_glow = 0, area = 0;  ///< double: millions of terms
+};
+
+GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
+                                  const std::vector<EmissionKind>& materials) {
+  GlowingInstance out;
+  out.instance = instance;
+  const geom::InstanceDesc& desc = world.accel->instance(instance);
+  const std::vector<int>& worn = world.instances[desc.user].materials;
+  const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
+  const std::size_t places = mesh.triangles.size() > kLargeMesh ? 1 : std::size(kPlaces);
+  std::vector<Sides> glows(mesh.triangles.size());
+  constexpr std::size_t kBatch = 256;
+  parallel_for((glows.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
+    const std::size_t end = std::min(glows.size(), (batch + 1) * kBatch);
+    for (std::size_t i = batch * kBatch; i < end; ++i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
+      if (materials[m] == EmissionKind::Source)
+        glows[i] = glow_of(world, world.materials[m], instance, t, places);
+    }
+  });
+  for (std::size_t i = 0; i < glows.size(); ++i) {
+    const Sides& g = glows[i];
+    const auto t = static_cast<std::uint32_t>(i);
+    const TriangleCorners corners = corners_of(world, instance, t, world.shutter.middle());
+    const Vec3 normal = corners.normal_times_area();
+    const float area = length(normal), brightest = std::max(g.front, g.back);
+    const float power = (g.front + g.back) * area;
+    if (!(power > 0) || !std::isfinite(power)) continue;
+    LightBounds b;
+    for (const Vec3& p : {corners.a, corners.b, corners.c}) b.box.extendBy(p);
+    b.falling = brightest * area;
+    const bool moves = !desc.path.empty() || !mesh.keys.empty();
+    if (moves) extend_over_time(world, instance, t, b.box);
+    // Which way one that moves looks changes.
+    if ((g.front == 0 || g.back == 0) && !moves) {
+      // The front is where the accel's normal points, which mirrored instances turn over.
+      geom::Hit hit;
+      hit.u = hit.v = 1 / 3.0f;
+      hit.instance = instance;
+      hit.primitive = t;
+      geom::SurfacePoint surface;
+      world.accel->interpolate(hit, surface);
+      b.normals = {g.back == 0 ? surface.ng : -surface.ng, 1};
+      b.cos_reach = 0;
+    }
+    out.triangles.push_back({instance, t, power});
+    out.bounds.push_back(b);
+    out.power += static_cast<double>(power);
+    out.power_by_glow += static_cast<double>(power * brightest);
+    out.area += static_cast<double>(area);
+  }
+  return out;
+}
+
+}  // namespace
+
+MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& materials) {
+  std::vector<GlowingInstance> found;
+  for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
+    const geom::InstanceDesc& desc = world.accel->instance(i);
+    const std::vector<int>& worn = world.instances[desc.user].materials;
+    if (!(desc.mask & geom::RayMask::FinalGather) ||
+        std::none_of(worn.begin(), worn.end(), [&](int m) {
+          return materials[static_cast<std::size_t>(m)] == EmissionKind::Source;
+        }))
+      continue;
+    if (GlowingInstance g = glowing_triangles(world, i, materials); !g.triangles.empty())
+      found.push_back(std::move(g));
+  }
+  // The brightest come first where not all have room.
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.power * b.area > b.power * a.area;
+  });
+  std::vector<EmissiveTriangle> triangles;
+  std::vector<LightBounds> bounds;
+  std::vector<std::uint32_t> of_instance(world.accel->instance_count());
+  double power = 0, power_by_glow = 0;
+  for (GlowingInstance& g : found) {
+    if (triangles.size() + g.triangles.size() > kMostEmissiveTriangles) continue;
+    of_instance[g.instance] = static_cast<std::uint32_t>(
+        world.accel->mesh(world.accel->instance(g.instance).mesh).triangles.size());
+    triangles.insert(triangles.end(), g.triangles.begin(), g.triangles.end());
+    bounds.insert(bounds.end(), g.bounds.begin(), g.bounds.end());
+    power += g.power;
+    power_by_glow += g.power_by_glow;
+    g = {};
+  }
+  if (triangles.empty()) return {};
+  const Vec3 size = world.accel->bounds().size();
+  const double box = 2 * static_cast<double>(size.x * size.y + size.y * size.z + size.z * size.x);
+  // Area that would have the same power all of the same brightness; two sides count as two.
+  const double width = power * power / power_by_glow;
+  if (width > static_cast<double>(kWideShare) * box) return {};
+  return {std::move(triangles), bounds, of_instance};
+}
+
+}  // namespace oriel

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/gather/gather_bounces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include "base/math.h"
+#include "base/parallel.h"
+#include "color/luminance.h"
+
+namespace oriel {
+namespace {
+
+// Guesses: the next gathering averages what these coarse records get wrong.
+/// Rays that look for points, from each.
+constexpr int kFeelers = 16;
+/// Points that are looked from in a generation, and that get records in all, at most.
+constexpr std::size_t kMostLookers = 1024, kMostPoints = 4096;
+/// Error that a point may have before it gets a record, and at which records are no longer used.
+constexpr float kCoverError = 0.7f, kWorstBounceError = 0.8f;
+/// Records in a look-up.
+constexpr int kPoints = 4;
+/// Rays of a record, as share of the fine ones', and most of them.
+constexpr float kRays = 0.5f;
+constexpr int kMostRays = 100;
+/// Least radius of a record, as share of the scene's diagonal.
+constexpr float kLeastRadius = 0.02f;
+/// Rounds of a sum of all bounces; what the last one still changes, by which the tail is known.
+constexpr int kMostRounds = 16;
+constexpr double kSettled = 0.015;
+/// Longest tail, in parts of the last change: a room that keeps nine tenths of its light.
+constexpr double kMostTail = 9;
+/// Points of the first batch; each is twice the one before, so that few are placed side by side.
+constexpr std::size_t kFirstBatch = 64;
+/// Streams that tell the kinds of rays apart.
+constexpr int kFeelerColumn = 0x66656c, kRecordColumn = 0x726563;
+
+class BounceSolver {
+ public:
+  BounceSolver(const World& world, const GatherSettings& settings, std::uint32_t seed,
+               RayCounts& counts, const ProgressMonitor& monitor)
+      : world_(world), settings_(settings), seed_(seed), counts_(counts), monitor_(monitor) {
+    settings_.rays =
+        std::clamp(static_cast<int>(static_cast<float>(settings.rays) * kRays), 16, kMostRays);
+    settings_.path.diffuse_bounces = 0;
+    const geom::Box3 box = world.accel->bounds();
+    settings_.radii = default_gather_radii(box);  // not as the picture's, which may be in pixels
+    settings_.radii.min = kLeastRadius * length(box.max - box.min);
+    cover_.accuracy = kCoverError;
+    cover_.radii = settings_.radii;
+  }
+
+  /// Points that rays from `from` meet, and that no record covers yet, get one.
+  void place(const std::vector<GatherPoint>& from, int generation) {
+    const std::vector<GatherPoint> met = feel(from, generation);
+    std::size_t batch = kFirstBatch;
+    for (std::size_t begin = 0; begin < met.size() && !monitor_.cancelled();) {
+      const std::size_t end = std::min(met.size(), begin + batch);
+      std::vector<GatherPoint> wanted;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (points_.size() + wanted.size() >= kMostPoints) break;
+        if (!cache_.interpolate(query_at(cover_, met[i].point, met[i].normal)))
+          wanted.push_back(met[i]);
+      }
+      const std::vector<GatherRecord> made = gather(wanted, points_.size());
+      cache_.insert(made);
+      cache_.settle_radii();
+      points_.insert(points_.end(), wanted.begin(), wanted.end());
+      records_.insert(records_.end(), made.begin(), made.end());
+      begin = end;
+      batch *= 2;
+      monitor_.report("bounces", 0.2 * (generation + double(begin) / double(met.size())));
+    }
+  }
+  const std::vector<GatherPoint>& points() const { return points_; }
+
+  /// What is placed holds one bounce; rounds add the others.
+  Bounces solve(int wanted) {
+    Bounces b;
+    b.query = cover_;
+    b.query.by_error = true;
+    b.query.points = kPoints;
+    b.query.accuracy = kWorstBounceError;
+    const bool all = wanted >= PathSettings::kAllBounces;
+    double change_before = 0;
+    std::vector<GatherRecord> before;
+    for (b.held = 1; b.held < (all ? kMostRounds : wanted) && !monitor_.cancelled(); ++b.held) {
+      IndirectCaches maps;
+      maps.bounces = &cache_;
+      maps.bounces_query = b.query;
+      maps.bounces_held = all ? PathSettings::kAllBounces : b.held;
+      settings_.path.maps = &maps;
+      settings_.path.diffuse_bounces = maps.bounces_held;
+      before = std::exchange(records_, gather(points_, 0));
+      double change = 0, total = 0;
+      for (std::size_t i = 0; i < records_.size(); ++i) {
+        change += std::abs(luminance(records_[i].irradiance - before[i].irradiance));
+        total += luminance(records_[i].irradiance);
+      }
+      const bool settled = change <= kSettled * total;
+      if (settled && change_before > change) {
+        const double ratio = change / change_before, rounds_left = wanted - b.held - 1;
+        const double tail = ratio * (1 - math::pow(ratio, rounds_left)) / (1 - ratio);
+        add_tail(before, static_cast<float>(std::min(kMostTail, tail)));
+      }
+      cache_ = {};
+      cache_.insert(records_);
+      cache_.settle_radii();
+      monitor_.report("bounces", 0.4 + 0.6 * b.held / (all ? 6 : wanted));
+      if (settled) {
+        b.held = wanted;
+        break;
+      }
+      change_before = change;
+    }
+    if (all) b.held = PathSettings::kAllBounces;
+    b.cache = std::move(cache_);
+    return b;
+  }
+
+ private:
+  /// Points met from others; of many lookers as many as are spread evenly.
+  std::vector<GatherPoint> feel(const std::vector<GatherPoint>& from, int generation) {
+    const std::size_t step = from.size() / kMostLookers + 1,
+                      lookers = (from.size() + step - 1) / step;
+    std::vector<std::vector<GatherPoint>> met(lookers);
+    const PathSettings visiting{.indirect = true};
+    each(lookers, [&](std::size_t i, RayCounts& counts) {
+      const GatherPoint& p = from[i * step];
+      sampling::Sampler turn(kFeelerColumn + generation, static_cast<int>(i), 0, seed_);
+      const auto hemisphere = GatherHemisphere::for_rays(p.normal, kFeelers, turn.next_1d());
+      for (int k = 0; k < hemisphere.count(); ++k) {
+        auto stream = turn.split(static_cast<std::uint32_t>(k),
+                                 static_cast<std::uint32_t>(hemisphere.count()), 0);
+        const Vec3 direction = hemisphere.direction(k, stream.next_2d());
+        visit_gather_ray(world_, p, direction, visiting, stream, counts, met[i]);
+      }
+    });
+    std::vector<GatherPoint> all;
+    for (auto& m : met) all.insert(all.end(), m.begin(), m.end());
+    return all;
+  }
+
+  std::vector<GatherRecord> gather(const std::vector<GatherPoint>& points, std::size_t first) {
+    std::vector<GatherRecord> records(points.size());
+    each(points.size(), [&](std::size_t i, RayCounts& counts) {
+      // The same rays in every round: what changes is the light, not the noise.
+      const sampling::Sampler stream(kRecordColumn, static_cast<int>(first + i), 0, seed_);
+      records[i] = gather_at(world_, points[i], settings_, stream, counts);
+    });
+    return records;
+  }
+
+  void add_tail(const std::vector<GatherRecord>& before, float tail) {
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      Rgb& e = records_[i].irradiance;
+      const Rgb grown = e - before[i].irradiance;
+      std::vector<Rgb>& shares = records_[i].shares;
+      for (std::size_t k = 0; k < shares.size() && before[i].shares.size() == shares.size(); ++k)
+        for (int c = 0; c < 3; ++c) {
+          const float own = e[c] * shares[k][c];
+          const float own_grown = own - before[i].irradiance[c] * before[i].shares[k][c];
+          shares[k][c] = own + std::max(0.0f, own_grown) * tail;
+        }
+      if (!shares.empty()) normalise_shares(shares);
+      for (int c = 0; c < 3; ++c) e[c] += std::max(0.0f, grown[c]) * tail;
+    }
+  }
+
+  /// All of them in parallel, rays counted.
+  template <class Work>
+  void each(std::size_t count, const Work& work) {
+    std::mutex mutex;
+    parallel_for(count, [&](std::size_t i) {
+      if (monitor_.cancelled()) return;
+      RayCounts mine;
+      work(i, mine);
+      const std::lock_guard lock(mutex);
+      counts_ += mine;
+    });
+  }
+
+  const World& world_;
+  GatherSettings settings_;
+  std::uint32_t seed_;
+  RayCounts& counts_;
+  const ProgressMonitor& monitor_;
+  GatherQuery cover_;
+  GatherCache cache_;
+  std::vector<GatherPoint> points_;
+  std::vector<GatherRecord> records_;  ///< of the points
+};
+
+}  // namespace
+
+Bounces gather_bounces(const World& world, const std::vector<GatherPoint>& seen,
+                       const GatherSettings& settings, std::uint32_t seed, RayCounts& counts,
+                       const ProgressMonitor& monitor) {
+  BounceSolver solver(world, settings, seed, counts, monitor);
+  solver.place(seen, 0);
+  const std::vector<GatherPoint> met = solver.points();
+  solver.place(met, 1);
+  return solver.solve(settings.path.diffuse_bounces);
+}
+
+}  // namespace oriel

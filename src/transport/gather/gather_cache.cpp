@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/gather/gather_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace oriel {
+
+// Choices, in parts of a record's radius: a record this far in front of the point (above the plane
+// between the normals) fades and is gone; curved and bumpy surfaces need some room.
+static constexpr float kFrontFades = 0.05f, kFrontGone = 0.1f;
+// The same for a record below the point: another storey.
+static constexpr float kBelowFades = 0.5f, kBelowGone = 1;
+// In parts of the way that is free towards the point.
+static constexpr float kWayFades = 0.8f, kWayGone = 1;
+
+namespace {
+
+/// 1 up to a, 0 from b on, smooth.
+float falling(float a, float b, float x) { return 1 - smoothstep(a, b, x); }
+
+/// How free the way from the record to a point is that lies off by `moved`.
+float way_is_free(const GatherRecord& r, const Vec3& moved, float distance) {
+  if (distance < kWayFades * r.min_distance) return 1;
+  const float sector = gather_sector(r.normal, moved);
+  const int first = static_cast<int>(sector);
+  const auto free = [&](int i) { return r.free[static_cast<std::size_t>(i & 7)]; };
+  const float way = lerp(free(first), free(first + 1), sector - static_cast<float>(first));
+  const Vec3 along = moved - r.normal * dot(moved, r.normal);
+  return falling(kWayFades * way, kWayGone * way, length(along));
+}
+
+}  // namespace
+
+struct GatherCache::Sum {
+  Gathered result;
+  float weight = 0;
+
+  void add(const GatherRecord& record, const GatherQuery& q, float w) {
+    const Rgb e = (q.gradients ? extrapolate(record, q.position, q.normal) : record.irradiance) * w;
+    result.irradiance += e;
+    if (q.by_light) part(record, q, e);
+    if (q.directional) result.incoming.add(record.incoming, w);
+    weight += w;
+    ++result.records;
+  }
+  /// The irradiance changes along the surface as a whole, its layers with it.
+  static void part(const GatherRecord& record, const GatherQuery& q, const Rgb& e) {
+    if (record.shares.size() != q.layers) {
+      q.by_light[q.layers - 1] += e;
+      return;
+    }
+    for (std::size_t i = 0; i < q.layers; ++i) q.by_light[i] += e * record.shares[i];
+  }
+  std::optional<Gathered> finished(const GatherQuery& q) {
+    if (!(weight > 0)) return std::nullopt;
+    result.irradiance *= 1 / weight;
+    if (q.by_light)
+      for (std::size_t i = 0; i < q.layers; ++i) q.by_light[i] *= 1 / weight;
+    if (q.directional) {
+      IncomingLight mean;
+      mean.add(result.incoming, 1 / weight);
+      result.incoming = mean;
+    }
+    return result;
+  }
+};
+
+struct GatherCache::Near {
+  float error;  ///< or distance, divided by the compatibility
+  std::uint32_t record;
+  bool operator<(const Near& o) const {
+    return error != o.error ? error < o.error : record < o.record;
+  }
+};
+
+/// The best so far: a heap with the worst on top.
+struct GatherCache::Nearest {
+  std::array<Near, kMostPoints + 1> heap;
+  std::size_t count = 0, most = 0;
+  float bound = 0;  ///< nothing worse is wanted
+
+  void offer(const Near& candidate) {
+    if (count == most) {
+      if (!(candidate < heap[0])) return;
+      std::pop_heap(heap.begin(), heap.begin() + static_cast<std::ptrdiff_t>(count--));
+    }
+    heap[count++] = candidate;
+    std::push_heap(heap.begin(), heap.begin() + static_cast<std::ptrdiff_t>(count));
+    if (count == most) bound = std::min(bound, heap[0].error);
+  }
+};
+
+float GatherCache::compatibility(const Entry& e, const GatherQuery& q) const {
+  const float cosine = dot(e.normal, q.normal);
+  if (!(cosine > q.min_cosine)) return 0;
+  // Fades over the outer half of what is allowed.
+  float f = smoothstep(q.min_cosine, 0.5f * (1 + q.min_cosine), cosine);
+  if (q.through_walls) return f;
+  const Vec3 moved = q.position - e.position;
+  const float above = 0.5f * dot(moved, e.normal + q.normal);
+  f *= above < 0 ? falling(kFrontFades * e.radius, kFrontGone * e.radius, -above)
+                 : falling(kBelowFades * e.radius, kBelowGone * e.radius, above);
+  return f > 0 ? f * way_is_free(records_[e.record], moved, length(moved)) : 0;
+}
+
+void GatherCache::bounded(std::uint32_t index, const GatherQuery& q, Sum& sum) const {
+  const Node& node = nodes_[index];
+  if (node.distance2(q.position) > sqr(q.accuracy * q.radii.clamped(node.reach))) return;
+  if (node.child != 0) {
+    for (std::uint32_t i = 0; i < 8; ++i) bounded(node.child + i, q, sum);
+    return;
+  }
+  for (const Entry& e : node.entries) {
+    const float distance2 = (q.position - e.position).length2();
+    const float radius = q.radii.clamped(e.radius);
+    if (distance2 >= sqr(q.accuracy * radius)) continue;
+    const float turned = std::sqrt(std::max(0.0f, 1 - dot(e.normal, q.normal)));
+    const float error = std::sqrt(distance2) / radius + turned;
+    if (!(error < q.accuracy)) continue;
+    const float fit = compatibility(e, q);
+    // At the record itself the weight would be infinite; a millionth of the radius is near enough.
+    if (fit > 0)
+      sum.add(records_[e.record], q, fit * (1 / std::max(error, 1e-6f) - 1 / q.accuracy));
+  }
+}
+
+void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& found) const {
+  const Node& node = nodes_[index];
+  // Distance over which a record's error reaches 1.
+  const auto scale = [&](float radius) { return q.by_error ? q.radii.clamped(radius) : 1.0f; };
+  if (node.child == 0) {
+    for (const Entry& e : node.entries) {
+      const float distance2 = (q.position - e.position).length2();
+      const float cosine = dot(e.normal, q.normal), radius = scale(e.radius);
+      if (distance2 > sqr(found.bound * radius) || !(cosine > q.min_cosine)) continue;
+      float error = std::sqrt(distance2) / radius;
+      if (q.by_error) error += std::sqrt(std::max(0.0f, 1 - cosine));
+      if (error > found.bound) continue;
+      const float fit = compatibility(e, q);
+      if (fit > 0 && error <= found.bound * fit) found.offer({error / fit, e.record});
+    }
+    return;
+  }
+  struct Child {
+    float distance2;
+    std::uint32_t index;
+  };
+  std::array<Child, 8> order;
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const Node& child = nodes_[node.child + i];
+    if (child.child == 0 && child.entries.empty()) continue;
+    const Child c{child.distance2(q.position), node.child + i};
+    std::size_t at = count++;
+    for (; at > 0 && order[at - 1].distance2 > c.distance2; --at) order[at] = order[at - 1];
+    order[at] = c;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (order[i].distance2 <= sqr(found.bound * scale(nodes_[order[i].index].reach)))
+      nearest(order[i].index, q, found);
+}
+
+std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
+  if (nodes_.empty()) return std::nullopt;
+  Sum sum;
+  if (q.points <= 0) {
+    bounded(0, q, sum);
+    return sum.finished(q);
+  }
+  Nearest found;
+  found.most = static_cast<std::size_t>(std::min(q.points, kMostPoints)) + 1;
+  const float none = std::numeric_limits<float>::infinity();
+  const float worst = q.by_error ? q.accuracy : q.radii.max > 0 ? q.radii.max : none;
+  found.bound = worst;
+  nearest(0, q, found);
+  if (found.count == 0) return std::nullopt;
+  std::sort_heap(found.heap.begin(), found.heap.begin() + static_cast<std::ptrdiff_t>(found.count));
+  const std::size_t last = found.count - 1;
+  const float h = found.count == found.most ? found.heap[last].error : worst;
+  // All equally far would all weigh nothing: they share alike.
+  const bool alike = !(found.heap[0].error < h);
+  for (std::size_t i = 0; i <= last; ++i) {
+    const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));
+    if (w > 0) sum.add(records_[found.heap[i].record], q, w);
+  }
+  if (!q.by_error && q.radii.max > 0)
+    sum.result.fade = falling(0.5f, 1, found.heap[0].error / q.radii.max);
+  return sum.finished(q);
+}
+
+}  // namespace oriel

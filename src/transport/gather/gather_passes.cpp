@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/gather/gather_passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "base/math.h"
+#include "base/parallel.h"
+
+namespace oriel {
+namespace {
+
+/// Pixels between gather points of the last pass at presample density 1; a guess.
+constexpr float kFinestStep = 2;
+/// Passes, each twice as fine as the one before.
+constexpr int kPasses = 5;
+/// Streams of the points of one path, and what tells them from those of its lobes.
+constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
+/// Tells these samples from those of the picture.
+constexpr std::uint32_t kGatherSeed = 0xf9;
+
+int finest_step(float density) {
+  return std::clamp(
+      static_cast<int>(std::lround(kFinestStep / std::sqrt(std::max(density, 0.01f)))), 1, 64);
+}
+
+/// Adds the points that a sample through the middle of a pixel meets; the stream goes on from
+/// there.
+sampling::Sampler visit_pixel(const World& world, int x, int y, int pass, std::uint32_t seed,
+                              RayCounts& counts, std::vector<GatherPoint>& points) {
+  sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(pass), seed + kGatherSeed);
+  const PathSettings visiting{.indirect = true};
+  visit_gather_points(world, Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f),
+                      visiting, sampler, counts, points);
+  return sampler;
+}
+
+}  // namespace
+
+std::vector<GatherPoint> first_gather_points(const World& world, const Window& window,
+                                             const GatherPasses& passes, RayCounts& counts) {
+  const int step = finest_step(passes.density) << (kPasses - 1);
+  std::vector<GatherPoint> points;
+  for (int y = window.y0 + step / 2; y < window.y1; y += step)
+    for (int x = window.x0 + step / 2; x < window.x1; x += step)
+      visit_pixel(world, x, y, 0, passes.seed, counts, points);
+  return points;
+}
+
+void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
+                        GatherCache& cache, RayCounts& counts, const ProgressMonitor& monitor,
+                        const std::function<void()>& after_pass) {
+  const int finest = finest_step(passes.density);
+  // A pass has four times the points of the one before; most of them need no record.
+  double done = 0, share = math::pow(4.0, -kPasses) * 3 / (1 - math::pow(4.0, -kPasses));
+  for (int pass = 0; pass < kPasses && !monitor.cancelled(); ++pass, share *= 4) {
+    const int step = finest << (kPasses - 1 - pass);
+    std::vector<int> rows;
+    for (int y = window.y0 + step / 2; y < window.y1; y += step) rows.push_back(y);
+    std::vector<std::vector<GatherRecord>> made(rows.size());
+    std::mutex mutex;
+    std::size_t rows_done = 0;
+    parallel_for(rows.size(), [&](std::size_t r) {
+      if (monitor.cancelled()) return;
+      RayCounts mine;
+      std::vector<GatherPoint> points;
+      for (int x = window.x0 + step / 2; x < window.x1; x += step) {
+        points.clear();
+        const auto sampler = visit_pixel(world, x, rows[r], pass, passes.seed, mine, points);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          if (cache.interpolate(query_at(passes.covered, points[i].point, points[i].normal)))
+            continue;
+          const auto stream =
+              sampler.split(static_cast<std::uint32_t>(i), kMostPointsOfPath, kGatherBranch);
+          made[r].push_back(gather_at(world, points[i], passes.records, stream, mine));
+        }
+      }
+      const std::lock_guard lock(mutex);
+      counts += mine;
+      monitor.report("gather points", done + share * static_cast<double>(++rows_done) /
+                                                 static_cast<double>(rows.size()));
+    });
+    for (const auto& row : made) cache.insert(row);
+    cache.settle_radii();
+    done += share;
+    after_pass();
+  }
+}
+
+}  // namespace oriel

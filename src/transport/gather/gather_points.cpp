@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/gather/gather_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/math.h"
+#include "transport/gather/gather_share.h"
+#include "transport/path/path_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Share of the scene's diagonal that a record may reach, and of that what it reaches at least,
+/// where the scene does not say.
+constexpr float kMaxRadius = 0.1f, kMinRadius = 0.03f;
+/// Records of a larger error say nothing about a point (GatherQuery::accuracy); a guess.
+constexpr float kWorstError = 1;
+/// Share of a point's rays that is spread evenly; the others go where those found contrast.
+constexpr float kSpreadShare = 0.5f;
+
+}  // namespace
+
+void visit_gather_points(const World& world, Vec2 raster, const PathSettings& settings,
+                         sampling::Sampler& sampler, RayCounts& counts,
+                         std::vector<GatherPoint>& points) {
+  PathResult nothing;
+  Path(world, raster, settings, sampler, counts, nothing).visit(world.camera.ray(raster), points);
+}
+
+void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& direction,
+                      const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts,
+                      std::vector<GatherPoint>& points) {
+  PathResult nothing;
+  Path(world, from.point.raster, settings, sampler, counts, nothing)
+      .visit_behind(from.point, direction, points);
+}
+
+GatherRadii default_gather_radii(const geom::Box3& scene) {
+  const float max = kMaxRadius * length(scene.max - scene.min);
+  return {kMinRadius * max, max, false};
+}
+
+GatherSettings gather_settings(const scene::RenderOptions& all, const geom::Box3& scene) {
+  const scene::FinalGatherOptions& options = all.finalgather;
+  GatherSettings s;
+  s.rays = std::max(options.rays, 4);
+  s.filter = options.filter;
+  s.reach = options.falloff_stop;
+  s.fades_from = std::min(options.falloff_start, options.falloff_stop);
+  s.radii = default_gather_radii(scene);
+  s.radii.in_pixels = options.radius_in_pixels && options.max_radius > 0;
+  if (options.max_radius > 0) s.radii.max = options.max_radius;
+  s.radii.min = options.min_radius > 0 ? options.min_radius : kMinRadius * s.radii.max;
+  s.path.further_bounces = rgb(options.secondary_scale);
+  using Depth = scene::FinalGatherOptions::Depth;
+  const bool by_name = all.indirect != scene::IndirectMethod::Scene;
+  if (by_name && !options.depth) return s;
+  const Depth depth = options.depth.value_or(Depth{});
+  s.path.diffuse_bounces = std::max(0, depth.diffuse);
+  s.path.depth_behind = {depth.reflection, depth.refraction, depth.sum};
+  return s;
+}
+
+GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherRadii& radii) {
+  using Mode = scene::FinalGatherOptions::Mode;
+  GatherQuery q;
+  q.radii = radii;
+  if (options.normal_tolerance > 0) q.min_cosine = math::cos(options.normal_tolerance * kPi / 180);
+  q.gradients = options.mode != Mode::StrictRadius;
+  if (options.mode == Mode::Automatic) {
+    q.by_error = true;
+    q.accuracy = kWorstError;
+  }
+  if (options.mode == Mode::Automatic || options.mode == Mode::Multiframe)
+    q.points = std::clamp(options.points, 1, GatherCache::kMostPoints);
+  return q;
+}
+
+namespace {
+
+/// What a ray of limited reach keeps of what it met; the rest is the environment's.
+float kept_of(const GatherSettings& settings, const PathResult& found) {
+  if (!(settings.reach > 0) || found.depth <= settings.fades_from) return 1;
+  return linear_fade(found.depth - settings.fades_from, settings.reach - settings.fades_from);
+}
+
+Rgb open_sky(const World& world, const Vec3& origin, const Vec3& direction, RayCounts& counts) {
+  const NodeList& sky = world.environment.shaders();
+  if (sky.empty()) return Rgb(0);
+  ++counts.environment;
+  return rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));
+}
+
+Rgb not_negative(const Rgb& c) {
+  return Rgb(std::max(0.0f, c.x), std::max(0.0f, c.y), std::max(0.0f, c.z));
+}
+
+}  // namespace
+
+GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,
+                       const sampling::Sampler& sampler, RayCounts& counts) {
+  sampling::Sampler turn = sampler;
+  const std::size_t layers = world.light_layers.asked() ? world.light_layers.count() : 0;
+  const int rays =
+      std::max(4, static_cast<int>(std::lround(static_cast<float>(settings.rays) * at.quality)));
+  const int spread = std::max(4, static_cast<int>(static_cast<float>(rays) * kSpreadShare));
+  const auto hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
+  const float side = dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f;
+  // By layers of lights: of the ray under way, and of each stratum.
+  LightParts by_light;
+  PathSettings path = settings.path;
+  if (layers > 0) path.by_light = by_light.data();
+  const auto trace = [&](int stratum, sampling::Sampler& stream) {
+    by_light.clear(layers);
+    GatherSample s;
+    s.direction = hemisphere.direction(stratum, stream.next_2d());
+    if (side * dot(s.direction, at.point.geometric_normal) <= 0) return s;
+    const float reach = settings.reach > 0 ? settings.reach : kInfinity;
+    const PathResult r =
+        trace_gather_ray(world, at.point, s.direction, reach, path, stream, counts);
+    const float kept = kept_of(settings, r);
+    s.radiance = r.radiance;
+    if (kept < 1) {
+      const Rgb open = open_sky(world, at.point.position, s.direction, counts) * (1 - kept);
+      s.radiance = s.radiance * kept + open;
+      for (std::size_t i = 0; i < layers; ++i) by_light.of[i] *= kept;
+      if (layers > 0) by_light.of[world.light_layers.environment] += open;
+    }
+    if (r.depth > 0) {
+      s.distance = r.depth;
+      s.normal = r.normal;
+    }
+    return s;
+  };
+  const int strata = hemisphere.count();
+  std::vector<GatherSample> samples(static_cast<std::size_t>(strata));
+  std::vector<Rgb> shares(static_cast<std::size_t>(strata) * layers, Rgb(0));
+  const auto take_layers = [&](int stratum) {
+    for (std::size_t i = 0; i < layers; ++i)
+      if (is_finite(by_light.of[i]))
+        shares[static_cast<std::size_t>(stratum) * layers + i] += not_negative(by_light.of[i]);
+  };
+  for (int i = 0; i < strata; ++i) {
+    auto stream =
+        sampler.split(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(strata), 0);
+    samples[static_cast<std::size_t>(i)] = trace(i, stream);
+    take_layers(i);
+  }
+  const std::vector<int> more =
+      share_rays(samples, hemisphere.rings, hemisphere.sectors, std::max(0, rays - strata));
+  for (int i = 0; i < strata; ++i) {
+    GatherSample& s = samples[static_cast<std::size_t>(i)];
+    const int n = more[static_cast<std::size_t>(i)];
+    for (int j = 0; j < n; ++j) {
+      auto stream = sampler.split(static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(n),
+                                  static_cast<std::uint32_t>(i + 1));
+      s.radiance += trace(i, stream).radiance;
+      take_layers(i);
+    }
+    s.radiance /= static_cast<float>(n + 1);
+    const std::size_t own = static_cast<std::size_t>(i) * layers;
+    for (std::size_t k = 0; k < layers; ++k) {
+      const Rgb mean = shares[own + k] / static_cast<float>(n + 1);
+      if (i > 0)
+        shares[k] += mean;
+      else
+        shares[k] = mean;
+    }
+  }
+  GatherRecord record =
+      make_gather_record(at.point.position, hemisphere, samples,
+                         settings.radii.in_scene(pixel_width(at.point)), settings.filter);
+  shares.resize(layers);
+  normalise_shares(shares);
+  record.shares = {shares.begin(), shares.end()};
+  return record;
+}
+
+}  // namespace oriel

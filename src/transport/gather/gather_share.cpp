@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/gather/gather_share.h"
+
+#include <algorithm>
+
+namespace oriel {
+namespace {
+
+/// Differences below this share of the mean brightness are not worth more rays, and most rays that
+/// one stratum gets beside its first; guesses.
+constexpr float kLeastContrast = 0.5f;
+constexpr int kMostMore = 64;
+
+}  // namespace
+
+std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, int sectors,
+                            int more) {
+  std::vector<int> rays(samples.size(), 0);
+  if (more <= 0) return rays;
+  const auto found = [&](int ring, int sector) {
+    const int i = ring * sectors + (sector + sectors) % sectors;
+    return gather_brightness(samples[static_cast<std::size_t>(i)].radiance);
+  };
+  for (const int color : {0, 1}) {
+    std::vector<float> contrast(samples.size(), 0);
+    float total = 0, level = 0;
+    for (int j = 0; j < rings; ++j)
+      for (int k = 0; k < sectors; ++k) {
+        if ((j + k) % 2 != color) continue;
+        // At the rim the neighbour beyond is left out, not this one taken for it.
+        float low = found(j, k - 1), high = low, sum = low;
+        const auto look = [&](float l) {
+          low = std::min(low, l), high = std::max(high, l), sum += l;
+        };
+        look(found(j, k + 1));
+        if (j > 0) look(found(j - 1, k));
+        if (j + 1 < rings) look(found(j + 1, k));
+        const float c = high - low;
+        const int own = j * sectors + k;
+        contrast[static_cast<std::size_t>(own)] = c;
+        total += c;
+        level += sum;
+      }
+    const float floor = kLeastContrast * level / static_cast<float>(2 * samples.size());
+    const float budget = 0.5f * static_cast<float>(more);
+    if (!(total > 0)) continue;
+    // Rounded so that sums stay: each gets what the running total has come to.
+    float run = 0;
+    int given = 0;
+    for (std::size_t i = 0; i < contrast.size(); ++i) {
+      if (contrast[i] <= floor) continue;
+      run += contrast[i] / total * budget;
+      const int n = std::min(kMostMore, static_cast<int>(run) - given);
+      rays[i] = n;
+      given += n;
+    }
+  }
+  return rays;
+}
+
+}  // namespace oriel

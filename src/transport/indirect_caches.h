@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Indirect light worked out before the picture: what paths read in place of following diffuse rays.
+#pragma once
+
+#include "runtime/shading_point.h"
+#include "transport/gather/gather_cache.h"
+#include "transport/photon/photon_map.h"
+#include "transport/surface.h"
+
+namespace oriel {
+
+/// What a map of photons says of the side of a surface that `normal` points to; as
+/// PhotonMap::irradiance.
+inline Rgb irradiance_at(const PhotonMap& map, const ShadingPoint& point, const Vec3& normal,
+                         const PhotonLookup& lookup, Rgb* by_light = nullptr,
+                         std::size_t unknown = 0, int* found = nullptr) {
+  const MapPlace place = map_place(point, normal);
+  return map.irradiance(place.position, place.normal, lookup, by_light, unknown, found);
+}
+
+/// The query `how` made at a point of the picture: place, side, radii by the width of its pixel.
+inline GatherQuery query_at(GatherQuery how, const ShadingPoint& point, const Vec3& normal) {
+  const MapPlace place = map_place(point, normal);
+  how.position = place.position;
+  how.normal = place.normal;
+  how.radii = how.radii.in_scene(pixel_width(point));
+  return how;
+}
+
+/// Null maps are not there. Borrowed: whoever made them outlives the paths.
+struct IndirectCaches {
+  const GatherCache* gather = nullptr;  ///< read where the eye sees, mirrors and glass between
+  GatherQuery query;                    ///< how; place and normal are the asker's
+  Rgb gather_scale{1};
+  /// Read behind gather rays: coarse records that hold so many further bounces, the sky included.
+  const GatherCache* bounces = nullptr;
+  GatherQuery bounces_query;
+  int bounces_held = 0;
+  const PhotonMap* global = nullptr;  ///< read behind gather rays, or by the eye without `gather`
+  PhotonLookup global_lookup;
+  const PhotonMap* caustic = nullptr;  ///< read everywhere
+  PhotonLookup caustic_lookup;
+};
+
+}  // namespace oriel

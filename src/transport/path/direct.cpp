@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/path/direct.h"
+
+#include <algorithm>
+
+#include "runtime/environment_ray.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+namespace {
+
+/// Whether light from behind the surface counts.
+bool is_lit_through(const Closure& closure) {
+  return closure.any(
+      [](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency || transmits(lobe.kind); });
+}
+
+}  // namespace
+
+LightChoice::LightChoice(const World& world, const ShadingPoint& point, const Closure& closure)
+    : world_(&world),
+      lit_{point.position, is_lit_through(closure) ? Vec3(0) : point.geometric_normal},
+      instance_(point.instance < 0 ? nullptr
+                                   : &world.instances[static_cast<std::size_t>(point.instance)]),
+      listed_(closure.lights) {
+  const int mode = closure.light_mode;
+  by_material_ = mode == 1 || mode == 2 || (mode == 0 && listed_.size > 0);
+  const bool linked = !by_material_ && instance_ && instance_->linked;
+  excluded_ = by_material_ ? mode == 2 : linked && instance_->lights_exclusive;
+  if (by_material_ && !excluded_) named_ = listed_.size;
+  if (linked && !excluded_) named_ = static_cast<int>(instance_->lights.size());
+  if (!by_material_ && !linked) instance_ = nullptr;
+}
+
+int LightChoice::listed_light(int i) const {
+  return by_material_ ? listed_.begin()[i].index : instance_->lights[static_cast<std::size_t>(i)];
+}
+
+bool LightChoice::is_listed(int light) const {
+  if (by_material_)
+    return std::any_of(listed_.begin(), listed_.end(),
+                       [&](LightRef l) { return l.index == light; });
+  const std::vector<int>& linked = instance_->lights;
+  return std::find(linked.begin(), linked.end(), light) != linked.end();
+}
+
+bool LightChoice::lit_by(int light) const {
+  if (light < 0) return false;
+  const Light& l = world_->lights[static_cast<std::size_t>(light)];
+  if (l.photons.only || (l.portal && l.portal->photons_only)) return false;
+  if (!by_material_ && !instance_) return true;
+  return is_listed(light) != excluded_;
+}
+
+bool LightChoice::draws() const {
+  if (empty()) return false;
+  if (named_ >= 0) return named_ > kSampleAll;
+  const LightGroups& groups = world_->light_groups;
+  return static_cast<int>(groups.infinite.size()) > kSampleAll ||
+         groups.finite.size() > kSampleAll || groups.portals.size() > kSampleAllPortals;
+}
+
+float LightChoice::rate(int light) const {
+  if (empty() || !lit_by(light)) return 0;
+  if (named_ >= 0) return named_ > kSampleAll ? 1 / static_cast<float>(named_) : 1.0f;
+  const LightGroups& groups = world_->light_groups;
+  const Light& l = world_->lights[static_cast<std::size_t>(light)];
+  if (l.shape == LightShape::Directional) {
+    const int infinite = static_cast<int>(groups.infinite.size());
+    return infinite > kSampleAll ? 1 / static_cast<float>(infinite) : 1.0f;
+  }
+  const LightTree& tree = l.portal ? groups.portals : groups.finite;
+  const int most = l.portal ? kSampleAllPortals : kSampleAll;
+  return tree.size() > most ? tree.probability(lit_, light) : 1.0f;
+}
+
+LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced) {
+  if (!visible) return {0, closure.highlight_scale};
+  // A visible light is reflected; its highlight comes on top only when the material asks.
+  return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
+}
+
+LightInReflection hidden_portal_in_reflection(const Closure& closure) {
+  return {0, light_in_reflection(closure, true).as_highlight};
+}
+
+namespace {
+
+/// What the samples of one vertex bring, added up.
+class DirectSum {
+ public:
+  DirectSum(const World& world, ShadingPoint& point, const Closure& closure,
+            const LobeChoice& lobes, const DirectRequest& request, RayCounts& counts,
+            DirectShares* shares)
+      : world_(world),
+        point_(point),
+        closure_(closure),
+        lobes_(lobes),
+        request_(request),
+        counts_(counts),
+        shares_(shares),
+        wo_(point.wo()),
+        shadows_(receives_shadows(world, point)) {}
+
+  /// One sample of a light that is asked `rate` times in the mean.
+  void add_light(int index, float rate, const Vec2& u);
+  /// One sample of the environment, or by chance none.
+  void add_environment(Vec2 u);
+  const DirectLight& sum() const { return sum_; }
+
+ private:
+  void tell(int light, const Vec3& wi, float reach, const Rgb& unshadowed, const Rgb& open) const {
+    if (request_.observer)
+      request_.observer->on_light_sample(request_.place, point_,
+                                         {light, wi, reach, unshadowed, open});
+  }
+
+  const World& world_;
+  ShadingPoint& point_;
+  const Closure& closure_;
+  const LobeChoice& lobes_;
+  const DirectRequest& request_;
+  RayCounts& counts_;
+  DirectShares* shares_;
+  Vec3 wo_;
+  bool shadows_;
+  DirectLight sum_;
+};
+
+void DirectSum::add_light(int index, float rate, const Vec2& u) {
+  const Light& light = world_.lights[static_cast<std::size_t>(index)];
+  const auto s = sample_light(light, point_, u);
+  if (!s) return;
+  const bool mirrored =
+      light.visible && !closure_.highlights_of_visible_lights && !s->force_specular;
+  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s->wi, mirrored);
+  // What the light's shader keeps from either kind of lobe.
+  r.diffuse.value *= s->affects_diffuse;
+  for (Rgb* specular : {&r.reflection.value, &r.refraction.value, &r.highlight})
+    *specular *= s->affects_specular;
+  const bool looked_through = light.portal && !light.portal->visible;
+  const LightInReflection in =
+      looked_through ? hidden_portal_in_reflection(closure_)
+                     : light_in_reflection(closure_, light.visible, s->force_specular);
+  if (looked_through) r.refraction.value = Rgb(0);
+  const Rgb highlight = r.highlight * closure_.highlight_scale;
+  const Rgb shown =
+      r.diffuse.value + r.refraction.value + r.reflection.value * in.sum() + highlight;
+  if (is_black(shown)) return tell(index, s->wi, s->reach, Rgb(0), Rgb(1));
+  const float kept = linear_fade(s->distance, request_.falloff_distance);
+  DirectLight& sum =
+      shares_ ? shares_->next(world_.light_layers.of_light[static_cast<std::size_t>(index)]) : sum_;
+  const Rgb arriving = s->irradiance / rate;
+  // What portals on the way, and its own, leave of it for the eye.
+  Rgb view(1);
+  if (request_.for_the_eye && world_.has_tinted_portals)
+    view = portals_on_way(world_, point_.position, s->wi, s->distance * kShortOfPortal, point_.time)
+               .view;
+  if (request_.for_the_eye && light.portal && light.portal->visible)
+    view *= light.portal->transparency;
+  // Factors of what rays could have found and of what they could not, after shadows.
+  const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
+                       const Rgb& highlights) {
+    const bool behind = dot(s->wi, point_.geometric_normal) < 0;
+    (behind ? sum.translucency : sum.diffuse) += r.diffuse.value * diffuse * arriving;
+    sum.reflection += r.reflection.value * reflection * arriving * view * (in.as_reflection * kept);
+    sum.specular +=
+        (r.reflection.value * reflection * in.as_highlight + highlight * highlights) * arriving;
+    sum.refraction += r.refraction.value * refraction * arriving * view;
+  };
+  if (!shadows_ || !s->shadow) {
+    tell(index, s->wi, s->reach, shown * arriving, Rgb(1));
+    return add(Rgb(1), Rgb(1), Rgb(1), Rgb(1));
+  }
+
+  const Transmittance open = shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
+  tell(index, s->wi, s->reach, shown * arriving, open.all);
+  // What rays of the lobe cannot find, samples of the light bring alone.
+  const auto weight = [&](const Response::Part& part, std::uint32_t shadowless) {
+    if (!(s->pdf > 0) || is_black(part.value)) return 1.0f;
+    if (hidden_from_rays(world_, point_, s->wi, s->reach, shadowless, counts_)) return 1.0f;
+    return light_sample_weight(request_.estimator, s->pdf * rate, part.pdf);
+  };
+  // What the light lets pass opaque blockers, no ray would find.
+  const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
+  const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
+  // Behind glass a ray of a glossy lobe meets only lights that are seen.
+  const bool bent_rays_find = light.visible && s->pdf > 0;
+  const Rgb glass = request_.rays_bend ? open.clear - open.cut_outs : Rgb(0);
+  const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
+  add(open.all * weight(r.diffuse, geom::RayMask::ShadowlessFinalGather) + leak,
+      straight * weight(r.reflection, geom::RayMask::ShadowlessReflection) + missed,
+      straight * weight(r.refraction, geom::RayMask::ShadowlessRefraction) + missed,
+      straight + glass + leak);
+}
+
+void DirectSum::add_environment(Vec2 u) {
+  if (u.x >= request_.environment_rate) return;
+  u.x = std::min(u.x / request_.environment_rate, 0x1.fffffep-1f);
+  auto s = request_.estimator == Estimator::LightOnly ? world_.environment.sample_alone(u)
+                                                      : world_.environment.sample(u);
+  s.pdf *= request_.environment_rate;
+  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s.wi);
+  if (!request_.environment_on_diffuse) r.diffuse.value = Rgb(0);
+  Rgb reflection = request_.environment_in_reflections ? r.reflection.value : Rgb(0);
+  if (!world_.light_groups.portals.empty()) {
+    const PortalsOnWay way =
+        portals_on_way(world_, point_.position, s.wi, std::numeric_limits<float>::infinity(),
+                       point_.time, request_.portals_mapped);
+    if (way.ends_diffuse) r.diffuse.value = Rgb(0);
+    Rgb view(way.ends_view ? 0.0f : 1.0f);
+    if (request_.for_the_eye) view *= way.view;
+    reflection *= view;
+    r.refraction.value *= view;
+  }
+  if (!(s.pdf > 0) || is_black(r.diffuse.value + reflection + r.refraction.value)) return;
+  const Transmittance open =
+      shadow_transmittance(world_, point_, s.wi, std::numeric_limits<float>::infinity(), counts_);
+  if (is_black(open.all) && !request_.observer) return;
+  const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
+  const Rgb radiance =
+      rgb(environment_radiance(world_.environment.shaders(), world_,
+                               {point_.position, s.wi, RayKind::FinalGather, point_.raster})) *
+      volume_transmittance_to_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
+  ++counts_.environment;
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  tell(-1, s.wi, kFar, (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s.pdf),
+       open.all);
+  // The environment is what rays see: behind what they see it is not, shadow or none.
+  const auto found = [&](const Rgb& value, float pdf, const Rgb& passes, std::uint32_t shadowless) {
+    if (is_black(value) || hidden_from_rays(world_, point_, s.wi, kFar, shadowless, counts_))
+      return Rgb(0);
+    return value * passes * radiance *
+           (light_sample_weight(request_.estimator, s.pdf, pdf) / s.pdf);
+  };
+  const bool behind = dot(s.wi, point_.geometric_normal) < 0;
+  DirectLight& sum = shares_ ? shares_->next(world_.light_layers.environment) : sum_;
+  (behind ? sum.environment_translucency : sum.environment) +=
+      found(r.diffuse.value, r.diffuse.pdf, open.all, geom::RayMask::ShadowlessFinalGather);
+  sum.reflection +=
+      found(reflection, r.reflection.pdf, straight, geom::RayMask::ShadowlessReflection);
+  sum.refraction +=
+      found(r.refraction.value, r.refraction.pdf, straight, geom::RayMask::ShadowlessRefraction);
+}
+
+}  // namespace
+
+DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
+                         const LobeChoice& lobes, const LightChoice& lights,
+                         const DirectRequest& request, sampling::Sampler& sampler,
+                         RayCounts& counts, DirectShares* shares) {
+  DirectSum direct(world, point, closure, lobes, request, counts, shares);
+  float u_light = 0;
+  if (lights.draws())
+    u_light = sampler.next_1d();
+  else
+    sampler.skip();
+  lights.sample(u_light,
+                [&](int index, float rate) { direct.add_light(index, rate, sampler.next_2d()); });
+  if (request.environment_rate > 0) direct.add_environment(sampler.next_2d());
+  return direct.sum();
+}
+
+}  // namespace oriel

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/path/glossy_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "transport/path/path_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Grid points whose normals differ by more than this cosine (26 degrees) see other things. A
+/// guess.
+constexpr float kSameWay = 0.9f;
+/// Most points along one side of a look-up.
+constexpr int kMostNeighbours = 64;
+
+}  // namespace
+
+float GlossyGrid::resolution(int density) {
+  constexpr std::array<float, kDensities> kResolution = {2,        1,        1 / 2.0f,
+                                                         1 / 3.0f, 1 / 4.0f, 1 / 5.0f};
+  return kResolution[static_cast<std::size_t>(std::clamp(density, 0, kDensities - 1))];
+}
+
+int GlossyGrid::width(int density) const {
+  return grids_.empty() ? 0 : grids_[static_cast<std::size_t>(density)].width;
+}
+int GlossyGrid::height(int density) const {
+  return grids_.empty() ? 0 : grids_[static_cast<std::size_t>(density)].height;
+}
+
+GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed,
+                       RayCounts& counts) {
+  unsigned wanted = 0;
+  // Also those of shaders that others ask for their colour.
+  for (const auto& node : world.nodes)
+    if (node->spec().grids) wanted |= node->spec().grids(*node);
+  if (!wanted) return;
+  grids_.resize(kDensities);
+  std::mutex mutex;
+  for (int d = 0; d < kDensities; ++d) {
+    if (!(wanted & (1u << d))) continue;
+    Grid& grid = grids_[static_cast<std::size_t>(d)];
+    const float f = resolution(d);
+    const auto size = [&](int pixels) {
+      return static_cast<int>(std::ceil(static_cast<float>(pixels) * f));
+    };
+    grid.width = size(world.camera.width);
+    grid.height = size(world.camera.height);
+    grid.points.resize(static_cast<std::size_t>(grid.width) *
+                       static_cast<std::size_t>(grid.height));
+    parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+      const int y = static_cast<int>(row);
+      RayCounts mine;
+      for (int x = 0; x < grid.width; ++x) {
+        const Vec2 raster((static_cast<float>(x) + 0.5f) / f, (static_cast<float>(y) + 0.5f) / f);
+        sampling::Sampler sampler(x, y, 0, seed + 0x9d1du + static_cast<std::uint32_t>(d));
+        PathResult nothing;
+        Path(world, raster, paths, sampler, mine, nothing)
+            .tabulate(world.camera.ray(raster), d,
+                      grid.points[row * static_cast<std::size_t>(grid.width) +
+                                  static_cast<std::size_t>(x)]);
+      }
+      const std::lock_guard lock(mutex);
+      counts += mine;
+    });
+  }
+}
+
+std::optional<GlossyGrid::Smooth> GlossyGrid::look_up(std::optional<Rgb> GridPoint::*value,
+                                                      Vec2 raster, int density, int n, int instance,
+                                                      const Material& material,
+                                                      const Vec3& normal) const {
+  if (grids_.empty()) return std::nullopt;
+  const int d = std::clamp(density, 0, kDensities - 1);
+  const Grid& grid = grids_[static_cast<std::size_t>(d)];
+  n = std::clamp(n, 1, kMostNeighbours);
+  // In units of grid points, whole numbers at the points.
+  const float f = resolution(d);
+  const Vec2 at(raster.x * f - 0.5f, raster.y * f - 0.5f);
+  const float radius = 0.5f * static_cast<float>(n);
+  const auto first = [&](float a) { return static_cast<int>(std::ceil(a - radius)); };
+  const auto tent = [&](float distance) {
+    return n == 1 ? 1.0f : std::max(0.0f, 1 - std::abs(distance) / radius);
+  };
+  Smooth sum;
+  float weight = 0;
+  for (int j = first(at.y); j < first(at.y) + n; ++j)
+    for (int i = first(at.x); i < first(at.x) + n; ++i) {
+      if (i < 0 || j < 0 || i >= grid.width || j >= grid.height) continue;
+      const GridPoint& p =
+          grid.points[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width) +
+                      static_cast<std::size_t>(i)];
+      if (p.instance != instance || p.material != &material || !(p.*value) ||
+          dot(p.normal, normal) < kSameWay)
+        continue;
+      const float w = tent(static_cast<float>(i) - at.x) * tent(static_cast<float>(j) - at.y);
+      sum.light += *(p.*value) * w;
+      sum.alpha += p.alpha * w;
+      weight += w;
+    }
+  if (weight <= 0) return std::nullopt;
+  return Smooth{sum.light / weight, sum.alpha / weight};
+}
+
+}  // namespace oriel

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces that glow, sampled as lights: what rays of lobes may find of them as well.
+#include <cmath>
+
+#include "transport/emission.h"
+#include "transport/path/path_walk.h"
+#include "transport/scene_tracer.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+namespace {
+
+/// Tells this stream from those of lobes, which number from 0.
+constexpr std::uint32_t kBranch = 4000;
+/// Surfaces on the way that let light pass, before the rest counts as dark.
+constexpr int kMostBlockers = 128;
+/// A surface of the same instance at this share of the distance is the place that was meant.
+constexpr float kSamePlace = 1e-4f;
+/// Surfaces seen nearly edge-on are left to rays.
+constexpr float kLeastCosine = 1e-5f;
+
+/// Whether lobes answer for light from behind the surface.
+bool is_translucent(const Closure& closure) {
+  return closure.any([](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency; });
+}
+
+bool has_rays(const Closure& closure, const LobeChoice& choice, LobeGroup group) {
+  for (int i = 0; i < closure.count; ++i)
+    if (choice.rays[i] > 0 && !is_delta(closure.lobes[i].kind) &&
+        group_of(closure.lobes[i].kind) == group)
+      return true;
+  return false;
+}
+
+float brightness(const Rgb& c) { return c.x + c.y + c.z; }
+
+}  // namespace
+
+/// One sample of all that glows, for the lobes whose rays find it too: it stands for what such a
+/// ray would bring, so it counts wherever and as much as the ray would.
+void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
+                           const ShadingPoint& point, bool on_diffuse, bool in_reflections) {
+  // Rays through air are left alone: its shaders answer for whole rays.
+  if (!settings_.mesh_lights || settings_.estimator == Estimator::BsdfOnly ||
+      !world_.camera_volume.empty())
+    return;
+  on_diffuse = on_diffuse && has_rays(closure, choice, LobeGroup::Diffuse);
+  in_reflections = in_reflections && !depth_reached(LobeKind::GlossyReflection) &&
+                   has_rays(closure, choice, LobeGroup::Reflection);
+  if (!on_diffuse && !in_reflections) return;
+  from_.emission_on_diffuse = on_diffuse;
+  from_.emission_in_reflections = in_reflections;
+  from_.lit = {point.position, is_translucent(closure) ? Vec3(0) : point.geometric_normal};
+
+  sampling::Sampler stream = sampler_.split(0, 1, kBranch);
+  const Vec2 u_choice = stream.next_2d(), u_place = stream.next_2d();
+  const float u_group = stream.next_1d();
+  const auto chosen = world_.mesh_lights.choose(from_.lit, u_choice);
+  if (!chosen) return;
+  const TriangleCorners triangle =
+      corners_of(world_, chosen->instance, chosen->primitive, point.time);
+  const Vec3 to = triangle.at(u_place) - point.position;
+  const float d2 = to.length2();
+  if (!(d2 > 0)) return;
+  const Vec3 wi = to / std::sqrt(d2);
+  const float projected = std::abs(dot(wi, triangle.normal_times_area()));
+  if (!(projected > kLeastCosine * triangle.area())) return;
+  const float pdf = chosen->probability * d2 / projected;
+
+  const Response r = evaluate_closure(closure, choice, point, point.wo(), wi);
+  const float diffuse = on_diffuse ? brightness(r.diffuse.value) : 0;
+  const float reflection = in_reflections ? brightness(r.reflection.value) : 0;
+  if (!(diffuse + reflection > 0)) return;
+  // One ray, for one of the two.
+  const float share = diffuse / (diffuse + reflection);
+  const bool of_diffuse = u_group < share;
+  const Response::Part& part = of_diffuse ? r.diffuse : r.reflection;
+  const Rgb seen = emission_seen(closure, point, *chosen, wi, std::sqrt(d2),
+                                 of_diffuse ? RayKind::FinalGather : RayKind::Reflect);
+  if (is_black(seen)) return;
+  const float weight = light_sample_weight(settings_.estimator, pdf, part.pdf);
+  Rgb radiance = part.value * seen * (weight / (pdf * (of_diffuse ? share : 1 - share)));
+  Aov component = Aov::Reflection;
+  if (of_diffuse) {
+    radiance *= indirect_factor() * closure.indirect_scale;
+    component = Aov::Translucency;
+    if (dot(wi, point.geometric_normal) > 0) {
+      component = Aov::Indirect;
+      radiance *= occlusion_;
+      if (near_distance_ > 0)
+        radiance *= Rgb(1) - near_dark_ * linear_fade(std::sqrt(d2), near_distance_);
+    }
+  }
+  const int instance = static_cast<int>(world_.accel->instance(chosen->instance).user);
+  add(at_vertex(component), throughput_ * radiance, layer_of_instance(instance));
+}
+
+/// What a ray of that kind brings of a triangle's emission: as walk() and pass_straight() have it,
+/// with means in place of chances.
+Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
+                        const MeshLights::Choice& target, const Vec3& wi, float distance,
+                        RayKind kind) {
+  const bool gathers = kind == RayKind::FinalGather;
+  const bool straight = gathers || after_diffuse_;
+  MediumOnWay way = medium_;
+  way.leave(closure, point, wi);
+  if (gathers && !straight_rays_fade()) way.ignore();
+  RayCone cone = cone_;
+  if (gathers) cone.spread = std::max(cone.spread, kDiffuseSpread);
+  const std::uint32_t mask = gathers ? geom::RayMask::FinalGather : geom::RayMask::Reflection;
+  // Beyond the target there is nothing to find.
+  const float reach = distance * 1.001f + 2 * point.ray_offset;
+  geom::Ray ray = leave(point, wi, std::min(reach, way.reach()), mask);
+  Vec3 left = point.position;
+  float from_start = 0;
+  Rgb kept(1);
+  for (int i = 0; i < kMostBlockers; ++i) {
+    geom::Hit hit;
+    ++counts_.shadow;
+    if (!world_.accel->intersect(ray, hit)) return Rgb(0);
+    // At the rim of a triangle rounding may find its neighbour.
+    const bool arrived =
+        hit.instance == target.instance &&
+        (hit.primitive == target.primitive ||
+         std::abs(from_start + hit.t - distance) <= kSamePlace * distance + point.ray_offset);
+    const Material& material = material_of(world_, hit);
+    if (!arrived && !material.may_transmit) return Rgb(0);
+    ShadingPoint met;
+    fill_point(world_, ray, hit, cone, kind, met);
+    met.raster = raster_;
+    met.blurred = !gathers;
+    cone.width = cone.width_at(hit.t);
+    Closure its;
+    SceneTracer tracer(world_, sampler_, counts_);
+    met.tracer = &tracer;
+    shade(material, met, its);
+    met.tracer = nullptr;
+    way.meet_surface(its, met);
+    if (!way.medium.clear()) kept *= transmittance(way.medium, length(met.position - left));
+    if (arrived) return kept * its.emission * its.opacity;
+
+    Closure filter;
+    const Closure* passed = &its;
+    if (material.filters_shadows()) {
+      if (!straight) return Rgb(0);
+      kept *= straight_through(material, met, world_.options, filter);
+      passed = &filter;
+    } else {
+      const Transmittance open = straight_transmission(its, world_.options);
+      kept *= straight ? open.all : open.cut_outs;
+    }
+    if (!(max_component(kept) > 0)) return Rgb(0);
+    if (straight && !passed->thin_walled) {
+      if (straight_rays_fade())
+        way.leave(*passed, met, wi);
+      else
+        way.ignore();
+    }
+    const float rest = ray.tfar - hit.t;
+    if (!(rest > 0)) return Rgb(0);
+    ray = leave(met, wi, std::min(rest, way.reach()), mask);
+    left = met.position;
+    from_start += hit.t;
+  }
+  return Rgb(0);
+}
+
+/// Of emission that a ray has found: its share beside the samples of it.
+float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) const {
+  const bool sampled = from_.group == LobeGroup::Diffuse
+                           ? from_.emission_on_diffuse
+                           : from_.group == LobeGroup::Reflection && from_.emission_in_reflections;
+  if (!from_.weighed || !sampled) return 1;
+  // Hair that glows is found by rays alone.
+  if (hit.primitive >=
+      world_.accel->mesh(world_.accel->instance(hit.instance).mesh).triangles.size())
+    return 1;
+  const float chosen = world_.mesh_lights.probability(from_.lit, hit.instance, hit.primitive);
+  const TriangleCorners triangle = corners_of(world_, hit.instance, hit.primitive, hit.time);
+  const float projected = std::abs(dot(ray_.dir, triangle.normal_times_area()));
+  if (!(chosen > 0) || !(projected > kLeastCosine * triangle.area())) return 1;
+  const float d2 = (point.position - from_.lit.position).length2();
+  return bsdf_sample_weight(settings_.estimator, from_.pdf, chosen * d2 / projected);
+}
+
+}  // namespace oriel

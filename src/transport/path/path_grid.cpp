@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths and the grids of interpolated reflection: filling their points, and using them.
+#include "transport/path/glossy_grid.h"
+#include "transport/path/path_walk.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+
+void Path::tabulate(const Camera::Ray& eye, int density, GridPoint& point) {
+  grid_point_ = &point;
+  grid_density_ = density;
+  run(eye);
+}
+
+/// The first surface of a grid point's ray: what its interpolated lobes see at full strength.
+void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point) {
+  GridPoint& out = *grid_point_;
+  LobeChoice choice;
+  make_ready(closure, point.wo());
+  choose_lobes(closure, choice, point, indirect());
+  for (int i = 0; i < closure.count; ++i) {
+    if (choice.rays[i] <= 0 || !closure.lobes[i].controls.interpolate ||
+        closure.lobes[i].controls.grid_density != grid_density_)
+      continue;
+    // The lobe alone and white.
+    Closure alone = closure;
+    for (int k = 0; k < alone.count; ++k) alone.lobes[k].level = Rgb(k == i ? 1.0f : 0.0f);
+    const Lobe& lobe = alone.lobes[i];
+    const auto rays =
+        is_delta(lobe.kind) ? 1u : std::max(1u, static_cast<std::uint32_t>(lobe.controls.samples));
+    LobeChoice only;
+    only.any = true;
+    only.rays[i] = static_cast<float>(rays);
+    const bool refracts = transmits(lobe.kind);
+    PathResult seen;
+    seen.alpha = 1;
+    for (std::uint32_t j = 0; j < rays; ++j) {
+      Path branch = *this;
+      branch.grid_point_ = nullptr;
+      branch.alpha_open_ = true;
+      branch.result_ = &seen;
+      branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
+      // Lights without a visible shape show as highlights of reflecting lobes, and are left to
+      // them; through refracting ones they are part of the picture.
+      const float environment = refracts ? environment_rate(material) : 0;
+      if (refracts) {
+        std::construct_at(&branch.from_.lights, world_, point, alone);
+        branch.throughput_ = Rgb(1 / static_cast<float>(rays));
+        branch.take_direct(alone, only, point, environment, true);
+        branch.throughput_ = Rgb(1);
+      }
+      if (needs_origin()) branch.from_.point = point;
+      branch.from_.environment_rate = environment;
+      branch.from_.shadows = receives_shadows(world_, point);
+      branch.from_.visible = branch.from_.invisible = {1, 0};
+      if (branch.continue_path(alone, only, material, point, i, branch.sampler_.next_1d(),
+                               refracts)) {
+        ++branch.vertex_;
+        branch.walk();
+      }
+    }
+    out.instance = point.instance;
+    out.material = &material;
+    out.normal = point.normal;
+    (refracts ? out.refraction : out.reflection) = seen.radiance;
+    if (refracts) out.alpha = seen.alpha;
+  }
+}
+
+/// Lobes whose rays the grid stands for: their light is added, and they keep highlights, and rays
+/// within the detail distance.
+void Path::interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
+                       LobeChoice& choice) {
+  if (!settings_.grid || !at_eye_surface()) return;
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    LobeControls& controls = lobe.controls;
+    if (choice.rays[i] > 0 && controls.interpolate) {
+      const bool refracts = transmits(lobe.kind);
+      const auto smooth =
+          refracts ? settings_.grid->refraction(raster_, controls.grid_density, controls.neighbours,
+                                                point.instance, material, point.normal)
+                   : settings_.grid->reflection(raster_, controls.grid_density, controls.neighbours,
+                                                point.instance, material, point.normal);
+      if (smooth && controls.detail_distance > 0) {
+        controls.falloff_distance = controls.detail_distance;
+        controls.falloff_to_color = true;
+        controls.falloff_color = smooth->light;
+      } else if (smooth) {
+        add(at_vertex(refracts ? Aov::Refraction : Aov::Reflection),
+            throughput_ * lobe.level * smooth->light, world_.light_layers.unknown());
+        if (refracts && alpha_open_ && closure.propagate_alpha)
+          result_->alpha -= (1 - smooth->alpha) * mean_of(throughput_ * lobe.level);
+        choice.rays[i] = 0;
+        // Visible lights are in the grid.
+        controls.highlights_only = controls.mirrored = true;
+        if (refracts) lobe.level = Rgb(0);
+      }
+    }
+  }
+  choice.share_one_ray(closure.count);
+}
+
+}  // namespace oriel

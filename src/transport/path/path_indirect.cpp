@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths and indirect light that is there before them: gather points, photons.
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/ggx.h"
+#include "bsdf/oren_nayar.h"
+#include "sampling/warp.h"
+#include "transport/gather/gather_points.h"
+#include "transport/path/path_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Where a lobe looks for its light: its own side of the surface, or the other.
+Vec3 lit_side(const Lobe& lobe) {
+  return lobe.kind == LobeKind::Translucency ? -lobe.frame.n : lobe.frame.n;
+}
+
+/// Share of even light that the lobe returns to the viewer.
+Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
+  if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0) return lobe.level;
+  return lobe.level * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
+}
+
+}  // namespace
+
+/// What was gathered about a point, where the eye sees it.
+std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
+                                       bool directional, Rgb* by_light) const {
+  const IndirectCaches& maps = *settings_.maps;
+  if (after_diffuse_ || !maps.gather || !allows(kSendsGatherRays)) return std::nullopt;
+  const bool same = looked_up_.valid && !by_light && looked_up_.normal == normal &&
+                    looked_up_.position == point.position;
+  if (same && (looked_up_.directional || !directional)) return looked_up_.found;
+  GatherQuery query = query_at(maps.query, point, normal);
+  query.directional = directional || looked_up_.directional;
+  query.by_light = by_light;
+  query.layers = world_.light_layers.count();
+  auto found = maps.gather->interpolate(query);
+  if (!by_light) looked_up_ = {true, query.directional, point.position, normal, found};
+  return found;
+}
+
+/// Irradiance of one side as the maps know it; nothing where they do not.
+std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
+                                           LightParts& parts) const {
+  const IndirectCaches& maps = *settings_.maps;
+  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  parts.clear(layers);
+  Rgb* by_light = layers > 0 ? parts.data() : nullptr;
+  if (!after_diffuse_ && maps.gather) {
+    const auto found = gathered(point, normal, false, by_light);
+    if (found && settings_.observer) settings_.observer->on_lookup(place_, found->records, 0);
+    if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
+    const Rgb scale = maps.gather_scale * found->fade;
+    for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= scale;
+    return found->irradiance * scale;
+  }
+  const bool coarse = reads_bounces();
+  int photons = 0;
+  if (!coarse && !maps.global) return std::nullopt;
+  Rgb sum(0);
+  if (coarse && allows(kSendsGatherRays)) {
+    GatherQuery query = query_at(maps.bounces_query, point, normal);
+    query.by_light = by_light;
+    query.layers = layers;
+    const auto found = maps.bounces->interpolate(query);
+    if (!found) return std::nullopt;
+    sum += found->irradiance * settings_.further_bounces;
+    for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= settings_.further_bounces;
+  }
+  if (maps.global && allows(kReceivesGlobillum))
+    sum += irradiance_at(*maps.global, point, facing(point.geometric_normal, normal),
+                         maps.global_lookup, by_light, world_.light_layers.unknown(), &photons);
+  if (settings_.observer) settings_.observer->on_lookup(place_, 0, photons);
+  return sum;
+}
+
+/// Soft reflections without rays: gathered light blurred about the mirrored view.
+void Path::emulate(const Closure& closure, const ShadingPoint& point) {
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (!lobe.controls.emulated || !lobe.controls.highlights_only || lobe.controls.mirrored)
+      continue;
+    LightParts parts;
+    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+    parts.clear(layers);
+    const auto found = gathered(point, lobe.frame.n, true, layers > 0 ? parts.data() : nullptr);
+    if (!found) continue;
+    const Vec3 mirrored = bsdf::reflect(point.wo(), lobe.frame.n);
+    const float roughness = std::sqrt(lobe.alpha_x * lobe.alpha_y);
+    const Rgb blurred = blurred_radiance(found->incoming, mirrored, roughness);
+    // From which direction a layer's light comes is not kept: each has its share of the whole.
+    for (int c = 0; c < 3; ++c) {
+      const float whole = found->irradiance[c];
+      for (std::size_t k = 0; k < layers; ++k)
+        parts.of[k][c] = whole > 0 ? blurred[c] * parts.of[k][c] / whole : 0;
+      if (layers > 0 && !(whole > 0)) parts.of[world_.light_layers.unknown()][c] = blurred[c];
+    }
+    add(at_vertex(Aov::Reflection), throughput_ * lobe.level * settings_.maps->gather_scale,
+        blurred, parts);
+  }
+}
+
+/// Light of the maps on diffuse lobes. True: no diffuse rays are needed.
+bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
+  const IndirectCaches& maps = *settings_.maps;
+  Rgb on_side(0), through(0), caustic(0), caustic_through(0);
+  // Their layers, where somebody asks.
+  LightParts parts, on_side_parts, through_parts, caustic_parts, caustic_through_parts;
+  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  for (LightParts* p : {&on_side_parts, &through_parts, &caustic_parts, &caustic_through_parts})
+    p->clear(layers);
+  const auto add_to = [&](Rgb& sum, LightParts& sums, const Rgb& factor, const Rgb& light) {
+    sum += factor * light;
+    for (std::size_t i = 0; i < layers; ++i) sums.of[i] += factor * parts.of[i];
+  };
+  bool complete = true;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (!is_diffuse(lobe.kind)) continue;
+    const bool passes = lobe.kind == LobeKind::Translucency;
+    const Vec3 normal = lit_side(lobe);
+    const Rgb albedo = albedo_of(lobe, point.wo()) * kInvPi;
+    if (maps.caustic && allows(kReceivesCaustics)) {
+      parts.clear(layers);
+      const Rgb light = irradiance_at(*maps.caustic, point, facing(point.geometric_normal, normal),
+                                      maps.caustic_lookup, layers > 0 ? parts.data() : nullptr,
+                                      world_.light_layers.unknown());
+      add_to(passes ? caustic_through : caustic, passes ? caustic_through_parts : caustic_parts,
+             albedo, light);
+    }
+    if (const auto irradiance = mapped_irradiance(point, normal, parts))
+      add_to(passes ? through : on_side, passes ? through_parts : on_side_parts, albedo,
+             *irradiance);
+    else
+      complete = false;
+  }
+  const Rgb scale = throughput_ * closure.indirect_scale;
+  add(at_vertex(Aov::Indirect), scale * occlusion_, caustic, caustic_parts);
+  add(at_vertex(Aov::Translucency), scale, caustic_through, caustic_through_parts);
+  if (!complete) return false;
+  if (near_distance_ > 0) with_neighbours(closure, point, on_side, on_side_parts);
+  add(at_vertex(Aov::Indirect), scale * occlusion_, on_side, on_side_parts);
+  add(at_vertex(Aov::Translucency), scale, through, through_parts);
+  return true;
+}
+
+/// Occlusion with colours on smoothed light: what is near hides its share of it and shows itself.
+void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
+                           LightParts& parts) {
+  /// Tells this stream from those of lobes, which number from 0.
+  constexpr std::uint32_t kBranch = 2000;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.kind != LobeKind::Diffuse) continue;
+    auto stream = sampler_.split(0, 1, kBranch);
+    const Vec3 w = lobe.frame.to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
+    if (dot(w, point.geometric_normal) <= 0) return;
+    PathSettings settings = settings_;
+    settings.outputs = nullptr;
+    settings.observer = nullptr;
+    LightParts near_parts;
+    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+    near_parts.clear(layers);
+    if (layers > 0) settings.by_light = near_parts.data();
+    const PathResult near =
+        trace_gather_ray(world_, point, w, near_distance_, settings, stream, counts_);
+    if (near.depth <= 0) return;
+    const float share = linear_fade(near.depth, near_distance_);
+    const Rgb shown = albedo_of(lobe, point.wo()) * (Rgb(1) - near_dark_) * share;
+    smooth = smooth * (1 - share) + shown * near.radiance;
+    for (std::size_t k = 0; k < layers; ++k)
+      parts.of[k] = parts.of[k] * (1 - share) + shown * near_parts.of[k];
+    return;
+  }
+}
+
+void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {
+  visited_ = &points;
+  run(eye);
+}
+
+void Path::visit_behind(const ShadingPoint& point, const Vec3& direction,
+                        std::vector<GatherPoint>& points) {
+  visited_ = &points;
+  gather_ray(point, direction, kInfinity);
+}
+
+/// Notes a surface that gathered light falls on, and goes on through what mirrors or transmits.
+bool Path::note_gather_point(Closure& closure, const Material& material, ShadingPoint& point) {
+  LobeChoice choice;
+  make_ready(closure, point.wo());
+  choose_lobes(closure, choice, point, indirect());
+  const auto before = static_cast<std::ptrdiff_t>(visited_->size());
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
+    if (is_diffuse(lobe.kind) || emulates) {
+      choice.rays[i] = 0;
+      if (!allows(kSendsGatherRays)) continue;
+      const Vec3 side = lit_side(lobe);
+      const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
+      // One record serves all lobes of a side.
+      const auto same =
+          std::find_if(visited_->begin() + before, visited_->end(),
+                       [&](const GatherPoint& p) { return dot(p.normal, side) > 1 - 1e-4f; });
+      if (same != visited_->end())
+        same->quality = std::max(same->quality, quality);
+      else
+        visited_->push_back({point, side, quality});
+    }
+  }
+  choice.share_one_ray(closure.count);
+  if (!choice.any) return false;
+  float u = sampler_.next_1d();
+  const int lobe = choose_lobe(closure, choice, u);
+  return continue_path(closure, choice, material, point, lobe, u);
+}
+
+}  // namespace oriel

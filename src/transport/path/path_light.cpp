@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ray of a path meets beside surfaces: shapes of lights, the environment, the end of a
+// reflection that is limited.
+#include "runtime/environment_ray.h"
+#include "transport/path/path_walk.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+
+/// Whether the ray ends at a portal that it meets from inside.
+bool Path::ends_at(const Portal& portal) const {
+  return kind_ == RayKind::FinalGather ? portal.blocks_diffuse_rays() : portal.visible;
+}
+
+/// Light of a lamp that the last vertex's lobe has found, where samples of it are weighed as well.
+void Path::add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
+                     std::size_t layer) {
+  if (from_.group == LobeGroup::Reflection) {
+    add(after_vertex(Aov::Reflection), arriving * view * (in.as_reflection * kept), layer);
+    add(after_vertex(Aov::Specular), arriving * in.as_highlight, layer);
+  } else {
+    // Light sources on diffuse lobes are direct light, however they are found.
+    add(after_vertex(aov_ == Aov::Indirect ? Aov::Diffuse : aov_), arriving * view, layer);
+  }
+}
+
+/// Lights with a shape that the ray meets before the surface. A visible light ends rays that see it
+/// as an object (camera and mirrors); bundles only collect its weighed light and go on, since
+/// lights do not shadow each other. Portals end bundles as well: what is behind them is in their
+/// light.
+void Path::meet_lights(float t_surface, bool& ended) {
+  if (!settings_.finite_lights) {
+    // Photons bring the light of portals: what is behind them must not come a second time.
+    if (kind_ == RayKind::FinalGather)
+      ended = portals_on_way(world_, ray_.org, ray_.dir, t_surface, ray_.time, true).ends_diffuse;
+    return;
+  }
+  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
+  const bool sees = !from_.weighed;
+  float nearest = t_surface;
+  Rgb seen(0);
+  int seen_light = -1;
+  // What visible portals show the eye of themselves, hidden ones of what is behind them.
+  const bool dims = kind_ != RayKind::FinalGather && !after_diffuse_;
+  const auto own_view = [&](const Light& light) {
+    return dims && light.portal && light.portal->visible ? light.portal->transparency : Rgb(1);
+  };
+  const auto view_to = [&](float t) {
+    if (!dims || !world_.has_tinted_portals) return Rgb(1);
+    return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal, ray_.time).view;
+  };
+  const auto end_at = [&](const Light& light) {
+    ShadingPoint origin;
+    origin.position = ray_.org;
+    origin.time = ray_.time;
+    origin.world = &world_;
+    return intersect_light(light, origin, ray_.dir, nearest, kind_);
+  };
+  const auto meet = [&](int index) {
+    const Light& light = world_.lights[static_cast<std::size_t>(index)];
+    if (light.shape == LightShape::Point) return;
+    const Portal* portal = light.portal.get();
+    // Most of many portals are missed: asked before what a hit takes to work out.
+    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface, ray_.time)) return;
+    if (sees || portal) {
+      const bool ends = portal ? ends_at(*portal) : light.visible;
+      const auto hit = ends ? end_at(light) : std::nullopt;
+      if (hit) {
+        nearest = hit->t;
+        seen = sees ? hit->radiance * own_view(light) : Rgb(0);
+        seen_light = index;
+        ended = true;
+      }
+      if (sees) return;
+    }
+    if (portal && !portal->visible && from_.group == LobeGroup::Refraction) return;
+    bool alone = portal && portal->photons_only && portal->visible;  // never sampled
+    const float rate = from_.lights.rate(index);
+    if (rate <= 0 && !alone) return;
+    auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
+    if (!hit || hit->t < from_.passed) return;
+    if (portal && portal->visible && kind_ != RayKind::FinalGather && is_black(hit->radiance)) {
+      // Below the threshold samples bring nothing, and yet the surface is seen.
+      hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface, kind_);
+      alone = true;
+    }
+    if (!alone && (!hit->shadow || !from_.shadows)) return;
+    if (shadowed_by_unseen(world_, from_.point, ray_.dir, hit->t, counts_)) return;
+    const float weight =
+        alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
+    const Rgb arriving =
+        lights_ * hit->radiance * from_.affected(*hit) * kept_over(hit->t - from_.passed) * weight;
+    const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
+    add_found(from_.shown(light, *hit), fading_.kept(hit->t), arriving, view,
+              layer_of_light(index));
+  };
+  world_.light_groups.finite.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
+  world_.light_groups.portals.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
+  const bool dimmed = dims && world_.has_tinted_portals;
+  if (!ended && !dimmed) return;
+  const Rgb view = view_to(nearest);
+  if (!ended) return dim(view);
+  const float kept = fading_.kept(nearest);
+  add(on_way(), throughput_ * (seen * view * kept_over(nearest) * kept),
+      layer_of_light(seen_light));
+  if (kept < 1) add(on_way(), throughput_ * faded_to() * (1 - kept), layer_of_faded());
+  if (!first_) return;
+  result_->alpha = 1;
+  // To gather rays a portal is a black wall.
+  if (!sees) result_->depth = nearest;
+}
+
+Rgb Path::reflected_environment(const Vec3& direction) {
+  const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
+  if (shaders.empty()) return Rgb(0);
+  ++counts_.environment;
+  return rgb(environment_radiance(shaders, world_,
+                                  {ray_.org, direction, environment_kind(RayKind::Environment),
+                                   raster_, blurred_, roughness_}));
+}
+
+/// What a limited reflection fades to.
+Rgb Path::faded_to() {
+  if (fading_.to_color) return fading_.color;
+  if (!fading_.single_environment) return reflected_environment(ray_.dir);
+  if (fading_.looked_up && *fading_.looked_up) return **fading_.looked_up;
+  const Rgb found = reflected_environment(fading_.mirrored);
+  if (fading_.looked_up) *fading_.looked_up = found;
+  return found;
+}
+
+std::size_t Path::layer_of_faded() const {
+  if (!fading_.to_color) return layer_of_environment();
+  return fading_.of_grid ? world_.light_layers.unknown() : layer_of_rest();
+}
+
+/// Diffuse rays of occlusion with colours: what is near loses a share, its light goes with it.
+void Path::darken_near(float t) {
+  if (near_distance_ > 0) throughput_ *= Rgb(1) - near_dark_ * linear_fade(t, near_distance_);
+  near_distance_ = 0;
+}
+
+/// At a surface, t from where the ray began.
+void Path::fade(float t) {
+  if (fading_.distance > 0) {
+    const float kept = fading_.kept(t);
+    add(on_way(), throughput_ * (1 - kept) * faded_to(), layer_of_faded());
+    dim(Rgb(kept));
+  }
+  fading_ = {};
+}
+
+void Path::meet_environment() {
+  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
+  if (fading_.distance > 0 || fading_.single_environment)
+    return add(on_way(), throughput_ * faded_to(), layer_of_faded());
+  const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
+  if (!shaders.empty()) ++counts_.environment;
+  const Vec3 origin = ray_.org, direction = ray_.dir;
+  const RayKind kind = environment_kind(kind_);
+  const Rgba c = shaders.empty() ? Rgba(0, 0, 0, 0)
+                                 : environment_radiance(
+                                       shaders, world_,
+                                       {origin, direction, kind, raster_, blurred_, roughness_});
+  if (first_)
+    result_->alpha = clamp01(c.a);
+  else if (alpha_open_)
+    result_->alpha -= (1 - clamp01(c.a)) * mean_of(throughput_);
+  if (shaders.empty()) return;
+  Rgb radiance = rgb(c);
+  if (from_.weighed && from_.environment_rate > 0 && !environment_) {
+    // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
+    // In the shadow of what this ray does not see, no sample found any of it.
+    const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
+    const float weight =
+        alone ? 1.0f
+              : bsdf_sample_weight(settings_.estimator, from_.pdf,
+                                   world_.environment.pdf(direction) * from_.environment_rate);
+    if (kind == RayKind::FinalGather) {
+      radiance *= weight;
+    } else {
+      const Rgb even = rgb(environment_radiance(
+          shaders, world_, {origin, direction, RayKind::FinalGather, raster_}));
+      radiance = radiance - even * (1 - weight);
+    }
+  }
+  add(on_way(), throughput_ * radiance, layer_of_environment());
+}
+
+}  // namespace oriel

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: Apache-2.0
+// At a surface: which lobes get rays, what lights bring, how the path goes on or splits.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/math.h"
+#include "bsdf/ggx.h"
+#include "bsdf/glossy_reflection.h"
+#include "transport/path/occlusion.h"
+#include "transport/path/path_walk.h"
+#include "transport/shadow.h"
+
+namespace oriel {
+namespace {
+
+/// The chance to go on is this power of the throughput: the throughput itself ends paths too soon
+/// that bring dark corners their light. Of 1, 1/2, 1/3, 1/5 and 1/10, with 3 vertices before, 1/3
+/// had the least relative squared error times instructions in rooms, .77 of that of 1
+/// (bench/cycles).
+constexpr float kRoulettePower = 1.0f / 3;
+/// Where portals say through which openings the environment shines, a vertex behind a diffuse
+/// bounce asks it in other directions this often only: most are walls. A guess.
+constexpr float kEnvironmentBesidePortals = 0.25f;
+/// Spread a glossy bounce adds to the ray's cone, per unit of roughness (radians); a guess that
+/// keeps textures sharper than the lobe is wide.
+constexpr float kSpreadPerRoughness = 0.5f;
+/// Stands for any distance, scene units.
+constexpr float kFarAway = 1e30f;
+
+bool has_diffuse(const Closure& closure) {
+  return closure.any([](const Lobe& lobe) { return lobe.kind == LobeKind::Diffuse; });
+}
+
+/// Reflection rays that end early or look up the environment their own way are not weighed against
+/// samples of the environment.
+bool limits_reflections(const Closure& closure) {
+  return closure.any([](const Lobe& lobe) {
+    return lobe.type == LobeType::Reflection &&
+           (lobe.controls.falloff_distance > 0 || lobe.controls.single_environment);
+  });
+}
+
+float falloff_distance(const Closure& closure) {
+  for (int i = 0; i < closure.count; ++i)
+    if (closure.lobes[i].type == LobeType::Reflection)
+      return closure.lobes[i].controls.falloff_distance;
+  return 0;
+}
+
+/// The part of the first surface's light that a lobe's ray brings.
+Aov part_of(LobeKind kind) {
+  if (kind == LobeKind::Diffuse) return Aov::Indirect;
+  if (kind == LobeKind::Translucency) return Aov::Translucency;
+  return group_of(kind) == LobeGroup::Reflection ? Aov::Reflection : Aov::Refraction;
+}
+
+/// What an instance must do for rays of a lobe that is not diffuse to leave it.
+unsigned sending(const Lobe& lobe) {
+  if (lobe.type == LobeType::Reflection) return kSendsReflections;
+  const bool thin = lobe.kind == LobeKind::ThinTransmission || lobe.kind == LobeKind::GlossyThin;
+  return thin ? kSendsTransparency : kSendsRefractions;
+}
+
+}  // namespace
+
+bool Path::depth_reached(LobeKind kind) const {
+  const scene::TraceDepth& depth = after_diffuse_ && settings_.depth_behind
+                                       ? *settings_.depth_behind
+                                       : world_.options.trace_depth;
+  if (reflections_ + refractions_ >= depth.sum) return true;
+  return transmits(kind) ? refractions_ >= depth.refraction : reflections_ >= depth.reflection;
+}
+
+/// Shares of the lobes that rays may follow. Reflections that may not become highlights,
+/// refractions black.
+void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint& point,
+                        bool diffuse) const {
+  // Light sources on the far side of a translucent solid are no indirect light.
+  const bool looks_through =
+      !settings_.indirect && !closure.thin_walled && !point.back_side && !after_diffuse_;
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    if (lobe.controls.highlights_only) continue;
+    if (!world_.options.trace) continue;
+    if (is_diffuse(lobe.kind) && !diffuse &&
+        !(looks_through && lobe.kind == LobeKind::Translucency))
+      continue;
+    if (!is_diffuse(lobe.kind)) {
+      const bool reflection = lobe.type == LobeType::Reflection;
+      const bool cut =
+          !after_diffuse_ && importance_ * max_component(lobe.level) < lobe.controls.cutoff;
+      // The material's own refraction depth ends in black, the scene's depth in the environment.
+      const bool deep = lobe.controls.depth > 0 &&
+                        (reflection ? reflections_ : refractions_) >= lobe.controls.depth;
+      if (cut || deep || !allows(sending(lobe))) {
+        // At its depth a reflection is as with highlights only, gathered light included.
+        if (reflection)
+          lobe.controls.highlights_only = true,
+          lobe.controls.emulated = deep && allows(kSendsReflections);
+        else
+          lobe.level = Rgb(0);
+        continue;
+      }
+    }
+    // By all channels alike: luminance would starve what is seen through blue.
+    choice.rays[i] = std::max(0.0f, lobe.level.x + lobe.level.y + lobe.level.z);
+    // Less than one ray for diffuse lobes is a smaller share, more is a split.
+    if (lobe.kind == LobeKind::Diffuse) choice.rays[i] *= clamp(lobe.controls.samples, 0.05f, 1);
+  }
+  choice.share_one_ray(closure.count);
+}
+
+/// How often light from the environment is sampled at this vertex, in the mean.
+float Path::environment_rate(const Material& material) const {
+  if (!indirect() || !world_.environment.lights() || !material.environment.empty()) return 0;
+  const bool beside_portals = after_diffuse_ && !world_.light_groups.portals.empty();
+  return beside_portals ? kEnvironmentBesidePortals : 1;
+}
+
+/// Rays of one path at the first surface, of the `samples` that the pixel may get.
+int Path::rays_at_first(float samples, float importance) const {
+  const float wanted = samples * std::min(importance, 1.0f) / settings_.paths_of_pixel;
+  return std::max(1, static_cast<int>(std::ceil(wanted - 1e-3f)));
+}
+
+/// At the first surface each lobe gets rays of its own when one of them is worth more than one.
+bool Path::split(const Closure& closure, LobeChoice& choice) const {
+  if (!at_eye_surface() || !choice.any) return false;
+  float rays[Closure::kMostLobes] = {};
+  bool splits = false;
+  for (int i = 0; i < closure.count; ++i) {
+    if (choice.rays[i] <= 0) continue;
+    const Lobe& lobe = closure.lobes[i];
+    int n = 1;
+    if (lobe.kind == LobeKind::Diffuse)
+      n = std::max(1, static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
+    else if (!is_delta(lobe.kind))
+      n = rays_at_first(lobe.controls.samples, max_component(lobe.level));
+    rays[i] = static_cast<float>(n);
+    splits |= n > 1;
+  }
+  if (splits) std::copy(std::begin(rays), std::end(rays), std::begin(choice.rays));
+  return splits;
+}
+
+/// Occlusion at this vertex: factor of indirect light, ambient light.
+void Path::occlude(const Closure& closure, const ShadingPoint& point) {
+  occlusion_ = Rgb(1);
+  near_distance_ = 0;
+  const Occlusion& o = closure.occlusion;
+  if (o.samples <= 0 || !has_diffuse(closure)) return;
+  const bool dims = o.details > 0 && indirect() && !after_diffuse_;
+  if (dims && o.details > 1) {
+    near_dark_ = o.dark;
+    near_distance_ = o.distance > 0 ? o.distance : kFarAway;
+  }
+  const bool tells = settings_.outputs && at_aov_surface_;
+  if (is_black(o.ambient) && !tells && !(dims && o.details == 1)) return;
+  Rgb level(0);
+  Vec3 normal = point.normal;
+  for (int i = 0; i < closure.count; ++i)
+    if (closure.lobes[i].kind == LobeKind::Diffuse) {
+      level += closure.lobes[i].level;
+      normal = closure.lobes[i].frame.n;
+    }
+  const int rays = at_eye_surface() ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
+  const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
+  const Rgb open = Rgb(free) + o.dark * (1 - free);
+  add(at_vertex(Aov::Diffuse), throughput_ * level * o.ambient * open, layer_of_rest());
+  if (settings_.observer) settings_.observer->on_occlusion(place_, o, free);
+  if (dims && o.details == 1) occlusion_ = open;
+  if (!tells) return;
+  settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
+  if (dims) settings_.outputs->dimming = settings_.outputs->occlusion;
+}
+
+/// What lights and environment bring to this vertex.
+void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
+                       float environment, bool diffuse) {
+  std::optional<DirectShares> shares;
+  if (settings_.by_light) shares.emplace();
+  const DirectLight sum = direct_light(world_, point, closure, choice, from_.lights,
+                                       {.environment_rate = environment,
+                                        .environment_on_diffuse = diffuse,
+                                        .environment_in_reflections = !limits_reflections(closure),
+                                        .rays_bend = !after_diffuse_,
+                                        .for_the_eye = !after_diffuse_,
+                                        .portals_mapped = reads_photons(),
+                                        .falloff_distance = falloff_distance(closure),
+                                        .estimator = settings_.estimator,
+                                        .observer = after_diffuse_ ? nullptr : settings_.observer,
+                                        .place = place_},
+                                       sampler_, counts_, shares ? &*shares : nullptr);
+  const Rgb indirect = indirect_factor() * closure.indirect_scale;
+  const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
+    const auto bring = [&](Aov c, const Rgb& radiance) {
+      if (!is_black(radiance)) add(at_vertex(c), throughput_ * radiance, layer);
+    };
+    bring(Aov::Diffuse, light.diffuse);
+    if (!caustics_are_mapped()) {
+      bring(Aov::Specular, light.specular);
+      bring(Aov::Reflection, light.reflection);
+      bring(Aov::Refraction, light.refraction);
+    }
+    bring(Aov::Translucency, light.translucency + light.environment_translucency * indirect);
+    bring(Aov::Indirect, light.environment * occlusion_ * indirect);
+  };
+  if (!shares) return bring_all(sum, 0);
+  for (int i = 0; i < shares->count; ++i) {
+    const DirectShares::Share& share = shares->of[static_cast<std::size_t>(i)];
+    bring_all(share.light, share.layer);
+  }
+}
+
+void Path::scatter(const Closure& closure, const Material& material, ShadingPoint& point,
+                   const ClosureSample& sample) {
+  const Lobe& lobe = closure.lobes[sample.lobe];
+  const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
+  if (settings_.observer) place_ = settings_.observer->on_scatter(place_, lobe.kind);
+  medium_.leave(closure, point, sample.wi);
+  if (closure.thin_walled && transmits(lobe.kind)) veil_ = closure.inside;
+  reach_ = kInfinity;
+  lights_ = throughput_ = throughput_ * sample.weight;
+  importance_ *= max_component(lobe.level);
+  switch (lobe.kind) {
+    case LobeKind::Diffuse:
+    case LobeKind::Translucency:
+      throughput_ *= indirect_factor();
+      kind_ = RayKind::FinalGather;
+      after_diffuse_ = true;
+      blurred_ = false;
+      reflections_ = refractions_ = 0;
+      if (!straight_rays_fade()) medium_.ignore();
+      cone_.spread = std::max(cone_.spread, kDiffuseSpread);
+      ++bounces_;
+      ++diffuse_bounces_;
+      throughput_ *= closure.indirect_scale;
+      if (lobe.kind == LobeKind::Diffuse)
+        throughput_ *= occlusion_;
+      else
+        near_distance_ = 0;
+      to_far_side_ = !settings_.indirect;
+      break;
+    case LobeKind::Mirror:
+    case LobeKind::GlossyReflection:
+      kind_ = RayKind::Reflect;
+      ++reflections_;
+      break;
+    case LobeKind::ThinTransmission:
+    case LobeKind::GlossyThin:
+      kind_ = RayKind::Transparent;
+      ++refractions_;
+      break;
+    default:
+      // Total reflection on the inside stays a refraction of the material, as its level is.
+      kind_ = crosses ? RayKind::Refract : RayKind::Reflect;
+      ++refractions_;
+      break;
+  }
+  if (!sample.delta && kind_ != RayKind::FinalGather) {
+    blurred_ = true;
+    cone_.spread += kSpreadPerRoughness * std::max(lobe.alpha_x, lobe.alpha_y);
+    ++bounces_;
+  }
+  if (kind_ != RayKind::FinalGather) near_distance_ = 0;
+  alpha_open_ &= closure.propagate_alpha && transmits(lobe.kind);
+  if (at_aov_surface_) aov_ = part_of(lobe.kind);
+  leaving_aov_surface_ = at_aov_surface_;
+  at_aov_surface_ = false;
+
+  environment_ = material.environment.empty() ? nullptr : &material.environment;
+  const bool glossy = lobe.kind == LobeKind::GlossyReflection;
+  const float alpha = glossy ? std::sqrt(lobe.alpha_x * lobe.alpha_y) : 0;
+  // Seen from aside a lobe gets narrower across: a round one of the same area stands for it.
+  roughness_ = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
+  from_.weighed = !sample.delta;
+  from_.pdf = sample.pdf;
+  from_.group = group_of(lobe.kind);
+  from_.passed = volume_passed_ = 0;
+  const LobeControls& controls = lobe.controls;
+  fading_ = {controls.falloff_distance,
+             controls.falloff_to_color,
+             controls.single_environment,
+             settings_.grid && controls.interpolate && controls.detail_distance > 0,
+             controls.falloff_color,
+             Vec3(0),
+             nullptr};
+  if (controls.single_environment)
+    fading_.mirrored =
+        bsdf::main_direction(bsdf::reflect(point.wo(), lobe.frame.n), lobe.frame.n, alpha);
+  follow(point, sample.wi);
+}
+
+bool Path::russian_roulette() {
+  if (bounces_ < kRouletteDepth) return max_component(throughput_) > 0;
+  const float p = clamp(math::pow(max_component(throughput_), kRoulettePower), 0.05f, 0.95f);
+  if (sampler_.next_1d() >= p) return false;
+  dim(Rgb(1 / p));
+  return true;
+}
+
+/// Follows a lobe; without weights the ray sees lights and environment as a mirror's would. False:
+/// the path ends here.
+bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
+                         ShadingPoint& point, int index, float u_rest, bool weighed) {
+  const auto sample =
+      sample_lobe(closure, choice, index, point, point.wo(), u_rest, sampler_.next_2d());
+  if (!sample) return false;
+  const LobeKind kind = closure.lobes[sample->lobe].kind;
+  const bool too_deep = !is_diffuse(kind) && depth_reached(kind);
+  if (group_of(kind) == LobeGroup::Reflection && limits_reflections(closure))
+    from_.environment_rate = 0;
+  scatter(closure, material, point, *sample);
+  from_.weighed &= weighed;
+  // One look-up stands for the lobe; of many rays each stands for its share of the solid angle.
+  if (!fading_.single_environment)
+    roughness_ /= std::sqrt(std::max(1.0f, choice.rays[index]) * settings_.paths_of_pixel);
+  if (too_deep) {
+    bool seen = false;
+    if (world_.has_area_lights) meet_lights(kInfinity, seen);
+    kind_ = RayKind::Environment;  // no ray was traced
+    if (!seen) meet_environment();
+    return false;
+  }
+  return russian_roulette();
+}
+
+/// Light at a vertex and the ways on from it. False: the path ends here.
+bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint& point) {
+  LobeChoice choice;
+  make_ready(closure, point.wo());
+  occlude(closure, point);
+  const bool mapped = reads_maps();
+  // One look-up serves the diffuse lobe and reflections that are emulated.
+  looked_up_ = {};
+  looked_up_.directional = mapped && closure.any([](const Lobe& lobe) {
+    return lobe.controls.emulated && lobe.controls.highlights_only;
+  });
+  const bool diffuse = !(mapped && take_mapped(closure, point)) && indirect();
+  choose_lobes(closure, choice, point, diffuse);
+  if (mapped) emulate(closure, point);
+  interpolate(closure, material, point, choice);
+  const bool splits = split(closure, choice);
+  point.glossiness = closure.glossiness;
+  point.importance = std::min(1.0f, importance_);
+  // In place: it is large.
+  if (settings_.finite_lights)
+    std::construct_at(&from_.lights, world_, point, closure);
+  else
+    std::construct_at(&from_.lights);
+  const float environment = environment_rate(material);
+  const bool scatters_light = closure.any([](const Lobe& lobe) { return !is_delta(lobe.kind); });
+  if (scatters_light && !features_seen_ && !from_.weighed) {
+    features_seen_ = true;
+    result_->normal = point.normal;
+    result_->albedo = closure.albedo;
+  }
+  if (scatters_light && (!from_.lights.empty() || environment > 0))
+    take_direct(closure, choice, point, environment,
+                diffuse || (reads_photons() && !reads_bounces()));
+  from_.emission_on_diffuse = from_.emission_in_reflections = false;
+  if (scatters_light && choice.any && !world_.mesh_lights.empty())
+    sample_emission(closure, choice, point, diffuse,
+                    !limits_reflections(closure) && !caustics_are_mapped());
+  if (!choice.any) return false;
+
+  if (needs_origin()) from_.point = point;
+  from_.environment_rate = environment;
+  from_.shadows = receives_shadows(world_, point);
+  from_.invisible = light_in_reflection(closure, false);
+  from_.visible = light_in_reflection(closure, true);
+  from_.hidden_portal = hidden_portal_in_reflection(closure);
+  if (!splits) {
+    float u = 0;
+    if (closure.count == 1 && is_diffuse(closure.lobes[0].kind))
+      sampler_.skip();  // there is nothing to choose
+    else
+      u = sampler_.next_1d();
+    const int lobe = choose_lobe(closure, choice, u);
+    return continue_path(closure, choice, material, point, lobe, u);
+  }
+  for (int i = 0; i < closure.count; ++i) {
+    const auto rays = static_cast<std::uint32_t>(choice.rays[i]);
+    std::optional<Rgb> looked_up;  // the one look-up of all rays that find nothing
+    for (std::uint32_t j = 0; j < rays; ++j) {
+      Path branch = *this;
+      branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
+      if (!branch.continue_path(closure, choice, material, point, i, branch.sampler_.next_1d()))
+        continue;
+      ++branch.vertex_;
+      branch.fading_.looked_up = &looked_up;
+      branch.walk();
+    }
+  }
+  return false;
+}
+
+}  // namespace oriel

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/photon/photon_map.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "base/math.h"
+#include "transport/photon/photon_merge.h"
+
+namespace oriel {
+namespace {
+
+using Filter = scene::PhotonOptions::Filter;
+
+/// Ranges shorter than this are searched one by one, without an axis.
+constexpr std::size_t kPhotonsOfLeaf = 4;
+
+/// The numbers of a photon as bits, since floats have two zeros.
+std::array<std::uint32_t, 13> bits(const Photon& p) {
+  std::array<std::uint32_t, 13> out{};
+  out[12] = p.layer;
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    out[at] = std::bit_cast<std::uint32_t>(p.position[i]);
+    out[3 + at] = std::bit_cast<std::uint32_t>(p.direction[i]);
+    out[6 + at] = std::bit_cast<std::uint32_t>(p.power[i]);
+    out[9 + at] = std::bit_cast<std::uint32_t>(p.normal[i]);
+  }
+  return out;
+}
+
+/// Any order that depends on nothing but the photons.
+bool precedes(const Photon& a, const Photon& b) { return bits(a) < bits(b); }
+
+bool is_sound(const Photon& p) {
+  return is_finite(p.position) && is_finite(p.direction) && is_finite(p.power) &&
+         is_finite(p.normal);
+}
+
+/// Weight by squared distance over squared radius, of mean 1 over the disc.
+class FilterWeight {
+ public:
+  explicit FilterWeight(const PhotonLookup& lookup) : filter_(lookup.filter) {
+    if (filter_ == Filter::Cone) {
+      inverse_constant_ = 1 / std::max(1.0f, lookup.filter_constant);
+      norm_ = 1 / (1 - inverse_constant_ * (2 / 3.0f));
+    } else if (filter_ == Filter::Gauss) {
+      norm_ = 1 / (1 - (1 - (1 - math::exp(-kBeta / 2)) / (kBeta / 2)) / (1 - math::exp(-kBeta)));
+    }
+  }
+  float operator()(float share) const {
+    if (filter_ == Filter::Cone) return norm_ * (1 - std::sqrt(share) * inverse_constant_);
+    if (filter_ == Filter::Gauss)
+      return norm_ * (1 - (1 - math::exp(-share * (kBeta / 2))) / (1 - math::exp(-kBeta)));
+    return 1;
+  }
+
+ private:
+  /// Source: Jensen 2001, eq. 7.9, after Pavicic, "Convenient Anti-Aliasing Filters that Minimize
+  ///         Bumpy Sampling", Graphics Gems, 1990. Its other factor is replaced by the exact norm.
+  static constexpr float kBeta = 1.953f;
+  Filter filter_;
+  float inverse_constant_ = 1, norm_ = 1;
+};
+
+struct Found {
+  float distance2;
+  std::uint32_t index;
+  bool operator<(const Found& o) const { return distance2 < o.distance2; }
+};
+
+/// The nearest `most` photons so far, the farthest on top.
+class Nearest {
+ public:
+  Nearest(int most, float radius) : most_(most), reach2_(sqr(radius)) {}
+  float reach2() const { return reach2_; }
+  int count() const { return count_; }
+  bool is_full() const { return count_ == most_; }
+  const Found& operator[](int i) const { return heap_[i]; }
+
+  void add(float distance2, std::uint32_t index) {
+    if (is_full()) {
+      std::pop_heap(heap_, heap_ + count_);
+      heap_[count_ - 1] = {distance2, index};
+    } else {
+      heap_[count_++] = {distance2, index};
+    }
+    std::push_heap(heap_, heap_ + count_);
+    if (is_full()) reach2_ = heap_[0].distance2;
+  }
+
+ private:
+  int most_, count_ = 0;
+  float reach2_;
+  Found heap_[PhotonMap::kMostCount + 1];  // only the first count_ are set
+};
+
+}  // namespace
+
+float default_photon_radius(const geom::Box3& scene, PhotonKind kind) {
+  if (scene.isEmpty()) return 1;
+  const float extent = length(scene.max - scene.min);
+  return kind == PhotonKind::Global ? extent / 10 : extent / 2 / 100;
+}
+
+PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3& scene,
+                           PhotonKind kind) {
+  return {.count = options.accuracy,
+          .radius = options.radius > 0 ? options.radius : default_photon_radius(scene, kind),
+          .filter = options.filter,
+          .filter_constant = options.filter_constant,
+          .scale = rgb(options.scale)};
+}
+
+PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) : photons_(std::move(photons)) {
+  std::erase_if(photons_, [](const Photon& p) { return !is_sound(p); });
+  std::sort(photons_.begin(), photons_.end(), precedes);
+  if (merge > 0) photons_ = merge_photons(photons_, merge, kLeastAgreement);
+  axis_.resize(photons_.size());
+  balance(0, photons_.size());
+}
+
+void PhotonMap::balance(std::size_t begin, std::size_t end) {
+  while (end - begin > kPhotonsOfLeaf) {
+    geom::Box3 box;
+    for (std::size_t i = begin; i < end; ++i) box.extendBy(photons_[i].position);
+    const Vec3 size = box.size();
+    const std::uint8_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) {
+      return photons_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::nth_element(at(begin), at(middle), at(end), [&](const Photon& a, const Photon& b) {
+      return a.position[axis] < b.position[axis];
+    });
+    axis_[middle] = axis;
+    balance(begin, middle);
+    begin = middle + 1;
+  }
+}
+
+Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
+                          Rgb* by_light, std::size_t unknown, int* found) const {
+  if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
+  Nearest nearest(std::clamp(lookup.count, 1, kMostCount) + 1, lookup.radius);
+  const auto visit = [&](std::size_t i) {
+    const Photon& photon = photons_[i];
+    const Vec3 d = photon.position - position;
+    const float distance2 = dot(d, d) + (sqr(kFlattening) - 1) * sqr(dot(d, normal));
+    if (distance2 >= nearest.reach2() || dot(photon.normal, normal) < kLeastAgreement) return;
+    nearest.add(distance2, static_cast<std::uint32_t>(i));
+  };
+
+  // Depth first, the near half first; the far half waits with the distance of its plane.
+  struct Range {
+    std::size_t begin, end;
+    float plane2;
+  } waiting[64];
+  int count = 0;
+  waiting[count++] = {0, photons_.size(), 0};
+  while (count > 0) {
+    Range range = waiting[--count];
+    if (range.plane2 >= nearest.reach2()) continue;
+    while (range.end - range.begin > kPhotonsOfLeaf) {
+      const std::size_t middle = range.begin + (range.end - range.begin) / 2;
+      const float to_plane = position[axis_[middle]] - photons_[middle].position[axis_[middle]];
+      Range far{middle + 1, range.end, sqr(to_plane)};
+      if (to_plane < 0) {
+        range.end = middle;
+      } else {
+        far = {range.begin, middle, sqr(to_plane)};
+        range.begin = middle + 1;
+      }
+      if (far.plane2 < nearest.reach2()) {
+        visit(middle);
+        waiting[count++] = far;
+      }
+    }
+    for (std::size_t i = range.begin; i < range.end; ++i) visit(i);
+  }
+
+  const float radius2 = nearest.is_full() ? nearest.reach2() : sqr(lookup.radius);
+  if (!(radius2 > 0)) return Rgb(0);
+  const FilterWeight weight(lookup);
+  const Rgb scale = lookup.scale * (1 / (kPi * radius2));
+  Rgb sum(0);
+  if (found) *found += nearest.count() - (nearest.is_full() ? 1 : 0);
+  for (int i = nearest.is_full() ? 1 : 0; i < nearest.count(); ++i) {
+    const Photon& photon = photons_[nearest[i].index];
+    const Rgb power = photon.power * weight(nearest[i].distance2 / radius2);
+    sum += power;
+    if (by_light) by_light[std::min<std::size_t>(photon.layer, unknown)] += power * scale;
+  }
+  return lookup.scale * sum * (1 / (kPi * radius2));
+}
+
+}  // namespace oriel

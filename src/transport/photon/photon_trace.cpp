@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/photon/photon_trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "transport/photon/photon_walk.h"
+
+namespace oriel {
+namespace {
+
+/// Photons one thread takes at a time, and all together before counts are looked at.
+constexpr std::uint64_t kBatch = 1024, kRound = 64 * kBatch;
+/// Photons of one light, whatever is asked; they are numbered by 32 bits.
+constexpr std::uint64_t kMostEmitted = std::uint64_t{1} << 31;
+/// Most photons sent for each that is to be stored.
+constexpr std::uint64_t kMostForEach = 1000;
+
+/// The photons of one light for one map, in the order they were sent.
+struct Harvest {
+  PhotonCount count;
+  bool wanted = false;
+  std::vector<StoredPhoton> photons;
+
+  /// After how many photons this map asks for no more, as far as can be told.
+  std::uint64_t most() const {
+    if (!wanted) return 0;
+    std::uint64_t n = kMostEmitted;
+    if (count.emit > 0) n = std::min(n, count.emit);
+    if (count.store > 0) n = std::min(n, std::max(kRound, kMostForEach * count.store));
+    return n;
+  }
+  bool is_done(std::uint64_t sent) const {
+    if (sent >= most() || (count.store > 0 && photons.size() >= count.store)) return true;
+    return count.store > 0 && photons.empty() && sent >= kHopelessPhotons;
+  }
+
+  double share_done(std::uint64_t sent) const {
+    if (!wanted) return 0;
+    const double of_sent = static_cast<double>(sent) / static_cast<double>(most());
+    if (count.store == 0) return of_sent;
+    return std::max(of_sent, std::min(1.0, static_cast<double>(photons.size()) /
+                                               static_cast<double>(count.store)));
+  }
+
+  /// Drops what came past the limits and appends the rest, each its share of the power.
+  void take_to(std::vector<Photon>& map, std::uint64_t sent, std::uint32_t layer) const {
+    std::uint64_t emitted = std::min(sent, most());
+    if (count.store > 0 && photons.size() >= count.store)
+      emitted = std::min(emitted, std::uint64_t{photons[count.store - 1].index} + 1);
+    const float share = 1 / static_cast<float>(emitted);
+    for (const StoredPhoton& s : photons) {
+      if (s.index >= emitted) break;
+      map.push_back(s.photon);
+      map.back().power *= share;
+      map.back().layer = layer;
+    }
+  }
+};
+
+class MapTracer {
+ public:
+  MapTracer(const World& world, const PhotonSettings& settings, const ProgressMonitor& monitor)
+      : world_(world), settings_(settings), monitor_(monitor) {}
+
+  /// `share`: of all lights, how many were traced before and are when this one is.
+  void trace(const PhotonSource& source, const LightPhotons& asked, int stream, std::uint32_t layer,
+             const std::array<double, 2>& share) {
+    Harvest global{asked.global, settings_.globillum && asked.global.any(), {}};
+    Harvest caustic{asked.caustic, settings_.caustics && asked.caustic.any(), {}};
+    // Photons that no map asks for any more are not followed.
+    PhotonSettings settings = settings_;
+    PhotonBalance balance;
+    std::uint64_t sent = 0;
+    while (!monitor_.cancelled()) {
+      settings.globillum = global.wanted && !global.is_done(sent);
+      settings.caustics = caustic.wanted && !caustic.is_done(sent);
+      if (!settings.globillum && !settings.caustics) break;
+      std::uint64_t end = sent + kRound;
+      for (const Harvest* h : {&global, &caustic})
+        if (h->most() > sent) end = std::min(end, h->most());
+      std::vector<PhotonLog> logs((end - sent + kBatch - 1) / kBatch);
+      parallel_for(logs.size(), [&](std::size_t b) {
+        const std::uint64_t first = sent + b * kBatch, last = std::min(first + kBatch, end);
+        for (std::uint64_t i = first; i < last; ++i)
+          walk_photon(world_, settings, source, stream, static_cast<std::uint32_t>(i), logs[b]);
+      });
+      for (const PhotonLog& log : logs) {
+        global.photons.insert(global.photons.end(), log.global.begin(), log.global.end());
+        caustic.photons.insert(caustic.photons.end(), log.caustic.begin(), log.caustic.end());
+        balance += log.balance;
+        counts_ += log.counts;
+      }
+      sent = end;
+      const double done = std::max(global.share_done(sent), caustic.share_done(sent));
+      monitor_.report("photons", std::lerp(share[0], share[1], done));
+    }
+    if (sent == 0) return;
+    global.take_to(global_, sent, layer);
+    caustic.take_to(caustic_, sent, layer);
+    const double each = 1 / static_cast<double>(sent);
+    for (auto* sum : {&balance.emitted, &balance.absorbed, &balance.escaped, &balance.stopped})
+      *sum *= each;
+    balance_ += balance;
+  }
+
+  const PhotonBalance& balance() const { return balance_; }
+  const RayCounts& counts() const { return counts_; }
+  PhotonMaps maps() {
+    return {PhotonMap(std::move(global_), settings_.merge_global),
+            PhotonMap(std::move(caustic_), settings_.merge_caustic)};
+  }
+
+ private:
+  const World& world_;
+  const PhotonSettings& settings_;
+  const ProgressMonitor& monitor_;
+  std::vector<Photon> global_, caustic_;
+  PhotonBalance balance_;
+  RayCounts counts_;
+};
+
+}  // namespace
+
+PhotonBalance& PhotonBalance::operator+=(const PhotonBalance& o) {
+  emitted += o.emitted;
+  absorbed += o.absorbed;
+  escaped += o.escaped;
+  stopped += o.stopped;
+  photons += o.photons;
+  return *this;
+}
+
+bool sends_photons(const Light& light, const PhotonSettings& settings) {
+  return !light.photons.none && (light.photons.has_energy || !settings.by_energy);
+}
+
+PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, RayCounts& counts,
+                         PhotonBalance* balance, const ProgressMonitor& monitor) {
+  MapTracer tracer(world, settings, monitor);
+  const double sources = static_cast<double>(world.lights.size()) + 1;
+  const LightLayers& layers = world.light_layers;
+  for (std::size_t i = 0; i < world.lights.size(); ++i) {
+    const LightPhotons& own = world.lights[i].photons;
+    const LightPhotons& asked = own.any() ? own : settings.each;
+    if (!asked.any() || !sends_photons(world.lights[i], settings)) continue;
+    const double done = static_cast<double>(i);
+    tracer.trace(PhotonSource(world, world.lights[i], own.emission), asked, static_cast<int>(i) + 1,
+                 layers.asked() ? layers.of_light[i] : Photon::kUnknownLayer,
+                 {done / sources, (done + 1) / sources});
+  }
+  if (world.environment.lights())
+    tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0,
+                 layers.asked() ? layers.environment : Photon::kUnknownLayer, {1 - 1 / sources, 1});
+  counts += tracer.counts();
+  if (balance) *balance += tracer.balance();
+  return tracer.maps();
+}
+
+}  // namespace oriel

@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/photon/photon_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "runtime/bump.h"
+#include "transport/lobes.h"
+#include "transport/medium.h"
+#include "transport/photon/photon_choice.h"
+#include "transport/scene_tracer.h"
+#include "transport/shadow.h"
+#include "transport/surface.h"
+
+namespace oriel {
+namespace {
+
+/// Surfaces of any kind, cut-outs included, before a photon is given up.
+constexpr int kMostPhotonVertices = 256;
+/// Draws reserved for each vertex, so that a vertex uses the same dimensions in every photon.
+constexpr std::uint32_t kDrawsPerPhotonVertex = 8;
+/// Photons are asked for by other numbers than pixels are.
+constexpr int kStreamRow = 0x70686f74;
+constexpr float kEndless = std::numeric_limits<float>::infinity();
+
+/// Photons that graze a surface whose shading normal faces them would gain without bound.
+constexpr float kLeastPhotonCosine = 1e-3f;
+
+/// What a photon is after it was scattered.
+RayKind scattered_as(LobeKind kind, bool crosses) {
+  if (is_diffuse(kind))
+    return crosses ? RayKind::PhotonTransmitDiffuse : RayKind::PhotonReflectDiffuse;
+  if (is_delta(kind))
+    return crosses ? RayKind::PhotonTransmitSpecular : RayKind::PhotonReflectSpecular;
+  return crosses ? RayKind::PhotonTransmitGlossy : RayKind::PhotonReflectGlossy;
+}
+
+PhotonBalance::Sum precise(const Rgb& c) { return {c.x, c.y, c.z}; }
+
+class PhotonWalk {
+ public:
+  PhotonWalk(const World& world, const PhotonSettings& settings, const PhotonSource& source,
+             int stream, std::uint32_t index, PhotonLog& log)
+      : world_(world),
+        settings_(settings),
+        source_(source),
+        index_(index),
+        log_(log),
+        sampler_(stream, kStreamRow, index, settings.seed) {}
+
+  void run();
+
+ private:
+  bool shade_hit(const geom::Hit& hit);
+  unsigned visibility(const ShadingPoint& point) const {
+    return photon_bits(world_.instances[static_cast<std::size_t>(point.instance)].visibility,
+                       !settings_.globillum);
+  }
+  void pass_medium(const Medium& medium, float distance);
+  bool pass_volume(const Vec3& end, float length);
+  void store(const ShadingPoint& point, const Rgb& power);
+  float choose_lobes(const Closure& closure, LobeChoice& choice) const;
+  bool continue_path(const Closure& closure, const Material& material, const ShadingPoint& point,
+                     bool seen);
+  bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
+  bool count_bounce(bool refracts);
+  bool ask_shaders(const Closure& closure, const Material& material, ShadingPoint& point,
+                   bool seen);
+  void follow(const ShadingPoint& point, const Vec3& direction);
+  /// The same, unbent.
+  void pass(const Closure& closure, const ShadingPoint& point) {
+    medium_.leave_volume(closure, point, ray_.dir);
+    kind_ = RayKind::PhotonTransparent;
+    follow(point, ray_.dir);
+  }
+  Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
+                   LobeKind kind) const;
+  void absorb() { lose(Rgb(0)); }
+  /// What is left of the factor; the rest is absorbed.
+  void lose(const Rgb& left) {
+    log_.balance.absorbed += precise(emitted_) * precise(factor_ - left);
+    factor_ = left;
+  }
+  Rgb power() const { return emitted_ * factor_; }
+  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
+  bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
+
+  const World& world_;
+  const PhotonSettings& settings_;
+  const PhotonSource& source_;
+  std::uint32_t index_;
+  PhotonLog& log_;
+  sampling::Sampler sampler_;
+
+  EmittedPhoton photon_;
+  RayKind kind_ = RayKind::PhotonLight;
+  geom::Ray ray_;
+  Rgb emitted_{0};  // as of the last surface, until the photon has scattered
+  Rgb factor_{1};
+  MediumOnWay medium_;
+  Vec3 start_{0}, left_{0};
+  bool scattered_ = false, specular_ = false, diffuse_ = false;
+  int reflections_ = 0, refractions_ = 0;
+};
+
+/// Dims, and ends the photon by chance instead where it would become weak.
+void PhotonWalk::pass_medium(const Medium& medium, float distance) {
+  const Rgb before = power(), t = transmittance(medium, distance);
+  const float most = max_component(before);
+  const float kept = most > 0 ? max_component(before * t) / most : max_component(t);
+  if (sampler_.next_1d() >= kept)
+    absorb();
+  else
+    lose(factor_ * t / kept);
+}
+
+/// The air on the way to `end`. True: the photon goes on from there, scattered; else what is left
+/// of it arrives. Photons and light of kind Light are dimmed by the same.
+bool PhotonWalk::pass_volume(const Vec3& end, float length) {
+  const NodeList& volume = medium_.volume ? *medium_.volume : world_.light_volume;
+  if (volume.empty() || !medium_.medium.clear()) return false;
+  const bool endless = std::isinf(length);
+  ShadingPoint way;
+  way.ray_kind = kind_;
+  way.position = end;
+  way.normal = way.geometric_normal = -ray_.dir;
+  way.ray_origin = left_;
+  way.ray_direction = ray_.dir;
+  way.ray_length = length;
+  way.world = &world_;
+  way.time = ray_.time;
+  SceneTracer tracer(world_, sampler_, log_.counts);
+  way.tracer = &tracer;
+  // Where light from endlessly far is left alone by air without end, so are its photons.
+  if (!medium_.volume && !scattered_ && source_.is_endless() && !endless &&
+      volume_transmittance_to_light(world_, way, -ray_.dir, kEndless) == Rgb(1))
+    return false;
+  for (const ShaderNode* node : volume) {
+    const ShaderSpec& spec = node->spec();
+    if (endless && !spec.acts_on_endless_rays) continue;
+    if (medium_.volume && !(spec.dims_light && spec.dims_light(*node))) continue;
+    const VolumeValue value =
+        node->with_params(way, [&](const Call& call) { return spec.volume(call); });
+    const Rgb now = power();
+    const float most = max_component(now);
+    if (!(most > 0)) return false;
+    float turned = max_component(value.scattered * now) / most;
+    float kept = max_component(value.kept * now) / most;
+    if (turned == 0 && kept == 1) continue;
+    const float all = std::max(1.0f, turned + kept);
+    turned /= all, kept /= all;
+    const float u = tracer.next().x;
+    if (u >= turned + kept) return absorb(), false;
+    if (u >= turned) {
+      lose(factor_ * value.kept / kept);
+      continue;
+    }
+    lose(factor_ * value.scattered / turned);
+    kind_ = RayKind::PhotonScatterVolume;
+    scattered_ = diffuse_ = true;
+    if (!settings_.globillum) {
+      log_.balance.stopped += precise(power());
+      factor_ = Rgb(0);
+    }
+    ray_ = {.time = ray_.time};
+    ray_.org = left_ = value.place;
+    ray_.dir = value.onward;
+    ray_.mask = geom::RayMask::FinalGather;
+    return true;
+  }
+  return false;
+}
+
+void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
+  const bool first = !diffuse_ && !specular_ && source_.direct();
+  const bool global = (diffuse_ || first) && settings_.globillum;
+  const bool caustic = !diffuse_ && specular_ && settings_.caustics;
+  if (!global && !caustic) return;
+  const MapPlace place = map_place(point, point.geometric_normal);
+  (global ? log_.global : log_.caustic)
+      .push_back({{place.position, ray_.dir, power, place.normal}, index_});
+}
+
+/// Chances of the lobes: the share of the power each would keep. Returns their sum, at most 1.
+float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const {
+  const Rgb now = power();
+  const float most = max_component(now);
+  float total = 0;
+  for (int i = 0; i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
+    choice.rays[i] = std::max(0.0f, max_component(lobe.level * now)) / most;
+    total += choice.rays[i];
+  }
+  if (total > 1) {
+    // Materials may be told not to conserve energy.
+    for (float& chance : choice.rays) chance /= total;
+    total = 1;
+  }
+  choice.any = total > 0;
+  return total;
+}
+
+/// False when the trace depth allows no more.
+bool PhotonWalk::count_bounce(bool refracts) {
+  const scene::TraceDepth& depth = settings_.depth;
+  if (reflections_ + refractions_ >= depth.sum) return false;
+  return refracts ? refractions_++ < depth.refraction : reflections_++ < depth.reflection;
+}
+
+void PhotonWalk::follow(const ShadingPoint& point, const Vec3& direction) {
+  std::uint32_t mask = geom::RayMask::FinalGather;
+  if (!scattered_) mask |= geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
+  ray_ = leave(point, direction, medium_.reach(), mask);
+  left_ = point.position;
+}
+
+/// Weight of a sample as a path that comes the other way has it: levels and shading normals go by
+/// what looks at the surface, and a photon is seen from where it goes to.
+/// Source: Veach, "Non-symmetric Scattering in Light Transport Algorithms", 1997, eq. 7 and 18.
+Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point,
+                             const ClosureSample& sample, LobeKind kind) const {
+  ShadingPoint seen = point;
+  seen.ray_origin = point.position + sample.wi;
+  seen.ray_direction = -sample.wi;
+  if (dot(sample.wi, point.geometric_normal) < 0) {
+    seen.geometric_normal = -point.geometric_normal;
+    seen.normal = -point.normal;
+    seen.back_side = !point.back_side;
+  }
+  seen.normal = facing_viewer(seen.normal, seen);
+  Closure closure;
+  shade_for_photons(material, seen, closure);
+  make_ready(closure, sample.wi);
+  const Rgb value = evaluate_closure(closure, {}, seen, sample.wi, point.wo()).of(kind).value;
+  const float in = std::abs(dot(point.wo(), point.geometric_normal));
+  const float out = std::abs(dot(sample.wi, point.geometric_normal));
+  return value * (out / (std::max(in, kLeastPhotonCosine) * sample.pdf));
+}
+
+/// Scatters, passes straight, or ends. False: it ends.
+bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
+                               const ShadingPoint& point, bool seen) {
+  LobeChoice choice;
+  const float survives = choose_lobes(closure, choice);
+  float u = sampler_.next_1d();
+  const Vec2 u2 = sampler_.next_2d();
+  if (!choice.any || u >= survives) return absorb(), false;
+  const int index = choose_lobe(closure, choice, u);
+  const LobeKind kind = closure.lobes[index].kind;
+
+  const bool refracts = closure.refractive_caustics && world_.options.caustic.on;
+  if (transmits(kind) && material.may_transmit && !material.filters_shadows() && !refracts) {
+    Rgb through(0);
+    float chance = 0;
+    for (int i = 0; i < closure.count; ++i) {
+      if (!transmits(closure.lobes[i].kind) || choice.rays[i] <= 0) continue;
+      through += closure.lobes[i].level;
+      chance += choice.rays[i];
+    }
+    lose(factor_ * through / chance);
+    if (straight_rays_fade())
+      medium_.leave(closure, point, ray_.dir);
+    else if (!closure.thin_walled)
+      medium_.ignore();
+    pass(closure, point);
+    return true;
+  }
+
+  if (!seen) return absorb(), false;
+  const bool wanted = settings_.globillum || !is_diffuse(kind);
+  const bool casts = visibility(point) & kCastsCaustics;
+  const bool through = transmits(kind) || kind == LobeKind::Translucency;
+  if (!count_bounce(through) || !wanted || !casts) {
+    log_.balance.stopped += precise(power());
+    factor_ = Rgb(0);
+    return false;
+  }
+  const auto sample = sample_lobe(closure, choice, index, point, point.wo(), u, u2);
+  if (!sample) return absorb(), false;
+  // Refraction keeps the power: the factor of radiance between media is left out, as paths do.
+  const bool turns = !sample->delta && group_of(kind) != LobeGroup::Refraction;
+  const Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
+  if (!is_finite(weight)) return absorb(), false;
+  lose(factor_ * weight);
+  medium_.leave(closure, point, sample->wi);
+  scattered_ = true;
+  kind_ = scattered_as(kind, dot(sample->wi, point.geometric_normal) < 0);
+  if (is_diffuse(kind)) {
+    diffuse_ = true;
+    if (!straight_rays_fade()) medium_.ignore();
+  } else {
+    specular_ = true;
+  }
+  follow(point, sample->wi);
+  return max_component(factor_) > 0;
+}
+
+/// Where other shaders than the surface's filter shadows, they stand for all that passes straight,
+/// as paths have it. True: the photon goes on so; else by chance it does not, and the transmitting
+/// lobes are taken out.
+bool PhotonWalk::pass_filter(Closure& closure, const Material& material, ShadingPoint& point) {
+  Closure filter;
+  const Rgb through = straight_through(material, point, world_.options, filter);
+  const Rgb now = power();
+  Rgb other(0);
+  for (int i = 0; i < closure.count; ++i) {
+    Lobe& lobe = closure.lobes[i];
+    if (transmits(lobe.kind)) lobe.level = Rgb(0);
+    if (!lobe.controls.highlights_only) other += lobe.level * closure.opacity;
+  }
+  const float share = max_component(through * now) / max_component(now);
+  const float p = share / std::max(1.0f, share + max_component(other * now) / max_component(now));
+  if (sampler_.next_1d() >= p) {
+    lose(factor_ / (1 - p));
+    return false;
+  }
+  lose(factor_ * through / p);
+  if (!filter.thin_walled && straight_rays_fade())
+    medium_.leave(filter, point, ray_.dir);
+  else if (!closure.thin_walled)
+    medium_.ignore();
+  pass(closure, point);
+  return true;
+}
+
+/// Where the material has photon shaders they decide. False: the photon ends here.
+bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, ShadingPoint& point,
+                             bool seen) {
+  const Rgb arriving = power();
+  PhotonChoice choice(sampler_, settings_.globillum);
+  for (const ShaderNode* node : material.photon)
+    node->with_params(point,
+                      [&](const Call& call) { node->spec().photon(call, arriving, choice); });
+  if (choice.stored && seen && visibility(point) & kReceivesCaustics) store(point, *choice.stored);
+  const PhotonChoice::Way& way = choice.way;
+  if (choice.ways == 0) return absorb(), false;
+  const bool refracts =
+      way.kind >= RayKind::PhotonTransmitSpecular && way.kind <= RayKind::PhotonTransmitDiffuse;
+  const bool straight = way.kind == RayKind::PhotonTransparent;
+  const Rgb energy = way.energy * static_cast<float>(choice.ways);
+  Rgb left(0);
+  for (int i = 0; i < 3; ++i) left[i] = emitted_[i] > 0 ? energy[i] / emitted_[i] : 0;
+  lose(left);
+  if (straight) {
+    pass(closure, point);
+    return true;
+  }
+  if (!count_bounce(refracts) || !(visibility(point) & kCastsCaustics)) {
+    log_.balance.stopped += precise(power());
+    factor_ = Rgb(0);
+    return false;
+  }
+  scattered_ = true;
+  kind_ = way.kind;
+  const bool diffuse =
+      kind_ == RayKind::PhotonReflectDiffuse || kind_ == RayKind::PhotonTransmitDiffuse;
+  (diffuse ? diffuse_ : specular_) = true;
+  medium_.ignore();  // shaders dim what passes their solids themselves
+  medium_.leave_volume(closure, point, way.direction);
+  follow(point, way.direction);
+  return max_component(factor_) > 0;
+}
+
+/// At a surface. False: the photon ends here.
+bool PhotonWalk::shade_hit(const geom::Hit& hit) {
+  ShadingPoint point;
+  fill_point(world_, ray_, hit, {}, kind_, point);
+  if (!(visibility(point) & kMeetsCaustics)) {
+    const Vec3 left = left_;
+    follow(point, ray_.dir);
+    left_ = left;  // a medium goes on
+    return true;
+  }
+  const Material& material = material_of(world_, hit);
+  Closure closure;
+  shade_for_photons(material, point, closure);
+  if (!scattered_) emitted_ = source_.power(photon_, length(point.position - start_));
+  if (max_component(power()) <= 0) return absorb(), false;
+  if (source_.is_environment() && !diffuse_ &&
+      is_behind_portal(world_, point.position, -ray_.dir, hit.t, ray_.time))
+    return absorb(), false;
+
+  medium_.meet_surface(closure, point);
+  if (medium_.medium.clear())
+    sampler_.skip();
+  else
+    pass_medium(medium_.medium, length(point.position - left_));
+  const bool turned = pass_volume(point.position, length(point.position - left_));
+  if (max_component(factor_) <= 0) return false;
+  if (turned) return true;
+  if (!material.photon.empty()) {
+    const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
+    return ask_shaders(closure, material, point, seen);
+  }
+  const bool filtered = material.may_transmit && material.filters_shadows();
+  if (filtered && pass_filter(closure, material, point)) return true;
+  if (sampler_.next_1d() >= closure.opacity) {
+    if (filtered) return absorb(), false;
+    pass(closure, point);
+    return true;
+  }
+
+  // What only casts shadows neither keeps nor scatters light.
+  const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
+  make_ready(closure, point.wo());
+  const bool receives = seen && visibility(point) & kReceivesCaustics;
+  for (int i = 0; receives && i < closure.count; ++i) {
+    const Lobe& lobe = closure.lobes[i];
+    if (lobe.kind != LobeKind::Diffuse && lobe.kind != LobeKind::Translucency) continue;
+    if (max_component(lobe.level) <= 0) continue;
+    store(point, power());
+    break;
+  }
+  return continue_path(closure, material, point, seen);
+}
+
+void PhotonWalk::run() {
+  const Vec2 u_place = sampler_.next_2d();
+  photon_ =
+      source_.emit(u_place, sampler_.next_2d(),
+                   settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
+  ray_ = source_.first_ray(photon_, sampler_);
+  start_ = left_ = ray_.org;
+  medium_.begin_in(volume_around(world_, ray_));
+  for (int vertex = 0; vertex < kMostPhotonVertices; ++vertex) {
+    sampler_.set_dimension(kDrawsPerPhotonVertex * static_cast<std::uint32_t>(vertex + 1));
+    geom::Hit hit;
+    ++log_.counts.gather;
+    if (!world_.accel->intersect(ray_, hit)) {
+      if (!scattered_) emitted_ = source_.power_unmet(photon_);
+      if (std::isinf(ray_.tfar)) {
+        const bool turned = pass_volume(ray_.org, kEndless);
+        if (max_component(factor_) <= 0) break;
+        if (turned) continue;
+      }
+      // Nothing within the reach of a medium that turns black is black.
+      if (std::isinf(ray_.tfar))
+        log_.balance.escaped += precise(power());
+      else
+        absorb();
+      break;
+    }
+    if (!shade_hit(hit)) break;
+    if (vertex == kMostPhotonVertices - 1) log_.balance.stopped += precise(power());
+  }
+  log_.balance.emitted += precise(emitted_);
+  ++log_.balance.photons;
+}
+
+}  // namespace
+
+void walk_photon(const World& world, const PhotonSettings& settings, const PhotonSource& source,
+                 int stream, std::uint32_t index, PhotonLog& log) {
+  if (!(world.photons_part_ways && settings.globillum && settings.caustics)) {
+    PhotonWalk(world, settings, source, stream, index, log).run();
+    return;
+  }
+  // Photons of the two maps go different ways: each alone, and those of the global map count.
+  PhotonSettings alone = settings;
+  alone.caustics = false;
+  PhotonWalk(world, alone, source, stream, index, log).run();
+  std::swap(alone.globillum, alone.caustics);
+  PhotonLog other;
+  PhotonWalk(world, alone, source, stream, index, other).run();
+  log.caustic.insert(log.caustic.end(), other.caustic.begin(), other.caustic.end());
+  log.counts += other.counts;
+}
+
+}  // namespace oriel

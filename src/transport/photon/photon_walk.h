@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of one photon from its source until it is absorbed.
+#pragma once
+
+#include "runtime/light_emission.h"
+#include "sampling/sampler.h"
+#include "transport/photon/photon_trace.h"
+
+namespace oriel {
+
+/// A photon in a map before it is known how many were sent.
+struct StoredPhoton {
+  Photon photon;
+  std::uint32_t index = 0;  ///< of the emission
+};
+
+/// What a batch of photons left.
+struct PhotonLog {
+  std::vector<StoredPhoton> global, caustic;
+  PhotonBalance balance;
+  RayCounts counts;
+};
+
+/// Sends photon `index` of a source. `stream` tells sources apart.
+void walk_photon(const World& world, const PhotonSettings& settings, const PhotonSource& source,
+                 int stream, std::uint32_t index, PhotonLog& log);
+
+}  // namespace oriel
