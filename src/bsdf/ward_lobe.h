@@ -13,7 +13,8 @@ namespace oriel::bsdf {
 ///          below the surface is mirrored above it: the shader has no answer for a lost one.
 /// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 5
 ///          and 6; Walter, "Notes on the Ward BRDF", 2005, for the density.
-/// Checked: WardLobe.*, Directions.GlossyOnesMatchTheirDensity
+/// Checked: WardLobe.*, Highlights.OfWard*,
+///          Directions.GlossyOnesMatchTheirDensity
 class WardLobe {
  public:
   WardLobe(float shiny_u, float shiny_v);

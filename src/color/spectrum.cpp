@@ -6,14 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/math.h"
 #include "color/black_body.h"
 #include "color/cie_daylight.h"
 
 namespace oriel {
 namespace {
-
-constexpr float kSecondRadiationNmK = 1.4387769e7f;  // h c / k, SI 2019
 
 // CIE 15:2004, table T.2, 400 to 700 nm by 10 nm.
 constexpr float kDaylight[kSpectrumBands][3] = {
@@ -106,14 +103,12 @@ Spectrum smooth_spectrum(const Vec3& xyz) {
 
 Spectrum black_body_spectrum(float kelvin) {
   Spectrum s;
-  const auto planck = [kelvin](float nm) {
-    const float x = nm / 560;
-    return 1 / (x * x * x * x * x * math::expm1(kSecondRadiationNmK / (nm * kelvin)));
-  };
-  // Below some 300 K the visible light is less than a float holds.
-  const float middle = planck(560);
-  for (int i = 0; i < kSpectrumBands; ++i)
-    s[static_cast<std::size_t>(i)] = middle > 0 ? planck(band_nm(i)) / middle : 0.0f;
+  // 0 below some 290 K, where the exponential exceeds the largest float: the spectrum is black.
+  const double middle = black_body_spectral_radiance(560, kelvin);
+  for (int i = 0; i < kSpectrumBands; ++i) {
+    const double radiance = black_body_spectral_radiance(band_nm(i), kelvin);
+    s[static_cast<std::size_t>(i)] = middle > 0 ? static_cast<float>(radiance / middle) : 0.0f;
+  }
   return s;
 }
 

@@ -50,6 +50,11 @@ TEST(Spectrum, BlackBodiesHaveThatOfPlanck) {
   EXPECT_NEAR(s[30] / s[20],
               std::pow(600.0 / 700, 5) * std::exp(14387.769 * (1 / .6 - 1 / .7) / 1000), .002);
   EXPECT_EQ(black_body_spectrum(10)[0], 0);
+  EXPECT_EQ(black_body_spectrum(289)[30], 0);
+  const double ratio =
+      black_body_spectral_radiance(700, 300) / black_body_spectral_radiance(560, 300);
+  EXPECT_NEAR(black_body_spectrum(300)[30] / ratio, 1, 1e-5);
+  EXPECT_EQ(black_body_spectrum(300)[16], 1);
 }
 
 TEST(Spectrum, SmoothSpectraHaveTheirColour) {

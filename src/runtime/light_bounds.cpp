@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lights are like from afar: what a tree of lights goes by.
+// Bounds of lights for distant points, used by the light tree.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -113,6 +113,12 @@ miBoolean mi_geoshader_add_result(miTag* result, miTag tag) {
   return miTRUE;
 }
 
+miBoolean mi_geoshader_echo_tag(FILE*, miTag, miEchoOptions*) {
+  if (Host* host = current_host())
+    host->warn_once("OR-SDK-040", "mi_geoshader_echo_tag: no element is written as text");
+  return miFALSE;
+}
+
 miBoolean mi_api_basis_list_clear(void) {
   if (GeometryWork* work = GeometryWork::current()) work->object.bases.clear();
   return miTRUE;

@@ -171,11 +171,13 @@ LightValue light(const Call& call, const LightCall& light) {
   return value;
 }
 
-/// What a volume does is affine in the light that comes to it: two calls tell it.
+/// What a volume does is affine in the light that comes to it: two calls tell it. Photons are
+/// dimmed as light is.
 VolumeValue volume(const Call& call) {
   UserInstance& shader = instance_of(call);
   const auto pass = [&](float behind) {
     StateFrame frame(*shader.spec->host, call.point);
+    if (is_photon(call.point.ray_kind)) frame.state.type = miRAY_LIGHT;
     Result c(*shader.spec);
     c.color() = {behind, behind, behind, 1};
     run(shader, frame.state, c.bytes, miSHADER_VOLUME);
@@ -262,7 +264,12 @@ std::string geometry(const Call& call, scene::Scene& scene) {
   GeometryWork* const outer = std::exchange(GeometryWork::current(), &work);
   Result c(*shader.spec);
   std::string made;
-  if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) made = finish(work);
+  if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) {
+    // A shader may write one tag as its result, without mi_geoshader_add_result.
+    miTag& tag = reinterpret_cast<miTag&>(*c.bytes);
+    if (work.results.empty()) mi_geoshader_add_result(&tag, tag);
+    made = finish(work);
+  }
   GeometryWork::current() = outer;
   return made;
 }
@@ -287,7 +294,11 @@ void set_roles(UserSpec& spec) {
   }
   spec.material.may_emit = never;
   if (acts_as(kApplyLight)) spec.light.evaluate = light;
-  if (acts_as(kApplyVolume)) spec.volume.evaluate = volume;
+  if (acts_as(kApplyVolume)) {
+    spec.volume.evaluate = volume;
+    spec.volume.dims_light = always;
+    spec.volume.acts_on_endless_rays = true;
+  }
   if (acts_as(kApplyLens)) spec.lens.trace = lens;
   if (acts_as(kApplyPhoton)) spec.photon.scatter = photon;
   if (acts_as(kApplyEmitter)) spec.photon.emit = emit;

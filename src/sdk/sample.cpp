@@ -11,7 +11,7 @@ namespace {
 
 using oriel::sampling::ShiftedNet;
 
-/// Loops within loops of one thread that are told apart.
+/// Maximum number of nested loops of one thread.
 constexpr int kLoops = 8;
 
 /// A loop of mi_sample, known by its counter.

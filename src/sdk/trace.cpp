@@ -217,10 +217,13 @@ miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVect
     return miFALSE;
   }
   const Vec3 d = normalize(vec(*direction));
-  const ShadingPoint point = point_of(state);
+  // A probe that starts where the one before it ended goes on from there.
+  const miState* const last = state->child;
+  const bool goes_on = last && last->pri && vec(*origin) == vec(last->point);
+  const ShadingPoint point = point_of(goes_on ? last : state);
   const float reach = std::numeric_limits<float>::infinity();
   // From the point itself the ray must clear its surface.
-  const bool here = vec(*origin) == point.position && state->pri;
+  const bool here = goes_on || (vec(*origin) == point.position && state->pri);
   std::optional<Tracer::Met> met;
   {
     const CallerScope caller(Caller::of_ray(state));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What surfaces emit, asked without a path: before the picture, and by samples of what glows.
+// Surface emission evaluated outside path tracing; also samples emissive triangles.
 #pragma once
 
 #include <cmath>

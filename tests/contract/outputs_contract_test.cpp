@@ -108,7 +108,7 @@ TEST(RandomArchitecturalMaterial, LevelsNeverExceedOneAtAnyAngle) {
       ShadingPoint point =
           seen_at(std::max(cosine, 1e-3f), kTwoPi * unit(engine), unit(engine) < 0.3f, world);
       Closure closure;
-      kMiaMaterialX.material(Call{params.data(), nullptr, point}, closure);
+      kMiaMaterialX.material.fill(Call{params.data(), nullptr, point}, closure);
       make_ready(closure, point.wo());
       ASSERT_LE(closure.count, Closure::kMostLobes);
       Rgb sum(0);
@@ -148,7 +148,7 @@ constexpr ShaderSpec kRandomMia = {
     .material = {
         .fill =
             [](const Call& call, Closure& closure) {
-              kMiaMaterialX.material(Call{current->data(), nullptr, call.point}, closure);
+              kMiaMaterialX.material.fill(Call{current->data(), nullptr, call.point}, closure);
             },
         .may_transmit = [](const ShaderNode&) { return true; },
     },

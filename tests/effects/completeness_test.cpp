@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each parameter of each shader has a case, and each case holds. mia_material_x has its cases in
-// tests/sensitivity. Parameters that are reported as ignored have none.
+// tests/parameter_effect. Parameters that are reported as ignored have none.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
+#include "../same_names.h"
 #include "cases.h"
 #include "effects.h"
 
@@ -31,16 +32,7 @@ TEST(Effects, EachParameterHasACaseAndEachCaseAParameter) {
       if (row.support != Support::Ignored && !kOthersRows.count(spec->name))
         tabled.push_back(fmt::format("{}.{}", spec->name, row.name));
   for (const Case& c : all_cases()) shown.push_back(c.parameter);
-  std::sort(tabled.begin(), tabled.end());
-  std::sort(shown.begin(), shown.end());
-  std::vector<std::string> without_case, without_row;
-  std::set_difference(tabled.begin(), tabled.end(), shown.begin(), shown.end(),
-                      std::back_inserter(without_case));
-  std::set_difference(shown.begin(), shown.end(), tabled.begin(), tabled.end(),
-                      std::back_inserter(without_row));
-  EXPECT_TRUE(without_case.empty()) << fmt::format("{}", fmt::join(without_case, "\n"));
-  // Names a second case of a parameter as well.
-  EXPECT_TRUE(without_row.empty()) << fmt::format("{}", fmt::join(without_row, "\n"));
+  testing::expect_same_names(std::move(tabled), std::move(shown));
 }
 
 TEST(Effects, TheArchitecturalMaterialsHaveTheRowsOfOne) {

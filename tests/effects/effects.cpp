@@ -71,7 +71,7 @@ ParamType type_of(const ShaderSpec& spec, const std::string& member) {
   throw std::runtime_error("no result " + member);
 }
 
-/// Names of the instances that those elements define, in quotes.
+/// The quoted names of the instances that the text `elements` defines, each followed by a space.
 std::string instances_of(const std::string& elements) {
   static const std::regex word("(end )?instance \"([^\"]*)\"");
   std::string names;

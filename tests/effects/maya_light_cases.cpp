@@ -108,7 +108,7 @@ void add_spot(Cases& all) {
       {"penumbraAngle", "coneAngle .8726646", ".1745329", {{24, 1}, {27.5f, .75f}, {32.5f, .25f}}},
       {"penumbraAngle", "coneAngle 50", "10", {{30, .5f}, {36, 0}}},
       {"penumbraAngle", "coneAngle .8726646", "-.1745329", {{14, 1}, {20, .5f}, {26, 0}}},
-      // The cosine to the axis to that power, also in the penumbra.
+      // Factor: cosine of the angle to the axis, to the power of dropoff; the penumbra has it too.
       {"dropoff", "coneAngle 1.2", "0", {{0, 1}, {30, 1}}},
       {"dropoff", "coneAngle 1.2", "1", {{0, 1}, {30, std::cos(kPi / 6)}}},
       {"dropoff", "coneAngle 1.2", "10", {{0, 1}, {30, std::pow(std::cos(kPi / 6), 10.0f)}}},

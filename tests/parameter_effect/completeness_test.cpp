@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each parameter of the architectural material has a case, and each case holds.
-#include <algorithm>
+#include <utility>
 
+#include "../same_names.h"
 #include "cases.h"
 #include "shaders/architectural/mia_material.h"
 
@@ -21,15 +22,7 @@ TEST(Sensitivity, EachParameterHasACaseAndEachCaseAParameter) {
   std::vector<std::string> tabled, shown;
   for (const ParamSpec& row : mia_material_rows()) tabled.emplace_back(row.name);
   for (const Case& c : all_cases()) shown.emplace_back(c.parameter);
-  std::sort(tabled.begin(), tabled.end());
-  std::sort(shown.begin(), shown.end());
-  std::vector<std::string> without_case, without_row;
-  std::set_difference(tabled.begin(), tabled.end(), shown.begin(), shown.end(),
-                      std::back_inserter(without_case));
-  std::set_difference(shown.begin(), shown.end(), tabled.begin(), tabled.end(),
-                      std::back_inserter(without_row));
-  EXPECT_EQ(without_case, std::vector<std::string>());
-  EXPECT_EQ(without_row, std::vector<std::string>());  // names a second case of a row as well
+  testing::expect_same_names(std::move(tabled), std::move(shown));
 }
 
 class EachParameter : public ::testing::TestWithParam<Case> {};

@@ -161,6 +161,19 @@ std::string corpus_square(const std::string& material) {
   return kCorpusLamp + "material \"m\" " + material + " end material " + UserScene::square("m");
 }
 
+CorpusRow corpus_surface(const std::string& name, const std::string& material,
+                         std::function<Rgb(double, double)> wanted) {
+  return {name, {corpus_square(material)}, std::move(wanted)};
+}
+
+CorpusScene corpus_two_lamps(const std::string& material) {
+  return {
+      "light \"side\" \"mib_light_point\" ( \"color\" .2 .4 .6, \"shadow\" on ) origin 3 1 2 "
+      "end light instance \"side_i\" \"side\" end instance " +
+          corpus_square(material),
+      "\"lamp_i\" \"side_i\" \"square_i\""};
+}
+
 std::string corpus_emitter(const std::string& color) {
   return "\"mib_illum_lambert\" ( \"ambience\" 1 1 1, \"ambient\" " + color +
          ", \"diffuse\" 0 0 0 )";

@@ -45,6 +45,13 @@ extern const std::string kCorpusLamp;
 /// The square z = 0 with this material.
 std::string corpus_square(const std::string& material);
 
+/// A row of that square.
+CorpusRow corpus_surface(const std::string& name, const std::string& material,
+                         std::function<Rgb(double x, double y)> wanted);
+
+/// The square with a material, lit by two lights, "lamp_i" and "side_i".
+CorpusScene corpus_two_lamps(const std::string& material);
+
 /// A surface that shows a colour or shader unchanged.
 std::string corpus_emitter(const std::string& color);
 

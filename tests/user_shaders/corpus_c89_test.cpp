@@ -10,29 +10,17 @@ namespace corpus_c89_test {
 
 using testing::corpus_emitter;
 using testing::corpus_square;
+using testing::corpus_surface;
+using testing::corpus_two_lamps;
 using testing::CorpusRow;
 using testing::CorpusScene;
 using testing::kCorpusLamp;
 
-CorpusRow surface(const std::string& name, const std::string& material,
-                  std::function<Rgb(double, double)> wanted) {
-  return {name, {corpus_square(material)}, std::move(wanted)};
-}
-
-/// The plane with a material, lit by two lamps of which the material is given one.
-CorpusScene two_lamps(const std::string& material) {
-  return {
-      "light \"side\" \"mib_light_point\" ( \"color\" .2 .4 .6, \"shadow\" on ) origin 3 1 2 "
-      "end light instance \"side_i\" \"side\" end instance " +
-          corpus_square(material),
-      "\"lamp_i\" \"side_i\" \"square_i\""};
-}
-
 /// A shader that has the parameters of a built-in one.
 CorpusRow as_built_in(const std::string& name, const std::string& own, const std::string& built_in,
                       const std::string& parameters) {
-  CorpusRow row{name, two_lamps("\"" + own + "\" ( " + parameters + " )")};
-  row.equivalent = two_lamps("\"" + built_in + "\" ( " + parameters + " )");
+  CorpusRow row{name, corpus_two_lamps("\"" + own + "\" ( " + parameters + " )")};
+  row.equivalent = corpus_two_lamps("\"" + built_in + "\" ( " + parameters + " )");
   return row;
 }
 
@@ -62,15 +50,16 @@ std::vector<CorpusRow> illumination() {
 std::vector<CorpusRow> patterns() {
   const std::string matrix = "2 0 0 0 0 1 0 0 0 0 1 0 .25 0 0 1";
   return {
-      surface("tint", "\"cp_tint\" ( \"color\" .1 .2 .3 1, \"gain\" 2 )",
-              [](double, double) { return Rgb(.2f, .4f, .6f); }),
-      surface("tint/one channel", "\"cp_tint\" ( \"color\" .1 .2 .3 1, \"only\" 2 )",
-              [](double, double) { return Rgb(0, .2f, 0); }),
-      surface("cells", "\"cp_cells\" ( \"size\" 2 4 1, \"even\" .1 .2 .3, \"odd\" .7 .6 .5 )",
-              [](double x, double y) {
-                const int n = int(std::floor(x / 2 + .5)) + int(std::floor(y / 4 + .5));
-                return n % 2 ? Rgb(.7f, .6f, .5f) : Rgb(.1f, .2f, .3f);
-              }),
+      corpus_surface("tint", "\"cp_tint\" ( \"color\" .1 .2 .3 1, \"gain\" 2 )",
+                     [](double, double) { return Rgb(.2f, .4f, .6f); }),
+      corpus_surface("tint/one channel", "\"cp_tint\" ( \"color\" .1 .2 .3 1, \"only\" 2 )",
+                     [](double, double) { return Rgb(0, .2f, 0); }),
+      corpus_surface("cells",
+                     "\"cp_cells\" ( \"size\" 2 4 1, \"even\" .1 .2 .3, \"odd\" .7 .6 .5 )",
+                     [](double x, double y) {
+                       const int n = int(std::floor(x / 2 + .5)) + int(std::floor(y / 4 + .5));
+                       return n % 2 ? Rgb(.7f, .6f, .5f) : Rgb(.1f, .2f, .3f);
+                     }),
       {"stripes",
        {"shader \"uv\" \"cp_uvmatrix\" ( \"transform\" " + matrix +
         ", \"torus\" on ) shader \"s\" \"cp_stripes\" ( \"coord\" = \"uv\", \"number\" 3, "
@@ -89,11 +78,11 @@ std::vector<CorpusRow> patterns() {
          const double u = 2 * coordinate(x) + .25;
          return grey(u - std::floor(u) < .7 ? .2 : .6);
        }},
-      surface("facing", "\"cp_facing\" ( \"front\" 1 .5 .25, \"side\" 0 0 1, \"power\" .5 )",
-              [](double x, double y) {
-                const double f = std::sqrt(1 - 4 / std::sqrt(x * x + y * y + 16));
-                return Rgb(float(1 - f), float(.5 * (1 - f)), float(.25 * (1 - f) + f));
-              }),
+      corpus_surface("facing", "\"cp_facing\" ( \"front\" 1 .5 .25, \"side\" 0 0 1, \"power\" .5 )",
+                     [](double x, double y) {
+                       const double f = std::sqrt(1 - 4 / std::sqrt(x * x + y * y + 16));
+                       return Rgb(float(1 - f), float(.5 * (1 - f)), float(.25 * (1 - f) + f));
+                     }),
       {"stack",
        {"shader \"half\" \"cp_coordinate\" ( \"axis\" 0 ) " +
         corpus_square("\"cp_stack\" ( \"base\" .2 .2 .2, \"layers\" [ { \"color\" 1 0 0, "
@@ -114,12 +103,21 @@ std::vector<CorpusRow> patterns() {
          return Rgb(float((.1 + .8 * a) * (1 - b)), float(.1 * (1 - a) + .9 * b),
                     float(.1 * (1 - a)));
        }},
-      surface("names", "\"cp_names\" ( \"name\" \"Kupfer\" )",
-              [](double, double) { return Rgb(.8f, .5f, .3f); }),
-      surface("where/world", "\"cp_where\" ( \"space\" 0, \"scale\" .1 )",
-              [](double x, double y) { return Rgb(float(.1 * x), float(.1 * y), 0); }),
-      surface("where/camera", "\"cp_where\" ( \"space\" 1, \"scale\" -.1 )",
-              [](double x, double y) { return Rgb(float(-.1 * x), float(-.1 * y), .4f); }),
+      corpus_surface(
+          "table", "\"cp_table\" ( \"n\" 512, \"exponent\" 2 )",
+          [](double x, double) { return Rgb(float(coordinate(x) * coordinate(x)), .5f, 0); }),
+      {"table/two uses",
+       {"shader \"a\" \"cp_table\" ( \"n\" 512, \"exponent\" 2 ) shader \"b\" \"cp_table\" ( "
+        "\"n\" 512, \"exponent\" .5 ) " +
+        corpus_square("\"mib_illum_lambert\" ( \"ambience\" = \"a\", \"ambient\" = \"b\", "
+                      "\"diffuse\" 0 0 0 )")},
+       [](double x, double) { return Rgb(float(std::pow(coordinate(x), 2.5)), .25f, 0); }},
+      corpus_surface("names", "\"cp_names\" ( \"name\" \"Kupfer\" )",
+                     [](double, double) { return Rgb(.8f, .5f, .3f); }),
+      corpus_surface("where/world", "\"cp_where\" ( \"space\" 0, \"scale\" .1 )",
+                     [](double x, double y) { return Rgb(float(.1 * x), float(.1 * y), 0); }),
+      corpus_surface("where/camera", "\"cp_where\" ( \"space\" 1, \"scale\" -.1 )",
+                     [](double x, double y) { return Rgb(float(-.1 * x), float(-.1 * y), .4f); }),
       {"where/object",
        {kCorpusLamp +
         "material \"m\" \"cp_where\" ( \"space\" 2, \"scale\" .1 ) end material object \"square\" "
@@ -127,9 +125,10 @@ std::vector<CorpusRow> patterns() {
         "end group end object instance \"square_i\" \"square\" material \"m\" "
         "transform 2 0 0 0 0 1 0 0 0 0 1 0 0 -.5 0 1 end instance "},
        [](double x, double y) { return Rgb(float(.2 * x), float(.1 * y - .05), 0); }},
-      surface("where/raster", "\"cp_where\" ( \"space\" 3, \"scale\" .03125 )",
-              [](double x, double y) { return Rgb(float(x + 4) / 8, float(y + 4) / 8, -.125f); }),
-      surface(
+      corpus_surface(
+          "where/raster", "\"cp_where\" ( \"space\" 3, \"scale\" .03125 )",
+          [](double x, double y) { return Rgb(float(x + 4) / 8, float(y + 4) / 8, -.125f); }),
+      corpus_surface(
           "noise", "\"cp_noise\" ( \"scale\" .5 .25 1, \"octaves\" 3, \"gain\" .5 )",
           [](double x, double y) {
             float sum = 0;

@@ -57,6 +57,18 @@ CorpusRow collected(const std::string& name, int buffer,
   return row;
 }
 
+/// Three buffers that the shader finds by their number.
+CorpusRow all_passes(const std::string& name, int buffer,
+                     std::function<Rgb(double, double)> wanted) {
+  CorpusRow row{name,
+                {corpus_square("\"cp_all\" ( \"color\" .6 .3 0 )"), "\"lamp_i\" \"square_i\"",
+                 "frame buffer 0 \"+rgba_fp\" frame buffer 1 \"+rgba_fp\" frame buffer 2 "
+                 "\"+rgba_fp\" "},
+                std::move(wanted)};
+  row.buffer = buffer;
+  return row;
+}
+
 // acceptance: I4, U6
 TEST(CorpusPasses, HoldWhatShadersPutIntoThem) {
   const auto even = [](float r, float g, float b) {
@@ -73,7 +85,10 @@ TEST(CorpusPasses, HoldWhatShadersPutIntoThem) {
        named_pass("by_name/diffuse", 0, even(.1f, .2f, .3f)),
        named_pass("by_name/ambient", 1, even(.4f, .3f, .2f)),
        collected("collect", -1, even(.2f, .1f, .05f)),
-       collected("collect/buffer", 0, even(.6f, .3f, .15f))});
+       collected("collect/buffer", 0, even(.6f, .3f, .15f)),
+       all_passes("all", -1, even(.375f, .375f, .375f)),
+       all_passes("all/first", 0, even(.6f, .3f, 1 / 3.f)),
+       all_passes("all/last", 2, even(.2f, .1f, 1))});
 }
 
 /// Four columns: red, green, blue, grey.

@@ -8,23 +8,12 @@ namespace oriel {
 namespace corpus_cpp98_test {
 
 using testing::corpus_square;
+using testing::corpus_surface;
+using testing::corpus_two_lamps;
 using testing::CorpusRow;
 using testing::CorpusScene;
 using testing::kCorpusLamp;
 using testing::lamp_cosine;
-
-CorpusRow surface(const std::string& name, const std::string& material,
-                  std::function<Rgb(double, double)> wanted) {
-  return {name, {corpus_square(material)}, std::move(wanted)};
-}
-
-CorpusScene two_lamps(const std::string& material) {
-  return {
-      "light \"side\" \"mib_light_point\" ( \"color\" .2 .4 .6, \"shadow\" on ) origin 3 1 2 "
-      "end light instance \"side_i\" \"side\" end instance " +
-          corpus_square(material),
-      "\"lamp_i\" \"side_i\" \"square_i\""};
-}
 
 std::vector<CorpusRow> illumination() {
   std::vector<CorpusRow> rows;
@@ -33,17 +22,19 @@ std::vector<CorpusRow> illumination() {
                                        "\"diffuse\" .6 .4 .2, \"specular\" .5 .6 .7, \"exponent\" "
                                        "12, \"lights\" [\"side_i\"], \"mode\" ") +
                                    mode;
-    CorpusRow row{std::string("loop/mode ") + mode, two_lamps("\"cp_loop\" ( " + parameters + ")")};
-    row.equivalent = two_lamps("\"mib_illum_phong\" ( \"ambience\" 0 0 0, " + parameters + ")");
+    CorpusRow row{std::string("loop/mode ") + mode,
+                  corpus_two_lamps("\"cp_loop\" ( " + parameters + ")")};
+    row.equivalent =
+        corpus_two_lamps("\"mib_illum_phong\" ( \"ambience\" 0 0 0, " + parameters + ")");
     rows.push_back(row);
   }
   for (const char* lights : {"\"lights\" [\"lamp_i\"]", "\"color\" .8 .4 .2"})
-    rows.push_back(
-        surface(std::string("iterator/") + lights,
-                std::string("\"cp_iterator\" ( \"wrap\" .5, \"color\" .8 .4 .2, ") + lights + " )",
-                [](double x, double y) {
-                  return Rgb(.8f, .4f, .2f) * static_cast<float>((lamp_cosine(x, y) + .5) / 1.5);
-                }));
+    rows.push_back(corpus_surface(
+        std::string("iterator/") + lights,
+        std::string("\"cp_iterator\" ( \"wrap\" .5, \"color\" .8 .4 .2, ") + lights + " )",
+        [](double x, double y) {
+          return Rgb(.8f, .4f, .2f) * static_cast<float>((lamp_cosine(x, y) + .5) / 1.5);
+        }));
   return rows;
 }
 
@@ -58,20 +49,21 @@ CorpusScene under_a_ceiling() {
 
 std::vector<CorpusRow> caches() {
   std::vector<CorpusRow> rows = {
-      surface("palette", "\"cp_palette\" ( \"text\" \"rgbw\", \"columns\" 8 )",
-              [](double x, double) {
-                const int n = int((x / 16 + .5) * 8) % 4;
-                return Rgb(n == 0 || n == 3, n == 1 || n == 3, n == 2 || n == 3);
-              }),
-      surface("scratch", "\"cp_scratch\" ( \"values\" [ .3, .9, .1, .5, .2 ] )",
-              [](double, double) { return Rgb(.3f, .9f, 0); }),
-      surface("pattern", "\"cp_pattern\" ( \"kind\" 1, \"first\" .1 .2 .3, \"second\" .9 .5 .1 )",
-              [](double x, double y) {
-                const double t = .5 + .5 * std::sin((x + y) * std::sqrt(.5));
-                return Rgb(.1f, .2f, .3f) * float(1 - t) + Rgb(.9f, .5f, .1f) * float(t);
-              }),
-      surface("pattern/none", "\"cp_pattern\" ( \"kind\" 7, \"second\" .9 .5 .1 )",
-              [](double, double) { return Rgb(.9f, .5f, .1f); }),
+      corpus_surface("palette", "\"cp_palette\" ( \"text\" \"rgbw\", \"columns\" 8 )",
+                     [](double x, double) {
+                       const int n = int((x / 16 + .5) * 8) % 4;
+                       return Rgb(n == 0 || n == 3, n == 1 || n == 3, n == 2 || n == 3);
+                     }),
+      corpus_surface("scratch", "\"cp_scratch\" ( \"values\" [ .3, .9, .1, .5, .2 ] )",
+                     [](double, double) { return Rgb(.3f, .9f, 0); }),
+      corpus_surface("pattern",
+                     "\"cp_pattern\" ( \"kind\" 1, \"first\" .1 .2 .3, \"second\" .9 .5 .1 )",
+                     [](double x, double y) {
+                       const double t = .5 + .5 * std::sin((x + y) * std::sqrt(.5));
+                       return Rgb(.1f, .2f, .3f) * float(1 - t) + Rgb(.9f, .5f, .1f) * float(t);
+                     }),
+      corpus_surface("pattern/none", "\"cp_pattern\" ( \"kind\" 7, \"second\" .9 .5 .1 )",
+                     [](double, double) { return Rgb(.9f, .5f, .1f); }),
       {"labels",
        {kCorpusLamp +
         "material \"m\" \"cp_labels\" ( ) end material object \"square\" visible tag 4 group -8 -8 "

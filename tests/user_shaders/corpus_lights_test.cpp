@@ -18,7 +18,8 @@ const std::string kWhite =
     "\"lights\" [\"lamp_i\"] ) end material " +
     UserScene::square("m");
 
-/// A board at z = 2 that the camera does not see.
+/// A square polygon named "board" that is invisible to the camera and casts shadows. `corners`:
+/// four points.
 std::string board(const std::string& material, const std::string& corners) {
   return "object \"board\" visible shadow trace group " + corners +
          " 0 0 0 1 0 0 1 1 0 0 1 0 v 0 t 4 v 1 t 5 v 2 t 6 v 3 t 7 c 0 1 2 3 end group end object "

@@ -134,7 +134,24 @@ std::vector<CorpusRow> materials() {
                    return Rgb(static_cast<float>(.5 - .5 * x / std::sqrt(x * x + 36)));
                  }};
   open.tolerance = .1f;  // 256 directions a pixel: four deviations
-  return {glass, open};
+  // A board at z = 0 and three below it.
+  CorpusRow nested{
+      "nested",
+      {board("top", 0, "n") + board("one", -1, "n") + board("two", -2, "n") +
+           board("three", -4, "n") +
+           "material \"n\" \"cp_nested\" ( \"scale\" .125 ) end material ",
+       "\"top_i\" \"one_i\" \"two_i\" \"three_i\""},
+      [](double x, double y) { return Rgb(.375f, static_cast<float>(view(x, y) / 8), .5f); }};
+  CorpusRow few = nested;
+  few.name = "nested/two at most";
+  few.scene.body.replace(few.scene.body.find("\"scale\""), 0, "\"most\" 2, ");
+  few.wanted = [](double x, double y) {
+    return Rgb(.25f, static_cast<float>(view(x, y) / 16), .25f);
+  };
+  CorpusRow loop = nested;
+  loop.name = "nested/in a loop";
+  loop.scene.body.replace(loop.scene.body.find("\"scale\""), 0, "\"loop\" on, ");
+  return {glass, open, nested, few, loop};
 }
 
 // acceptance: I4

@@ -77,6 +77,18 @@ Rgb slope(double x, double rise, double height) {
   return Rgb(float(.25 * (4 - 4 * t)), float(at / 16 + .5), float(1 / std::sqrt(1 + rise * rise)));
 }
 
+/// The square of cp_seen at that height, moved by dx.
+Rgb pushed(double x, double height, double dx) {
+  const double at = x * (4 - height) / 4;
+  return Rgb(float(.25 * height), float((at - dx) / 16 + .5), 1);
+}
+
+/// What cp_seen shows of cp_single, which lies around (1, -.5).
+Rgb single(double x, double y) {
+  if (std::abs(x - 1) > 1.5 || std::abs(y + .5) > 1.5) return Rgb(0);
+  return Rgb(float(.25 * (x - 1) + .25), 0, 0);
+}
+
 // acceptance: I4
 TEST(CorpusGeometry, ShadersMakeAndMoveIt) {
   CorpusRow ball{"ball", made("\"cp_ball\" ( \"radius\" 2, \"rings\" 48 )", 1),
@@ -105,6 +117,20 @@ TEST(CorpusGeometry, ShadersMakeAndMoveIt) {
        displaced("\"cp_lift\" ( \"height\" .5 ) \"cp_lift\" ( \"height\" "
                  "1.5 )"),
        [](double x, double) { return slope(x, .125, 1); }},
+      {"push", displaced("\"cp_push\" ( \"height\" 2, \"way\" .6 0 .8 )"),
+       [](double x, double) { return pushed(x, 1.6, 1.2); }},
+      {"push/from a point",
+       displaced("\"cp_push\" ( \"height\" .5, \"way\" -.6 0 .8, \"rise\" .8 )"),
+       [](double x, double) { return pushed(x, 1.2, -.3); }},
+      {"lantern",
+       {"material \"m\" \"cp_seen\" ( \"what\" 3 ) end material instance \"made\" geometry "
+        "\"cp_lantern\" ( \"color\" .5 1 .25, \"place\" 1 0 3 ) end instance " +
+            UserScene::square("m"),
+        "\"made\" \"square_i\""},
+       [](double x, double y) { return Rgb(.5f, 1, .25f) * float(lamp_cosine(x - 1, y)); }},
+      {"single", made("\"cp_single\" ( \"half\" 1.5, \"at\" 1 -.5 0 )", 2), single},
+      {"single/listed", made("\"cp_single\" ( \"half\" 1.5, \"at\" 1 -.5 0, \"listed\" on )", 2),
+       single},
       {"seen/lit",
        {kCorpusLamp + "material \"m\" \"cp_seen\" ( \"what\" 3 ) end material " +
         UserScene::square("m")},
@@ -128,6 +154,10 @@ TEST(CorpusPhenomena, PutShadersInCTogether) {
         {corpus_square("\"cp_root\" ( \"color\" .2 .4 .6 )"), "\"square_i\"", "",
          "lens \"cp_dyed\" ( \"tint\" 1 .5 0 1 )"},
         [](double, double) { return Rgb(.2f, .2f, 0); }},
+       {"parts/two lenses",
+        {corpus_square("\"cp_root\" ( \"color\" .2 .4 .6 )"), "\"square_i\"", "",
+         "lens \"cp_dyed\" ( \"tint\" 1 .5 0 1 ) lens \"cp_gel\" ( \"gel\" .5 .5 1 1 )"},
+        [](double, double) { return Rgb(.1f, .1f, 0); }},
        {"parts/in a built-in material",
         {"shader \"dyed\" \"cp_both\" ( \"strength\" .25 ) " +
          corpus_square(corpus_emitter("= \"dyed\""))},

@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace oriel {
@@ -40,7 +41,7 @@ inline std::vector<Offered> offered_functions(const std::filesystem::path& heade
 
 /// A line of coverage.txt.
 struct CoverageLine {
-  std::string text;  ///< as it stands
+  std::string text;  ///< the whole line, unparsed
   std::string group, name, reason;
 
   bool names() const { return !name.empty(); }
@@ -59,6 +60,43 @@ inline std::vector<CoverageLine> coverage_lines(const std::filesystem::path& hea
     all.push_back(line);
   }
   return all;
+}
+
+/// A line of names/names.txt.
+struct NameLine {
+  std::string kind, name, more;  ///< more: the member, or "declared" where it has no effect
+};
+
+inline std::vector<NameLine> name_lines() {
+  std::vector<NameLine> all;
+  std::ifstream file(ORIEL_SOURCE_DIR "/tests/user_shaders/names/names.txt");
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    NameLine& one = all.emplace_back();
+    std::istringstream(line) >> one.kind >> one.name >> one.more;
+    std::replace(one.name.begin(), one.name.end(), '@', ' ');
+  }
+  return all;
+}
+
+/// Rows of the names beside functions, for the table of counts.
+inline std::string counts_of_names() {
+  static const std::pair<const char*, const char*> kKinds[] = {
+      {"type", "types"},
+      {"opaque", "types that only pointers are used of"},
+      {"constant", "constants"},
+      {"member", "members of structures"},
+      {"class", "classes of C++, by both names of their namespace"}};
+  const std::vector<NameLine> lines = name_lines();
+  std::string text;
+  for (const auto& [kind, title] : kKinds) {
+    int works = 0, declared = 0;
+    for (const NameLine& line : lines)
+      if (line.kind == kind) ++(line.more == "declared" ? declared : works);
+    text += std::string("| ") + title + " | " + std::to_string(works) + " | " +
+            std::to_string(declared) + " | 0 |\n";
+  }
+  return text;
 }
 
 /// Each name with one of three answers.
@@ -113,11 +151,10 @@ class CoverageTable {
   std::string counts() const {
     static const struct {
       const char *group, *title;
-    } kGroups[] = {{"shader", "shaders of all kinds"},
-                   {"geometry", "geometry shaders"},
-                   {"program", "programs that embed mental ray, exporters"}};
-    std::string text =
-        "| names for | works | declared, no effect | not offered |\n|---|---|---|---|\n";
+    } kGroups[] = {{"shader", "functions for shaders of all kinds"},
+                   {"geometry", "functions for geometry shaders"},
+                   {"program", "functions for programs that embed mental ray, and exporters"}};
+    std::string text = "| group | works | declared, no effect | not offered |\n|---|---|---|---|\n";
     for (const auto& [group, title] : kGroups) {
       text += std::string("| ") + title + " |";
       for (int answer = 0; answer < 3; ++answer)
@@ -130,7 +167,7 @@ class CoverageTable {
                 " |";
       text += "\n";
     }
-    return text;
+    return text + counts_of_names();
   }
 
  private:

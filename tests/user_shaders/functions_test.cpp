@@ -189,6 +189,7 @@ TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
                    "mi_renderpass_sample_put", "mi_renderpass_samplerect_black",
                    "mi_renderpass_samplerect_flush"});
   expect_warnings(said["output"], {"mi_get_contour_line", "mi_add_contour_lines"});
+  expect_warnings(said["geometry"], {"mi_geoshader_echo_tag"});
   expect_warnings(said["photons"], {"mi_store_volume_photon", "mi_photon_volume_scattering"});
   expect_warnings(said["indirect"],
                   {"mi_compute_volume_irradiance", "mi_compute_directional_irradiance"});

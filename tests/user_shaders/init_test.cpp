@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What init functions may do: read strings, find frame buffers, report messages, count buffers.
+// Init functions can read string parameters, look up and count frame buffers, and report messages.
 #include "user_scene.h"
 
 namespace oriel {

@@ -28,6 +28,16 @@ extern "C" {
 /// Adds an object, instance, group or light to what the geometry shader returns.
 miBoolean mi_geoshader_add_result(miTag* result, miTag tag);
 
+/// How mi_geoshader_echo_tag writes an element.
+typedef struct miEchoOptions {
+  miBoolean ascii_output;       ///< numbers as text
+  miBoolean compressed_output;  ///< numbers as hexadecimal bytes
+  miBoolean dont_echo;          ///< nothing is written
+} miEchoOptions;
+
+/// Writes an element and all elements below it as scene text. Not supported: warns, miFALSE.
+miBoolean mi_geoshader_echo_tag(FILE* file, miTag tag, miEchoOptions* options);
+
 /// Forgets the bases of curves and surfaces.
 miBoolean mi_api_basis_list_clear(void);
 /// Begins the geometry of an object; merge: distance in which surfaces join, 0 = none.

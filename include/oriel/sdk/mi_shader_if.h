@@ -9,6 +9,7 @@
 
 #include "shader/interface.h"
 #include "shader/light.h"
+#include "shader/map_access.h"
 
 #ifdef __cplusplus
 

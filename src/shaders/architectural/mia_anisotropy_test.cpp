@@ -73,7 +73,7 @@ Fit fit(const std::vector<Vec2>& slopes) {
 /// Slopes of `count` samples of a lobe as the material set it up.
 Fit fit_lobe(const P& p, LobeKind kind, ShadingPoint point = from_above()) {
   Closure closure;
-  kMiaMaterialX.material(Call{&p, nullptr, point}, closure);
+  kMiaMaterialX.material.fill(Call{&p, nullptr, point}, closure);
   const Lobe* lobe = nullptr;
   for (int i = 0; i < closure.count; ++i)
     if (closure.lobes[i].kind == kind) lobe = &closure.lobes[i];
@@ -182,7 +182,7 @@ TEST(MiaAnisotropy, FramesStayOrthonormalWhereTheBaseDirectionIsMissing) {
     p.anisotropy_channel = channel;
     Closure closure;
     ShadingPoint point = from_above();
-    kMiaMaterialX.material(Call{&p, nullptr, point}, closure);
+    kMiaMaterialX.material.fill(Call{&p, nullptr, point}, closure);
     for (int i = 0; i < closure.count; ++i) {
       const Frame& f = closure.lobes[i].frame;
       EXPECT_NEAR(length(f.s), 1, 1e-5);

@@ -224,8 +224,7 @@ const ShaderSpec kMibRefract = {
     .doc = "Refraction blended over another material.",
     .params = kRefractRows,
     .params_size = sizeof(Refract),
-    .material = refract,
-    .may_transmit = passes<Refract, &Refract::refract>,
+    .material = {.fill = refract, .may_transmit = passes<Refract, &Refract::refract>},
 };
 
 const ShaderSpec kMibTransparency = {
@@ -236,8 +235,7 @@ const ShaderSpec kMibTransparency = {
     .doc = "What lies straight behind, blended over another material.",
     .params = kTransparencyRows,
     .params_size = sizeof(Transparency),
-    .material = transparency,
-    .may_transmit = passes<Transparency, &Transparency::transp>,
+    .material = {.fill = transparency, .may_transmit = passes<Transparency, &Transparency::transp>},
 };
 
 const ShaderSpec kMibOpacity = {
@@ -258,8 +256,7 @@ const ShaderSpec kMibContinue = {
     .doc = "Continues the ray as if there were no surface, for cut-outs.",
     .params = kTransparencyRows,
     .params_size = sizeof(Transparency),
-    .material = go_on,
-    .may_transmit = passes<Transparency, &Transparency::transp>,
+    .material = {.fill = go_on, .may_transmit = passes<Transparency, &Transparency::transp>},
 };
 
 const ShaderSpec kMibTwosided = {

@@ -124,6 +124,13 @@ DLLEXPORT miBoolean cover_geometry(miTag* result, miState* state, void* paras) {
   COVER(mi_api_name_lookup, mi_api_name_lookup(mi_mem_strdup("holed")) == object);
   COVER(mi_api_name_lookup, mi_api_name_lookup(mi_mem_strdup("no such")) == miNULLTAG);
 
+  {
+    miEchoOptions echo;
+    echo.ascii_output = miTRUE;
+    echo.compressed_output = echo.dont_echo = miFALSE;
+    COVER(mi_geoshader_echo_tag, !mi_geoshader_echo_tag(stderr, object, &echo));
+  }
+
   placed("first", object, 0);
   COVER(mi_api_instgroup_begin, mi_api_instgroup_begin(mi_mem_strdup("all")) != NULL);
   COVER(mi_api_instgroup_additem, mi_api_instgroup_additem(mi_mem_strdup("first")));

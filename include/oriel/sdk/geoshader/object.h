@@ -4,9 +4,10 @@
 #define ORIEL_SDK_OBJECT_H
 
 // Conventions
-//   An object without group is a placeholder when mi_api_object_callback or mi_api_object_file was
-//   called. The content is made after the geometry shader has returned. A callback makes it under
-//   the name that the placeholder has (mi_api_tag_lookup) and finds its flags set.
+//   A call of mi_api_object_callback or mi_api_object_file instead of a group makes the open object
+//   a placeholder. Oriel creates the content of placeholders after the geometry shader has
+//   returned. A callback passes the name of the placeholder (mi_api_tag_lookup) to
+//   mi_api_object_begin. The miObject that it receives has the flags of the placeholder.
 
 #include "hair.h"
 

@@ -36,7 +36,7 @@ void* mi_db_realloc(miTag tag, int size);
 void mi_db_delete(miTag tag);
 /// A copy of an element with a tag of its own; 0: of this kind there are no copies.
 miTag mi_db_copy(miTag tag);
-/// Whether an element is computed only when it is asked for; never here.
+/// Whether the content of an element is computed on first access. Always miFALSE.
 miBoolean mi_db_isjob(miTag tag);
 /// Tells how many elements shaders have made, and their bytes.
 void mi_db_dump(void);

@@ -37,6 +37,13 @@ typedef struct miContour_endpoint {
 typedef void (*miContour_Shader)(miContour_endpoint* endpoint, void* info_near, void* info_far,
                                  miState* state, void* paras);
 
+/// What a contour store function keeps of a hit; the size that it wrote comes back.
+typedef void (*miContour_Store_Function)(void* info, int* info_size, miState* state,
+                                         miColor* color);
+/// Whether there is a contour between two hits.
+typedef miBoolean (*miContour_Contrast_Function)(const void* info_near, const void* info_far,
+                                                 int level, miState* state, void* paras);
+
 /// Output shaders: the next contour line; miFALSE when there is no more.
 miBoolean mi_get_contour_line(miContour_endpoint* p1, miContour_endpoint* p2);
 /// Contour shaders: adds n lines.

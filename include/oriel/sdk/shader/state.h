@@ -14,6 +14,8 @@
 #include "types.h"
 
 struct miImg_image;
+/// A hit; opaque.
+struct miRc_intersection;
 
 typedef struct miState {
   int version;  ///< of this interface: 2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of an instance is kept in a map that all threads share behind a lock.
+// Caches the results of queries of instances in a map. All threads share the map under a lock.
 #include <map>
 
 #include "shader.h"
