@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explanations of pixels: they add up to the picture, and say of simple scenes what is so.
+#include <array>
+
 #include "analysis/explain.h"
 #include "color/luminance.h"
+#include "mi/reader.h"
 #include "support/picture.h"
 
 namespace oriel::testing {

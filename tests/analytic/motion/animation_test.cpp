@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames of one file: each equals, to the last bit, a file that describes its state from scratch,
 // and keeps the meshes that did not change.
+#include "mi/reader.h"
 #include "output/output.h"
 #include "support/probe.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Photons of moving lights and about moving objects: their map is the mean over the shutter, as
 // that of paths, within 4 standard errors (one in 16000 by chance).
+#include "base/parallel.h"
 #include "motion_scenes.h"
 #include "transport/indirect_caches.h"
 #include "transport/photon/photon_trace.h"

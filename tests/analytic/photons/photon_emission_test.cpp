@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "base/parallel.h"
 #include "support/probe.h"
 
 namespace oriel::testing {

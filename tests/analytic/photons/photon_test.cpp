@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/parallel.h"
 #include "bsdf/fresnel.h"
 #include "support/probe.h"
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a window brings to every wall of a room: portals against light that is followed from the
 // sky.
+#include <array>
+
+#include "base/parallel.h"
 #include "image/exr.h"
 #include "support/files.h"
 #include "support/portal_scenes.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sun's disc in glossy reflections and blurred environments; vignetting of parallel views; more
 // rays through a lens than were allowed.
+#include "mi/reader.h"
 #include "render/eye_rays.h"
 #include "runtime/color_mapping.h"
 #include "sky/physical_sky.h"
