@@ -11,16 +11,16 @@
 namespace oriel::bsdf {
 namespace {
 
-/// Steepest mean slope, as the renderer's own mib_illum_ward has it: that of a shininess of 0.
+/// Steepest mean slope: that of a shininess of 0.
 constexpr float kMostWardSlope = 10;
 /// Highlights of finer slopes are points that no picture resolves.
 constexpr float kLeastWardSlope = 1e-4f;
 
-float ward_slope(float shiny) {
-  return std::max(kLeastWardSlope, 1 / std::max(shiny, 1 / kMostWardSlope));
-}
-
 }  // namespace
+
+float ward_slope(float shininess) {
+  return std::max(kLeastWardSlope, 1 / std::max(shininess, 1 / kMostWardSlope));
+}
 
 WardLobe::WardLobe(float shiny_u, float shiny_v)
     : ax_(ward_slope(shiny_u)), ay_(ward_slope(shiny_v)) {}

@@ -6,6 +6,11 @@
 
 namespace oriel::bsdf {
 
+/// Root mean square slope of the facets (Ward's alpha) by shininess: its reciprocal, within 1e-4
+/// and 10.
+/// Checked: WardLobe.HasAWidestSlope
+float ward_slope(float shininess);
+
 /// Directions mirrored at facets whose slopes are Gaussian.
 ///
 /// Conventions: local frame, z = normal, wo.z > 0, u along x. As bsdf/lobe_sample.h.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bsdf/ward_lobe.h"
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 
@@ -181,8 +182,8 @@ void ward(const P& p, const Vec3& along, const ShadingPoint& point, Closure& clo
   if (is_black(glossy)) return;
   Lobe& lobe =
       add_highlight(LobeKind::WardHighlight, glossy, Frame::along(frame.n, along), closure);
-  lobe.alpha_x = 1 / std::max(p.shiny_u, 1 / kMostSlope);
-  lobe.alpha_y = 1 / std::max(p.shiny_v, 1 / kMostSlope);
+  lobe.alpha_x = bsdf::ward_slope(p.shiny_u);
+  lobe.alpha_y = bsdf::ward_slope(p.shiny_v);
 }
 
 /// The direction u, by v where only that is given, or of the texture.
