@@ -13,6 +13,7 @@
 namespace oriel {
 namespace exposure_test {
 
+using testing::expect_near_relative;
 using testing::PreparedScene;
 
 constexpr int kWidth = 16, kHeight = 12;

@@ -12,6 +12,8 @@
 namespace oriel::photometry {
 namespace profile_files_test {
 
+using testing::luminaire_direction;
+
 ProfileData read(const std::string& name) {
   return read_profile(std::string(ORIEL_TEST_DATA) + "/ies/" + name);
 }

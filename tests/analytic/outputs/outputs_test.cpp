@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The outputs of the material: which light is in which.
 #include "image/recombine.h"
+#include "output/output_names.h"
 #include "support/picture.h"
 
 namespace oriel::testing {
