@@ -35,7 +35,7 @@ constexpr Change kChanges[] = {
     {"one ball of 27 moves",
      "incremental instance \"ball0_inst\" transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 .01 1 end "
      "instance\n"},
-    {"one ball is said again", "touch \"ball0\"\n"}};
+    {"one ball is defined again", "touch \"ball0\"\n"}};
 
 /// Prepares all frames of the text; processor seconds of the second.
 double second_frame(const std::string& text, bool reuse) {

@@ -85,10 +85,21 @@ endfunction()
 function(oriel_hosts_shaders target)
   target_link_libraries(${target} PRIVATE $<LINK_LIBRARY:WHOLE_ARCHIVE,oriel_sdk>)
   foreach(names mi_* mayabase_* oriel_approx_* oriel_is_* oriel_light_* oriel_spectrum_*
-          oriel_options_* oriel_framebuffers_* oriel_parameter_*)
+          oriel_options_* oriel_framebuffers_* oriel_parameter_*
+          exit _exit _Exit quick_exit)
     target_link_options(${target} PRIVATE "LINKER:--export-dynamic-symbol=${names}")
   endforeach()
 endfunction()
+
+# How shaders of users are compiled, by `oriel shader-build`, by oriel_add_shader_library of the
+# installed package and by pkg-config: old sources compare overflowing integers, cast between
+# pointers to different types, and test `this` and dereferenced pointers against null.
+set(ORIEL_SHADER_FLAGS -fno-strict-aliasing -fwrapv -fno-delete-null-pointer-checks)
+# Makes a C++ function that ends without `return` go back to its caller, as it does in C.
+set(ORIEL_SHADER_RETURN_FLAGS_CLANG -fno-strict-return)
+set(ORIEL_SHADER_RETURN_FLAGS_GNU -fsanitize=unreachable -fsanitize-undefined-trap-on-error)
+list(JOIN ORIEL_SHADER_FLAGS " " ORIEL_SHADER_FLAGS_TEXT)
+list(JOIN ORIEL_SHADER_RETURN_FLAGS_GNU " " ORIEL_SHADER_RETURN_FLAGS_GNU_TEXT)
 
 # The `main` of all test programs. Its headers are its own: a program that tests headers alone gets
 # nothing of Oriel with it.

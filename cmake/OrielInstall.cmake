@@ -44,10 +44,13 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/oriel/sdk DESTINATION include/orie
         COMPONENT shaders)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/shaders/OrielShadersConfigVersion.cmake.in
                ${CMAKE_BINARY_DIR}/shaders/OrielShadersConfigVersion.cmake @ONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/shaders/OrielShadersFlags.cmake.in
+               ${CMAKE_BINARY_DIR}/shaders/OrielShadersFlags.cmake @ONLY)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/shaders/oriel-shaders.pc.in
                ${CMAKE_BINARY_DIR}/shaders/oriel-shaders.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/shaders/OrielShadersConfig.cmake
               ${CMAKE_BINARY_DIR}/shaders/OrielShadersConfigVersion.cmake
+              ${CMAKE_BINARY_DIR}/shaders/OrielShadersFlags.cmake
         DESTINATION lib/cmake/OrielShaders COMPONENT shaders)
 install(FILES ${CMAKE_BINARY_DIR}/shaders/oriel-shaders.pc DESTINATION lib/pkgconfig
         COMPONENT shaders)

@@ -1,12 +1,12 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: Apache-2.0
-# What must hold of any installation of Oriel. Sourced by the tests beside it; $root is a folder for
-# what they need.
+# Checks of any installation of Oriel. Sourced by the tests in this folder; $root is a folder for
+# temporary files.
 # shellcheck disable=SC2154
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-# check_files PREFIX: all that an installation has.
+# check_files PREFIX: all files of an installation.
 check_files() {
   local file
   for file in bin/oriel lib/oriel/liboriel_image_files.so share/oriel/templates.mi \
@@ -17,7 +17,7 @@ check_files() {
   done
 }
 
-# run PREFIX ARGUMENT...: the program there, with nothing of the user's surroundings.
+# run PREFIX ARGUMENT...: runs the installed program without the user's environment.
 run() {
   local prefix=$1
   shift
@@ -25,7 +25,7 @@ run() {
     fail "oriel $*"
 }
 
-# check_program PREFIX: it renders, and finds data, headers and the module of image files there.
+# check_program PREFIX: the program renders, and finds data, headers and the image module in the installation.
 check_program() {
   local prefix=$1 data
   [[ $(run "$prefix" --version) =~ ^oriel\ [0-9] ]] || fail "--version"
@@ -34,12 +34,12 @@ check_program() {
   [[ -s $root/tiles.exr && -s $root/tiles.jpg ]] || fail "no picture"
   run "$prefix" shaders --mi base >"$root/base.mi"
   cmp -s "$root/base.mi" "$prefix/share/oriel/mi/base.mi" || fail "base.mi"
-  # Textures of ready materials are named by their whole path: that of the folder it stands in.
+  # Templates name textures by absolute paths in the installation.
   data=$(run "$prefix" shaders --templates stone)
   [[ $data == *"$prefix/share/oriel/textures/stone.exr"* ]] || fail "templates of another folder"
 }
 
-# check_shader_build PREFIX: an example of a shader in C++ builds with the headers there.
+# check_shader_build PREFIX: an example shader in C++ builds with the installed headers.
 check_shader_build() {
   run "$1" shader-build "$1/share/oriel/examples/shaders/material" -o "$root/example.so" \
     >"$root/said" 2>&1 || { cat "$root/said"; fail "shader-build"; }
@@ -50,7 +50,7 @@ check_shader_build() {
 # glibc's, and each has its licence there.
 check_bundle() {
   local folder=$1/lib/oriel/libraries doc=$1/share/doc/oriel/libraries name path
-  # The RPATH of the program finds what the module needs, so both are in one process here.
+  # The RPATH of the program also finds the libraries of the module, so both are in one process.
   (cd "$1/lib/oriel" && env -i LD_TRACE_LOADED_OBJECTS=1 LD_PRELOAD=./liboriel_image_files.so \
     "$1/bin/oriel") >"$root/needed" || fail "the libraries cannot be listed"
   ! grep 'not found' "$root/needed" || fail "libraries are missing"

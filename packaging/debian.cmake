@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Run by cpack between installing and packing: puts into Debian's form and places what an
-# installation has in others.
+# Run by cpack between installing and packing: changes forms and places of files to those of
+# Debian.
 set(usr ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr)
 set(doc ${usr}/share/doc/oriel)
 
-# The licence: named in `copyright`, its text is on every Debian system.
+# `copyright` names the licence; its text is on every Debian system.
 file(REMOVE ${doc}/LICENSE)
 file(WRITE ${doc}/copyright
 "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
@@ -19,12 +19,12 @@ License: Apache-2.0
  the licence is in /usr/share/common-licenses/Apache-2.0.
 ")
 
-# Pages are packed by gzip.
+# Manual page and changelog are compressed by gzip.
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(WRITE ${doc}/changelog
 "oriel (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium
 
-  * Oriel ${CPACK_PACKAGE_VERSION}; what is new: /usr/share/doc/oriel/CHANGELOG.md
+  * Oriel ${CPACK_PACKAGE_VERSION}; changes: /usr/share/doc/oriel/CHANGELOG.md
 
  -- ${CPACK_PACKAGE_CONTACT}  ${now}
 ")
@@ -34,7 +34,7 @@ foreach(page ${doc}/changelog ${usr}/share/man/man1/oriel.1)
   endif()
 endforeach()
 
-# Shells of the distribution look among the vendors' completions.
+# Debian's zsh reads completions of packages from vendor-completions.
 if(EXISTS ${usr}/share/zsh/site-functions)
   file(RENAME ${usr}/share/zsh/site-functions ${usr}/share/zsh/vendor-completions)
 endif()

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The commands of docs/guide run as they stand, with small pictures.
+"""The commands of docs/guide run as written, with small pictures.
 
 All ```sh blocks of a page run in one shell, in a folder of their own that has the project's scenes
 and examples. What a ```text same block shows is what the commands before it on the page printed,
-line by line; a line of three dots stands for any others. Links of all pages lead somewhere.
+line by line; a line of three dots stands for any others. Links of all pages have existing targets.
 """
 import os
 import pathlib

@@ -169,5 +169,78 @@ class Headers(unittest.TestCase):
         self.assertEqual([], messages("src/base/main.cpp", late, ["src/base/a.h"]))
 
 
+class Phrases(unittest.TestCase):
+    def phrases(self, path, text):
+        return [message for message in messages(path, text) if "is unclear" in message]
+
+    def test_unclear_phrases_are_found_in_every_kind_of_text(self):
+        self.assertEqual(1, len(self.phrases("src/base/a.h", HEAD + "// 16 unless said\n")))
+        self.assertEqual(1, len(self.phrases("src/base/a.cpp", HEAD + 'auto a = "told of it";\n')))
+        self.assertEqual(1, len(self.phrases("tools/run", "#!/bin/sh\n# a fault gone round\n")))
+        self.assertEqual(1, len(self.phrases("docs/page.md", "# Page\nOptions nobody here knows\n")))
+        self.assertEqual(1, len(self.phrases("scenes/a.mi", "# filtered as pictures have it\n")))
+
+    def test_each_phrase_is_found_in_any_case(self):
+        for phrase in ("Gone round", "goes round", "unless told", "is told", "are told", "nobody knows",
+                       "comes to stand", "coming to stand", "What becomes of", "asked without",
+                       "knows nothing", "says so", "as they stand", "gives way", "stand in for"):
+            self.assertEqual(1, len(self.phrases("a.md", f"It {phrase} here.\n")), phrase)
+
+    def test_words_that_contain_a_phrase_are_clean(self):
+        for text in ("this told", "stands information", "becomes often", "goes rounder", "ToldOf"):
+            self.assertEqual([], self.phrases("a.md", text + "\n"), text)
+
+    def test_phrases_across_lines_are_found_at_their_first_line(self):
+        house = lint.House(TABLE)
+        text = HEAD + "// A message that is\n/// told later.\n"
+        found = [f for f in lint.check("src/base/a.h", text, house, set().__contains__)]
+        self.assertEqual([("src/base/a.h", 3)], [(f.path, f.line) for f in found])
+
+    def test_phrases_of_pages_are_found_in_pages_only(self):
+        self.assertEqual(1, len(self.phrases("docs/page.md", "A glowing mesh\n")))
+        self.assertEqual([], self.phrases("src/base/a.h", HEAD + "// A glowing mesh\n"))
+
+    def test_texts_of_the_program_in_pages_are_left_to_the_code(self):
+        table = "<!-- table mia_material -->\nWhatever it is\n<!-- end -->\n"
+        self.assertEqual([], self.phrases("docs/shaders/a.md", table))
+        self.assertEqual(1, len(self.phrases("docs/shaders/a.md", table + "Whatever it is\n")))
+        self.assertEqual([], self.phrases("docs/guide/a.md", "```text\nWhatever it is\n```\n"))
+        self.assertEqual([], self.phrases("docs/reference/a.md", "Whatever it is\n"))
+
+    def test_licences_and_foreign_scenes_are_left_alone(self):
+        self.assertEqual([], self.phrases("LICENSE", "as they stand\n"))
+        self.assertEqual([], self.phrases("scenes/nine-tiles/a.mi", "# as they stand\n"))
+
+
+class Checked(unittest.TestCase):
+    FILES = ("src/base/ggx_test.cpp", "tests/cli/ray_test.cpp")
+    TESTS = lint.tests_of(["TEST(Ggx, IsOne) {\n  TEST_F(Ray, Runs)\n", "TEST_P(Ray, MayFail) {\n"])
+
+    def findings(self, comment):
+        return [f.message for f in lint.check_tests_exist("src/base/a.h", comment, self.TESTS,
+                                                          self.FILES)]
+
+    def test_tests_of_every_macro_are_known(self):
+        self.assertEqual({"Ggx": {"IsOne"}, "Ray": {"Runs", "MayFail"}}, self.TESTS)
+
+    def test_existing_tests_and_files_are_clean(self):
+        for named in ("Ggx.IsOne", "Ggx.*, Ray.May*.", "Ray.Runs in tests/cli/ray_test.cpp",
+                      "ggx_test.cpp", "tests/cli (crops)", "Ray.*, and the contract suite"):
+            self.assertEqual([], self.findings(f"/// Checked: {named}\nint a();\n"), named)
+
+    def test_missing_tests_and_files_are_found(self):
+        for named in ("Ggx.IsTwo", "Ggx.Has*", "Phong.*", "phong_test.cpp", "tests/phong"):
+            self.assertEqual(1, len(self.findings(f"/// Checked: {named}\nint a();\n")), named)
+
+    def test_continued_lines_belong_to_the_list(self):
+        self.assertEqual(1, len(self.findings("/// Checked: Ggx.IsOne,\n///   Ggx.IsTwo\n")))
+        self.assertEqual(1, len(self.findings("// Ends here. Checked:\n// Ggx.IsTwo, Ggx.IsOne.\n")))
+        self.assertEqual([], self.findings("/// Checked: Ggx.IsOne\n/// See Phong.Exponent.\n"))
+        self.assertEqual([], self.findings("/// Checked: Ggx.IsOne,\n/// Source: Phong.Lobe\n"))
+
+    def test_code_is_no_comment(self):
+        self.assertEqual([], self.findings('print("Checked: Ggx.IsTwo");\n'))
+
+
 if __name__ == "__main__":
     unittest.main()

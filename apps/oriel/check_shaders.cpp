@@ -235,7 +235,7 @@ json used_shaders(const CheckedScene& c) {
       entry["doc"] = spec->doc;
       entry["stands_in"] = spec->stands_in;
       if (spec->stands_in)
-        entry["note"] = "stands in for another program's shader, by what is public of it";
+        entry["note"] = "replaces a shader of another program; based on its public description";
     }
     list.push_back(std::move(entry));
   }

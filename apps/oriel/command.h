@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the subcommands share: their form, exit codes, and how user errors are told.
+// What the subcommands share: their form, exit codes, and messages of user errors.
 #pragma once
 
 #include <CLI/CLI.hpp>

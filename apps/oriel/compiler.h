@@ -19,7 +19,7 @@ class Compiler {
   Compiler(std::string language, std::string option, const std::string& asked, const char* variable,
            const std::vector<std::string>& usual);
 
-  /// Runs it; false: it ended with an error, and has said so. Messages are in English and are
+  /// Runs it; false: it ended with an error and printed it. Messages are in English and are
   /// written to the file `log`.
   ///
   /// Errors: UserError when no such program is installed.

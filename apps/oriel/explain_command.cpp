@@ -109,7 +109,7 @@ Command add_explain_command(CLI::App& program) {
       ->required()
       ->type_name("X,Y");
   app->add_option("--samples", r.samples,
-                  fmt::format("Samples of the pixel, {} unless told", kSamples));
+                  fmt::format("Samples of the pixel (default {})", kSamples));
   app->add_option("--gi", r.gi, "Indirect light, as of oriel render");
   app->add_option("--size", r.size, "Size of the picture, as of oriel render")->type_name("WxH");
   app->add_option("--sun", r.sun, "As of oriel render")->type_name("LAT,LON,TIME");

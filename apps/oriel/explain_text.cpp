@@ -23,7 +23,7 @@ struct Item {
   Rgb light{0};
   std::string words;
   std::size_t surface = 0;  ///< whose own items follow; 0 = none
-  bool plain = true;        ///< one light: its tint is told behind it
+  bool plain = true;        ///< one light, followed by its tint
 };
 
 class Writer {
@@ -113,7 +113,7 @@ class Writer {
       const double part = share(item.light);
       if (part < kSmall) continue;
       const bool goes_on = item.surface > 0 && depth < kDeepest;
-      // The first surface has been told of: its light stands at the margin.
+      // The first surface is already printed: its light is not indented.
       const bool is_told = index == 0 && item.surface > 0 && part > 1 - kSmall;
       if (!is_told)
         line("{:{}}{:>3.0f} %  {}{}", "", indent * 2, 100 * part, item.words,

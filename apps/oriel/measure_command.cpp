@@ -267,32 +267,45 @@ void write_csv(const std::string& path, const Measurement& m) {
   if (!file.flush()) throw UserError(fmt::format("cannot write '{}'", path));
 }
 
-/// The scene's first frame made ready.
-std::unique_ptr<World> load(const MeasureArguments& a, scene::Scene& scene,
-                            Diagnostics& diagnostics, UnitLuminance& unit) {
+/// The scene's first frame made ready, with all that its shaders need while they run.
+struct LoadedScene {
+  scene::Scene scene;
+  std::optional<SceneCode> code;
+  std::optional<sdk::Host> host;
+  std::unique_ptr<World> world;  ///< null: it cannot be measured
+
+  ~LoadedScene() {
+    if (host) host->end_frame();
+  }
+};
+
+void load(const MeasureArguments& a, LoadedScene& loaded, Diagnostics& diagnostics,
+          UnitLuminance& unit) {
+  scene::Scene& scene = loaded.scene;
   mi::Reader reader(a.scene.path, read_options(a.scene, builtin_shaders()), diagnostics);
-  if (!reader.opened() || !reader.next_frame(scene)) return nullptr;
+  if (!reader.opened() || !reader.next_frame(scene)) return;
   for (const std::string& edit : a.scene.edits) apply_edit(scene, edit, builtin_shaders());
   const scene::RenderCommand& command = scene.renders.back();
   if (!a.sun.empty()) turn_sun(scene, command.root, read_sun("--sun", a.sun), a.north.value_or(0));
   PrepareOptions options;
   options.camera = a.camera;
   PrepareReport report;
-  SceneCode code(a.scene, diagnostics);
+  SceneCode& code = loaded.code.emplace(a.scene, diagnostics);
   code.compile(scene);
-  sdk::Host host(scene, builtin_shaders(), code.trusted_folders(), diagnostics);
-  auto world = prepare(scene, command, host.registry(), options, diagnostics, report);
-  if (!world) return nullptr;
+  sdk::Host& host = loaded.host.emplace(scene, builtin_shaders(), code.trusted_folders(),
+                                        diagnostics, &interrupted());
+  std::unique_ptr<World>& world = loaded.world;
+  world = prepare(scene, command, host.registry(), options, diagnostics, report);
+  if (!world) return;
   world->options.indirect = scene::IndirectMethod::Path;
   if (a.unit_luminance) {
     unit = {*a.unit_luminance, "--unit-luminance"};
-    return world;
+    return;
   }
   NodeList outputs;
   if (const scene::Camera* camera = find_camera(scene, command, a.camera))
     outputs = camera_output_shaders(*camera, scene, host.registry(), *world, diagnostics);
   unit = unit_luminance(*world, outputs, diagnostics);
-  return world;
 }
 
 int run_measure(MeasureArguments& a) {
@@ -301,9 +314,10 @@ int run_measure(MeasureArguments& a) {
   flush_denormals();
   Diagnostics diagnostics;
   DiagnosticPrinter printer(diagnostics, a.json, false);
-  scene::Scene scene;
   Measurement m;
-  const auto world = load(a, scene, diagnostics, m.unit);
+  LoadedScene loaded;
+  load(a, loaded, diagnostics, m.unit);
+  const std::unique_ptr<World>& world = loaded.world;
   printer.print_new();
   if (!world) return kExitFailed;
   m.length_unit = a.places.meters_per_unit.value_or(1);
@@ -312,6 +326,8 @@ int run_measure(MeasureArguments& a) {
   m.readings =
       measure_illuminance(*world, m.places.meters, m.unit.cd_m2, a.request, {}, &interrupted());
   m.spots = read_spots(a, *world, m.unit.cd_m2);
+  loaded.host->end_frame();
+  printer.print_new();
   if (interrupted()) return kExitFailed;
   if (!m.places.meters.empty())
     m.open_sky = open_sky(*world, m.unit.cd_m2, m.places.meters.front().normal);
@@ -371,7 +387,7 @@ Command add_measure_command(CLI::App& program) {
                   "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
   app->add_option(
       "--meters-per-unit", p.meters_per_unit,
-      "Metres of a scene unit: places are told in metres, lengths may be given as 0.5m. "
+      "Metres per scene unit: positions are printed in metres, lengths may be given as 0.5m. "
       "Light does not change: lamps of the language shine by scene units");
   app->add_option("--sun", a->sun, "As of oriel render")->type_name("LAT,LON,TIME");
   app->add_option("--north", a->north, "As of oriel render");

@@ -47,7 +47,7 @@ struct RayLine {
 
 /// Reads a command line. Flags may be shortened as long as one alone begins so.
 ///
-/// Errors:  UsageError: a flag nobody knows (with the nearest), one that several begin with (with
+/// Errors:  UsageError: an unknown flag (with the nearest), one that several begin with (with
 ///          their names), values that do not fit.
 /// Checked: RayProgram.* in tests/cli/ray_test.cpp
 RayLine read_ray_line(std::span<const std::string> arguments);

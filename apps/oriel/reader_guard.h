@@ -10,7 +10,7 @@
 namespace oriel::app {
 
 /// While it lives, a fault of the program (a bad access, a failed assertion, a stack that is used
-/// up) is told as one of the file that is being read, and the program ends with exit code 1.
+/// up) is reported as an error of the file that is being read; the program ends with exit code 1.
 ///
 /// Model:   the library that reads models trusts sizes and indices that stand in them, and nothing
 ///          can be saved of a process whose memory it overwrote. So the handler only writes a

@@ -87,7 +87,7 @@ Command add_render_command(CLI::App& program) {
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");
   app->add_option("--texture-cache", a->texture_cache,
-                  "Memory for tiles of texture files, 1024 MB unless said; 16 at least")
+                  "Texture cache size in MB (default 1024, minimum 16)")
       ->type_name("MB");
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Lines of JSON on stdout");

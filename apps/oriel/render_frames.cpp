@@ -194,7 +194,7 @@ class FrameRenderer {
                        [](const PictureFile& f) { return (f.layers & kPhotometricLayers) != 0; });
   }
 
-  /// cd/m2, asked for only where a layer is told in it.
+  /// cd/m2; computed only where a layer uses it.
   float unit_of_pixels() {
     if (!has_photometric_layers()) return 1;
     if (a_.unit_luminance) return *a_.unit_luminance;
@@ -409,7 +409,6 @@ int render_frames(mi::Reader& reader, const RenderArguments& arguments, const Re
                   DiagnosticPrinter& printer) {
   scene::Scene scene;
   catch_interrupts();
-  catch_crashes();
   FrameRenderer renderer(arguments, plan, scene, diagnostics, printer);
   int frames = 0, rendered = 0;
   while (!interrupted() && plan.frames.goes_on_from(frames + 1) && reader.next_frame(scene)) {

@@ -10,7 +10,7 @@
 
 namespace oriel::app {
 
-/// Model:   without --trust-code nothing is compiled, and the reader has said so. With it each
+/// Model:   without --trust-code nothing is compiled; the reader reports it. With it each
 ///          source becomes a library in the user's cache ($XDG_CACHE_HOME or ~/.cache,
 ///          oriel/code), named after what it says and what stands beside it, so that it is
 ///          compiled once; the scene gets a `link` to it. A file is looked for in the folders of

@@ -8,7 +8,9 @@
 #include <atomic>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <mutex>
+#include <sstream>
 #include <thread>
 
 #include "base/file_text.h"
@@ -17,10 +19,11 @@
 namespace oriel::app {
 namespace {
 
-/// Old sources compare overflowing integers, cast between pointers to different types and test
-/// `this` and dereferenced pointers against null.
-constexpr const char* kSafeFlags[] = {"-O2", "-fPIC", "-fno-strict-aliasing", "-fwrapv",
-                                      "-fno-delete-null-pointer-checks"};
+/// The words of a text of flags that CMake sets (cmake/OrielBuild.cmake).
+std::vector<std::string> words_of(const char* flags) {
+  std::istringstream text(flags);
+  return {std::istream_iterator<std::string>(text), {}};
+}
 
 }  // namespace
 
@@ -42,7 +45,7 @@ void ShaderCompilers::choose_standard(const std::string& standard) {
   c_standard_ = c89 ? "gnu89" : standard;
 }
 
-/// Sources of the time rely on what compilers let pass then; newer ones are told to as well.
+/// Flags that make new compilers accept what compilers of the time accepted.
 std::vector<std::string> ShaderCompilers::dialect(bool c) const {
   if (!c) return {"-std=" + cxx_standard_, "-fpermissive", "-Wno-narrowing"};
   return {"-std=" + c_standard_,
@@ -61,11 +64,9 @@ std::vector<std::string> ShaderCompilers::dialect(bool c) const {
 std::vector<std::string> ShaderCompilers::safe_returns() {
   const std::string probe = work_ + "/probe.cpp";
   std::ofstream(probe) << "int probe() { return 0; }\n";
-  using Words = std::vector<std::string>;
-  for (const Words& words :
-       {Words{"-fno-strict-return"},
-        Words{"-fsanitize=unreachable", "-fsanitize-undefined-trap-on-error"}}) {
-    Words arguments = words;
+  for (const char* flags : {ORIEL_SHADER_RETURN_FLAGS_CLANG, ORIEL_SHADER_RETURN_FLAGS_GNU}) {
+    const std::vector<std::string> words = words_of(flags);
+    std::vector<std::string> arguments = words;
     arguments.insert(arguments.end(), {"-Werror", "-c", probe, "-o", work_ + "/probe.o"});
     if (cxx_.run(arguments, work_ + "/probe.log")) return words;
   }
@@ -97,7 +98,8 @@ std::size_t ShaderCompilers::compile(const std::vector<CompiledSource>& sources,
     for (std::size_t i; (i = next++) < sources.size();) try {
         const CompiledSource& source = sources[i];
         std::vector<std::string> arguments = languages[source.c];
-        for (const char* flag : kSafeFlags) arguments.emplace_back(flag);
+        arguments.insert(arguments.end(), {"-O2", "-fPIC"});
+        for (const std::string& flag : words_of(ORIEL_SHADER_FLAGS)) arguments.push_back(flag);
         arguments.insert(arguments.end(), flags.begin(), flags.end());
         arguments.insert(arguments.end(), source.flags.begin(), source.flags.end());
         arguments.insert(arguments.end(), {"-c", source.source, "-o", source.object});

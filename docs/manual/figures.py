@@ -191,7 +191,7 @@ def short(value):
 
 
 def number_table(figures):
-    rows = ["| figure | what it shows in numbers | expected | measured |", "|---|---|---|---|"]
+    rows = ["| figure | claim | expected | measured |", "|---|---|---|---|"]
     for f in figures:
         values = measured(f.folder).get(f.name, {}).get("values", [])
         for number, value in zip(f.numbers, values):
@@ -213,12 +213,12 @@ def status_text(figures):
     kept = sum(f.status == "kept" for f in figures)
     numbers = [measured(f.folder).get(f.name, {}) for f in figures]
     count = sum(len(n.get("values", [])) for n in numbers)
-    lines = ["# Which figures are there", "",
-             f"{len(figures)} figures: {kept} show what the manual's show, "
-             f"{len(figures) - kept} differ. {count} numbers measured. All pictures render in "
+    lines = ["# Status of the figures", "",
+             f"{len(figures)} figures: {kept} agree with the manual's, "
+             f"{len(figures) - kept} differ. {count} measured values. Rendering all pictures takes "
              f"{sum(n.get('seconds', 0) for n in numbers) / 60:.0f} minutes of one core. Written by `docs/manual/build`."]
     for page in dict.fromkeys(f.page for f in figures):
         lines += ["", f"## [{page.stem}]({page.name})", "",
-                  "| section | figure | |", "|---|---|---|"]
+                  "| section | figure | status |", "|---|---|---|"]
         lines += [f"| {f.section} | {f.shows} | {f.status} |" for f in figures if f.page == page]
     return "\n".join(lines) + "\n"

@@ -194,7 +194,7 @@ TEST(Hair, RaysMeetItWhereItsVectorsLead) {
       EXPECT_TRUE(meets(accel, 0, .25f, 0)) << degree;
       EXPECT_FALSE(meets(accel, 0, .25f, .3f)) << degree;
       ASSERT_TRUE(meets(accel, 2, .25f, .25f, &point)) << degree;
-      // On the tube, where hair and instance have gone, and going on as both do.
+      // On the tube, where hair and instance have moved, and moving on as both do.
       EXPECT_LT(length(point.p - Vec3(2, .25f, .25f + std::sqrt(.01f - sqr(.05f)))), 1e-3f);
       EXPECT_LT(length(point.speed - Vec3(8, 0, 1)), 1e-4f) << point.speed;
       EXPECT_FALSE(accel.occluded(spawn_ray(point, point.ng, RayMask::All)));

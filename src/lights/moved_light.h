@@ -38,14 +38,14 @@ class MovedLight {
     return normalize(transform_normal(normal, there_));
   }
 
-  /// What becomes of a length along that unit direction at rest.
+  /// Factor of a length along that unit direction at rest.
   float stretch(const Vec3& at_rest) const { return length(way(at_rest)); }
-  /// What becomes of a density per solid angle around it.
+  /// Factor of a density per solid angle around it.
   float crowding(const Vec3& at_rest) const {
     const float s = stretch(at_rest);
     return s * s * s / volume();
   }
-  /// What becomes of the flux around it through the shape, at the same radiance: of the area as
+  /// Factor of the flux around it through the shape, at the same radiance: of the area as
   /// seen from there times the solid angle.
   float flux(const Vec3& at_rest) const {
     const float s = stretch(at_rest);

@@ -21,8 +21,8 @@ inline constexpr float kAsWritten = -1;
 ///          light is the mean of its shader over the shape (per area; rectangles with decay are
 ///          sampled by solid angle, which has the same mean and less noise).
 /// `kind`: as ask_light_shader.
-/// Checked: Lights.* in tests/analytic/light_test.cpp (sphere, disc, rectangle against closed
-///          forms).
+/// Checked: AreaLight.* in tests/analytic (shapes against closed forms), LightContract.*,
+///          ExtendedLightContract.*
 std::optional<LightSample> sample_light(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind = RayKind::Light);
 

@@ -25,7 +25,7 @@ bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Where an item or the camera's next statement begins; ends an item that nobody knows.
+// Where an item or the camera's next statement begins; ends an unknown item.
 std::vector<std::string_view> ending_words() {
   std::vector<std::string_view> words = {"datatype",  "filename", "filetype",
                                          "filtering", "primary",  "user"};

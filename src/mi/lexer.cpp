@@ -96,7 +96,7 @@ void Lexer::lex_number_or_word(Token& token) {
     if (number.overflow) token.problem = Token::Problem::NumberRange;
     return finish(token, Token::Kind::Number, p_, number.end, number.end);
   }
-  // Such as 3dsmax or 1.2.3: no number, so it is handed on as a word for the message to show.
+  // Such as 3dsmax or 1.2.3: no number, so it becomes a word that the message shows.
   const char* q = p_ + 1;
   while (is_word_character(*q) || *q == '.') ++q;
   const bool word = class_of(*p_) & kDigit;

@@ -107,7 +107,7 @@ void load(Parse& parse, const Waiting& placeholder) {
     }
   }
   if (!content.empty()) return merge(parse, placeholder, std::move(from), content, as);
-  // A file that could not be read has been told of.
+  // A file that could not be read is already reported.
   if (!from.elements().empty())
     parse.warn(code::kNoContent, placeholder.where,
                fmt::format("\"{}\" holds nothing that \"{}\" could stand for", placeholder.file,

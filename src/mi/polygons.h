@@ -31,7 +31,7 @@ class Room {
   bool fresh_;
 };
 
-/// Where something stands, as cheap as it can be as long as nobody asks for line and column.
+/// A place in the text; line and column are computed only when they are needed.
 struct Place {
   Source* source = nullptr;
   const char* at = nullptr;

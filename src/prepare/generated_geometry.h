@@ -12,7 +12,7 @@ namespace oriel {
 ///
 /// Errors:  OR-RN-070 a shader that makes none; OR-RN-071 one that made nothing. The instance is
 ///          left empty.
-/// Checked: Sdk.GeometryShadersMakeObjects
+/// Checked: GeometryShaders.* in tests/user_shaders
 void make_geometry(scene::Scene& scene, const scene::RenderOptions& options,
                    const Registry& registry, Diagnostics& diagnostics);
 

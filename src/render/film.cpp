@@ -49,13 +49,13 @@ Rgb half_difference(const PixelMeans& means) {
   return (means.beauty - means.second) * ratio;
 }
 
-/// Parts are told apart where they spread this many times as much as noise alone makes them, and
-/// not where they do less; in between by and by. Noise alone reaches the first at times and the
-/// second hardly ever.
+/// Parts are mapped separately where their spread is kApart times that of noise alone, and together
+/// below kAlike times; in between gradually. Noise alone sometimes reaches the first limit and
+/// hardly ever the second.
 constexpr float kAlike = 1.5f, kApart = 4;
 /// The same in denoised pixels, where what is left of noise would be seen as dots.
 constexpr float kSurelyApart = 12;
-/// Nothing is told apart where denoising left 1 / (1 + 1 / kTakenAway) of the light. A guess.
+/// Parts are mapped together where denoising left 1 / (1 + 1 / kTakenAway) of the light. A guess.
 constexpr float kTakenAway = 8;
 
 /// Samples of a part, below which nothing is said of noise within parts.

@@ -121,7 +121,7 @@ class Film {
   std::size_t pixel_count() const { return positive_.size(); }
 
   void add(int x, int y, const FilmSample& sample);
-  /// As if nothing had been added.
+  /// Removes all samples.
   void clear();
 
   std::uint32_t samples(int x, int y) const { return samples(index(x, y)); }
@@ -201,7 +201,7 @@ class Film {
     float samples = 0;
     float spread = 0;  ///< mean squared distance of brightness from the mean
     float noise = 0;   ///< what that would be if the parts were alike
-    /// How far parts are told apart when they are mapped: 0 where they spread `alike` times as much
+    /// How far parts are mapped separately: 0 where they spread `alike` times as much
     /// as noise makes them, 1 from `apart` times on.
     float kept(float alike, float apart) const;
   };

@@ -15,7 +15,7 @@ namespace oriel {
 /// Ranks of Cryptomattes when nobody says how many, and the most that may be asked for.
 inline constexpr int kMatteRanks = 6, kMostMatteRanks = 64;
 
-/// How what is seen is told apart.
+/// What distinguishes the mattes.
 enum class MatteKind : std::uint8_t { Object, Material, Asset };
 
 /// What World does not keep of its instances, one entry for each.

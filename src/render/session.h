@@ -29,8 +29,8 @@ struct SessionSettings {
   float unit_luminance = 1;             ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};      ///< cut to the picture; replaces the camera's window
   std::optional<Window> maps_for = {};  ///< what gather points are placed for; unset: the window
-  /// Told of the paths of the picture; it hears one pixel after the other from any thread, so the
-  /// window should be one pixel. Outlives the session; null = nobody.
+  /// Optional observer of the paths of the picture; may be null. Called for one pixel after the
+  /// other from any thread, so the window should be one pixel. Outlives the session.
   PathObserver* observer = nullptr;
   std::optional<MatteNames> mattes = {};  ///< keep what each pixel sees first
   MapFiles map_files = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many cd/m2 one unit of a pixel stands for in a scene, and who says so.
+// cd/m2 of one unit of a pixel in a scene, and the source of this value.
 #pragma once
 
 #include <optional>

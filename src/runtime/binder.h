@@ -20,7 +20,7 @@ struct BindingReport {
   std::map<std::string, int> shaders;
   /// "shader.parameter" set by the scene but not followed exactly -> places
   std::map<std::string, int> approximated, ignored;
-  /// Types of shaders nobody has; those of which something could be guessed stand in `guessed`.
+  /// Types of unavailable shaders; those with a fallback shader are also in `guessed`.
   std::vector<std::string> missing_shaders, missing_textures;
   std::map<std::string, int> fallbacks;        ///< shader type of a host -> how many calls
   std::map<std::string, std::string> guessed;  ///< shader type -> what was taken for what

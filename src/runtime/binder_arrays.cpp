@@ -36,7 +36,7 @@ std::size_t Binder::append_elements(ShaderNode& node, std::size_t bytes) {
 void Binder::bind_element(ShaderNode& node, const ParamSpec& param, std::size_t offset,
                           const Value& value, Scope* scope) {
   if (param.element != ParamType::Struct) {
-    // Nobody asks for connections within arrays but shaders that do so themselves.
+    // Only shaders that evaluate their connections themselves use those within arrays.
     const bool by_name = param.element == ParamType::Shader ||
                          param.element == ParamType::ColorTexture ||
                          param.element == ParamType::LightProfile;

@@ -364,7 +364,12 @@ void Binder::bind_text(ShaderNode& node, const ParamSpec& param, std::size_t off
     }
     case ParamType::Material:
     case ParamType::Geometry:
-    case ParamType::Data:
+    case ParamType::Data: {
+      if (value.text.empty()) return;
+      world_.strings.push_back(value.text);
+      store(target, ElementRef{&world_.strings.back()});
+      return;
+    }
     case ParamType::Spectrum:
       return;
     default:

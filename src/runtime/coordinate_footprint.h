@@ -16,7 +16,7 @@ namespace oriel {
 /// Inputs:  coordinate: gives a value; here: what it gives at the point.
 /// Source:  forward differences; Igehy, "Tracing Ray Differentials", SIGGRAPH 1999, 3.4.
 /// Checked: BaseLookups.TheFilterGoesByTheCoordinate and
-///          BaseLookups.FilterLookupBlursAlongTheFootprint in tests/binding.
+///          BaseLookups.FilterLookupBlursAlongTheFootprint in tests/shader_binding.
 TextureFootprint coordinate_footprint(const ShaderNode& coordinate, const Vec3& here,
                                       ShadingPoint& point);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What takes the place of a shader nobody has: a guess from the names of its parameters, or magenta
+// The replacement of an unavailable shader: a guess from the names of its parameters, or magenta
 // as material and as value.
 #pragma once
 
@@ -13,7 +13,7 @@ extern const ShaderSpec kFallbackShader;
 /// A material, a light, a texture or an environment, whichever it is asked for: a colour, looked up
 /// in a texture where there is one; as a material with transparency, highlight, mirror and glow, or
 /// what lies under it.
-/// Checked: GuessedShaders.* in tests/binding.
+/// Checked: GuessedShaders.* in tests/shader_binding.
 extern const ShaderSpec kApproximateMaterial;
 
 /// Whether it is one of the two; that the shader is missing has been reported then (OR-RT-001).

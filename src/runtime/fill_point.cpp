@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "runtime/bump.h"
 
@@ -29,8 +28,7 @@ void set_footprint(float width, ShadingPoint& point) {
 
 void take_texture_spaces(const geom::SurfacePoint& surface, ShadingPoint& point) {
   point.texture_spaces = static_cast<std::uint8_t>(surface.texture_count);
-  // Shaders of users read spaces that an object does not have.
-  std::fill(point.tex + point.texture_spaces, std::end(point.tex), Vec3(0));
+  point.other_spaces_cleared = false;
   for (std::uint32_t i = 0; i < surface.texture_count; ++i) {
     point.tex[i] = surface.textures[i].coordinate;
     point.bump_u[i] = surface.textures[i].basis_u;

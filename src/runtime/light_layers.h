@@ -17,8 +17,8 @@ namespace oriel {
 /// Groups that overlap: a light belongs to the first. Portals that show the scene's environment and
 /// that no pattern names are the environment's.
 struct LightLayers {
-  std::vector<std::string> names;  ///< of the groups; empty = nobody asks
-  // By index into World::lights and World::instances, empty when nobody asks.
+  std::vector<std::string> names;  ///< of the groups; empty = not requested
+  // By index into World::lights and World::instances, empty when not requested.
   std::vector<std::uint8_t> of_light, of_instance;
   std::uint8_t environment = 0;
   bool some_unknown = false;  ///< some surfaces show light that their shaders asked for

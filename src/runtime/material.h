@@ -13,7 +13,7 @@ struct Material {
   std::string name;
   NodeList surface;
   NodeList environment;
-  NodeList photon;          ///< what becomes of photons, in place of the surface's closure
+  NodeList photon;          ///< scatters photons, in place of the surface's closure
   NodeList photon_surface;  ///< the closure that photons meet; empty: the surface's
   NodeList volume;          ///< acts between where a ray enters the object and where it leaves
   NodeList displace;        ///< added up, they move the vertices of the surface along their normals

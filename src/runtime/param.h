@@ -36,6 +36,10 @@ struct ShaderRef {
 struct LightRef {
   int index = -1;
 };
+/// Parameters of types material, geometry and data: an element of the scene by its name.
+struct ElementRef {
+  const std::string* name = nullptr;  ///< null: none
+};
 struct ColorTextureRef {
   const TextureNode* texture = nullptr;
 };

@@ -36,7 +36,7 @@ void scale(Closure& closure, const Rgb& level);
 ///
 /// Model:   cut-outs, media, light lists and switches are those of the material asked last.
 /// Inputs:  offset: of the parameter; plain: its value. A shader that is no material gives its own.
-/// Checked: MaterialChains.* in tests/binding, RayNodes.* in tests/analytic.
+/// Checked: MaterialChains.* in tests/shader_binding, RayNodes.* in tests/analytic.
 void shade_input(const Call& call, std::size_t offset, const Rgba& plain, const Rgb& level,
                  Closure& closure);
 void shade_input(const Call& call, std::size_t offset, ShaderRef plain, const Rgb& level,

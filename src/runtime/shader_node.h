@@ -50,7 +50,7 @@ class ShaderNode {
   /// The material that stands for the parameter at `offset`; null when there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }
-  /// Connections that nobody asks but the shader itself (ShaderSpec::deferred,
+  /// Connections that only the shader itself evaluates (ShaderSpec::deferred,
   /// ParamSpec::asked_for).
   const std::vector<Connection>& connections() const { return deferred_; }
   /// Writes what is connected to the parameter at `offset`, converted to its type. False: nothing

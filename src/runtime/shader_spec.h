@@ -198,7 +198,7 @@ struct ShaderSpec {
   int (*lens_rays)(const ShaderNode&) = nullptr;
   /// Makes the colour of an eye ray of what it asks for behind itself, by any number of rays.
   Rgba (*lens_eye)(const Call&, LensNext&) = nullptr;
-  /// Stands in a material's slot `photon`: what becomes of a photon of that energy.
+  /// Stands in a material's slot `photon`: scatters a photon of that energy.
   void (*photon)(const Call&, const Rgb& energy, PhotonNext&) = nullptr;
   /// Stands in a light's list `emitter`: sends one photon.
   void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;

@@ -97,6 +97,7 @@ struct ShadingPoint {
   Vec3 ray_direction{0, 0, -1};
   float ray_length = 0;
 
+  bool other_spaces_cleared = false;  ///< tex of the spaces that the object lacks is null
   // Only the first texture_spaces of these are set.
   Vec3 tex[kMostTextureSpaces];     ///< texture coordinates of each space
   Vec3 bump_u[kMostTextureSpaces];  ///< bump basis, world space; null when absent

@@ -42,7 +42,7 @@ struct FrameBuffer {
   std::optional<bool> primary;       ///< it is the picture itself
   std::optional<bool> user;          ///< only shaders write into it
   std::vector<Statement> modifiers;  ///< compression, quality, dpi, premultiplied, ...
-  std::vector<UninterpretedStatement> uninterpreted;  ///< items nobody knows
+  std::vector<UninterpretedStatement> uninterpreted;  ///< unknown items
   SourceLocation where;
   bool operator==(const FrameBuffer&) const = default;
 };

@@ -14,7 +14,7 @@ namespace oriel::scene {
 //   Control points are vertices of the group; in a surface u runs fastest. Places in a surface's
 //   parameter plane (points of trimming curves, special points) are vertices whose x and y are u
 //   and v. Nothing here is checked: indices may be out of range, names unknown, parameters
-//   unsorted; geom/freeform says so when it makes triangles.
+//   unsorted; geom/freeform reports it when it makes triangles.
 
 /// basis "name" [rational] kind degree ...
 struct Basis {

@@ -148,7 +148,7 @@ class Flattener {
       return kNoElement;
     }
     const Element& e = element(index);
-    // Placeholders are what was loaded for them; those without have been told of.
+    // Placeholders are what was loaded for them; those without are already reported.
     if (const auto* object = std::get_if<Object>(&e); object && !object->content.empty())
       return index_of(object->content);
     if (const auto* assembly = std::get_if<Assembly>(&e))

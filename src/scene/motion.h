@@ -54,7 +54,8 @@ std::vector<Mat4> motion_path(const Leaf& leaf, const Shutter& shutter);
 /// A camera outside of the rendered group: the same for one instance.
 std::vector<Mat4> motion_path(const Instance& instance, const Shutter& shutter);
 
-/// Whether a matrix squashes space: its volume is nothing beside the product of its row lengths.
+/// Whether a matrix squashes space: its volume is negligible relative to the product of its row
+/// lengths.
 bool is_singular(const Imath::M44d& m);
 
 }  // namespace oriel::scene

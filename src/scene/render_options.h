@@ -160,7 +160,7 @@ struct RenderOptions {
       light_groups;  ///< `"light group NAME" "PATTERN,..."`; layers of EXR files
 
   std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
-  std::vector<std::string> unknown_strings;   ///< string options nobody here knows, each once
+  std::vector<std::string> unknown_strings;   ///< unknown string options, each once
 
   /// Whether photons bring the light that glass bends. Paths do not: where they find the light,
   /// glass casts transparent shadows.

@@ -12,7 +12,7 @@ namespace oriel::scene {
 struct Argument;
 
 /// One value of a parameter or statement, as written. The declared type is applied when the value
-/// is bound (runtime/bind.h), so a value can be kept and written back although nobody knows its
+/// is bound (runtime/bind.h), so a value can be kept and written back even with an unknown
 /// shader.
 struct Value {
   enum class Kind : std::uint8_t {

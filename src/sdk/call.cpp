@@ -66,7 +66,7 @@ bool call_guarded(UserInstance& shader, miState& state, void* result, void* argu
     shader.spec->host->stop_crashed(running);
     return false;
   }
-  if (!shader.called.exchange(true, std::memory_order_relaxed)) restore_crash_handlers();
+  if (!shader.called.exchange(true, std::memory_order_relaxed)) install_crash_handlers();
   return answer;
 }
 

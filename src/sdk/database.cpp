@@ -41,13 +41,14 @@ void mi_db_delete(miTag tag) {
   Host* host = current_host();
   if (!host || tag == miNULLTAG || host->elements().erase(tag)) return;
   if (kind_of(tag) != TagKind::Element)
-    warn_once("mi_db_delete", "elements of the scene cannot be deleted while it is rendered");
+    warn_no_effect("mi_db_delete", "elements of the scene cannot be deleted while it is rendered");
 }
 
 miTag mi_db_copy(miTag tag) {
   Host* host = current_host();
-  // Shader calls and profiles are more than their bytes.
-  if (!host || kind_of(tag) == TagKind::Function || kind_of(tag) == TagKind::Profile)
+  // Shader calls, profiles and images are more than their bytes.
+  if (!host || kind_of(tag) == TagKind::Function || kind_of(tag) == TagKind::Profile ||
+      kind_of(tag) == TagKind::Texture)
     return miNULLTAG;
   const void* from = host->access(tag);
   if (!from) return miNULLTAG;

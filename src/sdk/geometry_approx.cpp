@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "sdk/geometry_work.h"
+#include "sdk/once.h"
 
 namespace oriel::sdk {
 namespace {
@@ -80,8 +81,7 @@ bool write_technique(const miApprox& approx, Written& out) {
       some |= criterion("angle", c[miCNST_ANGLE]);
       return some;
     default:
-      static std::atomic<bool> warned = false;
-      warn_once(warned,
+      warn_once("OR-SDK-040",
                 "a geometry shader asks for a method of approximation that surfaces do not have; "
                 "ignored");
       return false;
@@ -163,8 +163,7 @@ miBoolean mi_api_surface_approx(const char* surface, const miApprox* approx) {
 }
 
 miBoolean mi_api_subdivsurf_approx(const void*, ...) {
-  static std::atomic<bool> warned = false;
-  warn_once(warned,
+  warn_once("OR-SDK-040",
             "geometry shaders make no subdivision surfaces here: their approximation is ignored");
   return miTRUE;
 }

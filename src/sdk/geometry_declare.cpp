@@ -6,6 +6,7 @@
 #include "sdk/geometry_work.h"
 #include "sdk/host.h"
 #include "sdk/made_parts.h"
+#include "sdk/once.h"
 
 namespace oriel::sdk {
 namespace {
@@ -53,8 +54,9 @@ bool same_types(const std::vector<scene::ParamDecl>& a, const std::vector<scene:
 bool exists(const scene::Scene& scene, const scene::ShaderDeclaration& made) {
   if (const auto* known = scene.find_declaration(made.name)) {
     if (!same_types(known->parameters, made.parameters))
-      made::warn_once("a geometry shader declares \"" + made.name +
-                      "\" with other parameters than the scene does; those of the scene are used");
+      warn_once("OR-SDK-040",
+                "a geometry shader declares \"" + made.name +
+                    "\" with other parameters than the scene does; those of the scene are used");
     return true;
   }
   const Host* host = current_host();

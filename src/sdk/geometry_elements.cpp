@@ -9,6 +9,7 @@
 #include "sdk/geometry_work.h"
 #include "sdk/made_parts.h"
 #include "sdk/made_record.h"
+#include "sdk/once.h"
 
 namespace oriel::sdk {
 namespace {
@@ -96,9 +97,9 @@ miTag mi_api_instance_end(const char* item, miTag function, miTag params) {
     made.element = element;
   }
   if (params != miNULLTAG)
-    made::warn_once(
-        "a geometry shader gives an instance a shader for its transformation, which "
-        "has no effect; the matrices of the instance are used");
+    warn_once("OR-SDK-040",
+              "a geometry shader gives an instance a shader for its transformation, which "
+              "has no effect; the matrices of the instance are used");
   store(*work, work->elements.instance_data, made);
   return work->add(std::move(made));
 }

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "sdk/geometry_work.h"
+#include "sdk/once.h"
 
 namespace oriel::sdk {
 namespace {
@@ -65,8 +66,7 @@ void clean(Hair& hair) {
   const auto end =
       std::find_if(first.begin(), good, [&](std::uint32_t i) { return i > hair.scalars.size(); });
   if (end == first.end()) return;
-  static std::atomic<bool> warned = false;
-  warn_once(warned,
+  warn_once("OR-SDK-040",
             "a geometry shader makes hairs of scalars that it did not write; they are dropped");
   first.erase(end, first.end());
 }

@@ -87,12 +87,6 @@ std::string taken(const char* name) {
   return own;
 }
 
-void warn_once(std::atomic<bool>& warned, const std::string& text) {
-  Host* host = current_host();
-  if (!host || warned.exchange(true)) return;
-  host->say(Severity::Warning, text);
-}
-
 scene::PolygonGroup* open_group() {
   GeometryWork* work = GeometryWork::current();
   return work && !work->object.groups.empty() ? &work->object.groups.back() : nullptr;

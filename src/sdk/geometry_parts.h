@@ -2,7 +2,6 @@
 // The parts of an object that geometry shaders make piece by piece: hair, surfaces, particles.
 #pragma once
 
-#include <atomic>
 #include <map>
 #include <optional>
 #include <string>
@@ -74,8 +73,5 @@ std::uint32_t material_index(scene::PolygonGroup& group, const std::string& name
 /// A statement of the approximation; nothing where the object's own applies.
 std::optional<scene::Statement> statement_of(const miApprox& approx, std::string_view kind,
                                              const std::string& name);
-
-/// Warns once in the life of the program; nothing where no shader runs.
-void warn_once(std::atomic<bool>& warned, const std::string& text);
 
 }  // namespace oriel::sdk

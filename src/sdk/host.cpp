@@ -9,6 +9,7 @@
 
 #include "sdk/call.h"
 #include "sdk/current.h"
+#include "sdk/picture.h"
 #include "shaders/registry.h"
 
 namespace oriel::sdk {
@@ -22,9 +23,9 @@ int version_of(const Library& library, const UserSpec& spec, std::optional<Runni
   int version = 0;
   Running running{&spec, "_version", &spec.library_name};
   if (!run_guarded(running, [&] { version = reinterpret_cast<int (*)()>(function)(); }) &&
-      running.crashed)
+      running.left != Left::Stopped)
     crashed = running;
-  restore_crash_handlers();
+  install_crash_handlers();
   return version;
 }
 
@@ -34,7 +35,6 @@ Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFold
            Diagnostics& diagnostics, std::atomic<bool>* stop)
     : stopped(stop ? *stop : own_stop_), scene_(scene), diagnostics_(diagnostics) {
   mi_init_lock(&global_lock_);
-  remember_crash_handlers();
   set_current_host(this);  // for functions of libraries that run before the first shader
   SourceLocation first_missing;
   for (const scene::Statement& command : scene.commands) {
@@ -70,7 +70,7 @@ void Host::link(const std::string& written, SourceLocation where, const TrustedF
   if (!linked_.insert(stem).second) return;
   const std::size_t messages = diagnostics_.all().size();
   auto library = Library::open(written, where, folders, diagnostics_);
-  restore_crash_handlers();
+  install_crash_handlers();
   if (!library && diagnostics_.all().size() == messages) missing_.push_back(stem + ".so");
   if (!library) absent_.push_back(stem + ".so");
   if (!library) return;
@@ -83,19 +83,19 @@ bool Host::call_module(const Library& library, const char* function) {
   if (!found) return true;
   Running running{nullptr, function, &library.file_name()};
   const bool done = run_guarded(running, [&] { reinterpret_cast<void (*)()>(found)(); });
-  restore_crash_handlers();
-  if (!done && running.crashed)
-    diagnostics_.error("OR-SDK-005", {}, describe(running, "crashed"),
+  install_crash_handlers();
+  if (!done && running.left != Left::Stopped)
+    diagnostics_.error("OR-SDK-005", {}, describe(running),
                        "where module_init crashes, the shaders of the library are missing");
   return done;
 }
 
 void Host::stop_crashed(const Running& running) {
   stopped = true;
-  if (!running.crashed) return;
+  if (running.left == Left::Stopped) return;
   // Other threads may run into the same crash.
   if (running.spec && running.spec->crashed.exchange(true)) return;
-  diagnostics_.error("OR-SDK-005", {}, describe(running, "crashed"),
+  diagnostics_.error("OR-SDK-005", {}, describe(running),
                      "the picture so far is saved; run the program in a debugger to see where: "
                      "gdb --args oriel render ...");
 }
@@ -133,7 +133,7 @@ const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const
   std::optional<Running> crashed;
   const int built = version_of(library, *spec, crashed);
   if (crashed) {
-    diagnostics_.error("OR-SDK-005", declaration.where, describe(*crashed, "crashed"),
+    diagnostics_.error("OR-SDK-005", declaration.where, describe(*crashed),
                        "the shader is taken as unknown");
     return nullptr;
   }
@@ -162,18 +162,30 @@ void Host::forget() {
   const std::unique_lock lock(mutex_);
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),
       known_.clear();
-  known_texts_.clear(), records_.clear(), replaced_.clear(), lights_.clear(), labels_.clear();
+  known_texts_.clear(), records_.clear(), pictures_.clear(), replaced_.clear(), lights_.clear(),
+      labels_.clear();
   named_.clear();
   labels_ready_ = false;
   elements_.clear();
-  said_.clear();
   camera_ = nullptr, options_ = nullptr;
   world_ = nullptr;
 }
 
+void Host::exit_later(UserInstance& instance) {
+  if (!instance.spec->exit) return;
+  auto late = std::make_unique<UserInstance>();
+  late->spec = instance.spec;
+  late->block = std::move(instance.block);
+  late->function = instance.function;
+  late->parameters = instance.parameters;
+  late->user = instance.user;
+  late->thread_pointers.of = std::move(instance.thread_pointers.of);
+  late->lock = std::exchange(instance.lock, {});
+  late_exits_.push_back(std::move(late));
+}
+
 void Host::end_frame() {
   const std::lock_guard guard(shader_lock_);
-  if (!world_) return;
   set_current_host(this);
   ShadingPoint nowhere;
   nowhere.world = world_;
@@ -184,15 +196,23 @@ void Host::end_frame() {
     if (!run_guarded(running, [&] { reinterpret_cast<Exit>(spec.exit)(&state, parameters); }))
       stop_crashed(running);
   };
-  for (const auto& node : world_->nodes) {
-    UserInstance* instance = user_instance(*node);
-    if (!instance || !instance->initialised || !instance->spec->exit) continue;
+  for (std::size_t i = 0; world_ && i < world_->nodes.size(); ++i) {
+    UserInstance* instance = user_instance(*world_->nodes[i]);
+    if (!instance || !instance->initialised) continue;
+    instance->initialised = false;
+    if (!instance->spec->exit) continue;
     StateFrame frame(*this, nowhere, nullptr);
     frame.state.shader = instance->function;
     frame.context.shader = instance;
-    instance->initialised = false;
     call_exit(*instance->spec, frame.state, instance->parameters);
   }
+  for (const auto& late : late_exits_) {
+    StateFrame frame(*this, nowhere, nullptr);
+    frame.state.shader = late->function;
+    frame.context.shader = late.get();
+    call_exit(*late->spec, frame.state, late->parameters);
+  }
+  late_exits_.clear();
   for (const auto& spec : specs_) {
     if (!spec->initialised) continue;
     spec->initialised = false;
@@ -205,7 +225,11 @@ void Host::end_frame() {
 
 Host::~Host() {
   set_current_host(this);
-  for (const auto& library : libraries_) call_module(*library, "module_exit");
+  for (const auto& library : libraries_) {
+    call_module(*library, "module_exit");
+    if (const std::string crash = library->close(); !crash.empty())
+      diagnostics_.error("OR-SDK-005", {}, crash);
+  }
   *self_ = nullptr;
   forget_host(this);
   mi_delete_lock(&global_lock_);
@@ -341,11 +365,7 @@ bool Host::is_first(std::string_view words) {
 }
 
 void Host::warn_once(const char* code, const std::string& text) {
-  {
-    const std::unique_lock lock(mutex_);
-    if (!warned_.insert(text).second) return;
-  }
-  diagnostics_.warning(code, {}, text);
+  if (is_first(text)) diagnostics_.warning(code, {}, text);
 }
 
 void Host::say(Severity severity, std::string text) {

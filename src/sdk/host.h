@@ -27,6 +27,8 @@
 
 namespace oriel::sdk {
 
+struct Picture;
+
 /// Finds what `link` statements name, makes specs of the shaders that the scene declares and the
 /// libraries have, and lends the rest of the scene to them by tags.
 ///
@@ -62,6 +64,9 @@ class Host {
   /// Calls the exit functions of the shaders that were initialised, and forgets the world; to be
   /// called before it goes.
   void end_frame();
+  /// Takes a call that was initialised over from its world, which ends before the frame: its exit
+  /// function runs at the end of the frame.
+  void exit_later(UserInstance& instance);
 
   // Tags; 0 for null.
   miTag tag_of(const ShaderNode* node);
@@ -74,6 +79,8 @@ class Host {
   /// What they stand for; null where the tag is of another kind.
   const ShaderNode* node(miTag tag) const;
   const TextureNode* texture(miTag tag) const;
+  /// The tag of the shader that stands for a texture; that of the texture itself where it is none.
+  miTag behind_texture(miTag tag);
   const Material* material(miTag tag) const;
   const photometry::LightProfile* profile(miTag tag) const;
   const scene::UserData* user_data(miTag tag) const;
@@ -101,6 +108,7 @@ class Host {
   /// Makes the C structure anew when it is next asked for; the present one stays readable.
   void renew(miTag tag);
 
+  // Zeros while no world is under way.
   const miCamera* camera();
   const miOptions* options();
   const std::vector<miTag>& lights();  ///< instances of all lights
@@ -115,13 +123,13 @@ class Host {
   /// What shaders made for themselves in this frame.
   ShaderElements& elements() { return elements_; }
 
-  /// Whether the frame asks for the first time with these words.
+  /// Whether this host is asked for the first time with these words; quick where it is not.
   bool is_first(std::string_view words);
 
   void say(Severity severity, std::string text);
   /// Reports a crash while a frame is rendered, or after it, and stops the rendering.
   void stop_crashed(const Running& running);
-  /// A warning that is given once for each text.
+  /// A warning that is given the first time that this host is asked for its text (`is_first`).
   void warn_once(const char* code, const std::string& text);
   /// Set by mi_abort, mi_fatal and crashes: the picture so far is all there will be.
   std::atomic<bool>& stopped;
@@ -146,6 +154,8 @@ class Host {
     std::size_t size = 0;
   };
   Record make(miTag tag);
+  /// The pixels of a texture's picture, made when first asked for; null: it has none.
+  miImg_image* image_of(miTag tag);
 
   const scene::Scene& scene_;
   Diagnostics& diagnostics_;
@@ -167,9 +177,9 @@ class Host {
   std::unordered_map<const void*, miTag> known_;
   std::unordered_map<std::string, miTag> known_texts_;
   std::unordered_map<miTag, Record> records_;
+  std::unordered_map<miTag, std::unique_ptr<Picture>> pictures_;  ///< of textures
   std::vector<Record> replaced_;                  ///< records that shaders may still read
   std::unordered_map<std::string, miTag> named_;  ///< elements of the world; empty: not made yet
-  std::set<std::string> warned_;
   std::vector<miTag> lights_;
   std::vector<miUint> labels_;  ///< one for each instance, once labels_ready_
   std::atomic<bool> labels_ready_ = false;
@@ -178,6 +188,7 @@ class Host {
   std::recursive_mutex shader_lock_;
   miLock global_lock_;
   ShaderElements elements_;
+  std::vector<std::unique_ptr<UserInstance>> late_exits_;
   std::set<std::string, std::less<>> said_;
 };
 

@@ -51,13 +51,13 @@ miBoolean mi_compute_avg_radiance(miColor* result, miState* state, miUchar face,
 
 // Volumes are lit by their own shaders: there are no photons in them to ask for.
 miBoolean mi_compute_volume_irradiance(miColor* result, miState*) {
-  warn_once("mi_compute_volume_irradiance", "there are no photons in volumes");
+  warn_no_effect("mi_compute_volume_irradiance", "there are no photons in volumes");
   *result = {0, 0, 0, 0};
   return miFALSE;
 }
 miBoolean mi_compute_directional_irradiance(miColor* result, miState*, miScalar, miScalar,
                                             miScalar) {
-  warn_once("mi_compute_directional_irradiance", "there are no photons in volumes");
+  warn_no_effect("mi_compute_directional_irradiance", "there are no photons in volumes");
   *result = {0, 0, 0, 0};
   return miFALSE;
 }

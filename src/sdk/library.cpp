@@ -4,11 +4,15 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <link.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
+#include "sdk/crash.h"
 #include "sdk/elf_symbols.h"
 
 namespace oriel::sdk {
@@ -97,16 +101,32 @@ std::unique_ptr<Library> Library::open(const std::string& written, SourceLocatio
   std::unique_ptr<Library> library(new Library);
   library->path_ = path;
   library->file_name_ = name;
-  library->handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library->handle_) return library;
+  install_crash_handlers();
+  Running running{nullptr, "a static constructor", &library->file_name_};
+  if (!run_guarded(running,
+                   [&] { library->handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL); }))
+    // The loader still holds its lock, for which other threads would wait.
+    throw std::runtime_error(fmt::format("error: {} [OR-SDK-005]", describe(running)));
+  if (library->handle_) {
+    const auto* map = static_cast<const link_map*>(library->handle_);
+    watch_library(map->l_ld, name);
+    return library;
+  }
   report_unloadable(path, dlerror(), where, diagnostics);
   return nullptr;
 }
 
 void* Library::find(const std::string& name) const { return dlsym(handle_, name.c_str()); }
 
-Library::~Library() {
-  if (handle_) dlclose(handle_);
+std::string Library::close() {
+  void* const handle = std::exchange(handle_, nullptr);
+  if (!handle) return {};
+  Running running{nullptr, "a static destructor", &file_name_};
+  const bool done = run_guarded(running, [&] { dlclose(handle); });
+  unwatch_library(file_name_);
+  return done ? std::string() : describe(running);
 }
+
+Library::~Library() { close(); }
 
 }  // namespace oriel::sdk

@@ -28,10 +28,13 @@ class Library {
   ///
   /// Errors:  null where there is no such file; null with OR-SDK-002 wrong architecture or not a
   /// library, -003
-  ///          functions that Oriel does not offer, each by name.
+  ///          functions that Oriel does not offer, each by name. Throws OR-SDK-005 where a static
+  ///          constructor crashes: the system's loader cannot be used after that.
   static std::unique_ptr<Library> open(const std::string& written, SourceLocation where,
                                        const TrustedFolders& folders, Diagnostics& diagnostics);
   ~Library();
+  /// Unloads it. Returns what its static destructors did wrong; empty: nothing.
+  std::string close();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 

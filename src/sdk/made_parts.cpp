@@ -90,8 +90,4 @@ scene::ShaderList shader_list(const scene::Scene& scene, miTag call) {
   return list;
 }
 
-void warn_once(const std::string& text) {
-  if (Host* host = current_host()) host->warn_once("OR-SDK-040", text);
-}
-
 }  // namespace oriel::sdk::made

@@ -39,7 +39,4 @@ Mat4 matrix_of(const miMatrix m);
 /// The shader list behind the tag of a call: one use for each call that was chained to it.
 scene::ShaderList shader_list(const scene::Scene& scene, miTag call);
 
-/// Reports, once for each text, that a request of a shader has no effect.
-void warn_once(const std::string& text);
-
 }  // namespace oriel::sdk::made

@@ -74,6 +74,7 @@ struct Maker {
     out.emitter = shader_of(host, &from.emitters);
     out.userdata = attached_data(from.other, host);
     out.label = scene::label_of(from.other);
+    store_shadow_maps(from.other, out);
     return record(out, size);
   }
   Bytes operator()(const scene::Material& from) const {

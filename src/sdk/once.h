@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings about functions that accept their arguments and do nothing.
+// Warnings that are given once for each scene: Host::warn_once for code without a Host.
 #pragma once
+
+#include <string>
 
 namespace oriel::sdk {
 
-/// Warns "FUNCTION: TEXT", the first time in a frame that a shader calls the function.
-void warn_once(const char* function, const char* text);
+/// Warns of a function that accepts its arguments and does nothing: "FUNCTION: TEXT", the first
+/// time that a shader calls the function.
+void warn_no_effect(const char* function, const char* text);
+
+/// Warns once for each text; nothing where no shader runs.
+void warn_once(const char* code, const std::string& text);
 
 }  // namespace oriel::sdk

@@ -34,11 +34,11 @@ void mi_output_image_close(miState* state, miUint index) {
 
 // There are no contours.
 miBoolean mi_get_contour_line(miContour_endpoint*, miContour_endpoint*) {
-  warn_once("mi_get_contour_line", "contours are not drawn");
+  warn_no_effect("mi_get_contour_line", "contours are not drawn");
   return miFALSE;
 }
 void mi_add_contour_lines(miContour_endpoint[], miContour_endpoint[], int) {
-  warn_once("mi_add_contour_lines", "contours are not drawn");
+  warn_no_effect("mi_add_contour_lines", "contours are not drawn");
 }
 
 }  // extern "C"

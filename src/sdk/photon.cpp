@@ -86,11 +86,11 @@ miBoolean mi_photon_transparent(miColor* energy, miState* state) {
 }
 // There are no photons in volumes.
 miBoolean mi_photon_volume_scattering(miColor*, miState*, const miVector*) {
-  warn_once("mi_photon_volume_scattering", "photons are not scattered in volumes");
+  warn_no_effect("mi_photon_volume_scattering", "photons are not scattered in volumes");
   return miFALSE;
 }
 miBoolean mi_store_volume_photon(miColor*, miState*) {
-  warn_once("mi_store_volume_photon", "photons are not stored in volumes");
+  warn_no_effect("mi_store_volume_photon", "photons are not stored in volumes");
   return miFALSE;
 }
 

@@ -365,7 +365,7 @@ using namespace oriel::sdk;
 
 extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, void* result, ...) {
   Host* host = state && state->cache ? context(state).host : current_host();
-  if (!host || !host->world() || !result) return miFALSE;
+  if (!host || !result) return miFALSE;
   va_list list;
   va_start(list, result);
   int extra = 0;
@@ -377,6 +377,10 @@ extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, 
     return query >= first && query <= last;
   };
   bool answer = false;
+  // The rest needs what is rendered, which exit functions of geometry shaders may outlive.
+  if (!host->world() && !within(miQ_FUNC_USERPTR, miQ_DECL_LOCK) &&
+      !within(miQ_DECL_NAME, miQ_DECL_VERSION))
+    return miFALSE;
   if (within(miQ_FUNC_USERPTR, miQ_DECL_LOCK))
     answer = ask_function(query, *host, state, tag, result, count);
   else if (within(miQ_DECL_NAME, miQ_DECL_VERSION))

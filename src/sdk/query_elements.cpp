@@ -4,6 +4,7 @@
 #include "scene/label.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
+#include "sdk/made_record.h"
 #include "sdk/user_data.h"
 
 namespace oriel::sdk {
@@ -38,6 +39,13 @@ geom::Box3 object_bounds(const Host& host, std::size_t index) {
 }
 
 }  // namespace
+
+void store_written(Host& host, miTag tag, miLight& out) {
+  const auto* statements = statements_of(host, tag);
+  if (!statements) return;
+  out.label = scene::label_of(*statements);
+  store_shadow_maps(*statements, out);
+}
 
 miTag data_of(Host& host, miTag tag) {
   const auto* statements = statements_of(host, tag);

@@ -19,6 +19,8 @@ bool ask_data(miQ_type query, Host& host, miTag tag, void* result);
 bool ask_primitive(miQ_type query, Host& host, const miState* state, void* result);
 /// What is attached to an instance, object or light; null: nothing.
 miTag data_of(Host& host, miTag tag);
+/// Members of a light that only the scene's element knows.
+void store_written(Host& host, miTag tag, miLight& out);
 /// `tag N` of an instance or object; 0: none.
 miUint label_of(Host& host, miTag tag);
 

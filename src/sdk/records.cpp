@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "runtime/texture_node.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/frame_buffers.h"
@@ -10,6 +11,7 @@
 #include "sdk/host.h"
 #include "sdk/made_parts.h"
 #include "sdk/made_record.h"
+#include "sdk/picture.h"
 #include "sdk/query_elements.h"
 #include "sdk/user_data.h"
 
@@ -269,6 +271,7 @@ Host::Record Host::make(miTag tag) {
       if (const int i = light(tag); i >= 0) {
         miLight out = light_of(world_->lights[static_cast<std::size_t>(i)], *this);
         out.userdata = data_of(*this, tag);
+        store_written(*this, tag, out);
         return record(out);
       }
       break;
@@ -337,7 +340,34 @@ void Host::renew(miTag tag) {
   records_.erase(found);
 }
 
+miTag Host::behind_texture(miTag tag) {
+  const TextureNode* const from = texture(tag);
+  return from && !from->procedure().empty() ? tag_of(from->procedure().front()) : tag;
+}
+
+miImg_image* Host::image_of(miTag tag) {
+  {
+    const std::shared_lock lock(mutex_);
+    if (const auto found = pictures_.find(tag); found != pictures_.end())
+      return found->second.get();
+  }
+  const TextureNode* const from = texture(tag);
+  if (!from || from->width() <= 0 || from->height() <= 0) return nullptr;
+  const auto width = static_cast<float>(from->width()), height = static_cast<float>(from->height());
+  auto picture = std::make_unique<Picture>(miIMG_TYPE_RGBA_FP, from->width(), from->height());
+  for (int y = 0; y < picture->height; ++y)
+    for (int x = 0; x < picture->width; ++x)
+      picture->set_colour(x, y,
+                          from->texel(Vec2((static_cast<float>(x) + .5f) / width,
+                                           (static_cast<float>(y) + .5f) / height)));
+  picture->writable = miFALSE;
+  const std::unique_lock lock(mutex_);
+  return pictures_.try_emplace(tag, std::move(picture)).first->second.get();
+}
+
 void* Host::access(miTag tag) {
+  if (const miTag shader = behind_texture(tag); shader != tag) return access(shader);
+  if (kind_of(tag) == TagKind::Texture && world_) return image_of(tag);
   if (miObject* made = GeometryWork::object_of(tag)) return made;
   if (kind_of(tag) == TagKind::Element) return elements_.bytes(tag);
   if (tag == miNULLTAG || !world_) return nullptr;
@@ -363,12 +393,14 @@ std::size_t Host::size_of_record(miTag tag) {
   if (kind_of(tag) == TagKind::Element) return elements_.size(tag);
   if (GeometryWork::object_of(tag)) return sizeof(miObject);
   if (!access(tag)) return 0;
+  if (type_of(tag) == miSCENE_IMAGE) return sizeof(miImg_image);
   const std::shared_lock lock(mutex_);
   const auto found = records_.find(tag);
   return found == records_.end() ? sizeof(miFunction) : found->second.size;
 }
 
 miScene_types Host::type_of(miTag tag) const {
+  if (const TextureNode* t = texture(tag); t && !t->procedure().empty()) return miSCENE_FUNCTION;
   switch (kind_of(tag)) {
     case TagKind::Function:
       return miSCENE_FUNCTION;
@@ -409,11 +441,15 @@ miScene_types Host::type_of(miTag tag) const {
 }
 
 const miCamera* Host::camera() {
+  static const miCamera none = {};
+  if (!world_) return &none;
   if (!camera_) camera_ = static_cast<const miCamera*>(access(make_tag(TagKind::Camera, 0)));
   return camera_;
 }
 
 const miOptions* Host::options() {
+  static const miOptions none = {};
+  if (!world_) return &none;
   if (!options_) options_ = static_cast<const miOptions*>(access(make_tag(TagKind::Options, 0)));
   return options_;
 }

@@ -8,7 +8,7 @@ namespace {
 
 /// Every answer is that of a pass that is not there.
 miBoolean no_pass(const char* function) {
-  oriel::sdk::warn_once(function, "files of render passes are neither read nor written");
+  oriel::sdk::warn_no_effect(function, "files of render passes are neither read nor written");
   return miFALSE;
 }
 

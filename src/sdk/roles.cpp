@@ -171,11 +171,13 @@ LightValue light(const Call& call, const LightCall& light) {
   return value;
 }
 
-/// What a volume does is affine in the light that comes to it: two calls tell it.
+/// What a volume does is affine in the light that comes to it: two calls tell it. Photons are
+/// dimmed as light is.
 VolumeValue volume(const Call& call) {
   UserInstance& shader = instance_of(call);
   const auto pass = [&](float behind) {
     StateFrame frame(*shader.spec->host, call.point);
+    if (is_photon(call.point.ray_kind)) frame.state.type = miRAY_LIGHT;
     Result c(*shader.spec);
     c.color() = {behind, behind, behind, 1};
     run(shader, frame.state, c.bytes, miSHADER_VOLUME);
@@ -287,7 +289,11 @@ void set_roles(UserSpec& spec) {
   }
   spec.may_emit = never;
   if (acts_as(kApplyLight)) spec.light = light;
-  if (acts_as(kApplyVolume)) spec.volume = volume;
+  if (acts_as(kApplyVolume)) {
+    spec.volume = volume;
+    spec.dims_light = always;
+    spec.acts_on_endless_rays = true;
+  }
   if (acts_as(kApplyLens)) spec.lens_eye = lens;
   if (acts_as(kApplyPhoton)) spec.photon = photon;
   if (acts_as(kApplyEmitter)) spec.emit = emit;

@@ -14,7 +14,7 @@ using oriel::sampling::Sampler;
 
 /// Pairs of dimensions that a loop keeps even over its samples; further ones are drawn alone.
 constexpr int kPairs = 4;
-/// Loops within loops of one thread that are told apart.
+/// Maximum number of nested loops of one thread.
 constexpr int kLoops = 8;
 
 /// A loop of mi_sample, known by its counter: where its pattern of points was shifted to.

@@ -11,6 +11,7 @@
 #include "sdk/current.h"
 #include "sdk/geometry_parts.h"
 #include "sdk/host.h"
+#include "sdk/once.h"
 #include "sdk/spectrum_layout.h"
 
 namespace oriel::sdk {
@@ -136,8 +137,8 @@ void mi_spectrum_assign(miSpectrum* to, const miSpectrum* from) {
 }
 
 void mi_spectrum_assign_data(miSpectrum* to, const miSpectrum_data*) {
-  static std::atomic<bool> warned = false;
-  warn_once(warned, "spectrum elements of the scene do not reach shaders: theirs stay black");
+  oriel::sdk::warn_once("OR-SDK-020",
+                        "spectrum elements of the scene do not reach shaders: theirs stay black");
   mi_spectrum_ensure(to);
 }
 
@@ -206,8 +207,8 @@ void mi_spectrum_cie(miSpectrum* s, miScalar intensity, const char* illuminant) 
   Spectrum flat;
   flat.fill(1);
   if (name != "E") {
-    static std::atomic<bool> warned = false;
-    warn_once(warned, "unknown CIE illuminant \"" + name + "\"; a flat spectrum is used");
+    oriel::sdk::warn_once("OR-SDK-020",
+                          "unknown CIE illuminant \"" + name + "\"; a flat spectrum is used");
   }
   set_lamp(s, flat, intensity);
 }

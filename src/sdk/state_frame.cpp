@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The miState of a point: the hit, and what the ray inherited.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "sdk/call.h"
 #include "sdk/host.h"
@@ -61,7 +63,8 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
   state.motion = as_c(motion_of(point));
   state.org = as_c(point.ray_origin);
   state.dir = as_c(point.ray_direction);
-  state.dist = point.environment ? 0 : point.ray_length;
+  const bool endless = point.environment || std::isinf(point.ray_length);
+  state.dist = endless ? 0 : point.ray_length;
   state.material = point.environment ? 0 : host.tag_of(point.material);
   if (point.instance >= 0) {
     state.instance = make_tag(TagKind::Instance, static_cast<std::size_t>(point.instance));
@@ -73,7 +76,7 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
     const Vec3 weights = hit->weights(point.position);
     for (int i = 0; i < 3; ++i) state.bary[i] = weights[i];
   }
-  if (!point.environment) state.pri = handle_of(point.instance, point.primitive);
+  if (!endless) state.pri = handle_of(point.instance, point.primitive);
   state.point = as_c(point.position);
   state.normal = as_c(point.normal);
   state.normal_geom = as_c(point.geometric_normal);
@@ -86,6 +89,9 @@ void StateFrame::set_bases(ShadingPoint& point) {
   static_assert(sizeof(Vec3) == sizeof(miVector));
   state.tex_list = reinterpret_cast<miVector*>(point.tex);
   if (point.environment) std::fill(std::begin(point.tex), std::end(point.tex), Vec3(0));
+  // Shaders read spaces that an object lacks; what one writes there the next finds.
+  if (!std::exchange(point.other_spaces_cleared, true))
+    std::fill(point.tex + point.texture_spaces, std::end(point.tex), Vec3(0));
   for (int i = 0; i < point.texture_spaces; ++i) {
     const auto in_object = [&](const Vec3& v) {
       return as_c(point.to_object ? transform_vector(v, *point.to_object) : v);

@@ -28,6 +28,12 @@ miTag tag_of_value(Host& host, ParamType type, const void* own) {
       return host.tag_of(read(ColorTextureRef()).texture);
     case ParamType::LightProfile:
       return host.tag_of(read(LightProfileRef()).profile);
+    case ParamType::Material:
+    case ParamType::Geometry:
+    case ParamType::Data: {
+      const std::string* const name = read(ElementRef()).name;
+      return name ? host.tag_of_name(*name) : miNULLTAG;
+    }
     case ParamType::Light: {
       const int index = read(LightRef()).index;
       return index < 0 ? miNULLTAG
@@ -73,6 +79,7 @@ ArrayView<std::byte> array_at(const std::byte* own) {
 
 UserInstance::~UserInstance() {
   // Worlds go before their hosts, some at once: that of geometry shaders.
+  if (host && *host && initialised) (*host)->exit_later(*this);
   if (host && *host && world) (*host)->leave(*world);
   if (lock.p) mi_delete_lock(&lock);
 }
@@ -149,7 +156,11 @@ void UserInstance::make_ready(const ShaderNode& of) {
 void UserInstance::initialise(Host& host) {
   mi_init_lock(&lock);
   auto* shader = const_cast<UserSpec*>(spec);
-  if (!shader->init || shader->crashed) return;
+  if (shader->crashed) return;
+  if (!shader->init) {
+    shader->initialised = true;  // its exit function runs all the same
+    return;
+  }
   set_current_host(&host);
   using Init = miBoolean (*)(miState*, void*, miBoolean*);
   const auto init = reinterpret_cast<Init>(shader->init);
@@ -173,7 +184,7 @@ void UserInstance::initialise(Host& host) {
       initialised = true;
     }
   });
-  restore_crash_handlers();
+  install_crash_handlers();
   if (!done) host.stop_crashed(running);
 }
 

@@ -14,7 +14,7 @@ namespace oriel::sdk {
 /// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 5 and
 /// 6;
 ///          Walter, "Notes on the Ward BRDF", 2005, for the density.
-/// Checked: WardLobe.*, Directions.GlossyOnesMatchTheirDensity
+/// Checked: Highlights.OfWard*, Directions.GlossyOnesMatchTheirDensity
 class WardLobe {
  public:
   WardLobe(float shiny_u, float shiny_v);

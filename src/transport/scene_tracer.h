@@ -14,7 +14,7 @@ class Path;
 /// The tracer of one vertex of a path. Draws from a stream of its own, which leaves those of the
 /// path where they are. Rays, irradiance and materials that it is asked for are paths of their own
 /// that go on from that vertex (path_for_shaders.cpp); without a path there are none.
-/// Checked: Tracer.* in tests/analytic.
+/// Checked: RayNodes.*, RayKinds.*, OcclusionNodes.* in tests/analytic.
 class SceneTracer final : public Tracer {
  public:
   SceneTracer(const World& world, const sampling::Sampler& sampler, RayCounts& counts,

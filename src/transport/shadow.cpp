@@ -33,7 +33,7 @@ void pass(const Material& material, const Closure& closure, ShadingPoint& blocke
     open.clear *= here.clear;
     open.cut_outs *= here.cut_outs;
   }
-  // Rays that see the surface itself do not go by what stands in for it.
+  // Rays that see the surface itself ignore its replacement.
   if (material.filters_shadows()) open.cut_outs = Rgb(0);
 }
 
@@ -109,6 +109,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
     open.cut_outs *= t;
   };
   MediumOnWay way;
+  way.begin_in(volume_around(world, ray));
   Vec3 left = point.position;
   for (int i = 0; i < kMostShadowBlockers; ++i) {
     geom::Hit hit;

@@ -43,7 +43,7 @@ bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3&
 bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec3& wi,
                         float distance, RayCounts& counts);
 
-/// Whether lights are shadowed at the point: not when the scene or its instance says so.
+/// Whether lights are shadowed at the point: not if the scene or its instance disables them.
 bool receives_shadows(const World& world, const ShadingPoint& point);
 
 /// Shares a closure lets pass straight, for shadow rays and what must match them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of one file: each shows the scene as it then is, to the last bit as a file that says so
-// from scratch, and keeps the meshes that did not change.
+// Frames of one file: each equals, to the last bit, a file that describes its state from scratch,
+// and keeps the meshes that did not change.
 #include "output/output.h"
 #include "probe.h"
 

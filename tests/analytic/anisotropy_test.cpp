@@ -129,7 +129,7 @@ Axis fitted(const Probe& probe, const Vec3& at = Vec3(0), int samples = 32768) {
   return axis_of(2 * m.mean.x / m.mean.z - 1, 2 * m.mean.y / m.mean.z - 1);
 }
 
-/// The same from highlights of a far light that goes round.
+/// The same from highlights of a distant light that moves on a circle.
 Axis fitted_highlight(const std::string& more, bool derivatives) {
   constexpr int kAround = 40;
   float c = 0, s = 0, sum = 0;

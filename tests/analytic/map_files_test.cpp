@@ -85,7 +85,7 @@ TEST(MapFiles, ForeignMapIsRefusedAndMadeAnew) {
   const TestFolder folder;
   const MapFiles files{.photons = folder.file("x.phm"), .gather = {folder.file("x.fgm")}};
   for (const std::string& path : {files.photons, files.gather[0]})
-    std::ofstream(path) << "mental ray map, nobody knows how it goes on";
+    std::ofstream(path) << "mental ray map with unknown contents";
   const Rendered r =
       render(kGather + "finalgather rebuild off globillum on photonmap rebuild off", files);
   EXPECT_EQ(r.messages, (std::vector<std::string>{"OR-RN-042", "OR-TR-102"}));

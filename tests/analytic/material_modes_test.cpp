@@ -310,6 +310,20 @@ TEST(VolumesOfMaterials, DimLightThatPassesThem) {
 }
 
 // acceptance: T14
+TEST(VolumesOfMaterials, DimLightThatDoesNotLeaveThem) {
+  // Ground and lamp lie within the fog, one unit apart: a quarter of its full density.
+  for (const bool on : {false, true}) {
+    SceneText scene = fog_box("\"cutout_opacity\" 0", on);
+    scene.lambert("floor", .5f)
+        .square("floor", Vec3(0, 0, -.5f), 1, kUp)
+        .light("lamp", "\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin 0 0 .5");
+    // From so near that the fog before the eye is nothing.
+    const Rgb mean = Probe(scene).direct_only().onto(Vec3(0, 0, -.5f), kUp, 0, 64, 1e-3f).mean;
+    EXPECT_NEAR(mean.x, on ? .375f : .5f, 1e-3f);
+  }
+}
+
+// acceptance: T14
 TEST(VolumesOfMaterials, SurroundWhatStandsInThem) {
   // Eye and wall lie inside of the fog, and no ray meets its hull before the wall.
   SceneText scene = fog_box("\"cutout_opacity\" 0");

@@ -104,7 +104,7 @@ TEST(MovingPhotons, OfALampAndBehindABlockerAreTheMeanOfPaths) {
        "transform " + shift(-1.3f, 0, 1.9f) +
            " motion transform .5 0 0 0 0 .5 0 0 0 0 .5 0 -.4 -.25 -.5 1",
        ""},
-      // Its strength on the way is told by how far it has come.
+      // Its distance determines its strength on the way.
       {"lamp without decay", "\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin 0 0 0",
        "transform " + shift(-1, -1, 1.5f) + " motion transform " + shift(1, 1.5f, -1), ""},
       {"blocker", physical(100) + kPanel, "transform " + shift(0, 0, 1.9f), moves_by(2.4f, .5f)},

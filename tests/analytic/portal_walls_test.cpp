@@ -91,8 +91,8 @@ Walls means(const std::vector<std::array<Rgb, kFaces>>& batches) {
 /// Mean light on each wall, in units of a white card's colour, and its standard error.
 ///
 /// Model:   power comes in through points of the opening, in directions by the cosine, and goes on
-///          from wall to wall until it is below a thousandth or out of the window. Knows nothing of
-///          the renderer but the colour of the sky.
+///          from wall to wall until it is below a thousandth or out of the window. Uses of the
+///          renderer only the colour of the sky.
 /// Inputs:  bright: half of the directions are drawn from this cone, where its cosine is below 1.
 Light followed_from_the_sky(const World& world, const Cone& bright) {
   constexpr int kBatches = 64, kEach = 1 << 15;

@@ -146,7 +146,7 @@ class Probe {
     return *this;
   }
 
-  /// Paths that share the sample counts of the materials; unless told, each lobe gets one ray.
+  /// Paths that share the sample counts of the materials; by default each lobe gets one ray.
   Probe& paths_of_pixel(float paths) {
     settings_.paths_of_pixel = paths;
     return *this;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each parameter of each shader has a case, and each case holds. mia_material_x has its cases in
-// tests/sensitivity. Parameters that are reported as ignored have none.
+// tests/parameter_effect. Parameters that are reported as ignored have none.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -154,7 +154,7 @@ SceneText environments() {
       .statement("shader \"stripes\" \"test_edge\" ( \"stripes\" .035 )");
 }
 
-/// Reflections of an environment. Maps of 16 samples each way do, unless told.
+/// Reflections of an environment. The default is maps of 16 samples each way.
 class Around {
  public:
   explicit Around(const std::string& call, const PrepareOptions& prepared = kCoarse)

@@ -47,7 +47,7 @@ Stage seen_by(RayKind kind, const Vec3& direction, SceneText scene = SceneText()
 /// The mean of that over the upper half space by the cosine: what a level white card shows.
 Stage level_card(SceneText scene = SceneText());
 
-/// The shader as lens shader of a camera of focal 1 and aperture 1: what becomes of a colour at a
+/// The shader as lens shader of a camera of focal 1 and aperture 1: result for a colour at a
 /// place of the square picture, 0 to 1 from its lower left corner. `camera` are further statements.
 Stage lens_map(const Rgb& color, Vec2 place = Vec2(.5f), const std::string& camera = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ classes for shaders ask the renderer's C functions as they promise; those are told here.
+// The C++ classes for shaders call the renderer's C functions, which the test replaces.
 #include <gtest/gtest.h>
 
 #include <map>

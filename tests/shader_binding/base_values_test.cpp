@@ -318,7 +318,7 @@ TEST(BaseLookups, RotateTurnsAnOrthonormalPairAboutTheNormal) {
   const auto is = [](const Vec3& v, const Vec3& wanted) { return length(v - wanted) < 1e-5f; };
   const Vec3 x(1, 0, 0), y(0, 1, 0);
   EXPECT_TRUE(is(turned("\"angle\" 0").u, x));
-  EXPECT_TRUE(is(turned("\"angle\" 1").u, y)) << "a quarter turn unless told";
+  EXPECT_TRUE(is(turned("\"angle\" 1").u, y)) << "a quarter turn by default";
   EXPECT_TRUE(is(turned("\"angle\" .5, \"max\" 1").u, -x));
   EXPECT_TRUE(is(turned("\"angle\" 0, \"min\" .25, \"max\" .5").u, y));
   EXPECT_TRUE(is(turned("\"angle\" 0, \"input\" 0 3 0").u, y));

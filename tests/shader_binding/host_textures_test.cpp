@@ -7,7 +7,7 @@
 namespace oriel {
 namespace host_textures_test {
 
-/// The colour a probe's `tint` is given at texture coordinates (u, v), texels as they stand.
+/// The colour a probe's `tint` is given at texture coordinates (u, v), texels unfiltered.
 Rgba tint_at(const ProbeScene& s, float u, float v) {
   ShadingPoint point;
   point.world = s.world.get();

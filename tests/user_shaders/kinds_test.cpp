@@ -281,6 +281,53 @@ TEST(UserShaders, VolumesDimAndAddAsTheyAreWritten) {
   EXPECT_NEAR(seen.x, .5f * kept + 1 - kept, .005f);
 }
 
+TEST(UserShaders, VolumesDimTheLightOfLamps) {
+  ShaderFolder folder;
+  folder.compile("v", std::string(kHead) +
+                          "DLLEXPORT miBoolean fog(miColor *r, miState *state, void *p) {"
+                          "  float kept = exp(-.2 * state->dist);"
+                          "  if (state->type != miRAY_LIGHT || state->dist <= 0) return miTRUE;"
+                          "  if (state->org.z < 1.9 || state->dir.z > -.8) return miTRUE;"
+                          "  r->r *= kept; r->g *= kept * kept; r->b += 9; return miTRUE; }");
+  const auto seen = [&](const std::string& camera) {
+    UserScene scene(
+        folder,
+        "link \"v.so\" declare shader color \"fog\" ( ) apply volume end declare "
+        "light \"lamp\" \"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 2 end light "
+        "instance \"lamp_i\" \"lamp\" end instance "
+        "material \"m\" \"mib_illum_lambert\" ( \"diffuse\" .5 .5 .5, \"mode\" 4 ) end material " +
+            UserScene::square("m"),
+        "\"lamp_i\" \"square_i\"", "", camera);
+    return scene.pixel(4, 4, 64);
+  };
+  const Rgb clear = seen(""), foggy = seen("volume \"fog\" ( )");
+  ASSERT_GT(clear.x, .01f);
+  // Over the pixel's square unit of the ground, whose corner is below the lamp.
+  double all = 0, once = 0, twice = 0;
+  for (double x = .005; x < 1; x += .01)
+    for (double y = .005; y < 1; y += .01) {
+      const double d = std::sqrt(x * x + y * y + 4), kept = std::exp(-.2 * d);
+      all += 2 / d, once += 2 / d * kept, twice += 2 / d * kept * kept;
+    }
+  EXPECT_NEAR(foggy.x / clear.x, once / all, .003);
+  EXPECT_NEAR(foggy.y / clear.y, twice / all, .003);
+  EXPECT_NEAR(foggy.z, clear.z, 1e-5f);  // what it adds to light is left out
+}
+
+TEST(UserShaders, VolumesAreCalledForRaysThatMeetNothing) {
+  ShaderFolder folder;
+  folder.compile("v", std::string(kHead) +
+                          "DLLEXPORT miBoolean far(miColor *r, miState *state, void *p) {"
+                          "  if (state->type != miRAY_EYE) return miTRUE;"
+                          "  if (state->dist != 0 || state->pri || state->material) return miTRUE;"
+                          "  r->r *= .5; r->g = .25; r->b = .5 * r->b + .125; return miTRUE; }");
+  UserScene scene(
+      folder, "link \"v.so\" declare shader color \"far\" ( ) apply volume end declare ", "", "",
+      "environment \"mib_color_mix\" ( \"num\" 0, \"color_base\" .5 .5 .5 1 ) "
+      "volume \"far\" ( )");
+  expect_color(scene.pixel(4, 4), Rgb(.25f, .25f, .375f), 1e-4f);
+}
+
 TEST(UserShaders, DisplacementMovesTheSurface) {
   ShaderFolder folder;
   folder.compile("d", std::string(kHead) +

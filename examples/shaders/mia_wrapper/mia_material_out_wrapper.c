@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Stands in for a mia_material_x: shades as it does, and puts three of its parts into the frame
+/* Wraps a mia_material_x: shades as it does, and puts three of its parts into the frame
    buffers 10, 11 and 12. */
 /* Shows: the protocol of mia_material_api.h. */
 #include <mia_material_api.h>

@@ -6,7 +6,7 @@
 // Conventions
 //   Results: set struct_size and in_use = miFALSE, leave the struct in the shader state under
 //   miA_MATERIAL_API_STORAGE with lifetime 0, call the material, get the struct back: in_use tells
-//   whether it was filled. The two structs are told apart by struct_size. Light data: a material
+//   whether it was filled. struct_size distinguishes the two structs. Light data: a material
 //   leaves it before each light; a light shader that finds it may change the last four members.
 //   _raw: light without the surface's colour, _level: the colour, _result: their product.
 
@@ -63,7 +63,7 @@ typedef struct mia_material_api_lightdata {
   miScalar importance;       ///< of the light there; read only
   miScalar affect_diffuse;   ///< share of the light that diffuse reflection sees, 1 at first
   miScalar affect_specular;  ///< share that highlights see, 1 at first
-  miBoolean is_mr_sun;       ///< only mia_physicalsun says so
+  miBoolean is_mr_sun;       ///< set only by mia_physicalsun
   miBoolean force_specular;  ///< highlights even though the light itself is seen
 } mia_material_api_lightdata;
 

@@ -35,7 +35,7 @@ MeshoptStream meshopt_stream(const json& packed, const std::string& what) {
   else if (mode == "INDICES")
     stream.mode = Mode::Indices;
   else if (mode != "ATTRIBUTES")
-    throw Unreadable(what + " is packed in a way that nobody here knows");
+    throw Unreadable(what + " has an unsupported compression mode");
   if (filter == "OCTAHEDRAL")
     stream.filter = Filter::Octahedral;
   else if (filter == "QUATERNION")
@@ -43,7 +43,7 @@ MeshoptStream meshopt_stream(const json& packed, const std::string& what) {
   else if (filter == "EXPONENTIAL")
     stream.filter = Filter::Exponential;
   else if (!filter.empty() && filter != "NONE")
-    throw Unreadable(what + " is packed with a filter that nobody here knows");
+    throw Unreadable(what + " has an unsupported compression filter");
   if (!is_allowed(stream)) throw Unreadable(what + " is packed in sizes that do not fit together");
   return stream;
 }

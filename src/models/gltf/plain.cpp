@@ -20,7 +20,7 @@ namespace oriel::models::gltf {
 namespace {
 
 /// Extensions without which a file can be read as it is meant, as far as materials allow: those
-/// that are left out of one are told there.
+/// that are skipped are reported there.
 bool is_known(const std::string& name) {
   static constexpr std::string_view kKnown[] = {
       "KHR_mesh_quantization",   "EXT_meshopt_compression", "KHR_meshopt_compression",
@@ -37,11 +37,10 @@ void tell_unknown(const json& root, Diagnostics& diagnostics) {
     if (const std::string name = words(required); !name.empty() && !is_known(name))
       unknown.insert(name);
   if (!unknown.empty())
-    diagnostics.warning(
-        "OR-MD-021", {},
-        fmt::format("the file requires {}, which nobody here knows; what it is for is missing",
-                    fmt::join(unknown, ", ")),
-        "export it without");
+    diagnostics.warning("OR-MD-021", {},
+                        fmt::format("unsupported required extensions: {}; their data is skipped",
+                                    fmt::join(unknown, ", ")),
+                        "export it without");
 }
 
 /// Materials are found by their names later: each gets one of its own.

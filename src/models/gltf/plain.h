@@ -21,8 +21,8 @@ struct Plain {
 ///
 /// Inputs:  content: of a .gltf or .glb file in `folder`, where its buffers are.
 /// Returns: unset where it is no glTF 2.
-/// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 extensions that the file requires and
-///          nobody here knows, OR-MD-022 pictures that cannot be read.
+/// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required
+///          extensions, OR-MD-022 pictures that cannot be read.
 /// Checked: GltfPlain.*
 std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
                                 Diagnostics& diagnostics);

@@ -111,7 +111,7 @@ struct MiaLevels {
 /// Source:  manual 1.4.2 as equations; thin walls in Fresnel mode reflect as the pane of two faces,
 ///          R = 2r/(1+r), since one sheet stands for both. The base layer's place is a guess: its
 ///          parameters came without a description.
-/// Checked: MiaLevels.*, MiaMaterial.DirectionalAlbedoNeverExceedsOne.
+/// Checked: MiaLevels.*, MaterialContract.NeverReturnsMoreThanArrives.
 MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side);
 
 extern const ShaderSpec kMiaMaterial;

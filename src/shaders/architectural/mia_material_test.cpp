@@ -469,7 +469,7 @@ TEST(MiaMaterial, StandardBumpComesOnTopAndMaySpareTheDiffuseComponent) {
     EXPECT_LT(length(find(c, LobeKind::Mirror)->frame.n - both), 1e-6f);
     EXPECT_LT(length(find(c, LobeKind::Diffuse)->frame.n - (spared ? overall : both)), 1e-6f);
   }
-  // The old interface knows nothing of them.
+  // The old interface does not have them.
   const Closure old = shade(p, point, kMiaMaterial);
   EXPECT_EQ(find(old, LobeKind::Mirror)->frame.n, Vec3(0, 0, 1));
 }

@@ -13,7 +13,7 @@ namespace oriel {
 //   vector is returned for has it as that of the front. Beyond 0..1 the picture repeats with a
 //   torus flag, or else its border goes on.
 // Source:  the vendor's pages of the shaders.
-// Checked: BaseBump.* in tests/binding.
+// Checked: BaseBump.* in tests/shader_binding.
 
 /// Directions of a texture space, or of a projection from object space: 1 xy, 2 xz, 3 yz,
 /// 4 spherical, 6 cylindrical (both about y); 5, 0 and below: the texture space. Unit, world space.

@@ -126,7 +126,7 @@ constexpr ParamSpec kWardDerivRows[] = {
     {ORIEL_PARAM(WardDeriv, lights), .doc = kList, .declared_default = false},
 };
 
-/// Steepest facets and narrowest lobes that are told apart.
+/// Limits of the slopes of facets and of the widths of lobes.
 constexpr float kMostSlope = 10;
 
 template <class P>

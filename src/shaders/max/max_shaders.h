@@ -13,7 +13,7 @@ namespace oriel {
 //   the structs it groups them in come apart (runtime/binder_fallbacks.cpp). Shares may be written
 //   as 0..1 or in percent. Newer names of the same shaders begin with adsk_.
 //   Source:  MAXScript reference of 3ds Max 2015 to 2017, "mental ray Shaders Index".
-//   Checked: MaxShaders.* in tests/binding.
+//   Checked: MaxShaders.* in tests/shader_binding.
 
 /// max_DefaultMaterial, max_StandardMaterial with the illuminations it stands on (max_base_...),
 /// max_DefaultShadow.

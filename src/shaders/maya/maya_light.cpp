@@ -41,8 +41,8 @@ constexpr auto kAmbientRows = joined(
                      {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
                       .doc = "Ambient light makes no highlights.", .support = Support::Ignored},
                      {ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
-                      .doc = "Share that falls from the light's place; the rest does not care "
-                             "how a surface stands to it."},
+                      .doc = "Share that depends on the direction to the light; the rest is "
+                             "independent of it."},
                  }));
 constexpr auto kPointRows =
     joined(kRows, about({{ORIEL_PARAM(Lamp, decayRate), .min = 0, .max = 3,

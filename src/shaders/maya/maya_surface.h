@@ -9,9 +9,10 @@ namespace oriel {
 // Conventions
 //   Scenes declare these shaders themselves, by files that come with the host. Names are those the
 //   translator gives them, parameters the public attributes of the host's nodes; those not listed
-//   are noted and skipped (runtime/binder_fallbacks.cpp). All is approximated and `oriel check`
-//   says so: the models are ours. Connected to a value, a surface gives its colour without light.
-//   Checked: HostShaders.* and HostScenes.* in tests/binding.
+//   are noted and skipped (runtime/binder_fallbacks.cpp). All is approximated, as
+//   `oriel check` reports: the models are ours. Connected to a value, a surface gives its colour
+//   without light.
+//   Checked: HostShaders.* in tests/shader_binding, tests/effects/maya_surface_cases.cpp.
 
 /// Diffuse colour x diffuse, seen through by transparency; incandescence and ambient light glow.
 extern const ShaderSpec kMayaLambert;

@@ -11,7 +11,7 @@ namespace oriel {
 /// mip_gamma_gain, mip_rayswitch, mip_matteshadow and mip_matteshadow_mtl.
 ///
 /// Source:  Softimage 2012 to 2014 user guide, pages mip_gamma_gain, mip_rayswitch,
-/// mip_matteshadow. Checked: ProductionShaders.* in tests/binding, ShadowCatchers.* in
+/// mip_matteshadow. Checked: ProductionShaders.* in tests/shader_binding, ShadowCatchers.* in
 /// tests/analytic.
 std::span<const ShaderSpec> production_shaders();
 

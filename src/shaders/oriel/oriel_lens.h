@@ -18,7 +18,7 @@ namespace oriel {
 //   oriel_lens_shift moves the film without turning the camera; with `keep_verticals` the tilt of
 //   the camera is taken as such a shift, so that what runs along `up` stays parallel (two-point
 //   perspective) and the middle of the picture stays where it was.
-// Checked: LensProjections.* in render/lens_projection_test.cpp; the forms themselves in
+// Checked: LensProjections.* in tests/camera/lens_projection_test.cpp; the forms themselves in
 // lens/projection_test.cpp
 extern const ShaderSpec kOrielLensPanorama;
 extern const ShaderSpec kOrielLensFisheye;

@@ -19,7 +19,7 @@ namespace oriel {
 //   the normal stays.
 // Source:  glTF 2.0, 3.9.3 (normalTexture); the frame as in Mikkelsen, "Simulation of Wrinkled
 //          Surfaces Revisited", 2008.
-// Checked: NormalMap.* in tests/binding, NormalMapOfModels.* in tests/imported
+// Checked: NormalMap.* in tests/shader_binding, NormalMapOfModels.* in tests/imported
 extern const ShaderSpec kOrielNormalMap;
 
 }  // namespace oriel

@@ -13,7 +13,7 @@ namespace oriel {
 //   `color` times the space's coordinates, straight between corners; alpha times the first
 //   coordinate of `alpha_space`. What a surface has no space for is taken as 1.
 // Source:  glTF 2.0, 3.9.2 (COLOR_0 multiplies the base colour).
-// Checked: VertexColor.* in tests/binding, ColoursOfModels.* in tests/imported
+// Checked: VertexColor.* in tests/shader_binding, ColoursOfModels.* in tests/imported
 extern const ShaderSpec kOrielVertexColor;
 
 }  // namespace oriel

@@ -71,7 +71,8 @@ constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, ior_out), .min = 0, .doc = "Index outside; 0 = 1.",
      .declared_default = false},
     {ORIEL_PARAM(Dielectric, ignore_normals),
-     .doc = "Tell inside from outside by the depth of the ray; it is told by the normal.",
+     .doc = "Distinguish inside and outside by the depth of the ray; the normal is used "
+            "instead.",
      .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(Dielectric, phong_coef), .min = 0,
      .doc = "Exponent of a highlight of light sources; 0 = none.", .support = Support::Approximated,

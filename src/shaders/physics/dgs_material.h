@@ -13,7 +13,7 @@ namespace oriel {
 
 /// Diffuse, glossy and mirroring parts; of each the share `transp` goes through the surface.
 ///
-/// Model:   levels are added as they stand, without conserving energy. `shiny` is like Phong's
+/// Model:   levels are added without conserving energy. `shiny` is like Phong's
 ///          exponent about the mirrored ray (vendor's page); as GGX roughness it is
 ///          sqrt(2 / (4 n + 2)), by the width of the lobe at its peak: about the normal Phong's
 ///          lobe has four times the exponent. The lobe's shape is a guess.
@@ -27,7 +27,7 @@ extern const ShaderSpec kPathMaterial;
 /// of length.
 ///
 /// Model:   `col_out` is left to the surface that bounds what is outside; inside and outside are
-///          told by the normal alone.
+///          determined by the normal alone.
 extern const ShaderSpec kDielectricMaterial;
 extern const ShaderSpec kDielectricMaterialPhoton;
 /// Lets everything through: hulls of volumes.

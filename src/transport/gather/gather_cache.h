@@ -75,7 +75,7 @@ class GatherCache {
   /// whose rays missed a small thing nearby so learns of it. Call after inserting.
   void clamp_to_neighbours();
 
-  /// Shortens radii where neighbours gathered something else than the gradient foretells: at its
+  /// Shortens radii where neighbours gathered something else than the gradient predicts: at its
   /// radius a record may be wrong by `tolerance`, a share of its irradiance, if errors grow with
   /// the square of the distance. What noise explains does not count; the least radius is the
   /// query's affair. Call after clamping.

@@ -23,7 +23,7 @@ std::vector<GatherPoint> first_gather_points(const World& world, const Window& w
 /// Adds records until every surface seen through the finest grid has some.
 ///
 /// Model:   passes over ever finer grids of the picture: a pass asks the cache as it stands,
-///          gathers where it knows nothing, and adds all new records in the order of pixels; so
+///          gathers where it has no record, and adds all new records in the order of pixels; so
 ///          the result does not depend on threads. After each pass radii are clamped to the
 ///          neighbours' and `after_pass` is called.
 /// Checked: tests/cross_method, GatherOptions.* in tests/analytic

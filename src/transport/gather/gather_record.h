@@ -48,7 +48,7 @@ struct GatherRadii {
   GatherRadii in_scene(float pixel) const {
     return in_pixels ? GatherRadii{min * pixel, max * pixel, false} : *this;
   }
-  /// Total: a minimum above the maximum gives way.
+  /// Total: a minimum above the maximum is ignored.
   float clamped(float radius) const {
     radius = std::max(radius, min);
     return max > 0 ? std::min(radius, max) : radius;

@@ -29,7 +29,7 @@ struct DirectRequest {
   bool portals_mapped = false;  ///< see portals_on_way
   float falloff_distance = 0;   ///< visible lights fade out in reflections; 0 = they do not
   Estimator estimator = Estimator::Mis;
-  PathObserver* observer = nullptr;  ///< told of each sample; null = nobody
+  PathObserver* observer = nullptr;  ///< optional observer of samples; may be null
   PathObserver::Place place = PathObserver::kEye;
 };
 

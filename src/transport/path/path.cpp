@@ -67,7 +67,7 @@ void Path::dim(const Rgb& factor) {
   lights_ *= factor;
 }
 
-/// The surface by which the outputs are told apart.
+/// The surface that determines the outputs.
 void Path::meet_first(const Closure& closure) {
   aov_fixed_ = true;
   at_aov_surface_ = closure.outputs;

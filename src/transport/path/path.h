@@ -64,7 +64,7 @@ struct PathSettings {
   Rgba* motion = nullptr;
   /// Where each path through the camera adds what it met first; null = nowhere.
   std::vector<FirstSurface>* firsts = nullptr;
-  PathObserver* observer = nullptr;  ///< who is told of all that; null = nobody
+  PathObserver* observer = nullptr;  ///< optional observer of path events; may be null
   bool irradiance = false;  ///< the irradiance of the first surface is wanted: a second path
 };
 

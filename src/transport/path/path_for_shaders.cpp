@@ -77,6 +77,7 @@ Tracer::Seen Path::trace_for_shader(const ShadingPoint& point, const Tracer::Sub
   }
   sub.eye_ = from.position;
   sub.follow(from, ray.direction);
+  sub.medium_.begin_in(volume_around(world_, sub.ray_));
   sub.walk();
   seen.colour = Rgba(result.radiance.x, result.radiance.y, result.radiance.z, result.alpha);
   return seen;
@@ -120,6 +121,7 @@ Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
   sub.from_.weighed = true;  // against no lights: it passes through them unseen
   sub.eye_ = at.position;
   sub.follow(at, w);
+  sub.medium_.begin_in(volume_around(world_, sub.ray_));
   sub.walk();
   return sum + indirect_factor() * result.radiance * (kPi / chance);
 }

@@ -25,6 +25,7 @@ void Path::receive(ShadingPoint& point, bool mapped) {
   off_maps_ = !mapped;
   Closure white;
   white.add(LobeKind::Diffuse, LobeType::Diffuse, Rgb(1), Frame(point.normal));
+  medium_.begin_in(volume_around(world_, leave(point, point.normal, kInfinity, mask())));
   if (!shade_vertex(white, kSensor, point)) return;
   ++vertex_;
   walk();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is told what the paths of a picture meet and what each step brings: how a colour is
+// Observer of the hits and contributions of the paths of a picture: how a colour is
 // explained.
 #pragma once
 

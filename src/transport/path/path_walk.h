@@ -136,7 +136,7 @@ class Path {
       if (settings_.observer) settings_.observer->on_light(place_, part, i, factor * parts.of[i]);
     }
   }
-  // Layers of lights; any number where nobody asks.
+  // Layers of lights; any number if not requested.
   std::size_t layer_of_light(int light) const {
     return settings_.by_light ? world_.light_layers.of_light[static_cast<std::size_t>(light)] : 0;
   }
@@ -284,11 +284,11 @@ class Path {
   float roughness_ = 0;  ///< of the part of a reflecting lobe that the ray stands for
   bool after_diffuse_ = false;
   bool first_ = true;                 ///< no surface has been seen yet
-  bool aov_fixed_ = false;            ///< the surface that radiance is told apart by has been met
+  bool aov_fixed_ = false;            ///< the path has hit the surface that determines the outputs
   bool at_aov_surface_ = false;       ///< at that surface
   bool leaving_aov_surface_ = false;  ///< on the way from it to the next
   bool features_seen_ = false;        ///< normal and albedo are those of a surface that scatters
-  bool off_maps_ = false;             ///< begins where maps know nothing
+  bool off_maps_ = false;             ///< begins where maps have no data
   bool alpha_open_ = false;           ///< what lies behind shows in alpha
   bool to_far_side_ = false;          ///< only the inner side of the solid's other wall counts
   Aov aov_ = Aov::Other;

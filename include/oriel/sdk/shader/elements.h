@@ -30,7 +30,7 @@ miTag mi_api_light_list_end(void);
 /// Begins a group.
 miGroup* mi_api_instgroup_begin(const char* name);
 /// Adds the instance of that name to the group. Further arguments are ignored, except that a tag
-/// stands in for a name that is NULL.
+/// replaces a name that is NULL.
 miBoolean mi_api_instgroup_additem(const char* instance_name, ...);
 /// Removes all instances from the group.
 miBoolean mi_api_instgroup_clear(void);

@@ -39,7 +39,7 @@ int mi_kdtree_lookup(miKdtree* tree, const miScalar* place, miScalar radius, int
                      miKdtree_callback callback, void* arg);
 /// Calls back for all points in the order in which they were added. Number of points handed out.
 int mi_kdtree_iterate(miKdtree* tree, miKdtree_callback callback, void* arg);
-/// Ends a tree; it goes when nobody has it open.
+/// Ends a tree; it is deleted when no caller has it open.
 void mi_kdtree_delete(miTag tag);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* One function for the surface and for its shadow: holes where the texture coordinate says so. */
+/* One function for the surface and for its shadow: holes by texture coordinate. */
 #include <shader.h>
 
 struct cp_cutout { miColor color; miScalar edge; };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A shadow shader: coloured glass; what is told apart by the angle lets less through. */
+/* A shadow shader: coloured glass; transmittance decreases with the angle. */
 #include <shader.h>
 
 struct cp_pane { miColor color; miBoolean by_angle; };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Refraction into a pane: the entry and the exit are told apart by the side that was hit. */
+/* Refraction into a pane: the side that was hit distinguishes entry and exit. */
 #include <shader.h>
 
 struct cp_glass { miScalar ior; miColor tint; };
