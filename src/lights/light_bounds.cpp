@@ -63,10 +63,6 @@ Opening opening_of(const Light& light) {
 
 }  // namespace
 
-bool only_sends_photons(const Light& light) {
-  return light.photons.only || (light.portal && light.portal->photons_only);
-}
-
 LightBounds bounds_of(const Light& light, const World& world, float reach, float environment) {
   LightBounds bounds;
   const Vec3 half = half_size(light);
@@ -88,7 +84,7 @@ LightBounds bounds_of(const Light& light, const World& world, float reach, float
     bounds.normals = {light.direction, 1};
     bounds.cos_reach = light.spread - kBeyondRim;
   }
-  if (only_sends_photons(light)) return bounds;
+  if (!gives_direct_light(light)) return bounds;
   if (light.portal) {
     bounds.falling = mean_luminance(*light.portal, environment) * light.area;
     bounds.opening = opening_of(light);

@@ -15,7 +15,4 @@ struct World;
 /// Errors:  lights that are black there have strengths 0.
 LightBounds bounds_of(const Light& light, const World& world, float reach, float environment);
 
-/// Whether a light gives no direct light.
-bool only_sends_photons(const Light& light);
-
 }  // namespace oriel

@@ -74,11 +74,6 @@ bool LitVertex::is_listed(int light) const {
   return std::find(linked.begin(), linked.end(), light) != linked.end();
 }
 
-bool LitVertex::allows(int light) const {
-  if (!by_material_ && !instance_) return true;
-  return is_listed(light) != excluded_;
-}
-
 LightSampler::LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights)
     : world_(world), environment_(std::move(environment)), mesh_lights_(std::move(mesh_lights)) {
   const geom::Box3 box = world.accel->bounds();
@@ -95,7 +90,7 @@ LightSampler::LightSampler(const World& world, EnvironmentLight environment, Mes
     std::vector<LightBounds> bounds;
     for (std::size_t i = 0; i < set.lights.size(); ++i)
       bounds.push_back(bounds_of(light(i), world, reach, environment_.mean_luminance()));
-    raise_to_least(bounds, [&](std::size_t i) { return only_sends_photons(light(i)); });
+    raise_to_least(bounds, [&](std::size_t i) { return !gives_direct_light(light(i)); });
     set.tree = LightTree(bounds, set.lights);
   }
 }
@@ -103,11 +98,6 @@ LightSampler::LightSampler(const World& world, EnvironmentLight environment, Mes
 std::size_t LightSampler::set_of(const Light& light) {
   if (light.shape == LightShape::Directional) return kInfinite;
   return light.portal ? kPortals : kFinite;
-}
-
-bool LightSampler::is_lit_by(const LitVertex& at, int light) const {
-  if (light < 0) return false;
-  return !only_sends_photons(world_.lights[static_cast<std::size_t>(light)]) && at.allows(light);
 }
 
 bool LightSampler::needs_random(const LitVertex& at) const {
@@ -127,15 +117,6 @@ float LightSampler::expected_samples(const LitVertex& at, int light) const {
   if (at.count_ >= 0) return at.count_ > kSampleAll ? 1 / static_cast<float>(at.count_) : 1.0f;
   return sets_[set_of(world_.lights[static_cast<std::size_t>(light)])].expected_samples(at.lit_,
                                                                                         light);
-}
-
-std::optional<LightSample> LightSampler::sample_picked(const LightPick& pick, ShadingPoint& point,
-                                                       Vec2 u) const {
-  auto sample = sample_light(world_.lights[static_cast<std::size_t>(pick.light)], point, u);
-  if (!sample) return sample;
-  sample->irradiance /= pick.expected_samples;
-  sample->pdf *= pick.expected_samples;
-  return sample;
 }
 
 float LightSampler::environment_samples(bool after_diffuse) const {

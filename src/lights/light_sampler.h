@@ -14,10 +14,9 @@
 #include "lights/mesh_lights.h"
 #include "lights/sample_light.h"
 #include "runtime/closure.h"
+#include "runtime/world.h"
 
 namespace oriel {
-
-struct InstanceData;
 
 // Conventions
 //   Light comes from three sources: elements (World::lights), the environment, and the triangles of
@@ -52,7 +51,9 @@ class LitVertex {
   friend class LightSampler;
   bool is_listed(int light) const;
   int listed_light(int i) const;
-  bool allows(int light) const;
+  bool allows(int light) const {
+    return (!by_material_ && !instance_) || is_listed(light) != excluded_;
+  }
 
   LitPoint lit_;
   const InstanceData* instance_ = nullptr;
@@ -104,7 +105,14 @@ class LightSampler {
   float expected_samples(const LitVertex& at, int light) const;
   /// One sample of a picked element: irradiance and pdf are those of all its samples.
   std::optional<LightSample> sample_picked(const LightPick& pick, ShadingPoint& point,
-                                           Vec2 u) const;
+                                           Vec2 u) const {
+    auto sample = sample_light(world_.lights[static_cast<std::size_t>(pick.light)], point, u);
+    if (sample) {
+      sample->irradiance /= pick.expected_samples;
+      sample->pdf *= pick.expected_samples;
+    }
+    return sample;
+  }
   /// Calls f(index) for each element whose bounds a ray hits within (0, t_most). Elements without a
   /// position are left out.
   template <class F>
@@ -149,7 +157,10 @@ class LightSampler {
     float expected_samples(const LitPoint& lit, int light) const;
   };
   static std::size_t set_of(const Light& light);
-  bool is_lit_by(const LitVertex& at, int light) const;
+  bool is_lit_by(const LitVertex& at, int light) const {
+    return light >= 0 && gives_direct_light(world_.lights[static_cast<std::size_t>(light)]) &&
+           at.allows(light);
+  }
 
   const World& world_;
   std::array<Set, kSets> sets_;

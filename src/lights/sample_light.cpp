@@ -130,10 +130,9 @@ void take_value(const LightValue& value, LightSample& sample) {
   sample.is_sun = value.is_sun;
 }
 
-/// Lights without extent.
-std::optional<LightSample> sample_sharp(const Light& light, ShadingPoint& point, Vec2 u,
-                                        RayKind kind) {
-  LightSample sample;
+/// Lights without extent. Returns false where the light does not reach the point.
+bool sample_sharp(const Light& light, ShadingPoint& point, Vec2 u, RayKind kind,
+                  LightSample& sample) {
   const auto place = [&](const Vec3& origin) {
     const Vec3 to = origin - point.position;
     sample.distance = length(to);
@@ -150,29 +149,29 @@ std::optional<LightSample> sample_sharp(const Light& light, ShadingPoint& point,
     sample.wi = -direction;
     sample.distance = kInfinity;
   } else if (!place(light.position)) {
-    return std::nullopt;
+    return false;
   }
   const LightValue value =
       ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1, kind);
-  if (value.origin && !place(*value.origin)) return std::nullopt;
+  if (value.origin && !place(*value.origin)) return false;
   sample.irradiance = value.colour * kPi;
   take_value(value, sample);
-  return sample;
+  return true;
 }
 
-std::optional<LightSample> sample_extended(const Light& light, ShadingPoint& point, Vec2 u,
-                                           RayKind kind) {
+/// Lights with an extent. Returns false where the light does not reach the point.
+bool sample_extended(const Light& light, ShadingPoint& point, Vec2 u, RayKind kind,
+                     LightSample& sample) {
   const auto s = sample_shape(light, point.position, u);
-  if (!s || !(s->distance > 0)) return std::nullopt;
+  if (!s || !(s->distance > 0)) return false;
   const LightValue value =
       ask_light_shader(light, point, s->position, -s->wi, s->distance, s->cosine, kind);
-  LightSample sample;
   sample.wi = s->wi;
   sample.distance = s->distance;
   sample.pdf = s->pdf;
   sample.irradiance = radiance_of(light, value.colour, s->wi, s->distance, s->cosine) / s->pdf;
   take_value(value, sample);
-  return sample;
+  return true;
 }
 
 /// Samples a light at its written placement, without volumes. `moved`: its actual placement; null:
@@ -180,10 +179,12 @@ std::optional<LightSample> sample_extended(const Light& light, ShadingPoint& poi
 std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind, const MovedLight* moved = nullptr) {
   if (light.portal) return sample_portal(light, point.position, u, moved);
-  auto sample = has_extent(light.shape) ? sample_extended(light, point, u, kind)
-                                        : sample_sharp(light, point, u, kind);
-  if (!sample || is_black(sample->irradiance)) return std::nullopt;
-  sample->reach = sample->distance;
+  LightSample sample;
+  if (!(has_extent(light.shape) ? sample_extended(light, point, u, kind, sample)
+                                : sample_sharp(light, point, u, kind, sample)) ||
+      is_black(sample.irradiance))
+    return std::nullopt;
+  sample.reach = sample.distance;
   return sample;
 }
 

@@ -51,6 +51,11 @@ LightValue ask_light_shader(const Light& light, ShadingPoint& point, const Vec3&
                             const Vec3& direction, float distance, float emitter_cos,
                             RayKind kind = RayKind::Light);
 
+/// Whether a light does more than emit photons.
+inline bool gives_direct_light(const Light& light) {
+  return !light.photons.only && !(light.portal && light.portal->photons_only);
+}
+
 /// Transmittance of the camera's volume shaders on the way of light to a point: from there along
 /// wi, over a distance that may be infinite. sample_light and intersect_light include it for kind
 /// Light; samples of the environment do not.

@@ -72,11 +72,4 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
   set_footprint(cone.width_at(hit.t) * 0.5f, point);
 }
 
-const Material& material_of(const World& world, const geom::Hit& hit) {
-  const geom::InstanceDesc& desc = world.accel->instance(hit.instance);
-  const InstanceData& instance = world.instances[desc.user];
-  const std::uint32_t slot = world.accel->mesh(desc.mesh).slot_of(hit.primitive);
-  return world.materials[static_cast<std::size_t>(instance.materials[slot])];
-}
-
 }  // namespace oriel

@@ -22,6 +22,11 @@ void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, 
                 RayKind kind, ShadingPoint& point);
 
 /// The material of a hit.
-const Material& material_of(const World& world, const geom::Hit& hit);
+inline const Material& material_of(const World& world, const geom::Hit& hit) {
+  const geom::InstanceDesc& desc = world.accel->instance(hit.instance);
+  const InstanceData& instance = world.instances[desc.user];
+  const std::uint32_t slot = world.accel->mesh(desc.mesh).slot_of(hit.primitive);
+  return world.materials[static_cast<std::size_t>(instance.materials[slot])];
+}
 
 }  // namespace oriel

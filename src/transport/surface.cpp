@@ -60,15 +60,4 @@ MapPlace map_place(const ShadingPoint& point, const Vec3& normal) {
   return {middle.p, geom::turned(normal, front, middle.ng)};
 }
 
-geom::Ray leave(const ShadingPoint& point, const Vec3& direction, float tfar, std::uint32_t mask) {
-  const float side = dot(direction, point.geometric_normal) < 0 ? -1.0f : 1.0f;
-  geom::Ray ray;
-  ray.org = point.position + point.geometric_normal * (side * point.ray_offset);
-  ray.dir = direction;
-  ray.tfar = tfar;
-  ray.mask = mask;
-  ray.time = point.time;
-  return ray;
-}
-
 }  // namespace oriel
