@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "lights/emission.h"
 #include "path_picture.h"
 #include "prepare/testing/prepared_scene.h"
 #include "timing.h"
-#include "transport/emission.h"
 
 namespace {
 
@@ -135,11 +135,12 @@ int main() {
     std::fflush(stdout);
   }
   const oriel::testing::PreparedScene many(scene_text(bulb("lamp", Vec3(0, 0, 2.5f), .06f, 512)));
-  std::vector<EmissionKind> glowing;
+  std::vector<EmissionKind> emissive;
   MeshLights lights;
-  const bench::Seconds asked = bench::timed([&] { glowing = emissive_materials(*many.world); });
-  const bench::Seconds built = bench::timed([&] { lights = mesh_lights_of(*many.world, glowing); });
-  fmt::print("{} glowing triangles in {} clusters: {:.3f} s, of all processors {:.3f} s\n",
+  const bench::Seconds asked = bench::timed([&] { emissive = emissive_materials(*many.world); });
+  const bench::Seconds built =
+      bench::timed([&] { lights = mesh_lights_of(*many.world, emissive); });
+  fmt::print("{} emissive triangles in {} clusters: {:.3f} s, of all processors {:.3f} s\n",
              lights.size(), lights.clusters(), asked.wall + built.wall, asked.cpu + built.cpu);
   return 0;
 }

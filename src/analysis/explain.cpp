@@ -5,8 +5,8 @@
 #include <set>
 
 #include "analysis/explain_observer.h"
+#include "lights/emission.h"
 #include "runtime/color_mapping.h"
-#include "transport/emission.h"
 
 namespace oriel {
 namespace {

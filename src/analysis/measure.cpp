@@ -172,7 +172,7 @@ std::vector<Reading> measure_luminance(const World& world, const std::vector<Vec
 
 Rgb open_sky_irradiance(const World& world, const Vec3& up) {
   constexpr int kRings = 128, kSectors = 512;  // a degree and less
-  const NodeList& shaders = world.environment.shaders();
+  const NodeList& shaders = world.environment;
   if (shaders.empty()) return Rgb(0);
   const Frame frame(up);
   Imath::Vec3<double> sum(0.0);  // double: 65536 terms

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Area lights of kind `object`, against lights of the shapes that the objects have.
 #include "prepare/object_light.h"
+#include "lights/sample_light.h"
 
 #include <gtest/gtest.h>
 

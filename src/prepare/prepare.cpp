@@ -5,13 +5,15 @@
 
 #include <algorithm>
 
+#include "lights/emission.h"
+#include "lights/light_sampler.h"
+#include "lights/portal_table.h"
 #include "prepare/generated_geometry.h"
 #include "prepare/prepare_light_layers.h"
 #include "prepare/prepare_parts.h"
 #include "runtime/color_mapping.h"
 #include "runtime/fallback_shader.h"
 #include "scene/render_options.h"
-#include "transport/emission.h"
 
 namespace oriel {
 namespace {
@@ -100,6 +102,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                                Diagnostics& diagnostics, PrepareReport& report) {
   auto world = std::make_unique<World>();
   world->coarse_tables = options.coarse_tables;
+  world->sample_light = sample_light;
   if (const auto* block = scene.get<scene::Options>(command.options))
     world->options = scene::interpret_options(*block, diagnostics);
   else
@@ -123,7 +126,8 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   Binder binder(scene, registry, *world, light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);
   // The environment before materials: nothing in it depends on them.
-  world->environment = EnvironmentLight(binder.bind(camera->environment), *world);
+  world->environment = binder.bind(camera->environment);
+  EnvironmentLight environment(*world);
   if (const auto* block = scene.get<scene::Options>(command.options))
     bind_state_shaders(*block, binder, *world, diagnostics);
   if (world->options.lens) bind_lens(*camera, binder, *world, diagnostics);
@@ -132,15 +136,15 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
                  report);
   if (!has_buffer_writers(*world)) world->user_buffers.clear();
   open_portals(*world);
-  world->light_groups = group_lights(*world);
-  const std::vector<EmissionKind> glowing = emissive_materials(*world);
-  world->mesh_lights = mesh_lights_of(*world, glowing);
+  const std::vector<EmissionKind> emissive = emissive_materials(*world);
+  world->light_sampler = std::make_shared<const LightSampler>(*world, std::move(environment),
+                                                              mesh_lights_of(*world, emissive));
   std::vector<scene::LightGroup> groups = options.light_groups;
   for (const scene::LightGroup& g : world->options.light_groups)
     if (std::none_of(groups.begin(), groups.end(), [&](auto& o) { return o.name == g.name; }))
       groups.push_back(g);
   if (!groups.empty()) {
-    const std::vector<EmissionKind> emits = emissive_instances(*world, glowing);
+    const std::vector<EmissionKind> emits = emissive_instances(*world, emissive);
     world->light_layers = resolve_light_layers(leaves, groups, *world, emits, diagnostics);
   }
 

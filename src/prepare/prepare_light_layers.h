@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "lights/emission.h"
 #include "runtime/world.h"
 #include "scene/hierarchy.h"
-#include "transport/emission.h"
 
 namespace oriel {
 

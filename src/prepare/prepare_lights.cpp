@@ -222,7 +222,7 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     const ShaderSpec& spec = light.shader->spec();
     const Statement* measured = find_last(leaf.light()->other, "lightprofile");
     const bool named = measured && !measured->values.empty();
-    light.profile_placement = place_luminaire(
+    light.profile_placement = place_profile(
         named ? binder.light_profile(measured->values[0].text, measured->where) : nullptr,
         light.to_world, light.direction);
     if (light.placed_by_shader && spec.library != std::string_view("user"))

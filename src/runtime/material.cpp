@@ -17,17 +17,24 @@ void shade(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
   }
 }
 
-void shade(const Material& material, ShadingPoint& point, Closure& closure) {
+namespace {
+
+void shade(const Material& material, const NodeList& shaders, ShadingPoint& point,
+           Closure& closure) {
   point.material = &material;
   if (!material.volume.empty()) closure.volume = &material.volume;
-  shade(material.surface, point, closure);
+  shade(shaders, point, closure);
+}
+
+}  // namespace
+
+void shade(const Material& material, ShadingPoint& point, Closure& closure) {
+  shade(material, material.surface, point, closure);
 }
 
 void shade_for_photons(const Material& material, ShadingPoint& point, Closure& closure) {
-  if (material.photon_surface.empty()) return shade(material, point, closure);
-  point.material = &material;
-  if (!material.volume.empty()) closure.volume = &material.volume;
-  shade(material.photon_surface, point, closure);
+  shade(material, material.photon_surface.empty() ? material.surface : material.photon_surface,
+        point, closure);
 }
 
 void shade_blocker(const Material& material, ShadingPoint& point, Closure& closure) {

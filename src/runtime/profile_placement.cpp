@@ -31,8 +31,8 @@ std::string word(const scene::Statement* statement) {
 
 }  // namespace
 
-ProfilePlacement place_luminaire(const photometry::LightProfile* profile, const Mat4& to_world,
-                                 const Vec3& direction) {
+ProfilePlacement place_profile(const photometry::LightProfile* profile, const Mat4& to_world,
+                               const Vec3& direction) {
   ProfilePlacement placed;
   placed.profile = profile;
   placed.nadir = direction;

@@ -30,8 +30,8 @@ struct ProfilePlacement {
 
 /// Inputs:  direction: of the light, unit, world. A mirrored space mirrors the profile.
 /// Checked: PhotometricLights.AProfileTurnsWithItsLight.
-ProfilePlacement place_luminaire(const photometry::LightProfile* profile, const Mat4& to_world,
-                                 const Vec3& direction);
+ProfilePlacement place_profile(const photometry::LightProfile* profile, const Mat4& to_world,
+                               const Vec3& direction);
 
 /// Reads what a lightprofile element names.
 ///

@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,15 +15,15 @@
 #include "runtime/environment.h"
 #include "runtime/light.h"
 #include "runtime/light_layers.h"
-#include "runtime/light_tree.h"
 #include "runtime/material.h"
-#include "runtime/mesh_lights.h"
 #include "runtime/shader_node.h"
 #include "runtime/texture_node.h"
 #include "scene/motion.h"
 #include "scene/render_options.h"
 
 namespace oriel {
+
+class LightSampler;
 
 /// What an instance does with rays and photons beside being met by them; bits.
 enum VisibilityFlags : std::uint16_t {
@@ -79,12 +80,15 @@ struct World {
   std::vector<InstanceData> instances;
   std::vector<Material> materials;
   std::vector<Light> lights;
-  LightGroups light_groups;         ///< indices into lights
-  LightLayers light_layers;         ///< whose light is kept apart
-  MeshLights mesh_lights;           ///< surfaces that glow
+  LightLayers light_layers;         ///< AOVs per group of lights
   bool has_tinted_portals = false;  ///< some portal dims what is seen through it
   bool has_area_lights = false;     ///< some light has a shape that rays can meet
-  EnvironmentLight environment;
+  NodeList environment;             ///< shaders of the camera's environment
+  /// Samples the lights, the environment and emissive triangles (lights/light_sampler.h).
+  std::shared_ptr<const LightSampler> light_sampler;
+  /// sample_light of lights/sample_light.h, for shaders that sample a light without a tracer.
+  std::optional<LightSample> (*sample_light)(const Light&, ShadingPoint&, Vec2 u,
+                                             RayKind) = nullptr;
   NodeList lens;           ///< colour-mapping lens shaders, in the order in which they map
   NodeList lens_rays;      ///< lens shaders that bend eye rays, in order
   NodeList state_shaders;  ///< called around eye samples

@@ -178,7 +178,7 @@ miScalar mi_lightprofile_sample(miState* state, miTag tag, miBoolean rel) {
   const int light = c.host->light(state->light_instance);
   if (!profile || light < 0) return 0;
   const Light& from = c.world->lights[static_cast<std::size_t>(light)];
-  const ProfilePlacement placed = place_luminaire(profile, from.to_world, from.direction);
+  const ProfilePlacement placed = place_profile(profile, from.to_world, from.direction);
   return profile_value(*profile, placed.to_profile(vec(state->dir)), rel != miFALSE);
 }
 

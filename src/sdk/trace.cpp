@@ -82,9 +82,8 @@ void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& ch
 std::optional<Rgba> environment_of(miState& state, const Vec3& direction) {
   const Context& c = context(&state);
   const Material* material = c.host->material(state.material);
-  const NodeList& shaders = material && !material->environment.empty()
-                                ? material->environment
-                                : c.world->environment.shaders();
+  const NodeList& shaders =
+      material && !material->environment.empty() ? material->environment : c.world->environment;
   if (shaders.empty()) return std::nullopt;
   const CallerScope caller(Caller::of_ray(&state));
   return environment_radiance(shaders, *c.world, vec(state.point), direction, RayKind::Environment);

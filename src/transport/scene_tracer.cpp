@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/scene_tracer.h"
 
+#include "lights/sample_light.h"
 #include "transport/path/path_walk.h"
 #include "transport/path/resolve_outputs.h"
 #include "transport/shadow.h"

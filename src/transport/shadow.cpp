@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/math.h"
+#include "lights/sample_light.h"
 #include "transport/lobes.h"
 #include "transport/medium.h"
 #include "transport/surface.h"

@@ -1,28 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a ray's hit to the shading point: bases, footprint, material.
+// Rays at surfaces: how they leave, what volume they start in, what maps know of a place.
 #pragma once
 
-#include "runtime/world.h"
+#include "runtime/fill_point.h"
 
 namespace oriel {
-
-/// The cone a ray stands for, to filter textures: width grows by `spread` per unit of distance.
-/// Source: Akenine-Moller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing",
-///         Ray Tracing Gems, 2019.
-struct RayCone {
-  float width = 0, spread = 0;
-  float width_at(float t) const { return width + spread * t; }
-};
-
-/// Texture coordinates, bump bases and derivatives of a surface.
-void take_texture_spaces(const geom::SurfacePoint& surface, ShadingPoint& point);
-
-/// Fills the point of a hit. `point.ray_*` and `ray_kind` are set from the ray.
-void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, const RayCone& cone,
-                RayKind kind, ShadingPoint& point);
-
-/// The material of a hit.
-const Material& material_of(const World& world, const geom::Hit& hit);
 
 /// Volume shaders of the object that a ray starts in: those of the first surface on its way that
 /// has any, where the ray meets its back. Null: none.
@@ -44,6 +26,16 @@ MapPlace map_place(const ShadingPoint& point, const Vec3& normal);
 Rgba raster_motion(const ShadingPoint& point);
 
 /// A ray leaving a point in a direction, clear of the surface it leaves.
-geom::Ray leave(const ShadingPoint& point, const Vec3& direction, float tfar, std::uint32_t mask);
+inline geom::Ray leave(const ShadingPoint& point, const Vec3& direction, float tfar,
+                       std::uint32_t mask) {
+  const float side = dot(direction, point.geometric_normal) < 0 ? -1.0f : 1.0f;
+  geom::Ray ray;
+  ray.org = point.position + point.geometric_normal * (side * point.ray_offset);
+  ray.dir = direction;
+  ray.tfar = tfar;
+  ray.mask = mask;
+  ray.time = point.time;
+  return ray;
+}
 
 }  // namespace oriel

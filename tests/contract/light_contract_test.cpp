@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 
+#include "lights/sample_light.h"
 #include "prepare/testing/prepared_scene.h"
 #include "sampling/testing/chi_square.h"
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "lights/light_sampler.h"
 #include "prepare/testing/prepared_scene.h"
 #include "sampling/testing/chi_square.h"
 #include "sampling/warp.h"
@@ -53,7 +54,7 @@ class EnvironmentContract : public ::testing::TestWithParam<Sky> {
 // Cells at least as fine as the light's own table, in groups: their share of the density is exact.
 TEST_P(EnvironmentContract, DirectionsAreDrawnAsTheDensitySays) {
   ASSERT_TRUE(scene_.world) << scene_.messages();
-  const EnvironmentLight& sky = scene_.world->environment;
+  const EnvironmentLight& sky = scene_.world->light_sampler->environment();
   ASSERT_TRUE(sky.lights());
   constexpr int kWidth = 2048, kHeight = 1024, kColumns = 32, kRows = 16, kDraws = 100000;
   std::vector<double> expected(kColumns * kRows), observed(kColumns * kRows);
@@ -94,11 +95,11 @@ TEST_P(EnvironmentContract, ImportanceSamplingIsUnbiased) {
   for (int n = 0; n < kDraws; ++n) {
     sampling::Sampler s(n, 3, 0);
     const auto value = [&](const Vec3& wi, double pdf) {
-      const Rgba c = environment_radiance(world.environment.shaders(), world, Vec3(0), wi,
-                                          RayKind::FinalGather);
+      const Rgba c =
+          environment_radiance(world.environment, world, Vec3(0), wi, RayKind::FinalGather);
       return std::max(0.0f, wi.y) * c.g / pdf;
     };
-    const auto drawn = world.environment.sample(s.next_2d());
+    const auto drawn = world.light_sampler->environment().sample(s.next_2d());
     const double a = value(drawn.wi, drawn.pdf);
     const double b =
         value(sampling::sample_uniform_sphere(s.next_2d()), sampling::kUniformSpherePdf);

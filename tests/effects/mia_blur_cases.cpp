@@ -161,8 +161,8 @@ class Around {
       : probe_(environments().environment(call).str(), with_edge(), prepared) {}
   Rgb at(const Vec3& direction) const {
     const World& world = probe_.world();
-    return rgb(environment_radiance(world.environment.shaders(), world, Vec3(0), direction,
-                                    RayKind::Reflect));
+    return rgb(
+        environment_radiance(world.environment, world, Vec3(0), direction, RayKind::Reflect));
   }
 
  private:

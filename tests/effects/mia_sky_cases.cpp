@@ -172,7 +172,7 @@ Rgb beside_sun(const World& world, float radii) {
   const float angle = radii * 4 * .00465f;
   const Vec3 d = toward(45) * math::cos(angle) + Vec3(0, 1, 0) * math::sin(angle);
   const auto seen = [&](RayKind kind) {
-    return rgb(environment_radiance(world.environment.shaders(), world, Vec3(0), d, kind));
+    return rgb(environment_radiance(world.environment, world, Vec3(0), d, kind));
   };
   return seen(RayKind::Eye) - seen(RayKind::FinalGather);
 }

@@ -73,8 +73,8 @@ Stage seen_by(RayKind kind, const Vec3& direction, SceneText scene, float roughn
     SceneText with = scene;
     const Probe probe(with.environment(call).str(), known_shaders(), prepared);
     const World& world = probe.world();
-    return exactly(rgb(environment_radiance(world.environment.shaders(), world, Vec3(0),
-                                            normalize(direction), kind, false, roughness)));
+    return exactly(rgb(environment_radiance(world.environment, world, Vec3(0), normalize(direction),
+                                            kind, false, roughness)));
   };
 }
 
@@ -92,8 +92,8 @@ Stage level_card(SceneText scene) {
         const float phi = kTwoPi * (static_cast<float>(j) + .5f) / kSectors;
         const Vec3 d(std::sqrt(sin2) * math::cos(phi), std::sqrt(sin2) * math::sin(phi),
                      std::sqrt(1 - sin2));
-        const Rgb c = rgb(environment_radiance(world.environment.shaders(), world, Vec3(0), d,
-                                               RayKind::FinalGather));
+        const Rgb c =
+            rgb(environment_radiance(world.environment, world, Vec3(0), d, RayKind::FinalGather));
         sum += Imath::Vec3<double>(c.x, c.y, c.z);
       }
     return exactly(Rgb(Imath::V3f(sum / double(kRings * kSectors))));

@@ -8,8 +8,8 @@
 #include "base/math.h"
 #include "cases.h"
 #include "color/luminance.h"
+#include "lights/photon_source.h"
 #include "mia_stages.h"
-#include "runtime/light_emission.h"
 
 namespace oriel::effects {
 namespace mia_sun {

@@ -2,6 +2,7 @@
 // Stand-ins for shaders of hosts: what scenes of theirs become, and that they are reported.
 #include <cmath>
 
+#include "lights/sample_light.h"
 #include "output/camera_output.h"
 #include "probe.h"
 #include "runtime/closure.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "lights/light_sampler.h"
 #include "probe.h"
-#include "transport/path/direct.h"
 
 namespace oriel {
 namespace lights_test {
@@ -106,10 +106,11 @@ std::set<std::string> lights_of(std::string_view arguments, std::string_view lin
   EXPECT_GE(point.instance, 0);
   Closure closure;
   shade(*s.material("m"), point, closure);
-  const LightChoice choice(*s.world, point, closure);
+  const LitVertex vertex(*s.world, point, closure);
   std::set<std::string> names;
   for (int i = 0; i < 3; ++i)
-    if (choice.rate(i) > 0) names.insert(s.world->lights[static_cast<std::size_t>(i)].name);
+    if (s.world->light_sampler->expected_samples(vertex, i) > 0)
+      names.insert(s.world->lights[static_cast<std::size_t>(i)].name);
   return names;
 }
 

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <fstream>
 
+#include "lights/photon_source.h"
+#include "lights/sample_light.h"
 #include "probe.h"
-#include "runtime/light_emission.h"
 #include "transport/path/direct.h"
 
 namespace oriel {

@@ -113,7 +113,7 @@ inline Rgb by_quadrature(const World& world, const Vec3& p, const Vec3& n,
       const Vec3 to = q - p, wi = normalize(to);
       const float cosine = dot(wi, n);
       if (cosine <= 0) continue;
-      const Rgb l = rgb(environment_radiance(world.environment.shaders(), world, p, wi, kind));
+      const Rgb l = rgb(environment_radiance(world.environment, world, p, wi, kind));
       sum += Imath::Vec3<double>(l * (cosine * -wi.x / dot(to, to)));
     }
   const double cell = double(o.y1 - o.y0) * double(o.z1 - o.z0) / (double(steps) * double(steps));

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/light_emission.h"
+#include "lights/photon_source.h"
 #include "support/picture.h"
 #include "transport/photon/photon_trace.h"
 #include "user_picture.h"

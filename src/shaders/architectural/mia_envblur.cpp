@@ -101,7 +101,7 @@ void blur(const Call& call, void* result) {
 
 std::unique_ptr<ShaderState> prepare(const void* params, const World& world) {
   const MiaEnvblurParams& p = *static_cast<const MiaEnvblurParams*>(params);
-  NodeList source = p.environment.node ? NodeList{p.environment.node} : world.environment.shaders();
+  NodeList source = p.environment.node ? NodeList{p.environment.node} : world.environment;
   if (source.empty()) return nullptr;
   const int resolution = world.coarse_tables ? 16 : std::clamp(p.resolution, 16, 4096);
   return std::make_unique<BlurState>(std::move(source), resolution, world);

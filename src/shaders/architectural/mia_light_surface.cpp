@@ -51,7 +51,8 @@ Rgb light_sum(const MiaLightSurfaceParams& p, const ShadingPoint& point) {
     const bool fixed = p.lights_eval_point != Vec3(0);
     at.position = fixed ? transform_point(p.lights_eval_point, light.to_world) : point.position;
     // The middle of a shape stands for all of it: a glow without noise.
-    if (const auto s = sample_light(light, at, Vec2(0.5f))) sum += s->irradiance * kInvPi;
+    if (const auto s = at.world->sample_light(light, at, Vec2(0.5f), RayKind::Light))
+      sum += s->irradiance * kInvPi;
   }
   return sum;
 }

@@ -137,7 +137,7 @@ bool has_light(const World& world, const sky::SkyParameters& p) {
       return false;
     ShadingPoint point;
     point.normal = point.geometric_normal = to_sun;
-    return sample_light(light, point, Vec2(0.5f)).has_value();
+    return world.sample_light(light, point, Vec2(0.5f), RayKind::Light).has_value();
   });
 }
 

@@ -171,7 +171,7 @@ Around look_around(const Cone& cone, ShadingPoint& point) {
 Rgb environment(const ShaderNode* shader, const Vec3& direction, const ShadingPoint& point) {
   if (!point.world) return Rgb(0);
   const NodeList own{shader};
-  return rgb(environment_radiance(shader ? own : point.world->environment.shaders(), *point.world,
+  return rgb(environment_radiance(shader ? own : point.world->environment, *point.world,
                                   point.position, direction, RayKind::FinalGather));
 }
 

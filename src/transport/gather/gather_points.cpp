@@ -86,7 +86,7 @@ float kept_of(const GatherSettings& settings, const PathResult& found) {
 }
 
 Rgb open_sky(const World& world, const Vec3& origin, const Vec3& direction, RayCounts& counts) {
-  const NodeList& sky = world.environment.shaders();
+  const NodeList& sky = world.environment;
   if (sky.empty()) return Rgb(0);
   ++counts.environment;
   return rgb(environment_radiance(sky, world, origin, direction, RayKind::FinalGather));

@@ -1,79 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/path/direct.h"
 
-#include <algorithm>
-
+#include "lights/portal_table.h"
 #include "runtime/environment_ray.h"
 #include "transport/shadow.h"
 
 namespace oriel {
-namespace {
-
-/// Whether light from behind the surface counts.
-bool is_lit_through(const Closure& closure) {
-  return closure.any(
-      [](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency || transmits(lobe.kind); });
-}
-
-}  // namespace
-
-LightChoice::LightChoice(const World& world, const ShadingPoint& point, const Closure& closure)
-    : world_(&world),
-      lit_{point.position, is_lit_through(closure) ? Vec3(0) : point.geometric_normal},
-      instance_(point.instance < 0 ? nullptr
-                                   : &world.instances[static_cast<std::size_t>(point.instance)]),
-      listed_(closure.lights) {
-  const int mode = closure.light_mode;
-  by_material_ = mode == 1 || mode == 2 || (mode == 0 && listed_.size > 0);
-  const bool linked = !by_material_ && instance_ && instance_->linked;
-  excluded_ = by_material_ ? mode == 2 : linked && instance_->lights_exclusive;
-  if (by_material_ && !excluded_) named_ = listed_.size;
-  if (linked && !excluded_) named_ = static_cast<int>(instance_->lights.size());
-  if (!by_material_ && !linked) instance_ = nullptr;
-}
-
-int LightChoice::listed_light(int i) const {
-  return by_material_ ? listed_.begin()[i].index : instance_->lights[static_cast<std::size_t>(i)];
-}
-
-bool LightChoice::is_listed(int light) const {
-  if (by_material_)
-    return std::any_of(listed_.begin(), listed_.end(),
-                       [&](LightRef l) { return l.index == light; });
-  const std::vector<int>& linked = instance_->lights;
-  return std::find(linked.begin(), linked.end(), light) != linked.end();
-}
-
-bool LightChoice::lit_by(int light) const {
-  if (light < 0) return false;
-  const Light& l = world_->lights[static_cast<std::size_t>(light)];
-  if (l.photons.only || (l.portal && l.portal->photons_only)) return false;
-  if (!by_material_ && !instance_) return true;
-  return is_listed(light) != excluded_;
-}
-
-bool LightChoice::draws() const {
-  if (empty()) return false;
-  if (named_ >= 0) return named_ > kSampleAll;
-  const LightGroups& groups = world_->light_groups;
-  return static_cast<int>(groups.infinite.size()) > kSampleAll ||
-         groups.finite.size() > kSampleAll || groups.portals.size() > kSampleAllPortals;
-}
-
-float LightChoice::rate(int light) const {
-  if (empty() || !lit_by(light)) return 0;
-  if (named_ >= 0) return named_ > kSampleAll ? 1 / static_cast<float>(named_) : 1.0f;
-  const LightGroups& groups = world_->light_groups;
-  const Light& l = world_->lights[static_cast<std::size_t>(light)];
-  if (l.shape == LightShape::Directional) {
-    const int infinite = static_cast<int>(groups.infinite.size());
-    return infinite > kSampleAll ? 1 / static_cast<float>(infinite) : 1.0f;
-  }
-  const LightTree& tree = l.portal ? groups.portals : groups.finite;
-  const int most = l.portal ? kSampleAllPortals : kSampleAll;
-  return tree.size() > most ? tree.probability(lit_, light) : 1.0f;
-}
-
 LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced) {
   if (!visible) return {0, closure.highlight_scale};
   // A visible light is reflected; its highlight comes on top only when the material asks.
@@ -90,22 +22,24 @@ namespace {
 class DirectSum {
  public:
   DirectSum(const World& world, ShadingPoint& point, const Closure& closure,
-            const LobeChoice& lobes, const DirectRequest& request, RayCounts& counts,
-            DirectShares* shares)
+            const LobeChoice& lobes, const LitVertex& lights, const DirectRequest& request,
+            RayCounts& counts, DirectShares* shares)
       : world_(world),
+        sampler_(*world.light_sampler),
         point_(point),
         closure_(closure),
         lobes_(lobes),
+        lights_(lights),
         request_(request),
         counts_(counts),
         shares_(shares),
         wo_(point.wo()),
         shadows_(receives_shadows(world, point)) {}
 
-  /// One sample of a light that is asked `rate` times in the mean.
-  void add_light(int index, float rate, const Vec2& u);
+  /// One sample of a light.
+  void add_light(const LightPick& pick, const Vec2& u);
   /// One sample of the environment, or by chance none.
-  void add_environment(Vec2 u);
+  void add_environment(const Vec2& u);
   const DirectLight& sum() const { return sum_; }
 
  private:
@@ -116,9 +50,11 @@ class DirectSum {
   }
 
   const World& world_;
+  const LightSampler& sampler_;
   ShadingPoint& point_;
   const Closure& closure_;
   const LobeChoice& lobes_;
+  const LitVertex& lights_;
   const DirectRequest& request_;
   RayCounts& counts_;
   DirectShares* shares_;
@@ -127,9 +63,10 @@ class DirectSum {
   DirectLight sum_;
 };
 
-void DirectSum::add_light(int index, float rate, const Vec2& u) {
+void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
+  const int index = pick.light;
   const Light& light = world_.lights[static_cast<std::size_t>(index)];
-  const auto s = sample_light(light, point_, u);
+  const auto s = sampler_.sample_picked(pick, point_, u);
   if (!s) return;
   const bool mirrored =
       light.visible && !closure_.highlights_of_visible_lights && !s->force_specular;
@@ -150,7 +87,7 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   const float kept = linear_fade(s->distance, request_.falloff_distance);
   DirectLight& sum =
       shares_ ? shares_->next(world_.light_layers.of_light[static_cast<std::size_t>(index)]) : sum_;
-  const Rgb arriving = s->irradiance / rate;
+  const Rgb& arriving = s->irradiance;
   // What portals on the way, and its own, leave of it for the eye.
   Rgb view(1);
   if (request_.for_the_eye && world_.has_tinted_portals)
@@ -179,7 +116,7 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
   const auto weight = [&](const Response::Part& part, std::uint32_t shadowless) {
     if (!(s->pdf > 0) || is_black(part.value)) return 1.0f;
     if (hidden_from_rays(world_, point_, s->wi, s->reach, shadowless, counts_)) return 1.0f;
-    return light_sample_weight(request_.estimator, s->pdf * rate, part.pdf);
+    return light_sample_weight(request_.estimator, s->pdf, part.pdf);
   };
   // What the light lets pass opaque blockers, no ray would find.
   const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
@@ -194,18 +131,16 @@ void DirectSum::add_light(int index, float rate, const Vec2& u) {
       straight + glass + leak);
 }
 
-void DirectSum::add_environment(Vec2 u) {
-  if (u.x >= request_.environment_rate) return;
-  u.x = std::min(u.x / request_.environment_rate, 0x1.fffffep-1f);
-  auto s = request_.estimator == Estimator::LightOnly ? world_.environment.sample_alone(u)
-                                                      : world_.environment.sample(u);
-  s.pdf *= request_.environment_rate;
-  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s.wi);
+void DirectSum::add_environment(const Vec2& u) {
+  const auto s =
+      sampler_.sample_environment(lights_, u, request_.estimator == Estimator::LightOnly);
+  if (!s) return;
+  Response r = evaluate_closure(closure_, lobes_, point_, wo_, s->wi);
   if (!request_.environment_on_diffuse) r.diffuse.value = Rgb(0);
   Rgb reflection = request_.environment_in_reflections ? r.reflection.value : Rgb(0);
-  if (!world_.light_groups.portals.empty()) {
+  if (!sampler_.portals().empty()) {
     const PortalsOnWay way =
-        portals_on_way(world_, point_.position, s.wi, std::numeric_limits<float>::infinity(),
+        portals_on_way(world_, point_.position, s->wi, std::numeric_limits<float>::infinity(),
                        point_.time, request_.portals_mapped);
     if (way.ends_diffuse) r.diffuse.value = Rgb(0);
     Rgb view(way.ends_view ? 0.0f : 1.0f);
@@ -213,27 +148,27 @@ void DirectSum::add_environment(Vec2 u) {
     reflection *= view;
     r.refraction.value *= view;
   }
-  if (!(s.pdf > 0) || is_black(r.diffuse.value + reflection + r.refraction.value)) return;
+  if (!(s->pdf > 0) || is_black(r.diffuse.value + reflection + r.refraction.value)) return;
   const Transmittance open =
-      shadow_transmittance(world_, point_, s.wi, std::numeric_limits<float>::infinity(), counts_);
+      shadow_transmittance(world_, point_, s->wi, std::numeric_limits<float>::infinity(), counts_);
   if (is_black(open.all) && !request_.observer) return;
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
   const Rgb radiance =
-      rgb(environment_radiance(world_.environment.shaders(), world_,
-                               {point_.position, s.wi, RayKind::FinalGather, point_.raster})) *
-      volume_transmittance_to_light(world_, point_, s.wi, std::numeric_limits<float>::infinity());
+      rgb(environment_radiance(world_.environment, world_,
+                               {point_.position, s->wi, RayKind::FinalGather, point_.raster})) *
+      volume_transmittance_to_light(world_, point_, s->wi, std::numeric_limits<float>::infinity());
   ++counts_.environment;
   constexpr float kFar = std::numeric_limits<float>::infinity();
-  tell(-1, s.wi, kFar, (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s.pdf),
-       open.all);
+  tell(-1, s->wi, kFar,
+       (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s->pdf), open.all);
   // The environment is what rays see: behind what they see it is not, shadow or none.
   const auto found = [&](const Rgb& value, float pdf, const Rgb& passes, std::uint32_t shadowless) {
-    if (is_black(value) || hidden_from_rays(world_, point_, s.wi, kFar, shadowless, counts_))
+    if (is_black(value) || hidden_from_rays(world_, point_, s->wi, kFar, shadowless, counts_))
       return Rgb(0);
     return value * passes * radiance *
-           (light_sample_weight(request_.estimator, s.pdf, pdf) / s.pdf);
+           (light_sample_weight(request_.estimator, s->pdf, pdf) / s->pdf);
   };
-  const bool behind = dot(s.wi, point_.geometric_normal) < 0;
+  const bool behind = dot(s->wi, point_.geometric_normal) < 0;
   DirectLight& sum = shares_ ? shares_->next(world_.light_layers.environment) : sum_;
   (behind ? sum.environment_translucency : sum.environment) +=
       found(r.diffuse.value, r.diffuse.pdf, open.all, geom::RayMask::ShadowlessFinalGather);
@@ -246,18 +181,18 @@ void DirectSum::add_environment(Vec2 u) {
 }  // namespace
 
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
-                         const LobeChoice& lobes, const LightChoice& lights,
+                         const LobeChoice& lobes, const LitVertex& lights,
                          const DirectRequest& request, sampling::Sampler& sampler,
                          RayCounts& counts, DirectShares* shares) {
-  DirectSum direct(world, point, closure, lobes, request, counts, shares);
+  DirectSum direct(world, point, closure, lobes, lights, request, counts, shares);
   float u_light = 0;
-  if (lights.draws())
+  if (world.light_sampler->needs_random(lights))
     u_light = sampler.next_1d();
   else
     sampler.skip();
-  lights.sample(u_light,
-                [&](int index, float rate) { direct.add_light(index, rate, sampler.next_2d()); });
-  if (request.environment_rate > 0) direct.add_environment(sampler.next_2d());
+  world.light_sampler->sample(
+      lights, u_light, [&](const LightPick& pick) { direct.add_light(pick, sampler.next_2d()); });
+  if (lights.environment_samples > 0) direct.add_environment(sampler.next_2d());
   return direct.sum();
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Direct light: which lights to ask at a vertex, and what they bring.
+// Direct light at a vertex: samples of lights and of the environment, shadowed and weighted.
 #pragma once
 
 #include <array>
 
 #include "base/assert.h"
+#include "lights/light_sampler.h"
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 #include "transport/counts.h"
@@ -14,47 +15,8 @@
 
 namespace oriel {
 
-/// How the lights of a vertex are sampled: those infinitely far, the lamps and the portals each all
-/// when they are few, else one of them. Groups of their own since a window in many parts shall cost
-/// what one window costs, and keep no samples from the sun.
-class LightChoice {
- public:
-  LightChoice() = default;
-  LightChoice(const World& world, const ShadingPoint& point, const Closure& closure);
-
-  bool empty() const { return !world_ || world_->lights.empty(); }
-  /// Whether sample() needs a random number: not when all lights are asked.
-  bool draws() const;
-  /// Expected number of samples of light i at this vertex, for multiple importance sampling; 0 =
-  /// this vertex is not lit by it.
-  float rate(int light) const;
-  /// Calls f(light index, rate) for each light to sample.
-  template <class F>
-  void sample(float u, F&& f) const;
-
- private:
-  static constexpr int kSampleAll = 4, kSampleAllPortals = 1;
-  bool lit_by(int light) const;
-  bool is_listed(int light) const;
-  int listed_light(int i) const;
-  template <class F>
-  void sample_listed(float u, F&& f) const;
-  template <class F>
-  void sample_tree(const LightTree& tree, int most, float& u, F&& f) const;
-
-  const World* world_ = nullptr;
-  LitPoint lit_;
-  const InstanceData* instance_ = nullptr;
-  ArrayView<LightRef> listed_;
-  /// How many the material's list or the instance's links name, when only these count.
-  int named_ = -1;
-  bool by_material_ = false;  ///< the material's list decides, else the instance's links
-  bool excluded_ = false;     ///< it names those that do not count
-};
-
-/// What direct light is asked for.
+/// Controls of direct light.
 struct DirectRequest {
-  float environment_rate = 0;          ///< how often it is asked, in the mean; at most 1
   bool environment_on_diffuse = true;  ///< false: what is gathered for them has it
   /// False where reflection rays end early or look up the environment their own way: they find it
   /// alone.
@@ -80,7 +42,7 @@ struct DirectLight {
 
 /// The same apart by samples, each of one layer of lights.
 struct DirectShares {
-  /// All lights that may be asked at a vertex (LightChoice), and the environment.
+  /// All lights that are sampled at one vertex (LightSampler), and the environment.
   static constexpr int kMost = 16;
   struct Share {
     std::size_t layer = 0;
@@ -103,10 +65,11 @@ struct DirectShares {
 ///          heuristic), apart for the groups of lobes; lights without extent stand alone, and so do
 ///          lights without shadows, since rays would be blocked, and highlights, which no ray
 ///          finds.
-/// Inputs:  shares: where given, samples are left there and the sum is black.
+/// Inputs:  lights: what lights the vertex; shares: where given, samples are left there and the sum
+///          is black.
 /// Checked: tests/analytic (one scene by three estimators, furnaces of rough glass).
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
-                         const LobeChoice& lobes, const LightChoice& lights,
+                         const LobeChoice& lobes, const LitVertex& lights,
                          const DirectRequest& request, sampling::Sampler& sampler,
                          RayCounts& counts, DirectShares* shares = nullptr);
 
@@ -119,48 +82,5 @@ struct LightInReflection {
 LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced = false);
 /// Of a portal that rays pass: they find the environment behind it themselves.
 LightInReflection hidden_portal_in_reflection(const Closure& closure);
-
-template <class F>
-void LightChoice::sample_listed(float u, F&& f) const {
-  if (named_ == 0) return;
-  if (named_ > kSampleAll) {
-    const int i = std::min(static_cast<int>(u * static_cast<float>(named_)), named_ - 1);
-    const int light = listed_light(i);
-    if (lit_by(light)) f(light, 1 / static_cast<float>(named_));
-    return;
-  }
-  for (int i = 0; i < named_; ++i)
-    if (lit_by(listed_light(i))) f(listed_light(i), 1.0f);
-}
-
-template <class F>
-void LightChoice::sample_tree(const LightTree& tree, int most, float& u, F&& f) const {
-  if (tree.size() <= most) {
-    for (const int light : tree.names())
-      if (lit_by(light)) f(light, 1.0f);
-  } else if (const auto choice = tree.choose(lit_, u)) {
-    if (lit_by(choice->light)) f(choice->light, choice->probability);
-  }
-}
-
-template <class F>
-void LightChoice::sample(float u, F&& f) const {
-  if (empty()) return;
-  if (named_ >= 0) return sample_listed(u, f);
-  const LightGroups& groups = world_->light_groups;
-  const int infinite = static_cast<int>(groups.infinite.size());
-  if (infinite <= kSampleAll) {
-    for (const int light : groups.infinite)
-      if (lit_by(light)) f(light, 1.0f);
-  } else {
-    const float scaled = u * static_cast<float>(infinite);
-    const int i = std::min(static_cast<int>(scaled), infinite - 1);
-    u = std::min(scaled - static_cast<float>(i), 0x1.fffffep-1f);
-    const int light = groups.infinite[static_cast<std::size_t>(i)];
-    if (lit_by(light)) f(light, 1 / static_cast<float>(infinite));
-  }
-  sample_tree(groups.finite, kSampleAll, u, f);
-  sample_tree(groups.portals, kSampleAllPortals, u, f);
-}
 
 }  // namespace oriel

@@ -2,7 +2,6 @@
 // Surfaces that glow, sampled as lights: what rays of lobes may find of them as well.
 #include <cmath>
 
-#include "transport/emission.h"
 #include "transport/path/path_walk.h"
 #include "transport/scene_tracer.h"
 #include "transport/shadow.h"
@@ -16,8 +15,6 @@ constexpr std::uint32_t kBranch = 4000;
 constexpr int kMostBlockers = 128;
 /// A surface of the same instance at this share of the distance is the place that was meant.
 constexpr float kSamePlace = 1e-4f;
-/// Surfaces seen nearly edge-on are left to rays.
-constexpr float kLeastCosine = 1e-5f;
 
 /// Whether lobes answer for light from behind the surface.
 bool is_translucent(const Closure& closure) {
@@ -55,17 +52,10 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
   sampling::Sampler stream = sampler_.split(0, 1, kBranch);
   const Vec2 u_choice = stream.next_2d(), u_place = stream.next_2d();
   const float u_group = stream.next_1d();
-  const auto chosen = world_.mesh_lights.choose(from_.lit, u_choice);
-  if (!chosen) return;
-  const TriangleCorners triangle =
-      corners_of(world_, chosen->instance, chosen->primitive, point.time);
-  const Vec3 to = triangle.at(u_place) - point.position;
-  const float d2 = to.length2();
-  if (!(d2 > 0)) return;
-  const Vec3 wi = to / std::sqrt(d2);
-  const float projected = std::abs(dot(wi, triangle.normal_times_area()));
-  if (!(projected > kLeastCosine * triangle.area())) return;
-  const float pdf = chosen->probability * d2 / projected;
+  const auto sample =
+      world_.light_sampler->sample_triangle(from_.lit, point.time, u_choice, u_place);
+  if (!sample) return;
+  const Vec3& wi = sample->wi;
 
   const Response r = evaluate_closure(closure, choice, point, point.wo(), wi);
   const float diffuse = on_diffuse ? brightness(r.diffuse.value) : 0;
@@ -75,11 +65,11 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
   const float share = diffuse / (diffuse + reflection);
   const bool of_diffuse = u_group < share;
   const Response::Part& part = of_diffuse ? r.diffuse : r.reflection;
-  const Rgb seen = emission_seen(closure, point, *chosen, wi, std::sqrt(d2),
-                                 of_diffuse ? RayKind::FinalGather : RayKind::Reflect);
+  const Rgb seen =
+      emission_seen(closure, point, *sample, of_diffuse ? RayKind::FinalGather : RayKind::Reflect);
   if (is_black(seen)) return;
-  const float weight = light_sample_weight(settings_.estimator, pdf, part.pdf);
-  Rgb radiance = part.value * seen * (weight / (pdf * (of_diffuse ? share : 1 - share)));
+  const float weight = light_sample_weight(settings_.estimator, sample->pdf, part.pdf);
+  Rgb radiance = part.value * seen * (weight / (sample->pdf * (of_diffuse ? share : 1 - share)));
   Aov component = Aov::Reflection;
   if (of_diffuse) {
     radiance *= indirect_factor() * closure.indirect_scale;
@@ -88,18 +78,19 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
       component = Aov::Indirect;
       radiance *= occlusion_;
       if (near_distance_ > 0)
-        radiance *= Rgb(1) - near_dark_ * linear_fade(std::sqrt(d2), near_distance_);
+        radiance *= Rgb(1) - near_dark_ * linear_fade(sample->distance, near_distance_);
     }
   }
-  const int instance = static_cast<int>(world_.accel->instance(chosen->instance).user);
+  const int instance = static_cast<int>(world_.accel->instance(sample->instance).user);
   add(at_vertex(component), throughput_ * radiance, layer_of_instance(instance));
 }
 
 /// What a ray of that kind brings of a triangle's emission: as walk() and pass_straight() have it,
 /// with means in place of chances.
 Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
-                        const MeshLights::Choice& target, const Vec3& wi, float distance,
-                        RayKind kind) {
+                        const TriangleSample& target, RayKind kind) {
+  const Vec3& wi = target.wi;
+  const float distance = target.distance;
   const bool gathers = kind == RayKind::FinalGather;
   const bool straight = gathers || after_diffuse_;
   MediumOnWay way = medium_;
@@ -171,16 +162,10 @@ float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) con
                            ? from_.emission_on_diffuse
                            : from_.group == LobeGroup::Reflection && from_.emission_in_reflections;
   if (!from_.weighed || !sampled) return 1;
-  // Hair that glows is found by rays alone.
-  if (hit.primitive >=
-      world_.accel->mesh(world_.accel->instance(hit.instance).mesh).triangles.size())
-    return 1;
-  const float chosen = world_.mesh_lights.probability(from_.lit, hit.instance, hit.primitive);
-  const TriangleCorners triangle = corners_of(world_, hit.instance, hit.primitive, hit.time);
-  const float projected = std::abs(dot(ray_.dir, triangle.normal_times_area()));
-  if (!(chosen > 0) || !(projected > kLeastCosine * triangle.area())) return 1;
-  const float d2 = (point.position - from_.lit.position).length2();
-  return bsdf_sample_weight(settings_.estimator, from_.pdf, chosen * d2 / projected);
+  const float pdf = world_.light_sampler->triangle_pdf(from_.lit, hit.time, hit.instance,
+                                                       hit.primitive, point.position, ray_.dir);
+  if (!(pdf > 0)) return 1;
+  return bsdf_sample_weight(settings_.estimator, from_.pdf, pdf);
 }
 
 }  // namespace oriel

@@ -42,15 +42,15 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       // Lights without a visible shape show as highlights of reflecting lobes, and are left to
       // them; through refracting ones they are part of the picture.
-      const float environment = refracts ? environment_rate(material) : 0;
+      branch.from_.lights.environment_samples = 0;
       if (refracts) {
         std::construct_at(&branch.from_.lights, world_, point, alone);
+        branch.from_.lights.environment_samples = environment_samples(material);
         branch.throughput_ = Rgb(1 / static_cast<float>(rays));
-        branch.take_direct(alone, only, point, environment, true);
+        branch.take_direct(alone, only, point, true);
         branch.throughput_ = Rgb(1);
       }
       if (needs_origin()) branch.from_.point = point;
-      branch.from_.environment_rate = environment;
       branch.from_.shadows = receives_shadows(world_, point);
       branch.from_.visible = branch.from_.invisible = {1, 0};
       if (branch.continue_path(alone, only, material, point, i, branch.sampler_.next_1d(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ray of a path meets beside surfaces: shapes of lights, the environment, the end of a
 // reflection that is limited.
+#include "lights/portal_table.h"
 #include "runtime/environment_ray.h"
 #include "transport/path/path_walk.h"
 #include "transport/shadow.h"
@@ -75,8 +76,8 @@ void Path::meet_lights(float t_surface, bool& ended) {
     }
     if (portal && !portal->visible && from_.group == LobeGroup::Refraction) return;
     bool alone = portal && portal->photons_only && portal->visible;  // never sampled
-    const float rate = from_.lights.rate(index);
-    if (rate <= 0 && !alone) return;
+    const float expected = world_.light_sampler->expected_samples(from_.lights, index);
+    if (expected <= 0 && !alone) return;
     auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;
     if (portal && portal->visible && kind_ != RayKind::FinalGather && is_black(hit->radiance)) {
@@ -87,15 +88,14 @@ void Path::meet_lights(float t_surface, bool& ended) {
     if (!alone && (!hit->shadow || !from_.shadows)) return;
     if (shadowed_by_unseen(world_, from_.point, ray_.dir, hit->t, counts_)) return;
     const float weight =
-        alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * rate);
+        alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * expected);
     const Rgb arriving =
         lights_ * hit->radiance * from_.affected(*hit) * kept_over(hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     add_found(from_.shown(light, *hit), fading_.kept(hit->t), arriving, view,
               layer_of_light(index));
   };
-  world_.light_groups.finite.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
-  world_.light_groups.portals.for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
+  world_.light_sampler->for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
   const bool dimmed = dims && world_.has_tinted_portals;
   if (!ended && !dimmed) return;
   const Rgb view = view_to(nearest);
@@ -111,7 +111,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
 }
 
 Rgb Path::reflected_environment(const Vec3& direction) {
-  const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
+  const NodeList& shaders = environment_ ? *environment_ : world_.environment;
   if (shaders.empty()) return Rgb(0);
   ++counts_.environment;
   return rgb(environment_radiance(shaders, world_,
@@ -154,7 +154,7 @@ void Path::meet_environment() {
   if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
   if (fading_.distance > 0 || fading_.single_environment)
     return add(on_way(), throughput_ * faded_to(), layer_of_faded());
-  const NodeList& shaders = environment_ ? *environment_ : world_.environment.shaders();
+  const NodeList& shaders = environment_ ? *environment_ : world_.environment;
   if (!shaders.empty()) ++counts_.environment;
   const Vec3 origin = ray_.org, direction = ray_.dir;
   const RayKind kind = environment_kind(kind_);
@@ -168,14 +168,14 @@ void Path::meet_environment() {
     result_->alpha -= (1 - clamp01(c.a)) * mean_of(throughput_);
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
-  if (from_.weighed && from_.environment_rate > 0 && !environment_) {
+  if (from_.weighed && from_.lights.environment_samples > 0 && !environment_) {
     // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
     // In the shadow of what this ray does not see, no sample found any of it.
     const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
     const float weight =
         alone ? 1.0f
               : bsdf_sample_weight(settings_.estimator, from_.pdf,
-                                   world_.environment.pdf(direction) * from_.environment_rate);
+                                   world_.light_sampler->environment_pdf(from_.lights, direction));
     if (kind == RayKind::FinalGather) {
       radiance *= weight;
     } else {

@@ -19,9 +19,6 @@ namespace {
 /// had the least relative squared error times instructions in rooms, .77 of that of 1
 /// (bench/cycles).
 constexpr float kRoulettePower = 1.0f / 3;
-/// Where portals say through which openings the environment shines, a vertex behind a diffuse
-/// bounce asks it in other directions this often only: most are walls. A guess.
-constexpr float kEnvironmentBesidePortals = 0.25f;
 /// Spread a glossy bounce adds to the ray's cone, per unit of roughness (radians); a guess that
 /// keeps textures sharper than the lobe is wide.
 constexpr float kSpreadPerRoughness = 0.5f;
@@ -111,11 +108,10 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
   choice.share_one_ray(closure.count);
 }
 
-/// How often light from the environment is sampled at this vertex, in the mean.
-float Path::environment_rate(const Material& material) const {
-  if (!indirect() || !world_.environment.lights() || !material.environment.empty()) return 0;
-  const bool beside_portals = after_diffuse_ && !world_.light_groups.portals.empty();
-  return beside_portals ? kEnvironmentBesidePortals : 1;
+/// Expected number of samples of the environment at this vertex.
+float Path::environment_samples(const Material& material) const {
+  if (!indirect() || !material.environment.empty()) return 0;
+  return world_.light_sampler->environment_samples(after_diffuse_);
 }
 
 /// Rays of one path at the first surface, of the `samples` that the pixel may get.
@@ -177,12 +173,11 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
 
 /// What lights and environment bring to this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
-                       float environment, bool diffuse) {
+                       bool diffuse) {
   std::optional<DirectShares> shares;
   if (settings_.by_light) shares.emplace();
   const DirectLight sum = direct_light(world_, point, closure, choice, from_.lights,
-                                       {.environment_rate = environment,
-                                        .environment_on_diffuse = diffuse,
+                                       {.environment_on_diffuse = diffuse,
                                         .environment_in_reflections = !limits_reflections(closure),
                                         .rays_bend = !after_diffuse_,
                                         .for_the_eye = !after_diffuse_,
@@ -310,7 +305,7 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
   const LobeKind kind = closure.lobes[sample->lobe].kind;
   const bool too_deep = !is_diffuse(kind) && depth_reached(kind);
   if (group_of(kind) == LobeGroup::Reflection && limits_reflections(closure))
-    from_.environment_rate = 0;
+    from_.lights.environment_samples = 0;
   scatter(closure, material, point, *sample);
   from_.weighed &= weighed;
   // One look-up stands for the lobe; of many rays each stands for its share of the solid angle.
@@ -349,24 +344,22 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
     std::construct_at(&from_.lights, world_, point, closure);
   else
     std::construct_at(&from_.lights);
-  const float environment = environment_rate(material);
+  from_.lights.environment_samples = environment_samples(material);
   const bool scatters_light = closure.any([](const Lobe& lobe) { return !is_delta(lobe.kind); });
   if (scatters_light && !features_seen_ && !from_.weighed) {
     features_seen_ = true;
     result_->normal = point.normal;
     result_->albedo = closure.albedo;
   }
-  if (scatters_light && (!from_.lights.empty() || environment > 0))
-    take_direct(closure, choice, point, environment,
-                diffuse || (reads_photons() && !reads_bounces()));
+  if (scatters_light && (!from_.lights.empty() || from_.lights.environment_samples > 0))
+    take_direct(closure, choice, point, diffuse || (reads_photons() && !reads_bounces()));
   from_.emission_on_diffuse = from_.emission_in_reflections = false;
-  if (scatters_light && choice.any && !world_.mesh_lights.empty())
+  if (scatters_light && choice.any && !world_.light_sampler->mesh_lights().empty())
     sample_emission(closure, choice, point, diffuse,
                     !limits_reflections(closure) && !caustics_are_mapped());
   if (!choice.any) return false;
 
   if (needs_origin()) from_.point = point;
-  from_.environment_rate = environment;
   from_.shadows = receives_shadows(world_, point);
   from_.invisible = light_in_reflection(closure, false);
   from_.visible = light_in_reflection(closure, true);

@@ -46,7 +46,6 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
     // Against no lights: it passes through them unseen.
     from_.weighed = true;
     std::construct_at(&from_.lights);
-    from_.environment_rate = 0;
     from_.group = LobeGroup::Diffuse;
     from_.passed = volume_passed_ = 0;
     ray_ = {.time = ray_.time};

@@ -71,8 +71,7 @@ class Path {
   struct Vertex {
     bool weighed = false;  ///< a non-delta vertex that sampled lights
     ShadingPoint point;
-    LightChoice lights;
-    float environment_rate = 0;  ///< samples of it in the mean
+    LitVertex lights;
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
     LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
@@ -180,8 +179,8 @@ class Path {
   // path_glow.cpp
   void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
                        bool on_diffuse, bool in_reflections);
-  Rgb emission_seen(const Closure& closure, const ShadingPoint& point,
-                    const MeshLights::Choice& target, const Vec3& wi, float distance, RayKind kind);
+  Rgb emission_seen(const Closure& closure, const ShadingPoint& point, const TriangleSample& target,
+                    RayKind kind);
   float emission_weight(const geom::Hit& hit, const ShadingPoint& point) const;
 
   // path_scatter.cpp
@@ -189,9 +188,9 @@ class Path {
                     bool diffuse) const;
   bool split(const Closure& closure, LobeChoice& choice) const;
   void take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
-                   float environment, bool diffuse);
+                   bool diffuse);
   void occlude(const Closure& closure, const ShadingPoint& point);
-  float environment_rate(const Material& material) const;
+  float environment_samples(const Material& material) const;
   int rays_at_first(float samples, float importance) const;
   bool continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
                      ShadingPoint& point, int lobe, float u_rest, bool weighed = true);

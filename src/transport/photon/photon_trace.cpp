@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "lights/light_sampler.h"
 #include "transport/photon/photon_walk.h"
 
 namespace oriel {
@@ -151,7 +152,7 @@ PhotonMaps trace_photons(const World& world, const PhotonSettings& settings, Ray
                  layers.asked() ? layers.of_light[i] : Photon::kUnknownLayer,
                  {done / sources, (done + 1) / sources});
   }
-  if (world.environment.lights())
+  if (world.light_sampler->environment().lights())
     tracer.trace(PhotonSource(world, settings.environment.emission), settings.environment, 0,
                  layers.asked() ? layers.environment : Photon::kUnknownLayer, {1 - 1 / sources, 1});
   counts += tracer.counts();

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/light_emission.h"
+#include "lights/photon_source.h"
 #include "transport/counts.h"
 #include "transport/photon/photon_file.h"
 #include "transport/progress_monitor.h"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "lights/portal_table.h"
 #include "runtime/bump.h"
 #include "transport/lobes.h"
 #include "transport/medium.h"

@@ -2,7 +2,7 @@
 // The way of one photon from its source until it is absorbed.
 #pragma once
 
-#include "runtime/light_emission.h"
+#include "lights/photon_source.h"
 #include "sampling/sampler.h"
 #include "transport/photon/photon_trace.h"
 

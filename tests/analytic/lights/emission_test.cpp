@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes that glow: what they bring by samples, by rays alone, and by closed forms.
+#include "lights/light_sampler.h"
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -71,7 +72,7 @@ const Registry& step_registry() {
 void expect_glow(const std::string& name, const SceneText& scene, float exact,
                  std::size_t triangles, float tolerance = 0) {
   Probe probe(scene);
-  EXPECT_EQ(probe.world().mesh_lights.size(), triangles) << name;
+  EXPECT_EQ(probe.world().light_sampler->mesh_lights().size(), triangles) << name;
   const Measured sampled = probe.onto(Vec3(0), kUp, 0, 1 << 13);
   const Measured by_rays = probe.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 17);
   expect_same(name + " by rays", sampled, by_rays, .03f);
@@ -128,7 +129,7 @@ TEST(Emission, TexturesKeepTheirLight) {
                 "\"reflectivity\" 0, \"diffuse_weight\" 0, \"additional_color\" = \"place\"");
   add_grid(ramp, "ramp", .35f, .35f, 1, .3f, 5);
   const Probe probe(ramp);
-  EXPECT_EQ(probe.world().mesh_lights.size(), 50u);
+  EXPECT_EQ(probe.world().light_sampler->mesh_lights().size(), 50u);
   const Measured sampled = probe.onto(Vec3(0), kUp, 0, 1 << 13);
   Probe rays(ramp);
   expect_same("ramp", sampled, rays.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 17), .03f);
@@ -144,7 +145,7 @@ TEST(Emission, TexturesKeepTheirLight) {
     expect_same(fmt::format("edge at {}", edge), found,
                 with.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 18), .2f);
     // Of the last hundredth none of the places sees anything: rays alone find it.
-    EXPECT_EQ(with.world().mesh_lights.empty(), edge > .1f);
+    EXPECT_EQ(with.world().light_sampler->mesh_lights().empty(), edge > .1f);
   }
 }
 
@@ -159,7 +160,7 @@ TEST(Emission, BothSidesGlowAndOneSideWhereItSaysSo) {
         .square("floor", Vec3(0, 0, 2), 20, -kUp)
         .square(material, Vec3(0, 0, 1), .2f, -kUp);
     Probe probe(scene);
-    EXPECT_EQ(probe.world().mesh_lights.size(), 2u) << material;
+    EXPECT_EQ(probe.world().light_sampler->mesh_lights().size(), 2u) << material;
     return probe.mesh_lights(sampled).onto(Vec3(.5f, 0, above ? 2 : 0), above ? -kUp : kUp, 0,
                                            sampled ? 1 << 14 : 1 << 17, .2f);
   };
@@ -173,7 +174,7 @@ TEST(Emission, BothSidesGlowAndOneSideWhereItSaysSo) {
 void expect_unbiased(const std::string& name, const SceneText& scene, const Vec3& at = Vec3(0),
                      float degrees = 20) {
   Probe probe(scene);
-  EXPECT_FALSE(probe.world().mesh_lights.empty()) << name;
+  EXPECT_FALSE(probe.world().light_sampler->mesh_lights().empty()) << name;
   const Measured sampled = probe.onto(at, kUp, degrees, 1 << 15, .3f);
   const Measured by_rays = probe.mesh_lights(false).onto(at, kUp, degrees, 1 << 18, .3f);
   expect_same(name, sampled, by_rays, .05f);
@@ -243,7 +244,7 @@ TEST(Emission, FlagsAndCopiesMeanWhatTheyDo) {
   text.insert(text.find("camera \"cam\""), copy);
   text.insert(text.rfind(" end instgroup"), " \"copy\"");
   Probe probe(text);
-  EXPECT_EQ(probe.world().mesh_lights.size(), 2u);
+  EXPECT_EQ(probe.world().light_sampler->mesh_lights().size(), 2u);
   const Measured sampled = probe.onto(Vec3(0), kUp, 0, 1 << 14);
   expect_same("copies", sampled, probe.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 18), .02f);
 }
@@ -253,7 +254,7 @@ TEST(Emission, RoomsThatGlowAllOverAreLeftToRays) {
   scene.material("wall", "\"reflectivity\" 0, \"diffuse\" .5 .5 .5, \"additional_color\" 1 1 1")
       .box("wall", Vec3(-1, -1, -1), Vec3(1, 1, 1), true);
   const Probe probe(scene);
-  EXPECT_TRUE(probe.world().mesh_lights.empty());
+  EXPECT_TRUE(probe.world().light_sampler->mesh_lights().empty());
 }
 
 }  // namespace glow_test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion blur against closed forms: streaks, turning bars, moving cameras, shadows and mirrors.
+#include "lights/light_sampler.h"
 #include "motion_scenes.h"
 
 namespace oriel::testing {
@@ -180,7 +181,7 @@ TEST(MotionBlur, WhatGlowsAndMovesIsSampledWhereItIs) {
   const Vec3 above(.3f, 0, .4f);
   const Measured sampled = seen(Probe(scene), above, -above, 65536);
   const Measured found = seen(Probe(scene).mesh_lights(false), above, -above, 262144);
-  EXPECT_FALSE(Probe(scene).world().mesh_lights.empty());
+  EXPECT_FALSE(Probe(scene).world().light_sampler->mesh_lights().empty());
   expect_same("moving glow", sampled, found, .01f);
 }
 

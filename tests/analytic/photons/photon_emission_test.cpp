@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // First hits of photons against direct light, for every kind of light.
-#include "runtime/light_emission.h"
+#include "lights/light_sampler.h"
+#include "lights/photon_source.h"
 
 #include <fstream>
 
@@ -71,9 +72,9 @@ Estimate by_direct_light(const World& world, const Light* light, const Card& car
       const auto sample = sample_light(*light, point, u);
       return sample ? sample->irradiance.y * std::max(0.0f, dot(sample->wi, point.normal)) : 0.0f;
     }
-    const auto sample = world.environment.sample(u);
-    const Rgba radiance = environment_radiance(world.environment.shaders(), world, point.position,
-                                               sample.wi, RayKind::FinalGather);
+    const auto sample = world.light_sampler->environment().sample(u);
+    const Rgba radiance = environment_radiance(world.environment, world, point.position, sample.wi,
+                                               RayKind::FinalGather);
     return radiance.g * std::max(0.0f, dot(sample.wi, point.normal)) / sample.pdf;
   });
 }

@@ -116,9 +116,9 @@ Light followed_from_the_sky(const World& world, const Cone& bright) {
       Vec3 d = bright.cosine < 1 && i % 2 ? bright.sample(v) : around(Vec3(1, 0, 0), v);
       if (!(d.x > 0)) continue;
       // What a unit of area gets in the colour of a white card: E / pi.
-      const Rgb power = rgb(environment_radiance(world.environment.shaders(), world, p, -d,
-                                                 RayKind::FinalGather)) *
-                        (opening * bright.weight(d));
+      const Rgb power =
+          rgb(environment_radiance(world.environment, world, p, -d, RayKind::FinalGather)) *
+          (opening * bright.weight(d));
       for (float share = 1; share > kLost; share *= kAlbedo) {
         const auto [face, t] = wall_ahead(p, d);
         p += d * t;

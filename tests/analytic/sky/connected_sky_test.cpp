@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sun, sky and exposures whose parameters other shaders give: another value for each direction.
+#include "lights/photon_source.h"
 #include "runtime/color_mapping.h"
-#include "runtime/light_emission.h"
 #include "sky/physical_sky.h"
 #include "support/directions.h"
 #include "support/portal_scenes.h"

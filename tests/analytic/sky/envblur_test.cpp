@@ -73,8 +73,7 @@ const std::string kSharp = "\"test_lamps\" ()";
 /// What a reflection looks up in a direction.
 Rgb looked_up(const World& world, const Vec3& d, float roughness = 0,
               RayKind kind = RayKind::Reflect) {
-  return rgb(
-      environment_radiance(world.environment.shaders(), world, Vec3(0), d, kind, false, roughness));
+  return rgb(environment_radiance(world.environment, world, Vec3(0), d, kind, false, roughness));
 }
 Vec3 spread(int i, int n) {
   const float z = 1 - 2 * (static_cast<float>(i) + .5f) / static_cast<float>(n);

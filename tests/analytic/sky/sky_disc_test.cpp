@@ -27,8 +27,8 @@ Rgb bundle(const std::string& light, const std::string& around = {}) {
     scene.statement("shader \"sky\" " + sky).environment(around);
   if (!light.empty()) scene.light("sun", light);
   const Probe probe(scene);
-  return rgb(environment_radiance(probe.world().environment.shaders(), probe.world(), Vec3(0),
-                                  kToSun, RayKind::Reflect, true));
+  return rgb(environment_radiance(probe.world().environment, probe.world(), Vec3(0), kToSun,
+                                  RayKind::Reflect, true));
 }
 
 // acceptance: S9, S11

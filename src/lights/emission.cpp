@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "transport/emission.h"
+#include "lights/emission.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,14 +7,14 @@
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "geom/motion.h"
+#include "runtime/fill_point.h"
 #include "runtime/tracer.h"
-#include "transport/surface.h"
 
 namespace oriel {
 namespace {
 
-/// Triangles that are asked of each instance.
-constexpr std::uint32_t kTrianglesAsked = 16;
+/// Triangles that are probed of each instance.
+constexpr std::uint32_t kTrianglesProbed = 16;
 
 bool may_emit(const Material& material) {
   return std::any_of(material.surface.begin(), material.surface.end(), [](const ShaderNode* node) {
@@ -22,8 +22,8 @@ bool may_emit(const Material& material) {
   });
 }
 
-/// Stands for the scene where only what a surface is by itself is wanted; notes who asks for light.
-class NothingThere final : public Tracer {
+/// A tracer of an empty scene; records whether the shader asks for light.
+class EmptyTracer final : public Tracer {
  public:
   bool asked = false;
 
@@ -87,12 +87,12 @@ ShadingPoint point_of_triangle(const World& world, std::uint32_t instance, std::
 }
 
 SurfaceEmission emission_at(const Material& material, ShadingPoint& point) {
-  NothingThere nothing;
-  point.tracer = &nothing;
+  EmptyTracer tracer;
+  point.tracer = &tracer;
   Closure closure;
   shade(material, point, closure);
   point.tracer = nullptr;
-  return {closure.emission * closure.opacity, nothing.asked};
+  return {closure.emission * closure.opacity, tracer.asked};
 }
 
 std::vector<EmissionKind> emissive_materials(const World& world) {
@@ -108,7 +108,7 @@ std::vector<EmissionKind> emissive_materials(const World& world) {
       continue;
     const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    const std::uint32_t step = std::max(1u, count / kTrianglesAsked);
+    const std::uint32_t step = std::max(1u, count / kTrianglesProbed);
     for (std::uint32_t t = step / 2; t < count; t += step) {
       const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
       if (left[m] <= 0) continue;
@@ -116,10 +116,10 @@ std::vector<EmissionKind> emissive_materials(const World& world) {
         // Some show the eye what they do not light the scene by.
         for (const RayKind kind : {RayKind::FinalGather, RayKind::Eye}) {
           ShadingPoint point = point_of_triangle(world, i, t, 1 / 3.0f, 1 / 3.0f, behind, kind);
-          const SurfaceEmission glow = emission_at(world.materials[m], point);
-          if (glow.of_lights)
+          const SurfaceEmission emission = emission_at(world.materials[m], point);
+          if (emission.of_lights)
             kinds[m] = EmissionKind::OfLights;
-          else if (max_component(glow.radiance) > 0 && kinds[m] == EmissionKind::None)
+          else if (max_component(emission.radiance) > 0 && kinds[m] == EmissionKind::None)
             kinds[m] = EmissionKind::Source;
         }
       left[m] = kinds[m] != EmissionKind::None ? 0 : left[m] - 1;
@@ -141,12 +141,13 @@ std::vector<EmissionKind> emissive_instances(const World& world,
 
 namespace {
 
-/// Where triangles are asked, as weights of their corners b and c; in large meshes only the first.
+/// Points of a triangle that are probed, as weights of corners b and c; in large meshes only the
+/// first.
 constexpr Vec2 kPlaces[] = {
     {1 / 3.0f, 1 / 3.0f}, {1 / 6.0f, 1 / 6.0f}, {2 / 3.0f, 1 / 6.0f}, {1 / 6.0f, 2 / 3.0f}};
 constexpr std::size_t kLargeMesh = 50000;
 
-/// The tree only goes by the box: a few times are enough.
+/// The tree uses only the box: a few times are enough.
 void extend_over_time(const World& world, std::uint32_t instance, std::uint32_t triangle,
                       geom::Box3& box) {
   constexpr int kTimes = 8;
@@ -161,48 +162,48 @@ struct Sides {
   float front = 0, back = 0;  ///< luminance, means over the places
 };
 
-Sides glow_of(const World& world, const Material& material, std::uint32_t instance,
-              std::uint32_t primitive, std::size_t places) {
-  Sides glow;
+Sides sides_of(const World& world, const Material& material, std::uint32_t instance,
+               std::uint32_t primitive, std::size_t places) {
+  Sides sides;
   for (std::size_t i = 0; i < places; ++i)
     for (const bool behind : {false, true}) {
       ShadingPoint point = point_of_triangle(world, instance, primitive, kPlaces[i].x, kPlaces[i].y,
                                              behind, RayKind::FinalGather);
       const float l = luminance(emission_at(material, point).radiance) / static_cast<float>(places);
-      if (l > 0 && std::isfinite(l)) (behind ? glow.back : glow.front) += l;
+      if (l > 0 && std::isfinite(l)) (behind ? sides.back : sides.front) += l;
     }
-  return glow;
+  return sides;
 }
 
-/// What of one instance glows.
-struct GlowingInstance {
+/// The emissive triangles of one instance.
+struct EmissiveInstance {
   std::uint32_t instance = 0;
   std::vector<EmissiveTriangle> triangles;
   std::vector<LightBounds> bounds;
-  double power = 0, power_by_glow = 0, area = 0;  ///< double: millions of terms
+  double power = 0, power_times_radiance = 0, area = 0;  ///< double: millions of terms
 };
 
-GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
-                                  const std::vector<EmissionKind>& materials) {
-  GlowingInstance out;
+EmissiveInstance emissive_triangles(const World& world, std::uint32_t instance,
+                                    const std::vector<EmissionKind>& materials) {
+  EmissiveInstance out;
   out.instance = instance;
   const geom::InstanceDesc& desc = world.accel->instance(instance);
   const std::vector<int>& worn = world.instances[desc.user].materials;
   const geom::Mesh& mesh = world.accel->mesh(desc.mesh);
   const std::size_t places = mesh.triangles.size() > kLargeMesh ? 1 : std::size(kPlaces);
-  std::vector<Sides> glows(mesh.triangles.size());
+  std::vector<Sides> sides(mesh.triangles.size());
   constexpr std::size_t kBatch = 256;
-  parallel_for((glows.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
-    const std::size_t end = std::min(glows.size(), (batch + 1) * kBatch);
+  parallel_for((sides.size() + kBatch - 1) / kBatch, [&](std::size_t batch) {
+    const std::size_t end = std::min(sides.size(), (batch + 1) * kBatch);
     for (std::size_t i = batch * kBatch; i < end; ++i) {
       const auto t = static_cast<std::uint32_t>(i);
       const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
       if (materials[m] == EmissionKind::Source)
-        glows[i] = glow_of(world, world.materials[m], instance, t, places);
+        sides[i] = sides_of(world, world.materials[m], instance, t, places);
     }
   });
-  for (std::size_t i = 0; i < glows.size(); ++i) {
-    const Sides& g = glows[i];
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Sides& g = sides[i];
     const auto t = static_cast<std::uint32_t>(i);
     const TriangleCorners corners = corners_of(world, instance, t, world.shutter.middle());
     const Vec3 normal = corners.normal_times_area();
@@ -214,7 +215,7 @@ GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
     b.falling = brightest * area;
     const bool moves = !desc.path.empty() || !mesh.keys.empty();
     if (moves) extend_over_time(world, instance, t, b.box);
-    // Which way one that moves looks changes.
+    // The normal of a moving triangle changes.
     if ((g.front == 0 || g.back == 0) && !moves) {
       // The front is where the accel's normal points, which mirrored instances turn over.
       geom::Hit hit;
@@ -229,7 +230,7 @@ GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
     out.triangles.push_back({instance, t, power});
     out.bounds.push_back(b);
     out.power += static_cast<double>(power);
-    out.power_by_glow += static_cast<double>(power * brightest);
+    out.power_times_radiance += static_cast<double>(power * brightest);
     out.area += static_cast<double>(area);
   }
   return out;
@@ -238,7 +239,7 @@ GlowingInstance glowing_triangles(const World& world, std::uint32_t instance,
 }  // namespace
 
 MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& materials) {
-  std::vector<GlowingInstance> found;
+  std::vector<EmissiveInstance> found;
   for (std::uint32_t i = 0; i < world.accel->instance_count(); ++i) {
     const geom::InstanceDesc& desc = world.accel->instance(i);
     const std::vector<int>& worn = world.instances[desc.user].materials;
@@ -247,32 +248,32 @@ MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& m
           return materials[static_cast<std::size_t>(m)] == EmissionKind::Source;
         }))
       continue;
-    if (GlowingInstance g = glowing_triangles(world, i, materials); !g.triangles.empty())
+    if (EmissiveInstance g = emissive_triangles(world, i, materials); !g.triangles.empty())
       found.push_back(std::move(g));
   }
-  // The brightest come first where not all have room.
+  // The brightest first: there is a limit.
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.power * b.area > b.power * a.area;
   });
   std::vector<EmissiveTriangle> triangles;
   std::vector<LightBounds> bounds;
   std::vector<std::uint32_t> of_instance(world.accel->instance_count());
-  double power = 0, power_by_glow = 0;
-  for (GlowingInstance& g : found) {
+  double power = 0, power_times_radiance = 0;
+  for (EmissiveInstance& g : found) {
     if (triangles.size() + g.triangles.size() > kMostEmissiveTriangles) continue;
     of_instance[g.instance] = static_cast<std::uint32_t>(
         world.accel->mesh(world.accel->instance(g.instance).mesh).triangles.size());
     triangles.insert(triangles.end(), g.triangles.begin(), g.triangles.end());
     bounds.insert(bounds.end(), g.bounds.begin(), g.bounds.end());
     power += g.power;
-    power_by_glow += g.power_by_glow;
+    power_times_radiance += g.power_times_radiance;
     g = {};
   }
   if (triangles.empty()) return {};
   const Vec3 size = world.accel->bounds().size();
   const double box = 2 * static_cast<double>(size.x * size.y + size.y * size.z + size.z * size.x);
   // Area that would have the same power all of the same brightness; two sides count as two.
-  const double width = power * power / power_by_glow;
+  const double width = power * power / power_times_radiance;
   if (width > static_cast<double>(kWideShare) * box) return {};
   return {std::move(triangles), bounds, of_instance};
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surface emission evaluated outside path tracing; also samples emissive triangles.
+// Surface emission evaluated outside path tracing; also builds emissive-triangle lights.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "lights/mesh_lights.h"
 #include "runtime/world.h"
 
 namespace oriel {
@@ -24,37 +25,37 @@ struct TriangleCorners {
 TriangleCorners corners_of(const World& world, std::uint32_t instance, std::uint32_t primitive,
                            float time);
 
-/// A point of a triangle in the middle of the shutter, as a ray that comes from straight above it,
-/// or from below, meets it. Inputs:  u, v: barycentric weights of corners b and c; instance: of the
-/// world's accel.
+/// A point of a triangle in the middle of the shutter interval, as hit by a ray along the normal.
+/// Inputs:  u, v: barycentric weights of corners b and c; instance: of the world's accel.
 ShadingPoint point_of_triangle(const World& world, std::uint32_t instance, std::uint32_t primitive,
                                float u, float v, bool from_behind, RayKind kind);
 
-/// What the surface emits there to rays of the point's kind.
+/// Emission of a surface for rays of the point's kind.
 struct SurfaceEmission {
   Rgb radiance{0};
-  bool of_lights = false;  ///< the shader made it of light that it asked for: no source
+  bool of_lights = false;  ///< the shader computed it from light it gathered: not a source
 };
 SurfaceEmission emission_at(const Material& material, ShadingPoint& point);
 
 enum class EmissionKind : std::uint8_t { None, Source, OfLights };
-/// How materials emit, by index: their shaders may, and they do at some of kEmissionProbes points
-/// of what wears them.
+/// How materials emit, by index: probed at up to kEmissionProbes points of surfaces that have the
+/// material, if its shaders may emit.
 inline constexpr int kEmissionProbes = 256;
 std::vector<EmissionKind> emissive_materials(const World& world);
 
-/// The same of the world's instances, by index: the most of what they wear, a source before others.
+/// The same of the world's instances, by index: Source if any of their materials is one.
 std::vector<EmissionKind> emissive_instances(const World& world,
                                              const std::vector<EmissionKind>& materials);
 
-/// The triangles that glow, as lights to sample.
+/// Emissive triangles, as lights to sample.
 ///
-/// Model:   each is asked what diffuse rays see at a few fixed points of both sides. Black at all
-///          of them: it is no light, and rays find what there is. One side black: it is none for
-///          points behind. Of more than kMostEmissiveTriangles triangles the brightest instances
-///          are taken. None at all where glowing surfaces are as wide as the scene (their
-///          participation ratio in the power above kWideShare of its box's surface): rays find
-///          those better.
+/// Model:   the emission that diffuse rays see is evaluated at a few fixed points of both sides of
+///          each triangle. A triangle that is black at all of them is not sampled; rays find its
+///          emission. A triangle with one black side does not light points on that side. Of more
+///          than kMostEmissiveTriangles triangles the brightest instances are sampled. None is
+///          sampled where emissive surfaces are as large as the scene (the participation ratio of
+///          their power exceeds kWideShare of the surface of the scene's box): rays find those
+///          better.
 /// Checked: Emission.* in tests/analytic/lights/emission_test.cpp
 inline constexpr std::size_t kMostEmissiveTriangles = std::size_t{1} << 22;
 inline constexpr float kWideShare = 0.25f;

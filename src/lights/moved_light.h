@@ -6,7 +6,7 @@
 
 #include "geom/motion.h"
 #include "geom/surface.h"
-#include "runtime/light.h"
+#include "lights/sample_light.h"
 
 namespace oriel {
 

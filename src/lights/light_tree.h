@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of many lights matter at a point: one of them by chance, and all that a ray may meet.
+// The light tree: picks one of many lights by its importance at a point, and finds the lights whose
+// bounds a ray hits.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,6 @@
 
 namespace oriel {
 
-struct Light;
-struct World;
 class PortalTable;
 
 /// Directions within an angle of an axis.
@@ -26,31 +25,32 @@ struct DirectionCone {
 /// The smallest cone that holds both, nearly.
 DirectionCone joined(const DirectionCone& a, const DirectionCone& b);
 
-/// A rectangle about portals of one plane, where what is behind is too uneven to go by its mean.
+/// A rectangle around portals of one plane whose environment is too uneven to be weighed by its
+/// mean.
 struct Opening {
-  const PortalTable* table = nullptr;  ///< null: go by the mean
+  const PortalTable* table = nullptr;  ///< null: the mean is used
   // Along the table's axes, world.
   float x0 = 0, x1 = 0, y0 = 0, y1 = 0, z = 0;
   float scale = 1;  ///< of the table's luminance
 };
 
-/// Where a light is, where it shines to and how much, without asking its shader again.
+/// Position, directions and strength of a light, without its shader.
 struct LightBounds {
-  geom::Box3 box;         ///< about the shape, world
+  geom::Box3 box;         ///< around the shape, world
   DirectionCone normals;  ///< of the emitting surface, or axes of cones
-  float cos_reach = -1;   ///< how far from these it shines; -1 = everywhere
+  float cos_reach = -1;   ///< of the largest angle to these at which it emits; -1 = any
   // Irradiance facing it at distance d: even + falling / d^2.
   float even = 0, falling = 0;
   Opening opening;
 };
 
-/// Of two lights taken for one.
+/// Bounds of both lights.
 LightBounds joined(const LightBounds& a, const LightBounds& b);
 
-/// Where light is asked for.
+/// A point to light.
 struct LitPoint {
   Vec3 position{0};
-  /// Unit; lights wholly behind its plane bring nothing. Null: lit from everywhere.
+  /// Unit; lights entirely behind its plane do not light the point. Null: lit from both sides.
   Vec3 normal{0};
 };
 
@@ -59,39 +59,38 @@ struct LitPoint {
 ///          Splitting", Proc. ACM CGIT 1(2), 2018, eq. 3, without visibility.
 float importance(const LightBounds& bounds, const LitPoint& lit);
 
-/// A binary tree of lights, split so that near, alike and weak lights stand together.
+/// A binary tree of lights, split so that lights of similar position and direction share a node.
 ///
-/// Model:   descends by the importance of both sides, so that a light is chosen with the product of
-///          the shares on the way to it; depth and cost grow with the logarithm of the number.
+/// Model:   each step descends into one child, with a probability proportional to its importance;
+///          depth and cost grow with the logarithm of the number of lights.
 /// Source:  as above, 4.4 (cost of a split by power, area and orientation).
-/// Checked: LightTree.* (chances sum to one, choices follow them, no light that counts has none).
+/// Checked: LightTree.* (probabilities sum to one, choices follow them, lights that light a point
+///          have one above 0).
 class LightTree {
  public:
   LightTree() = default;
-  /// Inputs:  names[i]: what light i is called in answers, any number below 2^31.
+  /// Inputs:  names[i]: the number that identifies light i in results, below 2^31.
   LightTree(std::span<const LightBounds> bounds, std::span<const int> names);
 
   bool empty() const { return nodes_.empty(); }
-  int size() const { return static_cast<int>(names_.size()); }
-  const std::vector<int>& names() const { return names_; }
 
   struct Choice {
     int light;
     float probability;
   };
-  /// Inputs:  u: uniform in [0,1); becomes a number to use again.
+  /// Inputs:  u: uniform in [0,1); returns a new uniform number.
   std::optional<Choice> choose(const LitPoint& lit, float& u) const;
-  /// With which choose() finds that light; 0 for lights of other trees.
+  /// Probability with which choose() returns that light; 0 for lights of other trees.
   float probability(const LitPoint& lit, int light) const;
 
-  /// Calls f(light) for each whose box a ray meets within (0, t_most). `direction` need not be
-  /// unit.
+  /// Calls f(light) for each light whose box a ray hits within (0, t_most). `direction` need not
+  /// be unit.
   template <class F>
   void for_each_on_way(const Vec3& from, const Vec3& direction, float t_most, F&& f) const;
 
  private:
   struct Node : LightBounds {
-    int second = 0;  ///< index of the second child; the first stands behind the node
+    int second = 0;  ///< index of the second child; the first follows the node
     int light = -1;  ///< of a leaf
   };
   struct Build;
@@ -99,23 +98,9 @@ class LightTree {
 
   static constexpr int kDeepest = 64;
   std::vector<Node> nodes_;
-  std::vector<int> names_;
   std::vector<std::uint64_t> ways_;  ///< by name: bit d = second child at depth d
   std::vector<std::uint8_t> known_;  ///< by name: whether it is in this tree
 };
-
-/// The bounds of a light, its shader asked at a few points. Portals: by the mean of what is behind.
-/// Inputs:  reach: about the radius of the scene.
-/// Errors:  lights that show nothing there have both strengths 0.
-LightBounds bounds_of(const Light& light, const World& world, float reach);
-
-/// The lights of a scene by the way they are chosen.
-struct LightGroups {
-  std::vector<int> infinite;  ///< without a place
-  LightTree finite;           ///< with one
-  LightTree portals;
-};
-LightGroups group_lights(const World& world);
 
 template <class F>
 void LightTree::for_each_on_way(const Vec3& from, const Vec3& direction, float t_most,

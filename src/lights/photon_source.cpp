@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/light_emission.h"
+#include "lights/photon_source.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,11 @@
 
 #include "base/math.h"
 #include "color/luminance.h"
-#include "runtime/moved_light.h"
+#include "lights/light_sampler.h"
+#include "lights/light_shape.h"
+#include "lights/moved_light.h"
+#include "lights/portal_table.h"
+#include "runtime/environment.h"
 #include "runtime/shutter_time.h"
 #include "sampling/warp.h"
 
@@ -134,32 +138,10 @@ EmittedPhoton PhotonSource::emit_by_profile(Vec2 u_place, Vec2 u_direction) cons
   photon.origin = light.position;
   photon.direction = light.profile_placement.to_world(s.direction);
   if (!(s.pdf > 0)) return photon;
-  float area = 1;  // as seen along the direction
-  if (is_flat(light.shape)) {
-    const Vec2 d = light.shape == LightShape::Rectangle
-                       ? u_place - Vec2(0.5f)
-                       : sampling::sample_disc(u_place) * light.radius;
-    photon.origin += light.edge_u * d.x + light.edge_v * d.y;
-    area = light.area * std::max(0.0f, dot(photon.direction, light.direction));
-  } else if (light.shape == LightShape::Sphere) {
-    const Frame frame(photon.direction);
-    const Vec2 d = sampling::sample_disc(u_place);
-    const float height = std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y));
-    photon.origin += (frame.s * d.x + frame.t * d.y + frame.n * height) * light.radius;
-    area = light.area;
-  } else if (light.shape == LightShape::Cylinder) {
-    const float half = length(light.edge_u);
-    const Vec3 axis = light.edge_u / half;
-    const Vec3 across = photon.direction - axis * dot(photon.direction, axis);
-    const float sine = length(across);
-    if (!(sine > 1e-6f)) return photon;
-    const float x = 2 * u_place.x - 1;
-    photon.origin +=
-        light.edge_u * (2 * u_place.y - 1) +
-        (cross(axis, across / sine) * x + across / sine * std::sqrt(1 - x * x)) * light.radius;
-    area = 4 * half * light.radius * sine;
-  }
-  photon.weight = area / s.pdf;
+  const auto place = point_seen_along(light, photon.direction, u_place);
+  if (!place) return photon;
+  photon.origin = place->position;
+  photon.weight = place->area / s.pdf;
   return photon;
 }
 
@@ -216,7 +198,8 @@ EmittedPhoton PhotonSource::emit(Vec2 u_place, Vec2 u_direction, RayKind kind) c
 
 EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const {
   if (!light_) {
-    const EnvironmentLight::Sample s = world_->environment.sample_alone(u_direction);
+    const EnvironmentLight::Sample s =
+        world_->light_sampler->environment().sample_alone(u_direction);
     EmittedPhoton photon = emit_from_afar(-s.wi, u_place);
     photon.weight /= s.pdf;
     return photon;
@@ -239,27 +222,8 @@ EmittedPhoton PhotonSource::emit_by_light(Vec2 u_place, Vec2 u_direction) const 
     photon.weight = kTwoPi * cone;
     return photon;
   }
-  // A place on the shape and its normal there.
-  Vec3 normal = light.direction;
-  float area = light.area;
-  if (light.shape == LightShape::Rectangle) {
-    photon.origin =
-        light.position + light.edge_u * (u_place.x - 0.5f) + light.edge_v * (u_place.y - 0.5f);
-  } else if (light.shape == LightShape::Disc) {
-    const Vec2 d = sampling::sample_disc(u_place) * light.radius;
-    photon.origin = light.position + light.edge_u * d.x + light.edge_v * d.y;
-  } else if (light.shape == LightShape::Sphere) {
-    normal = sampling::sample_uniform_sphere(u_place);
-    photon.origin = light.position + normal * light.radius;
-    area = 4 * kPi * sqr(light.radius);
-  } else {
-    const float half = length(light.edge_u);
-    const Frame axis(light.edge_u * (1 / half));
-    const float phi = kTwoPi * u_place.x;
-    normal = axis.s * math::cos(phi) + axis.t * math::sin(phi);
-    photon.origin = light.position + light.edge_u * (2 * u_place.y - 1) + normal * light.radius;
-    area = kTwoPi * light.radius * 2 * half;
-  }
+  const auto [place, normal, area] = point_on_shape(light, u_place);
+  photon.origin = place;
   if (light.portal && light.portal->table) {
     const PortalDirection d = sample_portal_direction(light, u_direction);
     photon.direction = -d.outward;
@@ -297,9 +261,9 @@ Rgb PhotonSource::power_at_rest(const EmittedPhoton& photon, float distance,
                                 const MovedLight* moved) const {
   if (!(scene_radius_ > 0) || !(distance > 0)) return Rgb(0);
   if (!light_) {
-    if (!world_->environment.lights()) return Rgb(0);
-    return rgb(environment_radiance(world_->environment.shaders(), *world_, aim_centre_,
-                                    -photon.direction, RayKind::FinalGather)) *
+    if (!world_->light_sampler->environment().lights()) return Rgb(0);
+    return rgb(environment_radiance(world_->environment, *world_, aim_centre_, -photon.direction,
+                                    RayKind::FinalGather)) *
            photon.weight;
   }
   const Light& light = *light_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/light_tree.h"
+#include "lights/light_tree.h"
 
 #include <gtest/gtest.h>
 

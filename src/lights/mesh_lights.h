@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles that glow, as lights: which of many matters at a point.
+// Emissive triangles as lights: picks one of many by its importance at a point.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/light_tree.h"
+#include "lights/light_tree.h"
 
 namespace oriel {
 
@@ -20,7 +20,7 @@ struct EmissiveTriangle {
 /// A tree over clusters of neighbouring triangles, each of which is chosen by its power within its
 /// cluster. Few triangles have clusters of their own.
 ///
-/// Model:   12 bytes for each triangle, 4 more for each of an instance that glows somewhere, and
+/// Model:   12 bytes for each triangle, 4 more for each triangle of an instance with emission, and
 ///          about 230 for each of at most kMostClusters clusters.
 /// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/lights/emission_test.cpp
 class MeshLights {
@@ -43,7 +43,7 @@ class MeshLights {
   };
   /// Inputs:  u: uniform in [0,1)^2.
   std::optional<Choice> choose(const LitPoint& lit, Vec2 u) const;
-  /// With which choose() finds that triangle; 0 for those that are no lights.
+  /// Probability with which choose() returns that triangle; 0 for triangles that are not sampled.
   float probability(const LitPoint& lit, std::uint32_t instance, std::uint32_t primitive) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/portal.h"
+#include "lights/portal_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,9 @@
 #include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
-#include "runtime/moved_light.h"
+#include "lights/light_sampler.h"
+#include "lights/moved_light.h"
+#include "runtime/environment.h"
 #include "runtime/world.h"
 #include "sampling/rectangle.h"
 
@@ -163,12 +165,12 @@ Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float 
   return max_component(radiance) * share < portal.cutoff ? Rgb(0) : radiance;
 }
 
-float mean_luminance(const Portal& portal) {
+float mean_luminance(const Portal& portal, float environment) {
   const float scale = luminance(portal.scale);
   if (portal.table) return scale * portal.table->mean_luminance();
   if (portal.shaders.empty()) return portal.own_environment ? scale : 0;
   // Without a table all that is known is what the camera's environment shows, if it is that one.
-  return scale * (portal.own_environment ? 1 : portal.world->environment.mean_luminance());
+  return scale * (portal.own_environment ? 1 : environment);
 }
 
 PortalDirection sample_portal_direction(const Light& light, Vec2 u) {
@@ -214,7 +216,7 @@ bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction,
 PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
                             float t_most, float time, bool mapped) {
   PortalsOnWay way;
-  world.light_groups.portals.for_each_on_way(from, direction, t_most, [&](int index) {
+  world.light_sampler->portals().for_each_on_way(from, direction, t_most, [&](int index) {
     const Light& light = world.lights[static_cast<std::size_t>(index)];
     const Portal& portal = *light.portal;
     if (!crosses_portal(light, from, direction, t_most, time)) return;
@@ -230,7 +232,7 @@ PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& di
 bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most,
                       float time) {
   bool behind = false;
-  world.light_groups.portals.for_each_on_way(point, to_source, t_most, [&](int index) {
+  world.light_sampler->portals().for_each_on_way(point, to_source, t_most, [&](int index) {
     behind |= crosses_portal(world.lights[static_cast<std::size_t>(index)], point, to_source,
                              t_most, time);
   });
@@ -246,7 +248,7 @@ void open_portals(World& world) {
     world.has_tinted_portals |= !portal.visible && portal.transparency != Rgb(1);
     portal.world = &world;
     if (!portal.own_environment)
-      portal.shaders = world.environment.shaders();
+      portal.shaders = world.environment;
     else if (portal.environment)
       portal.shaders = {portal.environment};
     portal.half_u = length(light.edge_u) / 2;

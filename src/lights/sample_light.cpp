@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/light.h"
+#include "lights/sample_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "base/math.h"
-#include "color/luminance.h"
-#include "geom/shapes.h"
-#include "runtime/moved_light.h"
+#include "lights/moved_light.h"
+#include "lights/portal_table.h"
 #include "runtime/world.h"
-#include "sampling/rectangle.h"
-#include "sampling/sphere.h"
 #include "sampling/warp.h"
 
 namespace oriel {
@@ -35,56 +32,6 @@ Rgb radiance_of(const Light& light, const Rgb& colour, const Vec3& wi, float dis
   return colour * (kPi * sqr(distance) / (sending_area(light, wi) * std::max(emitter_cos, 1e-6f)));
 }
 
-std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec2 u) {
-  ShapeSample s;
-  if (light.shape == LightShape::Rectangle && has_square_corners(light)) {
-    const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
-    const sampling::SphericalRectangle rectangle(from, corner, light.edge_u, light.edge_v);
-    const auto r = rectangle.sample(u);
-    s = {r.point, r.wi, r.distance, -dot(r.wi, light.direction), r.pdf};
-  } else {
-    const Vec2 d = light.shape == LightShape::Rectangle ? u - Vec2(0.5f)
-                                                        : sampling::sample_disc(u) * light.radius;
-    s.position = light.position + light.edge_u * d.x + light.edge_v * d.y;
-    const Vec3 to = s.position - from;
-    s.distance = length(to);
-    s.wi = normalize(to);
-    s.cosine = -dot(s.wi, light.direction);
-    s.pdf = s.cosine > 0 ? sqr(s.distance) / (light.area * s.cosine) : 0;
-  }
-  if (!(s.cosine > 1e-6f) || !(s.pdf > 0) || !std::isfinite(s.pdf)) return std::nullopt;
-  return s;
-}
-
-std::optional<ShapeSample> sample_round(const Light& light, const Vec3& from, Vec2 u) {
-  ShapeSample s;
-  if (light.shape == LightShape::Sphere) {
-    const sampling::SphereCone cone(from, light.position, light.radius);
-    if (!(cone.pdf() > 0)) return std::nullopt;
-    s.wi = cone.sample(u);
-    s.pdf = cone.pdf();
-    const auto hit =
-        geom::intersect(geom::Sphere{light.position, light.radius}, from, s.wi, 0.0f, kInfinity);
-    // A ray at the very rim may miss by rounding: take the closest point there.
-    s.distance = hit ? hit->t : std::max(0.0f, dot(light.position - from, s.wi));
-    s.position = from + s.wi * s.distance;
-  } else {
-    const float half = length(light.edge_u);
-    const Frame frame(light.edge_u * (1 / half));
-    const float phi = kTwoPi * u.x;
-    const Vec3 radial = frame.s * math::cos(phi) + frame.t * math::sin(phi);
-    s.position = light.position + frame.n * (half * (2 * u.y - 1)) + radial * light.radius;
-    const Vec3 to = s.position - from;
-    s.distance = length(to);
-    s.wi = normalize(to);
-    const float cosine = -dot(s.wi, radial);
-    if (!(cosine > 1e-6f)) return std::nullopt;
-    s.pdf = sqr(s.distance) / (kTwoPi * light.radius * 2 * half * cosine);
-  }
-  s.cosine = 1;
-  return s;
-}
-
 /// The environment does not move with a portal: `moved` as below.
 Rgb radiance_behind(const Light& light, const MovedLight* moved, const Vec3& from, const Vec3& wi,
                     float distance, float cosine, RayKind kind) {
@@ -95,7 +42,7 @@ Rgb radiance_behind(const Light& light, const MovedLight* moved, const Vec3& fro
 std::optional<LightSample> sample_portal(const Light& light, const Vec3& from, Vec2 u,
                                          const MovedLight* moved) {
   const Portal& portal = *light.portal;
-  const auto s = portal.table ? sample_through(light, from, u) : sample_flat(light, from, u);
+  const auto s = portal.table ? sample_through(light, from, u) : sample_shape(light, from, u);
   if (!s || !(s->distance > 0)) return std::nullopt;
   const Rgb radiance =
       radiance_behind(light, moved, from, s->wi, s->distance, s->cosine, RayKind::Light);
@@ -162,11 +109,6 @@ Rgb volume_transmittance(const World& world, const NodeList& volume, const Vec3&
   return kept;
 }
 
-bool has_square_corners(const Light& light) {
-  const float uu = dot(light.edge_u, light.edge_u), vv = dot(light.edge_v, light.edge_v);
-  return sqr(dot(light.edge_u, light.edge_v)) <= 1e-6f * uu * vv;
-}
-
 namespace {
 
 /// What a light that moves lights, as the light has it at rest.
@@ -180,59 +122,70 @@ ShadingPoint at_rest(const MovedLight& moved, const ShadingPoint& point) {
   return rest;
 }
 
-/// Of a light at rest; the air is left out. `moved`: where it is in truth, null: there.
+/// What a sample has of the shader's value.
+void take_value(const LightValue& value, LightSample& sample) {
+  sample.shadow = value.shadow;
+  sample.shadow_factor = value.shadow_factor;
+  sample.affects_diffuse = value.affects_diffuse;
+  sample.affects_specular = value.affects_specular;
+  sample.force_specular = value.force_specular;
+  sample.is_sun = value.is_sun;
+}
+
+/// Lights without extent. Returns false where the light does not reach the point.
+bool sample_sharp(const Light& light, ShadingPoint& point, Vec2 u, RayKind kind,
+                  LightSample& sample) {
+  const auto place = [&](const Vec3& origin) {
+    const Vec3 to = origin - point.position;
+    sample.distance = length(to);
+    if (!(sample.distance > 0)) return false;
+    sample.wi = to * (1 / sample.distance);
+    return true;
+  };
+  if (light.shape == LightShape::Directional) {
+    Vec3 direction = light.direction;
+    if (light.cone_angle > 0)
+      direction = Frame(light.direction)
+                      .to_world(sampling::sample_cone(
+                          u, sampling::one_minus_cos(sqr(math::sin(light.cone_angle)))));
+    sample.wi = -direction;
+    sample.distance = kInfinity;
+  } else if (!place(light.position)) {
+    return false;
+  }
+  const LightValue value =
+      ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1, kind);
+  if (value.origin && !place(*value.origin)) return false;
+  sample.irradiance = value.colour * kPi;
+  take_value(value, sample);
+  return true;
+}
+
+/// Lights with an extent. Returns false where the light does not reach the point.
+bool sample_extended(const Light& light, ShadingPoint& point, Vec2 u, RayKind kind,
+                     LightSample& sample) {
+  const auto s = sample_shape(light, point.position, u);
+  if (!s || !(s->distance > 0)) return false;
+  const LightValue value =
+      ask_light_shader(light, point, s->position, -s->wi, s->distance, s->cosine, kind);
+  sample.wi = s->wi;
+  sample.distance = s->distance;
+  sample.pdf = s->pdf;
+  sample.irradiance = radiance_of(light, value.colour, s->wi, s->distance, s->cosine) / s->pdf;
+  take_value(value, sample);
+  return true;
+}
+
+/// Samples a light at its written placement, without volumes. `moved`: its actual placement; null:
+/// the same.
 std::optional<LightSample> sample_still(const Light& light, ShadingPoint& point, Vec2 u,
                                         RayKind kind, const MovedLight* moved = nullptr) {
-  const Vec3& p = point.position;
-  if (light.portal) return sample_portal(light, p, u, moved);
+  if (light.portal) return sample_portal(light, point.position, u, moved);
   LightSample sample;
-  if (light.shape == LightShape::Directional || light.shape == LightShape::Point) {
-    if (light.shape == LightShape::Directional) {
-      Vec3 direction = light.direction;
-      if (light.cone_angle > 0)
-        direction = Frame(light.direction)
-                        .to_world(sampling::sample_cone(
-                            u, sampling::one_minus_cos(sqr(math::sin(light.cone_angle)))));
-      sample.wi = -direction;
-      sample.distance = kInfinity;
-    } else {
-      const Vec3 to = light.position - p;
-      sample.distance = length(to);
-      if (!(sample.distance > 0)) return std::nullopt;
-      sample.wi = to * (1 / sample.distance);
-    }
-    const LightValue value =
-        ask_light_shader(light, point, light.position, -sample.wi, sample.distance, 1, kind);
-    if (light.placed_by_shader && value.origin) {
-      const Vec3 to = *value.origin - p;
-      sample.distance = length(to);
-      if (!(sample.distance > 0)) return std::nullopt;
-      sample.wi = to * (1 / sample.distance);
-    }
-    sample.irradiance = value.colour * kPi;
-    sample.shadow = value.shadow;
-    sample.shadow_factor = value.shadow_factor;
-    sample.affects_diffuse = value.affects_diffuse;
-    sample.affects_specular = value.affects_specular;
-    sample.force_specular = value.force_specular;
-    sample.is_sun = value.is_sun;
-  } else {
-    const auto s = is_flat(light.shape) ? sample_flat(light, p, u) : sample_round(light, p, u);
-    if (!s || !(s->distance > 0)) return std::nullopt;
-    const LightValue value =
-        ask_light_shader(light, point, s->position, -s->wi, s->distance, s->cosine, kind);
-    sample.wi = s->wi;
-    sample.distance = s->distance;
-    sample.pdf = s->pdf;
-    sample.irradiance = radiance_of(light, value.colour, s->wi, s->distance, s->cosine) / s->pdf;
-    sample.shadow = value.shadow;
-    sample.shadow_factor = value.shadow_factor;
-    sample.affects_diffuse = value.affects_diffuse;
-    sample.affects_specular = value.affects_specular;
-    sample.force_specular = value.force_specular;
-    sample.is_sun = value.is_sun;
-  }
-  if (is_black(sample.irradiance)) return std::nullopt;
+  if (!(has_extent(light.shape) ? sample_extended(light, point, u, kind, sample)
+                                : sample_sharp(light, point, u, kind, sample)) ||
+      is_black(sample.irradiance))
+    return std::nullopt;
   sample.reach = sample.distance;
   return sample;
 }
@@ -241,56 +194,13 @@ std::optional<LightHit> intersect_still(const Light& light, ShadingPoint& from,
                                         const Vec3& direction, float t_most, RayKind kind,
                                         const MovedLight* moved = nullptr) {
   const Vec3& o = from.position;
-  std::optional<geom::ShapeHit> hit;
+  const auto hit = intersect_shape(light, o, direction, t_most);
+  if (!hit) return std::nullopt;
+  const float cosine = is_flat(light.shape) ? hit->facing : 1;
   LightHit result;
-  float cosine = 1;
-  switch (light.shape) {
-    case LightShape::Point:
-    case LightShape::Directional:
-      return std::nullopt;
-    case LightShape::Rectangle: {
-      cosine = -dot(direction, light.direction);
-      if (!(cosine > 1e-6f)) return std::nullopt;
-      const Vec3 corner = light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
-      hit =
-          geom::intersect(geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f},
-                          o, direction, 0.0f, t_most);
-      if (!hit) return std::nullopt;
-      if (light.portal && light.portal->table)
-        result.pdf = pdf_through(light, o, direction);
-      else
-        result.pdf = has_square_corners(light)
-                         ? sampling::SphericalRectangle(o, corner, light.edge_u, light.edge_v)
-                               .pdf(direction, hit->t)
-                         : sqr(hit->t) / (light.area * cosine);
-      break;
-    }
-    case LightShape::Disc:
-      cosine = -dot(direction, light.direction);
-      if (!(cosine > 1e-6f)) return std::nullopt;
-      hit = geom::intersect(
-          geom::Disc{light.position, light.edge_u * light.radius, light.edge_v * light.radius}, o,
-          direction, 0.0f, t_most);
-      if (!hit) return std::nullopt;
-      result.pdf = sqr(hit->t) / (light.area * cosine);
-      break;
-    case LightShape::Sphere:
-      hit = geom::intersect(geom::Sphere{light.position, light.radius}, o, direction, 0.0f, t_most);
-      if (!hit) return std::nullopt;
-      result.pdf = sampling::SphereCone(o, light.position, light.radius).pdf();
-      break;
-    case LightShape::Cylinder: {
-      const float half = length(light.edge_u);
-      hit = geom::intersect(geom::Cylinder{light.position, light.edge_u, light.radius}, o,
-                            direction, 0.0f, t_most);
-      if (!hit) return std::nullopt;
-      const float facing = -dot(direction, hit->n);
-      if (!(facing > 1e-6f)) return std::nullopt;
-      result.pdf = sqr(hit->t) / (kTwoPi * light.radius * 2 * half * facing);
-      break;
-    }
-  }
   result.t = hit->t;
+  result.pdf = light.portal && light.portal->table ? pdf_through(light, o, direction)
+                                                   : shape_pdf(light, o, direction, *hit);
   if (light.portal) {
     result.radiance = radiance_behind(light, moved, o, direction, hit->t, cosine, kind);
     result.shadow = light.portal->shadows && light.portal->shadow_extension == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/light_tree.h"
+#include "lights/light_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/math.h"
-#include "runtime/portal.h"
+#include "lights/portal_table.h"
 
 namespace oriel {
 namespace {
@@ -109,7 +109,7 @@ float importance(const LightBounds& bounds, const LitPoint& lit) {
     const Angle off = angle_of(clamp(-dot(wi, bounds.normals.axis), -1, 1));
     const Angle least = less(less(off, angle_of(bounds.normals.cosine)), seen);
     if (least.cosine <= bounds.cos_reach) return 0;
-    // Beyond a right angle only lamps that shine to all sides come here.
+    // Beyond a right angle only lights that emit to all sides remain.
     cosine = bounds.cos_reach >= 0 ? least.cosine : 1;
   }
   if (lit.normal != Vec3(0)) {
@@ -125,6 +125,7 @@ float importance(const LightBounds& bounds, const LitPoint& lit) {
 struct LightTree::Build {
   LightTree& tree;
   std::span<const LightBounds> bounds;
+  std::span<const int> names;
   std::vector<int> order;
 
   /// Middle of the range after it was split along its best axis.
@@ -178,7 +179,7 @@ struct LightTree::Build {
     const std::size_t index = tree.nodes_.size();
     tree.nodes_.push_back({whole, 0, -1});
     if (end - begin == 1) {
-      const int name = tree.names_[static_cast<std::size_t>(order[begin])];
+      const int name = names[static_cast<std::size_t>(order[begin])];
       tree.nodes_[index].light = name;
       tree.ways_[static_cast<std::size_t>(name)] = way;
       tree.known_[static_cast<std::size_t>(name)] = 1;
@@ -191,14 +192,13 @@ struct LightTree::Build {
   }
 };
 
-LightTree::LightTree(std::span<const LightBounds> bounds, std::span<const int> names)
-    : names_(names.begin(), names.end()) {
+LightTree::LightTree(std::span<const LightBounds> bounds, std::span<const int> names) {
   if (bounds.empty()) return;
   const auto most = static_cast<std::size_t>(*std::max_element(names.begin(), names.end()));
   ways_.resize(most + 1);
   known_.resize(most + 1);
   nodes_.reserve(2 * bounds.size());
-  Build build{*this, bounds, std::vector<int>(bounds.size())};
+  Build build{*this, bounds, names, std::vector<int>(bounds.size())};
   std::iota(build.order.begin(), build.order.end(), 0);
   build.node(0, bounds.size(), 0, 0);
 }

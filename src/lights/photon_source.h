@@ -2,6 +2,7 @@
 // What leaves a light or the environment: photons whose power agrees with direct light.
 #pragma once
 
+#include "lights/sample_light.h"
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of lights for distant points, used by the light tree.
+#include "lights/light_bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,15 +8,14 @@
 
 #include "base/math.h"
 #include "color/luminance.h"
-#include "runtime/light_tree.h"
+#include "lights/light_shape.h"
+#include "lights/portal_table.h"
+#include "lights/sample_light.h"
 #include "runtime/world.h"
 
 namespace oriel {
 namespace {
 
-/// Lights are weighed as if each had at least this share of the mean: shaders may shine where they
-/// were not asked.
-constexpr float kLeastShare = 0.02f;
 /// Shares of the scene's radius at which a light is asked; a guess.
 constexpr float kNear = 1 / 30.0f, kFar = 1 / 3.0f;
 /// Cosine of what is asked beyond a cone's rim, as share of the rim's: a few degrees.
@@ -33,29 +33,6 @@ float brightness(const Light& light, const World& world, const Vec3& direction, 
   const Rgb c = ask_light_shader(light, point, light.position, direction, distance, cosine).colour;
   const float l = luminance(c);
   return std::isfinite(l) ? std::max(0.0f, l) : 0;
-}
-
-Vec3 half_size(const Light& light) {
-  Vec3 half(0);
-  for (int k = 0; k < 3; ++k) {
-    const float u = std::abs(light.edge_u[k]), v = std::abs(light.edge_v[k]);
-    switch (light.shape) {
-      case LightShape::Rectangle:
-        half[k] = (u + v) / 2;
-        break;
-      case LightShape::Disc:
-        half[k] = light.radius * math::hypot(u, v);
-        break;
-      case LightShape::Cylinder:
-        half[k] = u + light.radius;
-        break;
-      default:
-        half[k] = light.radius;
-    }
-    // Rays must not miss the box by rounding.
-    half[k] += 1e-5f * (std::abs(light.position[k]) + light.radius + u + v);
-  }
-  return half;
 }
 
 /// Whether a spot keeps within its cone, as far as a few questions tell.
@@ -84,13 +61,9 @@ Opening opening_of(const Light& light) {
           .scale = luminance(light.portal->scale)};
 }
 
-bool only_sends_photons(const Light& light) {
-  return light.photons.only || (light.portal && light.portal->photons_only);
-}
-
 }  // namespace
 
-LightBounds bounds_of(const Light& light, const World& world, float reach) {
+LightBounds bounds_of(const Light& light, const World& world, float reach, float environment) {
   LightBounds bounds;
   const Vec3 half = half_size(light);
   bounds.box = {light.position - half, light.position + half};
@@ -111,9 +84,9 @@ LightBounds bounds_of(const Light& light, const World& world, float reach) {
     bounds.normals = {light.direction, 1};
     bounds.cos_reach = light.spread - kBeyondRim;
   }
-  if (only_sends_photons(light)) return bounds;
+  if (!gives_direct_light(light)) return bounds;
   if (light.portal) {
-    bounds.falling = mean_luminance(*light.portal) * light.area;
+    bounds.falling = mean_luminance(*light.portal, environment) * light.area;
     bounds.opening = opening_of(light);
     return bounds;
   }
@@ -139,44 +112,6 @@ LightBounds bounds_of(const Light& light, const World& world, float reach) {
   bounds.falling = std::max(0.0f, (at_near - at_far) / (1 / sqr(near) - 1 / sqr(far)));
   bounds.even = std::max(0.0f, at_far - bounds.falling / sqr(far));
   return bounds;
-}
-
-LightGroups group_lights(const World& world) {
-  LightGroups groups;
-  const geom::Box3 box = world.accel->bounds();
-  const float reach = box.isEmpty() ? 1 : std::max(length(box.size()) / 2, 1e-6f);
-  std::vector<LightBounds> bounds[2];
-  std::vector<int> names[2];
-  for (std::size_t i = 0; i < world.lights.size(); ++i) {
-    const Light& light = world.lights[i];
-    const int name = static_cast<int>(i);
-    if (light.shape == LightShape::Directional) {
-      groups.infinite.push_back(name);
-      continue;
-    }
-    const std::size_t k = light.portal ? 1 : 0;
-    bounds[k].push_back(bounds_of(light, world, reach));
-    names[k].push_back(name);
-  }
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto least = [&](float LightBounds::*part) {
-      double sum = 0;  // double: many lights
-      for (const LightBounds& b : bounds[k]) sum += static_cast<double>(b.*part);
-      return kLeastShare * static_cast<float>(sum / static_cast<double>(bounds[k].size()));
-    };
-    if (bounds[k].empty()) continue;
-    const float even = least(&LightBounds::even), falling = least(&LightBounds::falling);
-    const bool none = even + falling == 0;
-    for (std::size_t i = 0; i < bounds[k].size(); ++i) {
-      LightBounds& b = bounds[k][i];
-      if (only_sends_photons(world.lights[static_cast<std::size_t>(names[k][i])])) continue;
-      b.even = std::max(b.even, even);
-      b.falling = std::max(b.falling, none ? 1.0f : falling);
-    }
-  }
-  groups.finite = LightTree(bounds[0], names[0]);
-  groups.portals = LightTree(bounds[1], names[1]);
-  return groups;
 }
 
 }  // namespace oriel

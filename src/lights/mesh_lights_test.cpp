@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/mesh_lights.h"
+#include "lights/mesh_lights.h"
 
 #include <gtest/gtest.h>
 

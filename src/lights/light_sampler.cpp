@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lights/light_sampler.h"
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "lights/emission.h"
+#include "lights/light_bounds.h"
+#include "runtime/world.h"
+
+namespace oriel {
+namespace {
+
+/// Lights are weighed as if each had at least this share of the mean: shaders may shine where they
+/// were not evaluated.
+constexpr float kLeastShare = 0.02f;
+/// Triangles seen nearly edge-on are left to rays.
+constexpr float kLeastTriangleCosine = 1e-5f;
+
+/// Portals know the openings through which the environment shines, so a vertex after a diffuse
+/// bounce samples other directions less often: most of them are blocked. A guess.
+constexpr float kEnvironmentBesidePortals = 0.25f;
+
+/// Whether light from behind the surface counts.
+bool is_lit_through(const Closure& closure) {
+  return closure.any(
+      [](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency || transmits(lobe.kind); });
+}
+
+/// Raises the strengths of lights to their least share of the mean.
+void raise_to_least(std::span<LightBounds> bounds, const auto& is_skipped) {
+  const auto least = [&](float LightBounds::*part) {
+    double sum = 0;  // double: many lights
+    for (const LightBounds& b : bounds) sum += static_cast<double>(b.*part);
+    return kLeastShare * static_cast<float>(sum / static_cast<double>(bounds.size()));
+  };
+  const float even = least(&LightBounds::even), falling = least(&LightBounds::falling);
+  const bool none = even + falling == 0;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    if (is_skipped(i)) continue;
+    bounds[i].even = std::max(bounds[i].even, even);
+    bounds[i].falling = std::max(bounds[i].falling, none ? 1.0f : falling);
+  }
+}
+
+}  // namespace
+
+LitVertex::LitVertex(const World& world, const ShadingPoint& point, const Closure& closure)
+    : lit_{point.position, is_lit_through(closure) ? Vec3(0) : point.geometric_normal},
+      instance_(point.instance < 0 ? nullptr
+                                   : &world.instances[static_cast<std::size_t>(point.instance)]),
+      listed_(closure.lights),
+      has_elements_(!world.lights.empty()) {
+  const int mode = closure.light_mode;
+  by_material_ = mode == 1 || mode == 2 || (mode == 0 && listed_.size > 0);
+  const bool linked = !by_material_ && instance_ && instance_->linked;
+  excluded_ = by_material_ ? mode == 2 : linked && instance_->lights_exclusive;
+  if (by_material_ && !excluded_) count_ = listed_.size;
+  if (linked && !excluded_) count_ = static_cast<int>(instance_->lights.size());
+  if (!by_material_ && !linked) instance_ = nullptr;
+}
+
+int LitVertex::listed_light(int i) const {
+  return by_material_ ? listed_.begin()[i].index : instance_->lights[static_cast<std::size_t>(i)];
+}
+
+bool LitVertex::is_listed(int light) const {
+  if (by_material_)
+    return std::any_of(listed_.begin(), listed_.end(),
+                       [&](LightRef l) { return l.index == light; });
+  const std::vector<int>& linked = instance_->lights;
+  return std::find(linked.begin(), linked.end(), light) != linked.end();
+}
+
+LightSampler::LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights)
+    : world_(world), environment_(std::move(environment)), mesh_lights_(std::move(mesh_lights)) {
+  const geom::Box3 box = world.accel->bounds();
+  const float reach = box.isEmpty() ? 1 : std::max(length(box.size()) / 2, 1e-6f);
+  sets_[kPortals].sample_all = kSampleAllPortals;
+  for (std::size_t i = 0; i < world.lights.size(); ++i)
+    sets_[set_of(world.lights[i])].lights.push_back(static_cast<int>(i));
+  for (const std::size_t k : {kFinite, kPortals}) {
+    Set& set = sets_[k];
+    if (set.lights.empty()) continue;
+    const auto light = [&](std::size_t i) -> const Light& {
+      return world.lights[static_cast<std::size_t>(set.lights[i])];
+    };
+    std::vector<LightBounds> bounds;
+    for (std::size_t i = 0; i < set.lights.size(); ++i)
+      bounds.push_back(bounds_of(light(i), world, reach, environment_.mean_luminance()));
+    raise_to_least(bounds, [&](std::size_t i) { return !gives_direct_light(light(i)); });
+    set.tree = LightTree(bounds, set.lights);
+  }
+}
+
+std::size_t LightSampler::set_of(const Light& light) {
+  if (light.shape == LightShape::Directional) return kInfinite;
+  return light.portal ? kPortals : kFinite;
+}
+
+bool LightSampler::needs_random(const LitVertex& at) const {
+  if (at.empty()) return false;
+  if (at.count_ >= 0) return at.count_ > kSampleAll;
+  return std::any_of(sets_.begin(), sets_.end(),
+                     [](const Set& set) { return set.size() > set.sample_all; });
+}
+
+float LightSampler::Set::expected_samples(const LitPoint& lit, int light) const {
+  if (size() <= sample_all) return 1;
+  return tree.empty() ? 1 / static_cast<float>(size()) : tree.probability(lit, light);
+}
+
+float LightSampler::expected_samples(const LitVertex& at, int light) const {
+  if (at.empty() || !is_lit_by(at, light)) return 0;
+  if (at.count_ >= 0) return at.count_ > kSampleAll ? 1 / static_cast<float>(at.count_) : 1.0f;
+  return sets_[set_of(world_.lights[static_cast<std::size_t>(light)])].expected_samples(at.lit_,
+                                                                                        light);
+}
+
+float LightSampler::environment_samples(bool after_diffuse) const {
+  if (!environment_.lights()) return 0;
+  return after_diffuse && !portals().empty() ? kEnvironmentBesidePortals : 1;
+}
+
+std::optional<LightDirection> LightSampler::sample_environment(const LitVertex& at, Vec2 u,
+                                                               bool alone) const {
+  const float expected = at.environment_samples;
+  if (u.x >= expected) return std::nullopt;
+  u.x = std::min(u.x / expected, 0x1.fffffep-1f);
+  const auto s = alone ? environment_.sample_alone(u) : environment_.sample(u);
+  return LightDirection{s.wi, std::numeric_limits<float>::infinity(), s.pdf * expected};
+}
+
+std::optional<TriangleSample> LightSampler::sample_triangle(const LitPoint& at, float time,
+                                                            Vec2 u_choice, Vec2 u_place) const {
+  const auto chosen = mesh_lights_.choose(at, u_choice);
+  if (!chosen) return std::nullopt;
+  const TriangleCorners triangle = corners_of(world_, chosen->instance, chosen->primitive, time);
+  const Vec3 to = triangle.at(u_place) - at.position;
+  const float d2 = to.length2();
+  if (!(d2 > 0)) return std::nullopt;
+  TriangleSample sample;
+  sample.distance = std::sqrt(d2);
+  sample.wi = to / sample.distance;
+  const float projected = std::abs(dot(sample.wi, triangle.normal_times_area()));
+  if (!(projected > kLeastTriangleCosine * triangle.area())) return std::nullopt;
+  sample.pdf = chosen->probability * d2 / projected;
+  sample.instance = chosen->instance;
+  sample.primitive = chosen->primitive;
+  return sample;
+}
+
+float LightSampler::triangle_pdf(const LitPoint& at, float time, std::uint32_t instance,
+                                 std::uint32_t primitive, const Vec3& found,
+                                 const Vec3& direction) const {
+  // Emissive hair has no triangles.
+  const geom::Mesh& mesh = world_.accel->mesh(world_.accel->instance(instance).mesh);
+  if (primitive >= mesh.triangles.size()) return 0;
+  const float chosen = mesh_lights_.probability(at, instance, primitive);
+  if (!(chosen > 0)) return 0;
+  const TriangleCorners triangle = corners_of(world_, instance, primitive, time);
+  const float projected = std::abs(dot(direction, triangle.normal_times_area()));
+  if (!(projected > kLeastTriangleCosine * triangle.area())) return 0;
+  return chosen * (found - at.position).length2() / projected;
+}
+
+}  // namespace oriel

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light sampler: which lights a vertex samples, how many samples each gets, and with which
+// density each direction is found.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lights/environment_light.h"
+#include "lights/light_tree.h"
+#include "lights/mesh_lights.h"
+#include "lights/sample_light.h"
+#include "runtime/closure.h"
+#include "runtime/world.h"
+
+namespace oriel {
+
+// Conventions
+//   Light comes from three sources: elements (World::lights), the environment, and the triangles of
+//   emissive surfaces (mesh lights). Each source has
+//     sample...()   picks lights, or a direction to one
+//     pdf...()      density per solid angle with which sample...() finds a direction
+//   Densities are multiplied by the expected number of samples of the light at the vertex (at most
+//   1), so they are what multiple importance sampling compares with the density of a BSDF sample.
+//
+// To add
+//   - a shape of an element: an enumerator in LightShape and a case in each function of
+//     light_shape.cpp.
+//   - a kind of element that is chosen apart from others: a row in LightSampler::Set and
+//     LightSampler::set_of.
+//   - a source: a class with a sample and a pdf function like MeshLights, a member here, and its
+//     pair of functions.
+
+/// A vertex as the light sampler sees it: where it is, and which elements light it.
+class LitVertex {
+ public:
+  /// No element lights it.
+  LitVertex() = default;
+  LitVertex(const World& world, const ShadingPoint& point, const Closure& closure);
+
+  /// Whether no element lights it.
+  bool empty() const { return !has_elements_; }
+
+  /// Expected number of samples of the environment, at most 1.
+  float environment_samples = 0;
+
+ private:
+  friend class LightSampler;
+  bool is_listed(int light) const;
+  int listed_light(int i) const;
+  bool allows(int light) const {
+    return (!by_material_ && !instance_) || is_listed(light) != excluded_;
+  }
+
+  LitPoint lit_;
+  const InstanceData* instance_ = nullptr;
+  ArrayView<LightRef> listed_;
+  int count_ = -1;  ///< length of the list if only the listed lights count, else -1
+  bool has_elements_ = false;
+  bool by_material_ = false;  ///< the list is the material's, else the instance's links
+  bool excluded_ = false;     ///< the listed lights do not count
+};
+
+/// An element to sample, and its expected number of samples.
+struct LightPick {
+  int light = 0;  ///< index into World::lights
+  float expected_samples = 1;
+};
+
+/// A direction in which a sample was placed.
+struct LightDirection {
+  Vec3 wi{0};
+  float distance = 0;
+  float pdf = 0;
+};
+
+struct TriangleSample : LightDirection {
+  std::uint32_t instance = 0, primitive = 0;  ///< of the world's accel
+};
+
+/// Samples all lights of a scene.
+///
+/// Model:   elements without a position, elements with one, and portals are three sets. A small set
+///          is sampled completely; one light of a large set is sampled, by a light tree. Sets are
+///          apart because a window of many portals should cost as much as one, and should take no
+///          samples from the sun.
+/// Checked: LightSampler.* in light_sampler_test.cpp; tests/analytic
+class LightSampler {
+ public:
+  /// Inputs:  world: with its lights bound, its geometry built and its portals opened; it must
+  ///          outlive the sampler.
+  LightSampler(const World& world, EnvironmentLight environment, MeshLights mesh_lights);
+
+  // Elements
+
+  /// Whether sample() uses its random number at that vertex.
+  bool needs_random(const LitVertex& at) const;
+  /// Calls f(LightPick) for each element to sample. Inputs:  u: uniform in [0,1).
+  template <class F>
+  void sample(const LitVertex& at, float u, F&& f) const;
+  /// Expected number of samples of an element; 0 = it does not light the vertex.
+  float expected_samples(const LitVertex& at, int light) const;
+  /// One sample of a picked element: irradiance and pdf are those of all its samples.
+  std::optional<LightSample> sample_picked(const LightPick& pick, ShadingPoint& point,
+                                           Vec2 u) const {
+    auto sample = sample_light(world_.lights[static_cast<std::size_t>(pick.light)], point, u);
+    if (sample) {
+      sample->irradiance /= pick.expected_samples;
+      sample->pdf *= pick.expected_samples;
+    }
+    return sample;
+  }
+  /// Calls f(index) for each element whose bounds a ray hits within (0, t_most). Elements without a
+  /// position are left out.
+  template <class F>
+  void for_each_on_way(const Vec3& from, const Vec3& direction, float t_most, F&& f) const;
+  const LightTree& portals() const { return sets_[kPortals].tree; }
+
+  // The environment
+
+  const EnvironmentLight& environment() const { return environment_; }
+  /// Expected number of samples for a vertex; 0 if the environment is black.
+  float environment_samples(bool after_diffuse) const;
+  /// A direction, or by chance none. `alone`: no BSDF sample is combined with this one.
+  std::optional<LightDirection> sample_environment(const LitVertex& at, Vec2 u, bool alone) const;
+  float environment_pdf(const LitVertex& at, const Vec3& direction) const {
+    return environment_.pdf(direction) * at.environment_samples;
+  }
+
+  // Emissive triangles
+
+  const MeshLights& mesh_lights() const { return mesh_lights_; }
+  /// A point of a triangle; nothing where that is seen edge-on. Inputs:  u_choice, u_place: uniform
+  /// in [0,1)^2.
+  std::optional<TriangleSample> sample_triangle(const LitPoint& at, float time, Vec2 u_choice,
+                                                Vec2 u_place) const;
+  /// Inputs:  found: where a ray along `direction` hit the primitive. Returns 0 for primitives that
+  /// are not sampled.
+  float triangle_pdf(const LitPoint& at, float time, std::uint32_t instance,
+                     std::uint32_t primitive, const Vec3& found, const Vec3& direction) const;
+
+ private:
+  enum : std::size_t { kInfinite, kFinite, kPortals, kSets };
+  static constexpr int kSampleAll = 4, kSampleAllPortals = 1;
+  /// Lights of which all are sampled if they are few, else one.
+  struct Set {
+    std::vector<int> lights;
+    LightTree tree;               ///< over the lights; empty: they are picked uniformly
+    int sample_all = kSampleAll;  ///< largest number of lights that are all sampled
+
+    int size() const { return static_cast<int>(lights.size()); }
+    template <class F>
+    void sample(const LitPoint& lit, float& u, F&& f) const;
+    float expected_samples(const LitPoint& lit, int light) const;
+  };
+  static std::size_t set_of(const Light& light);
+  bool is_lit_by(const LitVertex& at, int light) const {
+    return light >= 0 && gives_direct_light(world_.lights[static_cast<std::size_t>(light)]) &&
+           at.allows(light);
+  }
+
+  const World& world_;
+  std::array<Set, kSets> sets_;
+  EnvironmentLight environment_;
+  MeshLights mesh_lights_;
+};
+
+template <class F>
+void LightSampler::Set::sample(const LitPoint& lit, float& u, F&& f) const {
+  if (size() <= sample_all) {
+    for (const int light : lights) f(light, 1.0f);
+  } else if (tree.empty()) {
+    const float scaled = u * static_cast<float>(size());
+    const int i = std::min(static_cast<int>(scaled), size() - 1);
+    u = std::min(scaled - static_cast<float>(i), 0x1.fffffep-1f);
+    f(lights[static_cast<std::size_t>(i)], 1 / static_cast<float>(size()));
+  } else if (const auto choice = tree.choose(lit, u)) {
+    f(choice->light, choice->probability);
+  }
+}
+
+template <class F>
+void LightSampler::sample(const LitVertex& at, float u, F&& f) const {
+  if (at.empty()) return;
+  const auto pick = [&](int light, float expected_samples) {
+    if (is_lit_by(at, light)) f(LightPick{light, expected_samples});
+  };
+  if (at.count_ < 0) {
+    for (const Set& set : sets_) set.sample(at.lit_, u, pick);
+  } else if (at.count_ > kSampleAll) {
+    const int i = std::min(static_cast<int>(u * static_cast<float>(at.count_)), at.count_ - 1);
+    pick(at.listed_light(i), 1 / static_cast<float>(at.count_));
+  } else {
+    for (int i = 0; i < at.count_; ++i) pick(at.listed_light(i), 1.0f);
+  }
+}
+
+template <class F>
+void LightSampler::for_each_on_way(const Vec3& from, const Vec3& direction, float t_most,
+                                   F&& f) const {
+  sets_[kFinite].tree.for_each_on_way(from, direction, t_most, f);
+  sets_[kPortals].tree.for_each_on_way(from, direction, t_most, f);
+}
+
+}  // namespace oriel
