@@ -107,7 +107,7 @@ class LightSampler {
   std::optional<LightSample> sample_picked(const LightPick& pick, ShadingPoint& point,
                                            Vec2 u) const {
     auto sample = sample_light(world_.lights[static_cast<std::size_t>(pick.light)], point, u);
-    if (sample) {
+    if (sample && pick.expected_samples != 1) {
       sample->irradiance /= pick.expected_samples;
       sample->pdf *= pick.expected_samples;
     }
