@@ -101,7 +101,7 @@ Image data_image(const RenderSession& session, PixelView view) {
       return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).depth; });
     case PixelView::Motion:
       return collect(session, 3, [&](int x, int y, float* to) {
-        if (const auto slot = session.motion_slot()) put(to, rgb(film.user_buffer(x, y, *slot)));
+        if (film.keeps_motion()) put(to, Rgb(film.motion(x, y)));
       });
     default:
       return collect(session, 3,
@@ -328,7 +328,7 @@ std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
     photometric("luminance", [](const Film::Pixel& p) { return luminance(rgb(p.beauty)); });
   if ((layers & kLayerIlluminance) && session.keeps_irradiance())
     photometric("illuminance", [](const Film::Pixel& p) { return p.irradiance; });
-  if ((layers & kLayerMotion) && session.motion_slot())
+  if ((layers & kLayerMotion) && film.keeps_motion())
     out.push_back({"motion", kVectorNames, data_image(session, PixelView::Motion)});
   if (film.keeps_outputs())
     for (std::size_t i = 0; i < kMaterialOutputs; ++i)

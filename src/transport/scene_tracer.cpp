@@ -51,15 +51,15 @@ Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, MaterialOu
 }
 
 bool SceneTracer::write_buffer(std::size_t slot, const Rgba& value) {
-  Rgba* buffers = path_ ? path_->user_buffers() : nullptr;
-  if (!buffers || slot >= world_.user_buffers.size()) return false;
+  const std::span<Rgba> buffers = path_ ? path_->user_buffers() : std::span<Rgba>();
+  if (slot >= buffers.size()) return false;
   buffers[slot] = value;
   return true;
 }
 
 std::optional<Rgba> SceneTracer::read_buffer(std::size_t slot) const {
-  const Rgba* buffers = path_ ? path_->user_buffers() : nullptr;
-  if (!buffers || slot >= world_.user_buffers.size()) return std::nullopt;
+  const std::span<const Rgba> buffers = path_ ? path_->user_buffers() : std::span<Rgba>();
+  if (slot >= buffers.size()) return std::nullopt;
   return buffers[slot];
 }
 

@@ -67,9 +67,6 @@ TEST(UserFrameBuffers, NumberedBuffersAreLayersOfTheirKind) {
   for (int k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(vector->image.at(3, 3)[k], wanted[k]);
   EXPECT_FLOAT_EQ(*scalar->image.at(3, 3), .1f);
   // Not interpolated: one sample's place, not the mean of four.
-  PathSettings settings;
-  std::vector<Rgba> own(scene.world->user_buffers.size(), Rgba(0));
-  settings.buffers = own.data();
   sampling::Sampler sampler(3, 4, 0, 0);
   const FilterSampler filter(scene.world->options.filter);
   const float x = 3.5f + filter.sample(sampler.next_2d()).pixels.x;

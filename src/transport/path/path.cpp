@@ -71,8 +71,8 @@ void Path::dim(const Rgb& factor) {
 void Path::meet_first(const Closure& closure) {
   aov_fixed_ = true;
   at_aov_surface_ = closure.outputs;
-  if (!settings_.outputs || !closure.outputs) return;
-  AovValues& out = *settings_.outputs;
+  if (!record_->aovs || !closure.outputs) return;
+  AovValues& out = *record_->aovs;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     // The highlight beside a mirror has the mirror's level.
@@ -109,8 +109,8 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
     sampler_.skip();
   Rgb factor(0);
   const bool culled = !closure.seen_from_back && kind_ == RayKind::Eye && point.back_side;
-  if (!culled && !aov_fixed_ && settings_.outputs && closure.outputs)
-    settings_.outputs->opacity = closure.opacity;
+  if (!culled && !aov_fixed_ && record_->aovs && closure.outputs)
+    record_->aovs->opacity = closure.opacity;
   if (culled) {
     factor = Rgb(1);
   } else if (u >= closure.opacity) {
@@ -219,23 +219,23 @@ bool Path::shade_hit(const geom::Hit& hit) {
   if (!parted) meet_first(closure);
   if (first_) {
     first_ = false;
-    result_->alpha = closure.alpha;
-    result_->depth = length(point.position - eye_);
-    result_->normal = point.normal;
-    result_->albedo = closure.albedo;
-    result_->first = {point.instance, &material};
+    record_->alpha = closure.alpha;
+    record_->depth = length(point.position - eye_);
+    record_->normal = point.normal;
+    record_->albedo = closure.albedo;
+    record_->first = {point.instance, &material};
     alpha_open_ = true;
     if (met_)
-      *met_ = Tracer::Met{result_->depth,  point.position, point.normal,   point.geometric_normal,
+      *met_ = Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
                           point.back_side, &material,      point.instance, point.primitive};
-    if (settings_.irradiance) sense_irradiance(closure, point);
-    if (settings_.motion) *settings_.motion = raster_motion(point);
+    if (record_->requested.irradiance) sense_irradiance(closure, point);
+    if (record_->requested.motion) record_->motion = raster_motion(point);
   }
   if (turned) {
     at_aov_surface_ = alpha_open_ = false;
     return russian_roulette();
   }
-  if (settings_.observer) place_ = settings_.observer->on_hit(place_, point, material, closure);
+  if (record_->observer) place_ = record_->observer->on_hit(place_, point, material, closure);
   if (!is_black(closure.emission))
     add(at_vertex(Aov::Added), throughput_ * closure.emission * emission_weight(hit, point),
         layer_of_instance(point.instance));
@@ -295,20 +295,32 @@ void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float re
   walk();
 }
 
+void trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
+                      float reach, const PathSettings& settings, PathRecord& record,
+                      sampling::Sampler& sampler, RayCounts& counts) {
+  Path(world, point.raster, settings, record, sampler, counts).gather_ray(point, direction, reach);
+}
+
 PathResult trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
                             float reach, const PathSettings& settings, sampling::Sampler& sampler,
                             RayCounts& counts) {
-  PathResult result;
-  Path(world, point.raster, settings, sampler, counts, result).gather_ray(point, direction, reach);
-  return result;
+  PathRecord record;
+  trace_gather_ray(world, point, direction, reach, settings, record, sampler, counts);
+  return record;
+}
+
+void trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
+                const PathSettings& settings, PathRecord& record, sampling::Sampler& sampler,
+                RayCounts& counts) {
+  Path(world, raster, settings, record, sampler, counts).run(eye);
+  record.note_first_surface(record.first);
 }
 
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts) {
-  PathResult result;
-  Path(world, raster, settings, sampler, counts, result).run(eye);
-  if (settings.firsts) settings.firsts->push_back(result.first);
-  return result;
+  PathRecord record;
+  trace_path(world, eye, raster, settings, record, sampler, counts);
+  return record;
 }
 
 }  // namespace oriel

@@ -16,16 +16,6 @@ constexpr int kMostNested = 48;
 /// it they reflect, so that nothing else would end the recursion.
 constexpr float kSurvival = 0.5f;  ///< a guess between the depth of white and of dark rooms
 
-PathSettings without_outputs(PathSettings settings) {
-  settings.outputs = nullptr;
-  settings.by_light = nullptr;
-  settings.motion = nullptr;
-  settings.observer = nullptr;
-  settings.irradiance = false;
-  settings.grid = nullptr;
-  return settings;
-}
-
 }  // namespace
 
 Tracer::Depth Path::depth() const {
@@ -33,10 +23,10 @@ Tracer::Depth Path::depth() const {
 }
 
 /// A path that goes on from this vertex for itself: its radiance is what it sees, unweighed.
-Path Path::sub_path(const PathSettings& settings, const sampling::Sampler& stream,
-                    PathResult& result) const {
+Path Path::sub_path(const sampling::Sampler& stream, PathRecord& record) const {
   sampling::Sampler own = stream;
-  Path sub(world_, raster_, settings, own, counts_, result);
+  Path sub(world_, raster_, settings_, record, own, counts_);
+  sub.grid_ = nullptr;
   sub.vertex_ = vertex_ + 1;
   sub.nested_ = nested_ + 1;
   sub.visited_ = visited_;
@@ -59,9 +49,8 @@ Tracer::Seen Path::trace_for_shader(const ShadingPoint& point, const Tracer::Sub
                                     const sampling::Sampler& stream) const {
   Tracer::Seen seen;
   if (nested_ >= kMostNested) return seen;
-  const PathSettings settings = without_outputs(settings_);
-  PathResult result;
-  Path sub = sub_path(settings, stream, result);
+  PathRecord record({}, record_->user_buffers);
+  Path sub = sub_path(stream, record);
   sub.kind_ = ray.kind;
   sub.reflections_ = ray.depth.reflections;
   sub.refractions_ = ray.depth.refractions;
@@ -78,7 +67,7 @@ Tracer::Seen Path::trace_for_shader(const ShadingPoint& point, const Tracer::Sub
   sub.eye_ = from.position;
   sub.follow(from, ray.direction);
   sub.walk();
-  seen.colour = Rgba(result.radiance.x, result.radiance.y, result.radiance.z, result.alpha);
+  seen.colour = Rgba(record.radiance.x, record.radiance.y, record.radiance.z, record.alpha);
   return seen;
 }
 
@@ -107,9 +96,8 @@ Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
   const Vec3 w = Frame(normal).to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
   if (dot(w, at.geometric_normal) <= 0) return sum;
 
-  const PathSettings settings = without_outputs(settings_);
-  PathResult result;
-  Path sub = sub_path(settings, stream, result);
+  PathRecord record({}, record_->user_buffers);
+  Path sub = sub_path(stream, record);
   sub.kind_ = RayKind::FinalGather;
   sub.after_diffuse_ = true;
   sub.blurred_ = false;
@@ -121,23 +109,21 @@ Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
   sub.eye_ = at.position;
   sub.follow(at, w);
   sub.walk();
-  return sum + indirect_factor() * result.radiance * (kPi / chance);
+  return sum + indirect_factor() * record.radiance * (kPi / chance);
 }
 
-Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, AovValues* outputs,
+Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, AovValues* aovs,
                             const sampling::Sampler& stream) const {
   static const Material kNone;
   if (nested_ >= kMostNested) return Rgba(0, 0, 0, 1);
   const Material& material = point.material ? *point.material : kNone;
-  PathSettings settings = without_outputs(settings_);
-  settings.outputs = outputs;
-  settings.grid = settings_.grid;
-  PathResult result;
-  Path sub = sub_path(settings, stream, result);
+  PathRecord record({.aovs = aovs != nullptr}, record_->user_buffers);
+  Path sub = sub_path(stream, record);
+  sub.grid_ = grid_;
   sub.vertex_ = vertex_;
   sub.grid_point_ = grid_point_;
   sub.grid_density_ = grid_density_;
-  sub.aov_fixed_ = outputs == nullptr;
+  sub.aov_fixed_ = aovs == nullptr;
   sub.ray_ = ray_;
   sub.left_ = left_;
   sub.medium_ = medium_;
@@ -157,7 +143,7 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, AovVal
   const bool passes = sub.pass_straight(closure, material, point);
   sub.first_ = passes;
   sub.alpha_open_ = !passes;
-  if (!passes) result.alpha = closure.alpha;
+  if (!passes) record.alpha = closure.alpha;
   if (passes) {
     goes_on = true;
   } else if (sub.visited_) {
@@ -165,7 +151,7 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, AovVal
   } else if (sub.grid_point_) {
     sub.fill_grid_point(closure, material, point);
   } else {
-    if (outputs) sub.meet_first(closure);
+    if (aovs) sub.meet_first(closure);
     sub.add(sub.at_vertex(Aov::Added), closure.emission, sub.layer_of_rest());
     goes_on = closure.count > 0 && sub.shade_vertex(closure, material, point);
   }
@@ -174,7 +160,8 @@ Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, AovVal
     ++sub.vertex_;
     sub.walk();
   }
-  return Rgba(result.radiance.x, result.radiance.y, result.radiance.z, clamp01(result.alpha));
+  if (aovs) *aovs = *record.aovs;
+  return Rgba(record.radiance.x, record.radiance.y, record.radiance.z, clamp01(record.alpha));
 }
 
 }  // namespace oriel

@@ -32,13 +32,13 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
     only.any = true;
     only.rays[i] = static_cast<float>(rays);
     const bool refracts = transmits(lobe.kind);
-    PathResult seen;
+    PathRecord seen({}, record_->user_buffers);
     seen.alpha = 1;
     for (std::uint32_t j = 0; j < rays; ++j) {
       Path branch = *this;
       branch.grid_point_ = nullptr;
       branch.alpha_open_ = true;
-      branch.result_ = &seen;
+      branch.record_ = &seen;
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       // Lights without a visible shape show as highlights of reflecting lobes, and are left to
       // them; through refracting ones they are part of the picture.
@@ -71,17 +71,17 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
 /// within the detail distance.
 void Path::interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                        LobeChoice& choice) {
-  if (!settings_.grid || !at_eye_surface()) return;
+  if (!grid_ || !at_eye_surface()) return;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     LobeControls& controls = lobe.controls;
     if (choice.rays[i] > 0 && controls.interpolate) {
       const bool refracts = transmits(lobe.kind);
       const auto smooth =
-          refracts ? settings_.grid->refraction(raster_, controls.grid_density, controls.neighbours,
-                                                point.instance, material, point.normal)
-                   : settings_.grid->reflection(raster_, controls.grid_density, controls.neighbours,
-                                                point.instance, material, point.normal);
+          refracts ? grid_->refraction(raster_, controls.grid_density, controls.neighbours,
+                                       point.instance, material, point.normal)
+                   : grid_->reflection(raster_, controls.grid_density, controls.neighbours,
+                                       point.instance, material, point.normal);
       if (smooth && controls.detail_distance > 0) {
         controls.falloff_distance = controls.detail_distance;
         controls.falloff_to_color = true;
@@ -90,7 +90,7 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
         add(at_vertex(refracts ? Aov::Refraction : Aov::Reflection),
             throughput_ * lobe.level * smooth->light, world_.light_layers.unknown());
         if (refracts && alpha_open_ && closure.propagate_alpha)
-          result_->alpha -= (1 - smooth->alpha) * mean_of(throughput_ * lobe.level);
+          record_->alpha -= (1 - smooth->alpha) * mean_of(throughput_ * lobe.level);
         choice.rays[i] = 0;
         // Visible lights are in the grid.
         controls.highlights_only = controls.mirrored = true;

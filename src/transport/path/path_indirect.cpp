@@ -46,12 +46,12 @@ std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& no
 std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
                                            LightParts& parts) const {
   const IndirectCaches& maps = *settings_.maps;
-  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  const std::size_t layers = record_->requested.light_layers;
   parts.clear(layers);
   Rgb* by_light = layers > 0 ? parts.data() : nullptr;
   if (!after_diffuse_ && maps.gather) {
     const auto found = gathered(point, normal, false, by_light);
-    if (found && settings_.observer) settings_.observer->on_lookup(place_, found->records, 0);
+    if (found && record_->observer) record_->observer->on_lookup(place_, found->records, 0);
     if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
     const Rgb scale = maps.gather_scale * found->fade;
     for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= scale;
@@ -73,7 +73,7 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   if (maps.global && allows(kReceivesGlobillum))
     sum += irradiance_at(*maps.global, point, facing(point.geometric_normal, normal),
                          maps.global_lookup, by_light, world_.light_layers.unknown(), &photons);
-  if (settings_.observer) settings_.observer->on_lookup(place_, 0, photons);
+  if (record_->observer) record_->observer->on_lookup(place_, 0, photons);
   return sum;
 }
 
@@ -84,7 +84,7 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
     if (!lobe.controls.emulated || !lobe.controls.highlights_only || lobe.controls.mirrored)
       continue;
     LightParts parts;
-    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+    const std::size_t layers = record_->requested.light_layers;
     parts.clear(layers);
     const auto found = gathered(point, lobe.frame.n, true, layers > 0 ? parts.data() : nullptr);
     if (!found) continue;
@@ -109,7 +109,7 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
   Rgb on_side(0), through(0), caustic(0), caustic_through(0);
   // Their layers, where somebody asks.
   LightParts parts, on_side_parts, through_parts, caustic_parts, caustic_through_parts;
-  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  const std::size_t layers = record_->requested.light_layers;
   for (LightParts* p : {&on_side_parts, &through_parts, &caustic_parts, &caustic_through_parts})
     p->clear(layers);
   const auto add_to = [&](Rgb& sum, LightParts& sums, const Rgb& factor, const Rgb& light) {
@@ -158,21 +158,15 @@ void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rg
     auto stream = sampler_.split(0, 1, kBranch);
     const Vec3 w = lobe.frame.to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
     if (dot(w, point.geometric_normal) <= 0) return;
-    PathSettings settings = settings_;
-    settings.outputs = nullptr;
-    settings.observer = nullptr;
-    LightParts near_parts;
-    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
-    near_parts.clear(layers);
-    if (layers > 0) settings.by_light = near_parts.data();
-    const PathResult near =
-        trace_gather_ray(world_, point, w, near_distance_, settings, stream, counts_);
+    const std::size_t layers = record_->requested.light_layers;
+    PathRecord near({.light_layers = layers}, record_->user_buffers);
+    trace_gather_ray(world_, point, w, near_distance_, settings_, near, stream, counts_);
     if (near.depth <= 0) return;
     const float share = linear_fade(near.depth, near_distance_);
     const Rgb shown = albedo_of(lobe, point.wo()) * (Rgb(1) - near_dark_) * share;
     smooth = smooth * (1 - share) + shown * near.radiance;
     for (std::size_t k = 0; k < layers; ++k)
-      parts.of[k] = parts.of[k] * (1 - share) + shown * near_parts.of[k];
+      parts.of[k] = parts.of[k] * (1 - share) + shown * near.by_light.of[k];
     return;
   }
 }

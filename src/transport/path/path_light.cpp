@@ -105,9 +105,9 @@ void Path::meet_lights(float t_surface, bool& ended) {
       layer_of_light(seen_light));
   if (kept < 1) add(on_way(), throughput_ * faded_to() * (1 - kept), layer_of_faded());
   if (!first_) return;
-  result_->alpha = 1;
+  record_->alpha = 1;
   // To gather rays a portal is a black wall.
-  if (!sees) result_->depth = nearest;
+  if (!sees) record_->depth = nearest;
 }
 
 Rgb Path::reflected_environment(const Vec3& direction) {
@@ -163,9 +163,9 @@ void Path::meet_environment() {
                                        shaders, world_,
                                        {origin, direction, kind, raster_, blurred_, roughness_});
   if (first_)
-    result_->alpha = clamp01(c.a);
+    record_->alpha = clamp01(c.a);
   else if (alpha_open_)
-    result_->alpha -= (1 - clamp01(c.a)) * mean_of(throughput_);
+    record_->alpha -= (1 - clamp01(c.a)) * mean_of(throughput_);
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
   if (from_.weighed && from_.environment_rate > 0 && !environment_) {

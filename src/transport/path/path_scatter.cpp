@@ -155,7 +155,7 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
     near_dark_ = o.dark;
     near_distance_ = o.distance > 0 ? o.distance : kFarAway;
   }
-  const bool tells = settings_.outputs && at_aov_surface_;
+  const bool tells = record_->aovs && at_aov_surface_;
   if (is_black(o.ambient) && !tells && !(dims && o.details == 1)) return;
   Rgb level(0);
   Vec3 normal = point.normal;
@@ -168,18 +168,18 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
   const Rgb open = Rgb(free) + o.dark * (1 - free);
   add(at_vertex(Aov::Diffuse), throughput_ * level * o.ambient * open, layer_of_rest());
-  if (settings_.observer) settings_.observer->on_occlusion(place_, o, free);
+  if (record_->observer) record_->observer->on_occlusion(place_, o, free);
   if (dims && o.details == 1) occlusion_ = open;
   if (!tells) return;
-  settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
-  if (dims) settings_.outputs->dimming = settings_.outputs->occlusion;
+  record_->aovs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
+  if (dims) record_->aovs->dimming = record_->aovs->occlusion;
 }
 
 /// What lights and environment bring to this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                        float environment, bool diffuse) {
   std::optional<DirectShares> shares;
-  if (settings_.by_light) shares.emplace();
+  if (record_->has_layers()) shares.emplace();
   const DirectLight sum = direct_light(world_, point, closure, choice, from_.lights,
                                        {.environment_rate = environment,
                                         .environment_on_diffuse = diffuse,
@@ -189,7 +189,7 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
                                         .portals_mapped = reads_photons(),
                                         .falloff_distance = falloff_distance(closure),
                                         .estimator = settings_.estimator,
-                                        .observer = after_diffuse_ ? nullptr : settings_.observer,
+                                        .observer = after_diffuse_ ? nullptr : record_->observer,
                                         .place = place_},
                                        sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
@@ -217,7 +217,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
                    const ClosureSample& sample) {
   const Lobe& lobe = closure.lobes[sample.lobe];
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
-  if (settings_.observer) place_ = settings_.observer->on_scatter(place_, lobe.kind);
+  if (record_->observer) place_ = record_->observer->on_scatter(place_, lobe.kind);
   medium_.leave(closure, point, sample.wi);
   if (closure.thin_walled && transmits(lobe.kind)) veil_ = closure.inside;
   reach_ = kInfinity;
@@ -282,7 +282,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   fading_ = {controls.falloff_distance,
              controls.falloff_to_color,
              controls.single_environment,
-             settings_.grid && controls.interpolate && controls.detail_distance > 0,
+             grid_ && controls.interpolate && controls.detail_distance > 0,
              controls.falloff_color,
              Vec3(0),
              nullptr};
@@ -353,8 +353,8 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   const bool scatters_light = closure.any([](const Lobe& lobe) { return !is_delta(lobe.kind); });
   if (scatters_light && !features_seen_ && !from_.weighed) {
     features_seen_ = true;
-    result_->normal = point.normal;
-    result_->albedo = closure.albedo;
+    record_->normal = point.normal;
+    record_->albedo = closure.albedo;
   }
   if (scatters_light && (!from_.lights.empty() || environment > 0))
     take_direct(closure, choice, point, environment,

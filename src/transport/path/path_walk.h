@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/tracer.h"
@@ -31,14 +32,15 @@ struct GatherPoint;
 /// One path, or one branch of it; copied where it splits.
 class Path {
  public:
-  Path(const World& world, Vec2 raster, const PathSettings& settings, sampling::Sampler& sampler,
-       RayCounts& counts, PathResult& result)
+  Path(const World& world, Vec2 raster, const PathSettings& settings, PathRecord& record,
+       sampling::Sampler& sampler, RayCounts& counts)
       : world_(world),
         raster_(raster),
         settings_(settings),
         sampler_(sampler),
         counts_(counts),
-        result_(&result) {}
+        record_(&record),
+        grid_(settings.grid) {}
 
   void run(const Camera::Ray& eye);
   void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
@@ -61,9 +63,11 @@ class Path {
                                 const sampling::Sampler& stream) const;
   Rgb irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
                             sampling::Sampler stream) const;
-  /// Those of the sample, where the path is still what the eye or its mirrors see; else null.
-  Rgba* user_buffers() const { return after_diffuse_ ? nullptr : settings_.buffers; }
-  Rgba shade_for_shader(const NodeList& surface, ShadingPoint& point, AovValues* outputs,
+  /// Those of the sample, where the path is still what the eye or its mirrors see; else none.
+  std::span<Rgba> user_buffers() const {
+    return after_diffuse_ ? std::span<Rgba>() : record_->user_buffers;
+  }
+  Rgba shade_for_shader(const NodeList& surface, ShadingPoint& point, AovValues* aovs,
                         const sampling::Sampler& stream) const;
 
  private:
@@ -122,28 +126,21 @@ class Path {
   void follow(const ShadingPoint& point, const Vec3& direction);
   void meet_first(const Closure& closure);
   void add(const LightPart& part, const Rgb& radiance, std::size_t layer) {
-    result_->radiance += radiance;
-    if (settings_.outputs) (*settings_.outputs)[part.of_first] += radiance;
-    if (settings_.by_light) settings_.by_light[layer] += radiance;
-    if (settings_.observer) settings_.observer->on_light(place_, part, layer, radiance);
+    record_->add(place_, part, layer, radiance);
   }
   /// The same of light that is known by layers.
   void add(const LightPart& part, const Rgb& factor, const Rgb& light, const LightParts& parts) {
-    result_->radiance += factor * light;
-    if (settings_.outputs) (*settings_.outputs)[part.of_first] += factor * light;
-    if (!settings_.by_light) return;
-    for (std::size_t i = 0; i < world_.light_layers.count(); ++i) {
-      settings_.by_light[i] += factor * parts.of[i];
-      if (settings_.observer) settings_.observer->on_light(place_, part, i, factor * parts.of[i]);
-    }
+    record_->add(place_, part, factor, light, parts);
   }
   // Layers of lights; any number where nobody asks.
   std::size_t layer_of_light(int light) const {
-    return settings_.by_light ? world_.light_layers.of_light[static_cast<std::size_t>(light)] : 0;
+    return record_->has_layers() ? world_.light_layers.of_light[static_cast<std::size_t>(light)]
+                                 : 0;
   }
   std::size_t layer_of_instance(int instance) const {
-    return settings_.by_light ? world_.light_layers.of_instance[static_cast<std::size_t>(instance)]
-                              : 0;
+    return record_->has_layers()
+               ? world_.light_layers.of_instance[static_cast<std::size_t>(instance)]
+               : 0;
   }
   std::size_t layer_of_environment() const { return world_.light_layers.environment; }
   std::size_t layer_of_rest() const { return world_.light_layers.rest(); }
@@ -154,8 +151,7 @@ class Path {
   /// Of what the ray meets that is no surface.
   LightPart on_way() const { return {aov_, aov_}; }
 
-  Path sub_path(const PathSettings& settings, const sampling::Sampler& stream,
-                PathResult& result) const;
+  Path sub_path(const sampling::Sampler& stream, PathRecord& record) const;
 
   // path_meter.cpp
   void sense_irradiance(const Closure& closure, const ShadingPoint& point);
@@ -268,7 +264,8 @@ class Path {
   const PathSettings& settings_;
   sampling::Sampler sampler_;
   RayCounts& counts_;
-  PathResult* result_;
+  PathRecord* record_;
+  const GlossyGrid* grid_;  ///< rays of shaders read none
 
   Vec3 eye_{0};
   int vertex_ = 0;
