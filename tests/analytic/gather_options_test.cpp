@@ -32,7 +32,7 @@ Gathered gathered(const std::string& options, const std::string& method = "scene
   const Probe probe(court(options, method));
   RenderSession session(probe.world(), {.budget = {.samples = 4}, .outputs = true});
   session.run();
-  const auto layers = film_layers(session, kOutputLayers);
+  const auto layers = film_layers(session, LayerSet(LayerGroup::Outputs));
   const Image& image = layers.front().image;
   Imath::Vec3<double> sum(0.0);
   for (int y = 0; y < image.height; ++y)

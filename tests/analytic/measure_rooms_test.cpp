@@ -46,7 +46,7 @@ double mean_lux(const std::string& method) {
   session.run();
   double sum = 0;
   std::size_t count = 0;
-  for (const Layer& layer : film_layers(session, kLayerIlluminance))
+  for (const Layer& layer : film_layers(session, LayerSet("illuminance")))
     if (layer.name == "illuminance")
       for (const float v : layer.image.pixels) sum += v, ++count;
   return sum / static_cast<double>(count);

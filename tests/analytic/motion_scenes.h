@@ -23,7 +23,7 @@ inline Image rendered(const std::string& text, std::uint32_t samples = kSamples)
   const Probe probe(text);
   RenderSession session(probe.world(), {.budget = {.samples = samples}});
   session.run();
-  return std::move(film_layers(session, 0).front().image);
+  return std::move(film_layers(session, {}).front().image);
 }
 inline Image rendered(const SceneText& scene, std::uint32_t samples = kSamples) {
   return rendered(scene.str(), samples);
@@ -77,7 +77,7 @@ inline Vec3 motion_layer(const SceneText& scene) {
   const Probe probe(scene);
   RenderSession session(probe.world(), {.budget = {.samples = 16}, .motion = true});
   session.run();
-  const auto layers = film_layers(session, kLayerMotion);
+  const auto layers = film_layers(session, LayerSet("motion"));
   EXPECT_EQ(layers.back().name, "motion");
   const Image& image = layers.back().image;
   Vec3 found(0);

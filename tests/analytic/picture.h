@@ -19,7 +19,7 @@ class Picture {
     const Probe probe(scene);
     RenderSession session(probe.world(), {.budget = {.samples = samples}, .outputs = outputs});
     session.run();
-    layers_ = film_layers(session, kOutputLayers);
+    layers_ = film_layers(session, LayerSet(LayerGroup::Outputs));
   }
 
   const std::vector<Layer>& layers() const { return layers_; }

@@ -194,7 +194,7 @@ TEST(UserFrameBuffers, TheManualsWrapperWritesWhatTheMaterialSaysOfItself) {
                     "\"lamp_i\" \"square_i\"", buffers, kSky);
   UserScene bare(folder, sheet("= \"x\""), "\"lamp_i\" \"square_i\"", "", kSky);
   const auto found = UserPicture(wrapped, 512).layers(folder);
-  const auto own = UserPicture(bare, 512, true).layers(folder, kOutputLayers);
+  const auto own = UserPicture(bare, 512, true).layers(folder, LayerSet(LayerGroup::Outputs));
   // Diffuse light has no noise but that of the places in the pixel, which are the same. A path
   // goes one way of several: of 32768 a tenth at least is reflected, 3 deviations are 5 %.
   const std::tuple<const char*, const char*, float> pairs[] = {{"fb10", "diffuse_result", 1e-4f},
