@@ -53,7 +53,7 @@ TEST(MeasureLayers, IlluminanceIsTheSameOnEverySurface) {
 TEST(MeasureLayers, AskingChangesNoOtherLayer) {
   const SceneText scene = plate(kWhite, "trace depth 8 8 12");
   const Rendered with(scene), without(scene, false);
-  EXPECT_EQ(with.layer(0, "").pixels, without.layer(0, "").pixels);
+  EXPECT_EQ(with.layer("").pixels, without.layer("").pixels);
   EXPECT_TRUE(without.layer("illuminance").empty());
 }
 

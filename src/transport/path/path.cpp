@@ -21,7 +21,7 @@ constexpr std::uint32_t kDrawsPerVertex = 12;
 }  // namespace
 
 std::uint32_t Path::mask() const {
-  switch (kind_) {
+  switch (way_.kind) {
     case RayKind::Eye:
       return geom::RayMask::Camera;
     case RayKind::Reflect:
@@ -36,7 +36,7 @@ std::uint32_t Path::mask() const {
 }
 
 void Path::count_ray() {
-  switch (kind_) {
+  switch (way_.kind) {
     case RayKind::Eye:
       ++counts_.eye;
       break;
@@ -54,23 +54,23 @@ void Path::count_ray() {
 }
 
 void Path::follow(const ShadingPoint& point, const Vec3& direction) {
-  float reach = medium_.reach();
-  if (veil_.black_distance > 0) reach = std::min(reach, veil_.black_distance);
+  float reach = way_.medium.reach();
+  if (way_.veil.black_distance > 0) reach = std::min(reach, way_.veil.black_distance);
   if (fading_.distance > 0) reach = std::min(reach, fading_.distance - from_.passed);
-  reach = std::min(reach, reach_ - from_.passed);
-  ray_ = leave(point, direction, reach, mask());
-  left_ = point.position;
+  reach = std::min(reach, way_.reach - from_.passed);
+  way_.ray = leave(point, direction, reach, mask());
+  way_.left = point.position;
 }
 
 void Path::dim(const Rgb& factor) {
-  throughput_ *= factor;
-  lights_ *= factor;
+  light_.throughput *= factor;
+  light_.lights *= factor;
 }
 
 /// The surface by which the outputs are told apart.
 void Path::meet_first(const Closure& closure) {
-  aov_fixed_ = true;
-  at_aov_surface_ = closure.outputs;
+  aov_.fixed = true;
+  aov_.at_surface = closure.outputs;
   if (!record_->aovs || !closure.outputs) return;
   AovValues& out = *record_->aovs;
   for (int i = 0; i < closure.count; ++i) {
@@ -99,7 +99,7 @@ void Path::meet_first(const Closure& closure) {
 /// unbent, with the weights of the vertex it came from; when by chance it does not, the
 /// transmitting lobes are taken out of the closure.
 bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoint& point) {
-  if (after_diffuse_ && material.may_transmit && material.filters_shadows())
+  if (depth_.after_diffuse && material.may_transmit && material.filters_shadows())
     return pass_filter(closure, material, point);
   const bool keeps_weights = material.may_transmit && !material.filters_shadows();
   float u = 0;
@@ -108,16 +108,16 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   else
     sampler_.skip();
   Rgb factor(0);
-  const bool culled = !closure.seen_from_back && kind_ == RayKind::Eye && point.back_side;
-  if (!culled && !aov_fixed_ && record_->aovs && closure.outputs)
+  const bool culled = !closure.seen_from_back && way_.kind == RayKind::Eye && point.back_side;
+  if (!culled && !aov_.fixed && record_->aovs && closure.outputs)
     record_->aovs->opacity = closure.opacity;
   if (culled) {
     factor = Rgb(1);
   } else if (u >= closure.opacity) {
     factor = Rgb(1);  // chosen with probability 1 - opacity
-    if (!aov_fixed_) aov_ = closure.outputs ? Aov::Background : Aov::Other;
-    aov_fixed_ = true;
-  } else if (after_diffuse_ && keeps_weights &&
+    if (!aov_.fixed) aov_.part = closure.outputs ? Aov::Background : Aov::Other;
+    aov_.fixed = true;
+  } else if (depth_.after_diffuse && keeps_weights &&
              !(closure.refractive_caustics && world_.options.brings_caustics())) {
     // Straight transmission against everything else, by their levels.
     Rgb through(0), other(closure.emission);
@@ -129,7 +129,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
       if (sampler_.next_1d() < p) {
         factor = through / p;
       } else {
-        throughput_ /= 1 - p;
+        light_.throughput /= 1 - p;
         for (int i = 0; i < closure.count; ++i)
           if (transmits(closure.lobes[i].kind)) closure.lobes[i].level = Rgb(0);
       }
@@ -137,16 +137,13 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   }
   if (is_black(factor)) return false;
   dim(factor);
-  medium_.leave_volume(closure, point, ray_.dir);
+  way_.medium.leave_volume(closure, point, way_.ray.dir);
   if (!keeps_weights) from_.weighed = false;
-  if (!culled && u < closure.opacity && !closure.thin_walled) {
-    if (straight_rays_fade())
-      medium_.leave(closure, point, ray_.dir);
-    else
-      medium_.ignore();
-  }
+  if (!culled && u < closure.opacity)
+    way_.medium.pass_straight(closure, closure, point, way_.ray.dir,
+                              straight_rays_fade(world_.options));
   from_.passed += point.ray_length;
-  follow(point, ray_.dir);
+  follow(point, way_.ray.dir);
   return true;
 }
 
@@ -165,27 +162,25 @@ bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint&
   const float wanted = luminance(through);
   const float p = wanted > 0 ? wanted / (wanted + luminance(other) * closure.opacity) : 0;
   if (sampler_.next_1d() >= p) {
-    throughput_ *= closure.opacity / (1 - p);
+    light_.throughput *= closure.opacity / (1 - p);
     return false;
   }
   dim(through / p);
-  medium_.leave_volume(closure, point, ray_.dir);
-  if (!filter.thin_walled && straight_rays_fade())
-    medium_.leave(filter, point, ray_.dir);
-  else if (!closure.thin_walled)
-    medium_.ignore();
+  way_.medium.leave_volume(closure, point, way_.ray.dir);
+  way_.medium.pass_straight(filter, closure, point, way_.ray.dir,
+                            straight_rays_fade(world_.options));
   from_.passed += point.ray_length;
-  follow(point, ray_.dir);
+  follow(point, way_.ray.dir);
   return true;
 }
 
 /// At a surface. False: the path ends here.
 bool Path::shade_hit(const geom::Hit& hit) {
   ShadingPoint point;
-  fill_point(world_, ray_, hit, cone_, kind_, point);
+  fill_point(world_, way_.ray, hit, way_.cone, way_.kind, point);
   point.raster = raster_;
-  point.blurred = blurred_;
-  cone_.width = cone_.width_at(hit.t);
+  point.blurred = way_.blurred;
+  way_.cone.width = way_.cone.width_at(hit.t);
   const Material& material = material_of(world_, hit);
   Closure closure;
   SceneTracer tracer(world_, sampler_, counts_, this);
@@ -194,72 +189,75 @@ bool Path::shade_hit(const geom::Hit& hit) {
   point.tracer = nullptr;
 
   // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
-  medium_.meet_surface(closure, point);
-  if (!medium_.medium.clear() || !veil_.clear()) dim(kept_over(length(point.position - left_)));
+  way_.medium.meet_surface(closure, point);
+  if (!way_.medium.medium.clear() || !way_.veil.clear())
+    dim(kept_over(length(point.position - way_.left)));
   // Where a volume begins or ends the ray's air does, whether or not it goes on unbent.
-  const bool in_volume = closure.volume || medium_.volume;
+  const bool in_volume = closure.volume || way_.medium.volume;
   bool turned = in_volume && pass_volume(point, from_.passed + hit.t);
   if (!turned && pass_straight(closure, material, point)) return true;
-  veil_ = {};
-  if (to_far_side_ && !point.back_side) return false;
+  way_.veil = {};
+  if (way_.to_far_side && !point.back_side) return false;
   visibility_ = world_.instances[static_cast<std::size_t>(point.instance)].visibility;
-  if (visited_) return note_gather_point(closure, material, point);
-  if (grid_point_) {
+  if (task_.visited) return note_gather_point(closure, material, point);
+  if (task_.grid_point) {
     fill_grid_point(closure, material, point);
     return false;
   }
 
-  const bool parted = aov_fixed_;
+  const bool parted = aov_.fixed;
   turned = turned || pass_volume(point, from_.passed + hit.t);
   if (!turned) {
     darken_near(from_.passed + hit.t);
     fade(from_.passed + hit.t);
-    leaving_aov_surface_ = false;
+    aov_.leaving = false;
   }
   if (!parted) meet_first(closure);
-  if (first_) {
-    first_ = false;
+  if (eye_hit_.pending) {
+    eye_hit_.pending = false;
     record_->alpha = closure.alpha;
-    record_->depth = length(point.position - eye_);
+    record_->depth = length(point.position - eye_hit_.eye);
     record_->normal = point.normal;
     record_->albedo = closure.albedo;
     record_->first = {point.instance, &material};
-    alpha_open_ = true;
-    if (met_)
-      *met_ = Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
-                          point.back_side, &material,      point.instance, point.primitive};
+    eye_hit_.alpha_open = true;
+    if (eye_hit_.met)
+      *eye_hit_.met =
+          Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
+                      point.back_side, &material,      point.instance, point.primitive};
     if (record_->requested.irradiance) sense_irradiance(closure, point);
     if (record_->requested.motion) record_->motion = raster_motion(point);
   }
   if (turned) {
-    at_aov_surface_ = alpha_open_ = false;
+    aov_.at_surface = eye_hit_.alpha_open = false;
     return russian_roulette();
   }
   if (record_->observer) place_ = record_->observer->on_hit(place_, point, material, closure);
   if (!is_black(closure.emission))
-    add(at_vertex(Aov::Added), throughput_ * closure.emission * emission_weight(hit, point),
+    add(aov_.at_vertex(Aov::Added),
+        light_.throughput * closure.emission * emission_weight(hit, point),
         layer_of_instance(point.instance));
   return closure.count > 0 && shade_vertex(closure, material, point);
 }
 
 void Path::walk() {
-  for (; vertex_ < kMostVertices; ++vertex_) {
-    sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(vertex_ + 1));
+  for (; depth_.vertex < kMostVertices; ++depth_.vertex) {
+    sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(depth_.vertex + 1));
     geom::Hit hit;
     count_ray();
-    const bool found = world_.accel->intersect(ray_, hit);
+    const bool found = world_.accel->intersect(way_.ray, hit);
     bool ended = false;
-    if (world_.has_area_lights) meet_lights(found ? hit.t : ray_.tfar, ended);
-    if (ended || (!found && to_far_side_)) return;
+    if (world_.has_area_lights) meet_lights(found ? hit.t : way_.ray.tfar, ended);
+    if (ended || (!found && way_.to_far_side)) return;
     if (!found && pass_volume_to_infinity()) {
-      first_ = false;
+      eye_hit_.pending = false;
       if (!russian_roulette()) return;
       continue;
     }
     if (!found) {
       // Nothing within the reach of a medium that turns black is black.
-      if (std::isinf(ray_.tfar) || kind_ == RayKind::Eye || fading_.distance > 0 ||
-          !std::isinf(reach_))
+      if (std::isinf(way_.ray.tfar) || way_.kind == RayKind::Eye || fading_.distance > 0 ||
+          !std::isinf(way_.reach))
         meet_environment();
       return;
     }
@@ -268,30 +266,30 @@ void Path::walk() {
 }
 
 void Path::run(const Camera::Ray& eye) {
-  eye_ = ray_.org = left_ = eye.origin;
-  ray_.dir = eye.direction;
-  ray_.time = eye.time;
+  eye_hit_.eye = way_.ray.org = way_.left = eye.origin;
+  way_.ray.dir = eye.direction;
+  way_.ray.time = eye.time;
   const Camera& camera = world_.camera;
-  ray_.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
-  ray_.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
-  ray_.mask = mask();
-  cone_ = {eye.width, eye.spread};
-  medium_.begin_in(volume_around(world_, ray_));
+  way_.ray.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
+  way_.ray.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
+  way_.ray.mask = mask();
+  way_.cone = {eye.width, eye.spread};
+  way_.medium.begin_in(volume_around(world_, way_.ray));
   walk();
 }
 
 void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float reach) {
-  kind_ = RayKind::FinalGather;
-  after_diffuse_ = true;
-  bounces_ = 1;
-  aov_fixed_ = true;
-  eye_ = point.position;
-  cone_.spread = kDiffuseSpread;
+  way_.kind = RayKind::FinalGather;
+  depth_.after_diffuse = true;
+  depth_.bounces = 1;
+  aov_.fixed = true;
+  eye_hit_.eye = point.position;
+  way_.cone.spread = kDiffuseSpread;
   from_.weighed = true;  // against no lights: it passes through them unseen
-  vertex_ = 1;
-  reach_ = reach;
+  depth_.vertex = 1;
+  way_.reach = reach;
   follow(point, direction);
-  medium_.begin_in(volume_around(world_, ray_));
+  way_.medium.begin_in(volume_around(world_, way_.ray));
   walk();
 }
 

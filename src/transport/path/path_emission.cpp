@@ -86,13 +86,13 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
     component = Aov::Translucency;
     if (dot(wi, point.geometric_normal) > 0) {
       component = Aov::Indirect;
-      radiance *= occlusion_;
-      if (near_distance_ > 0)
-        radiance *= Rgb(1) - near_dark_ * linear_fade(std::sqrt(d2), near_distance_);
+      radiance *= light_.occlusion;
+      if (light_.near_distance > 0)
+        radiance *= Rgb(1) - light_.near_dark * linear_fade(std::sqrt(d2), light_.near_distance);
     }
   }
   const int instance = static_cast<int>(world_.accel->instance(chosen->instance).user);
-  add(at_vertex(component), throughput_ * radiance, layer_of_instance(instance));
+  add(aov_.at_vertex(component), light_.throughput * radiance, layer_of_instance(instance));
 }
 
 /// What a ray of that kind brings of a triangle's emission: as walk() and pass_straight() have it,
@@ -101,11 +101,11 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
                         const MeshLights::Choice& target, const Vec3& wi, float distance,
                         RayKind kind) {
   const bool gathers = kind == RayKind::FinalGather;
-  const bool straight = gathers || after_diffuse_;
-  MediumOnWay way = medium_;
+  const bool straight = gathers || depth_.after_diffuse;
+  MediumOnWay way = way_.medium;
   way.leave(closure, point, wi);
-  if (gathers && !straight_rays_fade()) way.ignore();
-  RayCone cone = cone_;
+  if (gathers && !straight_rays_fade(world_.options)) way.ignore();
+  RayCone cone = way_.cone;
   if (gathers) cone.spread = std::max(cone.spread, kDiffuseSpread);
   const std::uint32_t mask = gathers ? geom::RayMask::FinalGather : geom::RayMask::Reflection;
   // Beyond the target there is nothing to find.
@@ -150,12 +150,7 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
       kept *= straight ? open.all : open.cut_outs;
     }
     if (!(max_component(kept) > 0)) return Rgb(0);
-    if (straight && !passed->thin_walled) {
-      if (straight_rays_fade())
-        way.leave(*passed, met, wi);
-      else
-        way.ignore();
-    }
+    if (straight) way.pass_straight(*passed, *passed, met, wi, straight_rays_fade(world_.options));
     const float rest = ray.tfar - hit.t;
     if (!(rest > 0)) return Rgb(0);
     ray = leave(met, wi, std::min(rest, way.reach()), mask);
@@ -177,7 +172,7 @@ float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) con
     return 1;
   const float chosen = world_.mesh_lights.probability(from_.lit, hit.instance, hit.primitive);
   const TriangleCorners triangle = corners_of(world_, hit.instance, hit.primitive, hit.time);
-  const float projected = std::abs(dot(ray_.dir, triangle.normal_times_area()));
+  const float projected = std::abs(dot(way_.ray.dir, triangle.normal_times_area()));
   if (!(chosen > 0) || !(projected > kLeastCosine * triangle.area())) return 1;
   const float d2 = (point.position - from_.lit.position).length2();
   return bsdf_sample_weight(settings_.estimator, from_.pdf, chosen * d2 / projected);

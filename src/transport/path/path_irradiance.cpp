@@ -19,14 +19,14 @@ void Path::receive(ShadingPoint& point, bool mapped) {
   point.ray_direction = -point.normal;
   point.ray_origin = point.position + point.normal;
   point.ray_length = 1;
-  eye_ = left_ = point.position;
-  first_ = false;
-  aov_fixed_ = true;
+  eye_hit_.eye = way_.left = point.position;
+  eye_hit_.pending = false;
+  aov_.fixed = true;
   off_maps_ = !mapped;
   Closure white;
   white.add(LobeKind::Diffuse, LobeType::Diffuse, Rgb(1), Frame(point.normal));
   if (!shade_vertex(white, kSensor, point)) return;
-  ++vertex_;
+  ++depth_.vertex;
   walk();
 }
 
