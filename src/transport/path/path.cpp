@@ -174,60 +174,69 @@ bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint&
   return true;
 }
 
-/// At a surface. False: the path ends here.
-bool Path::shade_hit(const geom::Hit& hit) {
-  ShadingPoint point;
+/// The material of a hit at its point. From here on the ray's cone is that at the surface.
+const Material& Path::shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure) {
   fill_point(world_, way_.ray, hit, way_.cone, way_.kind, point);
   point.raster = raster_;
   point.blurred = way_.blurred;
   way_.cone.width = way_.cone.width_at(hit.t);
   const Material& material = material_of(world_, hit);
-  Closure closure;
   SceneTracer tracer(world_, sampler_, counts_, this);
   point.tracer = &tracer;
   shade(material, point, closure);
   point.tracer = nullptr;
+  return material;
+}
+
+/// What the record and the shader that asks for the path learn of the first surface.
+void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
+                            const Material& material) {
+  eye_hit_.pending = false;
+  eye_hit_.alpha_open = true;
+  record_->alpha = closure.alpha;
+  record_->depth = length(point.position - eye_hit_.eye);
+  record_->normal = point.normal;
+  record_->albedo = closure.albedo;
+  record_->first = {point.instance, &material};
+  if (eye_hit_.met)
+    *eye_hit_.met =
+        Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
+                    point.back_side, &material,      point.instance, point.primitive};
+  if (record_->requested.irradiance) sense_irradiance(closure, point);
+  if (record_->requested.motion) record_->motion = raster_motion(point);
+}
+
+/// At a surface. False: the path ends here.
+bool Path::shade_hit(const geom::Hit& hit) {
+  ShadingPoint point;
+  Closure closure;
+  const Material& material = shade_surface(hit, point, closure);
+  const float distance = from_.passed + hit.t;
 
   // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
   way_.medium.meet_surface(closure, point);
   if (!way_.medium.medium.clear() || !way_.veil.clear())
     dim(kept_over(length(point.position - way_.left)));
-  // Where a volume begins or ends the ray's air does, whether or not it goes on unbent.
+  // At the boundary of a volume its part of the way ends, whether or not the ray goes on unbent.
   const bool in_volume = closure.volume || way_.medium.volume;
-  bool turned = in_volume && pass_volume(point, from_.passed + hit.t);
+  bool turned = in_volume && pass_volume(point, distance);
   if (!turned && pass_straight(closure, material, point)) return true;
+
   way_.veil = {};
   if (way_.to_far_side && !point.back_side) return false;
   visibility_ = world_.instances[static_cast<std::size_t>(point.instance)].visibility;
   if (task_.visited) return note_gather_point(closure, material, point);
-  if (task_.grid_point) {
-    fill_grid_point(closure, material, point);
-    return false;
-  }
+  if (task_.grid_point) return fill_grid_point(closure, material, point), false;
 
-  const bool parted = aov_.fixed;
-  turned = turned || pass_volume(point, from_.passed + hit.t);
+  const bool aov_was_fixed = aov_.fixed;
+  turned = turned || pass_volume(point, distance);
   if (!turned) {
-    darken_near(from_.passed + hit.t);
-    fade(from_.passed + hit.t);
+    darken_near(distance);
+    fade(distance);
     aov_.leaving = false;
   }
-  if (!parted) meet_first(closure);
-  if (eye_hit_.pending) {
-    eye_hit_.pending = false;
-    record_->alpha = closure.alpha;
-    record_->depth = length(point.position - eye_hit_.eye);
-    record_->normal = point.normal;
-    record_->albedo = closure.albedo;
-    record_->first = {point.instance, &material};
-    eye_hit_.alpha_open = true;
-    if (eye_hit_.met)
-      *eye_hit_.met =
-          Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
-                      point.back_side, &material,      point.instance, point.primitive};
-    if (record_->requested.irradiance) sense_irradiance(closure, point);
-    if (record_->requested.motion) record_->motion = raster_motion(point);
-  }
+  if (!aov_was_fixed) meet_first(closure);
+  if (eye_hit_.pending) record_first_hit(closure, point, material);
   if (turned) {
     aov_.at_surface = eye_hit_.alpha_open = false;
     return russian_roulette();

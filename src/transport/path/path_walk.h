@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a path under way. Private to path*.cpp: run and media in path.cpp, what lights and
-// environment bring in path_light.cpp, vertices and the ways on in path_scatter.cpp.
+// The state of a path under way. Private to path*.cpp: the walk and surfaces in path.cpp, lights
+// and environment in path_light.cpp, vertices and lobes in path_scatter.cpp, volumes in
+// path_volume.cpp.
 #pragma once
 
 #include <limits>
@@ -29,7 +30,9 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 struct GridPoint;
 struct GatherPoint;
 
-/// One path, or one branch of it; copied where it splits.
+/// One path, or one branch of it; copied where it splits. Its state is in the structs below. The
+/// functions are steps on all of that state (walk, surfaces, media, lights, lobes, maps, grids), so
+/// they are members, one file per subject; what shaders ask for is PathForShaders.
 class Path {
   friend class PathForShaders;
 
@@ -163,6 +166,9 @@ class Path {
   // path.cpp
   void walk();
   bool shade_hit(const geom::Hit& hit);
+  const Material& shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure);
+  void record_first_hit(const Closure& closure, const ShadingPoint& point,
+                        const Material& material);
   bool pass_straight(Closure& closure, const Material& material, ShadingPoint& point);
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
   void dim(const Rgb& factor);
@@ -189,10 +195,10 @@ class Path {
   }
   std::size_t layer_of_environment() const { return world_.light_layers.environment; }
   std::size_t layer_of_rest() const { return world_.light_layers.rest(); }
-  // path_meter.cpp
+  // path_irradiance.cpp
   void sense_irradiance(const Closure& closure, const ShadingPoint& point);
 
-  // path_air.cpp
+  // path_volume.cpp
   bool pass_volume(const ShadingPoint& end, float t);
   bool pass_volume_to_infinity();
   bool pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless);
@@ -209,7 +215,7 @@ class Path {
   std::size_t layer_of_faded() const;
   Rgb reflected_environment(const Vec3& direction);
 
-  // path_glow.cpp
+  // path_emission.cpp
   void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
                        bool on_diffuse, bool in_reflections);
   Rgb emission_seen(const Closure& closure, const ShadingPoint& point,
