@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel render: a scene to pictures, as the command line asks.
+#include <fmt/format.h>
+
 #include "base/parallel.h"
 #include "command.h"
 #include "image/texture.h"
@@ -28,6 +30,14 @@ int run_render(const RenderArguments& a) {
     if (plan.sun) turn_sun(scene, scene.renders.back().root, *plan.sun, a.north.value_or(0));
   };
   return render_frames(reader, a, plan, edit, diagnostics, printer);
+}
+
+std::vector<std::string> layer_names_beside_outputs() {
+  std::vector<std::string> names;
+  for (const LayerSpec& row : layer_table())
+    if (row.group != LayerGroup::Always && row.group != LayerGroup::Outputs)
+      names.push_back(row.name);
+  return names;
 }
 
 }  // namespace
@@ -62,8 +72,8 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--camera", a->camera, "Camera instance to use");
   app->add_option(
       "--layers", a->layers,
-      "Layers of EXR files, comma between: beauty, depth, ..., illuminance (lux), luminance "
-      "(cd/m2), motion (pixels), outputs (of materials) or all");
+      fmt::format("Layers of EXR files, comma between: beauty, {}, outputs (of materials) or all",
+                  fmt::join(layer_names_beside_outputs(), ", ")));
   app->add_option("--light-group", a->light_groups,
                   "Lights of such names (* and ? stand for others, comma between; instances, "
                   "instgroups, glowing objects, or environment) become layer light.NAME of EXR "

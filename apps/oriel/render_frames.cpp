@@ -138,8 +138,8 @@ class FrameRenderer {
     settings.outputs = keeps_outputs();
     settings.lights = keeps_lights();
     settings.mattes = keeps_mattes(command);
-    settings.irradiance = std::any_of(files_.begin(), files_.end(), needs_irradiance);
-    settings.motion = std::any_of(files_.begin(), files_.end(), needs_motion);
+    settings.irradiance = any_needs(LayerNeed::Irradiance);
+    settings.motion = any_needs(LayerNeed::Motion);
     settings.unit_luminance = unit_of_pixels();
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;
@@ -190,8 +190,14 @@ class FrameRenderer {
   }
 
   bool has_photometric_layers() const {
+    const LayerSet photometric(LayerGroup::Photometric);
     return std::any_of(files_.begin(), files_.end(),
-                       [](const PictureFile& f) { return (f.layers & kPhotometricLayers) != 0; });
+                       [&](const PictureFile& f) { return f.layers.overlaps(photometric); });
+  }
+
+  bool any_needs(LayerNeed need) const {
+    return std::any_of(files_.begin(), files_.end(),
+                       [&](const PictureFile& f) { return needs(f, need); });
   }
 
   /// cd/m2; computed only where a layer uses it.
@@ -226,7 +232,7 @@ class FrameRenderer {
 
   /// Whether a file asks for outputs of materials and a material has them.
   bool keeps_outputs() {
-    if (std::none_of(files_.begin(), files_.end(), needs_outputs)) return false;
+    if (!any_needs(LayerNeed::Outputs)) return false;
     const auto& materials = world_->materials;
     if (std::any_of(materials.begin(), materials.end(),
                     [](const Material& m) { return m.outputs; }))
@@ -271,7 +277,7 @@ class FrameRenderer {
                            "name one with -o FILE.exr");
       ranks = 0;
     }
-    if (ranks == 0 && std::none_of(files_.begin(), files_.end(), needs_mattes)) return std::nullopt;
+    if (ranks == 0 && !any_needs(LayerNeed::Mattes)) return std::nullopt;
     return matte_names(scene_, *world_, ranks);
   }
 

@@ -25,19 +25,19 @@ std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
 }
 
 LayerSet parse_layers(const std::string& text) {
-  LayerSet layers = 0;
+  LayerSet layers;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     const std::string name = text.substr(at, end - at);
-    const LayerSet bit = layer_bit(name);
+    const LayerSet layer(name);
     if (name == "all")
-      layers = kFilmLayers | kPhotometricLayers | kLayerMotion | kOutputLayers;
+      layers = LayerSet::all();
     else if (name == "outputs")
-      layers |= kOutputLayers;
-    else if (!bit && name != "beauty" && name != "alpha")
+      layers |= LayerSet(LayerGroup::Outputs);
+    else if (layer.empty() && name != "beauty" && name != "alpha")
       throw UsageError(fmt::format("--layers {}: beauty, {}, outputs or all", name,
                                    fmt::join(layer_names(), ", ")));
-    layers |= bit;
+    layers |= layer;
     at = end + 1;
   }
   return layers;

@@ -80,7 +80,7 @@ void add_file(PictureFile file, std::vector<PictureFile>& files) {
   });
   if (same == files.end()) return files.push_back(std::move(file));
   for (const std::string* shown : {&same->shown_layer, &file.shown_layer})
-    if (!shown->empty()) same->layers |= layer_bit(*shown);
+    if (!shown->empty()) same->layers |= LayerSet(*shown);
   same->layers |= file.layers;
   same->shown_layer.clear();
   same->user_buffer = -1;

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
-#include "base/parallel.h"
 #include "image/cryptomatte.h"
+#include "output/layer_table.h"
 #include "scene/label.h"
 
 namespace oriel {
@@ -34,19 +33,6 @@ std::vector<std::string> names_of(const RenderSession& session, MatteKind kind) 
   return names;
 }
 
-/// An image of the whole picture with f(shares, values) written where the film is.
-Image over_window(const RenderSession& session, int channels,
-                  const std::function<void(const std::vector<Mattes::Share>&, float*)>& f) {
-  const Window& w = session.window();
-  Image image(session.world().camera.width, session.world().camera.height, channels);
-  parallel_for(static_cast<std::size_t>(w.height()), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < w.width(); ++x)
-      f(session.mattes()->shares(x, y), image.at(w.x0 + x, image.height - w.y1 + y));
-  });
-  return image;
-}
-
 /// Of a pixel: who covers most of it, all materials of an instance together.
 Mattes::Share foremost(const std::vector<Mattes::Share>& shares) {
   Mattes::Share most;
@@ -69,7 +55,8 @@ Image ranked(const RenderSession& session, MatteKind kind, int ranks) {
     return kind == MatteKind::Material ? ids[static_cast<std::size_t>(seen.material - first)]
                                        : ids[static_cast<std::size_t>(seen.instance)];
   };
-  return over_window(session, 2 * ranks, [&](const auto& seen, float* to) {
+  return collect_pixels(session, 2 * ranks, [&](int x, int y, float* to) {
+    const std::vector<Mattes::Share> seen = session.mattes()->shares(x, y);
     std::vector<CryptomatteShare> shares;
     shares.reserve(seen.size());
     for (const Mattes::Share& s : seen) shares.push_back({id_of(s.seen), s.coverage});
@@ -120,20 +107,15 @@ std::map<std::string, std::string> cryptomatte_metadata(const RenderSession& ses
   return all;
 }
 
-Image label_image(const RenderSession& session) {
-  return over_window(session, 1, [&](const auto& shares, float* to) {
-    const FirstSurface seen = foremost(shares).seen;
-    const auto& labels = session.mattes()->names().labels;
-    *to =
-        seen.instance < 0 ? 0 : static_cast<float>(labels[static_cast<std::size_t>(seen.instance)]);
-  });
+void write_label(const RenderSession& session, int x, int y, float* to) {
+  const FirstSurface seen = foremost(session.mattes()->shares(x, y)).seen;
+  const auto& labels = session.mattes()->names().labels;
+  *to = seen.instance < 0 ? 0 : static_cast<float>(labels[static_cast<std::size_t>(seen.instance)]);
 }
 
-Image coverage_image(const RenderSession& session) {
-  return over_window(session, 1, [](const auto& shares, float* to) {
-    const Mattes::Share most = foremost(shares);
-    *to = most.seen.instance < 0 ? 0 : most.coverage;
-  });
+void write_coverage(const RenderSession& session, int x, int y, float* to) {
+  const Mattes::Share most = foremost(session.mattes()->shares(x, y));
+  *to = most.seen.instance < 0 ? 0 : most.coverage;
 }
 
 }  // namespace oriel

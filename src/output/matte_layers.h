@@ -27,8 +27,9 @@ MatteNames matte_names(const scene::Scene& scene, const World& world, int depth)
 std::vector<Layer> cryptomatte_layers(const RenderSession& session);
 std::map<std::string, std::string> cryptomatte_metadata(const RenderSession& session);
 
-/// The label of the instance that covers most of the pixel, and its share; 0 where that is nothing.
-Image label_image(const RenderSession& session);
-Image coverage_image(const RenderSession& session);
+/// The label of the instance that covers most of film pixel (x, y), and its share; 0 where that is
+/// nothing. Only of sessions with mattes.
+void write_label(const RenderSession& session, int x, int y, float* to);
+void write_coverage(const RenderSession& session, int x, int y, float* to);
 
 }  // namespace oriel

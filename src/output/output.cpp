@@ -14,9 +14,8 @@
 #include "color/luminance.h"
 #include "denoise/denoise.h"
 #include "image/exr.h"
-#include "image/relight.h"
+#include "output/layer_families.h"
 #include "output/matte_layers.h"
-#include "output/output_names.h"
 #include "output/output_picture.h"
 #include "runtime/color_mapping.h"
 
@@ -45,18 +44,9 @@ void for_each_pixel(const RenderSession& session, Image& image, const F& f) {
   });
 }
 
-/// An image of the whole picture with f(x, y, values) written where the film is.
-template <class F>
-Image collect(const RenderSession& session, int channels, const F& f) {
-  Image image(session.world().camera.width, session.world().camera.height, channels);
-  for_each_pixel(session, image, f);
-  return image;
-}
-
 void put(float* to, const Rgb& c) { to[0] = c.x, to[1] = c.y, to[2] = c.z; }
 
-const std::vector<std::string> kRgbNames = {"R", "G", "B"}, kVectorNames = {"X", "Y", "Z"};
-constexpr std::string_view kDenoisedLayer = "denoised";
+const std::vector<std::string> kRgbNames = {"R", "G", "B"};
 
 /// Whether an output shader works on whole pictures; others map colours one by one.
 bool works_on_picture(const ShaderNode* node) { return node->spec().output != nullptr; }
@@ -85,28 +75,11 @@ void run_in_order(const NodeList& shaders, const RenderSession& session, Image& 
 
 /// Values of a file that shows something else than colour.
 Image data_image(const RenderSession& session, PixelView view) {
-  const Film& film = session.film();
-  switch (view) {
-    case PixelView::Alpha:
-      return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).beauty.a; });
-    case PixelView::Bit:
-      return collect(session, 1, [&](int x, int y, float* to) {
-        *to = film.pixel(x, y).beauty.a >= 0.5f ? 1.0f : 0.0f;
-      });
-    case PixelView::Tag:
-      return label_image(session);
-    case PixelView::Coverage:
-      return coverage_image(session);
-    case PixelView::Depth:
-      return collect(session, 1, [&](int x, int y, float* to) { *to = film.pixel(x, y).depth; });
-    case PixelView::Motion:
-      return collect(session, 3, [&](int x, int y, float* to) {
-        if (const auto slot = session.motion_slot()) put(to, rgb(film.user_buffer(x, y, *slot)));
-      });
-    default:
-      return collect(session, 3,
-                     [&](int x, int y, float* to) { put(to, normalize(film.pixel(x, y).normal)); });
-  }
+  if (const LayerSpec* layer = layer_of_view(view)) return layer_image(session, *layer);
+  return collect_pixels(session, 1, [&](int x, int y, float* to) {
+    const float alpha = session.film().pixel(x, y).beauty.a;
+    *to = view == PixelView::Alpha ? alpha : alpha >= 0.5f ? 1.0f : 0.0f;
+  });
 }
 
 Image without_alpha(const Image& rgba) {
@@ -131,24 +104,11 @@ bool shows_colour(PixelView view) {
 
 /// Beauty as the film has it, with other colours where there are any.
 Image linear_image(const RenderSession& session, const Image* denoised) {
-  Image image = std::move(film_layers(session, 0).front().image);
+  Image image = std::move(film_layers(session, {}).front().image);
   if (denoised)
     for (std::size_t i = 0; i < image.pixel_count(); ++i)
       std::copy_n(&denoised->pixels[3 * i], 3, &image.pixels[4 * i]);
   return image;
-}
-
-/// An output, as it is.
-Image output_image(const RenderSession& session, std::size_t index) {
-  const bool scalar = material_output_names()[index] == "opacity";
-  return collect(session, scalar ? 1 : 3, [&](int x, int y, float* to) {
-    const Film& film = session.film();
-    const Rgb c = resolve_outputs(film.outputs(x, y), rgb(film.pixel(x, y).beauty))[index];
-    if (scalar)
-      *to = c.x;
-    else
-      put(to, c);
-  });
 }
 
 /// Whether the file shows a user's buffer rather than what else it means.
@@ -171,19 +131,13 @@ Image user_buffer_image(const PictureFile& file, const RenderSession& session,
   return std::move(picture.user_buffer(slot));
 }
 
-/// Names of the channels of a user's buffer that stands alone in a file.
-std::vector<std::string> channels_alone(const Image& image) {
-  if (image.channels == 1) return {"Y"};
-  return image.channels == 3 ? kRgbNames : std::vector<std::string>{"R", "G", "B", "A"};
-}
-
 Image file_image(const PictureFile& file, const RenderSession& session, const Image* denoised) {
   if (shows_user_buffer(file, session)) {
     const Image image = user_buffer_image(file, session, denoised);
     return file.float_pixels ? image : view_image(image, view_options(session.world().options));
   }
-  if (const int output = material_output_index(file.shown_layer); output >= 0) {
-    const Image image = output_image(session, static_cast<std::size_t>(output));
+  if (const LayerSpec* output = find_layer_spec(file.shown_layer)) {
+    const Image image = layer_image(session, *output);
     return file.float_pixels ? image : view_image(image, view_options(session.world().options));
   }
   if (!shows_colour(file.view)) return data_image(session, file.view);
@@ -193,32 +147,6 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
     image = intensity(image, session.world().options.luminance_weight);
   if (!file.float_pixels) image = view_image(image, view_options(session.world().options));
   return file.view == PixelView::Color ? without_alpha(image) : image;
-}
-
-/// Layers of users' buffers. A buffer that means an output of materials stands in its place.
-void add_user_buffers(const RenderSession& session, std::vector<Layer>& layers) {
-  const auto& buffers = session.world().user_buffers;
-  if (session.film().user_buffers() < buffers.size()) return;
-  for (std::size_t slot = 0; slot < buffers.size(); ++slot) {
-    const UserBuffer& buffer = buffers[slot];
-    if (!buffer.name.empty() && !session.film().is_written(slot)) continue;
-    std::string name = buffer.name.empty() ? fmt::format("fb{}", buffer.number) : buffer.name;
-    const bool is_output = material_output_index(name) >= 0;
-    const bool is_taken = name.size() == 1 || name == "beauty" || name == kDenoisedLayer ||
-                          name == kLinearLayer || (layer_bit(name) != 0 && !is_output);
-    if (is_taken) name = "fb." + name;
-    Image image = film_user_buffer(session, slot);
-    std::vector<std::string> channels = image.channels == 1   ? std::vector<std::string>{""}
-                                        : image.channels == 3 ? kVectorNames
-                                                              : channels_alone(image);
-    Layer layer{std::move(name), std::move(channels), std::move(image)};
-    const auto same = std::find_if(layers.begin(), layers.end(),
-                                   [&](const Layer& l) { return l.name == layer.name; });
-    if (same == layers.end())
-      layers.push_back(std::move(layer));
-    else if (is_output)
-      *same = std::move(layer);
-  }
 }
 
 /// Writers go by the extension, so a file whose type says otherwise is written under another name
@@ -238,43 +166,16 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
 
 }  // namespace
 
-const std::vector<std::string>& layer_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"depth",       "normal",  "albedo", "variance",
-                                    "samples",     "display", "halves", "luminance",
-                                    "illuminance", "motion",  "tag",    "coverage"};
-    const auto& outputs = material_output_names();
-    all.insert(all.end(), outputs.begin(), outputs.end());
-    return all;
-  }();
-  return names;
-}
-
-LayerSet layer_bit(std::string_view name) {
-  if (const int output = material_output_index(name); output >= 0)
-    return LayerSet{1} << (kFirstOutputBit + output);
-  const auto& names = layer_names();
-  const auto at = std::find(names.begin(), names.end(), name);
-  return at == names.end() ? 0 : LayerSet{1} << (at - names.begin());
-}
-
 bool is_mapped(const PictureFile& file, const World& world) {
   return !file.unmapped && file.shown_layer.empty() && !file.only_user_buffer &&
          shows_colour(file.view) && !(world.lens.empty() && file.shaders.empty());
 }
 
-bool needs_outputs(const PictureFile& file) {
-  return (file.layers & kOutputLayers) != 0 || !file.shown_layer.empty();
+bool needs(const PictureFile& file, LayerNeed need) {
+  const LayerSpec* shown =
+      file.shown_layer.empty() ? layer_of_view(file.view) : find_layer_spec(file.shown_layer);
+  return file.layers.needs(need) || (shown && shown->need == need);
 }
-
-bool needs_mattes(const PictureFile& file) {
-  return (file.layers & (kLayerTag | kLayerCoverage)) != 0 || file.view == PixelView::Tag ||
-         file.view == PixelView::Coverage;
-}
-
-bool needs_irradiance(const PictureFile& file) { return (file.layers & kLayerIlluminance) != 0; }
-
-bool needs_motion(const PictureFile& file) { return (file.layers & kLayerMotion) != 0; }
 
 bool holds_light_layers(const PictureFile& file) {
   return file_type(file) == "exr" && file.shown_layer.empty() && file.user_buffer < 0;
@@ -290,85 +191,35 @@ PictureFile picture_file(const std::string& path) {
   return file;
 }
 
-std::vector<Layer> film_layers(const RenderSession& session, LayerSet layers) {
-  const Film& film = session.film();
+std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& layers) {
   std::vector<Layer> out;
-  out.push_back({"", {"R", "G", "B", "A"}, collect(session, 4, [&](int x, int y, float* to) {
-                   const Rgba c = film.pixel(x, y).beauty;
+  out.push_back({"", {"R", "G", "B", "A"}, collect_pixels(session, 4, [&](int x, int y, float* to) {
+                   const Rgba c = session.film().pixel(x, y).beauty;
                    put(to, rgb(c));
                    to[3] = c.a;
                  })});
-  if (layers & kLayerDepth) out.push_back({"Z", {""}, data_image(session, PixelView::Depth)});
-  if (layers & kLayerNormal)
-    out.push_back({"normal", kVectorNames, data_image(session, PixelView::Normal)});
-  const auto colours = [&](const char* name, auto member) {
-    out.push_back({name, kRgbNames, collect(session, 3, [&](int x, int y, float* to) {
-                     put(to, film.pixel(x, y).*member);
-                   })});
-  };
-  if (layers & kLayerAlbedo) colours("albedo", &Film::Pixel::albedo);
-  if (layers & kLayerVariance) colours("variance", &Film::Pixel::variance);
-  if (layers & kLayerSamples)
-    out.push_back({"samples", {""}, collect(session, 1, [&](int x, int y, float* to) {
-                     *to = static_cast<float>(film.samples(x, y));
-                   })});
-  if ((layers & kLayerDisplay) && film.mapped())
-    out.push_back({"display", kRgbNames, collect(session, 3, [&](int x, int y, float* to) {
-                     put(to, film.shown(x, y));
-                   })});
-  if ((layers & kLayerHalves) && film.has_split_samples())
-    colours("halves", &Film::Pixel::split_difference);
-  const auto photometric = [&](const char* name, auto value) {
-    const float unit = session.unit_luminance();
-    out.push_back({name, {""}, collect(session, 1, [&, unit](int x, int y, float* to) {
-                     *to = value(film.pixel(x, y)) * unit;
-                   })});
-  };
-  if (layers & kLayerLuminance)
-    photometric("luminance", [](const Film::Pixel& p) { return luminance(rgb(p.beauty)); });
-  if ((layers & kLayerIlluminance) && session.keeps_irradiance())
-    photometric("illuminance", [](const Film::Pixel& p) { return p.irradiance; });
-  if ((layers & kLayerMotion) && session.motion_slot())
-    out.push_back({"motion", kVectorNames, data_image(session, PixelView::Motion)});
-  if (film.keeps_outputs())
-    for (std::size_t i = 0; i < kMaterialOutputs; ++i)
-      if (layers & (LayerSet{1} << (kFirstOutputBit + static_cast<int>(i)))) {
-        Image image = output_image(session, i);
-        std::vector<std::string> channels =
-            image.channels == 1 ? std::vector<std::string>{""} : kRgbNames;
-        out.push_back({material_output_names()[i], std::move(channels), std::move(image)});
-      }
-  if (layers & kLayerLights)
-    for (std::size_t i = 0; i < film.light_layers(); ++i) {
-      const LightLayers& lights = session.world().light_layers;
-      const bool unknown = i == lights.unknown();
-      if (unknown && !session.has_unknown_light()) continue;
-      const std::string name{unknown              ? scene::kIndirectGroup
-                             : i == lights.rest() ? scene::kRestGroup
-                                                  : std::string_view(lights.names[i])};
-      out.push_back(
-          {std::string(kLightLayerPrefix) + name, kRgbNames,
-           collect(session, 3, [&](int x, int y, float* to) { put(to, film.light(x, y, i)); })});
-    }
-  if (session.mattes()) {
-    if (layers & kLayerTag) out.push_back({"tag", {""}, label_image(session)});
-    if (layers & kLayerCoverage) out.push_back({"coverage", {""}, coverage_image(session)});
-    if (layers & kLayerMattes)
-      for (Layer& layer : cryptomatte_layers(session)) out.push_back(std::move(layer));
+  const auto& rows = layer_table();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const LayerSpec& row = rows[i];
+    if (!layers.contains(i) || (row.exists && !row.exists(session))) continue;
+    if (row.expand)
+      row.expand(session, out);
+    else
+      out.push_back({row.exr, row.channels, layer_image(session, row)});
   }
-  if (layers & kLayerUserBuffers) add_user_buffers(session, out);
   return out;
 }
 
 Image denoised_beauty(const RenderSession& session) {
-  return without_alpha(denoise(denoise_input(film_layers(session, kFilmLayers & ~kLayerDisplay))));
+  const LayerSet layers = LayerSet(LayerGroup::Film) - LayerSet("display");
+  return without_alpha(denoise(denoise_input(film_layers(session, layers))));
 }
 
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised) {
   const Film& film = session.film();
   const Window& w = session.window();
-  Image shown = collect(session, 4, [&](int x, int y, float* to) {
+  Image shown = collect_pixels(session, 4, [&](int x, int y, float* to) {
     const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
     put(to, clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y));
     to[3] = film.pixel(x, y).beauty.a;
@@ -410,22 +261,22 @@ void write_picture(const PictureFile& file, const RenderSession& session,
       layers.push_back({"", std::move(channels), std::move(image)});
       return write_exr(file.path, layers, exr);
     }
-    if (const int shown = material_output_index(file.shown_layer); shown >= 0) {
-      Image image = output_image(session, static_cast<std::size_t>(shown));
+    if (const LayerSpec* shown = find_layer_spec(file.shown_layer)) {
+      Image image = layer_image(session, *shown);
       layers.push_back(
           {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
       return write_exr(file.path, layers, exr);
     }
     const bool mapped = is_mapped(file, session.world());
-    const LayerSet asked = mapped ? file.layers & ~LayerSet{kLayerDisplay} : file.layers;
-    layers = film_layers(session, asked | kLayerLights | kLayerUserBuffers | kLayerMattes);
+    const LayerSet asked = mapped ? file.layers - LayerSet("display") : file.layers;
+    layers = film_layers(session, asked | LayerSet(LayerGroup::Always));
     if (mapped) {
       Image shown = shown_image(session, file.shaders);
       layers.push_back({std::string(kLinearLayer), layers.front().channel_names,
                         std::exchange(layers.front().image, std::move(shown))});
     }
     exr.metadata.merge(cryptomatte_metadata(session));
-    if (denoised) layers.push_back({std::string(kDenoisedLayer), kRgbNames, *denoised});
+    if (denoised) layers.push_back({kDenoisedLayer, kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);
   }
   FileOptions options;

@@ -3,22 +3,13 @@
 
 #include <algorithm>
 
+#include "output/layer_table.h"
+
 namespace oriel {
 namespace {
 
 /// Where the C interface counts users' buffers from, as mental ray does (miRC_IMAGE_USER).
 constexpr int kFirstUserNumber = 12;
-
-/// An image of the whole picture with f(x, y, values) written where the film is.
-template <class F>
-Image over_window(const RenderSession& session, int channels, const F& f) {
-  const Window& w = session.window();
-  Image image(session.world().camera.width, session.world().camera.height, channels);
-  // The film covers the window, pictures all of the frame; both from the top.
-  for (int y = 0; y < w.height(); ++y)
-    for (int x = 0; x < w.width(); ++x) f(x, y, image.at(w.x0 + x, image.height - w.y1 + y));
-  return image;
-}
 
 }  // namespace
 
@@ -27,7 +18,7 @@ Image film_user_buffer(const RenderSession& session, std::size_t slot) {
   const int channels = kind == UserBuffer::Kind::Scalar   ? 1
                        : kind == UserBuffer::Kind::Vector ? 3
                                                           : 4;
-  return over_window(session, channels, [&](int x, int y, float* to) {
+  return collect_pixels(session, channels, [&](int x, int y, float* to) {
     const Rgba value = session.film().user_buffer(x, y, slot);
     std::copy_n(&value.r, channels, to);
   });
@@ -53,7 +44,7 @@ Image& OutputPicture::user_buffer(std::size_t slot) {
 
 Image* OutputPicture::geometry(int number) {
   if (const auto made = others_.find(number); made != others_.end()) return &made->second;
-  Image image = over_window(session_, number == 1 ? 1 : 3, [&](int x, int y, float* to) {
+  Image image = collect_pixels(session_, number == 1 ? 1 : 3, [&](int x, int y, float* to) {
     const Film::Pixel pixel = session_.film().pixel(x, y);
     if (number == 1)
       *to = pixel.depth;

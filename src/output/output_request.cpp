@@ -67,7 +67,7 @@ std::string suffix_of(const std::string& path) {
 /// What one word of the type list means.
 struct Type {
   PixelView view;
-  LayerSet layer = 0;
+  LayerSet layer = {};
   SampleFormat samples = SampleFormat::U8;
 };
 
@@ -86,23 +86,18 @@ std::optional<Type> read_type(std::string word) {
   if (word == "rgb") return type.view = PixelView::Color, type;
   if (word == "rgbe") return type.view = PixelView::Color, type.samples = SampleFormat::Float, type;
   if (word == "a") return type.view = PixelView::Alpha, type;
-  if (word == "m") return type.view = PixelView::Motion, type.layer = kLayerMotion, type;
   if (word == "s") return type.view = PixelView::Intensity, type;
   if (word == "bit") return type.view = PixelView::Bit, type.samples = SampleFormat::U8, type;
-  if (word == "tag")
-    return type.view = PixelView::Tag, type.layer = kLayerTag, type.samples = SampleFormat::Float,
-           type;
-  if (word == "coverage")
-    return type.view = PixelView::Coverage, type.layer = kLayerCoverage,
-           type.samples = SampleFormat::Float, type;
+  const LayerSpec* row = layer_of_type(word);
+  if (!row) return std::nullopt;
+  type.view = row->view;
+  type.layer = LayerSet(row->name);
   // Whole numbers of these would mean nothing.
-  if (word == "z" || word == "n") {
-    type.view = word == "z" ? PixelView::Depth : PixelView::Normal;
-    type.layer = word == "z" ? kLayerDepth : kLayerNormal;
-    if (type.samples == SampleFormat::U8) type.samples = SampleFormat::Float;
-    return type;
-  }
-  return std::nullopt;
+  const bool is_depth = type.view == PixelView::Depth || type.view == PixelView::Normal;
+  const bool is_matte = row->need == LayerNeed::Mattes;
+  if (is_matte || (is_depth && type.samples == SampleFormat::U8))
+    type.samples = SampleFormat::Float;
+  return type;
 }
 
 /// "fb0", "+fb12": a numbered buffer of the options block.
@@ -259,7 +254,7 @@ class RequestReader {
 
   bool read_types(const std::vector<std::string>& words, PictureFile& file) {
     std::optional<Type> first;
-    file.layers = 0;
+    file.layers = {};
     for (const std::string& word : words) {
       const std::optional<Type> type = read_type(word);
       if (!type) {

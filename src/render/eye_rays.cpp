@@ -22,9 +22,10 @@ class LensChain final : public LensNext {
     float time;
     Vec2 raster;
     const PathSettings& settings;
+    PathRecord& record;
     sampling::Sampler& sampler;
     RayCounts& counts;
-    std::optional<PathResult> first = std::nullopt;
+    bool recorded = false;  ///< the first path has been traced
   };
   LensChain(Shared& shared, std::size_t lens) : s_(shared), lens_(lens) {}
 
@@ -71,13 +72,12 @@ class LensChain final : public LensNext {
     constexpr std::uint32_t kBranch = 5000;
     sampling::Sampler own = s_.sampler.split(0, 1, kBranch + s_.sampler.dimension());
     s_.sampler.skip();
-    PathSettings settings = s_.settings;
-    if (s_.first)
-      settings.outputs = nullptr, settings.by_light = nullptr, settings.motion = nullptr;
-    const PathResult path = trace_path(s_.world, ray, s_.raster, settings, own, s_.counts);
-    if (!s_.first) s_.first = path;
-    return {Rgba(path.radiance.x, path.radiance.y, path.radiance.z, path.alpha), path.depth,
-            path.normal};
+    PathRecord other({}, s_.record.user_buffers, s_.record.observer);
+    PathRecord& record = s_.recorded ? other : s_.record;
+    trace_path(s_.world, ray, s_.raster, s_.settings, record, own, s_.counts);
+    if (std::exchange(s_.recorded, true)) s_.record.note_first_surface(other.first);
+    return {Rgba(record.radiance.x, record.radiance.y, record.radiance.z, record.alpha),
+            record.depth, record.normal};
   }
 
   Shared& s_;
@@ -88,21 +88,20 @@ class LensChain final : public LensNext {
 bool asks_for_rays(const ShaderNode* node) { return node->spec().lens.trace != nullptr; }
 
 /// A sample through lenses some of which make its colour themselves.
-PathResult trace_chain(const World& world, const Camera& camera, float time, Vec2 raster,
-                       const PathSettings& settings, sampling::Sampler& sampler,
-                       RayCounts& counts) {
-  LensChain::Shared shared{world, camera, time, raster, settings, sampler, counts};
+void trace_chain(const World& world, const Camera& camera, float time, Vec2 raster,
+                 const PathSettings& settings, PathRecord& record, sampling::Sampler& sampler,
+                 RayCounts& counts) {
+  LensChain::Shared shared{world, camera, time, raster, settings, record, sampler, counts};
   const LensNext::Seen seen = LensChain(shared, 0).trace(camera.ray(raster, time));
-  PathResult result = shared.first.value_or(PathResult{});
-  result.radiance = rgb(seen.colour);
-  result.alpha = clamp01(seen.colour.a);
-  return result;
+  record.radiance = rgb(seen.colour);
+  record.alpha = clamp01(seen.colour.a);
 }
 
-/// A path through the lens, one of many, and its weight.
-PathResult trace_through_lens(const World& world, const Camera& camera, float time, Vec2 raster,
-                              const PathSettings& settings, float share, sampling::Sampler& sampler,
-                              RayCounts& counts, Rgb& weight) {
+/// A path through the lens, one of many. Returns its weight.
+Rgb trace_through_lens(const World& world, const Camera& camera, float time, Vec2 raster,
+                       const PathSettings& settings, float share, PathRecord& record,
+                       sampling::Sampler& sampler, RayCounts& counts) {
+  Rgb weight(1);
   Camera::Ray ray = camera.ray(raster, time);
   for (const ShaderNode* node : world.lens_rays) {
     ShadingPoint point;
@@ -114,35 +113,26 @@ PathResult trace_through_lens(const World& world, const Camera& camera, float ti
     weight *= node->with_params(
         point, [&](const Call& call) { return node->spec().lens.bend_ray(call, camera, u, ray); });
   }
-  if (is_black(weight)) {  // no light comes this way
-    if (settings.firsts) settings.firsts->emplace_back();
-    return {};
-  }
-  if (settings.observer) settings.observer->set_weight(weight * share);
-  return trace_path(world, ray, raster, settings, sampler, counts);
-}
-
-void add_outputs(AovValues& sum, const AovValues& part, const Rgb& weight, float share) {
-  for (std::size_t i = 0; i < kAovs; ++i) sum.result[i] += part.result[i] * weight * share;
-  for (std::size_t i = 0; i < kLevels; ++i) sum.level[i] += part.level[i] * share;
-  sum.occlusion += part.occlusion * share;
-  sum.dimming += part.dimming * share;
-  sum.opacity += part.opacity * share;
+  if (is_black(weight)) return weight;  // no light comes this way
+  if (record.observer) record.observer->set_weight(weight * share);
+  trace_path(world, ray, raster, settings, record, sampler, counts);
+  return weight;
 }
 
 }  // namespace
 
-PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
-                          sampling::Sampler& sampler, RayCounts& counts) {
+void trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
+                    PathRecord& record, sampling::Sampler& sampler, RayCounts& counts) {
   const float time = shutter_time(world.shutter, sampler);
   if (world.lens_rays.empty())
-    return trace_path(world, world.camera.ray(raster, time), raster, settings, sampler, counts);
+    return trace_path(world, world.camera.ray(raster, time), raster, settings, record, sampler,
+                      counts);
 
   std::optional<Camera> moved;
   if (!world.camera.path.empty()) moved = world.camera.at(time);
   const Camera& camera = moved ? *moved : world.camera;
   if (std::any_of(world.lens_rays.begin(), world.lens_rays.end(), asks_for_rays))
-    return trace_chain(world, camera, time, raster, settings, sampler, counts);
+    return trace_chain(world, camera, time, raster, settings, record, sampler, counts);
   int rays = 1;
   for (const ShaderNode* node : world.lens_rays)
     rays = std::clamp(rays * std::clamp(node->spec().lens.ray_count(*node), 1, kMostLensRays), 1,
@@ -151,34 +141,23 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& s
   const float share = 1 / static_cast<float>(rays);
   PathSettings each = settings;
   each.paths_of_pixel *= static_cast<float>(rays);
-  PathResult sum;
-  AovValues parts;
-  parts.occlusion = parts.dimming = Rgb(0), parts.opacity = 0;
-  LightParts own_lights;
-  const std::size_t layers = settings.by_light ? world.light_layers.count() : 0;
-  float hits = 0;
+  record.begin_mean();
+  PathRecord path(record.requested, record.user_buffers, record.observer);
   for (std::uint32_t i = 0; i < n; ++i) {
     sampling::Sampler own = sampler.split(i, n, 0);
-    if (i > 0) each.motion = nullptr;
-    AovValues part;
-    if (settings.outputs) each.outputs = &part;
-    own_lights.clear(layers);
-    if (layers > 0) each.by_light = own_lights.data();
-    Rgb weight(1);
-    const PathResult path =
-        trace_through_lens(world, camera, time, raster, each, share, own, counts, weight);
-    sum.radiance += path.radiance * weight * share;
-    sum.alpha += path.alpha * share;
-    sum.normal += path.normal * share;
-    sum.albedo += path.albedo * share;
-    if (path.depth > 0) sum.depth += path.depth, sum.irradiance += path.irradiance, ++hits;
-    if (settings.outputs) add_outputs(parts, part, weight, share);
-    for (std::size_t k = 0; k < layers; ++k)
-      settings.by_light[k] += own_lights.of[k] * weight * share;
+    path.reset();
+    const Rgb weight =
+        trace_through_lens(world, camera, time, raster, each, share, path, own, counts);
+    record.add_path(path, weight, share);
   }
-  if (hits > 0) sum.depth /= hits, sum.irradiance /= hits;
-  if (settings.outputs) *settings.outputs = parts;
-  return sum;
+  record.end_mean();
+}
+
+PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
+                          sampling::Sampler& sampler, RayCounts& counts) {
+  PathRecord record;
+  trace_eye_rays(world, raster, settings, record, sampler, counts);
+  return record;
 }
 
 }  // namespace oriel

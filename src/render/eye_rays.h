@@ -15,7 +15,11 @@ inline constexpr int kMostLensRays = 65536;
 ///
 /// Model:   rays of one sample, and those of all samples of a pixel, lie evenly on the lens. Counts
 ///          of samples that materials share (PathSettings::paths_of_pixel) are shared by all paths.
+/// Inputs:  record: empty, as after reset().
 /// Checked: LensBokeh.* in tests/analytic/camera/lens_bokeh_test.cpp
+void trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
+                    PathRecord& record, sampling::Sampler& sampler, RayCounts& counts);
+/// The same without optional values.
 PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
                           sampling::Sampler& sampler, RayCounts& counts);
 

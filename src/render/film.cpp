@@ -8,10 +8,6 @@ namespace {
 
 Rgb finite_or_black(const Rgb& c) { return is_finite(c) ? c : Rgb(0); }
 
-Rgba finite_or_nothing(const Rgba& c) {
-  return is_finite(rgb(c)) && std::isfinite(c.a) ? c : Rgba(0);
-}
-
 Rgb not_negative(const Rgb& c) {
   return Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
 }
@@ -94,20 +90,7 @@ void SubPixelMeans::add(const FilmSample& s) {
   m2 += before * brightness(c - beauty[i]);
 }
 
-void OutputMeans::add(const AovValues* outputs) {
-  static const AovValues kNothing;
-  const AovValues& o = outputs ? *outputs : kNothing;
-  const float share = 1 / static_cast<float>(++samples);
-  const auto mix = [&](Rgb& m, const Rgb& v) { m += (finite_or_black(v) - m) * share; };
-  for (std::size_t i = 0; i < kAovs; ++i) mix(mean.result[i], o.result[i]);
-  for (std::size_t i = 0; i < kLevels; ++i) mix(mean.level[i], o.level[i]);
-  mix(mean.occlusion, o.occlusion);
-  mix(mean.dimming, o.dimming);
-  mean.opacity += (finite_or_zero(o.opacity) - mean.opacity) * share;
-}
-
-Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, bool keeps_outputs,
-           std::size_t light_layers, std::vector<BufferMean> user_buffers)
+Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, FilmRequest request)
     : width_(width),
       height_(height),
       clips_(filter.clips()),
@@ -116,58 +99,77 @@ Film::Film(int width, int height, const FilterSampler& filter, DisplayMap map, b
       positive_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       negative_(filter.has_negative_lobes() ? positive_.size() : 0),
       map_(std::move(map)),
-      outputs_(keeps_outputs ? positive_.size() : 0),
-      negative_outputs_(keeps_outputs ? negative_.size() : 0),
-      light_layers_(light_layers),
-      lights_(light_layers * positive_.size(), Rgb(0)),
-      negative_lights_(light_layers * negative_.size(), Rgb(0)),
-      user_buffers_(std::move(user_buffers)),
-      buffers_(user_buffers_.size() * positive_.size(), Rgba(0)),
-      negative_buffers_(user_buffers_.size() * negative_.size(), Rgba(0)),
+      request_(std::move(request)),
       positive_parts_(map_ ? positive_.size() : 0),
-      negative_parts_(map_ ? negative_.size() : 0) {}
+      negative_parts_(map_ ? negative_.size() : 0) {
+  add_planes();
+}
+
+void Film::add_planes() {
+  using Record = PathRecord;
+  const auto add = [&](const FilmPlane::Spec& spec) {
+    planes_.emplace_back(spec, positive_.size(), negative_.size());
+    return planes_.size() - 1;
+  };
+  const auto add_aov = [&](auto source, std::size_t values, float initial = 0, int channels = 3) {
+    add({.channels = channels,
+         .values = values,
+         .initial = initial,
+         .of_beauty = true,
+         .source = source});
+  };
+  if (request_.aovs) {
+    add_aov([](const Record& r, std::size_t) -> const float* { return &r.aovs->result[0].x; },
+            kAovs);
+    add_aov([](const Record& r, std::size_t) -> const float* { return &r.aovs->level[0].x; },
+            kLevels);
+    add_aov([](const Record& r, std::size_t) -> const float* { return &r.aovs->occlusion.x; }, 1,
+            1);
+    add_aov([](const Record& r, std::size_t) -> const float* { return &r.aovs->dimming.x; }, 1, 1);
+    add_aov([](const Record& r, std::size_t) -> const float* { return &r.aovs->opacity; }, 1, 1, 1);
+  }
+  if (request_.light_layers > 0)
+    light_plane_ = add({.values = request_.light_layers,
+                        .of_beauty = true,
+                        .source = [](const Record& r, std::size_t) -> const float* {
+                          return r.has_layers() ? &r.by_light.of[0].x : nullptr;
+                        }});
+  buffer_plane_ = planes_.size();
+  for (std::size_t i = 0; i < request_.user_buffers.size(); ++i)
+    add({.channels = 4,
+         .rule = request_.user_buffers[i],
+         .source = [](const Record& r, std::size_t k) -> const float* {
+           return k < r.user_buffers.size() ? &r.user_buffers[k].r : nullptr;
+         },
+         .index = i});
+  if (request_.motion)
+    motion_plane_ =
+        add({.rule = PlaneRule::FirstSample,
+             .source = [](const Record& r, std::size_t) -> const float* { return &r.motion.x; }});
+}
 
 void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   const bool negative = sample.negative && !negative_.empty();
   (negative ? negative_ : positive_)[i].add(sample);
-  if (keeps_outputs())
-    (negative ? negative_outputs_ : outputs_)[i].add(is_finite(sample.beauty) ? sample.outputs
-                                                                              : nullptr);
   if (map_) (negative ? negative_parts_ : positive_parts_)[i].add(sample);
-  if (!user_buffers_.empty()) add_buffers(i, negative, sample.buffers);
-  if (light_layers_ == 0) return;
-  Rgb* means = &(negative ? negative_lights_ : lights_)[i * light_layers_];
-  const float share = 1 / static_cast<float>((negative ? negative_ : positive_)[i].samples);
-  const bool known = sample.by_light && is_finite(sample.beauty);
-  for (std::size_t k = 0; k < light_layers_; ++k)
-    means[k] += ((known ? finite_or_black(sample.by_light[k]) : Rgb(0)) - means[k]) * share;
-}
-
-void Film::add_buffers(std::size_t i, bool negative, const Rgba* values) {
-  const std::size_t count = user_buffers_.size();
-  Rgba* means = &(negative ? negative_buffers_ : buffers_)[i * count];
-  const float share = 1 / static_cast<float>((negative ? negative_ : positive_)[i].samples);
+  if (planes_.empty()) return;
+  static const PathRecord kEmpty(RecordRequest{.aovs = true});
+  const PathRecord& record = sample.record ? *sample.record : kEmpty;
+  const bool finite = is_finite(sample.beauty);
+  const std::uint32_t samples_of_kind = (negative ? negative_ : positive_)[i].samples;
   const bool first = samples(i) == 1;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Rgba value = values ? finite_or_nothing(values[k]) : Rgba(0);
-    if (user_buffers_[k] == BufferMean::Mean)
-      means[k] += (value - means[k]) * share;
-    else if (first)
-      buffers_[i * count + k] = value;
-  }
+  for (FilmPlane& plane : planes_)
+    plane.add(i, negative, samples_of_kind, first,
+              plane.spec().of_beauty && !finite ? kEmpty : record);
 }
 
 void Film::clear() {
   const auto reset = [](auto& means) {
     std::fill(means.begin(), means.end(), typename std::decay_t<decltype(means)>::value_type{});
   };
-  reset(positive_), reset(negative_), reset(outputs_), reset(negative_outputs_);
-  reset(positive_parts_), reset(negative_parts_);
-  std::fill(lights_.begin(), lights_.end(), Rgb(0));
-  std::fill(negative_lights_.begin(), negative_lights_.end(), Rgb(0));
-  std::fill(buffers_.begin(), buffers_.end(), Rgba(0));
-  std::fill(negative_buffers_.begin(), negative_buffers_.end(), Rgba(0));
+  reset(positive_), reset(negative_), reset(positive_parts_), reset(negative_parts_);
+  for (FilmPlane& plane : planes_) plane.clear();
 }
 
 double Film::mean_samples() const {
@@ -228,59 +230,54 @@ Film::Pixel Film::pixel(int x, int y) const {
   return out;
 }
 
+/// Parts of what the filter clips to nothing are nothing.
+void Film::clip(std::size_t pixel, Rgb& part) const {
+  if (!clips_) return;
+  const Rgb whole = color(pixel);
+  for (int k = 0; k < 3; ++k)
+    if (whole[k] <= 0) part[k] = 0;
+}
+
 AovValues Film::outputs(int x, int y) const {
-  const std::size_t i = index(x, y);
-  if (!keeps_outputs()) return {};
-  const Shares s = shares(i);
-  const AovValues& p = outputs_[i].mean;
-  if (negative_outputs_.empty()) return p;
-  const AovValues& m = negative_outputs_[i].mean;
   AovValues out;
-  for (std::size_t c = 0; c < kAovs; ++c)
-    out.result[c] = p.result[c] * s.positive + m.result[c] * s.negative;
-  for (std::size_t c = 0; c < kLevels; ++c)
-    out.level[c] = p.level[c] * s.positive + m.level[c] * s.negative;
-  out.occlusion = p.occlusion * s.positive + m.occlusion * s.negative;
-  out.dimming = p.dimming * s.positive + m.dimming * s.negative;
-  out.opacity = p.opacity * s.positive + m.opacity * s.negative;
-  if (clips_) {
-    // Parts of what the filter clips to nothing are nothing.
-    const Rgb whole = color(i);
-    for (Rgb& part : out.result)
-      for (int k = 0; k < 3; ++k)
-        if (whole[k] <= 0) part[k] = 0;
+  if (!keeps_outputs()) return out;
+  const std::size_t i = index(x, y);
+  const Shares s = shares(i);
+  for (std::size_t c = 0; c < kAovs; ++c) {
+    planes_[0].read(i, c, s, &out.result[c].x);
+    clip(i, out.result[c]);
   }
+  for (std::size_t c = 0; c < kLevels; ++c) planes_[1].read(i, c, s, &out.level[c].x);
+  planes_[2].read(i, 0, s, &out.occlusion.x);
+  planes_[3].read(i, 0, s, &out.dimming.x);
+  planes_[4].read(i, 0, s, &out.opacity);
   return out;
 }
 
 Rgb Film::light(int x, int y, std::size_t layer) const {
-  const std::size_t i = index(x, y), at = i * light_layers_ + layer;
-  const Shares s = shares(i);
-  Rgb out = weigh(s.positive, lights_[at], s.negative,
-                  negative_lights_.empty() ? nullptr : &negative_lights_[at]);
-  if (clips_) {
-    const Rgb whole = color(i);
-    for (int k = 0; k < 3; ++k)
-      if (whole[k] <= 0) out[k] = 0;
-  }
+  const std::size_t i = index(x, y);
+  Rgb out;
+  planes_[light_plane_].read(i, layer, shares(i), &out.x);
+  clip(i, out);
   return out;
 }
 
 Rgba Film::user_buffer(int x, int y, std::size_t buffer) const {
-  const std::size_t i = index(x, y), at = i * user_buffers_.size() + buffer;
-  if (user_buffers_[buffer] == BufferMean::FirstSample) return buffers_[at];
-  const Shares s = shares(i);
-  return weigh(s.positive, buffers_[at], s.negative,
-               negative_buffers_.empty() ? nullptr : &negative_buffers_[at]);
+  const std::size_t i = index(x, y);
+  Rgba out;
+  planes_[buffer_plane_ + buffer].read(i, 0, shares(i), &out.r);
+  return out;
+}
+
+Vec3 Film::motion(int x, int y) const {
+  const std::size_t i = index(x, y);
+  Vec3 out;
+  planes_[motion_plane_].read(i, 0, shares(i), &out.x);
+  return out;
 }
 
 bool Film::is_written(std::size_t buffer) const {
-  const auto holds = [&](const std::vector<Rgba>& values) {
-    for (std::size_t at = buffer; at < values.size(); at += user_buffers_.size())
-      if (values[at] != Rgba(0)) return true;
-    return false;
-  };
-  return holds(buffers_) || holds(negative_buffers_);
+  return planes_[buffer_plane_ + buffer].is_written();
 }
 
 Film::Part Film::part(std::size_t i, std::size_t cell) const {

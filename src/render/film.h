@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "render/film_plane.h"
 #include "render/filter.h"
-#include "transport/path/aov.h"
 
 namespace oriel {
 
@@ -44,9 +44,7 @@ struct FilmSample {
   float irradiance = 0;                ///< of what was hit, by luminance; pixel units times pi
   std::uint8_t sub_pixel = 0;          ///< see sub_pixel_of()
   bool negative = false;               ///< fell where the pixel filter is negative
-  const AovValues* outputs = nullptr;  ///< parts of the beauty, where the film keeps them
-  const Rgb* by_light = nullptr;  ///< the beauty by layers of lights, where the film keeps them
-  const Rgba* buffers = nullptr;  ///< of users' frame buffers, where the film keeps them
+  const PathRecord* record = nullptr;  ///< values of the planes; null = an empty record
 };
 
 /// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
@@ -78,15 +76,12 @@ struct SubPixelMeans {
   void add(const FilmSample& sample);
 };
 
-/// Means of the parts of the beauty.
-struct OutputMeans {
-  std::uint32_t samples = 0;
-  AovValues mean;
-  void add(const AovValues* outputs);
+/// Optional values of a film.
+struct FilmRequest {
+  bool aovs = false, motion = false;
+  std::size_t light_layers = 0;
+  std::vector<PlaneRule> user_buffers = {};  ///< one for each buffer that shaders write
 };
-
-/// How the film keeps one frame buffer that users' shaders write.
-enum class BufferMean : std::uint8_t { Mean, FirstSample };
 
 /// Maps a linear colour of pixel (x, y) for display, as lens shaders do.
 using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
@@ -106,17 +101,15 @@ using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 class Film {
  public:
   /// Inputs:  filter: its shares weigh the samples; map: empty = colours are shown as they are.
-  /// keeps_outputs: the parts of the beauty are kept as well. light_layers: so many layers of
-  /// lights are. user_buffers: one for each buffer that shaders write.
   Film(int width, int height, const FilterSampler& filter, DisplayMap map = {},
-       bool keeps_outputs = false, std::size_t light_layers = 0,
-       std::vector<BufferMean> user_buffers = {});
+       FilmRequest request = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
-  bool keeps_outputs() const { return !outputs_.empty(); }
-  std::size_t light_layers() const { return light_layers_; }
-  std::size_t user_buffers() const { return user_buffers_.size(); }
+  bool keeps_outputs() const { return request_.aovs; }
+  bool keeps_motion() const { return request_.motion; }
+  std::size_t light_layers() const { return request_.light_layers; }
+  std::size_t user_buffers() const { return request_.user_buffers.size(); }
   bool mapped() const { return static_cast<bool>(map_); }
   std::size_t pixel_count() const { return positive_.size(); }
 
@@ -149,6 +142,8 @@ class Film {
   /// A user's buffer: filtered as the beauty is, though never clipped; or what the first sample
   /// left there.
   Rgba user_buffer(int x, int y, std::size_t buffer) const;
+  /// X, Y in pixels and the distance gained, of the first sample's first surface.
+  Vec3 motion(int x, int y) const;
   /// Whether any pixel of it holds anything but 0.
   bool is_written(std::size_t buffer) const;
 
@@ -159,10 +154,7 @@ class Film {
   /// more than noise does, as at edges, they do so around the new colour.
   Rgb shown(int x, int y, const Rgb& color) const;
 
-  /// Weights of both kinds of samples in the pixel; they sum to 1.
-  struct Shares {
-    float positive, negative;
-  };
+  using Shares = FilterShares;
   Shares shares_of(int x, int y) const { return shares(index(x, y)); }
 
   /// Whether every pixel has two halves of samples, of four at least.
@@ -179,7 +171,8 @@ class Film {
   const std::vector<PixelMeans>& positive() const { return positive_; }
 
  private:
-  void add_buffers(std::size_t pixel, bool negative, const Rgba* values);
+  void add_planes();
+  void clip(std::size_t pixel, Rgb& part) const;
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
            static_cast<std::size_t>(x);
@@ -213,11 +206,9 @@ class Film {
   std::vector<PixelMeans> positive_;
   std::vector<PixelMeans> negative_;  ///< empty unless the filter has negative lobes
   DisplayMap map_;
-  std::vector<OutputMeans> outputs_, negative_outputs_;  ///< empty unless kept
-  std::size_t light_layers_;
-  std::vector<Rgb> lights_, negative_lights_;  ///< means, one after the other
-  std::vector<BufferMean> user_buffers_;
-  std::vector<Rgba> buffers_, negative_buffers_;                ///< as lights_
+  FilmRequest request_;
+  std::vector<FilmPlane> planes_;  ///< in the order of add_planes()
+  std::size_t light_plane_ = 0, buffer_plane_ = 0, motion_plane_ = 0;
   std::vector<SubPixelMeans> positive_parts_, negative_parts_;  ///< empty without a map
 };
 

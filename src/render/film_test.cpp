@@ -276,7 +276,8 @@ TEST(Film, ConstantIsKeptByFiltersWithNegativeLobes) {
 
 /// A sample whose light came through those parts.
 struct PartedSample {
-  AovValues parts;
+  PathRecord record{RecordRequest{.aovs = true}};
+  AovValues& parts = *record.aovs;
   FilmSample sample;
 
   PartedSample(float diffuse, float reflection, bool negative) {
@@ -288,7 +289,7 @@ struct PartedSample {
     parts.opacity = .5f;
     sample.beauty = parts[Aov::Diffuse] + parts[Aov::Reflection];
     sample.negative = negative;
-    sample.outputs = &parts;
+    sample.record = &record;
   }
 };
 
@@ -298,40 +299,43 @@ Rgb sum_of_results(const AovValues& o) {
   return sum;
 }
 
-TEST(OutputMeans, AreMeansOfAllSamples) {
-  OutputMeans means;
+TEST(Film, AovsAreMeansOfAllSamples) {
+  Film film(1, 1, box(), {}, {.aovs = true});
   PartedSample a(1, 4, false), b(3, 0, false);
   b.parts.level_of(Aov::Diffuse) = Rgb(.1f);
-  means.add(&a.parts);
-  means.add(&b.parts);
-  means.add(nullptr);
-  means.add(nullptr);
-  EXPECT_EQ(means.samples, 4u);
-  EXPECT_FLOAT_EQ(means.mean[Aov::Diffuse].x, 1);
-  EXPECT_FLOAT_EQ(means.mean[Aov::Diffuse].y, .5f);
-  EXPECT_FLOAT_EQ(means.mean[Aov::Reflection].x, 1);
-  EXPECT_FLOAT_EQ(means.mean.level_of(Aov::Diffuse).x, .15f);
+  film.add(0, 0, a.sample);
+  film.add(0, 0, b.sample);
+  film.add(0, 0, {});
+  film.add(0, 0, {});
+  AovValues mean = film.outputs(0, 0);
+  EXPECT_FLOAT_EQ(mean[Aov::Diffuse].x, 1);
+  EXPECT_FLOAT_EQ(mean[Aov::Diffuse].y, .5f);
+  EXPECT_FLOAT_EQ(mean[Aov::Reflection].x, 1);
+  EXPECT_FLOAT_EQ(mean.level_of(Aov::Diffuse).x, .15f);
   // Samples without parts: nothing is occluded or cut out there.
-  EXPECT_FLOAT_EQ(means.mean.occlusion.x, .875f);
-  EXPECT_FLOAT_EQ(means.mean.opacity, .75f);
+  EXPECT_FLOAT_EQ(mean.occlusion.x, .875f);
+  EXPECT_FLOAT_EQ(mean.opacity, .75f);
 }
 
-TEST(OutputMeans, WhatIsNoNumberIsBlack) {
-  OutputMeans means;
-  AovValues bad;
+TEST(Film, AovsThatAreNoNumbersAreBlack) {
+  Film film(1, 1, box(), {}, {.aovs = true});
+  PartedSample sample(1, 1, false);
+  AovValues& bad = sample.parts;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   bad[Aov::Specular] = Rgb(1, nan, 1);
   bad.level_of(Aov::Specular) = Rgb(std::numeric_limits<float>::infinity());
   bad.opacity = nan;
-  means.add(&bad);
-  EXPECT_EQ(means.mean[Aov::Specular], Rgb(0));
-  EXPECT_EQ(means.mean.level_of(Aov::Specular), Rgb(0));
-  EXPECT_EQ(means.mean.opacity, 0);
+  film.add(0, 0, sample.sample);
+  AovValues mean = film.outputs(0, 0);
+  EXPECT_EQ(mean[Aov::Specular], Rgb(0));
+  EXPECT_EQ(mean[Aov::Reflection], Rgb(1)) << "the others are stored";
+  EXPECT_EQ(mean.level_of(Aov::Specular), Rgb(0));
+  EXPECT_EQ(mean.opacity, 0);
 }
 
 TEST(Film, KeepsOutputsOnlyWhereAsked) {
   EXPECT_FALSE(Film(1, 1, box()).keeps_outputs());
-  Film film(2, 1, box(), {}, true);
+  Film film(2, 1, box(), {}, {.aovs = true});
   EXPECT_TRUE(film.keeps_outputs());
   PartedSample s(1, 2, false);
   film.add(1, 0, s.sample);
@@ -341,7 +345,7 @@ TEST(Film, KeepsOutputsOnlyWhereAsked) {
 }
 
 TEST(Film, SamplesThatAreNoNumbersBringNoOutputs) {
-  Film film(1, 1, box(), {}, true);
+  Film film(1, 1, box(), {}, {.aovs = true});
   PartedSample s(1, 2, false);
   s.sample.beauty.x = std::numeric_limits<float>::quiet_NaN();
   film.add(0, 0, s.sample);
@@ -352,7 +356,7 @@ TEST(Film, SamplesThatAreNoNumbersBringNoOutputs) {
 // acceptance: U3
 TEST(Film, OutputsAreFilteredAsThePictureIs) {
   const FilterSampler filter = mitchell(false);
-  Film film(1, 1, filter, {}, true);
+  Film film(1, 1, filter, {}, {.aovs = true});
   PartedSample positive(1, 4, false), negative(3, 2, true);
   film.add(0, 0, positive.sample);
   film.add(0, 0, negative.sample);
@@ -370,7 +374,7 @@ TEST(Film, OutputsAreFilteredAsThePictureIs) {
 
 // acceptance: U3
 TEST(Film, ClippedPicturesAreTheSumOfTheirOutputsToo) {
-  Film film(1, 1, mitchell(true), {}, true);
+  Film film(1, 1, mitchell(true), {}, {.aovs = true});
   PartedSample positive(0, 1, false), negative(100, 1, true);
   film.add(0, 0, positive.sample);
   film.add(0, 0, negative.sample);
@@ -384,7 +388,7 @@ TEST(Film, ClippedPicturesAreTheSumOfTheirOutputsToo) {
 
 TEST(Film, OneKindOfSamplesStandsForBoth) {
   for (const bool negative : {false, true}) {
-    Film film(1, 1, mitchell(false), {}, true);
+    Film film(1, 1, mitchell(false), {}, {.aovs = true});
     PartedSample s(1, 2, negative);
     film.add(0, 0, s.sample);
     EXPECT_FLOAT_EQ(film.outputs(0, 0)[Aov::Reflection].x, 2) << negative;
@@ -394,15 +398,16 @@ TEST(Film, OneKindOfSamplesStandsForBoth) {
 
 TEST(Film, UsersBuffersAreMeansOrWhatTheFirstSampleLeft) {
   for (const bool negative : {false, true}) {
-    Film film(1, 1, mitchell(false), {}, false, 0,
-              {BufferMean::Mean, BufferMean::FirstSample, BufferMean::Mean});
+    Film film(1, 1, mitchell(false), {},
+              {.user_buffers = {PlaneRule::Mean, PlaneRule::FirstSample, PlaneRule::Mean}});
     EXPECT_EQ(film.user_buffers(), 3u);
     // The first sample may be one of either kind.
     for (const float value : {1.0f, 2.0f, 6.0f}) {
-      const Rgba values[] = {Rgba(value, 2 * value, 0, 1), Rgba(value), Rgba(0)};
+      Rgba values[] = {Rgba(value, 2 * value, 0, 1), Rgba(value), Rgba(0)};
+      const PathRecord record(RecordRequest{}, values);
       FilmSample s = sample_of(1);
       s.negative = negative;
-      s.buffers = values;
+      s.record = &record;
       film.add(0, 0, s);
     }
     EXPECT_EQ(film.user_buffer(0, 0, 0), Rgba(3, 6, 0, 1));

@@ -37,12 +37,13 @@ DisplayMap display_map(const World& world, const Window& window) {
   };
 }
 
-std::vector<BufferMean> buffer_means(const World& world, bool motion) {
-  std::vector<BufferMean> means;
+FilmRequest film_request(const World& world, const SessionSettings& settings) {
+  FilmRequest request{.aovs = settings.outputs, .motion = settings.motion};
+  if (settings.lights && world.light_layers.asked())
+    request.light_layers = world.light_layers.count();
   for (const UserBuffer& buffer : world.user_buffers)
-    means.push_back(buffer.interpolate ? BufferMean::Mean : BufferMean::FirstSample);
-  if (motion) means.push_back(BufferMean::FirstSample);
-  return means;
+    request.user_buffers.push_back(buffer.interpolate ? PlaneRule::Mean : PlaneRule::FirstSample);
+  return request;
 }
 
 }  // namespace
@@ -51,7 +52,6 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
     : world_(world),
       seed_(settings.seed),
       irradiance_(settings.irradiance),
-      motion_(settings.motion),
       unit_luminance_(settings.unit_luminance),
       window_(window_of(world, settings.crop)),
       maps_window_(settings.maps_for ? window_of(world, settings.maps_for) : window_),
@@ -59,9 +59,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       filter_(world.options.filter),
       budget_(render_budget(world.options, settings.budget)),
       film_(window_.width(), window_.height(), filter_, display_map(world, window_),
-            settings.outputs,
-            settings.lights && world.light_layers.asked() ? world.light_layers.count() : 0,
-            buffer_means(world, motion_)),
+            film_request(world, settings)),
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
@@ -78,42 +76,39 @@ void RenderSession::clear_film() {
 PathSettings RenderSession::path_settings() const {
   PathSettings settings = passes_.path_settings();
   settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
-  settings.irradiance = irradiance_;
-  settings.observer = observer_;
   // The grid's points were found through the camera's middle: a lens sees others at a pixel.
   settings.grid = has_grid() ? &*grid_ : nullptr;
   return settings;
 }
 
 FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSettings& settings,
-                                 RayCounts& counts) const {
+                                 PathRecord& record, RayCounts& counts) const {
   const int column = window_.x0 + x, row = window_.y1 - 1 - y;
   sampling::Sampler sampler(column, row, index, seed_);
   const FilterSampler::Offset offset = filter_.sample(sampler.next_2d());
   const Vec2 raster(static_cast<float>(column) + 0.5f + offset.pixels.x,
                     static_cast<float>(row) + 0.5f + offset.pixels.y);
 
-  const std::span<Rgba> buffers(settings.buffers, settings.buffers ? film_.user_buffers() : 0);
   using Moment = EyeSample::Moment;
-  PathResult path;
-  const auto call = [&](Moment at) { call_state_shaders(world_, raster, at, path, buffers); };
-  call(Moment::StateInit);
-  call(Moment::SampleInit);
-  if (settings.observer) settings.observer->begin_sample(offset.negative);
-  path = trace_eye_rays(world_, raster, settings, sampler, counts);
-  if (settings.observer) settings.observer->end_sample(path.radiance);
-  call(Moment::SampleExit);
-  call(Moment::StateExit);
+  const auto call = [&](Moment at, PathResult& result) {
+    call_state_shaders(world_, raster, at, result, record.user_buffers);
+  };
+  PathResult before;
+  call(Moment::StateInit, before);
+  call(Moment::SampleInit, before);
+  if (observer_) observer_->begin_sample(offset.negative);
+  trace_eye_rays(world_, raster, settings, record, sampler, counts);
+  if (observer_) observer_->end_sample(record.radiance);
+  call(Moment::SampleExit, record);
+  call(Moment::StateExit, record);
   FilmSample s;
-  s.beauty = path.radiance;
-  s.alpha = path.alpha;
-  s.depth = path.depth;
-  s.normal = path.normal;
-  s.albedo = path.albedo;
-  s.irradiance = luminance(path.irradiance);
-  s.outputs = settings.outputs;
-  s.by_light = settings.by_light;
-  s.buffers = settings.buffers;
+  s.beauty = record.radiance;
+  s.alpha = record.alpha;
+  s.depth = record.depth;
+  s.normal = record.normal;
+  s.albedo = record.albedo;
+  s.irradiance = luminance(record.irradiance);
+  s.record = &record;
   s.negative = offset.negative;
   const Vec2 reach = filter_.half_width() * 2.0f;
   s.sub_pixel = sub_pixel_of(offset.pixels / reach + Vec2(0.5f));
@@ -122,34 +117,26 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
 
 StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                                const std::atomic<bool>* cancel) {
+  const PathSettings paths = path_settings();
+  const RecordRequest request{.aovs = film_.keeps_outputs(),
+                              .motion = film_.keeps_motion(),
+                              .irradiance = irradiance_,
+                              .first_surfaces = mattes_.has_value(),
+                              .light_layers = film_.light_layers()};
   struct PerThread {
-    PathSettings paths;
-    RayCounts counts = {};
-    AovValues outputs = {};  // of the sample under way, until the film has it
-    LightParts by_light;
-    std::vector<Rgba> buffers = {};
-    std::vector<FirstSurface> firsts = {};
+    PerThread(const RecordRequest& request, std::size_t user_buffers, PathObserver* observer)
+        : buffers(user_buffers, Rgba(0)), record(request, buffers, observer) {}
+    RayCounts counts;
+    std::vector<Rgba> buffers;
+    PathRecord record;  // of the sample under way, until the film has it
   };
-  tbb::enumerable_thread_specific<PerThread> threads(PerThread{path_settings()});
+  tbb::enumerable_thread_specific<PerThread> threads(request, film_.user_buffers(), observer_);
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
     PerThread& mine = threads.local();
-    if (film_.keeps_outputs()) {
-      mine.outputs = {};
-      mine.paths.outputs = &mine.outputs;
-    }
-    if (film_.light_layers() > 0) {
-      mine.by_light.clear(film_.light_layers());
-      mine.paths.by_light = mine.by_light.data();
-    }
-    if (film_.user_buffers() > 0) {
-      mine.buffers.assign(film_.user_buffers(), Rgba(0));
-      mine.paths.buffers = mine.buffers.data();
-      if (motion_) mine.paths.motion = &mine.buffers.back();
-    }
-    mine.firsts.clear();
-    if (mattes_) mine.paths.firsts = &mine.firsts;
-    s = sample(x, y, index, mine.paths, mine.counts);
-    if (mattes_) mattes_->add(x, y, mine.firsts, s.negative);
+    mine.record.reset();
+    std::fill(mine.buffers.begin(), mine.buffers.end(), Rgba(0));
+    s = sample(x, y, index, paths, mine.record, mine.counts);
+    if (mattes_) mattes_->add(x, y, mine.record.first_surfaces, s.negative);
   };
   const StopReason reason = passes.run(draw_one, callbacks, cancel);
   for (const PerThread& thread : threads) rays_ += thread.counts;

@@ -66,10 +66,6 @@ class RenderSession {
   const RayCounts& rays() const { return rays_; }
   bool keeps_irradiance() const { return irradiance_; }
   float unit_luminance() const { return unit_luminance_; }
-  /// Where the film's buffers hold motion, behind those of users.
-  std::optional<std::size_t> motion_slot() const {
-    return motion_ ? std::optional(world_.user_buffers.size()) : std::nullopt;
-  }
   /// Whether some light of the picture may not know its layer: it comes from maps in files, from
   /// grids of interpolated reflections or from shaders that bring finished colours.
   bool has_unknown_light() const {
@@ -80,7 +76,7 @@ class RenderSession {
   bool has_grid() const { return grid_ && !grid_->empty() && world_.lens_rays.empty(); }
   PathSettings path_settings() const;
   FilmSample sample(int x, int y, std::uint32_t index, const PathSettings& settings,
-                    RayCounts& counts) const;
+                    PathRecord& record, RayCounts& counts) const;
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
   StopReason show_preview();
   void clear_film();
@@ -89,7 +85,7 @@ class RenderSession {
 
   const World& world_;
   std::uint32_t seed_;
-  bool irradiance_, motion_;
+  bool irradiance_;
   float unit_luminance_;
   Window window_, maps_window_;
   PathObserver* observer_;

@@ -48,6 +48,16 @@ struct MediumOnWay {
       known = true;
     }
   }
+  /// Straight through a surface.
+  /// Inputs:  by: whose medium follows: the surface, or what stands for it in the slot `shadow`.
+  ///          fades: straight_rays_fade().
+  void pass_straight(const Closure& by, const Closure& surface, const ShadingPoint& point,
+                     const Vec3& direction, bool fades) {
+    if (fades && !by.thin_walled)
+      leave(by, point, direction);
+    else if (!surface.thin_walled)
+      ignore();
+  }
   /// The ray goes on as if there were none.
   void ignore() {
     medium = {};

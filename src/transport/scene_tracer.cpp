@@ -2,7 +2,7 @@
 #include "transport/scene_tracer.h"
 
 #include "lights/sample_light.h"
-#include "transport/path/path_walk.h"
+#include "transport/path/path_for_shaders.h"
 #include "transport/path/resolve_outputs.h"
 #include "transport/shadow.h"
 #include "transport/surface.h"
@@ -32,35 +32,38 @@ sampling::Sampler SceneTracer::next_stream() {
   return stream;
 }
 
-Tracer::Depth SceneTracer::depth() const { return path_ ? path_->depth() : Depth{}; }
+Tracer::Depth SceneTracer::depth() const {
+  return path_ ? PathForShaders(*path_).depth() : Depth{};
+}
 
 Tracer::Seen SceneTracer::trace(const ShadingPoint& from, const SubRay& ray) {
-  return path_ ? path_->trace_for_shader(from, ray, next_stream()) : Seen{};
+  return path_ ? PathForShaders(*path_).trace(from, ray, next_stream()) : Seen{};
 }
 
 Rgb SceneTracer::irradiance(const ShadingPoint& point, const Vec3& normal) {
-  return path_ ? path_->irradiance_for_shader(point, normal, next_stream()) : Rgb(0);
+  return path_ ? PathForShaders(*path_).irradiance(point, normal, next_stream()) : Rgb(0);
 }
 
 Rgba SceneTracer::shade(const NodeList& surface, ShadingPoint& point, MaterialOutputs* outputs) {
   if (!path_) return Rgba(0);
   AovValues parts;
   const Rgba colour =
-      path_->shade_for_shader(surface, point, outputs ? &parts : nullptr, next_stream());
+      PathForShaders(*path_).shade(surface, point, outputs ? &parts : nullptr, next_stream());
   if (outputs) *outputs = resolve_outputs(parts, rgb(colour));
   return colour;
 }
 
 bool SceneTracer::write_buffer(std::size_t slot, const Rgba& value) {
-  Rgba* buffers = path_ ? path_->user_buffers() : nullptr;
-  if (!buffers || slot >= world_.user_buffers.size()) return false;
+  const std::span<Rgba> buffers = path_ ? PathForShaders(*path_).user_buffers() : std::span<Rgba>();
+  if (slot >= buffers.size()) return false;
   buffers[slot] = value;
   return true;
 }
 
 std::optional<Rgba> SceneTracer::read_buffer(std::size_t slot) const {
-  const Rgba* buffers = path_ ? path_->user_buffers() : nullptr;
-  if (!buffers || slot >= world_.user_buffers.size()) return std::nullopt;
+  const std::span<const Rgba> buffers =
+      path_ ? PathForShaders(*path_).user_buffers() : std::span<Rgba>();
+  if (slot >= buffers.size()) return std::nullopt;
   return buffers[slot];
 }
 
@@ -95,7 +98,7 @@ std::optional<Tracer::Met> SceneTracer::probe(const Vec3& origin, const Vec3& di
   ray.dir = direction;
   ray.tfar = reach;
   ray.mask = geom::RayMask::Probe;
-  ray.time = path_ ? path_->time() : world_.shutter.middle();
+  ray.time = path_ ? PathForShaders(*path_).time() : world_.shutter.middle();
   return follow(ray, reach);
 }
 

@@ -60,6 +60,11 @@ Transmittance straight_transmission(const Closure& closure, const scene::RenderO
 Rgb straight_through(const Material& material, ShadingPoint& point,
                      const scene::RenderOptions& options, Closure& by);
 
+/// Whether rays that pass glass straight are dimmed by its medium, as shadow rays are.
+inline bool straight_rays_fade(const scene::RenderOptions& options) {
+  return options.shadow == scene::ShadowMode::Segments;
+}
+
 /// Share left after `distance` in a medium.
 Rgb transmittance(const Medium& medium, float distance);
 

@@ -5,10 +5,10 @@
 
 namespace oriel {
 
-Rgba raster_motion(const ShadingPoint& point) {
+Vec3 raster_motion(const ShadingPoint& point) {
   const World& world = *point.world;
   const scene::Shutter& shutter = world.shutter;
-  if (!shutter.on) return Rgba(0);
+  if (!shutter.on) return Vec3(0);
   const bool closed = !(shutter.close > shutter.open);
   const float interval = 1 / static_cast<float>(shutter.last - shutter.first);
   const float from = closed ? static_cast<float>(-shutter.first) * interval : shutter.open;
@@ -17,7 +17,7 @@ Rgba raster_motion(const ShadingPoint& point) {
     return world.camera.project(point.position + point.speed * (time - point.time), time);
   };
   const Vec3 way = seen(to) - seen(from);
-  return is_finite(way) ? Rgba(way.x, way.y, way.z, 0) : Rgba(0);
+  return is_finite(way) ? way : Vec3(0);
 }
 
 const NodeList* volume_around(const World& world, geom::Ray ray) {

@@ -23,7 +23,7 @@ MapPlace map_place(const ShadingPoint& point, const Vec3& normal);
 /// Way of a surface on the picture while the shutter is open, in one motion interval for one that
 /// is closed: as it goes now, seen by the camera as that goes. Pixels to the right and up, and
 /// distance along the camera's axis; alpha 0. Null where nothing moves.
-Rgba raster_motion(const ShadingPoint& point);
+Vec3 raster_motion(const ShadingPoint& point);
 
 /// A ray leaving a point in a direction, clear of the surface it leaves.
 inline geom::Ray leave(const ShadingPoint& point, const Vec3& direction, float tfar,

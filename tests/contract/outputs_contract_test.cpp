@@ -226,14 +226,13 @@ TEST(RandomArchitecturalMaterial, OutputsOfEveryPathAreItsRadiance) {
     for (std::uint32_t path = 0; path < 6; ++path) {
       sampling::Sampler sampler(n, 5, path);
       const Vec2 raster(8 * unit(engine), 8 * unit(engine));
-      AovValues parts;
+      PathRecord r(RecordRequest{.aovs = true});
       RayCounts counts;
-      const PathSettings settings{.paths_of_pixel = 16, .outputs = &parts};
-      const PathResult r =
-          trace_path(world, world.camera.ray(raster), raster, settings, sampler, counts);
+      const PathSettings settings{.paths_of_pixel = 16};
+      trace_path(world, world.camera.ray(raster), raster, settings, r, sampler, counts);
       ASSERT_TRUE(is_number(r.radiance)) << n;
       ASSERT_TRUE(is_number(r.albedo) && std::isfinite(r.alpha)) << n;
-      const auto all = resolve_outputs(parts, r.radiance);
+      const auto all = resolve_outputs(*r.aovs, r.radiance);
       for (const Rgb& c : all) ASSERT_TRUE(is_number(c)) << n;
       const auto at = [&](const std::string& name) { return all[output_index(name)]; };
       bright += !is_black(r.radiance);

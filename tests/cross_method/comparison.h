@@ -94,7 +94,7 @@ class Comparison {
           *scene_.world,
           {.budget = {.samples = samples}, .seed = std::uint32_t(i + 1), .outputs = true});
       session.run();
-      const auto layers = film_layers(session, kOutputLayers);
+      const auto layers = film_layers(session, LayerSet(LayerGroup::Outputs));
       all.push_back(luminances(layers.front().image));
       wholes.push_back(mean_of(all.back()));
       indirects.push_back(mean_of(luminances(find_layer(layers, "indirect_result")->image)));

@@ -39,7 +39,7 @@ TEST(CameraOutput, ThreeStringsAreTypesFormatAndFile) {
   ASSERT_EQ(o.files.size(), 2u);
   EXPECT_EQ(name_of(o.files[0]), "a.exr");
   EXPECT_EQ(o.files[0].samples, SampleFormat::Half);
-  EXPECT_EQ(o.files[0].layers, unsigned{kLayerDepth});
+  EXPECT_EQ(o.files[0].layers, LayerSet("depth"));
   EXPECT_EQ(o.files[1].format, "png");
   EXPECT_EQ(o.files[1].view, PixelView::Color);
 }
@@ -99,7 +99,8 @@ TEST(CameraOutput, EveryTypeOfDataIsAFileOfItsOwn) {
     EXPECT_EQ(o.files[0].samples, t.samples) << t.type;
     EXPECT_EQ(o.files[0].float_pixels, t.linear) << t.type;
     EXPECT_EQ(o.prepared.messages(), "") << t.type;
-    EXPECT_EQ(needs_mattes(o.files[0]), t.view == PixelView::Tag || t.view == PixelView::Coverage);
+    EXPECT_EQ(needs(o.files[0], LayerNeed::Mattes),
+              t.view == PixelView::Tag || t.view == PixelView::Coverage);
   }
 }
 
@@ -179,7 +180,7 @@ TEST(CameraOutput, FrameBuffersNamedAsAnOutputShowIt) {
   EXPECT_EQ(name_of(o.files[0]), "d.exr");
   EXPECT_EQ(o.files[0].shown_layer, "diffuse_raw");
   EXPECT_EQ(o.files[0].samples, SampleFormat::Half);
-  EXPECT_EQ(o.files[0].layers, 0u);
+  EXPECT_TRUE(o.files[0].layers.empty());
   EXPECT_TRUE(o.files[0].float_pixels);
   EXPECT_EQ(o.files[1].shown_layer, "opacity");
   EXPECT_EQ(o.files[1].samples, SampleFormat::U16);
@@ -231,9 +232,9 @@ TEST(CameraOutput, FrameBuffersOfOneExrFileAreItsLayers) {
       "\"two.exr\"",
       folder.file(""));
   ASSERT_EQ(o.files.size(), 2u);
-  EXPECT_EQ(o.files[0].layers, kLayerDepth | layer_bit("diffuse_raw") | layer_bit("spec_raw"));
+  EXPECT_EQ(o.files[0].layers, LayerSet("depth") | LayerSet("diffuse_raw") | LayerSet("spec_raw"));
   EXPECT_EQ(o.files[0].samples, SampleFormat::Float);
-  EXPECT_EQ(o.files[1].layers, layer_bit("ao_raw") | layer_bit("add_result"));
+  EXPECT_EQ(o.files[1].layers, LayerSet("ao_raw") | LayerSet("add_result"));
   for (const PictureFile& file : o.files) EXPECT_EQ(file.shown_layer, "");
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "image/cryptomatte.h"
+#include "output/layer_table.h"
 #include "output/matte_layers.h"
 #include "prepare/testing/prepared_scene.h"
 
@@ -126,7 +127,8 @@ TEST(Mattes, TransparentThingsCoverByTheirOpacity) {
 
 TEST(Mattes, LabelsAndCoverageAreThoseOfWhatCoversMost) {
   const Rendered r(two_squares(), 256);
-  const Image labels = label_image(*r.session), coverage = coverage_image(*r.session);
+  const Image labels = layer_image(*r.session, *find_layer_spec("tag")),
+              coverage = layer_image(*r.session, *find_layer_spec("coverage"));
   EXPECT_EQ(*labels.at(7, 8), 7);
   EXPECT_EQ(*labels.at(10, 8), 9);
   EXPECT_EQ(*labels.at(12, 0), 0);

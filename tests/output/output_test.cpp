@@ -41,16 +41,17 @@ constexpr const char* kExposure =
 TEST(Output, LayersHaveTheirDocumentedNames) {
   const Rendered plain;
   std::vector<std::string> names;
-  for (const Layer& layer : film_layers(*plain.session, kFilmLayers)) names.push_back(layer.name);
+  for (const Layer& layer : film_layers(*plain.session, LayerSet(LayerGroup::Film)))
+    names.push_back(layer.name);
   EXPECT_EQ(names, (std::vector<std::string>{"", "Z", "normal", "albedo", "variance", "samples"}));
   const Rendered mapped(kExposure);
-  EXPECT_EQ(film_layers(*mapped.session, kFilmLayers).back().name, "display");
-  EXPECT_EQ(film_layers(*plain.session, 0).size(), 1u);
+  EXPECT_EQ(film_layers(*mapped.session, LayerSet(LayerGroup::Film)).back().name, "display");
+  EXPECT_EQ(film_layers(*plain.session, {}).size(), 1u);
 }
 
 TEST(Output, LayersHoldWhatTheCameraSees) {
   const Rendered r;
-  const auto layers = film_layers(*r.session, kFilmLayers);
+  const auto layers = film_layers(*r.session, LayerSet(LayerGroup::Film));
   const auto at = [&](const char* name) { return find_layer(layers, name)->image.at(8, 6); };
   EXPECT_NEAR(*at("Z"), 5, 0.05);  // near the axis, the square is at distance 5
   EXPECT_NEAR(at("normal")[2], 1, 1e-5);
@@ -61,8 +62,8 @@ TEST(Output, LayersHoldWhatTheCameraSees) {
 TEST(Output, CropShowsTheSamePixelsAndNothingElse) {
   const Rendered whole;
   const Rendered crop({}, {}, Window{3, 2, 9, 7});
-  const Image a = film_layers(*whole.session, 0)[0].image;
-  const Image b = film_layers(*crop.session, 0)[0].image;
+  const Image a = film_layers(*whole.session, {})[0].image;
+  const Image b = film_layers(*crop.session, {})[0].image;
   ASSERT_EQ(b.width, 16);
   ASSERT_EQ(b.height, 12);
   for (int y = 0; y < 12; ++y)
@@ -78,12 +79,12 @@ TEST(Output, ExrCarriesLayersAndSettings) {
   const TestFolder folder;
   const Rendered r(kExposure);
   PictureFile file = picture_file(folder.file("a.exr"));
-  file.layers = kLayerNormal | kLayerDisplay;
+  file.layers = LayerSet("normal") | LayerSet("display");
   file.unmapped = true;
   write_picture(file, *r.session, {{"oriel.seed", "7"}});
   const ExrFile read = read_exr(file.path);
   ASSERT_EQ(read.layers.size(), 3u);
-  EXPECT_EQ(read.layers[0].image.pixels, film_layers(*r.session, 0)[0].image.pixels);
+  EXPECT_EQ(read.layers[0].image.pixels, film_layers(*r.session, {})[0].image.pixels);
   EXPECT_NE(find_layer(read.layers, "display"), nullptr);
   EXPECT_EQ(read.metadata.at("oriel.seed"), "7");
   EXPECT_TRUE(read.has_chromaticities);
@@ -113,7 +114,7 @@ TEST(Output, FloatFilesHoldWhatLensShadersMakeAndExrTheLinearLayerToo) {
   const ExrFile read = read_exr(file.path);
   ASSERT_NE(find_layer(read.layers, "linear"), nullptr);
   EXPECT_EQ(find_layer(read.layers, "linear")->image.pixels,
-            film_layers(*r.session, 0)[0].image.pixels);
+            film_layers(*r.session, {})[0].image.pixels);
   EXPECT_EQ(find_layer(read.layers, "display"), nullptr);  // it is the picture itself
   // Without shaders there is nothing to tell apart.
   const Rendered plain;
@@ -180,7 +181,7 @@ TEST(Output, GammaNeverTouchesFloatFiles) {
   const Rendered with({}, "gamma 2"), without;
   PictureFile file = picture_file(folder.file("a.exr"));
   write_picture(file, *with.session, {});
-  EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, 0)[0].image.pixels);
+  EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, {})[0].image.pixels);
 }
 
 TEST(Output, DenoisedPicturesStandBesideTheNoisyPicture) {
@@ -191,7 +192,7 @@ TEST(Output, DenoisedPicturesStandBesideTheNoisyPicture) {
   write_picture(file, *r.session, {}, &clean);
   const ExrFile read = read_exr(file.path);
   EXPECT_EQ(find_linear_beauty(read.layers)->image.pixels,
-            film_layers(*r.session, 0)[0].image.pixels);
+            film_layers(*r.session, {})[0].image.pixels);
   ASSERT_NE(find_layer(read.layers, "denoised"), nullptr);
   EXPECT_EQ(find_layer(read.layers, "denoised")->image.pixels, clean.pixels);
   // Gain 2 and gamma 2: the root of a quarter.
@@ -203,7 +204,7 @@ TEST(Output, DenoisedPicturesStandBesideTheNoisyPicture) {
 
 TEST(Output, DenoisedBeautyIsTheFilmsLessItsNoise) {
   const Rendered r;
-  const Image film = film_layers(*r.session, 0)[0].image, clean = denoised_beauty(*r.session);
+  const Image film = film_layers(*r.session, {})[0].image, clean = denoised_beauty(*r.session);
   ASSERT_EQ(clean.channels, 3);
   for (std::size_t i = 0; i < clean.pixel_count(); ++i)
     EXPECT_NEAR(clean.pixels[3 * i], film.pixels[4 * i], 0.02f);

@@ -18,7 +18,7 @@ Rgb RenderedScene::mean() const { return mean_of(session_.film()); }
 
 Picture::Picture(const std::string& scene, std::uint32_t samples, bool outputs) {
   const RenderedScene rendered(scene, {.budget = {.samples = samples}, .outputs = outputs});
-  layers_ = film_layers(rendered.session(), kOutputLayers);
+  layers_ = film_layers(rendered.session(), LayerSet(LayerGroup::Outputs));
 }
 
 const Image& Picture::layer(const std::string& name) const {

@@ -43,12 +43,13 @@ Measured Probe::measure(int samples, const EyeRays& eye) const {
   std::vector<std::pair<Rgb, Rgb>> ranges(kBatches, {Rgb(1e30f), Rgb(-1e30f)});
   parallel_for(kBatches, [&](std::size_t b) {
     Imath::Vec3<double> sum(0.0);  // double: up to a million terms
-    PathSettings settings = settings_;
-    if (outputs_) settings.outputs = &outputs[b];
+    PathRecord record({.aovs = outputs_});
     for (int s = 0; s < per_batch; ++s) {
       sampling::Sampler sampler(static_cast<int>(b), 7, static_cast<std::uint32_t>(s));
       const auto [ray, raster] = eye(sampler, s);
-      const PathResult r = trace_path(*world_, ray, raster, settings, sampler, counts[b]);
+      PathResult& r = record;
+      r = {};  // the AOVs are summed
+      trace_path(*world_, ray, raster, settings_, record, sampler, counts[b]);
       sum += Imath::Vec3<double>(r.radiance.x, r.radiance.y, r.radiance.z);
       for (int k = 0; k < 3; ++k) {
         ranges[b].first[k] = std::min(ranges[b].first[k], r.radiance[k]);
@@ -57,6 +58,7 @@ Measured Probe::measure(int samples, const EyeRays& eye) const {
       alphas[b] += r.alpha / static_cast<float>(per_batch);
     }
     means[b] = Rgb(Imath::V3f(sum / double(per_batch)));
+    if (outputs_) outputs[b] = *record.aovs;
   });
   Measured m;
   for (int b = 0; b < kBatches; ++b) {

@@ -67,9 +67,6 @@ TEST(UserFrameBuffers, NumberedBuffersAreLayersOfTheirKind) {
   for (int k = 0; k < 3; ++k) EXPECT_FLOAT_EQ(vector->image.at(3, 3)[k], wanted[k]);
   EXPECT_FLOAT_EQ(*scalar->image.at(3, 3), .1f);
   // Not interpolated: one sample's place, not the mean of four.
-  PathSettings settings;
-  std::vector<Rgba> own(scene.world->user_buffers.size(), Rgba(0));
-  settings.buffers = own.data();
   sampling::Sampler sampler(3, 4, 0, 0);
   const FilterSampler filter(scene.world->options.filter);
   const float x = 3.5f + filter.sample(sampler.next_2d()).pixels.x;
@@ -197,7 +194,7 @@ TEST(UserFrameBuffers, TheManualsWrapperWritesWhatTheMaterialSaysOfItself) {
                     "\"lamp_i\" \"square_i\"", buffers, kSky);
   UserScene bare(folder, sheet("= \"x\""), "\"lamp_i\" \"square_i\"", "", kSky);
   const auto found = UserPicture(wrapped, 512).layers(folder);
-  const auto own = UserPicture(bare, 512, true).layers(folder, kOutputLayers);
+  const auto own = UserPicture(bare, 512, true).layers(folder, LayerSet(LayerGroup::Outputs));
   // Diffuse light has no noise but that of the places in the pixel, which are the same. A path
   // goes one way of several: of 32768 a tenth at least is reflected, 3 deviations are 5 %.
   const std::tuple<const char*, const char*, float> pairs[] = {{"fb10", "diffuse_result", 1e-4f},

@@ -24,7 +24,8 @@ struct UserPicture {
   }
 
   /// Layers as an EXR file of all of them has them.
-  std::vector<Layer> layers(const ShaderFolder& folder, LayerSet set = kFilmLayers) const {
+  std::vector<Layer> layers(const ShaderFolder& folder,
+                            const LayerSet& set = LayerSet(LayerGroup::Film)) const {
     PictureFile file = picture_file((folder.path() / "picture.exr").string());
     file.layers = set;
     write_picture(file, *session, {});

@@ -93,9 +93,9 @@ class UserScene {
       sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(i), 7);
       const Vec2 u = sampler.next_2d();
       std::fill(own.begin(), own.end(), Rgba(0));
-      settings.buffers = own.empty() ? nullptr : own.data();
       const Vec2 raster(static_cast<float>(x) + u.x, static_cast<float>(y) + u.y);
-      const PathResult path = trace_eye_rays(*world, raster, settings, sampler, counts);
+      PathRecord path(RecordRequest{}, own);
+      trace_eye_rays(*world, raster, settings, path, sampler, counts);
       sum += path.radiance * (1.0f / static_cast<float>(samples));
       for (std::size_t b = 0; b < own.size(); ++b)
         means[b] += own[b] * (1.0f / static_cast<float>(samples));

@@ -24,15 +24,15 @@ constexpr float kSpreadShare = 0.5f;
 void visit_gather_points(const World& world, Vec2 raster, const PathSettings& settings,
                          sampling::Sampler& sampler, RayCounts& counts,
                          std::vector<GatherPoint>& points) {
-  PathResult nothing;
-  Path(world, raster, settings, sampler, counts, nothing).visit(world.camera.ray(raster), points);
+  PathRecord nothing;
+  Path(world, raster, settings, nothing, sampler, counts).visit(world.camera.ray(raster), points);
 }
 
 void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& direction,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts,
                       std::vector<GatherPoint>& points) {
-  PathResult nothing;
-  Path(world, from.point.raster, settings, sampler, counts, nothing)
+  PathRecord nothing;
+  Path(world, from.point.raster, settings, nothing, sampler, counts)
       .visit_behind(from.point, direction, points);
 }
 
@@ -108,17 +108,15 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
   const auto hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
   const float side = dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f;
   // By layers of lights: of the ray under way, and of each stratum.
-  LightParts by_light;
-  PathSettings path = settings.path;
-  if (layers > 0) path.by_light = by_light.data();
+  PathRecord r({.light_layers = layers});
+  LightParts& by_light = r.by_light;
   const auto trace = [&](int stratum, sampling::Sampler& stream) {
-    by_light.clear(layers);
+    r.reset();
     GatherSample s;
     s.direction = hemisphere.direction(stratum, stream.next_2d());
     if (side * dot(s.direction, at.point.geometric_normal) <= 0) return s;
     const float reach = settings.reach > 0 ? settings.reach : kInfinity;
-    const PathResult r =
-        trace_gather_ray(world, at.point, s.direction, reach, path, stream, counts);
+    trace_gather_ray(world, at.point, s.direction, reach, settings.path, r, stream, counts);
     const float kept = kept_of(settings, r);
     s.radiance = r.radiance;
     if (kept < 1) {

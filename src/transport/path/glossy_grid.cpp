@@ -58,8 +58,8 @@ GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint3
       for (int x = 0; x < grid.width; ++x) {
         const Vec2 raster((static_cast<float>(x) + 0.5f) / f, (static_cast<float>(y) + 0.5f) / f);
         sampling::Sampler sampler(x, y, 0, seed + 0x9d1du + static_cast<std::uint32_t>(d));
-        PathResult nothing;
-        Path(world, raster, paths, sampler, mine, nothing)
+        PathRecord nothing;
+        Path(world, raster, paths, nothing, sampler, mine)
             .tabulate(world.camera.ray(raster), d,
                       grid.points[row * static_cast<std::size_t>(grid.width) +
                                   static_cast<std::size_t>(x)]);

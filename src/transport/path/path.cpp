@@ -21,7 +21,7 @@ constexpr std::uint32_t kDrawsPerVertex = 12;
 }  // namespace
 
 std::uint32_t Path::mask() const {
-  switch (kind_) {
+  switch (way_.kind) {
     case RayKind::Eye:
       return geom::RayMask::Camera;
     case RayKind::Reflect:
@@ -36,7 +36,7 @@ std::uint32_t Path::mask() const {
 }
 
 void Path::count_ray() {
-  switch (kind_) {
+  switch (way_.kind) {
     case RayKind::Eye:
       ++counts_.eye;
       break;
@@ -54,25 +54,25 @@ void Path::count_ray() {
 }
 
 void Path::follow(const ShadingPoint& point, const Vec3& direction) {
-  float reach = medium_.reach();
-  if (veil_.black_distance > 0) reach = std::min(reach, veil_.black_distance);
+  float reach = way_.medium.reach();
+  if (way_.veil.black_distance > 0) reach = std::min(reach, way_.veil.black_distance);
   if (fading_.distance > 0) reach = std::min(reach, fading_.distance - from_.passed);
-  reach = std::min(reach, reach_ - from_.passed);
-  ray_ = leave(point, direction, reach, mask());
-  left_ = point.position;
+  reach = std::min(reach, way_.reach - from_.passed);
+  way_.ray = leave(point, direction, reach, mask());
+  way_.left = point.position;
 }
 
 void Path::dim(const Rgb& factor) {
-  throughput_ *= factor;
-  lights_ *= factor;
+  light_.throughput *= factor;
+  light_.lights *= factor;
 }
 
 /// The surface that determines the outputs.
 void Path::meet_first(const Closure& closure) {
-  aov_fixed_ = true;
-  at_aov_surface_ = closure.outputs;
-  if (!settings_.outputs || !closure.outputs) return;
-  AovValues& out = *settings_.outputs;
+  aov_.fixed = true;
+  aov_.at_surface = closure.outputs;
+  if (!record_->aovs || !closure.outputs) return;
+  AovValues& out = *record_->aovs;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     // The highlight beside a mirror has the mirror's level.
@@ -99,7 +99,7 @@ void Path::meet_first(const Closure& closure) {
 /// unbent, with the weights of the vertex it came from; when by chance it does not, the
 /// transmitting lobes are taken out of the closure.
 bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoint& point) {
-  if (after_diffuse_ && material.may_transmit && material.filters_shadows())
+  if (depth_.after_diffuse && material.may_transmit && material.filters_shadows())
     return pass_filter(closure, material, point);
   const bool keeps_weights = material.may_transmit && !material.filters_shadows();
   float u = 0;
@@ -108,16 +108,16 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   else
     sampler_.skip();
   Rgb factor(0);
-  const bool culled = !closure.seen_from_back && kind_ == RayKind::Eye && point.back_side;
-  if (!culled && !aov_fixed_ && settings_.outputs && closure.outputs)
-    settings_.outputs->opacity = closure.opacity;
+  const bool culled = !closure.seen_from_back && way_.kind == RayKind::Eye && point.back_side;
+  if (!culled && !aov_.fixed && record_->aovs && closure.outputs)
+    record_->aovs->opacity = closure.opacity;
   if (culled) {
     factor = Rgb(1);
   } else if (u >= closure.opacity) {
     factor = Rgb(1);  // chosen with probability 1 - opacity
-    if (!aov_fixed_) aov_ = closure.outputs ? Aov::Background : Aov::Other;
-    aov_fixed_ = true;
-  } else if (after_diffuse_ && keeps_weights &&
+    if (!aov_.fixed) aov_.part = closure.outputs ? Aov::Background : Aov::Other;
+    aov_.fixed = true;
+  } else if (depth_.after_diffuse && keeps_weights &&
              !(closure.refractive_caustics && world_.options.brings_caustics())) {
     // Straight transmission against everything else, by their levels.
     Rgb through(0), other(closure.emission);
@@ -129,7 +129,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
       if (sampler_.next_1d() < p) {
         factor = through / p;
       } else {
-        throughput_ /= 1 - p;
+        light_.throughput /= 1 - p;
         for (int i = 0; i < closure.count; ++i)
           if (transmits(closure.lobes[i].kind)) closure.lobes[i].level = Rgb(0);
       }
@@ -137,16 +137,13 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   }
   if (is_black(factor)) return false;
   dim(factor);
-  medium_.leave_volume(closure, point, ray_.dir);
+  way_.medium.leave_volume(closure, point, way_.ray.dir);
   if (!keeps_weights) from_.weighed = false;
-  if (!culled && u < closure.opacity && !closure.thin_walled) {
-    if (straight_rays_fade())
-      medium_.leave(closure, point, ray_.dir);
-    else
-      medium_.ignore();
-  }
+  if (!culled && u < closure.opacity)
+    way_.medium.pass_straight(closure, closure, point, way_.ray.dir,
+                              straight_rays_fade(world_.options));
   from_.passed += point.ray_length;
-  follow(point, ray_.dir);
+  follow(point, way_.ray.dir);
   return true;
 }
 
@@ -165,101 +162,111 @@ bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint&
   const float wanted = luminance(through);
   const float p = wanted > 0 ? wanted / (wanted + luminance(other) * closure.opacity) : 0;
   if (sampler_.next_1d() >= p) {
-    throughput_ *= closure.opacity / (1 - p);
+    light_.throughput *= closure.opacity / (1 - p);
     return false;
   }
   dim(through / p);
-  medium_.leave_volume(closure, point, ray_.dir);
-  if (!filter.thin_walled && straight_rays_fade())
-    medium_.leave(filter, point, ray_.dir);
-  else if (!closure.thin_walled)
-    medium_.ignore();
+  way_.medium.leave_volume(closure, point, way_.ray.dir);
+  way_.medium.pass_straight(filter, closure, point, way_.ray.dir,
+                            straight_rays_fade(world_.options));
   from_.passed += point.ray_length;
-  follow(point, ray_.dir);
+  follow(point, way_.ray.dir);
   return true;
+}
+
+/// The material of a hit at its point. From here on the ray's cone is that at the surface.
+const Material& Path::shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure) {
+  fill_point(world_, way_.ray, hit, way_.cone, way_.kind, point);
+  point.raster = raster_;
+  point.blurred = way_.blurred;
+  way_.cone.width = way_.cone.width_at(hit.t);
+  const Material& material = material_of(world_, hit);
+  SceneTracer tracer(world_, sampler_, counts_, this);
+  point.tracer = &tracer;
+  shade(material, point, closure);
+  point.tracer = nullptr;
+  return material;
+}
+
+/// What the record and the shader that asks for the path learn of the first surface.
+void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
+                            const Material& material) {
+  eye_hit_.pending = false;
+  eye_hit_.alpha_open = true;
+  record_->alpha = closure.alpha;
+  record_->depth = length(point.position - eye_hit_.eye);
+  record_->normal = point.normal;
+  record_->albedo = closure.albedo;
+  record_->first = {point.instance, &material};
+  if (eye_hit_.met)
+    *eye_hit_.met =
+        Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
+                    point.back_side, &material,      point.instance, point.primitive};
+  if (record_->requested.irradiance) sense_irradiance(closure, point);
+  if (record_->requested.motion) record_->motion = raster_motion(point);
 }
 
 /// At a surface. False: the path ends here.
 bool Path::shade_hit(const geom::Hit& hit) {
   ShadingPoint point;
-  fill_point(world_, ray_, hit, cone_, kind_, point);
-  point.raster = raster_;
-  point.blurred = blurred_;
-  cone_.width = cone_.width_at(hit.t);
-  const Material& material = material_of(world_, hit);
   Closure closure;
-  SceneTracer tracer(world_, sampler_, counts_, this);
-  point.tracer = &tracer;
-  shade(material, point, closure);
-  point.tracer = nullptr;
+  const Material& material = shade_surface(hit, point, closure);
+  const float distance = from_.passed + hit.t;
 
   // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
-  medium_.meet_surface(closure, point);
-  if (!medium_.medium.clear() || !veil_.clear()) dim(kept_over(length(point.position - left_)));
-  // Where a volume begins or ends the ray's air does, whether or not it goes on unbent.
-  const bool in_volume = closure.volume || medium_.volume;
-  bool turned = in_volume && pass_volume(point, from_.passed + hit.t);
+  way_.medium.meet_surface(closure, point);
+  if (!way_.medium.medium.clear() || !way_.veil.clear())
+    dim(kept_over(length(point.position - way_.left)));
+  // At the boundary of a volume its part of the way ends, whether or not the ray goes on unbent.
+  const bool in_volume = closure.volume || way_.medium.volume;
+  bool turned = in_volume && pass_volume(point, distance);
   if (!turned && pass_straight(closure, material, point)) return true;
-  veil_ = {};
-  if (to_far_side_ && !point.back_side) return false;
-  visibility_ = world_.instances[static_cast<std::size_t>(point.instance)].visibility;
-  if (visited_) return note_gather_point(closure, material, point);
-  if (grid_point_) {
-    fill_grid_point(closure, material, point);
-    return false;
-  }
 
-  const bool parted = aov_fixed_;
-  turned = turned || pass_volume(point, from_.passed + hit.t);
+  way_.veil = {};
+  if (way_.to_far_side && !point.back_side) return false;
+  visibility_ = world_.instances[static_cast<std::size_t>(point.instance)].visibility;
+  if (task_.visited) return note_gather_point(closure, material, point);
+  if (task_.grid_point) return fill_grid_point(closure, material, point), false;
+
+  const bool aov_was_fixed = aov_.fixed;
+  turned = turned || pass_volume(point, distance);
   if (!turned) {
-    darken_near(from_.passed + hit.t);
-    fade(from_.passed + hit.t);
-    leaving_aov_surface_ = false;
+    darken_near(distance);
+    fade(distance);
+    aov_.leaving = false;
   }
-  if (!parted) meet_first(closure);
-  if (first_) {
-    first_ = false;
-    result_->alpha = closure.alpha;
-    result_->depth = length(point.position - eye_);
-    result_->normal = point.normal;
-    result_->albedo = closure.albedo;
-    result_->first = {point.instance, &material};
-    alpha_open_ = true;
-    if (met_)
-      *met_ = Tracer::Met{result_->depth,  point.position, point.normal,   point.geometric_normal,
-                          point.back_side, &material,      point.instance, point.primitive};
-    if (settings_.irradiance) sense_irradiance(closure, point);
-    if (settings_.motion) *settings_.motion = raster_motion(point);
-  }
+  if (!aov_was_fixed) meet_first(closure);
+  if (eye_hit_.pending) record_first_hit(closure, point, material);
   if (turned) {
-    at_aov_surface_ = alpha_open_ = false;
+    aov_.at_surface = eye_hit_.alpha_open = false;
     return russian_roulette();
   }
-  if (settings_.observer) place_ = settings_.observer->on_hit(place_, point, material, closure);
+  if (record_->observer) place_ = record_->observer->on_hit(place_, point, material, closure);
   if (!is_black(closure.emission))
-    add(at_vertex(Aov::Added), throughput_ * closure.emission * emission_weight(hit, point),
+    add(aov_.at_vertex(Aov::Added),
+        light_.throughput * closure.emission * emission_weight(hit, point),
         layer_of_instance(point.instance));
   return closure.count > 0 && shade_vertex(closure, material, point);
 }
 
 void Path::walk() {
-  for (; vertex_ < kMostVertices; ++vertex_) {
-    sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(vertex_ + 1));
+  for (; depth_.vertex < kMostVertices; ++depth_.vertex) {
+    sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(depth_.vertex + 1));
     geom::Hit hit;
     count_ray();
-    const bool found = world_.accel->intersect(ray_, hit);
+    const bool found = world_.accel->intersect(way_.ray, hit);
     bool ended = false;
-    if (world_.has_area_lights) meet_lights(found ? hit.t : ray_.tfar, ended);
-    if (ended || (!found && to_far_side_)) return;
+    if (world_.has_area_lights) meet_lights(found ? hit.t : way_.ray.tfar, ended);
+    if (ended || (!found && way_.to_far_side)) return;
     if (!found && pass_volume_to_infinity()) {
-      first_ = false;
+      eye_hit_.pending = false;
       if (!russian_roulette()) return;
       continue;
     }
     if (!found) {
       // Nothing within the reach of a medium that turns black is black.
-      if (std::isinf(ray_.tfar) || kind_ == RayKind::Eye || fading_.distance > 0 ||
-          !std::isinf(reach_))
+      if (std::isinf(way_.ray.tfar) || way_.kind == RayKind::Eye || fading_.distance > 0 ||
+          !std::isinf(way_.reach))
         meet_environment();
       return;
     }
@@ -268,47 +275,59 @@ void Path::walk() {
 }
 
 void Path::run(const Camera::Ray& eye) {
-  eye_ = ray_.org = left_ = eye.origin;
-  ray_.dir = eye.direction;
-  ray_.time = eye.time;
+  eye_hit_.eye = way_.ray.org = way_.left = eye.origin;
+  way_.ray.dir = eye.direction;
+  way_.ray.time = eye.time;
   const Camera& camera = world_.camera;
-  ray_.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
-  ray_.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
-  ray_.mask = mask();
-  cone_ = {eye.width, eye.spread};
-  medium_.begin_in(volume_around(world_, ray_));
+  way_.ray.tnear = camera.clip_near > 0 ? camera.clip_near / eye.cos_to_film : 0;
+  way_.ray.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
+  way_.ray.mask = mask();
+  way_.cone = {eye.width, eye.spread};
+  way_.medium.begin_in(volume_around(world_, way_.ray));
   walk();
 }
 
 void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float reach) {
-  kind_ = RayKind::FinalGather;
-  after_diffuse_ = true;
-  bounces_ = 1;
-  aov_fixed_ = true;
-  eye_ = point.position;
-  cone_.spread = kDiffuseSpread;
+  way_.kind = RayKind::FinalGather;
+  depth_.after_diffuse = true;
+  depth_.bounces = 1;
+  aov_.fixed = true;
+  eye_hit_.eye = point.position;
+  way_.cone.spread = kDiffuseSpread;
   from_.weighed = true;  // against no lights: it passes through them unseen
-  vertex_ = 1;
-  reach_ = reach;
+  depth_.vertex = 1;
+  way_.reach = reach;
   follow(point, direction);
-  medium_.begin_in(volume_around(world_, ray_));
+  way_.medium.begin_in(volume_around(world_, way_.ray));
   walk();
+}
+
+void trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
+                      float reach, const PathSettings& settings, PathRecord& record,
+                      sampling::Sampler& sampler, RayCounts& counts) {
+  Path(world, point.raster, settings, record, sampler, counts).gather_ray(point, direction, reach);
 }
 
 PathResult trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
                             float reach, const PathSettings& settings, sampling::Sampler& sampler,
                             RayCounts& counts) {
-  PathResult result;
-  Path(world, point.raster, settings, sampler, counts, result).gather_ray(point, direction, reach);
-  return result;
+  PathRecord record;
+  trace_gather_ray(world, point, direction, reach, settings, record, sampler, counts);
+  return record;
+}
+
+void trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
+                const PathSettings& settings, PathRecord& record, sampling::Sampler& sampler,
+                RayCounts& counts) {
+  Path(world, raster, settings, record, sampler, counts).run(eye);
+  record.note_first_surface(record.first);
 }
 
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts) {
-  PathResult result;
-  Path(world, raster, settings, sampler, counts, result).run(eye);
-  if (settings.firsts) settings.firsts->push_back(result.first);
-  return result;
+  PathRecord record;
+  trace_path(world, eye, raster, settings, record, sampler, counts);
+  return record;
 }
 
 }  // namespace oriel

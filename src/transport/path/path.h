@@ -3,37 +3,16 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "runtime/world.h"
 #include "sampling/sampler.h"
 #include "transport/counts.h"
 #include "transport/estimator.h"
-#include "transport/path/aov.h"
+#include "transport/path/path_record.h"
 
 namespace oriel {
 
-/// What a path through the camera met first.
-struct FirstSurface {
-  int instance = -1;                   ///< index into World::instances; -1 = nothing
-  const Material* material = nullptr;  ///< one of World::materials
-};
-
-/// What one path through the camera brings to the film.
-struct PathResult {
-  Rgb radiance{0};  ///< pixel units, linear
-  float alpha = 0;
-  float depth = 0;  ///< distance to the first surface, scene units; 0 = none
-  /// World, shading normal, and sum of the material's levels: of the first surface that is not only
-  /// a mirror or clear glass, seen through those; else of the first surface.
-  Vec3 normal{0};
-  Rgb albedo{0};
-  Rgb irradiance{0};  ///< of the first surface, where PathSettings::irradiance; see light_meter.h
-  FirstSurface first;
-};
-
 class GlossyGrid;
-class PathObserver;
 struct IndirectCaches;
 
 /// How paths are traced.
@@ -55,17 +34,6 @@ struct PathSettings {
   float paths_of_pixel = 1e6f;
   const IndirectCaches* maps = nullptr;  ///< indirect light made before; null = rays find it all
   const GlossyGrid* grid = nullptr;      ///< for materials that interpolate; null = they do not
-  AovValues* outputs = nullptr;  ///< where to leave the parts of the radiance; null = nowhere
-  /// Where to add the radiance by layers of lights, World::light_layers.count() of them; null =
-  /// nowhere.
-  Rgb* by_light = nullptr;
-  Rgba* buffers = nullptr;  ///< World::user_buffers.size() values that shaders leave; null = none
-  /// Where to leave the way of the first surface on the picture, as raster_motion() has it.
-  Rgba* motion = nullptr;
-  /// Where each path through the camera adds what it met first; null = nowhere.
-  std::vector<FirstSurface>* firsts = nullptr;
-  PathObserver* observer = nullptr;  ///< optional observer of path events; may be null
-  bool irradiance = false;  ///< the irradiance of the first surface is wanted: a second path
 };
 
 /// Traces one path, a tree where the first surface asks for more rays.
@@ -81,6 +49,10 @@ struct PathSettings {
 ///          that sends no refraction rays is black behind, except where rays go on straight.
 /// Checked: tests/analytic (furnace, skies, form factors, shapes of lights, mirrors, glass, three
 ///          estimators, outputs).
+void trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
+                const PathSettings& settings, PathRecord& record, sampling::Sampler& sampler,
+                RayCounts& counts);
+/// The same without optional values.
 PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts);
 
@@ -90,6 +62,9 @@ PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
 ///          surface met, 0 = its direct light alone; reach: scene units, beyond it there is
 ///          nothing but the environment.
 /// Returns: radiance; depth = distance to the surface, 0 = none.
+void trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
+                      float reach, const PathSettings& settings, PathRecord& record,
+                      sampling::Sampler& sampler, RayCounts& counts);
 PathResult trace_gather_ray(const World& world, const ShadingPoint& point, const Vec3& direction,
                             float reach, const PathSettings& settings, sampling::Sampler& sampler,
                             RayCounts& counts);

@@ -76,13 +76,13 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
     component = Aov::Translucency;
     if (dot(wi, point.geometric_normal) > 0) {
       component = Aov::Indirect;
-      radiance *= occlusion_;
-      if (near_distance_ > 0)
-        radiance *= Rgb(1) - near_dark_ * linear_fade(sample->distance, near_distance_);
+      radiance *= light_.occlusion;
+      if (light_.near_distance > 0)
+        radiance *= Rgb(1) - light_.near_dark * linear_fade(sample->distance, light_.near_distance);
     }
   }
   const int instance = static_cast<int>(world_.accel->instance(sample->instance).user);
-  add(at_vertex(component), throughput_ * radiance, layer_of_instance(instance));
+  add(aov_.at_vertex(component), light_.throughput * radiance, layer_of_instance(instance));
 }
 
 /// What a ray of that kind brings of a triangle's emission: as walk() and pass_straight() have it,
@@ -92,11 +92,11 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
   const Vec3& wi = target.wi;
   const float distance = target.distance;
   const bool gathers = kind == RayKind::FinalGather;
-  const bool straight = gathers || after_diffuse_;
-  MediumOnWay way = medium_;
+  const bool straight = gathers || depth_.after_diffuse;
+  MediumOnWay way = way_.medium;
   way.leave(closure, point, wi);
-  if (gathers && !straight_rays_fade()) way.ignore();
-  RayCone cone = cone_;
+  if (gathers && !straight_rays_fade(world_.options)) way.ignore();
+  RayCone cone = way_.cone;
   if (gathers) cone.spread = std::max(cone.spread, kDiffuseSpread);
   const std::uint32_t mask = gathers ? geom::RayMask::FinalGather : geom::RayMask::Reflection;
   // Beyond the target there is nothing to find.
@@ -141,12 +141,7 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
       kept *= straight ? open.all : open.cut_outs;
     }
     if (!(max_component(kept) > 0)) return Rgb(0);
-    if (straight && !passed->thin_walled) {
-      if (straight_rays_fade())
-        way.leave(*passed, met, wi);
-      else
-        way.ignore();
-    }
+    if (straight) way.pass_straight(*passed, *passed, met, wi, straight_rays_fade(world_.options));
     const float rest = ray.tfar - hit.t;
     if (!(rest > 0)) return Rgb(0);
     ray = leave(met, wi, std::min(rest, way.reach()), mask);
@@ -163,7 +158,7 @@ float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) con
                            : from_.group == LobeGroup::Reflection && from_.emission_in_reflections;
   if (!from_.weighed || !sampled) return 1;
   const float pdf = world_.light_sampler->triangle_pdf(from_.lit, hit.time, hit.instance,
-                                                       hit.primitive, point.position, ray_.dir);
+                                                       hit.primitive, point.position, way_.ray.dir);
   if (!(pdf > 0)) return 1;
   return bsdf_sample_weight(settings_.estimator, from_.pdf, pdf);
 }

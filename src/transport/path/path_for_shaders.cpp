@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths that shaders ask for while a surface is shaded: rays, irradiance, other materials.
+#include "transport/path/path_for_shaders.h"
+
 #include <utility>
 
 #include "sampling/warp.h"
@@ -16,167 +17,156 @@ constexpr int kMostNested = 48;
 /// it they reflect, so that nothing else would end the recursion.
 constexpr float kSurvival = 0.5f;  ///< a guess between the depth of white and of dark rooms
 
-PathSettings without_outputs(PathSettings settings) {
-  settings.outputs = nullptr;
-  settings.by_light = nullptr;
-  settings.motion = nullptr;
-  settings.observer = nullptr;
-  settings.irradiance = false;
-  settings.grid = nullptr;
-  return settings;
-}
-
 }  // namespace
 
-Tracer::Depth Path::depth() const {
-  return {reflections_, refractions_, std::min(1.0f, importance_)};
+Tracer::Depth PathForShaders::depth() const {
+  return {path_.depth_.reflections, path_.depth_.refractions,
+          std::min(1.0f, path_.depth_.importance)};
+}
+
+float PathForShaders::time() const { return path_.way_.ray.time; }
+
+std::span<Rgba> PathForShaders::user_buffers() const {
+  return path_.depth_.after_diffuse ? std::span<Rgba>() : path_.record_->user_buffers;
 }
 
 /// A path that goes on from this vertex for itself: its radiance is what it sees, unweighed.
-Path Path::sub_path(const PathSettings& settings, const sampling::Sampler& stream,
-                    PathResult& result) const {
+Path PathForShaders::sub_path(const sampling::Sampler& stream, PathRecord& record) const {
   sampling::Sampler own = stream;
-  Path sub(world_, raster_, settings, own, counts_, result);
-  sub.vertex_ = vertex_ + 1;
-  sub.nested_ = nested_ + 1;
-  sub.visited_ = visited_;
-  sub.cone_ = cone_;
-  sub.kind_ = kind_;
-  sub.blurred_ = blurred_;
-  sub.after_diffuse_ = after_diffuse_;
-  sub.aov_fixed_ = true;
-  sub.features_seen_ = true;
-  sub.off_maps_ = off_maps_;
-  sub.importance_ = importance_;
-  sub.reflections_ = reflections_;
-  sub.refractions_ = refractions_;
-  sub.bounces_ = bounces_;
-  sub.diffuse_bounces_ = diffuse_bounces_;
+  Path sub(path_.world_, path_.raster_, path_.settings_, record, own, path_.counts_);
+  sub.grid_ = nullptr;
+  sub.depth_ = path_.depth_;
+  ++sub.depth_.vertex;
+  ++sub.depth_.nested;
+  sub.task_.visited = path_.task_.visited;
+  sub.way_.cone = path_.way_.cone;
+  sub.way_.kind = path_.way_.kind;
+  sub.way_.blurred = path_.way_.blurred;
+  sub.aov_.fixed = true;
+  sub.eye_hit_.features_seen = true;
+  sub.off_maps_ = path_.off_maps_;
   return sub;
 }
 
-Tracer::Seen Path::trace_for_shader(const ShadingPoint& point, const Tracer::SubRay& ray,
-                                    const sampling::Sampler& stream) const {
+Tracer::Seen PathForShaders::trace(const ShadingPoint& point, const Tracer::SubRay& ray,
+                                   const sampling::Sampler& stream) const {
   Tracer::Seen seen;
-  if (nested_ >= kMostNested) return seen;
-  const PathSettings settings = without_outputs(settings_);
-  PathResult result;
-  Path sub = sub_path(settings, stream, result);
-  sub.kind_ = ray.kind;
-  sub.reflections_ = ray.depth.reflections;
-  sub.refractions_ = ray.depth.refractions;
-  sub.importance_ = ray.depth.importance;
-  sub.reach_ = ray.reach;
-  sub.met_ = &seen.met;
+  if (path_.depth_.nested >= kMostNested) return seen;
+  PathRecord record({}, path_.record_->user_buffers);
+  Path sub = sub_path(stream, record);
+  sub.way_.kind = ray.kind;
+  sub.depth_.reflections = ray.depth.reflections;
+  sub.depth_.refractions = ray.depth.refractions;
+  sub.depth_.importance = ray.depth.importance;
+  sub.way_.reach = ray.reach;
+  sub.eye_hit_.met = &seen.met;
   if (point.material && !point.material->environment.empty())
-    sub.environment_ = &point.material->environment;
+    sub.way_.environment = &point.material->environment;
   ShadingPoint from = point;
   if (!ray.from_surface) {
     from.position = ray.origin;
     from.ray_offset = 0;
   }
-  sub.eye_ = from.position;
+  sub.eye_hit_.eye = from.position;
   sub.follow(from, ray.direction);
-  sub.medium_.begin_in(volume_around(world_, sub.ray_));
+  sub.way_.medium.begin_in(volume_around(world_, sub.way_.ray));
   sub.walk();
-  seen.colour = Rgba(result.radiance.x, result.radiance.y, result.radiance.z, result.alpha);
+  seen.colour = Rgba(record.radiance.x, record.radiance.y, record.radiance.z, record.alpha);
   return seen;
 }
 
-Rgb Path::irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
-                                sampling::Sampler stream) const {
+Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
+                               sampling::Sampler stream) const {
   ShadingPoint at = point;
-  at.geometric_normal = facing(point.geometric_normal, normal);
+  at.geometric_normal = Path::facing(point.geometric_normal, normal);
   if (at.geometric_normal != point.geometric_normal) at.back_side = !at.back_side;
   at.normal = normal;
-  if (visited_) {
-    visited_->push_back({at, normal});
+  if (path_.task_.visited) {
+    path_.task_.visited->push_back({at, normal});
     return Rgb(0);
   }
   Rgb sum(0);
-  if (reads_maps()) {
-    if (settings_.maps->caustic)
-      sum += irradiance_at(*settings_.maps->caustic, at, at.geometric_normal,
-                           settings_.maps->caustic_lookup);
+  if (path_.reads_maps()) {
+    if (path_.settings_.maps->caustic)
+      sum += irradiance_at(*path_.settings_.maps->caustic, at, at.geometric_normal,
+                           path_.settings_.maps->caustic_lookup);
     LightParts parts;
-    if (const auto found = mapped_irradiance(at, normal, parts)) return sum + *found;
+    if (const auto found = path_.mapped_irradiance(at, normal, parts)) return sum + *found;
   }
-  const bool more = settings_.indirect && diffuse_bounces_ < settings_.diffuse_bounces;
-  if (!more || nested_ >= kMostNested) return sum;
-  const float chance = bounces_ < kRouletteDepth ? 1.0f : kSurvival;
+  const bool more =
+      path_.settings_.indirect && path_.depth_.diffuse_bounces < path_.settings_.diffuse_bounces;
+  if (!more || path_.depth_.nested >= kMostNested) return sum;
+  const float chance = path_.depth_.bounces < kRouletteDepth ? 1.0f : kSurvival;
   if (stream.next_1d() >= chance) return sum;
   const Vec3 w = Frame(normal).to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
   if (dot(w, at.geometric_normal) <= 0) return sum;
 
-  const PathSettings settings = without_outputs(settings_);
-  PathResult result;
-  Path sub = sub_path(settings, stream, result);
-  sub.kind_ = RayKind::FinalGather;
-  sub.after_diffuse_ = true;
-  sub.blurred_ = false;
-  sub.reflections_ = sub.refractions_ = 0;
-  ++sub.bounces_;
-  ++sub.diffuse_bounces_;
-  sub.cone_.spread = kDiffuseSpread;
+  PathRecord record({}, path_.record_->user_buffers);
+  Path sub = sub_path(stream, record);
+  sub.way_.kind = RayKind::FinalGather;
+  sub.depth_.after_diffuse = true;
+  sub.way_.blurred = false;
+  sub.depth_.reflections = sub.depth_.refractions = 0;
+  ++sub.depth_.bounces;
+  ++sub.depth_.diffuse_bounces;
+  sub.way_.cone.spread = kDiffuseSpread;
   sub.from_.weighed = true;  // against no lights: it passes through them unseen
-  sub.eye_ = at.position;
+  sub.eye_hit_.eye = at.position;
   sub.follow(at, w);
-  sub.medium_.begin_in(volume_around(world_, sub.ray_));
+  sub.way_.medium.begin_in(volume_around(world_, sub.way_.ray));
   sub.walk();
-  return sum + indirect_factor() * result.radiance * (kPi / chance);
+  return sum + path_.indirect_factor() * record.radiance * (kPi / chance);
 }
 
-Rgba Path::shade_for_shader(const NodeList& surface, ShadingPoint& point, AovValues* outputs,
-                            const sampling::Sampler& stream) const {
+Rgba PathForShaders::shade(const NodeList& surface, ShadingPoint& point, AovValues* aovs,
+                           const sampling::Sampler& stream) const {
   static const Material kNone;
-  if (nested_ >= kMostNested) return Rgba(0, 0, 0, 1);
+  if (path_.depth_.nested >= kMostNested) return Rgba(0, 0, 0, 1);
   const Material& material = point.material ? *point.material : kNone;
-  PathSettings settings = without_outputs(settings_);
-  settings.outputs = outputs;
-  settings.grid = settings_.grid;
-  PathResult result;
-  Path sub = sub_path(settings, stream, result);
-  sub.vertex_ = vertex_;
-  sub.grid_point_ = grid_point_;
-  sub.grid_density_ = grid_density_;
-  sub.aov_fixed_ = outputs == nullptr;
-  sub.ray_ = ray_;
-  sub.left_ = left_;
-  sub.medium_ = medium_;
-  sub.environment_ = environment_;
-  sub.from_ = from_;
+  PathRecord record({.aovs = aovs != nullptr}, path_.record_->user_buffers);
+  Path sub = sub_path(stream, record);
+  sub.grid_ = path_.grid_;
+  sub.depth_.vertex = path_.depth_.vertex;
+  sub.task_ = path_.task_;
+  sub.aov_.fixed = aovs == nullptr;
+  sub.way_.ray = path_.way_.ray;
+  sub.way_.left = path_.way_.left;
+  sub.way_.medium = path_.way_.medium;
+  sub.way_.environment = path_.way_.environment;
+  sub.from_ = path_.from_;
   if (point.instance >= 0)
-    sub.visibility_ = world_.instances[static_cast<std::size_t>(point.instance)].visibility;
+    sub.visibility_ = path_.world_.instances[static_cast<std::size_t>(point.instance)].visibility;
   sub.sampler_.set_dimension(0);
 
   Closure closure;
-  SceneTracer tracer(world_, sub.sampler_, counts_, &sub);
+  SceneTracer tracer(path_.world_, sub.sampler_, path_.counts_, &sub);
   Tracer* const outer = std::exchange(point.tracer, &tracer);
   oriel::shade(surface, point, closure);
   point.tracer = outer;
   bool goes_on = false;
   // Through a hole the alpha is that of what lies behind.
   const bool passes = sub.pass_straight(closure, material, point);
-  sub.first_ = passes;
-  sub.alpha_open_ = !passes;
-  if (!passes) result.alpha = closure.alpha;
+  sub.eye_hit_.pending = passes;
+  sub.eye_hit_.alpha_open = !passes;
+  if (!passes) record.alpha = closure.alpha;
   if (passes) {
     goes_on = true;
-  } else if (sub.visited_) {
+  } else if (sub.task_.visited) {
     goes_on = sub.note_gather_point(closure, material, point);
-  } else if (sub.grid_point_) {
+  } else if (sub.task_.grid_point) {
     sub.fill_grid_point(closure, material, point);
   } else {
-    if (outputs) sub.meet_first(closure);
-    sub.add(sub.at_vertex(Aov::Added), closure.emission, sub.layer_of_rest());
+    if (aovs) sub.meet_first(closure);
+    sub.add(sub.aov_.at_vertex(Aov::Added), closure.emission, sub.layer_of_rest());
     goes_on = closure.count > 0 && sub.shade_vertex(closure, material, point);
   }
   point.glossiness = ShadingPoint{}.glossiness;  // the caller is another material
   if (goes_on) {
-    ++sub.vertex_;
+    ++sub.depth_.vertex;
     sub.walk();
   }
-  return Rgba(result.radiance.x, result.radiance.y, result.radiance.z, clamp01(result.alpha));
+  if (aovs) *aovs = *record.aovs;
+  return Rgba(record.radiance.x, record.radiance.y, record.radiance.z, clamp01(record.alpha));
 }
 
 }  // namespace oriel

@@ -7,20 +7,20 @@
 namespace oriel {
 
 void Path::tabulate(const Camera::Ray& eye, int density, GridPoint& point) {
-  grid_point_ = &point;
-  grid_density_ = density;
+  task_.grid_point = &point;
+  task_.grid_density = density;
   run(eye);
 }
 
 /// The first surface of a grid point's ray: what its interpolated lobes see at full strength.
 void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point) {
-  GridPoint& out = *grid_point_;
+  GridPoint& out = *task_.grid_point;
   LobeChoice choice;
   make_ready(closure, point.wo());
   choose_lobes(closure, choice, point, indirect());
   for (int i = 0; i < closure.count; ++i) {
     if (choice.rays[i] <= 0 || !closure.lobes[i].controls.interpolate ||
-        closure.lobes[i].controls.grid_density != grid_density_)
+        closure.lobes[i].controls.grid_density != task_.grid_density)
       continue;
     // The lobe alone and white.
     Closure alone = closure;
@@ -32,13 +32,13 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
     only.any = true;
     only.rays[i] = static_cast<float>(rays);
     const bool refracts = transmits(lobe.kind);
-    PathResult seen;
+    PathRecord seen({}, record_->user_buffers);
     seen.alpha = 1;
     for (std::uint32_t j = 0; j < rays; ++j) {
       Path branch = *this;
-      branch.grid_point_ = nullptr;
-      branch.alpha_open_ = true;
-      branch.result_ = &seen;
+      branch.task_.grid_point = nullptr;
+      branch.eye_hit_.alpha_open = true;
+      branch.record_ = &seen;
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       // Lights without a visible shape show as highlights of reflecting lobes, and are left to
       // them; through refracting ones they are part of the picture.
@@ -46,16 +46,16 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
       if (refracts) {
         std::construct_at(&branch.from_.lights, world_, point, alone);
         branch.from_.lights.environment_samples = environment_samples(material);
-        branch.throughput_ = Rgb(1 / static_cast<float>(rays));
+        branch.light_.throughput = Rgb(1 / static_cast<float>(rays));
         branch.take_direct(alone, only, point, true);
-        branch.throughput_ = Rgb(1);
+        branch.light_.throughput = Rgb(1);
       }
       if (needs_origin()) branch.from_.point = point;
       branch.from_.shadows = receives_shadows(world_, point);
       branch.from_.visible = branch.from_.invisible = {1, 0};
       if (branch.continue_path(alone, only, material, point, i, branch.sampler_.next_1d(),
                                refracts)) {
-        ++branch.vertex_;
+        ++branch.depth_.vertex;
         branch.walk();
       }
     }
@@ -71,26 +71,26 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
 /// within the detail distance.
 void Path::interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                        LobeChoice& choice) {
-  if (!settings_.grid || !at_eye_surface()) return;
+  if (!grid_ || !at_eye_surface()) return;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     LobeControls& controls = lobe.controls;
     if (choice.rays[i] > 0 && controls.interpolate) {
       const bool refracts = transmits(lobe.kind);
       const auto smooth =
-          refracts ? settings_.grid->refraction(raster_, controls.grid_density, controls.neighbours,
-                                                point.instance, material, point.normal)
-                   : settings_.grid->reflection(raster_, controls.grid_density, controls.neighbours,
-                                                point.instance, material, point.normal);
+          refracts ? grid_->refraction(raster_, controls.grid_density, controls.neighbours,
+                                       point.instance, material, point.normal)
+                   : grid_->reflection(raster_, controls.grid_density, controls.neighbours,
+                                       point.instance, material, point.normal);
       if (smooth && controls.detail_distance > 0) {
         controls.falloff_distance = controls.detail_distance;
         controls.falloff_to_color = true;
         controls.falloff_color = smooth->light;
       } else if (smooth) {
-        add(at_vertex(refracts ? Aov::Refraction : Aov::Reflection),
-            throughput_ * lobe.level * smooth->light, world_.light_layers.unknown());
-        if (refracts && alpha_open_ && closure.propagate_alpha)
-          result_->alpha -= (1 - smooth->alpha) * mean_of(throughput_ * lobe.level);
+        add(aov_.at_vertex(refracts ? Aov::Refraction : Aov::Reflection),
+            light_.throughput * lobe.level * smooth->light, world_.light_layers.unknown());
+        if (refracts && eye_hit_.alpha_open && closure.propagate_alpha)
+          record_->alpha -= (1 - smooth->alpha) * mean_of(light_.throughput * lobe.level);
         choice.rays[i] = 0;
         // Visible lights are in the grid.
         controls.highlights_only = controls.mirrored = true;

@@ -29,7 +29,7 @@ Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
 std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
                                        bool directional, Rgb* by_light) const {
   const IndirectCaches& maps = *settings_.maps;
-  if (after_diffuse_ || !maps.gather || !allows(kSendsGatherRays)) return std::nullopt;
+  if (depth_.after_diffuse || !maps.gather || !allows(kSendsGatherRays)) return std::nullopt;
   const bool same = looked_up_.valid && !by_light && looked_up_.normal == normal &&
                     looked_up_.position == point.position;
   if (same && (looked_up_.directional || !directional)) return looked_up_.found;
@@ -46,12 +46,12 @@ std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& no
 std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
                                            LightParts& parts) const {
   const IndirectCaches& maps = *settings_.maps;
-  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  const std::size_t layers = record_->requested.light_layers;
   parts.clear(layers);
   Rgb* by_light = layers > 0 ? parts.data() : nullptr;
-  if (!after_diffuse_ && maps.gather) {
+  if (!depth_.after_diffuse && maps.gather) {
     const auto found = gathered(point, normal, false, by_light);
-    if (found && settings_.observer) settings_.observer->on_lookup(place_, found->records, 0);
+    if (found && record_->observer) record_->observer->on_lookup(place_, found->records, 0);
     if (!found) return maps.query.fades() ? std::optional(Rgb(0)) : std::nullopt;
     const Rgb scale = maps.gather_scale * found->fade;
     for (std::size_t i = 0; i < layers; ++i) parts.of[i] *= scale;
@@ -73,7 +73,7 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   if (maps.global && allows(kReceivesGlobillum))
     sum += irradiance_at(*maps.global, point, facing(point.geometric_normal, normal),
                          maps.global_lookup, by_light, world_.light_layers.unknown(), &photons);
-  if (settings_.observer) settings_.observer->on_lookup(place_, 0, photons);
+  if (record_->observer) record_->observer->on_lookup(place_, 0, photons);
   return sum;
 }
 
@@ -84,7 +84,7 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
     if (!lobe.controls.emulated || !lobe.controls.highlights_only || lobe.controls.mirrored)
       continue;
     LightParts parts;
-    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+    const std::size_t layers = record_->requested.light_layers;
     parts.clear(layers);
     const auto found = gathered(point, lobe.frame.n, true, layers > 0 ? parts.data() : nullptr);
     if (!found) continue;
@@ -98,8 +98,8 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
         parts.of[k][c] = whole > 0 ? blurred[c] * parts.of[k][c] / whole : 0;
       if (layers > 0 && !(whole > 0)) parts.of[world_.light_layers.unknown()][c] = blurred[c];
     }
-    add(at_vertex(Aov::Reflection), throughput_ * lobe.level * settings_.maps->gather_scale,
-        blurred, parts);
+    add(aov_.at_vertex(Aov::Reflection),
+        light_.throughput * lobe.level * settings_.maps->gather_scale, blurred, parts);
   }
 }
 
@@ -109,7 +109,7 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
   Rgb on_side(0), through(0), caustic(0), caustic_through(0);
   // Their layers, where somebody asks.
   LightParts parts, on_side_parts, through_parts, caustic_parts, caustic_through_parts;
-  const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
+  const std::size_t layers = record_->requested.light_layers;
   for (LightParts* p : {&on_side_parts, &through_parts, &caustic_parts, &caustic_through_parts})
     p->clear(layers);
   const auto add_to = [&](Rgb& sum, LightParts& sums, const Rgb& factor, const Rgb& light) {
@@ -137,13 +137,13 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
     else
       complete = false;
   }
-  const Rgb scale = throughput_ * closure.indirect_scale;
-  add(at_vertex(Aov::Indirect), scale * occlusion_, caustic, caustic_parts);
-  add(at_vertex(Aov::Translucency), scale, caustic_through, caustic_through_parts);
+  const Rgb scale = light_.throughput * closure.indirect_scale;
+  add(aov_.at_vertex(Aov::Indirect), scale * light_.occlusion, caustic, caustic_parts);
+  add(aov_.at_vertex(Aov::Translucency), scale, caustic_through, caustic_through_parts);
   if (!complete) return false;
-  if (near_distance_ > 0) with_neighbours(closure, point, on_side, on_side_parts);
-  add(at_vertex(Aov::Indirect), scale * occlusion_, on_side, on_side_parts);
-  add(at_vertex(Aov::Translucency), scale, through, through_parts);
+  if (light_.near_distance > 0) with_neighbours(closure, point, on_side, on_side_parts);
+  add(aov_.at_vertex(Aov::Indirect), scale * light_.occlusion, on_side, on_side_parts);
+  add(aov_.at_vertex(Aov::Translucency), scale, through, through_parts);
   return true;
 }
 
@@ -158,33 +158,27 @@ void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rg
     auto stream = sampler_.split(0, 1, kBranch);
     const Vec3 w = lobe.frame.to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
     if (dot(w, point.geometric_normal) <= 0) return;
-    PathSettings settings = settings_;
-    settings.outputs = nullptr;
-    settings.observer = nullptr;
-    LightParts near_parts;
-    const std::size_t layers = settings_.by_light ? world_.light_layers.count() : 0;
-    near_parts.clear(layers);
-    if (layers > 0) settings.by_light = near_parts.data();
-    const PathResult near =
-        trace_gather_ray(world_, point, w, near_distance_, settings, stream, counts_);
+    const std::size_t layers = record_->requested.light_layers;
+    PathRecord near({.light_layers = layers}, record_->user_buffers);
+    trace_gather_ray(world_, point, w, light_.near_distance, settings_, near, stream, counts_);
     if (near.depth <= 0) return;
-    const float share = linear_fade(near.depth, near_distance_);
-    const Rgb shown = albedo_of(lobe, point.wo()) * (Rgb(1) - near_dark_) * share;
+    const float share = linear_fade(near.depth, light_.near_distance);
+    const Rgb shown = albedo_of(lobe, point.wo()) * (Rgb(1) - light_.near_dark) * share;
     smooth = smooth * (1 - share) + shown * near.radiance;
     for (std::size_t k = 0; k < layers; ++k)
-      parts.of[k] = parts.of[k] * (1 - share) + shown * near_parts.of[k];
+      parts.of[k] = parts.of[k] * (1 - share) + shown * near.by_light.of[k];
     return;
   }
 }
 
 void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {
-  visited_ = &points;
+  task_.visited = &points;
   run(eye);
 }
 
 void Path::visit_behind(const ShadingPoint& point, const Vec3& direction,
                         std::vector<GatherPoint>& points) {
-  visited_ = &points;
+  task_.visited = &points;
   gather_ray(point, direction, kInfinity);
 }
 
@@ -193,7 +187,7 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
   LobeChoice choice;
   make_ready(closure, point.wo());
   choose_lobes(closure, choice, point, indirect());
-  const auto before = static_cast<std::ptrdiff_t>(visited_->size());
+  const auto before = static_cast<std::ptrdiff_t>(task_.visited->size());
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
@@ -204,12 +198,12 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
       const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
       // One record serves all lobes of a side.
       const auto same =
-          std::find_if(visited_->begin() + before, visited_->end(),
+          std::find_if(task_.visited->begin() + before, task_.visited->end(),
                        [&](const GatherPoint& p) { return dot(p.normal, side) > 1 - 1e-4f; });
-      if (same != visited_->end())
+      if (same != task_.visited->end())
         same->quality = std::max(same->quality, quality);
       else
-        visited_->push_back({point, side, quality});
+        task_.visited->push_back({point, side, quality});
     }
   }
   choice.share_one_ray(closure.count);

@@ -19,31 +19,26 @@ void Path::receive(ShadingPoint& point, bool mapped) {
   point.ray_direction = -point.normal;
   point.ray_origin = point.position + point.normal;
   point.ray_length = 1;
-  eye_ = left_ = point.position;
-  first_ = false;
-  aov_fixed_ = true;
+  eye_hit_.eye = way_.left = point.position;
+  eye_hit_.pending = false;
+  aov_.fixed = true;
   off_maps_ = !mapped;
   Closure white;
   white.add(LobeKind::Diffuse, LobeType::Diffuse, Rgb(1), Frame(point.normal));
-  medium_.begin_in(volume_around(world_, leave(point, point.normal, kInfinity, mask())));
+  way_.medium.begin_in(volume_around(world_, leave(point, point.normal, kInfinity, mask())));
   if (!shade_vertex(white, kSensor, point)) return;
-  ++vertex_;
+  ++depth_.vertex;
   walk();
 }
 
 /// The irradiance of the eye's first surface, on the side that is seen.
 void Path::sense_irradiance(const Closure& closure, const ShadingPoint& point) {
-  PathSettings settings = settings_;
-  settings.outputs = nullptr;
-  settings.by_light = nullptr;
-  settings.observer = nullptr;
-  settings.irradiance = false;
   sampling::Sampler stream = sampler_.split(0, 1, kMeterBranch);
   ShadingPoint above = point;
-  PathResult received;
+  PathRecord received({}, record_->user_buffers);
   const bool mapped = closure.any([](const Lobe& lobe) { return is_diffuse(lobe.kind); });
-  Path(world_, raster_, settings, stream, counts_, received).receive(above, mapped);
-  result_->irradiance = received.radiance * kPi;
+  Path(world_, raster_, settings_, received, stream, counts_).receive(above, mapped);
+  record_->irradiance = received.radiance * kPi;
 }
 
 Rgb sample_irradiance(const World& world, const IrradianceSensor& sensor,
@@ -54,8 +49,8 @@ Rgb sample_irradiance(const World& world, const IrradianceSensor& sensor,
   point.ray_offset = sensor.offset;
   point.world = &world;
   point.time = world.shutter.middle();
-  PathResult received;
-  Path(world, point.raster, settings, sampler, counts, received).receive(point, false);
+  PathRecord received;
+  Path(world, point.raster, settings, received, sampler, counts).receive(point, false);
   return received.radiance * kPi;
 }
 

@@ -10,18 +10,19 @@ namespace oriel {
 
 /// Whether the ray ends at a portal that it meets from inside.
 bool Path::ends_at(const Portal& portal) const {
-  return kind_ == RayKind::FinalGather ? portal.blocks_diffuse_rays() : portal.visible;
+  return way_.kind == RayKind::FinalGather ? portal.blocks_diffuse_rays() : portal.visible;
 }
 
 /// Light of a lamp that the last vertex's lobe has found, where samples of it are weighed as well.
 void Path::add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
                      std::size_t layer) {
   if (from_.group == LobeGroup::Reflection) {
-    add(after_vertex(Aov::Reflection), arriving * view * (in.as_reflection * kept), layer);
-    add(after_vertex(Aov::Specular), arriving * in.as_highlight, layer);
+    add(aov_.after_vertex(Aov::Reflection), arriving * view * (in.as_reflection * kept), layer);
+    add(aov_.after_vertex(Aov::Specular), arriving * in.as_highlight, layer);
   } else {
     // Light sources on diffuse lobes are direct light, however they are found.
-    add(after_vertex(aov_ == Aov::Indirect ? Aov::Diffuse : aov_), arriving * view, layer);
+    add(aov_.after_vertex(aov_.part == Aov::Indirect ? Aov::Diffuse : aov_.part), arriving * view,
+        layer);
   }
 }
 
@@ -32,37 +33,40 @@ void Path::add_found(const LightInReflection& in, float kept, const Rgb& arrivin
 void Path::meet_lights(float t_surface, bool& ended) {
   if (!settings_.finite_lights) {
     // Photons bring the light of portals: what is behind them must not come a second time.
-    if (kind_ == RayKind::FinalGather)
-      ended = portals_on_way(world_, ray_.org, ray_.dir, t_surface, ray_.time, true).ends_diffuse;
+    if (way_.kind == RayKind::FinalGather)
+      ended = portals_on_way(world_, way_.ray.org, way_.ray.dir, t_surface, way_.ray.time, true)
+                  .ends_diffuse;
     return;
   }
-  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
+  if (caustics_are_mapped() && way_.kind != RayKind::FinalGather) return;
   const bool sees = !from_.weighed;
   float nearest = t_surface;
   Rgb seen(0);
   int seen_light = -1;
   // What visible portals show the eye of themselves, hidden ones of what is behind them.
-  const bool dims = kind_ != RayKind::FinalGather && !after_diffuse_;
+  const bool dims = way_.kind != RayKind::FinalGather && !depth_.after_diffuse;
   const auto own_view = [&](const Light& light) {
     return dims && light.portal && light.portal->visible ? light.portal->transparency : Rgb(1);
   };
   const auto view_to = [&](float t) {
     if (!dims || !world_.has_tinted_portals) return Rgb(1);
-    return portals_on_way(world_, ray_.org, ray_.dir, t * kShortOfPortal, ray_.time).view;
+    return portals_on_way(world_, way_.ray.org, way_.ray.dir, t * kShortOfPortal, way_.ray.time)
+        .view;
   };
   const auto end_at = [&](const Light& light) {
     ShadingPoint origin;
-    origin.position = ray_.org;
-    origin.time = ray_.time;
+    origin.position = way_.ray.org;
+    origin.time = way_.ray.time;
     origin.world = &world_;
-    return intersect_light(light, origin, ray_.dir, nearest, kind_);
+    return intersect_light(light, origin, way_.ray.dir, nearest, way_.kind);
   };
   const auto meet = [&](int index) {
     const Light& light = world_.lights[static_cast<std::size_t>(index)];
     if (light.shape == LightShape::Point) return;
     const Portal* portal = light.portal.get();
     // Most of many portals are missed: asked before what a hit takes to work out.
-    if (portal && !crosses_portal(light, ray_.org, ray_.dir, t_surface, ray_.time)) return;
+    if (portal && !crosses_portal(light, way_.ray.org, way_.ray.dir, t_surface, way_.ray.time))
+      return;
     if (sees || portal) {
       const bool ends = portal ? ends_at(*portal) : light.visible;
       const auto hit = ends ? end_at(light) : std::nullopt;
@@ -78,51 +82,51 @@ void Path::meet_lights(float t_surface, bool& ended) {
     bool alone = portal && portal->photons_only && portal->visible;  // never sampled
     const float expected = world_.light_sampler->expected_samples(from_.lights, index);
     if (expected <= 0 && !alone) return;
-    auto hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface);
+    auto hit = intersect_light(light, from_.point, way_.ray.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;
-    if (portal && portal->visible && kind_ != RayKind::FinalGather && is_black(hit->radiance)) {
+    if (portal && portal->visible && way_.kind != RayKind::FinalGather && is_black(hit->radiance)) {
       // Below the threshold samples bring nothing, and yet the surface is seen.
-      hit = intersect_light(light, from_.point, ray_.dir, from_.passed + t_surface, kind_);
+      hit = intersect_light(light, from_.point, way_.ray.dir, from_.passed + t_surface, way_.kind);
       alone = true;
     }
     if (!alone && (!hit->shadow || !from_.shadows)) return;
-    if (shadowed_by_unseen(world_, from_.point, ray_.dir, hit->t, counts_)) return;
+    if (shadowed_by_unseen(world_, from_.point, way_.ray.dir, hit->t, counts_)) return;
     const float weight =
         alone ? 1.0f : bsdf_sample_weight(settings_.estimator, from_.pdf, hit->pdf * expected);
-    const Rgb arriving =
-        lights_ * hit->radiance * from_.affected(*hit) * kept_over(hit->t - from_.passed) * weight;
+    const Rgb arriving = light_.lights * hit->radiance * from_.affected(*hit) *
+                         kept_over(hit->t - from_.passed) * weight;
     const Rgb view = own_view(light) * view_to(hit->t - from_.passed);
     add_found(from_.shown(light, *hit), fading_.kept(hit->t), arriving, view,
               layer_of_light(index));
   };
-  world_.light_sampler->for_each_on_way(ray_.org, ray_.dir, t_surface, meet);
+  world_.light_sampler->for_each_on_way(way_.ray.org, way_.ray.dir, t_surface, meet);
   const bool dimmed = dims && world_.has_tinted_portals;
   if (!ended && !dimmed) return;
   const Rgb view = view_to(nearest);
   if (!ended) return dim(view);
   const float kept = fading_.kept(nearest);
-  add(on_way(), throughput_ * (seen * view * kept_over(nearest) * kept),
+  add(aov_.on_way(), light_.throughput * (seen * view * kept_over(nearest) * kept),
       layer_of_light(seen_light));
-  if (kept < 1) add(on_way(), throughput_ * faded_to() * (1 - kept), layer_of_faded());
-  if (!first_) return;
-  result_->alpha = 1;
+  if (kept < 1) add(aov_.on_way(), light_.throughput * faded_to() * (1 - kept), layer_of_faded());
+  if (!eye_hit_.pending) return;
+  record_->alpha = 1;
   // To gather rays a portal is a black wall.
-  if (!sees) result_->depth = nearest;
+  if (!sees) record_->depth = nearest;
 }
 
 Rgb Path::reflected_environment(const Vec3& direction) {
-  const NodeList& shaders = environment_ ? *environment_ : world_.environment;
+  const NodeList& shaders = way_.environment ? *way_.environment : world_.environment;
   if (shaders.empty()) return Rgb(0);
   ++counts_.environment;
   return rgb(environment_radiance(shaders, world_,
-                                  {ray_.org, direction, environment_kind(RayKind::Environment),
-                                   raster_, blurred_, roughness_}));
+                                  {way_.ray.org, direction, environment_kind(RayKind::Environment),
+                                   raster_, way_.blurred, way_.roughness}));
 }
 
 /// What a limited reflection fades to.
 Rgb Path::faded_to() {
   if (fading_.to_color) return fading_.color;
-  if (!fading_.single_environment) return reflected_environment(ray_.dir);
+  if (!fading_.single_environment) return reflected_environment(way_.ray.dir);
   if (fading_.looked_up && *fading_.looked_up) return **fading_.looked_up;
   const Rgb found = reflected_environment(fading_.mirrored);
   if (fading_.looked_up) *fading_.looked_up = found;
@@ -136,39 +140,41 @@ std::size_t Path::layer_of_faded() const {
 
 /// Diffuse rays of occlusion with colours: what is near loses a share, its light goes with it.
 void Path::darken_near(float t) {
-  if (near_distance_ > 0) throughput_ *= Rgb(1) - near_dark_ * linear_fade(t, near_distance_);
-  near_distance_ = 0;
+  if (light_.near_distance > 0)
+    light_.throughput *= Rgb(1) - light_.near_dark * linear_fade(t, light_.near_distance);
+  light_.near_distance = 0;
 }
 
 /// At a surface, t from where the ray began.
 void Path::fade(float t) {
   if (fading_.distance > 0) {
     const float kept = fading_.kept(t);
-    add(on_way(), throughput_ * (1 - kept) * faded_to(), layer_of_faded());
+    add(aov_.on_way(), light_.throughput * (1 - kept) * faded_to(), layer_of_faded());
     dim(Rgb(kept));
   }
   fading_ = {};
 }
 
 void Path::meet_environment() {
-  if (caustics_are_mapped() && kind_ != RayKind::FinalGather) return;
+  if (caustics_are_mapped() && way_.kind != RayKind::FinalGather) return;
   if (fading_.distance > 0 || fading_.single_environment)
-    return add(on_way(), throughput_ * faded_to(), layer_of_faded());
-  const NodeList& shaders = environment_ ? *environment_ : world_.environment;
+    return add(aov_.on_way(), light_.throughput * faded_to(), layer_of_faded());
+  const NodeList& shaders = way_.environment ? *way_.environment : world_.environment;
   if (!shaders.empty()) ++counts_.environment;
-  const Vec3 origin = ray_.org, direction = ray_.dir;
-  const RayKind kind = environment_kind(kind_);
-  const Rgba c = shaders.empty() ? Rgba(0, 0, 0, 0)
-                                 : environment_radiance(
-                                       shaders, world_,
-                                       {origin, direction, kind, raster_, blurred_, roughness_});
-  if (first_)
-    result_->alpha = clamp01(c.a);
-  else if (alpha_open_)
-    result_->alpha -= (1 - clamp01(c.a)) * mean_of(throughput_);
+  const Vec3 origin = way_.ray.org, direction = way_.ray.dir;
+  const RayKind kind = environment_kind(way_.kind);
+  const Rgba c =
+      shaders.empty()
+          ? Rgba(0, 0, 0, 0)
+          : environment_radiance(shaders, world_,
+                                 {origin, direction, kind, raster_, way_.blurred, way_.roughness});
+  if (eye_hit_.pending)
+    record_->alpha = clamp01(c.a);
+  else if (eye_hit_.alpha_open)
+    record_->alpha -= (1 - clamp01(c.a)) * mean_of(light_.throughput);
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
-  if (from_.weighed && from_.lights.environment_samples > 0 && !environment_) {
+  if (from_.weighed && from_.lights.environment_samples > 0 && !way_.environment) {
     // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
     // In the shadow of what this ray does not see, no sample found any of it.
     const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
@@ -184,7 +190,7 @@ void Path::meet_environment() {
       radiance = radiance - even * (1 - weight);
     }
   }
-  add(on_way(), throughput_ * radiance, layer_of_environment());
+  add(aov_.on_way(), light_.throughput * radiance, layer_of_environment());
 }
 
 }  // namespace oriel

@@ -62,11 +62,12 @@ unsigned sending(const Lobe& lobe) {
 }  // namespace
 
 bool Path::depth_reached(LobeKind kind) const {
-  const scene::TraceDepth& depth = after_diffuse_ && settings_.depth_behind
+  const scene::TraceDepth& depth = depth_.after_diffuse && settings_.depth_behind
                                        ? *settings_.depth_behind
                                        : world_.options.trace_depth;
-  if (reflections_ + refractions_ >= depth.sum) return true;
-  return transmits(kind) ? refractions_ >= depth.refraction : reflections_ >= depth.reflection;
+  if (depth_.reflections + depth_.refractions >= depth.sum) return true;
+  return transmits(kind) ? depth_.refractions >= depth.refraction
+                         : depth_.reflections >= depth.reflection;
 }
 
 /// Shares of the lobes that rays may follow. Reflections that may not become highlights,
@@ -75,7 +76,7 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
                         bool diffuse) const {
   // Light sources on the far side of a translucent solid are no indirect light.
   const bool looks_through =
-      !settings_.indirect && !closure.thin_walled && !point.back_side && !after_diffuse_;
+      !settings_.indirect && !closure.thin_walled && !point.back_side && !depth_.after_diffuse;
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only) continue;
@@ -85,11 +86,12 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
       continue;
     if (!is_diffuse(lobe.kind)) {
       const bool reflection = lobe.type == LobeType::Reflection;
-      const bool cut =
-          !after_diffuse_ && importance_ * max_component(lobe.level) < lobe.controls.cutoff;
+      const bool cut = !depth_.after_diffuse &&
+                       depth_.importance * max_component(lobe.level) < lobe.controls.cutoff;
       // The material's own refraction depth ends in black, the scene's depth in the environment.
-      const bool deep = lobe.controls.depth > 0 &&
-                        (reflection ? reflections_ : refractions_) >= lobe.controls.depth;
+      const bool deep =
+          lobe.controls.depth > 0 &&
+          (reflection ? depth_.reflections : depth_.refractions) >= lobe.controls.depth;
       if (cut || deep || !allows(sending(lobe))) {
         // At its depth a reflection is as with highlights only, gathered light included.
         if (reflection)
@@ -111,7 +113,7 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
 /// Expected number of samples of the environment at this vertex.
 float Path::environment_samples(const Material& material) const {
   if (!indirect() || !material.environment.empty()) return 0;
-  return world_.light_sampler->environment_samples(after_diffuse_);
+  return world_.light_sampler->environment_samples(depth_.after_diffuse);
 }
 
 /// Rays of one path at the first surface, of the `samples` that the pixel may get.
@@ -142,16 +144,16 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
 
 /// Occlusion at this vertex: factor of indirect light, ambient light.
 void Path::occlude(const Closure& closure, const ShadingPoint& point) {
-  occlusion_ = Rgb(1);
-  near_distance_ = 0;
+  light_.occlusion = Rgb(1);
+  light_.near_distance = 0;
   const Occlusion& o = closure.occlusion;
   if (o.samples <= 0 || !has_diffuse(closure)) return;
-  const bool dims = o.details > 0 && indirect() && !after_diffuse_;
+  const bool dims = o.details > 0 && indirect() && !depth_.after_diffuse;
   if (dims && o.details > 1) {
-    near_dark_ = o.dark;
-    near_distance_ = o.distance > 0 ? o.distance : kFarAway;
+    light_.near_dark = o.dark;
+    light_.near_distance = o.distance > 0 ? o.distance : kFarAway;
   }
-  const bool tells = settings_.outputs && at_aov_surface_;
+  const bool tells = record_->aovs && aov_.at_surface;
   if (is_black(o.ambient) && !tells && !(dims && o.details == 1)) return;
   Rgb level(0);
   Vec3 normal = point.normal;
@@ -163,34 +165,35 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   const int rays = at_eye_surface() ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
   const float free = free_share(world_, point, normal, o.distance, rays, sampler_, counts_);
   const Rgb open = Rgb(free) + o.dark * (1 - free);
-  add(at_vertex(Aov::Diffuse), throughput_ * level * o.ambient * open, layer_of_rest());
-  if (settings_.observer) settings_.observer->on_occlusion(place_, o, free);
-  if (dims && o.details == 1) occlusion_ = open;
+  add(aov_.at_vertex(Aov::Diffuse), light_.throughput * level * o.ambient * open, layer_of_rest());
+  if (record_->observer) record_->observer->on_occlusion(place_, o, free);
+  if (dims && o.details == 1) light_.occlusion = open;
   if (!tells) return;
-  settings_.outputs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
-  if (dims) settings_.outputs->dimming = settings_.outputs->occlusion;
+  record_->aovs->occlusion = o.details > 1 ? Rgb(1) - o.dark * (1 - free) : open;
+  if (dims) record_->aovs->dimming = record_->aovs->occlusion;
 }
 
 /// What lights and environment bring to this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                        bool diffuse) {
   std::optional<DirectShares> shares;
-  if (settings_.by_light) shares.emplace();
-  const DirectLight sum = direct_light(world_, point, closure, choice, from_.lights,
-                                       {.environment_on_diffuse = diffuse,
-                                        .environment_in_reflections = !limits_reflections(closure),
-                                        .rays_bend = !after_diffuse_,
-                                        .for_the_eye = !after_diffuse_,
-                                        .portals_mapped = reads_photons(),
-                                        .falloff_distance = falloff_distance(closure),
-                                        .estimator = settings_.estimator,
-                                        .observer = after_diffuse_ ? nullptr : settings_.observer,
-                                        .place = place_},
-                                       sampler_, counts_, shares ? &*shares : nullptr);
+  if (record_->has_layers()) shares.emplace();
+  const DirectLight sum =
+      direct_light(world_, point, closure, choice, from_.lights,
+                   {.environment_on_diffuse = diffuse,
+                    .environment_in_reflections = !limits_reflections(closure),
+                    .rays_bend = !depth_.after_diffuse,
+                    .for_the_eye = !depth_.after_diffuse,
+                    .portals_mapped = reads_photons(),
+                    .falloff_distance = falloff_distance(closure),
+                    .estimator = settings_.estimator,
+                    .observer = depth_.after_diffuse ? nullptr : record_->observer,
+                    .place = place_},
+                   sampler_, counts_, shares ? &*shares : nullptr);
   const Rgb indirect = indirect_factor() * closure.indirect_scale;
   const auto bring_all = [&](const DirectLight& light, std::size_t layer) {
     const auto bring = [&](Aov c, const Rgb& radiance) {
-      if (!is_black(radiance)) add(at_vertex(c), throughput_ * radiance, layer);
+      if (!is_black(radiance)) add(aov_.at_vertex(c), light_.throughput * radiance, layer);
     };
     bring(Aov::Diffuse, light.diffuse);
     if (!caustics_are_mapped()) {
@@ -199,7 +202,7 @@ void Path::take_direct(const Closure& closure, const LobeChoice& choice, Shading
       bring(Aov::Refraction, light.refraction);
     }
     bring(Aov::Translucency, light.translucency + light.environment_translucency * indirect);
-    bring(Aov::Indirect, light.environment * occlusion_ * indirect);
+    bring(Aov::Indirect, light.environment * light_.occlusion * indirect);
   };
   if (!shares) return bring_all(sum, 0);
   for (int i = 0; i < shares->count; ++i) {
@@ -212,72 +215,72 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
                    const ClosureSample& sample) {
   const Lobe& lobe = closure.lobes[sample.lobe];
   const bool crosses = dot(sample.wi, point.geometric_normal) < 0;
-  if (settings_.observer) place_ = settings_.observer->on_scatter(place_, lobe.kind);
-  medium_.leave(closure, point, sample.wi);
-  if (closure.thin_walled && transmits(lobe.kind)) veil_ = closure.inside;
-  reach_ = kInfinity;
-  lights_ = throughput_ = throughput_ * sample.weight;
-  importance_ *= max_component(lobe.level);
+  if (record_->observer) place_ = record_->observer->on_scatter(place_, lobe.kind);
+  way_.medium.leave(closure, point, sample.wi);
+  if (closure.thin_walled && transmits(lobe.kind)) way_.veil = closure.inside;
+  way_.reach = kInfinity;
+  light_.lights = light_.throughput = light_.throughput * sample.weight;
+  depth_.importance *= max_component(lobe.level);
   switch (lobe.kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:
-      throughput_ *= indirect_factor();
-      kind_ = RayKind::FinalGather;
-      after_diffuse_ = true;
-      blurred_ = false;
-      reflections_ = refractions_ = 0;
-      if (!straight_rays_fade()) medium_.ignore();
-      cone_.spread = std::max(cone_.spread, kDiffuseSpread);
-      ++bounces_;
-      ++diffuse_bounces_;
-      throughput_ *= closure.indirect_scale;
+      light_.throughput *= indirect_factor();
+      way_.kind = RayKind::FinalGather;
+      depth_.after_diffuse = true;
+      way_.blurred = false;
+      depth_.reflections = depth_.refractions = 0;
+      if (!straight_rays_fade(world_.options)) way_.medium.ignore();
+      way_.cone.spread = std::max(way_.cone.spread, kDiffuseSpread);
+      ++depth_.bounces;
+      ++depth_.diffuse_bounces;
+      light_.throughput *= closure.indirect_scale;
       if (lobe.kind == LobeKind::Diffuse)
-        throughput_ *= occlusion_;
+        light_.throughput *= light_.occlusion;
       else
-        near_distance_ = 0;
-      to_far_side_ = !settings_.indirect;
+        light_.near_distance = 0;
+      way_.to_far_side = !settings_.indirect;
       break;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
-      kind_ = RayKind::Reflect;
-      ++reflections_;
+      way_.kind = RayKind::Reflect;
+      ++depth_.reflections;
       break;
     case LobeKind::ThinTransmission:
     case LobeKind::GlossyThin:
-      kind_ = RayKind::Transparent;
-      ++refractions_;
+      way_.kind = RayKind::Transparent;
+      ++depth_.refractions;
       break;
     default:
       // Total reflection on the inside stays a refraction of the material, as its level is.
-      kind_ = crosses ? RayKind::Refract : RayKind::Reflect;
-      ++refractions_;
+      way_.kind = crosses ? RayKind::Refract : RayKind::Reflect;
+      ++depth_.refractions;
       break;
   }
-  if (!sample.delta && kind_ != RayKind::FinalGather) {
-    blurred_ = true;
-    cone_.spread += kSpreadPerRoughness * std::max(lobe.alpha_x, lobe.alpha_y);
-    ++bounces_;
+  if (!sample.delta && way_.kind != RayKind::FinalGather) {
+    way_.blurred = true;
+    way_.cone.spread += kSpreadPerRoughness * std::max(lobe.alpha_x, lobe.alpha_y);
+    ++depth_.bounces;
   }
-  if (kind_ != RayKind::FinalGather) near_distance_ = 0;
-  alpha_open_ &= closure.propagate_alpha && transmits(lobe.kind);
-  if (at_aov_surface_) aov_ = part_of(lobe.kind);
-  leaving_aov_surface_ = at_aov_surface_;
-  at_aov_surface_ = false;
+  if (way_.kind != RayKind::FinalGather) light_.near_distance = 0;
+  eye_hit_.alpha_open &= closure.propagate_alpha && transmits(lobe.kind);
+  if (aov_.at_surface) aov_.part = part_of(lobe.kind);
+  aov_.leaving = aov_.at_surface;
+  aov_.at_surface = false;
 
-  environment_ = material.environment.empty() ? nullptr : &material.environment;
+  way_.environment = material.environment.empty() ? nullptr : &material.environment;
   const bool glossy = lobe.kind == LobeKind::GlossyReflection;
   const float alpha = glossy ? std::sqrt(lobe.alpha_x * lobe.alpha_y) : 0;
   // Seen from aside a lobe gets narrower across: a round one of the same area stands for it.
-  roughness_ = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
+  way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
   from_.pdf = sample.pdf;
   from_.group = group_of(lobe.kind);
-  from_.passed = volume_passed_ = 0;
+  from_.passed = way_.volume_passed = 0;
   const LobeControls& controls = lobe.controls;
   fading_ = {controls.falloff_distance,
              controls.falloff_to_color,
              controls.single_environment,
-             settings_.grid && controls.interpolate && controls.detail_distance > 0,
+             grid_ && controls.interpolate && controls.detail_distance > 0,
              controls.falloff_color,
              Vec3(0),
              nullptr};
@@ -288,8 +291,8 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
 }
 
 bool Path::russian_roulette() {
-  if (bounces_ < kRouletteDepth) return max_component(throughput_) > 0;
-  const float p = clamp(math::pow(max_component(throughput_), kRoulettePower), 0.05f, 0.95f);
+  if (depth_.bounces < kRouletteDepth) return max_component(light_.throughput) > 0;
+  const float p = clamp(math::pow(max_component(light_.throughput), kRoulettePower), 0.05f, 0.95f);
   if (sampler_.next_1d() >= p) return false;
   dim(Rgb(1 / p));
   return true;
@@ -310,11 +313,11 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
   from_.weighed &= weighed;
   // One look-up stands for the lobe; of many rays each stands for its share of the solid angle.
   if (!fading_.single_environment)
-    roughness_ /= std::sqrt(std::max(1.0f, choice.rays[index]) * settings_.paths_of_pixel);
+    way_.roughness /= std::sqrt(std::max(1.0f, choice.rays[index]) * settings_.paths_of_pixel);
   if (too_deep) {
     bool seen = false;
     if (world_.has_area_lights) meet_lights(kInfinity, seen);
-    kind_ = RayKind::Environment;  // no ray was traced
+    way_.kind = RayKind::Environment;  // no ray was traced
     if (!seen) meet_environment();
     return false;
   }
@@ -338,7 +341,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   interpolate(closure, material, point, choice);
   const bool splits = split(closure, choice);
   point.glossiness = closure.glossiness;
-  point.importance = std::min(1.0f, importance_);
+  point.importance = std::min(1.0f, depth_.importance);
   // In place: it is large.
   if (settings_.finite_lights)
     std::construct_at(&from_.lights, world_, point, closure);
@@ -346,10 +349,10 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
     std::construct_at(&from_.lights);
   from_.lights.environment_samples = environment_samples(material);
   const bool scatters_light = closure.any([](const Lobe& lobe) { return !is_delta(lobe.kind); });
-  if (scatters_light && !features_seen_ && !from_.weighed) {
-    features_seen_ = true;
-    result_->normal = point.normal;
-    result_->albedo = closure.albedo;
+  if (scatters_light && !eye_hit_.features_seen && !from_.weighed) {
+    eye_hit_.features_seen = true;
+    record_->normal = point.normal;
+    record_->albedo = closure.albedo;
   }
   if (scatters_light && (!from_.lights.empty() || from_.lights.environment_samples > 0))
     take_direct(closure, choice, point, diffuse || (reads_photons() && !reads_bounces()));
@@ -381,7 +384,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
       if (!branch.continue_path(closure, choice, material, point, i, branch.sampler_.next_1d()))
         continue;
-      ++branch.vertex_;
+      ++branch.depth_.vertex;
       branch.fading_.looked_up = &looked_up;
       branch.walk();
     }

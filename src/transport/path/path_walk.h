@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a path under way. Private to path*.cpp: run and media in path.cpp, what lights and
-// environment bring in path_light.cpp, vertices and the ways on in path_scatter.cpp.
+// The state of a path under way. Private to path*.cpp: the walk and surfaces in path.cpp, lights
+// and environment in path_light.cpp, vertices and lobes in path_scatter.cpp, volumes in
+// path_volume.cpp.
 #pragma once
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/tracer.h"
@@ -28,17 +30,22 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 struct GridPoint;
 struct GatherPoint;
 
-/// One path, or one branch of it; copied where it splits.
+/// One path, or one branch of it; copied where it splits. Its state is in the structs below. The
+/// functions are steps on all of that state (walk, surfaces, media, lights, lobes, maps, grids), so
+/// they are members, one file per subject; what shaders ask for is PathForShaders.
 class Path {
+  friend class PathForShaders;
+
  public:
-  Path(const World& world, Vec2 raster, const PathSettings& settings, sampling::Sampler& sampler,
-       RayCounts& counts, PathResult& result)
+  Path(const World& world, Vec2 raster, const PathSettings& settings, PathRecord& record,
+       sampling::Sampler& sampler, RayCounts& counts)
       : world_(world),
         raster_(raster),
         settings_(settings),
         sampler_(sampler),
         counts_(counts),
-        result_(&result) {}
+        record_(&record),
+        grid_(settings.grid) {}
 
   void run(const Camera::Ray& eye);
   void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
@@ -52,19 +59,6 @@ class Path {
   /// Begins at a white Lambert surface, seen from straight above, in place of what is at the point.
   /// `mapped`: maps of indirect light know the place; others gather by rays.
   void receive(ShadingPoint& point, bool mapped);
-
-  float time() const { return ray_.time; }
-
-  // path_for_shaders.cpp: see runtime/tracer.h
-  Tracer::Depth depth() const;
-  Tracer::Seen trace_for_shader(const ShadingPoint& point, const Tracer::SubRay& ray,
-                                const sampling::Sampler& stream) const;
-  Rgb irradiance_for_shader(const ShadingPoint& point, const Vec3& normal,
-                            sampling::Sampler stream) const;
-  /// Those of the sample, where the path is still what the eye or its mirrors see; else null.
-  Rgba* user_buffers() const { return after_diffuse_ ? nullptr : settings_.buffers; }
-  Rgba shade_for_shader(const NodeList& surface, ShadingPoint& point, AovValues* outputs,
-                        const sampling::Sampler& stream) const;
 
  private:
   /// Where the ray came from, to weigh lights and environment it meets.
@@ -91,6 +85,64 @@ class Path {
     LitPoint lit;      ///< for what was sampled of them
     float passed = 0;  ///< way of the ray since, through what let it pass straight
   };
+  /// The ray under way and what is known of its way since the last surface.
+  struct RayWay {
+    geom::Ray ray;
+    RayCone cone;
+    RayKind kind = RayKind::Eye;
+    bool blurred = false;
+    float roughness = 0;  ///< of the part of a reflecting lobe that the ray stands for
+    const NodeList* environment = nullptr;  ///< of the material it left; null = the scene's
+    float volume_passed = 0;                ///< of `from_.passed`, what volumes have acted on
+    float reach = kInfinity;  ///< of a gather ray; beyond it there is only the environment
+    MediumOnWay medium;
+    Medium veil;   ///< what a thin wall does to the ray behind it, up to the next surface
+    Vec3 left{0};  ///< where it left; its origin is a little off the surface, glass may be thin
+    bool to_far_side = false;  ///< only the inner side of the solid's other wall counts
+  };
+  /// By which AOV of the first surface with AOVs light is recorded: at that surface and on the way
+  /// from it by its own kind, behind it by the part that it is seen through.
+  struct AovState {
+    bool fixed = false;       ///< that surface has been met
+    bool at_surface = false;  ///< the path is at it
+    bool leaving = false;     ///< on the way from it to the next
+    Aov part = Aov::Other;
+    LightPart at_vertex(Aov c) const { return {at_surface ? c : part, c}; }
+    LightPart after_vertex(Aov c) const { return {leaving ? c : part, c}; }
+    /// Of what the ray meets that is no surface.
+    LightPart on_way() const { return {part, part}; }
+  };
+  /// What the record still has to learn of the first surfaces.
+  struct EyeHit {
+    Vec3 eye{0};
+    bool pending = true;         ///< no surface has been seen yet
+    bool features_seen = false;  ///< normal and albedo are those of a surface that scatters
+    bool alpha_open = false;     ///< what lies behind shows in alpha
+    std::optional<Tracer::Met>* met = nullptr;  ///< set: a shader asks for the first surface
+  };
+  struct PathDepth {
+    int vertex = 0;
+    int nested = 0;                        ///< paths of shaders that this one was asked from
+    int reflections = 0, refractions = 0;  ///< since the last diffuse bounce
+    int bounces = 0;                       ///< diffuse and glossy
+    int diffuse_bounces = 0;
+    bool after_diffuse = false;
+    float importance = 1;  ///< product of levels on the way, not divided by chances
+  };
+  /// Factors of light that is still to be found.
+  struct LightState {
+    Rgb throughput{1};
+    Rgb lights{1};            ///< the same for lights that the last vertex sampled as well
+    Rgb occlusion{1};         ///< of indirect light at this vertex
+    Rgb near_dark{0};         ///< what a surface loses that a diffuse ray meets at once
+    float near_distance = 0;  ///< from where on it loses nothing; 0 = nowhere
+  };
+  /// What the path is here for instead of light; null = light.
+  struct Task {
+    GridPoint* grid_point = nullptr;  ///< to fill it
+    int grid_density = 0;
+    std::vector<GatherPoint>* visited = nullptr;  ///< to note points
+  };
   /// The last look-up of gathered light at this vertex: reflections that stand on it ask for the
   /// same place again.
   struct LookedUp {
@@ -113,6 +165,9 @@ class Path {
   // path.cpp
   void walk();
   bool shade_hit(const geom::Hit& hit);
+  const Material& shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure);
+  void record_first_hit(const Closure& closure, const ShadingPoint& point,
+                        const Material& material);
   bool pass_straight(Closure& closure, const Material& material, ShadingPoint& point);
   bool pass_filter(Closure& closure, const Material& material, ShadingPoint& point);
   void dim(const Rgb& factor);
@@ -121,45 +176,28 @@ class Path {
   void follow(const ShadingPoint& point, const Vec3& direction);
   void meet_first(const Closure& closure);
   void add(const LightPart& part, const Rgb& radiance, std::size_t layer) {
-    result_->radiance += radiance;
-    if (settings_.outputs) (*settings_.outputs)[part.of_first] += radiance;
-    if (settings_.by_light) settings_.by_light[layer] += radiance;
-    if (settings_.observer) settings_.observer->on_light(place_, part, layer, radiance);
+    record_->add(place_, part, layer, radiance);
   }
   /// The same of light that is known by layers.
   void add(const LightPart& part, const Rgb& factor, const Rgb& light, const LightParts& parts) {
-    result_->radiance += factor * light;
-    if (settings_.outputs) (*settings_.outputs)[part.of_first] += factor * light;
-    if (!settings_.by_light) return;
-    for (std::size_t i = 0; i < world_.light_layers.count(); ++i) {
-      settings_.by_light[i] += factor * parts.of[i];
-      if (settings_.observer) settings_.observer->on_light(place_, part, i, factor * parts.of[i]);
-    }
+    record_->add(place_, part, factor, light, parts);
   }
   // Layers of lights; any number if not requested.
   std::size_t layer_of_light(int light) const {
-    return settings_.by_light ? world_.light_layers.of_light[static_cast<std::size_t>(light)] : 0;
+    return record_->has_layers() ? world_.light_layers.of_light[static_cast<std::size_t>(light)]
+                                 : 0;
   }
   std::size_t layer_of_instance(int instance) const {
-    return settings_.by_light ? world_.light_layers.of_instance[static_cast<std::size_t>(instance)]
-                              : 0;
+    return record_->has_layers()
+               ? world_.light_layers.of_instance[static_cast<std::size_t>(instance)]
+               : 0;
   }
   std::size_t layer_of_environment() const { return world_.light_layers.environment; }
   std::size_t layer_of_rest() const { return world_.light_layers.rest(); }
-  /// The part that light of this kind belongs to: behind the first surface everything belongs to
-  /// the part that it is seen through.
-  LightPart at_vertex(Aov c) const { return {at_aov_surface_ ? c : aov_, c}; }
-  LightPart after_vertex(Aov c) const { return {leaving_aov_surface_ ? c : aov_, c}; }
-  /// Of what the ray meets that is no surface.
-  LightPart on_way() const { return {aov_, aov_}; }
-
-  Path sub_path(const PathSettings& settings, const sampling::Sampler& stream,
-                PathResult& result) const;
-
-  // path_meter.cpp
+  // path_irradiance.cpp
   void sense_irradiance(const Closure& closure, const ShadingPoint& point);
 
-  // path_air.cpp
+  // path_volume.cpp
   bool pass_volume(const ShadingPoint& end, float t);
   bool pass_volume_to_infinity();
   bool pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless);
@@ -176,7 +214,7 @@ class Path {
   std::size_t layer_of_faded() const;
   Rgb reflected_environment(const Vec3& direction);
 
-  // path_glow.cpp
+  // path_emission.cpp
   void sample_emission(const Closure& closure, const LobeChoice& choice, const ShadingPoint& point,
                        bool on_diffuse, bool in_reflections);
   Rgb emission_seen(const Closure& closure, const ShadingPoint& point, const TriangleSample& target,
@@ -197,7 +235,9 @@ class Path {
   void scatter(const Closure& closure, const Material& material, ShadingPoint& point,
                const ClosureSample& sample);
   bool shade_vertex(Closure& closure, const Material& material, ShadingPoint& point);
-  bool at_eye_surface() const { return reflections_ + refractions_ == 0 && !after_diffuse_; }
+  bool at_eye_surface() const {
+    return depth_.reflections + depth_.refractions == 0 && !depth_.after_diffuse;
+  }
   bool depth_reached(LobeKind kind) const;
   bool russian_roulette();
 
@@ -205,33 +245,34 @@ class Path {
   /// Whether this vertex may be lit by surfaces and environment.
   bool indirect() const {
     return settings_.indirect && allows(kSendsGatherRays) &&
-           diffuse_bounces_ < settings_.diffuse_bounces;
+           depth_.diffuse_bounces < settings_.diffuse_bounces;
   }
-  bool reads_maps() const { return settings_.maps && (after_diffuse_ || !off_maps_); }
+  bool reads_maps() const { return settings_.maps && (depth_.after_diffuse || !off_maps_); }
   /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
   bool reads_photons() const {
-    return reads_maps() && settings_.maps->global && (after_diffuse_ || !settings_.maps->gather);
+    return reads_maps() && settings_.maps->global &&
+           (depth_.after_diffuse || !settings_.maps->gather);
   }
   /// Whether coarse records stand for just the diffuse bounces that are still to come.
   bool reads_bounces() const {
-    if (!settings_.maps || !settings_.maps->bounces || !after_diffuse_) return false;
+    if (!settings_.maps || !settings_.maps->bounces || !depth_.after_diffuse) return false;
     const int held = settings_.maps->bounces_held;
     return held >= PathSettings::kAllBounces ||
-           settings_.diffuse_bounces - diffuse_bounces_ == held;
+           settings_.diffuse_bounces - depth_.diffuse_bounces == held;
   }
   /// Whether light that comes to a diffuse surface by mirrors and glass is in the caustic map, so
   /// that rays behind that surface must not find it again.
   bool caustics_are_mapped() const {
-    return settings_.maps && settings_.maps->caustic && after_diffuse_;
+    return settings_.maps && settings_.maps->caustic && depth_.after_diffuse;
   }
   /// Factor of the options on indirect light that comes to this vertex by rays.
   Rgb indirect_factor() const {
-    if (after_diffuse_) return settings_.further_bounces;
+    if (depth_.after_diffuse) return settings_.further_bounces;
     return settings_.maps && settings_.maps->gather ? settings_.maps->gather_scale : Rgb(1);
   }
   /// After a diffuse bounce an environment shows all rays what light of it is sampled by.
   RayKind environment_kind(RayKind kind) const {
-    return after_diffuse_ ? RayKind::FinalGather : kind;
+    return depth_.after_diffuse ? RayKind::FinalGather : kind;
   }
   // path_indirect.cpp
   std::optional<Rgb> mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
@@ -245,8 +286,8 @@ class Path {
   bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);
   /// What the media on the way leave of light over a distance.
   Rgb kept_over(float distance) const {
-    const Rgb kept = transmittance(medium_.medium, distance);
-    return veil_.clear() ? kept : kept * transmittance(veil_, distance);
+    const Rgb kept = transmittance(way_.medium.medium, distance);
+    return way_.veil.clear() ? kept : kept * transmittance(way_.veil, distance);
   }
   static float mean_of(const Rgb& c) { return (c.x + c.y + c.z) / 3; }
   static Vec3 facing(const Vec3& n, const Vec3& side) { return dot(n, side) < 0 ? -n : n; }
@@ -259,58 +300,27 @@ class Path {
   /// Where the ray left is asked again by what it meets: lights with a shape, shadows of the
   /// unseen.
   bool needs_origin() const { return world_.has_area_lights || world_.has_unseen_blockers; }
-  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
-  bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
 
   const World& world_;
   Vec2 raster_;
   const PathSettings& settings_;
   sampling::Sampler sampler_;
   RayCounts& counts_;
-  PathResult* result_;
+  PathRecord* record_;
+  const GlossyGrid* grid_;  ///< rays of shaders read none
 
-  Vec3 eye_{0};
-  int vertex_ = 0;
   PathObserver::Place place_ = PathObserver::kEye;
-  int nested_ = 0;                             ///< paths of shaders that this one was asked from
-  std::optional<Tracer::Met>* met_ = nullptr;  ///< set: a shader asks for the first surface
-  GridPoint* grid_point_ = nullptr;            ///< set: the path is only here to fill it
-  int grid_density_ = 0;
-  std::vector<GatherPoint>* visited_ = nullptr;  ///< set: the path is only here to note points
-  geom::Ray ray_;
-  RayCone cone_;
-  RayKind kind_ = RayKind::Eye;
-  bool blurred_ = false;
-  float roughness_ = 0;  ///< of the part of a reflecting lobe that the ray stands for
-  bool after_diffuse_ = false;
-  bool first_ = true;                 ///< no surface has been seen yet
-  bool aov_fixed_ = false;            ///< the path has hit the surface that determines the outputs
-  bool at_aov_surface_ = false;       ///< at that surface
-  bool leaving_aov_surface_ = false;  ///< on the way from it to the next
-  bool features_seen_ = false;        ///< normal and albedo are those of a surface that scatters
-  bool off_maps_ = false;             ///< begins where maps have no data
-  bool alpha_open_ = false;           ///< what lies behind shows in alpha
-  bool to_far_side_ = false;          ///< only the inner side of the solid's other wall counts
-  Aov aov_ = Aov::Other;
-  Rgb throughput_{1};
-  Rgb lights_{1};            ///< the same for lights that the last vertex sampled as well
-  Rgb occlusion_{1};         ///< of indirect light at this vertex
-  Rgb near_dark_{0};         ///< what a surface loses that a diffuse ray meets at once
-  float near_distance_ = 0;  ///< from where on it loses nothing; 0 = nowhere
-  float importance_ = 1;     ///< product of levels on the way, not divided by chances
+  Task task_;
+  RayWay way_;
+  AovState aov_;
+  EyeHit eye_hit_;
+  PathDepth depth_;
+  LightState light_;
   Vertex from_;
   mutable LookedUp looked_up_;
   Fading fading_;
-  const NodeList* environment_ = nullptr;
-  float volume_passed_ = 0;  ///< of `from_.passed`, what the air has acted on
-  float reach_ = kInfinity;  ///< of a gather ray; beyond it there is only the environment
-  MediumOnWay medium_;
-  Medium veil_;   ///< what a thin wall does to the ray behind it, up to the next surface
-  Vec3 left_{0};  ///< where the ray left; its origin is a little off the surface, glass may be thin
-  int reflections_ = 0, refractions_ = 0;  ///< since the last diffuse bounce
-  int bounces_ = 0;                        ///< diffuse and glossy
-  int diffuse_bounces_ = 0;
   unsigned visibility_ = kAllVisibility;  ///< of the surface's instance
+  bool off_maps_ = false;                 ///< begins where maps know nothing
 };
 
 }  // namespace oriel

@@ -85,8 +85,6 @@ class PhotonWalk {
     factor_ = left;
   }
   Rgb power() const { return emitted_ * factor_; }
-  /// Rays that go straight through glass are dimmed by it only where shadow rays are.
-  bool straight_rays_fade() const { return world_.options.shadow == scene::ShadowMode::Segments; }
 
   const World& world_;
   const PhotonSettings& settings_;
@@ -262,10 +260,7 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
       chance += choice.rays[i];
     }
     lose(factor_ * through / chance);
-    if (straight_rays_fade())
-      medium_.leave(closure, point, ray_.dir);
-    else if (!closure.thin_walled)
-      medium_.ignore();
+    medium_.pass_straight(closure, closure, point, ray_.dir, straight_rays_fade(world_.options));
     pass(closure, point);
     return true;
   }
@@ -291,7 +286,7 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   kind_ = scattered_as(kind, dot(sample->wi, point.geometric_normal) < 0);
   if (is_diffuse(kind)) {
     diffuse_ = true;
-    if (!straight_rays_fade()) medium_.ignore();
+    if (!straight_rays_fade(world_.options)) medium_.ignore();
   } else {
     specular_ = true;
   }
@@ -319,10 +314,7 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
     return false;
   }
   lose(factor_ * through / p);
-  if (!filter.thin_walled && straight_rays_fade())
-    medium_.leave(filter, point, ray_.dir);
-  else if (!closure.thin_walled)
-    medium_.ignore();
+  medium_.pass_straight(filter, closure, point, ray_.dir, straight_rays_fade(world_.options));
   pass(closure, point);
   return true;
 }

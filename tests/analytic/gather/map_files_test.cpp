@@ -46,7 +46,7 @@ Rendered render(const std::string& options, const MapFiles& files = {},
                           },
                           {}},
                          &cancel);
-  r.picture = film_layers(session, 0).front().image;
+  r.picture = film_layers(session, {}).front().image;
   r.rays = session.rays();
   r.gather_points = session.indirect().gather_points();
   for (const Diagnostic& d : diagnostics.all()) r.messages.push_back(d.code);

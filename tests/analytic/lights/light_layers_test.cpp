@@ -75,7 +75,7 @@ std::vector<Layer> rendered(const Room& room, std::uint32_t samples,
   EXPECT_EQ(scene.messages(), "");
   RenderSession session(*scene.world, {.budget = {.samples = samples}});
   session.run();
-  return film_layers(session, kLayerLights);
+  return film_layers(session, LayerSet(LayerGroup::Always));
 }
 
 Rgb at(const std::vector<Layer>& layers, const std::string& name, int x, int y) {

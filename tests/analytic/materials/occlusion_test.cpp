@@ -160,13 +160,12 @@ struct UnderSlab {
     constexpr int kPaths = 4096;
     for (int i = 0; i < kPaths; ++i) {
       sampling::Sampler sampler(1, 2, static_cast<std::uint32_t>(i));
-      AovValues one;
-      const PathSettings settings{.outputs = &one};
+      PathRecord one(RecordRequest{.aovs = true});
       RayCounts counts;
       trace_path(probe.world(), {Vec3(.1f, 0, .25f), normalize(Vec3(-.1f, 0, -.25f)), 1, 0, 0},
-                 Vec2(0), settings, sampler, counts);
+                 Vec2(0), {}, one, sampler, counts);
       for (std::size_t c = 0; c < kAovs; ++c)
-        parts.result[c] += one.result[c] / static_cast<float>(kPaths);
+        parts.result[c] += one.aovs->result[c] / static_cast<float>(kPaths);
     }
   }
 };

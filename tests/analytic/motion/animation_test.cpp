@@ -76,7 +76,7 @@ std::vector<Rendered> frames(const std::string& text) {
     if (!world) throw std::runtime_error("the scene cannot be rendered");
     RenderSession session(*world, {.budget = {.samples = 4}});
     session.run();
-    out.push_back({film_layers(session, 0).front().image.pixels, cache.reused});
+    out.push_back({film_layers(session, {}).front().image.pixels, cache.reused});
     cache.keep(*world);
   }
   for (const Diagnostic& d : diagnostics.all())

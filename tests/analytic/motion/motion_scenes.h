@@ -22,7 +22,7 @@ inline std::string moves_by(float x, float y = 0, float z = 0) {
 
 inline Image rendered(const std::string& text, std::uint32_t samples = kSamples) {
   const RenderedScene scene(text, {.budget = {.samples = samples}});
-  return std::move(film_layers(scene.session(), 0).front().image);
+  return std::move(film_layers(scene.session(), {}).front().image);
 }
 inline Image rendered(const SceneText& scene, std::uint32_t samples = kSamples) {
   return rendered(scene.str(), samples);
@@ -74,7 +74,7 @@ inline Measured seen(const Probe& probe, const Vec3& origin, const Vec3& directi
 /// Motion of the pixels that show something, which must all be alike.
 inline Vec3 motion_layer(const SceneText& scene) {
   const RenderedScene rendered(scene, {.budget = {.samples = 16}, .motion = true});
-  const auto layers = film_layers(rendered.session(), kLayerMotion);
+  const auto layers = film_layers(rendered.session(), LayerSet("motion"));
   EXPECT_EQ(layers.back().name, "motion");
   const Image& image = layers.back().image;
   Vec3 found(0);

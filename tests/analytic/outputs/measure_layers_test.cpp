@@ -21,13 +21,13 @@ struct Rendered : RenderedScene {
   explicit Rendered(const SceneText& scene, bool irradiance = true)
       : RenderedScene(
             scene, {.budget = {.samples = 256}, .irradiance = irradiance, .unit_luminance = 1}) {}
-  Image layer(LayerSet bit, const std::string& name) const {
-    const auto layers = film_layers(session(), bit);
+  Image layer(const std::string& name) const {
+    const auto layers = film_layers(session(), LayerSet(name));
     const Layer* found = find_layer(layers, name);
     return found ? found->image : Image();
   }
   double mean_lux() const {
-    const Image image = layer(kLayerIlluminance, "illuminance");
+    const Image image = layer("illuminance");
     double sum = 0;
     for (const float v : image.pixels) sum += v;
     return sum / static_cast<double>(image.pixels.size());
@@ -49,14 +49,14 @@ TEST(MeasureLayers, IlluminanceIsTheSameOnEverySurface) {
 TEST(MeasureLayers, AskingChangesNoOtherLayer) {
   const SceneText scene = plate(kWhite, "trace depth 8 8 12");
   const Rendered with(scene), without(scene, false);
-  EXPECT_EQ(with.layer(0, "").pixels, without.layer(0, "").pixels);
-  EXPECT_TRUE(without.layer(kLayerIlluminance, "illuminance").empty());
+  EXPECT_EQ(with.layer("").pixels, without.layer("").pixels);
+  EXPECT_TRUE(without.layer("illuminance").empty());
 }
 
 TEST(MeasureLayers, LuminanceOfAWhiteSurfaceIsItsIlluminanceByPi) {
   const Rendered r(plate(kWhite, "trace depth 8 8 12"));
   double sum = 0;
-  const Image luminance = r.layer(kLayerLuminance, "luminance");
+  const Image luminance = r.layer("luminance");
   for (const float v : luminance.pixels) sum += v;
   EXPECT_NEAR(sum / static_cast<double>(luminance.pixels.size()), kExact / kPi, .01 * kExact / kPi);
 }

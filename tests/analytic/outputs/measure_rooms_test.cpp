@@ -41,7 +41,7 @@ double mean_lux(const std::string& method) {
   RenderedScene rendered(scene.str(), {.budget = {.samples = 128}, .irradiance = true}, registry());
   double sum = 0;
   std::size_t count = 0;
-  for (const Layer& layer : film_layers(rendered.session(), kLayerIlluminance))
+  for (const Layer& layer : film_layers(rendered.session(), LayerSet("illuminance")))
     if (layer.name == "illuminance")
       for (const float v : layer.image.pixels) sum += v, ++count;
   return sum / static_cast<double>(count);

@@ -198,13 +198,15 @@ TEST(Outputs, AreTheSameForAnyNumberOfThreads) {
 TEST(Outputs, ClippedPixelsAreTheSumOfTheirPartsToo) {
   // What a filter clips to black, of parts thousands of times as bright as the limit is dark.
   const FilterSampler filter({scene::FilterKind::ClipMitchell, 4, 4});
-  Film film(1, 1, filter, {}, true);
-  AovValues plain, ring;
+  Film film(1, 1, filter, {}, {.aovs = true});
+  PathRecord records[]{PathRecord(RecordRequest{.aovs = true}),
+                       PathRecord(RecordRequest{.aovs = true})};
+  AovValues &plain = *records[0].aovs, &ring = *records[1].aovs;
   plain[Aov::Diffuse] = Rgb(.1234567f);
   ring[Aov::Diffuse] = Rgb(.3333333f), ring[Aov::Reflection] = Rgb(777.7777f);
   FilmSample a, b;
-  a.beauty = Rgb(.1234567f), a.outputs = &plain;
-  b.beauty = Rgb(.3333333f) + Rgb(777.7777f), b.outputs = &ring, b.negative = true;
+  a.beauty = Rgb(.1234567f), a.record = &records[0];
+  b.beauty = Rgb(.3333333f) + Rgb(777.7777f), b.record = &records[1], b.negative = true;
   film.add(0, 0, a);
   film.add(0, 0, b);
   AovValues o = film.outputs(0, 0);
