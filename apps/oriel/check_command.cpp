@@ -14,6 +14,7 @@
 #include "output/camera_output.h"
 #include "prepare/prepare.h"
 #include "render/budget.h"
+#include "render/indirect_plan.h"
 #include "render/session.h"
 #include "scene/option_table.h"
 #include "scene_code.h"

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/explain.h"
+#include "render/indirect_plan.h"
 #include "render/unit_luminance.h"
 
 namespace oriel::app {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "numbers.h"
+#include "render/integrator.h"
 #include "sun_scene.h"
 
 namespace oriel::app {
@@ -14,14 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
-  using Method = scene::IndirectMethod;
   if (text.empty()) return std::nullopt;
-  if (text == "scene") return Method::Scene;
-  if (text == "path") return Method::Path;
-  if (text == "fg") return Method::FinalGather;
-  if (text == "photons") return Method::Photons;
-  if (text == "fg+photons") return Method::FinalGatherPhotons;
-  throw UsageError(fmt::format("--gi {}: path, fg, photons, fg+photons or scene", text));
+  if (const IntegratorSpec* spec = find_integrator(text)) return spec->method;
+  std::vector<std::string> names;
+  for (const IntegratorSpec& spec : integrators()) names.emplace_back(spec.name);
+  throw UsageError(fmt::format("--gi {}: use {}", text, fmt::join(names, ", ")));
 }
 
 LayerSet parse_layers(const std::string& text) {

@@ -165,7 +165,7 @@ std::vector<Reading> measure_luminance(const World& world, const std::vector<Vec
                                        const std::atomic<bool>* cancel) {
   const auto one = [&](std::size_t i, sampling::Sampler& sampler, RayCounts& counts) {
     const Vec2 raster = pixels[i] + sampler.next_2d();
-    return double{unit * luminance(trace_eye_rays(world, raster, {}, sampler, counts).radiance)};
+    return double{unit * luminance(trace_eye_rays(world, raster, sampler, counts).radiance)};
   };
   return take_readings(pixels.size(), one, request, cancel);
 }

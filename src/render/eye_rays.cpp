@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "render/path_integrator.h"
 #include "runtime/shutter_time.h"
 #include "transport/path/path_observer.h"
 
@@ -21,7 +22,8 @@ class LensChain final : public LensNext {
     const Camera& camera;  ///< at that time
     float time;
     Vec2 raster;
-    const PathSettings& settings;
+    const Integrator& integrator;
+    float paths_of_pixel;
     PathRecord& record;
     sampling::Sampler& sampler;
     RayCounts& counts;
@@ -74,7 +76,7 @@ class LensChain final : public LensNext {
     s_.sampler.skip();
     PathRecord other({}, s_.record.user_buffers, s_.record.observer);
     PathRecord& record = s_.recorded ? other : s_.record;
-    trace_path(s_.world, ray, s_.raster, s_.settings, record, own, s_.counts);
+    s_.integrator.trace(ray, s_.raster, s_.paths_of_pixel, record, own, s_.counts);
     if (std::exchange(s_.recorded, true)) s_.record.note_first_surface(other.first);
     return {Rgba(record.radiance.x, record.radiance.y, record.radiance.z, record.alpha),
             record.depth, record.normal};
@@ -88,19 +90,20 @@ class LensChain final : public LensNext {
 bool asks_for_rays(const ShaderNode* node) { return node->spec().lens.trace != nullptr; }
 
 /// A sample through lenses some of which make its colour themselves.
-void trace_chain(const World& world, const Camera& camera, float time, Vec2 raster,
-                 const PathSettings& settings, PathRecord& record, sampling::Sampler& sampler,
+void trace_chain(const World& world, const Integrator& integrator, const Camera& camera, float time,
+                 Vec2 raster, float paths_of_pixel, PathRecord& record, sampling::Sampler& sampler,
                  RayCounts& counts) {
-  LensChain::Shared shared{world, camera, time, raster, settings, record, sampler, counts};
+  LensChain::Shared shared{world,          camera, time,    raster, integrator,
+                           paths_of_pixel, record, sampler, counts};
   const LensNext::Seen seen = LensChain(shared, 0).trace(camera.ray(raster, time));
   record.radiance = rgb(seen.colour);
   record.alpha = clamp01(seen.colour.a);
 }
 
 /// A path through the lens, one of many. Returns its weight.
-Rgb trace_through_lens(const World& world, const Camera& camera, float time, Vec2 raster,
-                       const PathSettings& settings, float share, PathRecord& record,
-                       sampling::Sampler& sampler, RayCounts& counts) {
+Rgb trace_through_lens(const World& world, const Integrator& integrator, const Camera& camera,
+                       float time, Vec2 raster, float paths_of_pixel, float share,
+                       PathRecord& record, sampling::Sampler& sampler, RayCounts& counts) {
   Rgb weight(1);
   Camera::Ray ray = camera.ray(raster, time);
   for (const ShaderNode* node : world.lens_rays) {
@@ -115,48 +118,50 @@ Rgb trace_through_lens(const World& world, const Camera& camera, float time, Vec
   }
   if (is_black(weight)) return weight;  // no light comes this way
   if (record.observer) record.observer->set_weight(weight * share);
-  trace_path(world, ray, raster, settings, record, sampler, counts);
+  integrator.trace(ray, raster, paths_of_pixel, record, sampler, counts);
   return weight;
 }
 
 }  // namespace
 
-void trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
-                    PathRecord& record, sampling::Sampler& sampler, RayCounts& counts) {
+void trace_eye_rays(const World& world, const Integrator& integrator, Vec2 raster,
+                    float samples_of_pixel, PathRecord& record, sampling::Sampler& sampler,
+                    RayCounts& counts) {
   const float time = shutter_time(world.shutter, sampler);
   if (world.lens_rays.empty())
-    return trace_path(world, world.camera.ray(raster, time), raster, settings, record, sampler,
-                      counts);
+    return integrator.trace(world.camera.ray(raster, time), raster, samples_of_pixel, record,
+                            sampler, counts);
 
   std::optional<Camera> moved;
   if (!world.camera.path.empty()) moved = world.camera.at(time);
   const Camera& camera = moved ? *moved : world.camera;
   if (std::any_of(world.lens_rays.begin(), world.lens_rays.end(), asks_for_rays))
-    return trace_chain(world, camera, time, raster, settings, record, sampler, counts);
+    return trace_chain(world, integrator, camera, time, raster, samples_of_pixel, record, sampler,
+                       counts);
   int rays = 1;
   for (const ShaderNode* node : world.lens_rays)
     rays = std::clamp(rays * std::clamp(node->spec().lens.ray_count(*node), 1, kMostLensRays), 1,
                       kMostLensRays);
   const auto n = static_cast<std::uint32_t>(rays);
   const float share = 1 / static_cast<float>(rays);
-  PathSettings each = settings;
-  each.paths_of_pixel *= static_cast<float>(rays);
+  const float paths_of_pixel = samples_of_pixel * static_cast<float>(rays);
   record.begin_mean();
   PathRecord path(record.requested, record.user_buffers, record.observer);
   for (std::uint32_t i = 0; i < n; ++i) {
     sampling::Sampler own = sampler.split(i, n, 0);
     path.reset();
-    const Rgb weight =
-        trace_through_lens(world, camera, time, raster, each, share, path, own, counts);
+    const Rgb weight = trace_through_lens(world, integrator, camera, time, raster, paths_of_pixel,
+                                          share, path, own, counts);
     record.add_path(path, weight, share);
   }
   record.end_mean();
 }
 
-PathResult trace_eye_rays(const World& world, Vec2 raster, const PathSettings& settings,
-                          sampling::Sampler& sampler, RayCounts& counts) {
+PathResult trace_eye_rays(const World& world, Vec2 raster, sampling::Sampler& sampler,
+                          RayCounts& counts) {
   PathRecord record;
-  trace_eye_rays(world, raster, settings, record, sampler, counts);
+  trace_eye_rays(world, PathIntegrator(world), raster, PathSettings{}.paths_of_pixel, record,
+                 sampler, counts);
   return record;
 }
 

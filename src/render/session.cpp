@@ -63,7 +63,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
-      passes_(world) {
+      integrator_(make_integrator(world)) {
   if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
 }
 
@@ -72,17 +72,8 @@ void RenderSession::clear_film() {
   if (mattes_) mattes_->clear();
 }
 
-/// What all paths of the picture go by, maps and grid as they are now.
-PathSettings RenderSession::path_settings() const {
-  PathSettings settings = passes_.path_settings();
-  settings.paths_of_pixel = static_cast<float>(budget_.max_samples);
-  // The grid's points were found through the camera's middle: a lens sees others at a pixel.
-  settings.grid = has_grid() ? &*grid_ : nullptr;
-  return settings;
-}
-
-FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSettings& settings,
-                                 PathRecord& record, RayCounts& counts) const {
+FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& record,
+                                 RayCounts& counts) const {
   const int column = window_.x0 + x, row = window_.y1 - 1 - y;
   sampling::Sampler sampler(column, row, index, seed_);
   const FilterSampler::Offset offset = filter_.sample(sampler.next_2d());
@@ -97,7 +88,8 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
   call(Moment::StateInit, before);
   call(Moment::SampleInit, before);
   if (observer_) observer_->begin_sample(offset.negative);
-  trace_eye_rays(world_, raster, settings, record, sampler, counts);
+  trace_eye_rays(world_, *integrator_, raster, static_cast<float>(budget_.max_samples), record,
+                 sampler, counts);
   if (observer_) observer_->end_sample(record.radiance);
   call(Moment::SampleExit, record);
   call(Moment::StateExit, record);
@@ -117,7 +109,6 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, const PathSe
 
 StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                                const std::atomic<bool>* cancel) {
-  const PathSettings paths = path_settings();
   const RecordRequest request{.aovs = film_.keeps_outputs(),
                               .motion = film_.keeps_motion(),
                               .irradiance = irradiance_,
@@ -135,7 +126,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
     PerThread& mine = threads.local();
     mine.record.reset();
     std::fill(mine.buffers.begin(), mine.buffers.end(), Rgba(0));
-    s = sample(x, y, index, paths, mine.record, mine.counts);
+    s = sample(x, y, index, mine.record, mine.counts);
     if (mattes_) mattes_->add(x, y, mine.record.first_surfaces, s.negative);
   };
   const StopReason reason = passes.run(draw_one, callbacks, cancel);
@@ -172,7 +163,7 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
     clear_film();
     shown = seconds();
   };
-  passes_.run(world_, maps_window_, seed_, rays_, map_files_, diagnostics_, monitor, after_pass);
+  integrator_->prepare({maps_window_, seed_, map_files_, diagnostics_, monitor, after_pass, rays_});
 }
 
 StopReason RenderSession::show_preview() {
@@ -190,14 +181,11 @@ StopReason RenderSession::show_preview() {
 StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
                               const std::atomic<bool>* cancel) {
   if (world_.preview) return show_preview();
-  const IndirectPlan& plan = passes_.plan();
-  if (!grid_) {
+  if (!prepared_) {
     prepare_maps(callbacks, cancel);
-    const scene::RenderOptions& o = world_.options;
-    if ((plan.gather && o.finalgather.only) || ((plan.global || plan.caustic) && o.photonmap_only))
-      return StopReason::MapsOnly;
-    grid_.emplace(world_, passes_.path_settings(), seed_, rays_);
-    if (cancel && *cancel && plan.maps()) {
+    if (integrator_->caches_only()) return StopReason::MapsOnly;
+    prepared_ = true;
+    if (cancel && *cancel && integrator_->has_caches()) {
       Progressive once(film_, {.max_samples = 1});
       draw(once, {}, nullptr);
       return StopReason::Cancelled;

@@ -4,17 +4,17 @@
 
 #include <array>
 #include <atomic>
+#include <memory>
 #include <optional>
 
 #include "render/budget.h"
 #include "render/film.h"
-#include "render/indirect_passes.h"
+#include "render/integrator.h"
 #include "render/mattes.h"
 #include "render/progressive.h"
 #include "runtime/window.h"
 #include "runtime/world.h"
 #include "transport/counts.h"
-#include "transport/path/glossy_grid.h"
 #include "transport/path/path_observer.h"
 
 namespace oriel {
@@ -60,7 +60,7 @@ class RenderSession {
   const Window& window() const { return window_; }
   /// What pixels see first, as the film counts pixels; null where it is not kept.
   const Mattes* mattes() const { return mattes_ ? &*mattes_ : nullptr; }
-  const IndirectPasses& indirect() const { return passes_; }
+  const Integrator& integrator() const { return *integrator_; }
   const RenderBudget& budget() const { return budget_; }
   Progress progress() const { return progressive_.progress(); }
   const RayCounts& rays() const { return rays_; }
@@ -69,14 +69,11 @@ class RenderSession {
   /// Whether some light of the picture may not know its layer: it comes from maps in files, from
   /// grids of interpolated reflections or from shaders that bring finished colours.
   bool has_unknown_light() const {
-    return passes_.read_files() || has_grid() || world_.light_layers.some_unknown;
+    return integrator_->has_unknown_light() || world_.light_layers.some_unknown;
   }
 
  private:
-  bool has_grid() const { return grid_ && !grid_->empty() && world_.lens_rays.empty(); }
-  PathSettings path_settings() const;
-  FilmSample sample(int x, int y, std::uint32_t index, const PathSettings& settings,
-                    PathRecord& record, RayCounts& counts) const;
+  FilmSample sample(int x, int y, std::uint32_t index, PathRecord& record, RayCounts& counts) const;
   void prepare_maps(const Progressive::Callbacks& callbacks, const std::atomic<bool>* cancel);
   StopReason show_preview();
   void clear_film();
@@ -97,8 +94,8 @@ class RenderSession {
   MapFiles map_files_;
   Diagnostics unheard_;  ///< where nobody listens
   Diagnostics& diagnostics_;
-  IndirectPasses passes_;           ///< run when rendering begins
-  std::optional<GlossyGrid> grid_;  ///< made after them
+  std::unique_ptr<Integrator> integrator_;
+  bool prepared_ = false;  ///< the integrator has its caches
   RayCounts rays_;
 };
 

@@ -38,7 +38,7 @@ Stage lens_points(const std::function<Rgb(const Vec2& point, const Rgb& tint)>& 
     constexpr int kRays = 4096;
     for (int i = 0; i < kRays; ++i) {
       sampling::Sampler sampler(3, 4, static_cast<std::uint32_t>(i));
-      const Rgb c = trace_eye_rays(probe.world(), Vec2(16), {}, sampler, m.counts).radiance;
+      const Rgb c = trace_eye_rays(probe.world(), Vec2(16), sampler, m.counts).radiance;
       // The wall's blue is 100 everywhere.
       const Rgb value = of(Vec2(c.x - 100, c.y - 100), c / 100);
       sum += Imath::Vec3<double>(value.x, value.y, value.z);

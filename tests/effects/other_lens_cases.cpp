@@ -24,7 +24,7 @@ Measured seen_by_camera(const SceneText& scene, Vec2 place, int samples) {
   for (int b = 0; b < kBatches; ++b) {
     for (int s = 0; s < samples / kBatches; ++s) {
       sampling::Sampler sampler(b, 7, static_cast<std::uint32_t>(s));
-      means[b] += trace_eye_rays(world, raster, {}, sampler, m.counts).radiance *
+      means[b] += trace_eye_rays(world, raster, sampler, m.counts).radiance *
                   (static_cast<float>(kBatches) / static_cast<float>(samples));
     }
     m.mean += means[b] / kBatches;

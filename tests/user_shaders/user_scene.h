@@ -13,6 +13,7 @@
 #include "mi/reader.h"
 #include "prepare/prepare.h"
 #include "render/eye_rays.h"
+#include "render/path_integrator.h"
 #include "render/session.h"
 #include "sampling/sampler.h"
 #include "sdk/host.h"
@@ -85,6 +86,7 @@ class UserScene {
   Rgb pixel(int x, int y, int samples = 64, Rgba* buffers = nullptr) {
     PathSettings settings;
     settings.indirect = indirect;
+    const PathIntegrator integrator(*world, settings);
     Rgb sum(0);
     RayCounts counts;
     std::vector<Rgba> own(world->user_buffers.size(), Rgba(0));
@@ -95,7 +97,7 @@ class UserScene {
       std::fill(own.begin(), own.end(), Rgba(0));
       const Vec2 raster(static_cast<float>(x) + u.x, static_cast<float>(y) + u.y);
       PathRecord path(RecordRequest{}, own);
-      trace_eye_rays(*world, raster, settings, path, sampler, counts);
+      trace_eye_rays(*world, integrator, raster, settings.paths_of_pixel, path, sampler, counts);
       sum += path.radiance * (1.0f / static_cast<float>(samples));
       for (std::size_t b = 0; b < own.size(); ++b)
         means[b] += own[b] * (1.0f / static_cast<float>(samples));

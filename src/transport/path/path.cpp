@@ -58,8 +58,7 @@ void Path::follow(const ShadingPoint& point, const Vec3& direction) {
   if (way_.veil.black_distance > 0) reach = std::min(reach, way_.veil.black_distance);
   if (fading_.distance > 0) reach = std::min(reach, fading_.distance - from_.passed);
   reach = std::min(reach, way_.reach - from_.passed);
-  way_.ray = leave(point, direction, reach, mask());
-  way_.left = point.position;
+  way_.leave_surface(point, direction, reach, mask());
 }
 
 void Path::dim(const Rgb& factor) {
@@ -275,7 +274,7 @@ void Path::walk() {
 }
 
 void Path::run(const Camera::Ray& eye) {
-  eye_hit_.eye = way_.ray.org = way_.left = eye.origin;
+  eye_hit_.eye = way_.ray.org = eye.origin;
   way_.ray.dir = eye.direction;
   way_.ray.time = eye.time;
   const Camera& camera = world_.camera;
@@ -283,7 +282,7 @@ void Path::run(const Camera::Ray& eye) {
   way_.ray.tfar = camera.clip_far > 0 ? camera.clip_far / eye.cos_to_film : kInfinity;
   way_.ray.mask = mask();
   way_.cone = {eye.width, eye.spread};
-  way_.medium.begin_in(volume_around(world_, way_.ray));
+  way_.begin(world_);
   walk();
 }
 

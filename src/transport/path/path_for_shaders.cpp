@@ -69,7 +69,7 @@ Tracer::Seen PathForShaders::trace(const ShadingPoint& point, const Tracer::SubR
   }
   sub.eye_hit_.eye = from.position;
   sub.follow(from, ray.direction);
-  sub.way_.medium.begin_in(volume_around(world_, sub.way_.ray));
+  sub.way_.medium.begin_in(volume_around(path_.world_, sub.way_.ray));
   sub.walk();
   seen.colour = Rgba(record.radiance.x, record.radiance.y, record.radiance.z, record.alpha);
   return seen;
@@ -113,7 +113,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
   sub.from_.weighed = true;  // against no lights: it passes through them unseen
   sub.eye_hit_.eye = at.position;
   sub.follow(at, w);
-  sub.way_.medium.begin_in(volume_around(world_, sub.way_.ray));
+  sub.way_.medium.begin_in(volume_around(path_.world_, sub.way_.ray));
   sub.walk();
   return sum + path_.indirect_factor() * record.radiance * (kPi / chance);
 }

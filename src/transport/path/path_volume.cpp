@@ -48,10 +48,7 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
     std::construct_at(&from_.lights);
     from_.group = LobeGroup::Diffuse;
     from_.passed = way_.volume_passed = 0;
-    way_.ray = {.time = way_.ray.time};
-    way_.ray.org = way_.left = volume.place;
-    way_.ray.dir = volume.onward;
-    way_.ray.mask = mask();
+    way_.leave_volume_point(volume.place, volume.onward, mask());
     return true;
   }
   return false;
@@ -64,17 +61,10 @@ bool Path::pass_volume(const ShadingPoint& end, float t) {
   const float length = t - std::exchange(way_.volume_passed, t);
   if ((volume.empty() && world_.eye_volume.empty()) || !(length > 0)) return false;
   if (!way_.medium.medium.clear()) return false;
-  ShadingPoint way;
+  ShadingPoint way =
+      way_.volume_segment(world_, end.position - way_.ray.dir * length, end.position, length);
   way.raster = raster_;
-  way.ray_kind = way_.kind;
   way.blurred = way_.blurred;
-  way.position = end.position;
-  way.normal = way.geometric_normal = -way_.ray.dir;
-  way.ray_origin = end.position - way_.ray.dir * length;
-  way.ray_direction = way_.ray.dir;
-  way.ray_length = length;
-  way.world = &world_;
-  way.time = way_.ray.time;
   SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (way_.kind == RayKind::Eye && pass_volume(world_.eye_volume, way, false)) ||
@@ -85,16 +75,10 @@ bool Path::pass_volume(const ShadingPoint& end, float t) {
 bool Path::pass_volume_to_infinity() {
   if (world_.camera_volume.empty() && world_.eye_volume.empty()) return false;
   if (!way_.medium.medium.clear() || fading_.distance > 0 || !std::isinf(way_.reach)) return false;
-  ShadingPoint way;
+  const Vec3 origin = way_.ray.org - way_.ray.dir * from_.passed;
+  ShadingPoint way = way_.volume_segment(world_, origin, origin, kInfinity);
   way.raster = raster_;
-  way.ray_kind = way_.kind;
   way.blurred = way_.blurred;
-  way.normal = way.geometric_normal = -way_.ray.dir;
-  way.ray_origin = way.position = way_.ray.org - way_.ray.dir * from_.passed;
-  way.ray_direction = way_.ray.dir;
-  way.ray_length = kInfinity;
-  way.world = &world_;
-  way.time = way_.ray.time;
   SceneTracer tracer(world_, sampler_, counts_, this);
   way.tracer = &tracer;
   return (way_.kind == RayKind::Eye && pass_volume(world_.eye_volume, way, true)) ||

@@ -12,12 +12,11 @@
 #include "runtime/tracer.h"
 #include "transport/indirect_caches.h"
 #include "transport/lobes.h"
-#include "transport/medium.h"
 #include "transport/path/direct.h"
 #include "transport/path/path.h"
 #include "transport/path/path_observer.h"
+#include "transport/ray_walk.h"
 #include "transport/shadow.h"
-#include "transport/surface.h"
 
 namespace oriel {
 
@@ -86,18 +85,14 @@ class Path {
     float passed = 0;  ///< way of the ray since, through what let it pass straight
   };
   /// The ray under way and what is known of its way since the last surface.
-  struct RayWay {
-    geom::Ray ray;
+  struct RayWay : RayWalk {
     RayCone cone;
-    RayKind kind = RayKind::Eye;
     bool blurred = false;
     float roughness = 0;  ///< of the part of a reflecting lobe that the ray stands for
     const NodeList* environment = nullptr;  ///< of the material it left; null = the scene's
     float volume_passed = 0;                ///< of `from_.passed`, what volumes have acted on
     float reach = kInfinity;  ///< of a gather ray; beyond it there is only the environment
-    MediumOnWay medium;
-    Medium veil;   ///< what a thin wall does to the ray behind it, up to the next surface
-    Vec3 left{0};  ///< where it left; its origin is a little off the surface, glass may be thin
+    Medium veil;  ///< what a thin wall does to the ray behind it, up to the next surface
     bool to_far_side = false;  ///< only the inner side of the solid's other wall counts
   };
   /// By which AOV of the first surface with AOVs light is recorded: at that surface and on the way

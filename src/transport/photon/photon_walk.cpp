@@ -9,11 +9,10 @@
 #include "lights/portal_table.h"
 #include "runtime/bump.h"
 #include "transport/lobes.h"
-#include "transport/medium.h"
 #include "transport/photon/photon_choice.h"
+#include "transport/ray_walk.h"
 #include "transport/scene_tracer.h"
 #include "transport/shadow.h"
-#include "transport/surface.h"
 
 namespace oriel {
 namespace {
@@ -72,9 +71,9 @@ class PhotonWalk {
   void follow(const ShadingPoint& point, const Vec3& direction);
   /// The same, unbent.
   void pass(const Closure& closure, const ShadingPoint& point) {
-    medium_.leave_volume(closure, point, ray_.dir);
-    kind_ = RayKind::PhotonTransparent;
-    follow(point, ray_.dir);
+    way_.medium.leave_volume(closure, point, way_.ray.dir);
+    way_.kind = RayKind::PhotonTransparent;
+    follow(point, way_.ray.dir);
   }
   Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
                    LobeKind kind) const;
@@ -94,12 +93,10 @@ class PhotonWalk {
   sampling::Sampler sampler_;
 
   EmittedPhoton photon_;
-  RayKind kind_ = RayKind::PhotonLight;
-  geom::Ray ray_;
+  RayWalk way_{.kind = RayKind::PhotonLight};
   Rgb emitted_{0};  // as of the last surface, until the photon has scattered
   Rgb factor_{1};
-  MediumOnWay medium_;
-  Vec3 start_{0}, left_{0};
+  Vec3 start_{0};
   bool scattered_ = false, specular_ = false, diffuse_ = false;
   int reflections_ = 0, refractions_ = 0;
 };
@@ -118,28 +115,20 @@ void PhotonWalk::pass_medium(const Medium& medium, float distance) {
 /// The air on the way to `end`. True: the photon goes on from there, scattered; else what is left
 /// of it arrives. Photons and light of kind Light are dimmed by the same.
 bool PhotonWalk::pass_volume(const Vec3& end, float length) {
-  const NodeList& volume = medium_.volume ? *medium_.volume : world_.light_volume;
-  if (volume.empty() || !medium_.medium.clear()) return false;
+  const NodeList& volume = way_.medium.volume ? *way_.medium.volume : world_.light_volume;
+  if (volume.empty() || !way_.medium.medium.clear()) return false;
   const bool endless = std::isinf(length);
-  ShadingPoint way;
-  way.ray_kind = kind_;
-  way.position = end;
-  way.normal = way.geometric_normal = -ray_.dir;
-  way.ray_origin = left_;
-  way.ray_direction = ray_.dir;
-  way.ray_length = length;
-  way.world = &world_;
-  way.time = ray_.time;
+  ShadingPoint way = way_.volume_segment(world_, way_.left, end, length);
   SceneTracer tracer(world_, sampler_, log_.counts);
   way.tracer = &tracer;
   // Where light from endlessly far is left alone by air without end, so are its photons.
-  if (!medium_.volume && !scattered_ && source_.is_endless() && !endless &&
-      volume_transmittance_to_light(world_, way, -ray_.dir, kEndless) == Rgb(1))
+  if (!way_.medium.volume && !scattered_ && source_.is_endless() && !endless &&
+      volume_transmittance_to_light(world_, way, -way_.ray.dir, kEndless) == Rgb(1))
     return false;
   for (const ShaderNode* node : volume) {
     const ShaderSpec& spec = node->spec();
     if (endless && !spec.volume.acts_on_endless_rays) continue;
-    if (medium_.volume && !(spec.volume.dims_light && spec.volume.dims_light(*node))) continue;
+    if (way_.medium.volume && !(spec.volume.dims_light && spec.volume.dims_light(*node))) continue;
     const VolumeValue value =
         node->with_params(way, [&](const Call& call) { return spec.volume.evaluate(call); });
     const Rgb now = power();
@@ -157,16 +146,13 @@ bool PhotonWalk::pass_volume(const Vec3& end, float length) {
       continue;
     }
     lose(factor_ * value.scattered / turned);
-    kind_ = RayKind::PhotonScatterVolume;
+    way_.kind = RayKind::PhotonScatterVolume;
     scattered_ = diffuse_ = true;
     if (!settings_.globillum) {
       log_.balance.stopped += precise(power());
       factor_ = Rgb(0);
     }
-    ray_ = {.time = ray_.time};
-    ray_.org = left_ = value.place;
-    ray_.dir = value.onward;
-    ray_.mask = geom::RayMask::FinalGather;
+    way_.leave_volume_point(value.place, value.onward, geom::RayMask::FinalGather);
     return true;
   }
   return false;
@@ -179,7 +165,7 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
   if (!global && !caustic) return;
   const MapPlace place = map_place(point, point.geometric_normal);
   (global ? log_.global : log_.caustic)
-      .push_back({{place.position, ray_.dir, power, place.normal}, index_});
+      .push_back({{place.position, way_.ray.dir, power, place.normal}, index_});
 }
 
 /// Chances of the lobes: the share of the power each would keep. Returns their sum, at most 1.
@@ -212,8 +198,7 @@ bool PhotonWalk::count_bounce(bool refracts) {
 void PhotonWalk::follow(const ShadingPoint& point, const Vec3& direction) {
   std::uint32_t mask = geom::RayMask::FinalGather;
   if (!scattered_) mask |= geom::RayMask::Shadow | geom::RayMask::ShadowTransparent;
-  ray_ = leave(point, direction, medium_.reach(), mask);
-  left_ = point.position;
+  way_.leave_surface(point, direction, way_.medium.reach(), mask);
 }
 
 /// Weight of a sample as a path that comes the other way has it: levels and shading normals go by
@@ -260,7 +245,8 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
       chance += choice.rays[i];
     }
     lose(factor_ * through / chance);
-    medium_.pass_straight(closure, closure, point, ray_.dir, straight_rays_fade(world_.options));
+    way_.medium.pass_straight(closure, closure, point, way_.ray.dir,
+                              straight_rays_fade(world_.options));
     pass(closure, point);
     return true;
   }
@@ -281,12 +267,12 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   const Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
   if (!is_finite(weight)) return absorb(), false;
   lose(factor_ * weight);
-  medium_.leave(closure, point, sample->wi);
+  way_.medium.leave(closure, point, sample->wi);
   scattered_ = true;
-  kind_ = scattered_as(kind, dot(sample->wi, point.geometric_normal) < 0);
+  way_.kind = scattered_as(kind, dot(sample->wi, point.geometric_normal) < 0);
   if (is_diffuse(kind)) {
     diffuse_ = true;
-    if (!straight_rays_fade(world_.options)) medium_.ignore();
+    if (!straight_rays_fade(world_.options)) way_.medium.ignore();
   } else {
     specular_ = true;
   }
@@ -314,7 +300,8 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
     return false;
   }
   lose(factor_ * through / p);
-  medium_.pass_straight(filter, closure, point, ray_.dir, straight_rays_fade(world_.options));
+  way_.medium.pass_straight(filter, closure, point, way_.ray.dir,
+                            straight_rays_fade(world_.options));
   pass(closure, point);
   return true;
 }
@@ -328,12 +315,12 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
     node->with_params(
         point, [&](const Call& call) { node->spec().photon.scatter(call, arriving, choice); });
   if (choice.stored && seen && visibility(point) & kReceivesCaustics) store(point, *choice.stored);
-  const PhotonChoice::Way& way = choice.way;
+  const PhotonChoice::Way& chosen = choice.way;
   if (choice.ways == 0) return absorb(), false;
-  const bool refracts =
-      way.kind >= RayKind::PhotonTransmitSpecular && way.kind <= RayKind::PhotonTransmitDiffuse;
-  const bool straight = way.kind == RayKind::PhotonTransparent;
-  const Rgb energy = way.energy * static_cast<float>(choice.ways);
+  const bool refracts = chosen.kind >= RayKind::PhotonTransmitSpecular &&
+                        chosen.kind <= RayKind::PhotonTransmitDiffuse;
+  const bool straight = chosen.kind == RayKind::PhotonTransparent;
+  const Rgb energy = chosen.energy * static_cast<float>(choice.ways);
   Rgb left(0);
   for (int i = 0; i < 3; ++i) left[i] = emitted_[i] > 0 ? energy[i] / emitted_[i] : 0;
   lose(left);
@@ -347,24 +334,24 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
     return false;
   }
   scattered_ = true;
-  kind_ = way.kind;
+  way_.kind = chosen.kind;
   const bool diffuse =
-      kind_ == RayKind::PhotonReflectDiffuse || kind_ == RayKind::PhotonTransmitDiffuse;
+      way_.kind == RayKind::PhotonReflectDiffuse || way_.kind == RayKind::PhotonTransmitDiffuse;
   (diffuse ? diffuse_ : specular_) = true;
-  medium_.ignore();  // shaders dim what passes their solids themselves
-  medium_.leave_volume(closure, point, way.direction);
-  follow(point, way.direction);
+  way_.medium.ignore();  // shaders dim what passes their solids themselves
+  way_.medium.leave_volume(closure, point, chosen.direction);
+  follow(point, chosen.direction);
   return max_component(factor_) > 0;
 }
 
 /// At a surface. False: the photon ends here.
 bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   ShadingPoint point;
-  fill_point(world_, ray_, hit, {}, kind_, point);
+  fill_point(world_, way_.ray, hit, {}, way_.kind, point);
   if (!(visibility(point) & kMeetsCaustics)) {
-    const Vec3 left = left_;
-    follow(point, ray_.dir);
-    left_ = left;  // a medium goes on
+    const Vec3 left = way_.left;
+    follow(point, way_.ray.dir);
+    way_.left = left;  // a medium goes on
     return true;
   }
   const Material& material = material_of(world_, hit);
@@ -373,15 +360,15 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   if (!scattered_) emitted_ = source_.power(photon_, length(point.position - start_));
   if (max_component(power()) <= 0) return absorb(), false;
   if (source_.is_environment() && !diffuse_ &&
-      is_behind_portal(world_, point.position, -ray_.dir, hit.t, ray_.time))
+      is_behind_portal(world_, point.position, -way_.ray.dir, hit.t, way_.ray.time))
     return absorb(), false;
 
-  medium_.meet_surface(closure, point);
-  if (medium_.medium.clear())
+  way_.medium.meet_surface(closure, point);
+  if (way_.medium.medium.clear())
     sampler_.skip();
   else
-    pass_medium(medium_.medium, length(point.position - left_));
-  const bool turned = pass_volume(point.position, length(point.position - left_));
+    pass_medium(way_.medium.medium, length(point.position - way_.left));
+  const bool turned = pass_volume(point.position, length(point.position - way_.left));
   if (max_component(factor_) <= 0) return false;
   if (turned) return true;
   if (!material.photon.empty()) {
@@ -415,22 +402,22 @@ void PhotonWalk::run() {
   photon_ =
       source_.emit(u_place, sampler_.next_2d(),
                    settings_.globillum ? RayKind::PhotonEmitGlobillum : RayKind::PhotonEmitCaustic);
-  ray_ = source_.first_ray(photon_, sampler_);
-  start_ = left_ = ray_.org;
-  medium_.begin_in(volume_around(world_, ray_));
+  way_.ray = source_.first_ray(photon_, sampler_);
+  start_ = way_.ray.org;
+  way_.begin(world_);
   for (int vertex = 0; vertex < kMostPhotonVertices; ++vertex) {
     sampler_.set_dimension(kDrawsPerPhotonVertex * static_cast<std::uint32_t>(vertex + 1));
     geom::Hit hit;
     ++log_.counts.gather;
-    if (!world_.accel->intersect(ray_, hit)) {
+    if (!world_.accel->intersect(way_.ray, hit)) {
       if (!scattered_) emitted_ = source_.power_unmet(photon_);
-      if (std::isinf(ray_.tfar)) {
-        const bool turned = pass_volume(ray_.org, kEndless);
+      if (std::isinf(way_.ray.tfar)) {
+        const bool turned = pass_volume(way_.ray.org, kEndless);
         if (max_component(factor_) <= 0) break;
         if (turned) continue;
       }
       // Nothing within the reach of a medium that turns black is black.
-      if (std::isinf(ray_.tfar))
+      if (std::isinf(way_.ray.tfar))
         log_.balance.escaped += precise(power());
       else
         absorb();

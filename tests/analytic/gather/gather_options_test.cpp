@@ -28,7 +28,7 @@ struct Gathered {
 
 Gathered gathered(const std::string& options, const std::string& method = "scene") {
   RenderedScene scene(court(options, method), {.budget = {.samples = 4}, .outputs = true});
-  return {scene.mean(), scene.session().indirect().gather_points(), scene.session().rays()};
+  return {scene.mean(), scene.session().integrator().gather_points(), scene.session().rays()};
 }
 
 // acceptance: H2

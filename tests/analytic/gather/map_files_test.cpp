@@ -48,7 +48,7 @@ Rendered render(const std::string& options, const MapFiles& files = {},
                          &cancel);
   r.picture = film_layers(session, {}).front().image;
   r.rays = session.rays();
-  r.gather_points = session.indirect().gather_points();
+  r.gather_points = session.integrator().gather_points();
   for (const Diagnostic& d : diagnostics.all()) r.messages.push_back(d.code);
   return r;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which lights send photons: by their energy statement, by being on, by standing above the horizon.
-#include "render/indirect_passes.h"
 #include "render/session.h"
 #include "support/picture.h"
 #include "support/portal_scenes.h"

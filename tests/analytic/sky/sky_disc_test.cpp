@@ -116,7 +116,7 @@ TEST(LensRays, MoreThan256AreSent) {
   const Probe probe(scene);
   sampling::Sampler sampler(1, 1, 0);
   RayCounts counts;
-  trace_eye_rays(probe.world(), Vec2(2, 2), {}, sampler, counts);
+  trace_eye_rays(probe.world(), Vec2(2, 2), sampler, counts);
   EXPECT_EQ(counts.eye, 1000u);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/indirect_passes.h"
+#include "render/cached_integrator.h"
 
 #include <fmt/format.h>
 
@@ -71,31 +71,16 @@ bool tried(const std::function<void()>& what, Diagnostics& diagnostics) try {
 
 }  // namespace
 
-const char* IndirectPlan::name() const {
-  if (gather) return global ? "fg+photons" : "fg";
-  if (global) return "photons";
-  return indirect ? "path" : "none";
+CachedIntegrator::CachedIntegrator(const World& world)
+    : world_(world), plan_(plan_indirect(world.options)) {}
+
+bool CachedIntegrator::caches_only() const {
+  const scene::RenderOptions& o = world_.options;
+  return (plan_.gather && o.finalgather.only) ||
+         ((plan_.global || plan_.caustic) && o.photonmap_only);
 }
 
-IndirectPlan plan_indirect(const scene::RenderOptions& options) {
-  using Method = scene::IndirectMethod;
-  const Method m = options.indirect;
-  IndirectPlan plan;
-  plan.by_name = m != Method::Scene;
-  if (m == Method::Path) {
-    plan.indirect = true;
-    return plan;
-  }
-  plan.gather = plan.by_name ? m != Method::Photons : options.finalgather.on;
-  plan.global = plan.by_name ? m != Method::FinalGather : options.globillum.on;
-  plan.caustic = options.caustic.on;
-  plan.indirect = plan.gather || plan.global;
-  return plan;
-}
-
-IndirectPasses::IndirectPasses(const World& world) : plan_(plan_indirect(world.options)) {}
-
-PathSettings IndirectPasses::path_settings() const {
+PathSettings CachedIntegrator::path_settings() const {
   PathSettings settings = paths_;
   settings.indirect = plan_.indirect;
   // Where no record speaks, rays from the surface find what gather rays would have found.
@@ -107,44 +92,47 @@ PathSettings IndirectPasses::path_settings() const {
   return settings;
 }
 
-void IndirectPasses::run(const World& world, const Window& window, std::uint32_t seed,
-                         RayCounts& counts, const MapFiles& files, Diagnostics& diagnostics,
-                         const ProgressMonitor& monitor, const std::function<void()>& after_pass) {
-  if (plan_.global || plan_.caustic) shoot(world, seed, counts, files, diagnostics, monitor);
-  if (plan_.gather) gather(world, window, seed, counts, files, diagnostics, monitor, after_pass);
+void CachedIntegrator::trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel,
+                             PathRecord& record, sampling::Sampler& sampler,
+                             RayCounts& counts) const {
+  PathSettings settings = path_settings();
+  settings.paths_of_pixel = paths_of_pixel;
+  settings.grid = reads_grid() ? &*grid_ : nullptr;
+  trace_path(world_, eye, raster, settings, record, sampler, counts);
 }
 
-void IndirectPasses::shoot(const World& world, std::uint32_t seed, RayCounts& counts,
-                           const MapFiles& files, Diagnostics& diagnostics,
-                           const ProgressMonitor& monitor) {
-  const scene::RenderOptions& options = world.options;
-  const std::string& file = files.photons;
+void CachedIntegrator::prepare(const IntegratorPreparation& p) {
+  if (plan_.global || plan_.caustic) trace_photon_maps(p);
+  if (plan_.gather) gather(p);
+  if (!caches_only()) grid_.emplace(world_, path_settings(), p.seed, p.counts);
+}
+
+void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
+  const scene::RenderOptions& options = world_.options;
+  const std::string& file = p.files.photons;
   const bool read = !file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file) &&
-                    tried([&] { photons_ = load_photon_maps(file); }, diagnostics);
+                    tried([&] { photons_ = load_photon_maps(file); }, p.diagnostics);
   read_files_ |= read;
   if (!read) {
-    const PhotonSettings settings = photon_settings(world, plan_, seed);
-    note_lights_without_energy(world, settings, diagnostics);
-    photons_ = trace_photons(world, settings, counts, nullptr, monitor);
-    if (!file.empty() && !monitor.cancelled())
-      tried([&] { save_photon_maps(file, photons_); }, diagnostics);
+    const PhotonSettings settings = photon_settings(world_, plan_, p.seed);
+    note_lights_without_energy(world_, settings, p.diagnostics);
+    photons_ = trace_photons(world_, settings, p.counts, nullptr, p.monitor);
+    if (!file.empty() && !p.monitor.cancelled())
+      tried([&] { save_photon_maps(file, photons_); }, p.diagnostics);
   }
-  const geom::Box3 box = world.accel->bounds();
+  const geom::Box3 box = world_.accel->bounds();
   if (plan_.global) maps_.global = &photons_.global;
   if (plan_.caustic) maps_.caustic = &photons_.caustic;
   maps_.global_lookup = photon_lookup(options.globillum, box, PhotonKind::Global);
   maps_.caustic_lookup = photon_lookup(options.caustic, box, PhotonKind::Caustic);
 }
 
-void IndirectPasses::gather(const World& world, const Window& window, std::uint32_t seed,
-                            RayCounts& counts, const MapFiles& files, Diagnostics& diagnostics,
-                            const ProgressMonitor& monitor,
-                            const std::function<void()>& after_pass) {
-  const scene::FinalGatherOptions& options = world.options.finalgather;
+void CachedIntegrator::gather(const IntegratorPreparation& p) {
+  const scene::FinalGatherOptions& options = world_.options.finalgather;
   GatherPasses passes;
-  passes.records = gather_settings(world.options, world.accel->bounds());
+  passes.records = gather_settings(world_.options, world_.accel->bounds());
   passes.density = options.presample_density;
-  passes.seed = seed;
+  passes.seed = p.seed;
   // Photons bring all further bounces of lamps. Those of the sky and of what glows are gathered,
   // but in a scene that asks for both itself, where they are left out as the manual has it.
   if (plan_.global)
@@ -155,8 +143,8 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
   if (paths_.diffuse_bounces > 0) {
     GatherSettings behind = passes.records;
     behind.path.finite_lights = !plan_.global;
-    bounces_ = gather_bounces(world, first_gather_points(world, window, passes, counts), behind,
-                              seed, counts, monitor);
+    bounces_ = gather_bounces(world_, first_gather_points(world_, p.window, passes, p.counts),
+                              behind, p.seed, p.counts, p.monitor);
     maps_.bounces = &bounces_.cache;
     maps_.bounces_query = bounces_.query;
     maps_.bounces_held = bounces_.held;
@@ -166,21 +154,21 @@ void IndirectPasses::gather(const World& world, const Window& window, std::uint3
 
   using Rebuild = scene::FinalGatherOptions::Rebuild;
   if (options.rebuild != Rebuild::On)
-    for (const std::string& file : files.gather)
+    for (const std::string& file : p.files.gather)
       if (std::filesystem::exists(file))
-        if (const auto records = load_gather_map(file, diagnostics))
+        if (const auto records = load_gather_map(file, p.diagnostics))
           read_files_ |= cache_.insert(*records) > 0;
   cache_.settle_radii();
 
   maps_.gather = &cache_;
   maps_.query = gather_query(options, passes.records.radii);
   maps_.gather_scale = rgb(options.scale);
-  if (options.rebuild == Rebuild::Freeze && !files.gather.empty()) return;
+  if (options.rebuild == Rebuild::Freeze && !p.files.gather.empty()) return;
   const std::size_t before = cache_.records().size();
-  gather_for_picture(world, window, passes, cache_, counts, monitor, after_pass);
+  gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
-  if (!files.gather.empty() && changed)
-    save_gather_map(cache_.records(), files.gather.front(), diagnostics);
+  if (!p.files.gather.empty() && changed)
+    save_gather_map(cache_.records(), p.files.gather.front(), p.diagnostics);
 }
 
 }  // namespace oriel

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Path tracing with caches of indirect light: photon maps, final gather points, grids of glossy
+// reflections.
+#pragma once
+
+#include "render/indirect_plan.h"
+#include "render/integrator.h"
+#include "transport/gather/gather_bounces.h"
+#include "transport/gather/gather_cache.h"
+#include "transport/indirect_caches.h"
+#include "transport/path/glossy_grid.h"
+#include "transport/path/path.h"
+#include "transport/photon/photon_file.h"
+
+namespace oriel {
+
+/// Computes the caches that the options ask for, then traces paths that read them.
+///
+/// Model:   photons first, from each light as its element says. If no element says anything, or a
+///          method with photons was chosen by name, the other lights get kPhotonsPerLight.
+///          With photons alone, chosen by name, the environment emits as well. Otherwise its light
+///          comes by final gathering and portals.
+///          Files: photonmap and finalgather `rebuild` on: computed and written. Off: read if they
+///          exist; photons are then not traced, gather points are added; then written.
+///          `finalgather rebuild freeze`: read and used unchanged.
+/// Errors:  OR-RN-042 a map cannot be read or written (a warning; it is computed), and those of
+///          the files (OR-TR-1xx).
+/// Checked: tests/cross_method (three methods on the same scenes), MapFiles.* in
+///          tests/analytic/gather/map_files_test.cpp, EmulatedReflection.* in tests/analytic
+class CachedIntegrator final : public Integrator {
+ public:
+  explicit CachedIntegrator(const World& world);
+
+  void prepare(const IntegratorPreparation& p) override;
+  void trace(const Camera::Ray& eye, Vec2 raster, float paths_of_pixel, PathRecord& record,
+             sampling::Sampler& sampler, RayCounts& counts) const override;
+  bool has_caches() const override { return plan_.maps(); }
+  bool caches_only() const override;
+  std::size_t gather_points() const override { return cache_.records().size(); }
+  bool has_unknown_light() const override { return read_files_ || reads_grid(); }
+
+ private:
+  void trace_photon_maps(const IntegratorPreparation& p);
+  void gather(const IntegratorPreparation& p);
+  PathSettings path_settings() const;
+  /// The grid's points were found through the middle of the lens; other lens rays see others.
+  bool reads_grid() const { return grid_ && !grid_->empty() && world_.lens_rays.empty(); }
+
+  const World& world_;
+  IndirectPlan plan_;
+  IndirectCaches maps_;
+  PathSettings paths_;  ///< behind a diffuse surface
+  PhotonMaps photons_;
+  Bounces bounces_;
+  GatherCache cache_;
+  std::optional<GlossyGrid> grid_;
+  bool read_files_ = false;
+};
+
+}  // namespace oriel
