@@ -17,7 +17,7 @@ json lobes_json(const ExplainedSurface& s) {
   json lobes = json::array();
   for (const ExplainedLobe& lobe : s.lobes)
     lobes.push_back({{"kind", lobe_name(lobe.kind)},
-                     {"level", explain_json_of(lobe.level)},
+                     {"level", explain_json_of(lobe.weight)},
                      {"roughness", lobe.roughness},
                      {"eta", lobe.eta}});
   return lobes;

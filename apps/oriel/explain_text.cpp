@@ -82,7 +82,7 @@ class Writer {
          math::acos(clamp(s.cosine, -1, 1)) * 180 / kPi, text_of(s.normal));
     std::string lobes;
     for (const ExplainedLobe& lobe : s.lobes)
-      if (!is_black(lobe.level)) lobes += (lobes.empty() ? "" : "; ") + lobe_words(lobe);
+      if (!is_black(lobe.weight)) lobes += (lobes.empty() ? "" : "; ") + lobe_words(lobe);
     if (!is_black(s.emission))
       lobes += (lobes.empty() ? "" : "; ") + fmt::format("glows {}", text_of(s.emission));
     line("  it is      {}", lobes.empty() ? "black" : lobes);

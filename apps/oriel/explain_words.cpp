@@ -73,7 +73,7 @@ std::string tint(const Rgb& c) {
 }
 
 std::string lobe_words(const ExplainedLobe& lobe) {
-  std::string words = fmt::format("{} {}", lobe_name(lobe.kind), text_of(lobe.level));
+  std::string words = fmt::format("{} {}", lobe_name(lobe.kind), text_of(lobe.weight));
   const bool glossy = lobe.kind == LobeKind::GlossyReflection ||
                       lobe.kind == LobeKind::GlossyRefraction || lobe.kind == LobeKind::GlossyThin;
   if (glossy) words += fmt::format(" (roughness {:.2g})", lobe.roughness);

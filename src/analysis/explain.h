@@ -47,7 +47,7 @@ struct ExplainedLamp {
 /// A lobe of the material in the mean: what the surface does with light.
 struct ExplainedLobe {
   LobeKind kind = LobeKind::Diffuse;
-  Rgb level{0};
+  Rgb weight{0};
   float roughness = 0;  ///< as the kind has it: radians, or the mean of alpha
   float eta = 1;
 };

@@ -158,7 +158,7 @@ void ExplainObserver::note_lobes(const Closure& closure, ExplainedSurface& s) co
                                    [&](const ExplainedLobe& l) { return l.kind == lobe.kind; });
     ExplainedLobe& sum = same == s.lobes.end() ? s.lobes.emplace_back() : *same;
     sum.kind = lobe.kind;
-    sum.level += lobe.level;
+    sum.weight += lobe.weight;
     sum.roughness = rough ? lobe.roughness : std::sqrt(lobe.alpha_x * lobe.alpha_y);
     sum.eta = lobe.eta;
   }
@@ -281,7 +281,7 @@ void ExplainObserver::tell(float positive, float negative, Explanation& e) const
     f.normal = s.met > 0 ? normalize(f.normal) : f.normal;
     for (float* sum : {&f.distance, &f.cosine, &f.back_side, &f.opacity}) *sum *= met;
     f.emission *= met;
-    for (ExplainedLobe& lobe : f.lobes) lobe.level *= met;
+    for (ExplainedLobe& lobe : f.lobes) lobe.weight *= met;
     const double looked = std::max<double>(1, static_cast<double>(s.look_ups));
     f.records /= looked, f.photons /= looked;
     if (s.occlusions > 0) f.free /= static_cast<double>(s.occlusions);

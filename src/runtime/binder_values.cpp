@@ -248,8 +248,8 @@ void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
   int of_inputs = 0;
   for (std::size_t i = 0; i < node.material_inputs_.size(); ++i) {
     const ShaderNode& source = *node.material_inputs_[i].source;
-    const int all = spec.material.one_material ? std::max(of_inputs, source.most_lobes_)
-                                               : of_inputs + source.most_lobes_;
+    const int all = spec.material.one_material ? std::max(of_inputs, source.max_lobes_)
+                                               : of_inputs + source.max_lobes_;
     if (own + all > Closure::kMostLobes) {
       diagnostics_.warning(
           "OR-RT-008", where,
@@ -261,7 +261,7 @@ void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
     }
     of_inputs = all;
   }
-  node.most_lobes_ = own + of_inputs;
+  node.max_lobes_ = own + of_inputs;
 }
 
 bool Binder::reaches(const ShaderNode& node, const ShaderNode* source, SourceLocation where) {

@@ -71,11 +71,11 @@ struct Occlusion {
   int details = 1;     ///< 0 ambient only, 1 dims indirect light, 2 replaces it by the neighbours'
 };
 
-/// Level times a lobe whose own directional albedo is at most 1.
+/// Weight times a lobe whose own directional albedo is at most 1.
 struct Lobe {
   LobeKind kind = LobeKind::Diffuse;
   LobeType type = LobeType::Diffuse;
-  Rgb level{0};         ///< per view direction; includes energy conservation and the angle curve
+  Rgb weight{0};        ///< per view direction; includes energy conservation and the angle curve
   Frame frame;          ///< z = shading normal on the viewer's side, x = stretch direction
   float roughness = 0;  ///< Diffuse: sigma; of highlights see LobeKind
   float alpha_x = 0, alpha_y = 0;
@@ -126,7 +126,7 @@ struct Closure {
   float glossiness = -1;                      ///< as ShadingPoint::glossiness
   int light_mode = 4;  ///< 0 list or linked or all, 1 the list, 2 all but it, 4 linked or all
   ArrayView<LightRef> lights;
-  Rgb albedo{0};  ///< for the albedo layer: sum of the levels
+  Rgb albedo{0};  ///< for the albedo layer: sum of the weights
   Occlusion occlusion;
   float indirect_scale = 1;  ///< on light from diffuse surfaces and the environment
   bool outputs = true;       ///< false: the material has no outputs but its result
@@ -139,12 +139,12 @@ struct Closure {
     return false;
   }
 
-  Lobe& add(LobeKind kind, LobeType type, const Rgb& level, const Frame& frame) {
+  Lobe& add(LobeKind kind, LobeType type, const Rgb& weight, const Frame& frame) {
     ORIEL_ASSERT(count < kMostLobes);
     Lobe& lobe = *new (&lobes[count++]) Lobe{};
     lobe.kind = kind;
     lobe.type = type;
-    lobe.level = level;
+    lobe.weight = weight;
     lobe.frame = frame;
     return lobe;
   }

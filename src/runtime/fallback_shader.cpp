@@ -17,7 +17,7 @@ namespace {
 /// Magenta: nothing in a daylight scene looks like it.
 const Rgb kMissingColor(0.8f, 0.0f, 0.5f);
 
-struct Guess {
+struct FallbackParams {
   Rgba color;
   float weight;
   Rgba transparency, opacity, specular;
@@ -31,19 +31,19 @@ struct Guess {
 };
 
 constexpr ParamSpec kApproximationRows[] = {
-    {ORIEL_PARAM(Guess, color), .fallback = {1, 1, 1}},
-    {ORIEL_PARAM(Guess, weight), .fallback = {1}},
-    {ORIEL_PARAM(Guess, transparency)},
-    {ORIEL_PARAM(Guess, opacity), .fallback = {1, 1, 1}},
-    {ORIEL_PARAM(Guess, specular)},
-    {ORIEL_PARAM(Guess, exponent), .fallback = {20}},
-    {ORIEL_PARAM(Guess, reflectivity)},
-    {ORIEL_PARAM(Guess, emission)},
-    {ORIEL_PARAM(Guess, intensity), .fallback = {1}},
-    {ORIEL_PARAM(Guess, shadow), .fallback = {1}},
-    {ORIEL_PARAM(Guess, texture)},
-    {ORIEL_PARAM(Guess, coord)},
-    {ORIEL_PARAM(Guess, surface), .takes_material = true},
+    {ORIEL_PARAM(FallbackParams, color), .fallback = {1, 1, 1}},
+    {ORIEL_PARAM(FallbackParams, weight), .fallback = {1}},
+    {ORIEL_PARAM(FallbackParams, transparency)},
+    {ORIEL_PARAM(FallbackParams, opacity), .fallback = {1, 1, 1}},
+    {ORIEL_PARAM(FallbackParams, specular)},
+    {ORIEL_PARAM(FallbackParams, exponent), .fallback = {20}},
+    {ORIEL_PARAM(FallbackParams, reflectivity)},
+    {ORIEL_PARAM(FallbackParams, emission)},
+    {ORIEL_PARAM(FallbackParams, intensity), .fallback = {1}},
+    {ORIEL_PARAM(FallbackParams, shadow), .fallback = {1}},
+    {ORIEL_PARAM(FallbackParams, texture)},
+    {ORIEL_PARAM(FallbackParams, coord)},
+    {ORIEL_PARAM(FallbackParams, surface), .takes_material = true},
 };
 
 /// Names as they are compared: small letters without underscores.
@@ -76,11 +76,11 @@ constexpr Familiar kFamiliar[] = {
     {"surface", " surface surfaceshader material basematerial beauty ", false},
 };
 
-Rgba looked_up(const Guess& p, const Call& call) {
+Rgba looked_up(const FallbackParams& p, const Call& call) {
   if (!p.texture.texture) return p.color;
   const ShadingPoint& point = call.point;
   Vec3 at = point.tex[0];
-  if (call.node && call.node->connected(offsetof(Guess, coord))) {
+  if (call.node && call.node->connected(offsetof(FallbackParams, coord))) {
     at = p.coord;
   } else if (point.environment) {
     const Vec3& d = point.ray_direction;
@@ -96,9 +96,9 @@ Rgba looked_up(const Guess& p, const Call& call) {
 Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)); }
 
 void guess_material(const Call& call, Closure& closure) {
-  const auto& p = call.as<Guess>();
-  if (call.node && call.node->material_input(offsetof(Guess, surface)))
-    return shade_input(call, offsetof(Guess, surface), p.surface, Rgb(1), closure);
+  const auto& p = call.as<FallbackParams>();
+  if (call.node && call.node->material_input(offsetof(FallbackParams, surface)))
+    return shade_input(call, offsetof(FallbackParams, surface), p.surface, Rgb(1), closure);
   const Vec3 normal = facing_viewer(call.point.normal, call.point);
   const auto add = [&](LobeKind kind, LobeType type, const Rgb& level) {
     if (is_black(level)) return;
@@ -181,28 +181,28 @@ const ShaderSpec kApproximateMaterial = {
     .library = "oriel",
     .doc = "Takes the place of a shader that is not available, by what its parameters are called.",
     .params = kApproximationRows,
-    .params_size = sizeof(Guess),
+    .params_size = sizeof(FallbackParams),
     .value = [](const Call& call,
-                void* result) { *static_cast<Rgba*>(result) = looked_up(call.as<Guess>(), call); },
+                void* result) { *static_cast<Rgba*>(result) = looked_up(call.as<FallbackParams>(), call); },
     .material = {
         .fill = guess_material,
         .may_transmit =
             [](const ShaderNode& node) {
-              const auto& p = node.constants<Guess>();
+              const auto& p = node.constants<FallbackParams>();
               return !is_black(rgb(p.transparency)) || !(rgb(p.opacity) == Rgb(1)) ||
-                     node.connected(offsetof(Guess, transparency)) ||
-                     node.connected(offsetof(Guess, opacity)) || node.inputs_may_transmit();
+                     node.connected(offsetof(FallbackParams, transparency)) ||
+                     node.connected(offsetof(FallbackParams, opacity)) || node.inputs_may_transmit();
             },
         .max_lobes =
             [](const ShaderNode& node) {
-              return node.material_input(offsetof(Guess, surface)) ? 0 : 4;
+              return node.material_input(offsetof(FallbackParams, surface)) ? 0 : 4;
             },
     },
     .light =
         {
             .evaluate =
                 [](const Call& call, const LightCall&) {
-                  const auto& p = call.as<Guess>();
+                  const auto& p = call.as<FallbackParams>();
                   return LightValue{rgb(p.color) * p.intensity, p.shadow};
                 },
         },

@@ -28,14 +28,14 @@ ClosurePart::ClosurePart(Closure& closure)
 
 void ClosurePart::join(const Rgb& level) {
   Closure& c = *closure_;
-  for (int i = first_; i < c.count; ++i) c.lobes[i].level *= level;
+  for (int i = first_; i < c.count; ++i) c.lobes[i].weight *= level;
   c.emission = emission_ + c.emission * level;
   c.albedo = albedo_ + c.albedo * level;
   c.occlusion.ambient = ambient_ + c.occlusion.ambient * level;
 }
 
 void scale(Closure& closure, const Rgb& level) {
-  for (int i = 0; i < closure.count; ++i) closure.lobes[i].level *= level;
+  for (int i = 0; i < closure.count; ++i) closure.lobes[i].weight *= level;
   closure.emission *= level;
   closure.albedo *= level;
   closure.occlusion.ambient *= level;

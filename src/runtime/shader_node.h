@@ -97,7 +97,7 @@ class ShaderNode {
   /// Shaders that run for one evaluation, itself included. A shader that several others use runs
   /// once for each.
   float cost_ = 1;
-  int most_lobes_ = 1;  ///< of its closure, with those of the materials it is connected to
+  int max_lobes_ = 1;  ///< of its closure, with those of the materials it is connected to
 };
 
 /// Shaders of a list run in order, each on what the one before left at the point.

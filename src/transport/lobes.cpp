@@ -118,7 +118,7 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
     if (seen_in_mirrors && lobe.controls.mirrored && sends_rays(closure, i)) continue;
     const Vec3 o = lobe.frame.to_local(wo), w = lobe.frame.to_local(wi);
     if (is_highlight(lobe.kind)) {
-      out.highlight += lobe.level * highlight(lobe, o, w);
+      out.highlight += lobe.weight * highlight(lobe, o, w);
       continue;
     }
     float value = 0, pdf = 0;
@@ -129,11 +129,11 @@ Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
     if (lobe.kind == LobeKind::Diffuse)
       value *= bsdf::soft_terminator(point.geometric_normal, lobe.frame.n, wi);
     if (lobe.controls.highlights_only) {
-      out.highlight += lobe.level * value;
+      out.highlight += lobe.weight * value;
       continue;
     }
     Response::Part& part = out.of(lobe.kind);
-    part.value += lobe.level * value;
+    part.value += lobe.weight * value;
     part.pdf += pdf;
   }
   return out;
@@ -180,7 +180,7 @@ std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoic
       side = dot(out.wi, point.geometric_normal);
       if (!on_its_side()) return std::nullopt;
     }
-    out.weight = lobe.level * (s->weight / rays);
+    out.weight = lobe.weight * (s->weight / rays);
     return out;
   }
   if (!right_side(lobe.kind, side > 0)) return std::nullopt;

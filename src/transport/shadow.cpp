@@ -53,8 +53,8 @@ Transmittance straight_transmission(const Closure& closure, const scene::RenderO
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
       if (!transmits(lobe.kind)) continue;
-      all += lobe.level;
-      if (is_delta(lobe.kind)) clear += lobe.level;
+      all += lobe.weight;
+      if (is_delta(lobe.kind)) clear += lobe.weight;
     }
   const Rgb hole(1 - closure.opacity);
   return {hole + all * closure.opacity, hole + clear * closure.opacity, hole};

@@ -68,7 +68,7 @@ struct Case {
     for (int i = 0; i < closure.count; ++i) {
       const Lobe& lobe = closure.lobes[i];
       if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
-      choice.rays[i] = std::max(0.05f, max_component(lobe.level));
+      choice.rays[i] = std::max(0.05f, max_component(lobe.weight));
       total += choice.rays[i];
     }
     choice.any = total > 0;
@@ -103,7 +103,7 @@ TEST_P(MaterialContract, LobesAreFiniteAndTheirFramesOrthonormal) {
     ASSERT_TRUE(is_sound(c.closure.inside.absorption)) << n;
     for (int i = 0; i < c.closure.count; ++i) {
       const Lobe& l = c.closure.lobes[i];
-      ASSERT_TRUE(is_sound(l.level)) << n;
+      ASSERT_TRUE(is_sound(l.weight)) << n;
       ASSERT_NEAR(length(l.frame.s), 1, 1e-4) << n;
       ASSERT_NEAR(length(l.frame.t), 1, 1e-4) << n;
       ASSERT_NEAR(length(l.frame.n), 1, 1e-4) << n;

@@ -81,7 +81,7 @@ double lobe_albedo(const Closure& closure, int index, const ShadingPoint& point,
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     alone.add(lobe.kind, lobe.type, Rgb(i == index ? 1.0f : 0.0f), lobe.frame) = lobe;
-    alone.lobes[i].level = Rgb(i == index ? 1.0f : 0.0f);
+    alone.lobes[i].weight = Rgb(i == index ? 1.0f : 0.0f);
   }
   double sum = 0;
   for (int k = 0; k < draws; ++k) {
@@ -114,10 +114,10 @@ TEST(RandomArchitecturalMaterial, LevelsNeverExceedOneAtAnyAngle) {
       Rgb sum(0);
       for (int i = 0; i < closure.count; ++i) {
         const Lobe& lobe = closure.lobes[i];
-        ASSERT_TRUE(is_number(lobe.level)) << n;
+        ASSERT_TRUE(is_number(lobe.weight)) << n;
         if (lobe.controls.mirrored) continue;  // a highlight beside a mirror is the mirror's
-        for (int k = 0; k < 3; ++k) ASSERT_GE(lobe.level[k], 0) << n << " lobe " << i;
-        sum += lobe.level;
+        for (int k = 0; k < 3; ++k) ASSERT_GE(lobe.weight[k], 0) << n << " lobe " << i;
+        sum += lobe.weight;
       }
       for (int k = 0; k < 3; ++k) ASSERT_LE(sum[k], 1 + 1e-5f) << n << " cosine " << cosine;
       most = std::max(most, max_component(sum));

@@ -32,9 +32,9 @@ Surface surface_of(const std::string& material, bool by_photons) {
   Surface s;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    s.levels.emplace_back(lobe.kind, lobe.level);
+    s.levels.emplace_back(lobe.kind, lobe.weight);
     for (const float x : {lobe.alpha_x, lobe.alpha_y, lobe.eta, lobe.frame.s.x, lobe.frame.s.y,
-                          lobe.frame.s.z, lobe.level.x, lobe.level.y, lobe.level.z})
+                          lobe.frame.s.z, lobe.weight.x, lobe.weight.y, lobe.weight.z})
       s.numbers.push_back(x);
   }
   const Rgb& absorbed = closure.inside.absorption;

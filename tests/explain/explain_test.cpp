@@ -141,7 +141,7 @@ TEST(Explain, LightsHaveTheSharesThatTheyHave) {
   EXPECT_NEAR(s->met, 1, 1e-6);
   ASSERT_EQ(s->lobes.size(), 1u);
   EXPECT_EQ(s->lobes[0].kind, LobeKind::Diffuse);
-  expect_near(s->lobes[0].level, Rgb(.5f), 1e-5f, "albedo");
+  expect_near(s->lobes[0].weight, Rgb(.5f), 1e-5f, "albedo");
 }
 
 TEST(Explain, ShadowsNameWhoCastsThem) {

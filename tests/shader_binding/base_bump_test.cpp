@@ -101,7 +101,7 @@ TEST(BaseBump, Map2BumpsTheMaterialItReturns) {
   s.shade(closure);
   ASSERT_EQ(closure.count, 1);
   expect_vector(closure.lobes[0].frame.n, normalize(Vec3(.4f, 0, 1)));
-  EXPECT_EQ(closure.lobes[0].level, Rgb(.5f));
+  EXPECT_EQ(closure.lobes[0].weight, Rgb(.5f));
 }
 
 TEST(BaseBump, Map2ScalesTheFirstTextureSpaceAndReturnsItsColour) {

@@ -30,11 +30,11 @@ TEST(HostShaders, MayasSurfacesBecomeTheirParts) {
   shade(*s.material("m"), point, c);
   ASSERT_EQ(c.count, 4);
   // A mirror of .2 leaves .8; a quarter of that is seen through.
-  EXPECT_NEAR(c.lobes[0].level.x, .8f * .75f * .5f * .8f, 1e-6f);
+  EXPECT_NEAR(c.lobes[0].weight.x, .8f * .75f * .5f * .8f, 1e-6f);
   EXPECT_EQ(c.lobes[1].kind, LobeKind::ThinTransmission);
-  EXPECT_NEAR(c.lobes[1].level.x, .2f, 1e-6f);
+  EXPECT_NEAR(c.lobes[1].weight.x, .2f, 1e-6f);
   EXPECT_EQ(c.lobes[2].kind, LobeKind::Mirror);
-  EXPECT_NEAR(c.lobes[2].level.x, .2f, 1e-6f);
+  EXPECT_NEAR(c.lobes[2].weight.x, .2f, 1e-6f);
   EXPECT_EQ(c.lobes[3].kind, LobeKind::PhongHighlight);
   EXPECT_FLOAT_EQ(c.emission.x, .1f);
 }
@@ -160,10 +160,10 @@ TEST(HostShaders, EverySurfaceHasItsColourAndHighlight) {
     EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
     const Closure closure = closure_of(s);
     ASSERT_EQ(closure.count, 2) << c.shader;
-    EXPECT_NEAR(closure.lobes[0].level.x, .25f, 1e-6f) << c.shader;
-    EXPECT_NEAR(closure.lobes[0].level.z, .5f, 1e-6f) << c.shader;
+    EXPECT_NEAR(closure.lobes[0].weight.x, .25f, 1e-6f) << c.shader;
+    EXPECT_NEAR(closure.lobes[0].weight.z, .5f, 1e-6f) << c.shader;
     EXPECT_EQ(closure.lobes[1].kind, c.highlight) << c.shader;
-    EXPECT_NEAR(closure.lobes[1].level.x, .4f, 1e-6f) << c.shader;
+    EXPECT_NEAR(closure.lobes[1].weight.x, .4f, 1e-6f) << c.shader;
     EXPECT_EQ(s.report.binding.fallbacks.count(c.shader), 1u);
   }
 }
@@ -180,10 +180,10 @@ TEST(HostShaders, LayersLieOverEachOther) {
   EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
   const Closure c = closure_of(s);
   ASSERT_EQ(c.count, 3);
-  EXPECT_NEAR(c.lobes[0].level.x, .75f, 1e-6f) << "red where the top hides";
-  EXPECT_NEAR(c.lobes[1].level.y, .25f, 1e-6f) << "green through it";
+  EXPECT_NEAR(c.lobes[0].weight.x, .75f, 1e-6f) << "red where the top hides";
+  EXPECT_NEAR(c.lobes[1].weight.y, .25f, 1e-6f) << "green through it";
   EXPECT_EQ(c.lobes[2].kind, LobeKind::ThinTransmission);
-  EXPECT_NEAR(c.lobes[2].level.x, .125f, 1e-6f) << "what both leave";
+  EXPECT_NEAR(c.lobes[2].weight.x, .125f, 1e-6f) << "what both leave";
 }
 
 TEST(HostShaders, UseBackgroundIsSeenThroughUnderAMirror) {
@@ -192,9 +192,9 @@ TEST(HostShaders, UseBackgroundIsSeenThroughUnderAMirror) {
       "end material\n");
   const Closure c = closure_of(s);
   ASSERT_EQ(c.count, 2);
-  EXPECT_NEAR(c.lobes[0].level.x, .25f, 1e-6f);
+  EXPECT_NEAR(c.lobes[0].weight.x, .25f, 1e-6f);
   EXPECT_EQ(c.lobes[1].kind, LobeKind::ThinTransmission);
-  EXPECT_NEAR(c.lobes[1].level.x, .75f, 1e-6f);
+  EXPECT_NEAR(c.lobes[1].weight.x, .75f, 1e-6f);
 }
 
 TEST(HostShaders, TheScenesOwnDeclarationGivesDefaultsAndMoreParameters) {
@@ -207,8 +207,8 @@ TEST(HostShaders, TheScenesOwnDeclarationGivesDefaultsAndMoreParameters) {
                      "\"INCANDESCENCE\" .3 0 0, \"glow\" 2 } ) end material\n");
   EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
   const Closure c = closure_of(s);
-  EXPECT_NEAR(c.lobes[0].level.x, .1f, 1e-6f);
-  EXPECT_NEAR(c.lobes[0].level.z, .3f, 1e-6f);
+  EXPECT_NEAR(c.lobes[0].weight.x, .1f, 1e-6f);
+  EXPECT_NEAR(c.lobes[0].weight.z, .3f, 1e-6f);
   EXPECT_NEAR(c.emission.x, .3f, 1e-6f);
   EXPECT_EQ(s.report.binding.ignored.count("maya_lambert.matteOpacity"), 1u);
   EXPECT_EQ(s.report.binding.ignored.count("maya_lambert.glow"), 1u);
@@ -327,12 +327,12 @@ TEST(MaxShaders, TheStandardMaterialTakesItsIlluminationAndMaps) {
   EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
   const Closure c = closure_of(s);
   ASSERT_EQ(c.count, 3);
-  EXPECT_NEAR(c.lobes[0].level.x, .75f * .4f, 1e-5f) << "half of the colour";
-  EXPECT_NEAR(c.lobes[0].level.y, .75f * .7f, 1e-5f) << "half of the map";
-  EXPECT_NEAR(c.lobes[1].level.x, .5f, 1e-5f);
+  EXPECT_NEAR(c.lobes[0].weight.x, .75f * .4f, 1e-5f) << "half of the colour";
+  EXPECT_NEAR(c.lobes[0].weight.y, .75f * .7f, 1e-5f) << "half of the map";
+  EXPECT_NEAR(c.lobes[1].weight.x, .5f, 1e-5f);
   EXPECT_NEAR(c.lobes[1].roughness, 8, 1e-4f) << "2^(10 x .3)";
-  EXPECT_NEAR(c.lobes[2].level.x, .25f, 1e-5f) << "seen through, in red";
-  EXPECT_NEAR(c.lobes[2].level.y, 0, 1e-5f);
+  EXPECT_NEAR(c.lobes[2].weight.x, .25f, 1e-5f) << "seen through, in red";
+  EXPECT_NEAR(c.lobes[2].weight.y, 0, 1e-5f);
   EXPECT_TRUE(s.material("m")->may_transmit) << "its shadows are the surface's";
 }
 
@@ -347,7 +347,7 @@ TEST(MaxShaders, StoredElementsShowTheirMaterial) {
         "material \"m\" = \"kept\" shadow = \"kept\" end material\n");
     const Closure c = closure_of(s);
     ASSERT_EQ(c.count, 2) << parameter;
-    EXPECT_NEAR(c.lobes[0].level.x, .25f, 1e-6f);
+    EXPECT_NEAR(c.lobes[0].weight.x, .25f, 1e-6f);
     EXPECT_TRUE(s.material("m")->may_transmit);
   }
 }
@@ -375,7 +375,7 @@ TEST(ProductionShaders, EachKindOfRayHasItsOwnMaterial) {
     point.ray_kind = kind;
     Closure c;
     shade(*s.material("m"), point, c);
-    return c.count > 0 ? c.lobes[0].level : c.emission;
+    return c.count > 0 ? c.lobes[0].weight : c.emission;
   };
   EXPECT_EQ(seen(RayKind::Eye), Rgb(1, 0, 0));
   EXPECT_EQ(seen(RayKind::Reflect), Rgb(0, 1, 0));
@@ -403,7 +403,7 @@ TEST(MaxShaders, WithoutAMaterialThingsAreGreyAndTheEnvironmentIsAMapOrAColour) 
   EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
   const Closure c = closure_of(s);
   ASSERT_EQ(c.count, 2);
-  EXPECT_FLOAT_EQ(c.lobes[0].level.x, .5f);
+  EXPECT_FLOAT_EQ(c.lobes[0].weight.x, .5f);
   expect_color(s.params("a").tint, .1f, .2f, .3f, 1);
   expect_color(s.params("b").tint, 1, 0, 0, 1);
   expect_color(s.params("c").tint, .5f, 0, 0, 1);
@@ -447,10 +447,10 @@ TEST(GuessedShaders, FamiliarNamesSayWhatAShaderIs) {
   EXPECT_EQ(said, 3);
   const Closure c = closure_of(s);
   ASSERT_EQ(c.count, 3);
-  EXPECT_NEAR(c.lobes[0].level.x, 128 / 255.0f * .5f * .75f, 1e-4f);
-  EXPECT_NEAR(c.lobes[0].level.z, 32 / 255.0f * .5f * .75f, 1e-4f);
-  EXPECT_NEAR(c.lobes[1].level.x, .25f, 1e-5f);
-  EXPECT_NEAR(c.lobes[2].level.x, .2f, 1e-5f);
+  EXPECT_NEAR(c.lobes[0].weight.x, 128 / 255.0f * .5f * .75f, 1e-4f);
+  EXPECT_NEAR(c.lobes[0].weight.z, 32 / 255.0f * .5f * .75f, 1e-4f);
+  EXPECT_NEAR(c.lobes[1].weight.x, .25f, 1e-5f);
+  EXPECT_NEAR(c.lobes[2].weight.x, .2f, 1e-5f);
   ShadingPoint point;
   point.world = s.world.get();
   point.position = Vec3(0, 0, -2);
@@ -467,7 +467,7 @@ TEST(GuessedShaders, NothingIsGuessedFromStrangeNamesOrAroundMisspeltOnes) {
   EXPECT_TRUE(s.report.binding.guessed.empty());
   EXPECT_EQ(s.report.binding.missing_shaders.size(), 1u) << "the one that is used";
   const Closure c = closure_of(s);
-  EXPECT_GT(c.lobes[0].level.x, 4 * c.lobes[0].level.y) << "magenta";
+  EXPECT_GT(c.lobes[0].weight.x, 4 * c.lobes[0].weight.y) << "magenta";
 }
 
 }  // namespace host_shaders_test

@@ -44,9 +44,9 @@ TEST(MaterialChains, InputIsScaledAndTheRayStandsBesideIt) {
   c.expect_silent();
   ASSERT_EQ(c.closure.count, 2);
   EXPECT_EQ(c.closure.lobes[0].kind, LobeKind::Diffuse);
-  expect_rgb(c.closure.lobes[0].level, .4f, .3f, .2f);
+  expect_rgb(c.closure.lobes[0].weight, .4f, .3f, .2f);
   EXPECT_EQ(c.closure.lobes[1].kind, LobeKind::Mirror);
-  expect_rgb(c.closure.lobes[1].level, .5f, .25f, 0);
+  expect_rgb(c.closure.lobes[1].weight, .5f, .25f, 0);
   expect_rgb(c.closure.emission, .1f, .15f, .2f);
   expect_rgb(c.closure.albedo, .9f, .55f, .2f);
 }
@@ -86,9 +86,9 @@ TEST(MaterialChains, ChainsMultiply) {
                          "\"ior\" 1.5 )"));
   c.expect_silent();
   ASSERT_EQ(c.closure.count, 3);
-  expect_rgb(c.closure.lobes[0].level, .32f, .16f, .08f);
-  expect_rgb(c.closure.lobes[1].level, .4f, .4f, .4f);
-  expect_rgb(c.closure.lobes[2].level, .2f, .2f, .2f);
+  expect_rgb(c.closure.lobes[0].weight, .32f, .16f, .08f);
+  expect_rgb(c.closure.lobes[1].weight, .4f, .4f, .4f);
+  expect_rgb(c.closure.lobes[2].weight, .2f, .2f, .2f);
   EXPECT_EQ(c.closure.lobes[2].kind, LobeKind::ClearRefraction);
   EXPECT_FLOAT_EQ(c.closure.lobes[2].eta, 1.5f);
   EXPECT_FALSE(c.closure.thin_walled);
@@ -109,13 +109,13 @@ TEST(MaterialChains, OpacityIsACutOutAsFarAsAllChannelsLetPass) {
                    material("\"mib_opacity\" ( \"input\" = \"l\", \"opacity\" .5 .5 .5 )"));
   EXPECT_EQ(grey.closure.count, 1);
   EXPECT_FLOAT_EQ(grey.closure.opacity, .5f);
-  expect_rgb(grey.closure.lobes[0].level, .8f, .4f, .2f);
+  expect_rgb(grey.closure.lobes[0].weight, .8f, .4f, .2f);
   const Chain tinted(kLambert +
                      material("\"mib_opacity\" ( \"input\" = \"l\", \"opacity\" .5 .25 0 )"));
   ASSERT_EQ(tinted.closure.count, 2);
   EXPECT_FLOAT_EQ(tinted.closure.opacity, .5f);
-  expect_rgb(tinted.closure.lobes[0].level, .8f, .2f, 0);
-  expect_rgb(tinted.closure.lobes[1].level, 0, .5f, 1);
+  expect_rgb(tinted.closure.lobes[0].weight, .8f, .2f, 0);
+  expect_rgb(tinted.closure.lobes[1].weight, 0, .5f, 1);
   const Chain twice(kLambert +
                     "shader \"o\" \"mib_opacity\" ( \"input\" = \"l\", \"opacity\" .5 .5 .5 )\n" +
                     material("\"mib_continue\" ( \"input\" = \"o\", \"transp\" .2 .2 .2 )"));
@@ -129,7 +129,7 @@ TEST(MaterialChains, ArchitecturalMaterialsMayLieBelow) {
       material("\"mib_reflect\" ( \"input\" = \"a.result\", \"reflect\" .25 .25 .25 )"));
   c.expect_silent();
   ASSERT_EQ(c.closure.count, 2);
-  expect_rgb(c.closure.lobes[0].level, .75f, .75f, .75f);
+  expect_rgb(c.closure.lobes[0].weight, .75f, .75f, .75f);
   expect_rgb(c.closure.occlusion.ambient, .3f, .3f, .3f);
   EXPECT_EQ(c.closure.occlusion.samples, 16);
 }
@@ -143,7 +143,7 @@ TEST(MaterialChains, PhenomenaMayBeChains) {
   const Chain c(phenomenon + material("\"coat\" ( \"base\" .5 .5 .5, \"level\" .2 .2 .2 )"));
   c.expect_silent();
   ASSERT_EQ(c.closure.count, 2);
-  expect_rgb(c.closure.lobes[0].level, .4f, .4f, .4f);
+  expect_rgb(c.closure.lobes[0].weight, .4f, .4f, .4f);
   // And may lie below others themselves.
   const Chain outer(phenomenon +
                     "shader \"c\" \"coat\" ( \"base\" .5 .5 .5, \"level\" .2 .2 .2 )\n" +
@@ -190,8 +190,8 @@ TEST(MaterialChains, LayersMayBeMaterials) {
                          "\"color_1\" .5 .5 1, \"color_base\" = \"l\" )"));
   c.expect_silent();
   ASSERT_EQ(c.closure.count, 2);
-  expect_rgb(c.closure.lobes[0].level, .75f * .8f * .5f, .75f * .4f * .5f, .75f * .2f);
-  expect_rgb(c.closure.lobes[1].level, 0, .25f * .5f, 0);
+  expect_rgb(c.closure.lobes[0].weight, .75f * .8f * .5f, .75f * .4f * .5f, .75f * .2f);
+  expect_rgb(c.closure.lobes[1].weight, 0, .25f * .5f, 0);
   expect_rgb(c.closure.emission, .2f * .75f * .5f, .2f * .75f * .5f, .2f * .75f);
   const Chain plain(
       material("\"mib_color_mix\" ( \"num\" 1, \"mode_0\" 2, \"weight_0\" .5, "

@@ -187,7 +187,7 @@ TEST(Parameters, UnknownShadersBecomeAVisibleStandIn) {
   Closure closure;
   shade(*s.material("m"), point, closure);
   ASSERT_EQ(closure.count, 1);
-  EXPECT_GT(closure.lobes[0].level.x, 4 * closure.lobes[0].level.y);
+  EXPECT_GT(closure.lobes[0].weight.x, 4 * closure.lobes[0].weight.y);
   EXPECT_EQ(s.report.binding.missing_shaders, (std::vector<std::string>{"mia_materiel_x"}));
 }
 

@@ -158,7 +158,7 @@ void opacity(const Call& call, Closure& closure) {
   exist(call, offsetof(Opacity, input), p.input, rgb(p.opacity), closure);
 }
 
-void go_on(const Call& call, Closure& closure) {
+void continue_behind(const Call& call, Closure& closure) {
   const auto& p = call.as<Transparency>();
   exist(call, offsetof(Transparency, input), p.input, Rgb(1) - rgb(p.transp), closure);
 }
@@ -256,7 +256,7 @@ const ShaderSpec kMibContinue = {
     .doc = "Continues the ray as if there were no surface, for cut-outs.",
     .params = kTransparencyRows,
     .params_size = sizeof(Transparency),
-    .material = {.fill = go_on, .may_transmit = passes<Transparency, &Transparency::transp>},
+    .material = {.fill = continue_behind, .may_transmit = passes<Transparency, &Transparency::transp>},
 };
 
 const ShaderSpec kMibTwosided = {

@@ -85,7 +85,7 @@ void close(int first, Closure& closure) {
   int kept = first;
   for (int i = first; i < closure.count; ++i) {
     if (transmits(closure.lobes[i].kind)) {
-      closure.albedo = closure.albedo - closure.lobes[i].level;
+      closure.albedo = closure.albedo - closure.lobes[i].weight;
       continue;
     }
     if (kept != i) closure.lobes[kept] = closure.lobes[i];

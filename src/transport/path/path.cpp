@@ -78,17 +78,17 @@ void Path::meet_first(const Closure& closure) {
     if (lobe.controls.mirrored) continue;
     switch (lobe.type) {
       case LobeType::Diffuse:
-        out.level_of(Aov::Diffuse) += lobe.level;
+        out.level_of(Aov::Diffuse) += lobe.weight;
         break;
       case LobeType::Reflection:
-        out.level_of(Aov::Reflection) += lobe.level;
-        out.level_of(Aov::Specular) += lobe.level * closure.highlight_scale;
+        out.level_of(Aov::Reflection) += lobe.weight;
+        out.level_of(Aov::Specular) += lobe.weight * closure.highlight_scale;
         break;
       case LobeType::Refraction:
-        out.level_of(Aov::Refraction) += lobe.level;
+        out.level_of(Aov::Refraction) += lobe.weight;
         break;
       case LobeType::Translucency:
-        out.level_of(Aov::Translucency) += lobe.level;
+        out.level_of(Aov::Translucency) += lobe.weight;
         break;
     }
   }
@@ -121,7 +121,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
     // Straight transmission against everything else, by their levels.
     Rgb through(0), other(closure.emission);
     for (int i = 0; i < closure.count; ++i)
-      (transmits(closure.lobes[i].kind) ? through : other) += closure.lobes[i].level;
+      (transmits(closure.lobes[i].kind) ? through : other) += closure.lobes[i].weight;
     const float wanted = luminance(through);
     if (wanted > 0) {
       const float p = wanted / (wanted + luminance(other));
@@ -130,7 +130,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
       } else {
         light_.throughput /= 1 - p;
         for (int i = 0; i < closure.count; ++i)
-          if (transmits(closure.lobes[i].kind)) closure.lobes[i].level = Rgb(0);
+          if (transmits(closure.lobes[i].kind)) closure.lobes[i].weight = Rgb(0);
       }
     }
   }
@@ -155,8 +155,8 @@ bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint&
   Rgb other(closure.emission);
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
-    if (transmits(lobe.kind)) lobe.level = Rgb(0);
-    other += lobe.level;
+    if (transmits(lobe.kind)) lobe.weight = Rgb(0);
+    other += lobe.weight;
   }
   const float wanted = luminance(through);
   const float p = wanted > 0 ? wanted / (wanted + luminance(other) * closure.opacity) : 0;

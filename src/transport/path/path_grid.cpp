@@ -24,7 +24,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
       continue;
     // The lobe alone and white.
     Closure alone = closure;
-    for (int k = 0; k < alone.count; ++k) alone.lobes[k].level = Rgb(k == i ? 1.0f : 0.0f);
+    for (int k = 0; k < alone.count; ++k) alone.lobes[k].weight = Rgb(k == i ? 1.0f : 0.0f);
     const Lobe& lobe = alone.lobes[i];
     const auto rays =
         is_delta(lobe.kind) ? 1u : std::max(1u, static_cast<std::uint32_t>(lobe.controls.samples));
@@ -88,13 +88,13 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
         controls.falloff_color = smooth->light;
       } else if (smooth) {
         add(aov_.at_vertex(refracts ? Aov::Refraction : Aov::Reflection),
-            light_.throughput * lobe.level * smooth->light, world_.light_layers.unknown());
+            light_.throughput * lobe.weight * smooth->light, world_.light_layers.unknown());
         if (refracts && eye_hit_.alpha_open && closure.propagate_alpha)
-          record_->alpha -= (1 - smooth->alpha) * mean_of(light_.throughput * lobe.level);
+          record_->alpha -= (1 - smooth->alpha) * mean_of(light_.throughput * lobe.weight);
         choice.rays[i] = 0;
         // Visible lights are in the grid.
         controls.highlights_only = controls.mirrored = true;
-        if (refracts) lobe.level = Rgb(0);
+        if (refracts) lobe.weight = Rgb(0);
       }
     }
   }

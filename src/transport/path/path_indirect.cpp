@@ -19,8 +19,8 @@ Vec3 lit_side(const Lobe& lobe) {
 
 /// Share of even light that the lobe returns to the viewer.
 Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
-  if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0) return lobe.level;
-  return lobe.level * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
+  if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0) return lobe.weight;
+  return lobe.weight * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
       if (layers > 0 && !(whole > 0)) parts.of[world_.light_layers.unknown()][c] = blurred[c];
     }
     add(aov_.at_vertex(Aov::Reflection),
-        light_.throughput * lobe.level * settings_.maps->gather_scale, blurred, parts);
+        light_.throughput * lobe.weight * settings_.maps->gather_scale, blurred, parts);
   }
 }
 

@@ -87,7 +87,7 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
     if (!is_diffuse(lobe.kind)) {
       const bool reflection = lobe.type == LobeType::Reflection;
       const bool cut = !depth_.after_diffuse &&
-                       depth_.importance * max_component(lobe.level) < lobe.controls.cutoff;
+                       depth_.importance * max_component(lobe.weight) < lobe.controls.cutoff;
       // The material's own refraction depth ends in black, the scene's depth in the environment.
       const bool deep =
           lobe.controls.depth > 0 &&
@@ -98,12 +98,12 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
           lobe.controls.highlights_only = true,
           lobe.controls.emulated = deep && allows(kSendsReflections);
         else
-          lobe.level = Rgb(0);
+          lobe.weight = Rgb(0);
         continue;
       }
     }
     // By all channels alike: luminance would starve what is seen through blue.
-    choice.rays[i] = std::max(0.0f, lobe.level.x + lobe.level.y + lobe.level.z);
+    choice.rays[i] = std::max(0.0f, lobe.weight.x + lobe.weight.y + lobe.weight.z);
     // Less than one ray for diffuse lobes is a smaller share, more is a split.
     if (lobe.kind == LobeKind::Diffuse) choice.rays[i] *= clamp(lobe.controls.samples, 0.05f, 1);
   }
@@ -134,7 +134,7 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
     if (lobe.kind == LobeKind::Diffuse)
       n = std::max(1, static_cast<int>(std::lround(lobe.controls.samples)));  // for every path
     else if (!is_delta(lobe.kind))
-      n = rays_at_first(lobe.controls.samples, max_component(lobe.level));
+      n = rays_at_first(lobe.controls.samples, max_component(lobe.weight));
     rays[i] = static_cast<float>(n);
     splits |= n > 1;
   }
@@ -159,7 +159,7 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   Vec3 normal = point.normal;
   for (int i = 0; i < closure.count; ++i)
     if (closure.lobes[i].kind == LobeKind::Diffuse) {
-      level += closure.lobes[i].level;
+      level += closure.lobes[i].weight;
       normal = closure.lobes[i].frame.n;
     }
   const int rays = at_eye_surface() ? rays_at_first(static_cast<float>(o.samples), 1) : 1;
@@ -220,7 +220,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   if (closure.thin_walled && transmits(lobe.kind)) way_.veil = closure.inside;
   way_.reach = kInfinity;
   light_.lights = light_.throughput = light_.throughput * sample.weight;
-  depth_.importance *= max_component(lobe.level);
+  depth_.importance *= max_component(lobe.weight);
   switch (lobe.kind) {
     case LobeKind::Diffuse:
     case LobeKind::Translucency:

@@ -176,7 +176,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.controls.highlights_only || is_highlight(lobe.kind)) continue;
-    choice.rays[i] = std::max(0.0f, max_component(lobe.level * now)) / most;
+    choice.rays[i] = std::max(0.0f, max_component(lobe.weight * now)) / most;
     total += choice.rays[i];
   }
   if (total > 1) {
@@ -241,7 +241,7 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
     float chance = 0;
     for (int i = 0; i < closure.count; ++i) {
       if (!transmits(closure.lobes[i].kind) || choice.rays[i] <= 0) continue;
-      through += closure.lobes[i].level;
+      through += closure.lobes[i].weight;
       chance += choice.rays[i];
     }
     lose(factor_ * through / chance);
@@ -290,8 +290,8 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
   Rgb other(0);
   for (int i = 0; i < closure.count; ++i) {
     Lobe& lobe = closure.lobes[i];
-    if (transmits(lobe.kind)) lobe.level = Rgb(0);
-    if (!lobe.controls.highlights_only) other += lobe.level * closure.opacity;
+    if (transmits(lobe.kind)) lobe.weight = Rgb(0);
+    if (!lobe.controls.highlights_only) other += lobe.weight * closure.opacity;
   }
   const float share = max_component(through * now) / max_component(now);
   const float p = share / std::max(1.0f, share + max_component(other * now) / max_component(now));
@@ -390,7 +390,7 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   for (int i = 0; receives && i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     if (lobe.kind != LobeKind::Diffuse && lobe.kind != LobeKind::Translucency) continue;
-    if (max_component(lobe.level) <= 0) continue;
+    if (max_component(lobe.weight) <= 0) continue;
     store(point, power());
     break;
   }
