@@ -18,17 +18,11 @@ constexpr int kBarWidth = 24;
 constexpr double kSecondsBetweenLines = 5;
 constexpr double kShareBetweenLines = 0.05;
 
-/// Share of the work that is done, as far as time tells.
-double done_share(const Progress& p) {
-  if (!p.remaining) return 0;
-  const double total = p.elapsed + *p.remaining;
-  return total > 0 ? std::clamp(p.elapsed / total, 0.0, 1.0) : 1;
-}
-
 nlohmann::json to_json(const Progress& p) {
   nlohmann::json json = {{"event", "progress"}, {"stage", p.stage ? p.stage : "picture"},
                          {"pass", p.pass},      {"samples", p.mean_samples},
-                         {"active", p.active},  {"elapsed", p.elapsed}};
+                         {"active", p.active},  {"elapsed", p.elapsed},
+                         {"done", p.done}};
   if (p.noise) json["noise"] = *p.noise;
   if (p.remaining) json["remaining"] = *p.remaining;
   return json;
@@ -44,7 +38,7 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_text(const Progress& p) {
-  std::string text = fmt::format("{:3.0f} %  ", 100 * done_share(p));
+  std::string text = fmt::format("{:3.0f} %  ", 100 * p.done);
   text += p.stage ? p.stage : fmt::format("{:.4g} samples", p.mean_samples);
   if (p.noise) text += fmt::format("  noise {:.4f}", *p.noise);
   text += "  " + duration_text(p.elapsed);
@@ -69,7 +63,7 @@ void ProgressLine::update(const Progress& p) {
     fmt::print(stderr, "{}\n", progress_text(p));
     return;
   }
-  const int filled = static_cast<int>(std::lround(kBarWidth * done_share(p)));
+  const int filled = static_cast<int>(std::lround(kBarWidth * p.done));
   fmt::print(stderr, "\r\x1b[K[{}{}] {}", std::string(static_cast<std::size_t>(filled), '#'),
              std::string(static_cast<std::size_t>(kBarWidth - filled), '.'), progress_text(p));
   std::fflush(stderr);

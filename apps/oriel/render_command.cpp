@@ -54,7 +54,7 @@ Command add_render_command(CLI::App& program) {
       ->type_name("FILE");
   app->add_option("--samples", a->samples, "Samples of every pixel");
   app->add_option("--noise", a->noise,
-                  "Until the noise of every pixel is below this (0.02 is fine)");
+                  "Stop when the estimated noise of the picture is below this, e.g. 0.02");
   app->add_option("--time", a->time, "Seconds to render for");
   app->add_option("--frames", a->frames,
                   "Render statements to render, counted from 1: 1..20, or 3,7,12..15, or 8..")

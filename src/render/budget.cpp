@@ -14,7 +14,9 @@ std::uint32_t samples_of_level(int level) { return 1u << (2 * std::clamp(level, 
 RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequest& request) {
   RenderBudget budget;
   if (request.samples || request.noise || request.seconds) {
-    budget.max_samples = std::clamp(request.samples.value_or(kMostSamples), 1u, kMostSamples);
+    const std::uint32_t most =
+        request.noise && !request.seconds ? kMostSamplesForNoise : kMostSamples;
+    budget.max_samples = std::clamp(request.samples.value_or(most), 1u, kMostSamples);
     budget.noise = std::max(request.noise.value_or(0.0f), 0.0f);
     budget.seconds = std::max(request.seconds.value_or(0.0), 0.0);
     return budget;
@@ -24,6 +26,7 @@ RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequ
   budget.min_samples =
       std::clamp(samples_of_level(options.samples_min), kFewestJudgedSamples, budget.max_samples);
   const Rgba& contrast = options.contrast;
+  budget.every_pixel = true;
   budget.noise = std::max(std::min({contrast.r, contrast.g, contrast.b}), 0.0f) * kNoisePerContrast;
   return budget;
 }

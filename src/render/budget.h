@@ -18,8 +18,12 @@ inline constexpr std::uint32_t kPathSamplesPerSceneSample = 16;
 /// Least number of samples a scene's own options are read as.
 inline constexpr std::uint32_t kFewestSceneSamples = 64;
 
-/// Most samples of a pixel when only a noise target or a time limit was given.
+/// Maximum number of samples of a pixel.
 inline constexpr std::uint32_t kMostSamples = 1u << 20;
+
+/// The same where a noise target and nothing else was given: it ends renders whose noise falls too
+/// slowly. A diffuse interior needs some hundred samples for a target of .02.
+inline constexpr std::uint32_t kMostSamplesForNoise = 4096;
 
 /// Noise per unit of `contrast`: two neighbouring pixels whose noise is this share of the contrast
 /// differ by less than the contrast in 95 of 100 cases, 1 / (1.96 sqrt(2)).
@@ -27,16 +31,17 @@ inline constexpr float kNoisePerContrast = 0.3608f;
 
 /// What the user asks for in place of the scene's options.
 struct BudgetRequest {
-  std::optional<std::uint32_t> samples = {};  ///< exactly so many for each pixel
-  std::optional<float> noise = {};            ///< until every pixel is this good
+  std::optional<std::uint32_t> samples = {};  ///< of each pixel; with `noise`, the maximum
+  std::optional<float> noise = {};            ///< target of picture_noise()
   std::optional<double> seconds = {};
 };
 
 /// The budget of a render.
 ///
 /// Model:   nothing asked: `samples min max` gives at most 4^max x kPathSamplesPerSceneSample and
-///          at least 4^min samples, the lowest channel of `contrast` the noise target. Anything
-///          asked replaces all of it; of several, whichever ends first.
+///          at least 4^min samples; the lowest channel of `contrast` is the noise target of every
+///          pixel. Any request replaces all of it; of several, the first that is met ends the
+///          render.
 /// Checked: Budget.* in progressive_test.cpp
 RenderBudget render_budget(const scene::RenderOptions& options, const BudgetRequest& request);
 

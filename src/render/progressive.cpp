@@ -44,6 +44,16 @@ float picture_brightness(const std::vector<Film::Estimate>& estimates) {
   return static_cast<float>(mean * mean);
 }
 
+float picture_noise(const std::vector<Film::Estimate>& estimates, float picture) {
+  double sum = 0;  // double: millions of terms
+  for (const Film::Estimate& estimate : estimates) {
+    const float e = relative_noise(estimate, picture);
+    if (!std::isfinite(e)) return std::numeric_limits<float>::infinity();
+    sum += sqr(std::min(e, kMaxPixelNoise));
+  }
+  return estimates.empty() ? 0.0f : static_cast<float>(std::sqrt(sum / double(estimates.size())));
+}
+
 std::uint32_t next_pass_target(std::uint32_t samples) {
   if (samples == 0) return 1;
   if (samples < kFewestJudgedSamples) return std::bit_floor(samples) * 2;
@@ -72,13 +82,15 @@ bool Progressive::out_of_time() const {
   return budget_.seconds > 0 && state_.pass > 0 && elapsed() >= budget_.seconds;
 }
 
-void Progressive::choose_active() {
+bool Progressive::choose_active() {
   const std::vector<Film::Estimate> estimates = film_estimates(film_);
   const float picture = picture_brightness(estimates);
+  if (!budget_.every_pixel && picture_noise(estimates, picture) <= budget_.noise) return false;
   for (std::size_t i = 0; i < state_.active.size(); ++i)
     state_.active[i] = film_.samples(i) < budget_.min_samples ||
                        relative_noise(estimates[i], picture) > budget_.noise;
   dilate_active();
+  return std::any_of(state_.active.begin(), state_.active.end(), [](auto a) { return a != 0; });
 }
 
 void Progressive::dilate_active() {
@@ -101,42 +113,72 @@ void Progressive::dilate_active() {
 std::optional<StopReason> Progressive::begin_pass() {
   if (state_.target >= budget_.max_samples) return StopReason::Samples;
   if (budget_.noise > 0 && state_.target >= budget_.min_samples) {
-    choose_active();
-    if (std::none_of(state_.active.begin(), state_.active.end(), [](auto a) { return a != 0; }))
-      return StopReason::Noise;
+    if (!choose_active()) return StopReason::Noise;
   }
   if (out_of_time()) return StopReason::Time;
   state_.target = std::min(next_pass_target(state_.target), budget_.max_samples);
   return std::nullopt;
 }
 
+/// The number of samples until the budget is used up or the noise target is met.
+double Progressive::missing_samples(const std::vector<Film::Estimate>& estimates,
+                                    float picture) const {
+  const auto noise2 = [&](std::size_t i) {
+    return double{sqr(std::min(relative_noise(estimates[i], picture), kMaxPixelNoise))};
+  };
+  // Squared noise falls with the number of samples. Pixels below the target stay as they are; the
+  // others all need `growth` times their samples until the mean square is that of the target.
+  const double target2 = sqr(double{budget_.noise});
+  const auto open = [&](std::size_t i) { return noise2(i) > target2; };
+  double open_sum = 0, rest = 0;
+  for (std::size_t i = 0; i < estimates.size(); ++i) (open(i) ? open_sum : rest) += noise2(i);
+  const double allowed = target2 * static_cast<double>(estimates.size()) - rest;
+  const double growth = allowed > 0 ? std::max(open_sum / allowed, 1.0) : 1;
+  double missing = 0;
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const double n = film_.samples(i), most = budget_.max_samples;
+    double needed = most;
+    if (target2 > 0) {
+      needed = budget_.every_pixel ? n * noise2(i) / target2 : open(i) ? n * growth : n;
+      needed = std::clamp(needed, std::min<double>(budget_.min_samples, most), most);
+    }
+    missing += std::max(needed - n, 0.0);
+  }
+  return missing;
+}
+
 void Progressive::estimate(double seconds_of_run, double samples_of_run) {
+  const double before = progress().done;
   const std::vector<Film::Estimate> estimates = film_estimates(film_);
   const float picture = picture_brightness(estimates);
+  const float noise = picture_noise(estimates, picture);
   const auto pixels = static_cast<double>(film_.pixel_count());
-  double noise = 0, missing = 0, active = 0;  // double: sums over all pixels
-  bool known = true;
+  const double missing = missing_samples(estimates, picture);
+  double active = 0;
   for (std::size_t i = 0; i < film_.pixel_count(); ++i) {
-    const double n = film_.samples(i);
-    const float e = relative_noise(estimates[i], picture);
-    known = known && std::isfinite(e);
-    noise += e;
-    double needed = budget_.max_samples;
-    if (budget_.noise > 0 && n >= budget_.min_samples)
-      needed = std::min(needed, n * sqr(e / budget_.noise));
-    missing += std::max(needed - n, 0.0);
-    active += needed > n;
+    const bool below_min = film_.samples(i) < budget_.min_samples;
+    const bool quiet =
+        budget_.noise > 0 && !below_min && relative_noise(estimates[i], picture) <= budget_.noise;
+    active += !quiet && film_.samples(i) < budget_.max_samples;
   }
   last_.pass = state_.pass;
   last_.mean_samples = film_.mean_samples();
   last_.active = pixels > 0 ? active / pixels : 0;
-  last_.noise = known ? std::optional(static_cast<float>(noise / pixels)) : std::nullopt;
+  last_.noise = std::isfinite(noise) ? std::optional(noise) : std::nullopt;
   last_.remaining.reset();
+  samples_in_all_ = last_.mean_samples + (pixels > 0 ? missing / pixels : 0);
   if (samples_of_run > 0) last_.remaining = missing * seconds_of_run / samples_of_run;
   if (budget_.seconds > 0) {
     const double left = std::max(budget_.seconds - elapsed(), 0.0);
     last_.remaining = std::min(last_.remaining.value_or(left), left);
   }
+  last_.done = std::max(before, done_share(last_.mean_samples));
+}
+
+double Progressive::done_share(double mean_samples) const {
+  double done = samples_in_all_ > 0 ? mean_samples / samples_in_all_ : 0;
+  if (budget_.seconds > 0) done = std::max(done, elapsed() / budget_.seconds);
+  return std::clamp(done, 0.0, 1.0);
 }
 
 Progress Progressive::progress() const {
@@ -145,6 +187,7 @@ Progress Progressive::progress() const {
   if (film_.pixel_count())
     p.mean_samples += static_cast<double>(drawn) / static_cast<double>(film_.pixel_count());
   p.elapsed = elapsed();
+  p.done = std::max(p.done, done_share(p.mean_samples));
   return p;
 }
 

@@ -21,7 +21,9 @@ inline constexpr std::uint32_t kFewestJudgedSamples = 16;
 struct RenderBudget {
   std::uint32_t max_samples = 64;  ///< per pixel
   std::uint32_t min_samples = kFewestJudgedSamples;
-  float noise = 0;     ///< target of each pixel's noise, see Progressive; 0 = none
+  float noise = 0;  ///< target of picture_noise(); 0 = none
+  /// The noise target applies to every pixel instead of the picture.
+  bool every_pixel = false;
   double seconds = 0;  ///< after the first pass; 0 = no limit
   bool operator==(const RenderBudget&) const = default;
 };
@@ -29,23 +31,26 @@ struct RenderBudget {
 /// MapsOnly: there is no picture, the options ask for maps of indirect light alone.
 enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly };
 
-/// How far a render is.
+/// Progress of a render.
 struct Progress {
   const char* stage = nullptr;  ///< of the work before the picture ("photons"); null = the picture
   int pass = 0;                 ///< complete passes
   double mean_samples = 0;
   double active = 1;                ///< fraction of pixels that the running pass still samples
-  std::optional<float> noise;       ///< mean over pixels; nothing before the second sample
+  std::optional<float> noise;       ///< picture_noise(); nothing before the second sample
   double elapsed = 0;               ///< seconds
   std::optional<double> remaining;  ///< seconds, estimated
+  double done = 0;                  ///< share of the work, 0 to 1; never decreases
 };
 
 /// Samples pixels pass by pass until the budget says stop.
 ///
 /// Model:   pass k takes every active pixel from the samples it has to n_k: 1, 2, 4, 8, 16, 32,
 ///          48, 64, 96, 128, 192... From min_samples on, the next pass leaves out pixels whose
-///          noise is below the target, unless a neighbour's is not. The decision falls between
-///          passes from the film alone, so the picture is the same for any number of threads.
+///          noise is below the target, unless a neighbour's is not; the render ends when the noise
+///          of the picture is below the target, or with RenderBudget::every_pixel that of each
+///          pixel. Both are decided between passes from the film alone, so the picture is the same
+///          for any number of threads.
 ///          Noise of a pixel: standard error of its brightness over sqrt(L M), L its brightness
 ///          and M the picture's; so dark regions may be noisier than bright ones as the eye
 ///          tolerates it, and the unit of the scene does not matter.
@@ -88,16 +93,20 @@ class Progressive {
   std::optional<StopReason> begin_pass();
   void render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
                    const Callbacks& callbacks, const std::atomic<bool>* cancel);
-  void choose_active();
+  /// False: the target is met.
+  bool choose_active();
   void dilate_active();
   void estimate(double seconds_of_run, double samples_of_run);
+  double missing_samples(const std::vector<Film::Estimate>& estimates, float picture) const;
+  double done_share(double mean_samples) const;
   double elapsed() const;
   bool out_of_time() const;
 
   Film& film_;
   RenderBudget budget_;
   State state_;
-  Progress last_;  ///< as of the last complete pass
+  Progress last_;              ///< as of the last complete pass
+  double samples_in_all_ = 0;  ///< estimated mean number of samples at the end
   std::uint64_t pass_start_samples_ = 0;
   std::atomic<std::uint64_t> drawn_{0};  ///< in this run
   std::atomic<bool> timed_out_{false}, cancelled_{false};
@@ -109,7 +118,15 @@ class Progressive {
 /// Noise of a pixel as Progressive defines it.
 float relative_noise(const Film::Estimate& estimate, float picture_brightness);
 
-/// Levels of all pixels.
+/// The largest noise that a pixel contributes to the noise of the picture: a pixel that is wrong as
+/// a whole is not seen to get worse, and a few outliers must not decide when a render ends.
+inline constexpr float kMaxPixelNoise = 1;
+
+/// Noise of the picture: root of the mean over pixels of the squared relative_noise(), each at most
+/// kMaxPixelNoise. Infinite before the second sample.
+float picture_noise(const std::vector<Film::Estimate>& estimates, float picture_brightness);
+
+/// Estimates of all pixels.
 std::vector<Film::Estimate> film_estimates(const Film& film);
 
 /// Brightness of the picture as noise is judged by: square of the mean root of the pixels'

@@ -152,6 +152,7 @@ void RenderSession::prepare_maps(const Progressive::Callbacks& callbacks,
       Progress p;
       p.stage = name;
       p.elapsed = told;
+      p.done = share;
       p.remaining = share > 0 ? std::optional(told * (1 - share) / share) : std::nullopt;
       callbacks.progress(p);
     };

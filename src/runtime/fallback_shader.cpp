@@ -182,8 +182,10 @@ const ShaderSpec kApproximateMaterial = {
     .doc = "Takes the place of a shader that is not available, by what its parameters are called.",
     .params = kApproximationRows,
     .params_size = sizeof(FallbackParams),
-    .value = [](const Call& call,
-                void* result) { *static_cast<Rgba*>(result) = looked_up(call.as<FallbackParams>(), call); },
+    .value =
+        [](const Call& call, void* result) {
+          *static_cast<Rgba*>(result) = looked_up(call.as<FallbackParams>(), call);
+        },
     .material = {
         .fill = guess_material,
         .may_transmit =
@@ -191,7 +193,8 @@ const ShaderSpec kApproximateMaterial = {
               const auto& p = node.constants<FallbackParams>();
               return !is_black(rgb(p.transparency)) || !(rgb(p.opacity) == Rgb(1)) ||
                      node.connected(offsetof(FallbackParams, transparency)) ||
-                     node.connected(offsetof(FallbackParams, opacity)) || node.inputs_may_transmit();
+                     node.connected(offsetof(FallbackParams, opacity)) ||
+                     node.inputs_may_transmit();
             },
         .max_lobes =
             [](const ShaderNode& node) {

@@ -256,7 +256,8 @@ const ShaderSpec kMibContinue = {
     .doc = "Continues the ray as if there were no surface, for cut-outs.",
     .params = kTransparencyRows,
     .params_size = sizeof(Transparency),
-    .material = {.fill = continue_behind, .may_transmit = passes<Transparency, &Transparency::transp>},
+    .material = {.fill = continue_behind,
+                 .may_transmit = passes<Transparency, &Transparency::transp>},
 };
 
 const ShaderSpec kMibTwosided = {

@@ -51,9 +51,10 @@ TEST(Integrators, SamplesOfTheCameraShowWhatTheIntegratorReturns) {
 
 TEST(Integrators, RaysOfALensShareTheSamplesOfThePixel) {
   SceneText text;
-  text.lambert("grey", .5f).camera(
-      "lens \"mia_lens_bokeh\" ( \"on\" on, \"plane\" 5, \"radius\" .5, \"samples\" 4 ) "
-      "focal 1 aperture 1 aspect 1 resolution 8 8");
+  text.lambert("grey", .5f)
+      .camera(
+          "lens \"mia_lens_bokeh\" ( \"on\" on, \"plane\" 5, \"radius\" .5, \"samples\" 4 ) "
+          "focal 1 aperture 1 aspect 1 resolution 8 8");
   const Probe probe = probe_of(text);
   const DirectionIntegrator integrator;
   PathRecord record;
