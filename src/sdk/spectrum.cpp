@@ -75,9 +75,10 @@ miSpectrum* mi_spectrum_ensure(miSpectrum* s) {
 }
 
 miBoolean mi_spectrum_check(const miSpectrum* s) {
-  return s && std::memcmp(s->value + kSpectrumMarkAt, &kSpectrumMark, sizeof kSpectrumMark) == 0
-             ? miTRUE
-             : miFALSE;
+  if (!s) return miFALSE;
+  std::uint32_t mark = 0;
+  std::memcpy(&mark, s->value + kSpectrumMarkAt, sizeof mark);
+  return mark == kSpectrumMark ? miTRUE : miFALSE;
 }
 
 unsigned int mi_spectrum_size(const miSpectrum*) { return sizeof(miSpectrum); }

@@ -290,8 +290,8 @@ TEST(MiaMaterial, DefaultsGiveADiffuseLobeAndAMirror) {
   ASSERT_NE(find(c, LobeKind::Diffuse), nullptr);
   ASSERT_NE(find(c, LobeKind::Mirror), nullptr);
   // reflectivity .6 x curve .2 = .12 of the light; the rest times .5 is diffuse.
-  expect_rgb(find(c, LobeKind::Mirror)->level, .12, .12, .12);
-  expect_rgb(find(c, LobeKind::Diffuse)->level, .44, .44, .44);
+  expect_rgb(find(c, LobeKind::Mirror)->weight, .12, .12, .12);
+  expect_rgb(find(c, LobeKind::Diffuse)->weight, .44, .44, .44);
   expect_rgb(c.albedo, .56, .56, .56);
   EXPECT_EQ(c.opacity, 1);
   EXPECT_EQ(c.light_mode, 4);
@@ -319,7 +319,7 @@ TEST(MiaMaterial, NoSamplesIsAMirrorWhoseHighlightFollowsTheGloss) {
   EXPECT_FALSE(mirror->controls.highlights_only);
   EXPECT_TRUE(highlight->controls.highlights_only);
   EXPECT_FLOAT_EQ(highlight->alpha_x, 0.03125f);
-  EXPECT_EQ(highlight->level, mirror->level);
+  EXPECT_EQ(highlight->weight, mirror->weight);
 }
 
 // acceptance: R5
@@ -394,7 +394,7 @@ TEST(MiaMaterial, WeakInnerReflectionsAreSkippedTotalOnesKept) {
   ShadingPoint beyond = seen_from(Vec3(1, 0, 1));  // 45 degrees
   beyond.back_side = true;
   ASSERT_NE(find(shade(p, beyond), LobeKind::Mirror), nullptr);
-  expect_rgb(find(shade(p, beyond), LobeKind::Mirror)->level, 1, 1, 1);
+  expect_rgb(find(shade(p, beyond), LobeKind::Mirror)->weight, 1, 1, 1);
   p.skip_inside_refl = false;
   EXPECT_NE(find(shade(p, inside), LobeKind::Mirror), nullptr);
   // A thin wall has no inside, an opaque solid no inner reflection to skip.
@@ -431,8 +431,8 @@ TEST(MiaMaterial, TranslucencySplitsTheTransparencyByWeight) {
   p.refr_trans_color = Rgba(1, 1, 1, 1);
   const Closure c = shade(p, seen_from(Vec3(0, 0, 1)));
   ASSERT_TRUE(find(c, LobeKind::Translucency) && find(c, LobeKind::ClearRefraction));
-  expect_rgb(find(c, LobeKind::Translucency)->level, .2, .2, .2);
-  expect_rgb(find(c, LobeKind::ClearRefraction)->level, .6, .6, .6);
+  expect_rgb(find(c, LobeKind::Translucency)->weight, .2, .2, .2);
+  expect_rgb(find(c, LobeKind::ClearRefraction)->weight, .6, .6, .6);
 }
 
 // acceptance: B3

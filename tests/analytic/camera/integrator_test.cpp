@@ -6,7 +6,8 @@
 
 #include "render/eye_rays.h"
 #include "render/indirect_plan.h"
-#include "support/probe.h"
+#include "support/expect_near.h"
+#include "support/portal_scenes.h"
 
 namespace oriel::testing {
 namespace integrator_test {
