@@ -15,7 +15,7 @@ struct PathRecord;
 
 /// Paths that continue from a vertex of another path and return what they see, unweighted. They
 /// have records of their own: the shader decides how their light counts.
-/// Checked: Tracer.* in tests/analytic
+/// Checked: RayNodes.* in tests/analytic/materials/ray_nodes_test.cpp
 class PathForShaders {
  public:
   explicit PathForShaders(const Path& path) : path_(path) {}

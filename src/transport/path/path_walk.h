@@ -315,7 +315,7 @@ class Path {
   mutable LookedUp looked_up_;
   Fading fading_;
   unsigned visibility_ = kAllVisibility;  ///< of the surface's instance
-  bool off_maps_ = false;                 ///< begins where maps know nothing
+  bool off_maps_ = false;                 ///< begins where maps contain no data
 };
 
 }  // namespace oriel
