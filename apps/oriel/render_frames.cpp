@@ -140,7 +140,7 @@ class FrameRenderer {
     settings.lights = keeps_lights();
     settings.mattes = keeps_mattes(command);
     settings.irradiance = any_needs(LayerNeed::Irradiance);
-    settings.motion = any_needs(LayerNeed::Motion);
+    for (const PictureFile& file : files_) settings.surface_values |= surface_values(file);
     settings.unit_luminance = unit_of_pixels();
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;

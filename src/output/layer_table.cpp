@@ -111,17 +111,12 @@ void add_measured_rows(std::vector<LayerSpec>& rows) {
        .exr = "motion",
        .channels = kVector,
        .group = LayerGroup::Motion,
-       .need = LayerNeed::Motion,
        .type = "m",
        .view = PixelView::Motion,
        .about =
            "motion on the picture during the shutter interval: x and y in pixels, z the increase "
            "of distance",
-       .value =
-           [](const Session& s, int x, int y, float* to) {
-             if (s.film().keeps_motion()) store(to, s.film().motion(x, y));
-           },
-       .exists = [](const Session& s) { return s.film().keeps_motion(); }});
+       .surface_value = SurfaceValue::Motion});
 }
 
 void add_material_rows(std::vector<LayerSpec>& rows) {
@@ -233,6 +228,15 @@ bool LayerSet::needs(LayerNeed need) const {
   return false;
 }
 
+SurfaceValues LayerSet::surface_values() const {
+  SurfaceValues values;
+  const auto& rows = layer_table();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows_[i] && rows[i].surface_value)
+      values.set(static_cast<std::size_t>(*rows[i].surface_value));
+  return values;
+}
+
 std::vector<std::string> layer_names() {
   std::vector<std::string> names;
   for (const LayerSpec& row : layer_table())
@@ -267,7 +271,12 @@ Image collect_pixels(const RenderSession& session, int channels,
 
 Image layer_image(const RenderSession& session, const LayerSpec& row) {
   return collect_pixels(session, static_cast<int>(row.channels.size()),
-                        [&](int x, int y, float* to) { row.value(session, x, y, to); });
+                        [&](int x, int y, float* to) {
+                          if (row.surface_value)
+                            store(to, session.film().surface_value(x, y, *row.surface_value));
+                          else
+                            row.value(session, x, y, to);
+                        });
 }
 
 std::string layer_documentation() {

@@ -4,6 +4,7 @@
 
 #include <bitset>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,15 +41,7 @@ enum class LayerGroup : std::uint8_t {
 };
 
 /// What a session has to store for a layer.
-enum class LayerNeed : std::uint8_t {
-  None,
-  Outputs,
-  Irradiance,
-  Motion,
-  Mattes,
-  LightLayers,
-  UserBuffers
-};
+enum class LayerNeed : std::uint8_t { None, Outputs, Irradiance, Mattes, LightLayers, UserBuffers };
 
 /// One row of the table: a layer, or a family of layers that depends on the scene.
 struct LayerSpec {
@@ -59,8 +52,9 @@ struct LayerSpec {
   LayerNeed need = LayerNeed::None;
   const char* type = nullptr;  ///< in `output` statements; null = none
   PixelView view = PixelView::ColorAlpha;
-  const char* about = "";  ///< one line of documentation
-  /// Writes the values of film pixel (x, y); empty for families.
+  const char* about = "";                          ///< one line of documentation
+  std::optional<SurfaceValue> surface_value = {};  ///< the layer shows that value
+  /// Writes the values of film pixel (x, y); empty for families and surface values.
   std::function<void(const RenderSession& session, int x, int y, float* to)> value = {};
   /// Whether the session has the values; null = always.
   bool (*exists)(const RenderSession& session) = nullptr;
@@ -87,6 +81,7 @@ class LayerSet {
   bool contains(std::size_t row) const { return rows_[row]; }
   bool empty() const { return rows_.none(); }
   bool needs(LayerNeed need) const;
+  SurfaceValues surface_values() const;
   bool overlaps(const LayerSet& o) const { return (rows_ & o.rows_).any(); }
   LayerSet& operator|=(const LayerSet& o) { return rows_ |= o.rows_, *this; }
   LayerSet& operator-=(const LayerSet& o) { return rows_ &= ~o.rows_, *this; }

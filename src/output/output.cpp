@@ -164,6 +164,11 @@ void write_as(const std::string& type, const PictureFile& file, const Image& ima
   }
 }
 
+/// The layer that a file without layers shows; null = the picture.
+const LayerSpec* shown_layer(const PictureFile& file) {
+  return file.shown_layer.empty() ? layer_of_view(file.view) : find_layer_spec(file.shown_layer);
+}
+
 }  // namespace
 
 bool is_mapped(const PictureFile& file, const World& world) {
@@ -172,9 +177,14 @@ bool is_mapped(const PictureFile& file, const World& world) {
 }
 
 bool needs(const PictureFile& file, LayerNeed need) {
-  const LayerSpec* shown =
-      file.shown_layer.empty() ? layer_of_view(file.view) : find_layer_spec(file.shown_layer);
+  const LayerSpec* shown = shown_layer(file);
   return file.layers.needs(need) || (shown && shown->need == need);
+}
+
+SurfaceValues surface_values(const PictureFile& file) {
+  const LayerSpec* shown = shown_layer(file);
+  return file.layers.surface_values() |
+         (shown ? LayerSet(shown->name).surface_values() : SurfaceValues());
 }
 
 bool holds_light_layers(const PictureFile& file) {
@@ -201,7 +211,9 @@ std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& lay
   const auto& rows = layer_table();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const LayerSpec& row = rows[i];
-    if (!layers.contains(i) || (row.exists && !row.exists(session))) continue;
+    const bool exists = row.surface_value ? session.film().stores(*row.surface_value)
+                                          : !row.exists || row.exists(session);
+    if (!layers.contains(i) || !exists) continue;
     if (row.expand)
       row.expand(session, out);
     else

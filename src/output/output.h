@@ -61,6 +61,7 @@ bool is_mapped(const PictureFile& file, const World& world);
 
 /// Whether the session has to store this for the file.
 bool needs(const PictureFile& file, LayerNeed need);
+SurfaceValues surface_values(const PictureFile& file);
 /// Whether layers of lights stand in it: in EXR files of the beauty.
 bool holds_light_layers(const PictureFile& file);
 

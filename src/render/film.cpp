@@ -142,10 +142,13 @@ void Film::add_planes() {
            return k < r.user_buffers.size() ? &r.user_buffers[k].r : nullptr;
          },
          .index = i});
-  if (request_.motion)
-    motion_plane_ =
-        add({.rule = PlaneRule::FirstSample,
-             .source = [](const Record& r, std::size_t) -> const float* { return &r.motion.x; }});
+  for (std::size_t i = 0; i < kSurfaceValues; ++i)
+    if (request_.surface_values[i])
+      surface_planes_[i] = add({.rule = PlaneRule::FirstSample,
+                                .source = [](const Record& r, std::size_t k) -> const float* {
+                                  return &r.surface_values[k].x;
+                                },
+                                .index = i});
 }
 
 void Film::add(int x, int y, const FilmSample& sample) {
@@ -269,10 +272,11 @@ Rgba Film::user_buffer(int x, int y, std::size_t buffer) const {
   return out;
 }
 
-Vec3 Film::motion(int x, int y) const {
+Vec3 Film::surface_value(int x, int y, SurfaceValue value) const {
+  if (!stores(value)) return Vec3(0);
   const std::size_t i = index(x, y);
   Vec3 out;
-  planes_[motion_plane_].read(i, 0, shares(i), &out.x);
+  planes_[surface_planes_[static_cast<std::size_t>(value)]].read(i, 0, shares(i), &out.x);
   return out;
 }
 

@@ -78,7 +78,8 @@ struct SubPixelMeans {
 
 /// Optional values of a film.
 struct FilmRequest {
-  bool aovs = false, motion = false;
+  bool aovs = false;
+  SurfaceValues surface_values = {};
   std::size_t light_layers = 0;
   std::vector<PlaneRule> user_buffers = {};  ///< one for each buffer that shaders write
 };
@@ -107,7 +108,10 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
   bool keeps_outputs() const { return request_.aovs; }
-  bool keeps_motion() const { return request_.motion; }
+  SurfaceValues surface_values() const { return request_.surface_values; }
+  bool stores(SurfaceValue value) const {
+    return request_.surface_values[static_cast<std::size_t>(value)];
+  }
   std::size_t light_layers() const { return request_.light_layers; }
   std::size_t user_buffers() const { return request_.user_buffers.size(); }
   bool mapped() const { return static_cast<bool>(map_); }
@@ -142,8 +146,8 @@ class Film {
   /// A user's buffer: filtered as the beauty is, though never clipped; or what the first sample
   /// left there.
   Rgba user_buffer(int x, int y, std::size_t buffer) const;
-  /// X, Y in pixels and the distance gained, of the first sample's first surface.
-  Vec3 motion(int x, int y) const;
+  /// Of the first sample's first surface; 0 where it is not stored.
+  Vec3 surface_value(int x, int y, SurfaceValue value) const;
   /// Whether any pixel of it holds anything but 0.
   bool is_written(std::size_t buffer) const;
 
@@ -208,7 +212,8 @@ class Film {
   DisplayMap map_;
   FilmRequest request_;
   std::vector<FilmPlane> planes_;  ///< in the order of add_planes()
-  std::size_t light_plane_ = 0, buffer_plane_ = 0, motion_plane_ = 0;
+  std::size_t light_plane_ = 0, buffer_plane_ = 0;
+  std::array<std::size_t, kSurfaceValues> surface_planes_{};
   std::vector<SubPixelMeans> positive_parts_, negative_parts_;  ///< empty without a map
 };
 

@@ -38,7 +38,7 @@ DisplayMap display_map(const World& world, const Window& window) {
 }
 
 FilmRequest film_request(const World& world, const SessionSettings& settings) {
-  FilmRequest request{.aovs = settings.outputs, .motion = settings.motion};
+  FilmRequest request{.aovs = settings.outputs, .surface_values = settings.surface_values};
   if (settings.lights && world.light_layers.asked())
     request.light_layers = world.light_layers.count();
   for (const UserBuffer& buffer : world.user_buffers)
@@ -110,9 +110,9 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
 StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks& callbacks,
                                const std::atomic<bool>* cancel) {
   const RecordRequest request{.aovs = film_.keeps_outputs(),
-                              .motion = film_.keeps_motion(),
                               .irradiance = irradiance_,
                               .first_surfaces = mattes_.has_value(),
+                              .surface_values = film_.surface_values(),
                               .light_layers = film_.light_layers()};
   struct PerThread {
     PerThread(const RecordRequest& request, std::size_t user_buffers, PathObserver* observer)

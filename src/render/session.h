@@ -24,7 +24,7 @@ struct SessionSettings {
   std::uint32_t seed = 0;
   bool outputs = false;                 ///< keep the outputs of materials
   bool irradiance = false;              ///< and that of the first surfaces: a second path for each
-  bool motion = false;                  ///< keep the motion of the first surfaces
+  SurfaceValues surface_values = {};    ///< stored of the first surfaces
   bool lights = true;                   ///< keep the layers of lights that the world has
   float unit_luminance = 1;             ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};      ///< cut to the picture; replaces the camera's window

@@ -34,7 +34,8 @@ TEST(LayerTable, SetsSayWhatSessionsStore) {
   EXPECT_TRUE(LayerSet("diffuse_raw").needs(LayerNeed::Outputs));
   EXPECT_TRUE(LayerSet("illuminance").needs(LayerNeed::Irradiance));
   EXPECT_FALSE(LayerSet("luminance").needs(LayerNeed::Irradiance));
-  EXPECT_TRUE(LayerSet::all().needs(LayerNeed::Motion));
+  EXPECT_EQ(LayerSet("motion").surface_values().count(), 1u);
+  EXPECT_TRUE(LayerSet("depth").surface_values().none());
   EXPECT_FALSE(LayerSet::all().needs(LayerNeed::Mattes));
   EXPECT_TRUE(LayerSet("gloss").empty());
   EXPECT_TRUE(LayerSet("fbN").empty()) << "a family";

@@ -202,7 +202,7 @@ void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
         Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
                     point.back_side, &material,      point.instance, point.primitive};
   if (record_->requested.irradiance) sense_irradiance(closure, point);
-  if (record_->requested.motion) record_->motion = raster_motion(point);
+  if (record_->wants(SurfaceValue::Motion)) (*record_)[SurfaceValue::Motion] = raster_motion(point);
 }
 
 /// At a surface. False: the path ends here.

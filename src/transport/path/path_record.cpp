@@ -14,7 +14,7 @@ void PathRecord::add_path(const PathRecord& path, const Rgb& weight, float share
   normal += path.normal * share;
   albedo += path.albedo * share;
   if (path.depth > 0) depth += path.depth, irradiance += path.irradiance, ++hits_;
-  if (paths_++ == 0) motion = path.motion;
+  if (paths_++ == 0) surface_values = path.surface_values;
   note_first_surface(path.first);
   for (std::size_t k = 0; k < requested.light_layers; ++k)
     by_light.of[k] += path.by_light.of[k] * weight * share;

@@ -2,6 +2,8 @@
 // What the paths of one camera sample leave: radiance, its parts, and the first surface.
 #pragma once
 
+#include <array>
+#include <bitset>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,9 +34,18 @@ struct PathResult {
   FirstSurface first;
 };
 
+/// Values of the first surface of a sample that layers show.
+enum class SurfaceValue : std::uint8_t {
+  Motion,  ///< raster_motion()
+  Count
+};
+inline constexpr auto kSurfaceValues = static_cast<std::size_t>(SurfaceValue::Count);
+using SurfaceValues = std::bitset<kSurfaceValues>;
+
 /// Optional values of a record. Irradiance costs a second path.
 struct RecordRequest {
-  bool aovs = false, motion = false, irradiance = false, first_surfaces = false;
+  bool aovs = false, irradiance = false, first_surfaces = false;
+  SurfaceValues surface_values = {};
   std::size_t light_layers = 0;  ///< World::light_layers.count(), or 0
 };
 
@@ -56,10 +67,10 @@ struct PathRecord : PathResult {
   PathRecord& operator=(const PathRecord&) = delete;
 
   RecordRequest requested;
-  std::optional<AovValues> aovs;             ///< the radiance by AOV
-  LightParts by_light;                       ///< the radiance by light layer
-  Vec3 motion{0};                            ///< raster_motion() of the first surface
-  std::vector<FirstSurface> first_surfaces;  ///< one per camera path
+  std::optional<AovValues> aovs;                    ///< the radiance by AOV
+  LightParts by_light;                              ///< the radiance by light layer
+  std::array<Vec3, kSurfaceValues> surface_values;  ///< by SurfaceValue, 0 unless requested
+  std::vector<FirstSurface> first_surfaces;         ///< one per camera path
   std::span<Rgba> user_buffers;
   PathObserver* observer = nullptr;
 
@@ -68,10 +79,14 @@ struct PathRecord : PathResult {
     static_cast<PathResult&>(*this) = {};
     if (requested.aovs) aovs.emplace();
     by_light.clear(requested.light_layers);
-    motion = Vec3(0);
+    surface_values.fill(Vec3(0));
     first_surfaces.clear();
   }
 
+  bool wants(SurfaceValue value) const {
+    return requested.surface_values[static_cast<std::size_t>(value)];
+  }
+  Vec3& operator[](SurfaceValue value) { return surface_values[static_cast<std::size_t>(value)]; }
   bool has_layers() const { return requested.light_layers > 0; }
 
   void add(PathObserver::Place place, const LightPart& part, std::size_t layer, const Rgb& light) {

@@ -73,7 +73,8 @@ inline Measured seen(const Probe& probe, const Vec3& origin, const Vec3& directi
 
 /// Motion of the pixels that show something, which must all be alike.
 inline Vec3 motion_layer(const SceneText& scene) {
-  const RenderedScene rendered(scene, {.budget = {.samples = 16}, .motion = true});
+  const RenderedScene rendered(
+      scene, {.budget = {.samples = 16}, .surface_values = LayerSet("motion").surface_values()});
   const auto layers = film_layers(rendered.session(), LayerSet("motion"));
   EXPECT_EQ(layers.back().name, "motion");
   const Image& image = layers.back().image;
