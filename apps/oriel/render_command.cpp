@@ -93,6 +93,14 @@ Command add_render_command(CLI::App& program) {
   app->add_flag("--linear", a->linear,
                 "Leaves lens and output shaders out of all files: linear light. Without, files "
                 "hold what these make of it, and EXR files have linear light as layer \"linear\"");
+  app->add_flag("--keep-outliers", a->keep_outliers,
+                "Show pixels that single rare samples make far too bright. By default pictures for "
+                "display spread their light over the neighbourhood; EXR files always keep them");
+  app->add_option(
+         "--clamp", a->clamp,
+         "Maximum brightness of a sample, in pixel units (default: none). Removes noise and "
+         "light")
+      ->check(CLI::PositiveNumber);
   app->add_flag("--denoise", a->denoise,
                 "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
   app->add_option("--seed", a->seed, "Another pattern of noise");

@@ -29,6 +29,12 @@
 namespace oriel::app {
 namespace {
 
+/// Whether a file is made to be looked at: integers, not linear light.
+bool is_for_display(const PictureFile& file) {
+  return !file.float_pixels &&
+         (file.samples == SampleFormat::U8 || file.samples == SampleFormat::U16);
+}
+
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
@@ -142,6 +148,7 @@ class FrameRenderer {
     settings.irradiance = any_needs(LayerNeed::Irradiance);
     for (const PictureFile& file : files_) settings.surface_values |= surface_values(file);
     settings.unit_luminance = unit_of_pixels();
+    settings.clamp = a_.clamp;
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;
     session_.emplace(*world_, settings);
@@ -293,10 +300,17 @@ class FrameRenderer {
   void write_files() {
     const Clock::time_point start = Clock::now();
     const std::map<std::string, std::string> metadata = describe();
+    Image clean;
+    if (denoised_.empty() && !a_.keep_outliers &&
+        std::any_of(files_.begin(), files_.end(), is_for_display))
+      clean = beauty_without_outliers(*session_);
     for (const PictureFile& file : files_) {
       if (unwritable_.contains(file.path)) continue;
       try {
-        write_picture(file, *session_, metadata, denoised_.empty() ? nullptr : &denoised_);
+        const Image* colors = !denoised_.empty()                       ? &denoised_
+                              : is_for_display(file) && !clean.empty() ? &clean
+                                                                       : nullptr;
+        write_picture(file, *session_, metadata, colors);
       } catch (const std::runtime_error& error) {
         report_unwritable(file.path, error.what(), scene_.renders.back());
       }

@@ -35,6 +35,8 @@ struct RenderArguments {
   std::string frames;
   bool skip_existing = false;
   bool denoise = false, linear = false, json = false, quiet = false;
+  bool keep_outliers = false;
+  float clamp = 0;  ///< SessionSettings::clamp
 };
 
 /// What the arguments mean, checked before anything is read.

@@ -23,8 +23,7 @@ struct DenoiseOptions {
   /// Filters irradiance instead of colour. For pictures that exposure has bent, where colour is not
   /// proportional to albedo any more, leave it off.
   bool divide_by_albedo = true;
-  /// Tames single pixels that shine out by one lucky sample; energy is lost there.
-  bool clamp_outliers = true;
+  bool spread_outliers = true;  ///< see spread_outliers()
 };
 
 /// The picture without noise.
@@ -45,6 +44,19 @@ struct DenoiseOptions {
 ///          M. Zwicker, "Adaptive Rendering with Non-Local Means Filtering", TOG 31(6), 2012.
 /// Checked: Denoise.*
 Image denoise(const DenoiseInput& input, const DenoiseOptions& options = {});
+
+/// The picture with the light of outliers spread over their neighbourhood.
+///
+/// Model:   an outlier is a pixel whose error is at least kOutlierError of its value and which is
+///          kOutlierFactor times as bright as all but kOutlierPeers of its 24 neighbours: one rare
+///          sample made it. Its excess is added to the neighbourhood in proportion to brightness
+///          and nearness, so the sum of the picture does not change. The more samples, the smaller
+///          the error: the limit is the picture itself.
+/// Inputs:  colour, and half_difference or variance; the rest is not read.
+/// Returns: RGB; pixels that no outlier changed have the bytes of the input.
+/// Errors:  as denoise().
+/// Checked: Outliers.* in outliers_test.cpp
+Image spread_outliers(const DenoiseInput& input);
 
 /// The input that the layers of a render hold: beauty, halves, variance, albedo, normal, Z. It
 /// refers to them, and is incomplete where they are.

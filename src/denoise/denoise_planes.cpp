@@ -28,12 +28,6 @@ constexpr float kNothing = 1;
 ///         averaged, 33 % and 5 % of noise left in a variance.
 constexpr int kVarianceRadius = 1, kLevelRadius = 10;
 
-/// A pixel is an outlier when its error is at least this part of it and it is this many times as
-/// bright as all but kOutlierPeers of its 24 neighbours: what is bright in truth is so in many
-/// samples, and a firefly in one.
-constexpr float kOutlierError = 0.3f, kOutlierFactor = 1.5f;
-constexpr int kOutlierPeers = 2;
-
 Planes read(const Image* image, int channels) {
   if (!image) return {};
   Planes out(image->width, image->height, channels);
@@ -81,45 +75,6 @@ Planes read_features(const DenoiseInput& input) {
     copy(depth, 6);
   }
   return out;
-}
-
-float sum3(const Planes& p, std::size_t i) { return p.plane(0)[i] + p.plane(1)[i] + p.plane(2)[i]; }
-
-/// Scales outliers down to the neighbours they are measured by; halves and variance go with them.
-void tame_outliers(Noisy& n) {
-  const Planes before = n.color;
-  const auto brightness = [&](int x, int y) {
-    return sum3(before, std::size_t(y) * before.width + x);
-  };
-  parallel_for(std::size_t(before.height), [&](std::size_t row) {
-    const int y = int(row);
-    for (int x = 0; x < before.width; ++x) {
-      const std::size_t i = row * before.width + x;
-      const float own = brightness(x, y);
-      float error = n.variance.count ? sum3(n.variance, i) : 0.0f;
-      if (n.half.count) {
-        const float half = std::abs(sum3(n.half, i));
-        error = std::max(error, half * half / 3);
-      }
-      if (!(own > 0) || 3 * error < kOutlierError * kOutlierError * own * own) continue;
-      std::array<float, kOutlierPeers + 1> brightest = {};  // in falling order
-      for (int v = std::max(y - 2, 0); v <= std::min(y + 2, before.height - 1); ++v)
-        for (int u = std::max(x - 2, 0); u <= std::min(x + 2, before.width - 1); ++u) {
-          if (u == x && v == y) continue;
-          float b = brightness(u, v);
-          for (float& rank : brightest)
-            if (b > rank) std::swap(b, rank);
-        }
-      const float limit = kOutlierFactor * brightest.back();
-      if (own <= limit) continue;
-      const float scale = limit / own;
-      for (int c = 0; c < 3; ++c) {
-        n.color.plane(c)[i] *= scale;
-        if (n.half.count) n.half.plane(c)[i] *= scale;
-        if (n.variance.count) n.variance.plane(c)[i] *= scale * scale;
-      }
-    }
-  });
 }
 
 void divide_by_albedo(Noisy& n) {
@@ -179,15 +134,20 @@ Planes box_blur(const Planes& planes, int radius) {
   return out;
 }
 
-Noisy prepare(const DenoiseInput& input, const DenoiseOptions& options) {
+Noisy read_noisy(const DenoiseInput& input) {
   check(input);
   Noisy n;
   n.color = read(input.color, 3);
   n.half = read(input.half_difference, 3);
   n.variance = read(input.variance, 3);
   for (float& v : n.variance.values) v = std::max(v, 0.0f);
+  return n;
+}
+
+Noisy prepare(const DenoiseInput& input, const DenoiseOptions& options) {
+  Noisy n = read_noisy(input);
   n.features = read_features(input);
-  if (options.clamp_outliers) tame_outliers(n);
+  if (options.spread_outliers) spread_outliers(n);
   n.mean = n.color;
   n.albedo = Planes(n.mean.width, n.mean.height, 3, 1);
   if (input.albedo && options.divide_by_albedo) divide_by_albedo(n);

@@ -32,7 +32,7 @@ inline constexpr int kFeatures = 7;
 
 /// The picture in the form the regression takes it.
 struct Noisy {
-  Planes color;     ///< 3: as it came, less outliers
+  Planes color;     ///< 3: the input, without outliers
   Planes mean;      ///< 3: colour, or irradiance where albedo is divided out
   Planes half;      ///< 3: half the difference of the halves; empty: not known
   Planes variance;  ///< 3: of the mean
@@ -40,8 +40,12 @@ struct Noisy {
   Planes albedo;    ///< 3: what the mean was divided by
 };
 
-/// Reads the input: replaces what is not finite, tames outliers, divides by albedo, estimates the
-/// variance.
+/// Reads colours, halves and variance: replaces values that are not finite.
+Noisy read_noisy(const DenoiseInput& input);
+/// Spreads the light of outliers, see oriel::spread_outliers(); halves and variance are scaled with
+/// their pixel.
+void spread_outliers(Noisy& n);
+/// Reads the whole input: spreads outliers, divides by albedo, estimates the variance.
 Noisy prepare(const DenoiseInput& input, const DenoiseOptions& options);
 
 }  // namespace oriel::denoising

@@ -227,14 +227,23 @@ Image denoised_beauty(const RenderSession& session) {
   return without_alpha(denoise(denoise_input(film_layers(session, layers))));
 }
 
+Image beauty_without_outliers(const RenderSession& session) {
+  constexpr double kMinSamples = 16;  // below, errors are guesses
+  if (session.world().preview || session.film().mean_samples() < kMinSamples) return {};
+  const auto layers = film_layers(session, LayerSet("halves") | LayerSet("variance"));
+  return spread_outliers(denoise_input(layers));
+}
+
 Image shown_image(const RenderSession& session, const NodeList& output_shaders,
                   const Image* denoised) {
   const Film& film = session.film();
   const Window& w = session.window();
   Image shown = collect_pixels(session, 4, [&](int x, int y, float* to) {
     const float* clean = denoised ? denoised->at(w.x0 + x, denoised->height - w.y1 + y) : nullptr;
-    put(to, clean ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y));
-    to[3] = film.pixel(x, y).beauty.a;
+    const Rgba own = film.pixel(x, y).beauty;
+    const bool changed = clean && Rgb(clean[0], clean[1], clean[2]) != rgb(own);
+    put(to, changed ? film.shown(x, y, Rgb(clean[0], clean[1], clean[2])) : film.shown(x, y));
+    to[3] = own.a;
   });
   OutputPicture picture(session, shown);
   run_in_order(output_shaders, session, shown, denoised, picture);

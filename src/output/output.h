@@ -47,6 +47,10 @@ std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& lay
 /// The beauty without noise, RGB: what the film knows goes through denoise() (denoise/denoise.h).
 Image denoised_beauty(const RenderSession& session);
 
+/// The linear colours that pictures for display show without denoising: spread_outliers() of the
+/// beauty. Empty below 16 samples per pixel.
+Image beauty_without_outliers(const RenderSession& session);
+
 /// What is looked at: the display buffer when lens shaders map colours, else the film; then through
 /// output shaders in the order of the list, those that map colours and those that work on whole
 /// pictures alike. Premultiplied RGBA, not yet a view.

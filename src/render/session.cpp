@@ -53,6 +53,7 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       seed_(settings.seed),
       irradiance_(settings.irradiance),
       unit_luminance_(settings.unit_luminance),
+      clamp_(settings.clamp),
       window_(window_of(world, settings.crop)),
       maps_window_(settings.maps_for ? window_of(world, settings.maps_for) : window_),
       observer_(settings.observer),
@@ -90,6 +91,8 @@ FilmSample RenderSession::sample(int x, int y, std::uint32_t index, PathRecord& 
   if (observer_) observer_->begin_sample(offset.negative);
   trace_eye_rays(world_, *integrator_, raster, static_cast<float>(budget_.max_samples), record,
                  sampler, counts);
+  const float brightest = max_component(record.radiance);
+  if (clamp_ > 0 && brightest > clamp_) record.scale(clamp_ / brightest);
   if (observer_) observer_->end_sample(record.radiance);
   call(Moment::SampleExit, record);
   call(Moment::StateExit, record);

@@ -26,6 +26,7 @@ struct SessionSettings {
   bool irradiance = false;              ///< and that of the first surfaces: a second path for each
   SurfaceValues surface_values = {};    ///< stored of the first surfaces
   bool lights = true;                   ///< keep the layers of lights that the world has
+  float clamp = 0;                      ///< maximum of a sample's channels, pixel units; 0 = none
   float unit_luminance = 1;             ///< cd/m2 of one unit of a pixel, see unit_luminance.h
   std::optional<Window> crop = {};      ///< cut to the picture; replaces the camera's window
   std::optional<Window> maps_for = {};  ///< what gather points are placed for; unset: the window
@@ -84,6 +85,7 @@ class RenderSession {
   std::uint32_t seed_;
   bool irradiance_;
   float unit_luminance_;
+  float clamp_;
   Window window_, maps_window_;
   PathObserver* observer_;
   FilterSampler filter_;

@@ -3,6 +3,13 @@
 
 namespace oriel {
 
+void PathRecord::scale(float factor) {
+  radiance *= factor;
+  for (std::size_t k = 0; k < requested.light_layers; ++k) by_light.of[k] *= factor;
+  if (aovs)
+    for (Rgb& result : aovs->result) result *= factor;
+}
+
 void PathRecord::begin_mean() {
   paths_ = hits_ = 0;
   if (aovs) aovs->occlusion = aovs->dimming = Rgb(0), aovs->opacity = 0;

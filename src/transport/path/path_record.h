@@ -110,6 +110,9 @@ struct PathRecord : PathResult {
     if (requested.first_surfaces) first_surfaces.push_back(surface);
   }
 
+  /// Scales all light.
+  void scale(float factor);
+
   /// The record as the mean of several paths, each in a record of its own: begin, add, end. Depth
   /// and irradiance are means over the paths that hit something, the motion is that of the first.
   void begin_mean();
