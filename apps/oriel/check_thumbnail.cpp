@@ -20,10 +20,11 @@ std::string rendered(scene::Scene& scene, const sdk::TrustedFolders& trusted, st
         camera_output_shaders(look.camera, scene, look.host.registry(), look.world, unheard);
     write_picture(file, look.session, {});
     png = file_text(file.path);
+    if (!look.host.stopped) return;
     // What a crash leaves of the picture is not shown.
+    png.clear();
     for (const Diagnostic& d : look.host.diagnostics().all())
-      if (look.host.stopped && d.severity == Severity::Error) why = d.message;
-    if (!why.empty()) png.clear();
+      if (d.severity == Severity::Error) why = d.message;
   });
   if (!seen) why = "the scene has no camera that could render it";
   return png;
