@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The manual's figures as scenes/manual/*/figures.toml lists them, their pictures and numbers."""
+"""The manual's figures listed in scenes/manual/*/figures.toml, their images and measured values."""
 import dataclasses
 import json
 import math
@@ -12,6 +12,7 @@ import OpenImageIO as oiio
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCENES = HERE.parents[1] / "scenes"
+STATUS = {"kept": "matches"}  # names in STATUS.md
 GAP, LABEL = 6, 26  # pixels between panels, and of the text under one
 SIZES = {1: "640x360", 2: "476x357", 3: "316x316", 4: "235x235"}
 
@@ -214,11 +215,11 @@ def status_text(figures):
     numbers = [measured(f.folder).get(f.name, {}) for f in figures]
     count = sum(len(n.get("values", [])) for n in numbers)
     lines = ["# Status of the figures", "",
-             f"{len(figures)} figures: {kept} agree with the manual's, "
-             f"{len(figures) - kept} differ. {count} measured values. Rendering all pictures takes "
-             f"{sum(n.get('seconds', 0) for n in numbers) / 60:.0f} minutes of one core. Written by `docs/manual/build`."]
+             f"{len(figures)} figures: {kept} match the manual, "
+             f"{len(figures) - kept} differ. {count} measured values. Render time of all images: "
+             f"{sum(n.get('seconds', 0) for n in numbers) / 60:.0f} minutes on one core. Written by `docs/manual/build`."]
     for page in dict.fromkeys(f.page for f in figures):
         lines += ["", f"## [{page.stem}]({page.name})", "",
                   "| section | figure | status |", "|---|---|---|"]
-        lines += [f"| {f.section} | {f.shows} | {f.status} |" for f in figures if f.page == page]
+        lines += [f"| {f.section} | {f.shows} | {STATUS.get(f.status, f.status)} |" for f in figures if f.page == page]
     return "\n".join(lines) + "\n"

@@ -18,23 +18,26 @@ struct MiaCieskyParams {
 };
 
 constexpr ParamSpec kMiaCieskyRows[] = {
-    {ORIEL_PARAM(MiaCieskyParams, on), .fallback = {1}, .doc = "Turns the sky on."},
+    {ORIEL_PARAM(MiaCieskyParams, on), .fallback = {1}, .doc = "Whether the sky is on."},
     {ORIEL_PARAM(MiaCieskyParams, rgb_unit_conversion), .fallback = {.0001f, .0001f, .0001f},
      .unit = "1/lux",
-     .doc = "Lux to scene units; 0 0 0 maps 80000 lux to 1; 0.318 gives pixels in cd/m2."},
+     .doc = "Factor from lux to scene units; 0 0 0 maps 80000 lux to 1; 0.318 gives pixels "
+            "in cd/m2."},
     {ORIEL_PARAM(MiaCieskyParams, auto_luminance), .fallback = {1},
-     .doc = "Luminance by the sun's height where neither of the next two is given."},
+     .doc = "Luminance from the elevation of the sun, used if neither of the next two "
+            "parameters is set."},
     {ORIEL_PARAM(MiaCieskyParams, zenith_luminance), .unit = "cd/m2",
-     .doc = "Of the zenith, where above 0."},
+     .doc = "Luminance of the zenith; used if above 0."},
     {ORIEL_PARAM(MiaCieskyParams, diffuse_horizontal_illuminance), .unit = "lux",
-     .doc = "Of the sky alone, where above 0 and the zenith's luminance is not."},
+     .doc = "Illuminance of the sky alone; used if above 0 and zenith_luminance is not."},
     {ORIEL_PARAM(MiaCieskyParams, overcast), .min = 0, .max = 1,
-     .doc = "0 CIE clear, 1 CIE overcast sky."},
-    {ORIEL_PARAM(MiaCieskyParams, sun_direction), .doc = "Toward the sun, when `sun` is not given.",
+     .doc = "Sky type: 0 CIE clear, 1 CIE overcast."},
+    {ORIEL_PARAM(MiaCieskyParams, sun_direction),
+     .doc = "Direction towards the sun, used if `sun` is not set.", .declared_default = false},
+    {ORIEL_PARAM(MiaCieskyParams, sun), .doc = "Light instance of the sun.",
      .declared_default = false},
-    {ORIEL_PARAM(MiaCieskyParams, sun), .doc = "Instance of the sun's light.",
+    {ORIEL_PARAM(MiaCieskyParams, y_is_up), .doc = "Whether Y is up, otherwise Z.",
      .declared_default = false},
-    {ORIEL_PARAM(MiaCieskyParams, y_is_up), .doc = "Y is up, else Z.", .declared_default = false},
 };
 
 struct CieSkyState final : ShaderState {
@@ -61,7 +64,7 @@ const ShaderSpec kMiaCieSky = {
     .library = "architectural",
     .version = 1,
     .apply = kApplyEnvironment | kApplyTexture,
-    .doc = "The CIE standard clear and overcast skies, grey, for the analysis of daylight.",
+    .doc = "CIE standard clear and overcast skies in grey, for daylight analysis.",
     .params = kMiaCieskyRows,
     .params_size = sizeof(MiaCieskyParams),
     .value =

@@ -25,13 +25,13 @@ struct MiaEnvblurParams {
 
 constexpr ParamSpec kMiaEnvblurRows[] = {
     {ORIEL_PARAM(MiaEnvblurParams, environment),
-     .doc = "What is blurred; none: the camera's environment."},
+     .doc = "Environment to blur; null = the camera's environment."},
     {ORIEL_PARAM(MiaEnvblurParams, blur), .min = 0, .max = 1,
-     .doc = "Amount, as a reflection of glossiness 1 - blur; 0 leaves it sharp."},
+     .doc = "Blur amount, equal to a reflection of glossiness 1 - blur; 0 = no blur."},
     {ORIEL_PARAM(MiaEnvblurParams, mia_material_blur), .fallback = {1},
-     .doc = "Blur by the glossiness of the reflection that looks it up."},
+     .doc = "Whether the blur follows the glossiness of the reflection that looks it up."},
     {ORIEL_PARAM(MiaEnvblurParams, resolution), .fallback = {200}, .min = 16, .max = 4096,
-     .doc = "Samples each way of the map that is blurred."},
+     .doc = "Resolution of the blurred map in each direction."},
 };
 
 /// The pyramid, and how lobes are mixed from it.
@@ -114,7 +114,7 @@ const ShaderSpec kMiaEnvBlur = {
     .library = "architectural",
     .version = 1,
     .apply = kApplyEnvironment | kApplyTexture,
-    .doc = "An environment looked up blurred, for smooth glossy reflections of it.",
+    .doc = "Blurred environment, for noise-free glossy reflections.",
     .params = kMiaEnvblurRows,
     .params_size = sizeof(MiaEnvblurParams),
     .value = blur,

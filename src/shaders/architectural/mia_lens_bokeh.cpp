@@ -22,22 +22,23 @@ struct Bokeh {
 };
 
 constexpr ParamSpec kMiaLensBokehRows[] = {
-    {ORIEL_PARAM(Bokeh, on), .fallback = {1}, .doc = "Off: no depth of field."},
+    {ORIEL_PARAM(Bokeh, on), .fallback = {1}, .doc = "Whether depth of field is on."},
     {ORIEL_PARAM(Bokeh, plane), .fallback = {100}, .unit = "scene units",
-     .doc = "Distance at which things are sharp."},
+     .doc = "Distance of the plane of focus."},
     {ORIEL_PARAM(Bokeh, radius), .fallback = {1}, .min = 0, .unit = "scene units",
-     .doc = "Radius of the lens opening."},
+     .doc = "Radius of the aperture."},
     {ORIEL_PARAM(Bokeh, samples), .fallback = {4}, .min = 1, .max = 65536,
-     .doc = "Rays that each camera sample becomes."},
+     .doc = "Rays per camera sample."},
     {ORIEL_PARAM(Bokeh, bias), .fallback = {1}, .min = 0,
-     .doc = "1 an even disc, less: light in the middle, more: at the rim."},
+     .doc = "Distribution of light over the disc: 1 uniform, below 1 towards the centre, "
+            "above 1 towards the rim."},
     {ORIEL_PARAM(Bokeh, blade_count), .fallback = {0}, .min = 0,
-     .doc = "Corners of the opening; below 3 it is round."},
+     .doc = "Number of aperture blades; below 3 the aperture is round."},
     {ORIEL_PARAM(Bokeh, blade_angle), .fallback = {0}, .unit = "turns",
-     .doc = "Turns the blades; 1 is 360 degrees."},
+     .doc = "Rotation of the blades; 1 = 360 degrees."},
     {ORIEL_PARAM(Bokeh, use_bokeh), .fallback = {0},
-     .doc = "A picture is the opening; bias and blades have no effect."},
-    {ORIEL_PARAM(Bokeh, bokeh), .doc = "That picture.", .declared_default = false},
+     .doc = "Whether an image defines the aperture; bias and blades are then ignored."},
+    {ORIEL_PARAM(Bokeh, bokeh), .doc = "Image of the aperture.", .declared_default = false},
 };
 
 /// Larger pictures are looked up at so many places a side, procedural ones at kProcedural.
@@ -91,8 +92,8 @@ struct LensDof {
 
 constexpr ParamSpec kDofRows[] = {
     {ORIEL_PARAM(LensDof, plane), .unit = "scene units",
-     .doc = "Distance at which things are sharp, of either sign.", .declared_default = false},
-    {ORIEL_PARAM(LensDof, radius), .unit = "scene units", .doc = "Radius of the lens opening.",
+     .doc = "Distance of the plane of focus; the sign is ignored.", .declared_default = false},
+    {ORIEL_PARAM(LensDof, radius), .unit = "scene units", .doc = "Radius of the aperture.",
      .declared_default = false},
 };
 
@@ -106,7 +107,7 @@ const ShaderSpec kMiaLensBokeh = {
     .library = "architectural",
     .version = 4,
     .apply = kApplyLens,
-    .doc = "Depth of field, with the shape of the lens opening.",
+    .doc = "Depth of field with a configurable aperture shape.",
     .params = kMiaLensBokehRows,
     .params_size = sizeof(Bokeh),
     .lens = {
@@ -135,7 +136,7 @@ const ShaderSpec kPhysicalLensDof = {
     .name = "physical_lens_dof",
     .library = "physics",
     .apply = kApplyLens,
-    .doc = "Depth of field of a round lens.",
+    .doc = "Depth of field of a round aperture.",
     .params = kDofRows,
     .params_size = sizeof(LensDof),
     .lens = {

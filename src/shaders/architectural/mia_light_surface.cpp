@@ -22,20 +22,21 @@ struct MiaLightSurfaceParams {
 };
 
 constexpr ParamSpec kMiaLightSurfaceRows[] = {
-    {ORIEL_PARAM(MiaLightSurfaceParams, color), .fallback = {1, 1, 1}, .doc = "Scales all of it."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, color), .fallback = {1, 1, 1},
+     .doc = "Factor of the result."},
     {ORIEL_PARAM(MiaLightSurfaceParams, intensity), .fallback = {1},
-     .doc = "What it shows by itself."},
+     .doc = "Emission of the surface itself."},
     {ORIEL_PARAM(MiaLightSurfaceParams, fg_contrib), .min = 0,
-     .doc = "Share that diffuse surfaces see: 1 = it lights the scene."},
-    {ORIEL_PARAM(MiaLightSurfaceParams, refl_contrib), .min = 0,
-     .doc = "Share that reflections show."},
-    {ORIEL_PARAM(MiaLightSurfaceParams, use_lights), .doc = "Adds what the lights bring.",
-     .declared_default = false},
+     .doc = "Factor for diffuse surfaces: 1 = the surface lights the scene."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, refl_contrib), .min = 0, .doc = "Factor for reflections."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, use_lights),
+     .doc = "Whether the light of `lights` is added.", .declared_default = false},
     {ORIEL_PARAM(MiaLightSurfaceParams, lights_multiplier), .fallback = {1},
-     .doc = "Scales what the lights bring."},
+     .doc = "Factor of the light of `lights`."},
     {ORIEL_PARAM(MiaLightSurfaceParams, lights_eval_point), .unit = "scene units",
-     .doc = "Where the lights are asked, in their own space; 0 = at the point seen."},
-    {ORIEL_PARAM(MiaLightSurfaceParams, lights), .doc = "Instances of lights to ask.",
+     .doc = "Point where the lights are evaluated, in their object space; 0 = the visible "
+            "point."},
+    {ORIEL_PARAM(MiaLightSurfaceParams, lights), .doc = "Light instances to evaluate.",
      .declared_default = false},
 };
 
@@ -83,7 +84,9 @@ const ShaderSpec kMiaLightSurface = {
     .library = "architectural",
     .version = 3,
     .apply = kApplyTexture,
-    .doc = "The visible part of a lamp, as bright as a light and told apart for each kind of ray.",
+    .doc =
+        "Visible surface of a lamp, as bright as its light, with separate factors for "
+        "each kind of ray.",
     .params = kMiaLightSurfaceRows,
     .params_size = sizeof(MiaLightSurfaceParams),
     .value = value,

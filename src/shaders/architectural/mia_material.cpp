@@ -371,8 +371,8 @@ const ShaderSpec kMiaMaterial = {
     .version = 4,
     .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
     .doc =
-        "Architectural material: diffuse, glossy reflection, refraction and translucency that "
-        "share the light.",
+        "Architectural material: energy-conserving diffuse, glossy reflection, "
+        "refraction and translucency.",
     .params = mia_material_rows().first(kMiaMaterialRows),
     .params_size = sizeof(MiaMaterialParams),
     .material = {.fill = [](const Call& call,
@@ -388,7 +388,7 @@ const ShaderSpec kMiaMaterialX = {
     .library = "architectural",
     .version = 15,
     .apply = kApplyMaterial | kApplyPhoton | kApplyShadow,
-    .doc = "The architectural material with vector bump inputs.",
+    .doc = "Architectural material with vector bump inputs.",
     .params = mia_material_rows(),
     .params_size = sizeof(MiaMaterialParams),
     .result = ParamType::Struct,
@@ -406,7 +406,7 @@ const ShaderSpec kMiaMaterialXPasses = [] {
   ShaderSpec spec = kMiaMaterialX;
   spec.name = "mia_material_x_passes";
   spec.version = 1;
-  spec.doc = "The extended material under the name hosts with render passes write.";
+  spec.doc = "mia_material_x under the name that hosts with render passes write.";
   return spec;
 }();
 

@@ -32,29 +32,30 @@ enum IntensityMode { kPeak = 0, kFlux = 1, kFromProfile = 2 };
 enum DistributionMode { kIsotropic = 0, kSpot = 1, kProfile = 2 };
 
 constexpr ParamSpec kMiaPhotometricLightRows[] = {
-    {ORIEL_PARAM(MiaPhotometricLightParams, on), .fallback = {1}, .doc = "Turns the light on."},
+    {ORIEL_PARAM(MiaPhotometricLightParams, on), .fallback = {1},
+     .doc = "Whether the light is on."},
     {ORIEL_PARAM(MiaPhotometricLightParams, multiplier), .fallback = {1}, .min = 0,
-     .doc = "Scales the light."},
+     .doc = "Factor of the light."},
     {ORIEL_PARAM(MiaPhotometricLightParams, color), .fallback = {1, 1, 1},
-     .doc = "Colours the light."},
+     .doc = "Tint of the light."},
     {ORIEL_PARAM(MiaPhotometricLightParams, intensity_mode), .min = 0, .max = 2,
-     .doc = "How bright: 0 by peak intensity, 1 by flux, 2 as the profile says."},
+     .doc = "Intensity source: 0 peak intensity, 1 flux, 2 the profile."},
     {ORIEL_PARAM(MiaPhotometricLightParams, manual_peak_intensity_cd), .min = 0, .unit = "cd",
-     .doc = "Intensity in the brightest direction, for `intensity_mode` 0."},
+     .doc = "Peak intensity, for `intensity_mode` 0."},
     {ORIEL_PARAM(MiaPhotometricLightParams, manual_flux_lm), .min = 0, .unit = "lm",
-     .doc = "Flux of the whole distribution, for `intensity_mode` 1."},
+     .doc = "Total flux, for `intensity_mode` 1."},
     {ORIEL_PARAM(MiaPhotometricLightParams, distribution_mode), .min = 0, .max = 2,
-     .doc = "Where to: 0 evenly, 1 as a spot, 2 by the profile."},
+     .doc = "Distribution: 0 uniform, 1 spot, 2 the profile."},
     {ORIEL_PARAM(MiaPhotometricLightParams, spotlight_cosine_bias), .min = 0,
-     .doc = "A spot's intensity is this power of the cosine to its axis; 0 = even.",
+     .doc = "Exponent of the cosine to the axis of a spot; 0 = uniform.",
      .support = Support::Approximated},
     {ORIEL_PARAM(MiaPhotometricLightParams, profile),
-     .doc = "Candela by direction, else that of the light's own element.",
+     .doc = "Photometric profile in candela; null = that of the light element.",
      .declared_default = false},
     {ORIEL_PARAM(MiaPhotometricLightParams, units_to_meter_scale), .fallback = {1}, .min = 0,
-     .doc = "Metres in a unit of the scene."},
+     .doc = "Metres per scene unit."},
     {ORIEL_PARAM(MiaPhotometricLightParams, cm2_factor), .fallback = {1}, .min = 0,
-     .doc = "Scales photometric units to those of the picture; 1 = pixels in cd/m2."},
+     .doc = "Factor from photometric units to pixel values; 1 = pixels in cd/m2."},
 };
 
 /// Intensity in a direction, beside the flux and peak of all directions in the same unit.
@@ -117,7 +118,9 @@ const ShaderSpec kMiaPhotometricLight = {
     .library = "architectural",
     .version = 2,
     .apply = kApplyLight | kApplyEmitter,
-    .doc = "A light of so many candela or lumen, evenly, as a spot, or as measured.",
+    .doc =
+        "Light of a given intensity or flux, uniform, as a spot, or by a measured "
+        "profile.",
     .params = kMiaPhotometricLightRows,
     .params_size = sizeof(MiaPhotometricLightParams),
     .light =

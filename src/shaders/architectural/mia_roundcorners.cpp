@@ -25,21 +25,19 @@ struct MiaRoundcornersParams {
 
 constexpr ParamSpec kMiaRoundcornersRows[] = {
     {ORIEL_PARAM(MiaRoundcornersParams, radius), .min = 0, .unit = "scene units",
-     .doc = "Distance from an edge at which it begins to round.", .declared_default = false},
+     .doc = "Distance from an edge at which rounding starts.", .declared_default = false},
     {ORIEL_PARAM(MiaRoundcornersParams, allow_different_materials),
-     .doc = "Round against faces of any material, else of the same alone.",
+     .doc = "Whether edges to other materials are rounded too.", .declared_default = false},
+    {ORIEL_PARAM(MiaRoundcornersParams, bump), .doc = "Bump shader evaluated first (bump_mode 0).",
      .declared_default = false},
-    {ORIEL_PARAM(MiaRoundcornersParams, bump),
-     .doc = "A shader that moves the normal before (bump_mode 0).", .declared_default = false},
     {ORIEL_PARAM(MiaRoundcornersParams, bump_mode), .min = 0, .max = 8,
-     .doc = "0 moves the normal, returns 0 0 0; 1-4 add, 5-8 set: in internal, world, object, "
-            "camera space, for bump_vector and for the result.",
+     .doc = "0 changes the normal and returns 0 0 0; 1-4 add, 5-8 set: in internal, world, "
+            "object, camera space, for bump_vector and for the result.",
      .declared_default = false},
     {ORIEL_PARAM(MiaRoundcornersParams, bump_vector),
-     .doc = "Normal or change of it before (bump_mode 1-8).", .declared_default = false},
+     .doc = "Normal or normal offset applied first (bump_mode 1-8).", .declared_default = false},
     {ORIEL_PARAM(MiaRoundcornersParams, edges), .min = 0, .max = 2,
-     .doc = "Oriel's own: which edges are rounded; 0 all, 1 those that stand out, 2 those that "
-            "turn in.",
+     .doc = "Oriel extension: rounded edges; 0 all, 1 convex, 2 concave.",
      .declared_default = false},
 };
 
@@ -200,7 +198,7 @@ const ShaderSpec kMiaRoundCorners = {
     .library = "architectural",
     .version = 3,
     .apply = kApplyTexture,
-    .doc = "Shades edges as if they were rounded.",
+    .doc = "Rounded shading of sharp edges.",
     .params = kMiaRoundcornersRows,
     .params_size = sizeof(MiaRoundcornersParams),
     .result = ParamType::Vector,

@@ -31,35 +31,39 @@ struct Map2 {
 
 constexpr ParamSpec kBasisRows[] = {
     {ORIEL_PARAM(Basis, project),
-     .doc = "1 xy, 2 xz, 3 yz, 4 spherical, 6 cylindrical; else the texture space.",
+     .doc = "Projection: 1 xy, 2 xz, 3 yz, 4 spherical, 6 cylindrical; otherwise the "
+            "texture space.",
      .declared_default = false},
-    {ORIEL_PARAM(Basis, ntex), .min = 0, .max = 63, .doc = "The texture space.",
+    {ORIEL_PARAM(Basis, ntex), .min = 0, .max = 63, .doc = "Number of the texture space.",
      .declared_default = false},
 };
 constexpr ParamSpec kBasisResults[] = {{ORIEL_PARAM(BasisOut, u)}, {ORIEL_PARAM(BasisOut, v)}};
 constexpr ParamSpec kMapRows[] = {
-    {ORIEL_PARAM(Map, u), .doc = "Direction the normal turns to by the change along u.",
+    {ORIEL_PARAM(Map, u), .doc = "Direction of the normal change along u.",
      .declared_default = false},
-    {ORIEL_PARAM(Map, v), .doc = "Direction the normal turns to by the change along v.",
+    {ORIEL_PARAM(Map, v), .doc = "Direction of the normal change along v.",
      .declared_default = false},
-    {ORIEL_PARAM(Map, coord), .doc = "Where the texture is looked up.", .declared_default = false},
-    {ORIEL_PARAM(Map, step), .doc = "Way to the other two look-ups; 0 = 0.01.",
+    {ORIEL_PARAM(Map, coord), .doc = "Texture coordinate.", .declared_default = false},
+    {ORIEL_PARAM(Map, step), .doc = "Offset of the two neighbouring look-ups; 0 = 0.01.",
      .declared_default = false},
-    {ORIEL_PARAM(Map, factor), .doc = "Strength; 0 = 1.", .declared_default = false},
-    {ORIEL_PARAM(Map, torus_u), .doc = "Repeat the picture along u.", .declared_default = false},
-    {ORIEL_PARAM(Map, torus_v), .doc = "Repeat the picture along v.", .declared_default = false},
-    {ORIEL_PARAM(Map, alpha), .doc = "Take the alpha in place of the mean of the channels.",
+    {ORIEL_PARAM(Map, factor), .doc = "Bump strength; 0 = 1.", .declared_default = false},
+    {ORIEL_PARAM(Map, torus_u), .doc = "Whether the texture repeats along u.",
      .declared_default = false},
-    {ORIEL_PARAM(Map, tex), .doc = "The picture.", .declared_default = false},
-    {ORIEL_PARAM(Map, clamp), .doc = "No bump outside of 0..1.", .declared_default = false},
+    {ORIEL_PARAM(Map, torus_v), .doc = "Whether the texture repeats along v.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map, alpha), .doc = "Whether alpha is used instead of the mean of the channels.",
+     .declared_default = false},
+    {ORIEL_PARAM(Map, tex), .doc = "Texture image.", .declared_default = false},
+    {ORIEL_PARAM(Map, clamp), .doc = "Whether coordinates outside 0..1 have no bump.",
+     .declared_default = false},
 };
 constexpr ParamSpec kMap2Rows[] = {
-    {ORIEL_PARAM(Map2, factor), .doc = "Strength; 0 = 1.", .declared_default = false},
-    {ORIEL_PARAM(Map2, scale), .doc = "Times the first texture space; 0 = 1.",
+    {ORIEL_PARAM(Map2, factor), .doc = "Bump strength; 0 = 1.", .declared_default = false},
+    {ORIEL_PARAM(Map2, scale), .doc = "Scale of the first texture space; 0 = 1.",
      .declared_default = false},
-    {ORIEL_PARAM(Map2, tex), .doc = "The picture.", .declared_default = false},
-    {ORIEL_PARAM(Map2, color), .doc = "Colour or material that is returned.",
-     .declared_default = false, .takes_material = true},
+    {ORIEL_PARAM(Map2, tex), .doc = "Texture image.", .declared_default = false},
+    {ORIEL_PARAM(Map2, color), .doc = "Colour or material to return.", .declared_default = false,
+     .takes_material = true},
 };
 
 constexpr float kStep = 0.01f;
@@ -154,7 +158,7 @@ const ShaderSpec kMibBumpBasis = {
     .library = "base",
     .version = 2,
     .apply = kApplyTexture,
-    .doc = "The directions that a bump map turns the normal to.",
+    .doc = "Basis of the directions for bump mapping.",
     .params = kBasisRows,
     .params_size = sizeof(Basis),
     .result = ParamType::Struct,
@@ -171,7 +175,7 @@ const ShaderSpec kMibBumpMap = {
     .library = "base",
     .version = 2,
     .apply = kApplyTexture,
-    .doc = "Turns the normal by a picture, and returns it.",
+    .doc = "Bump map that changes the normal and returns it.",
     .params = kMapRows,
     .params_size = sizeof(Map),
     .result = ParamType::Vector,
@@ -190,7 +194,7 @@ const ShaderSpec kMibPassthroughBumpMap = {
     .library = "base",
     .version = 2,
     .apply = kApplyTexture | kApplyMaterial,
-    .doc = "Turns the normal by a picture, for the shaders after it in a list.",
+    .doc = "Bump map for the following shaders of a list.",
     .params = kMapRows,
     .params_size = sizeof(Map),
     .value =
@@ -205,7 +209,7 @@ const ShaderSpec kMibBumpMap2 = {
     .name = "mib_bump_map2",
     .library = "base",
     .apply = kApplyTexture | kApplyMaterial,
-    .doc = "Turns the normal by a picture before a material.",
+    .doc = "Bump map for a material.",
     .params = kMap2Rows,
     .params_size = sizeof(Map2),
     .value =

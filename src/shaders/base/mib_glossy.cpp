@@ -40,66 +40,66 @@ struct Refraction {
   ArrayView<Rgba> spectrum;
 };
 
-constexpr const char* kDistance = "How far rays go; 0 = any way.";
-constexpr const char* kFalloff = "Exponent of the fading towards max_distance; it is linear.";
-constexpr const char* kEdge = "How narrow the edge is.";
-constexpr const char* kSamples = "Most rays; 0 = not blurred.";
-constexpr const char* kSpread = "Blur along the axis.";
-constexpr const char* kAxis = "Direction of the blur; null = any.";
-constexpr const char* kDispersion = "How far colours part.";
+constexpr const char* kDistance = "Maximum ray length; 0 = unlimited.";
+constexpr const char* kFalloff =
+    "Exponent of the fade towards max_distance; the fade is always linear.";
+constexpr const char* kEdge = "Narrowness of the edge.";
+constexpr const char* kSamples = "Maximum number of rays; 0 = no blur.";
+constexpr const char* kSpread = "Blur along this axis.";
+constexpr const char* kAxis = "Direction of the blur; null = any direction.";
+constexpr const char* kDispersion = "Amount of dispersion.";
 
 constexpr ParamSpec kReflectionRows[] = {
-    {ORIEL_PARAM(Reflection, base_material), .doc = "The material below.",
-     .declared_default = false, .takes_material = true},
-    {ORIEL_PARAM(Reflection, reflection_color), .doc = "Colour of the reflection.",
+    {ORIEL_PARAM(Reflection, base_material), .doc = "Base material.", .declared_default = false,
+     .takes_material = true},
+    {ORIEL_PARAM(Reflection, reflection_color), .doc = "Reflection colour.",
      .declared_default = false},
     {ORIEL_PARAM(Reflection, max_distance), .min = 0, .unit = "scene units", .doc = kDistance},
     {ORIEL_PARAM(Reflection, falloff), .fallback = {2}, .doc = kFalloff,
      .support = Support::Ignored},
-    {ORIEL_PARAM(Reflection, environment_color),
-     .doc = "Factor of the environment; it is taken as it is.", .support = Support::Ignored,
-     .declared_default = false},
+    {ORIEL_PARAM(Reflection, environment_color), .doc = "Factor of the environment; not applied.",
+     .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(Reflection, reflection_base_weight), .fallback = {.6f}, .min = 0, .max = 1,
-     .doc = "Share of the reflection facing the viewer."},
+     .doc = "Reflectivity at normal incidence."},
     {ORIEL_PARAM(Reflection, reflection_edge_weight), .fallback = {1}, .min = 0, .max = 1,
-     .doc = "Share of the reflection at the edge."},
+     .doc = "Reflectivity at the edge."},
     {ORIEL_PARAM(Reflection, edge_factor), .fallback = {5}, .min = 0, .doc = kEdge},
     {ORIEL_PARAM(Reflection, environment),
-     .doc = "Environment of its own; the material's or the scene's is taken.",
+     .doc = "Own environment; that of the material or the scene is used instead.",
      .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(Reflection, single_env_sample), .fallback = {1},
-     .doc = "Look the environment up once for all rays."},
+     .doc = "Whether one environment look-up serves all rays."},
     {ORIEL_PARAM(Reflection, samples), .fallback = {16}, .min = 0, .doc = kSamples},
     {ORIEL_PARAM(Reflection, u_spread), .fallback = {.1f}, .min = 0, .doc = kSpread,
      .support = Support::Approximated},
     {ORIEL_PARAM(Reflection, v_spread), .fallback = {.1f}, .min = 0, .doc = kSpread,
      .support = Support::Approximated},
     {ORIEL_PARAM(Reflection, u_axis), .doc = kAxis, .declared_default = false},
-    {ORIEL_PARAM(Reflection, v_axis), .doc = "At a right angle to u_axis, where that is null.",
+    {ORIEL_PARAM(Reflection, v_axis),
+     .doc = "Second axis, perpendicular to u_axis; used if that is null.",
      .declared_default = false},
     {ORIEL_PARAM(Reflection, dispersion), .doc = kDispersion, .support = Support::Ignored},
-    {ORIEL_PARAM(Reflection, spectrum), .doc = "Colours of the dispersion.",
-     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(Reflection, spectrum), .doc = "Dispersion colours.", .support = Support::Ignored,
+     .declared_default = false},
 };
 constexpr ParamSpec kRefractionRows[] = {
-    {ORIEL_PARAM(Refraction, top_material), .doc = "The material above.", .declared_default = false,
+    {ORIEL_PARAM(Refraction, top_material), .doc = "Top material.", .declared_default = false,
      .takes_material = true},
-    {ORIEL_PARAM(Refraction, deep_material), .doc = "What is seen beyond max_distance; black.",
+    {ORIEL_PARAM(Refraction, deep_material), .doc = "Colour beyond max_distance; black is used.",
      .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(Refraction, back_material), .doc = "The material seen from behind.",
+    {ORIEL_PARAM(Refraction, back_material), .doc = "Back face material.",
      .declared_default = false, .takes_material = true},
     {ORIEL_PARAM(Refraction, render_reverse_of_back_material), .fallback = {1},
-     .doc = "Shade the back with its normal turned over; it always is.",
+     .doc = "Whether back faces are shaded with the flipped normal; always on.",
      .support = Support::Ignored},
-    {ORIEL_PARAM(Refraction, refraction_color), .fallback = {1, 1, 1},
-     .doc = "Colour of the refraction."},
+    {ORIEL_PARAM(Refraction, refraction_color), .fallback = {1, 1, 1}, .doc = "Refraction colour."},
     {ORIEL_PARAM(Refraction, max_distance), .min = 0, .unit = "scene units", .doc = kDistance},
     {ORIEL_PARAM(Refraction, falloff), .fallback = {2}, .doc = kFalloff,
      .support = Support::Ignored},
     {ORIEL_PARAM(Refraction, refraction_base_weight), .fallback = {1}, .min = 0, .max = 1,
-     .doc = "Share of the refraction facing the viewer."},
+     .doc = "Refraction weight at normal incidence."},
     {ORIEL_PARAM(Refraction, refraction_edge_weight), .fallback = {.6f}, .min = 0, .max = 1,
-     .doc = "Share of the refraction at the edge."},
+     .doc = "Refraction weight at the edge."},
     {ORIEL_PARAM(Refraction, edge_factor), .fallback = {5}, .min = 0, .doc = kEdge},
     {ORIEL_PARAM(Refraction, ior), .fallback = {1}, .min = 0, .doc = "Index of refraction."},
     {ORIEL_PARAM(Refraction, samples), .fallback = {16}, .min = 0, .doc = kSamples},
@@ -108,11 +108,12 @@ constexpr ParamSpec kRefractionRows[] = {
     {ORIEL_PARAM(Refraction, v_spread), .fallback = {.1f}, .min = 0, .doc = kSpread,
      .support = Support::Approximated},
     {ORIEL_PARAM(Refraction, u_axis), .doc = kAxis, .declared_default = false},
-    {ORIEL_PARAM(Refraction, v_axis), .doc = "At a right angle to u_axis, where that is null.",
+    {ORIEL_PARAM(Refraction, v_axis),
+     .doc = "Second axis, perpendicular to u_axis; used if that is null.",
      .declared_default = false},
     {ORIEL_PARAM(Refraction, dispersion), .doc = kDispersion, .support = Support::Ignored},
-    {ORIEL_PARAM(Refraction, spectrum), .doc = "Colours of the dispersion.",
-     .support = Support::Ignored, .declared_default = false},
+    {ORIEL_PARAM(Refraction, spectrum), .doc = "Dispersion colours.", .support = Support::Ignored,
+     .declared_default = false},
 };
 
 Rgb level_of(const Rgba& color, float facing, float edge, float exponent, float cosine) {
@@ -182,7 +183,7 @@ const ShaderSpec kMibGlossyReflection = {
     .library = "base",
     .version = 3,
     .apply = kApplyMaterial | kApplyTexture,
-    .doc = "A blurred reflection blended over another material.",
+    .doc = "Blurred reflection blended over another material.",
     .params = kReflectionRows,
     .params_size = sizeof(Reflection),
     .material = {.fill = reflection,
@@ -194,7 +195,7 @@ const ShaderSpec kMibGlossyRefraction = {
     .library = "base",
     .version = 3,
     .apply = kApplyMaterial | kApplyTexture,
-    .doc = "A blurred refraction blended over other materials.",
+    .doc = "Blurred refraction blended over other materials.",
     .params = kRefractionRows,
     .params_size = sizeof(Refraction),
     .material = {.fill = refraction,

@@ -48,33 +48,33 @@ struct WardDeriv {
   ArrayView<LightRef> lights;
 };
 
-constexpr const char* kAmbience = "Ambient light of the scene.";
-constexpr const char* kAmbient = "Colour that ambience is multiplied with.";
+constexpr const char* kAmbience = "Ambient light colour.";
+constexpr const char* kAmbient = "Ambient reflectance, multiplied by ambience.";
 constexpr const char* kMode =
-    "Which lights: 0 list or linked or all, 1 the list, 2 all but it, 4 linked or all.";
+    "Light selection: 0 list or linked or all, 1 the list, 2 all but the list, 4 "
+    "linked or all.";
 
 constexpr const char* kDiffuse = "Diffuse colour.";
-constexpr const char* kSpecular = "Colour of the highlight.";
-constexpr const char* kSlope = "Mean slope of the facets: width of the highlight.";
-constexpr const char* kIor = "Index of refraction; below 1 it is 1.";
-constexpr const char* kList = "The list.";
+constexpr const char* kSpecular = "Highlight colour.";
+constexpr const char* kSlope = "Mean slope of the microfacets; sets the highlight width.";
+constexpr const char* kIor = "Index of refraction; minimum 1.";
+constexpr const char* kList = "Light list.";
 
 constexpr ParamSpec kLambertRows[] = {
     {ORIEL_PARAM(Lambert, ambience), .doc = kAmbience, .declared_default = false},
     {ORIEL_PARAM(Lambert, ambient), .doc = kAmbient, .declared_default = false},
     {ORIEL_PARAM(Lambert, diffuse), .doc = "Diffuse colour.", .declared_default = false},
     {ORIEL_PARAM(Lambert, mode), .doc = kMode, .declared_default = false},
-    {ORIEL_PARAM(Lambert, lights), .doc = "The list.", .declared_default = false},
+    {ORIEL_PARAM(Lambert, lights), .doc = "Light list.", .declared_default = false},
 };
 constexpr ParamSpec kPhongRows[] = {
     {ORIEL_PARAM(Phong, ambience), .doc = kAmbience, .declared_default = false},
     {ORIEL_PARAM(Phong, ambient), .doc = kAmbient, .declared_default = false},
     {ORIEL_PARAM(Phong, diffuse), .doc = "Diffuse colour.", .declared_default = false},
-    {ORIEL_PARAM(Phong, specular), .doc = "Colour of the highlight.", .declared_default = false},
-    {ORIEL_PARAM(Phong, exponent), .doc = "Narrowness of the highlight.",
-     .declared_default = false},
+    {ORIEL_PARAM(Phong, specular), .doc = "Highlight colour.", .declared_default = false},
+    {ORIEL_PARAM(Phong, exponent), .doc = "Highlight exponent.", .declared_default = false},
     {ORIEL_PARAM(Phong, mode), .doc = kMode, .declared_default = false},
-    {ORIEL_PARAM(Phong, lights), .doc = "The list.", .declared_default = false},
+    {ORIEL_PARAM(Phong, lights), .doc = "Light list.", .declared_default = false},
 };
 
 constexpr ParamSpec kBlinnRows[] = {
@@ -102,14 +102,13 @@ constexpr ParamSpec kWardRows[] = {
     {ORIEL_PARAM(Ward, ambient), .doc = kAmbient, .declared_default = false},
     {ORIEL_PARAM(Ward, diffuse), .doc = kDiffuse, .declared_default = false},
     {ORIEL_PARAM(Ward, glossy), .doc = kSpecular, .declared_default = false},
-    {ORIEL_PARAM(Ward, shiny_u), .min = 0, .doc = "Narrowness of the highlight along u.",
+    {ORIEL_PARAM(Ward, shiny_u), .min = 0, .doc = "Highlight narrowness along u.",
      .declared_default = false},
-    {ORIEL_PARAM(Ward, shiny_v), .min = 0, .doc = "Narrowness of the highlight along v.",
+    {ORIEL_PARAM(Ward, shiny_v), .min = 0, .doc = "Highlight narrowness along v.",
      .declared_default = false},
-    {ORIEL_PARAM(Ward, u), .doc = "Direction across the normal; null: along the texture.",
+    {ORIEL_PARAM(Ward, u), .doc = "Tangent direction u; null = along the texture.",
      .declared_default = false},
-    {ORIEL_PARAM(Ward, v),
-     .doc = "The direction at a right angle to u, which gives u where that is null.",
+    {ORIEL_PARAM(Ward, v), .doc = "Direction perpendicular to u; used if u is null.",
      .declared_default = false},
     {ORIEL_PARAM(Ward, mode), .doc = kMode, .declared_default = false},
     {ORIEL_PARAM(Ward, lights), .doc = kList, .declared_default = false},
@@ -120,9 +119,10 @@ constexpr ParamSpec kWardDerivRows[] = {
     {ORIEL_PARAM(WardDeriv, diffuse), .doc = kDiffuse, .declared_default = false},
     {ORIEL_PARAM(WardDeriv, glossy), .doc = kSpecular, .declared_default = false},
     {ORIEL_PARAM(WardDeriv, shiny_u), .min = 0,
-     .doc = "Narrowness of the highlight along the surface's u.", .declared_default = false},
-    {ORIEL_PARAM(WardDeriv, shiny_v), .min = 0, .doc = "Narrowness of the highlight across it.",
+     .doc = "Highlight narrowness along the u derivative of the surface.",
      .declared_default = false},
+    {ORIEL_PARAM(WardDeriv, shiny_v), .min = 0,
+     .doc = "Highlight narrowness perpendicular to that.", .declared_default = false},
     {ORIEL_PARAM(WardDeriv, mode), .doc = kMode, .declared_default = false},
     {ORIEL_PARAM(WardDeriv, lights), .doc = kList, .declared_default = false},
 };
@@ -211,7 +211,7 @@ const ShaderSpec kMibIllumLambert = {
     .library = "base",
     .version = 2,
     .apply = kApplyMaterial,
-    .doc = "A perfectly diffuse surface.",
+    .doc = "Lambertian diffuse material.",
     .params = kLambertRows,
     .params_size = sizeof(Lambert),
     .material =
@@ -228,7 +228,7 @@ const ShaderSpec kMibIllumPhong = {
     .library = "base",
     .version = 2,
     .apply = kApplyMaterial,
-    .doc = "A diffuse surface with Phong's highlight of light sources.",
+    .doc = "Diffuse material with Phong highlights of lights.",
     .params = kPhongRows,
     .params_size = sizeof(Phong),
     .material =
@@ -251,7 +251,7 @@ const ShaderSpec kMibIllumBlinn = {
     .library = "base",
     .version = 2,
     .apply = kApplyMaterial,
-    .doc = "A diffuse surface with the highlight of facets of one index.",
+    .doc = "Diffuse material with a microfacet highlight of a single index of refraction.",
     .params = kBlinnRows,
     .params_size = sizeof(Blinn),
     .material = {.fill = blinn, .max_lobes = two_lobes},
@@ -262,7 +262,7 @@ const ShaderSpec kMibIllumCooktorr = {
     .library = "base",
     .version = 2,
     .apply = kApplyMaterial,
-    .doc = "A diffuse surface with the highlight of facets, which shifts in colour.",
+    .doc = "Diffuse material with a Cook-Torrance highlight, which shifts in colour.",
     .params = kCooktorrRows,
     .params_size = sizeof(Cooktorr),
     .material = {.fill = cooktorr, .max_lobes = [](const ShaderNode&) { return 4; }},
@@ -273,7 +273,7 @@ const ShaderSpec kMibIllumWard = {
     .library = "base",
     .version = 1,
     .apply = kApplyMaterial,
-    .doc = "A diffuse surface with a highlight stretched along given directions.",
+    .doc = "Diffuse material with an anisotropic Ward highlight along given directions.",
     .params = kWardRows,
     .params_size = sizeof(Ward),
     .material =
@@ -292,7 +292,9 @@ const ShaderSpec kMibIllumWardDeriv = {
     .library = "base",
     .version = 1,
     .apply = kApplyMaterial,
-    .doc = "A diffuse surface with a highlight stretched along the surface's u.",
+    .doc =
+        "Diffuse material with an anisotropic Ward highlight along the u derivative of "
+        "the surface.",
     .params = kWardDerivRows,
     .params_size = sizeof(WardDeriv),
     .material =
@@ -310,7 +312,7 @@ const ShaderSpec kMibIllumHair = {
     .library = "base",
     .version = 1,
     .apply = kApplyMaterial,
-    .doc = "A diffuse ribbon with the highlight of a fibre.",
+    .doc = "Diffuse hair with the highlight of a fibre.",
     .params = kPhongRows,
     .params_size = sizeof(Phong),
     .material = {.fill = hair, .max_lobes = two_lobes},

@@ -32,37 +32,37 @@ struct Oversampling {
 };
 
 constexpr ParamSpec kStencilRows[] = {
-    {ORIEL_PARAM(Stencil, floor), .doc = "Below this value of the stencil: floor_color.",
+    {ORIEL_PARAM(Stencil, floor), .doc = "Stencil value below which floor_color is used.",
      .declared_default = false},
-    {ORIEL_PARAM(Stencil, ceiling), .doc = "Above this value of the stencil: ceil_color.",
+    {ORIEL_PARAM(Stencil, ceiling), .doc = "Stencil value above which ceil_color is used.",
      .declared_default = false},
     {ORIEL_PARAM(Stencil, floor_color), .doc = "Colour below the floor.",
      .declared_default = false},
     {ORIEL_PARAM(Stencil, ceil_color), .doc = "Colour above the ceiling.",
      .declared_default = false},
-    {ORIEL_PARAM(Stencil, stencil), .doc = "Picture that lies over the whole image.",
+    {ORIEL_PARAM(Stencil, stencil), .doc = "Stencil image over the whole frame.",
      .declared_default = false},
 };
 constexpr ParamSpec kClampRows[] = {
-    {ORIEL_PARAM(Clamp, floor), .doc = "What becomes 0.", .declared_default = false},
-    {ORIEL_PARAM(Clamp, ceiling), .doc = "What becomes 1; not above floor = floor + 1.",
+    {ORIEL_PARAM(Clamp, floor), .doc = "Value mapped to 0.", .declared_default = false},
+    {ORIEL_PARAM(Clamp, ceiling), .doc = "Value mapped to 1; not above floor = floor + 1.",
      .declared_default = false},
-    {ORIEL_PARAM(Clamp, luminance), .doc = "By luminance, not by channel.",
+    {ORIEL_PARAM(Clamp, luminance), .doc = "Whether luminance is clamped, instead of each channel.",
      .declared_default = false},
-    {ORIEL_PARAM(Clamp, floor_color), .doc = "By luminance: colour below the floor.",
+    {ORIEL_PARAM(Clamp, floor_color), .doc = "Colour below the floor, with luminance.",
      .declared_default = false},
-    {ORIEL_PARAM(Clamp, ceil_color), .doc = "By luminance: colour above the ceiling.",
+    {ORIEL_PARAM(Clamp, ceil_color), .doc = "Colour above the ceiling, with luminance.",
      .declared_default = false},
 };
 constexpr ParamSpec kVolumeRows[] = {
-    {ORIEL_PARAM(Volume, color), .doc = "Colour of the fog.", .declared_default = false},
+    {ORIEL_PARAM(Volume, color), .doc = "Fog colour.", .declared_default = false},
     {ORIEL_PARAM(Volume, max), .unit = "scene units",
-     .doc = "Distance where nothing else is seen; 0 = no fog.", .declared_default = false},
-    {ORIEL_PARAM(Volume, lightrays), .doc = "Fade light on its way as well.",
+     .doc = "Distance of full density; 0 = no fog.", .declared_default = false},
+    {ORIEL_PARAM(Volume, lightrays), .doc = "Whether light rays are attenuated too.",
      .declared_default = false},
 };
 constexpr ParamSpec kOversamplingRows[] = {
-    {ORIEL_PARAM(Oversampling, samples), .doc = "Eye rays for each sample.",
+    {ORIEL_PARAM(Oversampling, samples), .doc = "Camera rays per sample.",
      .support = Support::Ignored, .declared_default = false},
 };
 
@@ -121,7 +121,7 @@ const ShaderSpec kMibLensStencil = {
     .name = "mib_lens_stencil",
     .library = "base",
     .apply = kApplyLens,
-    .doc = "A picture over the image that covers parts of it.",
+    .doc = "Stencil that covers parts of the frame with colours.",
     .params = kStencilRows,
     .params_size = sizeof(Stencil),
     .lens = {.map_color = stencil},
@@ -131,7 +131,7 @@ const ShaderSpec kMibLensClamp = {
     .name = "mib_lens_clamp",
     .library = "base",
     .apply = kApplyLens,
-    .doc = "Maps a range of brightness to 0..1 and cuts what lies out of it.",
+    .doc = "Mapping of a brightness range to 0..1, clamped.",
     .params = kClampRows,
     .params_size = sizeof(Clamp),
     .lens = {.map_color = clamp_lens},
@@ -141,7 +141,7 @@ const ShaderSpec kMibVolume = {
     .name = "mib_volume",
     .library = "base",
     .apply = kApplyVolume,
-    .doc = "Even fog.",
+    .doc = "Homogeneous fog.",
     .params = kVolumeRows,
     .params_size = sizeof(Volume),
     .volume =
@@ -159,7 +159,7 @@ const ShaderSpec kOversamplingLens = {
     .name = "oversampling_lens",
     .library = "physics",
     .apply = kApplyLens,
-    .doc = "Accepted; the sampler decides how many rays a pixel gets.",
+    .doc = "Accepted and ignored; the sampler sets the number of rays per pixel.",
     .params = kOversamplingRows,
     .params_size = sizeof(Oversampling),
     .lens = {.map_color = [](const Call&, const LensCall&,

@@ -35,47 +35,47 @@ struct Physical {
   float cone, threshold, cos_exp;
 };
 
-constexpr const char* kShadowDoc = "Cast shadows.";
-constexpr const char* kFactorDoc = "Share of the light that passes an opaque blocker.";
-constexpr const char* kAttenDoc = "Weaken linearly from start to stop.";
+constexpr const char* kShadowDoc = "Whether the light casts shadows.";
+constexpr const char* kFactorDoc = "Fraction of the light transmitted by opaque occluders.";
+constexpr const char* kAttenDoc = "Whether light decreases linearly from start to stop.";
 
 constexpr ParamSpec kInfiniteRows[] = {
-    {ORIEL_PARAM(Infinite, color), .doc = "Colour of the light.", .declared_default = false},
+    {ORIEL_PARAM(Infinite, color), .doc = "Light colour.", .declared_default = false},
     {ORIEL_PARAM(Infinite, shadow), .doc = kShadowDoc, .declared_default = false},
     {ORIEL_PARAM(Infinite, factor), .min = 0, .max = 1, .doc = kFactorDoc,
      .declared_default = false},
 };
 constexpr ParamSpec kPointRows[] = {
-    {ORIEL_PARAM(Point, color), .doc = "Colour of the light.", .declared_default = false},
+    {ORIEL_PARAM(Point, color), .doc = "Light colour.", .declared_default = false},
     {ORIEL_PARAM(Point, shadow), .doc = kShadowDoc, .declared_default = false},
     {ORIEL_PARAM(Point, factor), .min = 0, .max = 1, .doc = kFactorDoc, .declared_default = false},
     {ORIEL_PARAM(Point, atten), .doc = kAttenDoc, .declared_default = false},
-    {ORIEL_PARAM(Point, start), .unit = "scene units", .doc = "Full strength up to here.",
-     .declared_default = false},
-    {ORIEL_PARAM(Point, stop), .unit = "scene units", .doc = "Nothing from here.",
-     .declared_default = false},
+    {ORIEL_PARAM(Point, start), .unit = "scene units",
+     .doc = "Distance up to which the light has full intensity.", .declared_default = false},
+    {ORIEL_PARAM(Point, stop), .unit = "scene units",
+     .doc = "Distance from which the light is zero.", .declared_default = false},
 };
 constexpr ParamSpec kSpotRows[] = {
-    {ORIEL_PARAM(Spot, color), .doc = "Colour of the light.", .declared_default = false},
+    {ORIEL_PARAM(Spot, color), .doc = "Light colour.", .declared_default = false},
     {ORIEL_PARAM(Spot, shadow), .doc = kShadowDoc, .declared_default = false},
     {ORIEL_PARAM(Spot, factor), .min = 0, .max = 1, .doc = kFactorDoc, .declared_default = false},
     {ORIEL_PARAM(Spot, atten), .doc = kAttenDoc, .declared_default = false},
-    {ORIEL_PARAM(Spot, start), .unit = "scene units", .doc = "Full strength up to here.",
-     .declared_default = false},
-    {ORIEL_PARAM(Spot, stop), .unit = "scene units", .doc = "Nothing from here.",
-     .declared_default = false},
+    {ORIEL_PARAM(Spot, start), .unit = "scene units",
+     .doc = "Distance up to which the light has full intensity.", .declared_default = false},
+    {ORIEL_PARAM(Spot, stop), .unit = "scene units",
+     .doc = "Distance from which the light is zero.", .declared_default = false},
     {ORIEL_PARAM(Spot, cone), .min = -1, .max = 1,
-     .doc = "Cosine of the inner cone; the outer one is the light's spread.",
+     .doc = "Cosine of the inner cone; the light's spread is the outer cone.",
      .declared_default = false},
 };
 constexpr ParamSpec kPhysicalRows[] = {
-    {ORIEL_PARAM(Physical, color), .doc = "Energy of the light.", .declared_default = false},
+    {ORIEL_PARAM(Physical, color), .doc = "Light energy.", .declared_default = false},
     {ORIEL_PARAM(Physical, cone), .min = -1, .max = 1, .doc = "Cosine of the inner cone of a spot.",
      .declared_default = false},
-    {ORIEL_PARAM(Physical, threshold), .min = 0, .doc = "Light below this is dropped.",
+    {ORIEL_PARAM(Physical, threshold), .min = 0, .doc = "Minimum light; weaker light is dropped.",
      .declared_default = false},
     {ORIEL_PARAM(Physical, cos_exp), .min = 0,
-     .doc = "Exponent of the cosine of rectangles and discs; 0 = 1.", .declared_default = false},
+     .doc = "Cosine exponent of rectangle and disc lights; 0 = 1.", .declared_default = false},
 };
 
 template <class P>
@@ -115,7 +115,7 @@ const ShaderSpec kMibLightInfinite = {
     .name = "mib_light_infinite",
     .library = "base",
     .apply = kApplyLight,
-    .doc = "A directional light.",
+    .doc = "Directional light.",
     .params = kInfiniteRows,
     .params_size = sizeof(Infinite),
     .light =
@@ -132,7 +132,7 @@ const ShaderSpec kMibLightPoint = {
     .name = "mib_light_point",
     .library = "base",
     .apply = kApplyLight,
-    .doc = "A point light without decay by default.",
+    .doc = "Point light, by default without distance falloff.",
     .params = kPointRows,
     .params_size = sizeof(Point),
     .light =
@@ -148,7 +148,7 @@ const ShaderSpec kMibLightSpot = {
     .name = "mib_light_spot",
     .library = "base",
     .apply = kApplyLight,
-    .doc = "A spot light between an inner and an outer cone.",
+    .doc = "Spot light with an inner and an outer cone.",
     .params = kSpotRows,
     .params_size = sizeof(Spot),
     .light =
@@ -168,7 +168,7 @@ const ShaderSpec kPhysicalLight = {
     .library = "physics",
     .version = 3,
     .apply = kApplyLight,
-    .doc = "A light with physical decay; its colour is an energy.",
+    .doc = "Light with physical decay; the colour is an energy.",
     .params = kPhysicalRows,
     .params_size = sizeof(Physical),
     .light =

@@ -18,18 +18,20 @@ struct MibLightPhotometricParams {
 };
 
 constexpr ParamSpec kMibLightPhotometricRows[] = {
-    {ORIEL_PARAM(MibLightPhotometricParams, color), .doc = "Scales the measured intensity.",
+    {ORIEL_PARAM(MibLightPhotometricParams, color), .doc = "Factor of the measured intensity.",
      .declared_default = false},
-    {ORIEL_PARAM(MibLightPhotometricParams, shadow), .doc = "Cast shadows.",
+    {ORIEL_PARAM(MibLightPhotometricParams, shadow), .doc = "Whether the light casts shadows.",
      .declared_default = false},
     {ORIEL_PARAM(MibLightPhotometricParams, factor), .min = 0, .max = 1,
-     .doc = "Share of the light that passes an opaque blocker.", .declared_default = false},
+     .doc = "Fraction of the light transmitted by opaque occluders.", .declared_default = false},
     {ORIEL_PARAM(MibLightPhotometricParams, start), .unit = "scene units",
-     .doc = "Full strength up to here, when `stop` lies beyond.", .declared_default = false},
+     .doc = "Distance up to which the light has full intensity; used if `stop` is larger.",
+     .declared_default = false},
     {ORIEL_PARAM(MibLightPhotometricParams, stop), .unit = "scene units",
-     .doc = "Nothing from here; 0 = no end.", .declared_default = false},
+     .doc = "Distance from which the light is zero; 0 = unlimited.", .declared_default = false},
     {ORIEL_PARAM(MibLightPhotometricParams, profile),
-     .doc = "Candela by direction, else that of the light's own element; none: 1 cd evenly.",
+     .doc = "Photometric profile in candela; null = that of the light element, or 1 cd in "
+            "all directions.",
      .declared_default = false},
 };
 
@@ -52,7 +54,7 @@ const ShaderSpec kMibLightPhotometric = {
     .name = "mib_light_photometric",
     .library = "base",
     .apply = kApplyLight,
-    .doc = "A light with a measured distribution, in candela.",
+    .doc = "Photometric light with a measured distribution in candela.",
     .params = kMibLightPhotometricRows,
     .params_size = sizeof(MibLightPhotometricParams),
     .light =

@@ -24,13 +24,14 @@ struct Written {
 };
 
 constexpr ParamSpec kSampleRows[] = {
-    {ORIEL_PARAM(Sample, indirect), .doc = "Light of surfaces and environment as well.",
+    {ORIEL_PARAM(Sample, indirect), .doc = "Whether light of surfaces and environment is included.",
      .declared_default = false},
     {ORIEL_PARAM(Sample, flip), .min = 0, .max = 2,
-     .doc = "Side that is lit: 0 front, 1 back, 2 both together.", .declared_default = false},
-    {ORIEL_PARAM(Sample, lights), .doc = "Lights; none = all.", .declared_default = false},
+     .doc = "Lit side: 0 front, 1 back, 2 both added.", .declared_default = false},
+    {ORIEL_PARAM(Sample, lights), .doc = "Light list; empty = all lights.",
+     .declared_default = false},
 };
-constexpr const char* kNotMade = "Light maps are not made.";
+constexpr const char* kNotMade = "Unsupported; light maps are not written.";
 constexpr ParamSpec kWriteRows[] = {
     {ORIEL_PARAM(Write, texture), .doc = kNotMade, .support = Support::Ignored,
      .declared_default = false},
@@ -75,7 +76,7 @@ const ShaderSpec kMibLightmapSample = {
     .name = "mib_lightmap_sample",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Light that falls on the surface.",
+    .doc = "Irradiance on the surface.",
     .params = kSampleRows,
     .params_size = sizeof(Sample),
     .value = sample,
@@ -86,7 +87,7 @@ const ShaderSpec kMibLightmapWrite = {
     .library = "base",
     .version = 2,
     .apply = kApplyTexture,
-    .doc = "Accepted; light maps are not made.",
+    .doc = "Accepted and ignored; light maps are not written.",
     .params = kWriteRows,
     .params_size = sizeof(Write),
     .result = ParamType::Struct,

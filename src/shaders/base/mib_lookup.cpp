@@ -22,19 +22,21 @@ struct Background {
 };
 
 constexpr ParamSpec kSphericalRows[] = {
-    {ORIEL_PARAM(Spherical, dir), .doc = "World direction; null = the ray's.",
+    {ORIEL_PARAM(Spherical, dir),
+     .doc = "Look-up direction in world space; null = the ray direction.",
      .declared_default = false},
-    {ORIEL_PARAM(Spherical, rotate), .unit = "rad", .doc = "Turns the picture about y.",
+    {ORIEL_PARAM(Spherical, rotate), .unit = "rad", .doc = "Rotation of the image about y.",
      .declared_default = false},
-    {ORIEL_PARAM(Spherical, tex), .doc = "Latitude-longitude picture.", .declared_default = false},
+    {ORIEL_PARAM(Spherical, tex), .doc = "Latitude-longitude image.", .declared_default = false},
 };
 constexpr ParamSpec kBackgroundRows[] = {
-    {ORIEL_PARAM(Background, zoom), .doc = "Enlarges the picture; 0 = 1.",
+    {ORIEL_PARAM(Background, zoom), .doc = "Scale of the image; 0 = 1.", .declared_default = false},
+    {ORIEL_PARAM(Background, pan), .doc = "Offset in image sizes.", .declared_default = false},
+    {ORIEL_PARAM(Background, torus_u), .doc = "Whether the image repeats horizontally.",
      .declared_default = false},
-    {ORIEL_PARAM(Background, pan), .doc = "Shifts it, in pictures.", .declared_default = false},
-    {ORIEL_PARAM(Background, torus_u), .doc = "Repeat sideways.", .declared_default = false},
-    {ORIEL_PARAM(Background, torus_v), .doc = "Repeat upward.", .declared_default = false},
-    {ORIEL_PARAM(Background, tex), .doc = "The picture.", .declared_default = false},
+    {ORIEL_PARAM(Background, torus_v), .doc = "Whether the image repeats vertically.",
+     .declared_default = false},
+    {ORIEL_PARAM(Background, tex), .doc = "Texture image.", .declared_default = false},
 };
 
 void spherical(const Call& call, void* result) {
@@ -81,7 +83,7 @@ const ShaderSpec kMibLookupSpherical = {
     .name = "mib_lookup_spherical",
     .library = "base",
     .apply = kApplyEnvironment | kApplyTexture,
-    .doc = "A latitude-longitude picture around the scene.",
+    .doc = "Environment by a latitude-longitude image.",
     .params = kSphericalRows,
     .params_size = sizeof(Spherical),
     .value = spherical,
@@ -91,7 +93,7 @@ const ShaderSpec kMibLookupBackground = {
     .name = "mib_lookup_background",
     .library = "base",
     .apply = kApplyTexture | kApplyEnvironment | kApplyLens,
-    .doc = "A picture fixed to the camera's frame.",
+    .doc = "Background image fixed to the camera frame.",
     .params = kBackgroundRows,
     .params_size = sizeof(Background),
     .value = background,

@@ -26,36 +26,36 @@ struct Cylinder {
   ColorTextureRef tex;
 };
 
-constexpr const char* kPoint = "Middle of a box that has a size.";
-constexpr const char* kDir = "World direction; null = the ray's.";
-constexpr const char* kSize = "Edges of the box; 0 = it is infinitely far.";
+constexpr const char* kPoint = "Centre of a box with a size.";
+constexpr const char* kDir = "Look-up direction in world space; null = the ray direction.";
+constexpr const char* kSize = "Edge lengths of the box; 0 = at infinity.";
 
 constexpr ParamSpec kCube1Rows[] = {
     {ORIEL_PARAM(Cube1, point), .doc = kPoint, .declared_default = false},
     {ORIEL_PARAM(Cube1, dir), .doc = kDir, .declared_default = false},
     {ORIEL_PARAM(Cube1, size), .unit = "scene units", .doc = kSize, .declared_default = false},
-    {ORIEL_PARAM(Cube1, tex), .doc = "Six faces from the top down: -x, x, -y, y, -z, z.",
+    {ORIEL_PARAM(Cube1, tex), .doc = "Image of six faces from the top down: -x, x, -y, y, -z, z.",
      .declared_default = false},
 };
 constexpr ParamSpec kCube6Rows[] = {
     {ORIEL_PARAM(Cube6, point), .doc = kPoint, .declared_default = false},
     {ORIEL_PARAM(Cube6, dir), .doc = kDir, .declared_default = false},
     {ORIEL_PARAM(Cube6, size), .unit = "scene units", .doc = kSize, .declared_default = false},
-    {ORIEL_PARAM(Cube6, tex_mx), .doc = "Face at -x.", .declared_default = false},
-    {ORIEL_PARAM(Cube6, tex_px), .doc = "Face at x.", .declared_default = false},
-    {ORIEL_PARAM(Cube6, tex_my), .doc = "Face at -y.", .declared_default = false},
-    {ORIEL_PARAM(Cube6, tex_py), .doc = "Face at y.", .declared_default = false},
-    {ORIEL_PARAM(Cube6, tex_mz), .doc = "Face at -z.", .declared_default = false},
-    {ORIEL_PARAM(Cube6, tex_pz), .doc = "Face at z.", .declared_default = false},
+    {ORIEL_PARAM(Cube6, tex_mx), .doc = "Image of the face at -x.", .declared_default = false},
+    {ORIEL_PARAM(Cube6, tex_px), .doc = "Image of the face at x.", .declared_default = false},
+    {ORIEL_PARAM(Cube6, tex_my), .doc = "Image of the face at -y.", .declared_default = false},
+    {ORIEL_PARAM(Cube6, tex_py), .doc = "Image of the face at y.", .declared_default = false},
+    {ORIEL_PARAM(Cube6, tex_mz), .doc = "Image of the face at -z.", .declared_default = false},
+    {ORIEL_PARAM(Cube6, tex_pz), .doc = "Image of the face at z.", .declared_default = false},
 };
 constexpr ParamSpec kCylinderRows[] = {
-    {ORIEL_PARAM(Cylinder, xform), .doc = "World to the cylinder's space.",
+    {ORIEL_PARAM(Cylinder, xform), .doc = "Matrix from world to cylinder space.",
      .declared_default = false},
-    {ORIEL_PARAM(Cylinder, begin), .unit = "rad", .doc = "Where its wall begins, from x.",
+    {ORIEL_PARAM(Cylinder, begin), .unit = "rad", .doc = "Start angle of the wall, from x.",
      .declared_default = false},
-    {ORIEL_PARAM(Cylinder, end), .unit = "rad", .doc = "Where it ends; 0 like begin = all around.",
-     .declared_default = false},
-    {ORIEL_PARAM(Cylinder, tex), .doc = "The picture, u from x towards y, v along z.",
+    {ORIEL_PARAM(Cylinder, end), .unit = "rad",
+     .doc = "End angle of the wall; equal to begin = a full circle.", .declared_default = false},
+    {ORIEL_PARAM(Cylinder, tex), .doc = "Image on the wall, u from x towards y, v along z.",
      .declared_default = false},
 };
 
@@ -173,7 +173,7 @@ const ShaderSpec kMibLookupCube1 = {
     .name = "mib_lookup_cube1",
     .library = "base",
     .apply = kApplyEnvironment | kApplyTexture,
-    .doc = "Six pictures in one on a cube around the scene.",
+    .doc = "Cube environment from one image of six faces.",
     .params = kCube1Rows,
     .params_size = sizeof(Cube1),
     .value = cube1,
@@ -183,7 +183,7 @@ const ShaderSpec kMibLookupCube6 = {
     .name = "mib_lookup_cube6",
     .library = "base",
     .apply = kApplyEnvironment | kApplyTexture,
-    .doc = "Six pictures on a cube around the scene.",
+    .doc = "Cube environment from six images.",
     .params = kCube6Rows,
     .params_size = sizeof(Cube6),
     .value = cube6,
@@ -193,7 +193,7 @@ const ShaderSpec kMibLookupCylindrical = {
     .name = "mib_lookup_cylindrical",
     .library = "base",
     .apply = kApplyEnvironment | kApplyTexture,
-    .doc = "A picture on the wall of a cylinder around the scene.",
+    .doc = "Cylindrical environment from an image.",
     .params = kCylinderRows,
     .params_size = sizeof(Cylinder),
     .value = cylindrical,

@@ -47,28 +47,30 @@ struct BentEnv {
   Mat4 matrix;
 };
 
-constexpr const char* kSamplesDoc = "Rays for a pixel.";
-constexpr const char* kBright = "Colour where all is open.";
-constexpr const char* kDark = "Colour where all is closed.";
-constexpr const char* kDistanceDoc = "How far rays go; 0 = any way.";
-constexpr const char* kReflective = "About the mirrored view, not the normal.";
+constexpr const char* kSamplesDoc = "Number of rays per pixel.";
+constexpr const char* kBright = "Colour without occlusion.";
+constexpr const char* kDark = "Colour at full occlusion.";
+constexpr const char* kDistanceDoc = "Maximum ray length; 0 = unlimited.";
+constexpr const char* kReflective =
+    "Whether rays are centred on the mirror direction, instead of the normal.";
 constexpr const char* kModeDoc =
-    "0 occlusion, 1 environment, 2 3 4 the mean open direction in world, camera, object space.";
-constexpr const char* kInAlpha = "In modes but 0: the open share as alpha.";
-constexpr const char* kLabels = "Labels of objects; all objects count.";
+    "Output: 0 occlusion, 1 environment, 2 3 4 bent normal in world, camera, "
+    "object space.";
+constexpr const char* kInAlpha = "Whether alpha is the unoccluded fraction, in modes above 0.";
+constexpr const char* kLabels = "Object labels to include; all objects are included.";
 
 constexpr ParamSpec kAmbRows[] = {
     {ORIEL_PARAM(Amb, samples), .fallback = {16}, .min = 0, .doc = kSamplesDoc},
     {ORIEL_PARAM(Amb, bright), .fallback = {1, 1, 1, 1}, .doc = kBright},
     {ORIEL_PARAM(Amb, dark), .fallback = {0, 0, 0, 0}, .doc = kDark},
     {ORIEL_PARAM(Amb, spread), .fallback = {.8f}, .min = 0, .max = 1,
-     .doc = "Width of the cone: 1 = the hemisphere."},
+     .doc = "Cone width: 1 = the hemisphere."},
     {ORIEL_PARAM(Amb, max_distance), .min = 0, .unit = "scene units", .doc = kDistanceDoc},
     {ORIEL_PARAM(Amb, reflective), .doc = kReflective},
     {ORIEL_PARAM(Amb, output_mode), .min = 0, .max = 4, .doc = kModeDoc},
     {ORIEL_PARAM(Amb, occlusion_in_alpha), .doc = kInAlpha},
     {ORIEL_PARAM(Amb, falloff), .fallback = {1}, .min = 0,
-     .doc = "Shape of the fade towards max_distance.", .support = Support::Approximated},
+     .doc = "Exponent of the fade towards max_distance.", .support = Support::Approximated},
     {ORIEL_PARAM(Amb, id_inclexcl), .doc = kLabels, .support = Support::Ignored},
     {ORIEL_PARAM(Amb, id_nonself), .doc = kLabels, .support = Support::Ignored},
 };
@@ -79,14 +81,14 @@ constexpr ParamSpec kFastRows[] = {
     {ORIEL_PARAM(Fast, spread), .min = 0, .max = 1,
      .doc = "Cosine of the cone's half angle: 0 = the hemisphere.", .declared_default = false},
     {ORIEL_PARAM(Fast, spread_exp), .fallback = {1}, .min = 0,
-     .doc = "Narrows the rays within the cone.", .support = Support::Approximated},
+     .doc = "Exponent that concentrates rays within the cone.", .support = Support::Approximated},
     {ORIEL_PARAM(Fast, max_distance), .min = 0, .unit = "scene units", .doc = kDistanceDoc,
      .declared_default = false},
     {ORIEL_PARAM(Fast, reflective), .doc = kReflective, .declared_default = false},
     {ORIEL_PARAM(Fast, output_mode), .min = 0, .max = 4, .doc = kModeDoc,
      .declared_default = false},
     {ORIEL_PARAM(Fast, occlusion_in_alpha), .doc = kInAlpha, .declared_default = false},
-    {ORIEL_PARAM(Fast, cache_points), .doc = "Points of the cache; there is none.",
+    {ORIEL_PARAM(Fast, cache_points), .doc = "Number of cache points; no cache is used.",
      .support = Support::Ignored, .declared_default = false},
 };
 constexpr ParamSpec kFgRows[] = {
@@ -95,21 +97,21 @@ constexpr ParamSpec kFgRows[] = {
 };
 constexpr ParamSpec kBentEnvRows[] = {
     {ORIEL_PARAM(BentEnv, bent_normals), .fallback = {0, 0, 0, 1},
-     .doc = "A direction as a colour: 0..1 for -1..1 of each axis."},
+     .doc = "Bent normal as a colour: 0..1 for -1..1 of each axis."},
     {ORIEL_PARAM(BentEnv, occlusion_in_alpha), .fallback = {1},
-     .doc = "Take the alpha of bent_normals as occlusion."},
-    {ORIEL_PARAM(BentEnv, occlusion), .fallback = {1, 1, 1, 1}, .doc = "Occlusion otherwise."},
+     .doc = "Whether the alpha of bent_normals is the occlusion."},
+    {ORIEL_PARAM(BentEnv, occlusion), .fallback = {1, 1, 1, 1},
+     .doc = "Occlusion, if not taken from bent_normals."},
     {ORIEL_PARAM(BentEnv, strength), .fallback = {.2f}, .doc = "Factor of the result."},
-    {ORIEL_PARAM(BentEnv, environment), .doc = "Environment; null = the scene's.",
+    {ORIEL_PARAM(BentEnv, environment), .doc = "Environment; null = that of the scene.",
      .declared_default = false},
     {ORIEL_PARAM(BentEnv, coordinate_space), .fallback = {2}, .min = 0, .max = 4,
      .doc = "Space of bent_normals: 2 world, 3 camera, 4 object, 0 by the matrix."},
     {ORIEL_PARAM(BentEnv, env_samples), .fallback = {1}, .min = 1,
-     .doc = "Look-ups for a pixel; each evaluation makes four at most.",
-     .support = Support::Approximated},
+     .doc = "Look-ups per pixel; at most four per evaluation.", .support = Support::Approximated},
     {ORIEL_PARAM(BentEnv, samples_spread), .min = 0, .max = 1,
-     .doc = "Width of the cone of look-ups."},
-    {ORIEL_PARAM(BentEnv, matrix), .doc = "Takes bent_normals to world space."},
+     .doc = "Cone width of the look-ups."},
+    {ORIEL_PARAM(BentEnv, matrix), .doc = "Matrix from the space of bent_normals to world space."},
 };
 
 /// Rays or look-ups of one evaluation: the samples of the pixel share the rest.
@@ -249,7 +251,7 @@ const ShaderSpec kMibAmbOcclusion = {
     .library = "base",
     .version = 2,
     .apply = kApplyTexture | kApplyLight,
-    .doc = "How open it is around a point.",
+    .doc = "Ambient occlusion.",
     .params = kAmbRows,
     .params_size = sizeof(Amb),
     .value = amb,
@@ -259,7 +261,7 @@ const ShaderSpec kMibFastOcclusion = {
     .name = "mib_fast_occlusion",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "How open it is around a point.",
+    .doc = "Ambient occlusion.",
     .params = kFastRows,
     .params_size = sizeof(Fast),
     .value = fast,
@@ -269,7 +271,7 @@ const ShaderSpec kMibFgOcclusion = {
     .name = "mib_fg_occlusion",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "How open it is around a point, with final gathering.",
+    .doc = "Ambient occlusion with final gathering.",
     .params = kFgRows,
     .params_size = sizeof(Fg),
     .value = fg,
@@ -279,7 +281,7 @@ const ShaderSpec kMibBentNormalEnv = {
     .name = "mib_bent_normal_env",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Light of the environment from a direction that was baked.",
+    .doc = "Environment light from a baked bent normal.",
     .params = kBentEnvRows,
     .params_size = sizeof(BentEnv),
     .value = bent_env,

@@ -38,49 +38,49 @@ struct IndexOut {
   bool enter;
 };
 
-constexpr const char* kInput = "Colour or material that the ray is blended over.";
-constexpr const char* kIorDoc = "Index of the side entered over that of the side left; 0 = 1.";
+constexpr const char* kInput = "Base colour or material.";
+constexpr const char* kIorDoc =
+    "Ratio of indices of refraction, entered side over left side; 0 = 1.";
 
 constexpr ParamSpec kReflectRows[] = {
     {ORIEL_PARAM(Reflect, input), .doc = kInput, .declared_default = false, .takes_material = true},
-    {ORIEL_PARAM(Reflect, reflect), .doc = "Share of the reflection.", .declared_default = false},
-    {ORIEL_PARAM(Reflect, notrace), .doc = "Reflect the environment alone.",
+    {ORIEL_PARAM(Reflect, reflect), .doc = "Reflection weight.", .declared_default = false},
+    {ORIEL_PARAM(Reflect, notrace), .doc = "Whether only the environment is reflected.",
      .declared_default = false},
 };
 constexpr ParamSpec kRefractRows[] = {
     {ORIEL_PARAM(Refract, input), .doc = kInput, .declared_default = false, .takes_material = true},
-    {ORIEL_PARAM(Refract, refract), .doc = "Share of the refraction.", .declared_default = false},
+    {ORIEL_PARAM(Refract, refract), .doc = "Refraction weight.", .declared_default = false},
     {ORIEL_PARAM(Refract, ior), .min = 0, .doc = kIorDoc, .declared_default = false},
 };
 constexpr ParamSpec kTransparencyRows[] = {
     {ORIEL_PARAM(Transparency, input), .doc = kInput, .declared_default = false,
      .takes_material = true},
-    {ORIEL_PARAM(Transparency, transp), .doc = "Share that is seen through the surface.",
-     .declared_default = false},
+    {ORIEL_PARAM(Transparency, transp), .doc = "Transparency weight.", .declared_default = false},
 };
 constexpr ParamSpec kOpacityRows[] = {
     {ORIEL_PARAM(Opacity, input), .doc = kInput, .declared_default = false, .takes_material = true},
-    {ORIEL_PARAM(Opacity, opacity), .doc = "Share of the surface that exists.",
+    {ORIEL_PARAM(Opacity, opacity), .doc = "Opacity of the surface; 0 = removed for all rays.",
      .declared_default = false},
 };
 constexpr ParamSpec kTwosidedRows[] = {
-    {ORIEL_PARAM(Twosided, front), .doc = "Colour or material of the front.",
+    {ORIEL_PARAM(Twosided, front), .doc = "Front face colour or material.",
      .declared_default = false, .takes_material = true},
-    {ORIEL_PARAM(Twosided, back), .doc = "Colour or material of the back.",
-     .declared_default = false, .takes_material = true},
+    {ORIEL_PARAM(Twosided, back), .doc = "Back face colour or material.", .declared_default = false,
+     .takes_material = true},
 };
 constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, input), .doc = kInput, .declared_default = false,
      .takes_material = true},
     {ORIEL_PARAM(Dielectric, absorb), .unit = "per scene unit",
-     .doc = "Absorption coefficient; taken for that of the solid.",
-     .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(Dielectric, refract), .min = 0, .max = 1, .doc = "Share of the refraction.",
+     .doc = "Absorption coefficient, used as that of the solid.", .support = Support::Approximated,
+     .declared_default = false},
+    {ORIEL_PARAM(Dielectric, refract), .min = 0, .max = 1, .doc = "Refraction weight.",
      .declared_default = false},
     {ORIEL_PARAM(Dielectric, ior), .min = 0, .doc = kIorDoc, .declared_default = false},
 };
 constexpr ParamSpec kIndexRows[] = {
-    {ORIEL_PARAM(Index, mtl_ior), .min = 0, .doc = "Index of the material; 0 = 1.",
+    {ORIEL_PARAM(Index, mtl_ior), .min = 0, .doc = "Index of refraction of the material; 0 = 1.",
      .declared_default = false},
 };
 constexpr ParamSpec kIndexResults[] = {{ORIEL_PARAM(IndexOut, ior)},
@@ -210,7 +210,7 @@ const ShaderSpec kMibReflect = {
     .library = "base",
     .version = 2,
     .apply = kApplySurface,
-    .doc = "A mirror blended over another material.",
+    .doc = "Mirror reflection blended over another material.",
     .params = kReflectRows,
     .params_size = sizeof(Reflect),
     .material = {.fill = reflect, .may_transmit = inputs_pass},
@@ -232,7 +232,7 @@ const ShaderSpec kMibTransparency = {
     .library = "base",
     .version = 2,
     .apply = kApplySurface,
-    .doc = "What lies straight behind, blended over another material.",
+    .doc = "Transparency without refraction, blended over another material.",
     .params = kTransparencyRows,
     .params_size = sizeof(Transparency),
     .material = {.fill = transparency, .may_transmit = passes<Transparency, &Transparency::transp>},
@@ -243,7 +243,7 @@ const ShaderSpec kMibOpacity = {
     .library = "base",
     .version = 2,
     .apply = kApplySurface,
-    .doc = "A material of which only a share exists.",
+    .doc = "Opacity of a material.",
     .params = kOpacityRows,
     .params_size = sizeof(Opacity),
     .material = {.fill = opacity, .may_transmit = opacity_passes},
@@ -253,7 +253,7 @@ const ShaderSpec kMibContinue = {
     .name = "mib_continue",
     .library = "base",
     .apply = kApplySurface,
-    .doc = "Continues the ray as if there were no surface, for cut-outs.",
+    .doc = "Continued ray without a surface, for cut-outs.",
     .params = kTransparencyRows,
     .params_size = sizeof(Transparency),
     .material = {.fill = continue_behind,
@@ -264,7 +264,7 @@ const ShaderSpec kMibTwosided = {
     .name = "mib_twosided",
     .library = "base",
     .apply = kApplySurface,
-    .doc = "One material in front, another behind.",
+    .doc = "Separate materials for front and back faces.",
     .params = kTwosidedRows,
     .params_size = sizeof(Twosided),
     .value =
@@ -282,7 +282,7 @@ const ShaderSpec kMibDielectric = {
     .name = "mib_dielectric",
     .library = "base",
     .apply = kApplySurface,
-    .doc = "The refraction of glass blended over another material.",
+    .doc = "Dielectric refraction blended over another material.",
     .params = kDielectricRows,
     .params_size = sizeof(Dielectric),
     .material = {.fill = dielectric, .may_transmit = dielectric_passes},
@@ -292,7 +292,7 @@ const ShaderSpec kMibRefractionIndex = {
     .name = "mib_refraction_index",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "The ratio of indices of a ray that enters a material or leaves it.",
+    .doc = "Ratio of the indices of refraction at the surface, in or out of the material.",
     .params = kIndexRows,
     .params_size = sizeof(Index),
     .result = ParamType::Struct,

@@ -24,17 +24,18 @@ constexpr int kMostSubdivisions = 16;
 constexpr int kMostAsked = 1 << 16;
 
 constexpr ParamSpec kMibRayMarcherRows[] = {
-    {ORIEL_PARAM(MibRayMarcherParams, shader), .doc = "Asked at each place.",
+    {ORIEL_PARAM(MibRayMarcherParams, shader), .doc = "Shader evaluated at each sample point.",
      .declared_default = false},
     {ORIEL_PARAM(MibRayMarcherParams, distance), .min = 0, .unit = "scene units",
-     .doc = "Most between two places; 0 = any.", .declared_default = false},
+     .doc = "Maximum distance of sample points; 0 = unlimited.", .declared_default = false},
     {ORIEL_PARAM(MibRayMarcherParams, num), .min = 0,
-     .doc = "Places at first, the ends among them; 0 = by distance, or 4.",
+     .doc = "Initial number of sample points, including the ends; 0 = by distance, or 4.",
      .declared_default = false},
     {ORIEL_PARAM(MibRayMarcherParams, subdiv), .min = 0, .max = kMostSubdivisions,
-     .doc = "How often a stretch is halved.", .declared_default = false},
+     .doc = "Maximum number of subdivisions of an interval.", .declared_default = false},
     {ORIEL_PARAM(MibRayMarcherParams, contrast),
-     .doc = "Difference of neighbours from which it is.", .declared_default = false},
+     .doc = "Difference of neighbours above which an interval is subdivided.",
+     .declared_default = false},
 };
 
 class March {
@@ -105,7 +106,7 @@ const ShaderSpec kMibRayMarcher = {
     .name = "mib_ray_marcher",
     .library = "base",
     .apply = kApplyMaterial | kApplyTexture | kApplyVolume,
-    .doc = "What a shader says along a ray, added up.",
+    .doc = "Shader accumulated along a ray.",
     .params = kMibRayMarcherRows,
     .params_size = sizeof(MibRayMarcherParams),
     .value =

@@ -16,14 +16,14 @@ struct ShadowTransparency {
 
 constexpr ParamSpec kShadowTransparencyRows[] = {
     {ORIEL_PARAM(ShadowTransparency, color),
-     .doc = "Colour that light is multiplied with; its alpha 0 lets all of that pass.",
+     .doc = "Colour multiplied with the light; alpha 0 transmits all light.",
      .declared_default = false},
-    {ORIEL_PARAM(ShadowTransparency, transp), .doc = "Share that passes where alpha is 1.",
+    {ORIEL_PARAM(ShadowTransparency, transp), .doc = "Fraction of light transmitted at alpha 1.",
      .declared_default = false},
     {ORIEL_PARAM(ShadowTransparency, mode),
-     .doc = "Which lights: 0 the list or all, 1 the list, 2 all but it, 4 all.",
+     .doc = "Light selection: 0 the list or all, 1 the list, 2 all but the list, 4 all.",
      .declared_default = false},
-    {ORIEL_PARAM(ShadowTransparency, lights), .doc = "The list.", .declared_default = false},
+    {ORIEL_PARAM(ShadowTransparency, lights), .doc = "Light list.", .declared_default = false},
 };
 
 /// Whether the light's shadows are filtered; -1 is on no list.
@@ -46,7 +46,7 @@ const ShaderSpec kMibShadowTransparency = {
     .library = "base",
     .version = 1,
     .apply = kApplyShadow,
-    .doc = "Filters the light that passes an object, in its material's slot shadow.",
+    .doc = "Shadow shader of a material that filters the light through an object.",
     .params = kShadowTransparencyRows,
     .params_size = sizeof(ShadowTransparency),
     .material = {

@@ -29,41 +29,48 @@ struct LookupParams {
 
 constexpr ParamSpec kVectorRows[] = {
     {ORIEL_PARAM(VectorParams, select), .min = -10, .max = 63,
-     .doc = "0..63 a texture space, the point where there is none; -1 point, -2 normal, -3 motion, "
-            "-4 ray, -10 environment ray.",
+     .doc = "Source: 0..63 a texture space, or the point if missing; -1 point, -2 normal, "
+            "-3 motion, -4 ray, -10 environment ray.",
      .support = Support::Approximated, .declared_default = false},
     {ORIEL_PARAM(VectorParams, selspace),
-     .doc = "Space the vector is taken to: 1 object, 2 world, 3 camera; 4: where on the picture, "
+     .doc = "Target space of the vector: 1 object, 2 world, 3 camera, 4 raster position "
             "0..1.",
      .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(VectorParams, vertex), .doc = "0 the point; 1..3 corners of the triangle.",
+    {ORIEL_PARAM(VectorParams, vertex), .doc = "Origin: 0 the point, 1..3 corners of the triangle.",
      .support = Support::Ignored, .declared_default = false},
     {ORIEL_PARAM(VectorParams, project),
-     .doc = "0 none, 1 xy, 2 xz, 3 yz, 4 spherical, 5 cylindrical.",
+     .doc = "Projection: 0 none, 1 xy, 2 xz, 3 yz, 4 spherical, 5 cylindrical.",
      .support = Support::Approximated, .declared_default = false},
 };
 constexpr ParamSpec kRemapRows[] = {
-    {ORIEL_PARAM(RemapParams, input), .doc = "Coordinate.", .declared_default = false},
+    {ORIEL_PARAM(RemapParams, input), .doc = "Input coordinate.", .declared_default = false},
     {ORIEL_PARAM(RemapParams, transform),
-     .doc = "Applied first; ignored when its last element is 0.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, repeat), .doc = "Copies within 0..1; 0 = 1.",
+     .doc = "Matrix applied first; ignored if its last element is 0.", .declared_default = false},
+    {ORIEL_PARAM(RemapParams, repeat), .doc = "Number of copies within 0..1; 0 = 1.",
      .declared_default = false},
-    {ORIEL_PARAM(RemapParams, alt_x), .doc = "Mirror every other copy.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, alt_y), .doc = "Mirror every other copy.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, alt_z), .doc = "Mirror every other copy.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, torus_x), .doc = "Wrap around.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, torus_y), .doc = "Wrap around.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, torus_z), .doc = "Wrap around.", .declared_default = false},
-    {ORIEL_PARAM(RemapParams, min), .doc = "Lower corner of the part of the texture that is used.",
+    {ORIEL_PARAM(RemapParams, alt_x), .doc = "Whether every other copy is mirrored.",
+     .declared_default = false},
+    {ORIEL_PARAM(RemapParams, alt_y), .doc = "Whether every other copy is mirrored.",
+     .declared_default = false},
+    {ORIEL_PARAM(RemapParams, alt_z), .doc = "Whether every other copy is mirrored.",
+     .declared_default = false},
+    {ORIEL_PARAM(RemapParams, torus_x), .doc = "Whether coordinates wrap around.",
+     .declared_default = false},
+    {ORIEL_PARAM(RemapParams, torus_y), .doc = "Whether coordinates wrap around.",
+     .declared_default = false},
+    {ORIEL_PARAM(RemapParams, torus_z), .doc = "Whether coordinates wrap around.",
+     .declared_default = false},
+    {ORIEL_PARAM(RemapParams, min), .doc = "Lower corner of the texture region in use.",
      .declared_default = false},
     {ORIEL_PARAM(RemapParams, max),
-     .doc = "Upper corner of that part; equal to min = all of the texture.",
+     .doc = "Upper corner of the texture region in use; equal to min = the whole texture.",
      .declared_default = false},
-    {ORIEL_PARAM(RemapParams, offset), .doc = "Added last.", .declared_default = false},
+    {ORIEL_PARAM(RemapParams, offset), .doc = "Offset, added last.", .declared_default = false},
 };
 constexpr ParamSpec kLookupRows[] = {
-    {ORIEL_PARAM(LookupParams, tex), .doc = "The texture.", .declared_default = false},
-    {ORIEL_PARAM(LookupParams, coord), .doc = "Where; outside 0..1 is transparent black.",
+    {ORIEL_PARAM(LookupParams, tex), .doc = "Texture to look up.", .declared_default = false},
+    {ORIEL_PARAM(LookupParams, coord),
+     .doc = "Texture coordinate; outside 0..1 the result is transparent black.",
      .declared_default = false},
 };
 
@@ -143,7 +150,9 @@ const ShaderSpec kMibTextureVector = {
     .library = "base",
     .version = 2,
     .apply = kApplyTexture,
-    .doc = "A coordinate: of a texture space, the point, the normal or the ray, projected.",
+    .doc =
+        "Texture coordinate from a texture space, the point, the normal or the ray, "
+        "with projection.",
     .params = kVectorRows,
     .params_size = sizeof(VectorParams),
     .result = ParamType::Vector,
@@ -162,7 +171,7 @@ const ShaderSpec kMibTextureRemap = {
     .name = "mib_texture_remap",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Transforms, repeats, crops and shifts a coordinate.",
+    .doc = "Transformed, repeated, cropped and shifted texture coordinate.",
     .params = kRemapRows,
     .params_size = sizeof(RemapParams),
     .result = ParamType::Vector,
@@ -182,7 +191,7 @@ const ShaderSpec kMibTextureLookup = {
     .name = "mib_texture_lookup",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Looks up a texture, filtered over the ray's footprint.",
+    .doc = "Texture look-up, filtered over the ray footprint.",
     .params = kLookupRows,
     .params_size = sizeof(LookupParams),
     .value =

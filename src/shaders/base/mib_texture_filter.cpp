@@ -33,38 +33,40 @@ struct Tangents {
 };
 
 constexpr ParamSpec kLookup2Rows[] = {
-    {ORIEL_PARAM(Lookup2, tex), .doc = "The texture.", .declared_default = false},
-    {ORIEL_PARAM(Lookup2, factor), .doc = "Times the first texture space; 0 = 1.",
+    {ORIEL_PARAM(Lookup2, tex), .doc = "Texture to look up.", .declared_default = false},
+    {ORIEL_PARAM(Lookup2, factor), .doc = "Scale of the first texture space; 0 = 1.",
      .declared_default = false},
 };
 constexpr ParamSpec kFilterRows[] = {
-    {ORIEL_PARAM(Filter, tex), .doc = "The texture.", .declared_default = false},
-    {ORIEL_PARAM(Filter, coord), .doc = "Where; outside 0..1 is transparent black.",
+    {ORIEL_PARAM(Filter, tex), .doc = "Texture to look up.", .declared_default = false},
+    {ORIEL_PARAM(Filter, coord),
+     .doc = "Texture coordinate; outside 0..1 the result is transparent black.",
      .declared_default = false},
-    {ORIEL_PARAM(Filter, eccmax), .doc = "Longest ratio of the ellipse's axes; 0 = 16.",
+    {ORIEL_PARAM(Filter, eccmax), .doc = "Maximum ratio of the ellipse axes; 0 = 16.",
      .declared_default = false},
     {ORIEL_PARAM(Filter, maxminor), .unit = "texels",
-     .doc = "Texels on the short axis that are read; it only decided speed.",
+     .doc = "Number of texels read along the short axis; ignored, affected only speed.",
      .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(Filter, disc_r), .unit = "pixels",
-     .doc = "Radius of the disc that is projected; 0 = 0.3.", .declared_default = false},
-    {ORIEL_PARAM(Filter, bilinear), .doc = "Interpolate texels that are large in the picture.",
+    {ORIEL_PARAM(Filter, disc_r), .unit = "pixels", .doc = "Radius of the projected disc; 0 = 0.3.",
+     .declared_default = false},
+    {ORIEL_PARAM(Filter, bilinear), .doc = "Whether magnified texels are interpolated.",
      .declared_default = false},
     {ORIEL_PARAM(Filter, space),
-     .doc = "Texture space the footprint is measured in; always the first, which alone has a known "
-            "size on the surface.",
+     .doc = "Texture space of the footprint; ignored, the first one is used because only "
+            "its scale on the surface is known.",
      .support = Support::Ignored, .declared_default = false},
-    {ORIEL_PARAM(Filter, remap), .doc = "Shader that moved the coordinate.",
+    {ORIEL_PARAM(Filter, remap), .doc = "Shader that transforms the coordinate.",
      .support = Support::Approximated, .declared_default = false},
 };
 constexpr ParamSpec kRotateRows[] = {
-    {ORIEL_PARAM(Rotate, input), .doc = "Direction that is turned; null = along u.",
+    {ORIEL_PARAM(Rotate, input), .doc = "Direction to rotate; null = along u.",
      .declared_default = false},
-    {ORIEL_PARAM(Rotate, angle), .doc = "0 gives min, 1 gives max.", .declared_default = false},
-    {ORIEL_PARAM(Rotate, min), .unit = "turns", .doc = "Turn at angle 0.",
+    {ORIEL_PARAM(Rotate, angle), .doc = "Blend of the angles: 0 = min, 1 = max.",
      .declared_default = false},
-    {ORIEL_PARAM(Rotate, max), .unit = "turns", .doc = "Turn at angle 1; 0 like min = 0.25.",
+    {ORIEL_PARAM(Rotate, min), .unit = "turns", .doc = "Rotation at `angle` 0.",
      .declared_default = false},
+    {ORIEL_PARAM(Rotate, max), .unit = "turns",
+     .doc = "Rotation at `angle` 1; 0, with min equal, = 0.25.", .declared_default = false},
 };
 constexpr ParamSpec kRotateResults[] = {{ORIEL_PARAM(Tangents, u)}, {ORIEL_PARAM(Tangents, v)}};
 
@@ -124,7 +126,7 @@ const ShaderSpec kMibTextureLookup2 = {
     .name = "mib_texture_lookup2",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Looks up a texture at the first texture space, scaled and repeated.",
+    .doc = "Texture look-up at the first texture space, scaled and repeated.",
     .params = kLookup2Rows,
     .params_size = sizeof(Lookup2),
     .value = lookup2,
@@ -135,7 +137,7 @@ const ShaderSpec kMibTextureFilterLookup = {
     .library = "base",
     .version = 3,
     .apply = kApplyTexture,
-    .doc = "Looks up a texture through an elliptical filter.",
+    .doc = "Texture look-up with an elliptical filter.",
     .params = kFilterRows,
     .params_size = sizeof(Filter),
     .value = filter_lookup,
@@ -145,7 +147,7 @@ const ShaderSpec kMibTextureRotate = {
     .name = "mib_texture_rotate",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Two directions across the normal, turned by an angle.",
+    .doc = "Tangent directions rotated by an angle.",
     .params = kRotateRows,
     .params_size = sizeof(Rotate),
     .result = ParamType::Struct,

@@ -30,16 +30,16 @@ struct Wave {
   float amplitude_x, amplitude_y, amplitude_z, offset;
 };
 
-constexpr const char* kCoord = "Where.";
-constexpr const char* kBox = "Colour of the box: digits x, y, z, 0 the low side.";
+constexpr const char* kCoord = "Texture coordinate.";
+constexpr const char* kBox = "Box colour; digits are x, y, z; 0 = the low side.";
 
 constexpr ParamSpec kCheckerboardRows[] = {
     {ORIEL_PARAM(Checkerboard, coord), .doc = kCoord, .declared_default = false},
-    {ORIEL_PARAM(Checkerboard, xsize), .doc = "Share of the low side in x.",
+    {ORIEL_PARAM(Checkerboard, xsize), .doc = "Fraction of the low side in x.",
      .declared_default = false},
-    {ORIEL_PARAM(Checkerboard, ysize), .doc = "Share of the low side in y.",
+    {ORIEL_PARAM(Checkerboard, ysize), .doc = "Fraction of the low side in y.",
      .declared_default = false},
-    {ORIEL_PARAM(Checkerboard, zsize), .doc = "Share of the low side in z.",
+    {ORIEL_PARAM(Checkerboard, zsize), .doc = "Fraction of the low side in z.",
      .declared_default = false},
     {ORIEL_PARAM(Checkerboard, color000), .doc = kBox, .declared_default = false},
     {ORIEL_PARAM(Checkerboard, color001), .doc = kBox, .declared_default = false},
@@ -52,33 +52,30 @@ constexpr ParamSpec kCheckerboardRows[] = {
 };
 constexpr ParamSpec kDotsRows[] = {
     {ORIEL_PARAM(Dots, coord), .doc = kCoord, .declared_default = false},
-    {ORIEL_PARAM(Dots, radius), .doc = "Radius of the dot; the cell is 1 wide.",
+    {ORIEL_PARAM(Dots, radius), .doc = "Dot radius; cells have width 1.",
      .declared_default = false},
-    {ORIEL_PARAM(Dots, fgcolor), .doc = "Colour of the dots.", .declared_default = false},
-    {ORIEL_PARAM(Dots, bgcolor), .doc = "Colour between them.", .declared_default = false},
+    {ORIEL_PARAM(Dots, fgcolor), .doc = "Dot colour.", .declared_default = false},
+    {ORIEL_PARAM(Dots, bgcolor), .doc = "Background colour.", .declared_default = false},
 };
 constexpr ParamSpec kTurbulenceRows[] = {
     {ORIEL_PARAM(Turbulence, coord), .doc = kCoord, .declared_default = false},
-    {ORIEL_PARAM(Turbulence, spacing), .doc = "Density of the noise in the unit cube; 0 = 1.",
+    {ORIEL_PARAM(Turbulence, spacing), .doc = "Noise frequency in the unit cube; 0 = 1.",
      .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(Turbulence, strength), .doc = "Weight of the noise; 0 = 1.",
+    {ORIEL_PARAM(Turbulence, strength), .doc = "Noise weight; 0 = 1.",
      .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(Turbulence, power), .doc = "How fast finer noise gets weaker; 0 = 1.",
+    {ORIEL_PARAM(Turbulence, power), .doc = "Amplitude decay per octave; 0 = 1.",
      .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(Turbulence, iteration), .max = 8, .doc = "Sizes of noise; 0 = 2.",
+    {ORIEL_PARAM(Turbulence, iteration), .max = 8, .doc = "Number of octaves; 0 = 2.",
      .declared_default = false},
-    {ORIEL_PARAM(Turbulence, polar_dim), .doc = "0 free, 1 lines, 2 cylinders.",
+    {ORIEL_PARAM(Turbulence, polar_dim), .doc = "Noise shape: 0 isotropic, 1 lines, 2 cylinders.",
      .support = Support::Approximated, .declared_default = false},
 };
 constexpr ParamSpec kWaveRows[] = {
     {ORIEL_PARAM(Wave, coord), .doc = kCoord, .declared_default = false},
-    {ORIEL_PARAM(Wave, amplitude_x), .doc = "Height of the wave along x.",
-     .declared_default = false},
-    {ORIEL_PARAM(Wave, amplitude_y), .doc = "Height of the wave along y.",
-     .declared_default = false},
-    {ORIEL_PARAM(Wave, amplitude_z), .doc = "Height of the wave along z.",
-     .declared_default = false},
-    {ORIEL_PARAM(Wave, offset), .doc = "Added to the waves.", .declared_default = false},
+    {ORIEL_PARAM(Wave, amplitude_x), .doc = "Amplitude along x.", .declared_default = false},
+    {ORIEL_PARAM(Wave, amplitude_y), .doc = "Amplitude along y.", .declared_default = false},
+    {ORIEL_PARAM(Wave, amplitude_z), .doc = "Amplitude along z.", .declared_default = false},
+    {ORIEL_PARAM(Wave, offset), .doc = "Offset of the waves.", .declared_default = false},
 };
 
 float fraction(float x) { return x - std::floor(x); }
@@ -138,7 +135,7 @@ const ShaderSpec kMibTextureCheckerboard = {
     .name = "mib_texture_checkerboard",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Eight boxes in the unit cube: stripes and checkerboards.",
+    .doc = "Eight boxes in the unit cube, for stripes and checkerboards.",
     .params = kCheckerboardRows,
     .params_size = sizeof(Checkerboard),
     .value = checkerboard,
@@ -148,7 +145,7 @@ const ShaderSpec kMibTexturePolkadot = {
     .name = "mib_texture_polkadot",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "A round dot in each unit square.",
+    .doc = "Round dot in each unit square.",
     .params = kDotsRows,
     .params_size = sizeof(Dots),
     .value = polkadot,
@@ -158,7 +155,7 @@ const ShaderSpec kMibTexturePolkasphere = {
     .name = "mib_texture_polkasphere",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "A ball in each unit cube.",
+    .doc = "Sphere in each unit cube.",
     .params = kDotsRows,
     .params_size = sizeof(Dots),
     .value = polkasphere,
@@ -168,7 +165,7 @@ const ShaderSpec kMibTextureTurbulence = {
     .name = "mib_texture_turbulence",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "A turbulent pattern: noise of several sizes.",
+    .doc = "Turbulence: noise of several octaves.",
     .params = kTurbulenceRows,
     .params_size = sizeof(Turbulence),
     .result = ParamType::Scalar,
@@ -180,7 +177,7 @@ const ShaderSpec kMibTextureWave = {
     .name = "mib_texture_wave",
     .library = "base",
     .apply = kApplyTexture,
-    .doc = "Cosine waves along the three axes, as grey.",
+    .doc = "Sum of cosine waves along the three axes, as grey.",
     .params = kWaveRows,
     .params_size = sizeof(Wave),
     .value = wave,

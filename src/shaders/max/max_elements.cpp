@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of 3ds Max that wrap a material and show it unchanged.
+// Fallback shaders for shaders of 3ds Max that wrap a material and show it unchanged.
 #include "runtime/shade_input.h"
 #include "shaders/max/max_shaders.h"
 #include "shaders/maya/host_rows.h"
@@ -15,11 +15,11 @@ struct MaxBump {
 };
 
 constexpr auto kWrappedRows = about({
-    {ORIEL_PARAM(Wrapped, Material), .doc = "The material, under whatever name it is connected.",
+    {ORIEL_PARAM(Wrapped, Material), .doc = "Material, connected under any name.",
      .declared_default = false, .takes_material = true},
 });
 constexpr auto kMaxBumpRows = about({
-    {ORIEL_PARAM(MaxBump, Multiplier), .fallback = {1}, .doc = "Strength of the bumps.",
+    {ORIEL_PARAM(MaxBump, Multiplier), .fallback = {1}, .doc = "Bump strength.",
      .support = Support::Ignored},
 });
 
@@ -27,7 +27,7 @@ constexpr ShaderSpec storing(const char* name) {
   return {.name = name,
           .library = "hosts",
           .apply = kApplyMaterial | kApplyShadow | kApplyPhoton,
-          .doc = "Stand-in: shows its material; the render element is not stored.",
+          .doc = "Fallback: shows its material; the render element is not stored.",
           .params = kWrappedRows,
           .params_size = sizeof(Wrapped),
           .material = {
@@ -48,7 +48,7 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "max_Bump",
      .library = "hosts",
      .apply = kApplyTexture,
-     .doc = "Stand-in for the host's bump: leaves the surface smooth.",
+     .doc = "Fallback for the bump map of 3ds Max; no bump is applied.",
      .params = kMaxBumpRows,
      .params_size = sizeof(MaxBump),
      .result = ParamType::Vector,

@@ -29,33 +29,43 @@ struct Lamp {
 
 constexpr auto kDefaultRows = about({
     {ORIEL_PARAM(Lamp, Color), .fallback = {1, 1, 1}, .doc = "Colour."},
-    {ORIEL_PARAM(Lamp, Multiplier), .fallback = {1}, .doc = "Factor of the colour."},
+    {ORIEL_PARAM(Lamp, Multiplier), .fallback = {1}, .doc = "Colour factor."},
 });
 constexpr auto kRows = joined(
     kDefaultRows,
     about({
-        {ORIEL_PARAM(Lamp, On), .fallback = {1}, .doc = "It shines."},
-        {ORIEL_PARAM(Lamp, AffectDiffuse), .fallback = {1}, .doc = "Light diffuse surfaces."},
-        {ORIEL_PARAM(Lamp, AffectSpecular), .fallback = {1}, .doc = "Make highlights."},
-        {ORIEL_PARAM(Lamp, UseNearAttenuation), .doc = "Dark up to NearStart."},
-        {ORIEL_PARAM(Lamp, NearStart), .unit = "scene units", .doc = "Nothing up to here."},
-        {ORIEL_PARAM(Lamp, NearEnd), .unit = "scene units", .doc = "Full strength from here."},
-        {ORIEL_PARAM(Lamp, UseFarAttenuation), .doc = "Dark from FarEnd."},
-        {ORIEL_PARAM(Lamp, FarStart), .unit = "scene units", .doc = "Full strength up to here."},
-        {ORIEL_PARAM(Lamp, FarEnd), .unit = "scene units", .doc = "Nothing from here."},
+        {ORIEL_PARAM(Lamp, On), .fallback = {1}, .doc = "Whether the light is on."},
+        {ORIEL_PARAM(Lamp, AffectDiffuse), .fallback = {1},
+         .doc = "Whether the light lights diffuse surfaces."},
+        {ORIEL_PARAM(Lamp, AffectSpecular), .fallback = {1},
+         .doc = "Whether the light makes highlights."},
+        {ORIEL_PARAM(Lamp, UseNearAttenuation),
+         .doc = "Whether the near attenuation is on: zero up to NearStart."},
+        {ORIEL_PARAM(Lamp, NearStart), .unit = "scene units",
+         .doc = "Distance up to which the light is zero."},
+        {ORIEL_PARAM(Lamp, NearEnd), .unit = "scene units",
+         .doc = "Distance from which the light has full intensity."},
+        {ORIEL_PARAM(Lamp, UseFarAttenuation),
+         .doc = "Whether the far attenuation is on: zero from FarEnd."},
+        {ORIEL_PARAM(Lamp, FarStart), .unit = "scene units",
+         .doc = "Distance up to which the light has full intensity."},
+        {ORIEL_PARAM(Lamp, FarEnd), .unit = "scene units",
+         .doc = "Distance from which the light is zero."},
         {ORIEL_PARAM(Lamp, Decay), .min = 0, .max = 2,
-         .doc = "Exponent of the distance by which it weakens past DecayRadius."},
-        {ORIEL_PARAM(Lamp, DecayRadius), .unit = "scene units", .doc = "Where decay begins."},
-        {ORIEL_PARAM(Lamp, CastShadows), .fallback = {1}, .doc = "Cast shadows."},
-        {ORIEL_PARAM(Lamp, ShadowColor), .doc = "Light of shadows.", .support = Support::Ignored},
-        {ORIEL_PARAM(Lamp, ShadowDensity), .fallback = {1}, .doc = "Darkness of shadows."},
+         .doc = "Exponent of the distance decay beyond DecayRadius."},
+        {ORIEL_PARAM(Lamp, DecayRadius), .unit = "scene units",
+         .doc = "Distance at which decay starts."},
+        {ORIEL_PARAM(Lamp, CastShadows), .fallback = {1},
+         .doc = "Whether the light casts shadows."},
+        {ORIEL_PARAM(Lamp, ShadowColor), .doc = "Shadow colour.", .support = Support::Ignored},
+        {ORIEL_PARAM(Lamp, ShadowDensity), .fallback = {1}, .doc = "Density of shadows."},
     }));
 constexpr auto kConeRows =
     joined(kRows, about({
                       {ORIEL_PARAM(Lamp, HotSpot), .fallback = {43}, .unit = "degrees",
-                       .doc = "Width of the cone of full strength."},
+                       .doc = "Width of the cone of full intensity."},
                       {ORIEL_PARAM(Lamp, Falloff), .fallback = {45}, .unit = "degrees",
-                       .doc = "Width of the cone of any light."},
+                       .doc = "Width of the cone of falloff."},
                   }));
 
 LightValue plain(const Lamp& p) { return {rgb(p.Color) * p.Multiplier, false, 0}; }
@@ -100,16 +110,16 @@ constexpr ShaderSpec light(const char* name, const char* doc, std::span<const Pa
 }
 
 constexpr ShaderSpec kDefault =
-    light("max_DefaultLight", "Stand-in for the light of scenes without lights.", kDefaultRows,
-          [](const Call& call, const LightCall&) { return plain(call.as<Lamp>()); });
+    light("max_DefaultLight", "Fallback for the default light of scenes without lights.",
+          kDefaultRows, [](const Call& call, const LightCall&) { return plain(call.as<Lamp>()); });
 
 constexpr ShaderSpec kNodes[] = {
     kDefault,
     renamed(kDefault, "adsk_Light_Default"),
-    light("max_OmniLight", "Stand-in for the host's omni light.", kRows,
+    light("max_OmniLight", "Fallback for the omni light of 3ds Max.", kRows,
           [](const Call& call, const LightCall& l) { return lamp(call.as<Lamp>(), l.distance); }),
-    light("max_SpotLight", "Stand-in for the host's spot light.", kConeRows, spot),
-    light("max_DirectionalLight", "Stand-in for the host's directional light.", kRows,
+    light("max_SpotLight", "Fallback for the spot light of 3ds Max.", kConeRows, spot),
+    light("max_DirectionalLight", "Fallback for the directional light of 3ds Max.", kRows,
           [](const Call& call, const LightCall& l) { return lamp(call.as<Lamp>(), l.distance); }),
 };
 

@@ -35,34 +35,35 @@ struct Standard {
 enum Map { kDiffuseMap = 1, kSpecularMap = 2, kSelfIllumMap = 5, kOpacityMap = 6, kReflectMap = 9 };
 
 constexpr auto kDefaultRows = about({
-    {ORIEL_PARAM(Default, ambient), .doc = "Light of its own.", .support = Support::Ignored},
+    {ORIEL_PARAM(Default, ambient), .doc = "Self-illumination colour.",
+     .support = Support::Ignored},
     {ORIEL_PARAM(Default, diffuse), .fallback = {.5f, .5f, .5f}, .doc = "Colour."},
-    {ORIEL_PARAM(Default, specular), .doc = "Colour of the highlight."},
-    {ORIEL_PARAM(Default, shinyness), .min = 0, .max = 1, .doc = "Narrowness of the highlight."},
+    {ORIEL_PARAM(Default, specular), .doc = "Highlight colour."},
+    {ORIEL_PARAM(Default, shinyness), .min = 0, .max = 1, .doc = "Highlight exponent."},
 });
 constexpr auto kIlluminationRows = about({
-    {ORIEL_PARAM(Illumination, Ambient), .doc = "Colour in ambient light.",
-     .support = Support::Ignored},
+    {ORIEL_PARAM(Illumination, Ambient), .doc = "Ambient colour.", .support = Support::Ignored},
     {ORIEL_PARAM(Illumination, Diffuse), .fallback = {.5f, .5f, .5f}, .doc = "Colour."},
-    {ORIEL_PARAM(Illumination, Specular), .fallback = {.9f, .9f, .9f},
-     .doc = "Colour of the highlight."},
-    {ORIEL_PARAM(Illumination, UseSelfIllumColor), .doc = "Glow in SelfIllumColor."},
-    {ORIEL_PARAM(Illumination, SelfIllumAmount), .doc = "Share that glows in its own colour."},
-    {ORIEL_PARAM(Illumination, SelfIllumColor), .doc = "Light that is added."},
-    {ORIEL_PARAM(Illumination, SpecularLevel), .doc = "Strength of the highlight."},
+    {ORIEL_PARAM(Illumination, Specular), .fallback = {.9f, .9f, .9f}, .doc = "Highlight colour."},
+    {ORIEL_PARAM(Illumination, UseSelfIllumColor), .doc = "Whether SelfIllumColor is used."},
+    {ORIEL_PARAM(Illumination, SelfIllumAmount),
+     .doc = "Self-illumination fraction in the diffuse colour."},
+    {ORIEL_PARAM(Illumination, SelfIllumColor), .doc = "Self-illumination colour, added."},
+    {ORIEL_PARAM(Illumination, SpecularLevel), .doc = "Highlight strength."},
     {ORIEL_PARAM(Illumination, Glossiness), .fallback = {.1f},
-     .doc = "Narrowness of the highlight: exponent 2^(10 Glossiness)."},
+     .doc = "Highlight narrowness: exponent 2^(10 Glossiness)."},
 });
 constexpr auto kStandardRows = about({
-    {ORIEL_PARAM(Standard, Shader), .doc = "Its illumination."},
+    {ORIEL_PARAM(Standard, Shader), .doc = "Illumination shader."},
     {ORIEL_PARAM(Standard, OpacityType), .min = 0, .max = 2,
-     .doc = "0: what is behind is seen in FilterColor; else as it is."},
-    {ORIEL_PARAM(Standard, Opacity), .fallback = {1}, .doc = "Share that hides what is behind."},
-    {ORIEL_PARAM(Standard, FilterColor), .fallback = {1, 1, 1}, .doc = "Of what is seen through."},
-    {ORIEL_PARAM(Standard, MapEnables), .doc = "Which maps act."},
+     .doc = "Transparency type: 0 = filtered by FilterColor; other values = unfiltered."},
+    {ORIEL_PARAM(Standard, Opacity), .fallback = {1}, .doc = "Opacity."},
+    {ORIEL_PARAM(Standard, FilterColor), .fallback = {1, 1, 1},
+     .doc = "Filter colour of the transparency."},
+    {ORIEL_PARAM(Standard, MapEnables), .doc = "Whether each map is on."},
     {ORIEL_PARAM(Standard, Maps),
-     .doc = "Maps; those of colour, highlight, glow, opacity and reflection act."},
-    {ORIEL_PARAM(Standard, MapAmounts), .doc = "Their shares."},
+     .doc = "Maps; colour, highlight, self-illumination, opacity and reflection are used."},
+    {ORIEL_PARAM(Standard, MapAmounts), .doc = "Map weights."},
 });
 
 /// Percentages become shares.
@@ -160,7 +161,7 @@ constexpr ShaderSpec kIllumination = {
     .name = "max_base_BlinnIllumination",
     .library = "hosts",
     .apply = kApplySurface,
-    .doc = "Stand-in for an illumination of the host's standard material.",
+    .doc = "Fallback for an illumination shader of the standard material of 3ds Max.",
     .params = kIlluminationRows,
     .params_size = sizeof(Illumination),
     .value = [](const Call& call,
@@ -173,7 +174,7 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "max_DefaultMaterial",
      .library = "hosts",
      .apply = kApplySurface,
-     .doc = "Stand-in for the material of objects without one.",
+     .doc = "Fallback for the default material of objects without one.",
      .params = kDefaultRows,
      .params_size = sizeof(Default),
      .material = {.fill = default_material, .max_lobes = [](const ShaderNode&) { return 2; }},
@@ -181,7 +182,7 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "max_StandardMaterial",
      .library = "hosts",
      .apply = kApplySurface,
-     .doc = "Stand-in for the host's standard material.",
+     .doc = "Fallback for the standard material of 3ds Max.",
      .params = kStandardRows,
      .params_size = sizeof(Standard),
      .material = {.fill = standard,
@@ -199,7 +200,8 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "max_DefaultShadow",
      .library = "hosts",
      .apply = kApplyShadow,
-     .doc = "Stand-in for the host's shadows: as the surface itself lets light pass.",
+     .doc = "Fallback for the shadow shader of 3ds Max; shadows use the transparency of "
+            "the surface.",
      .fallback = {.is_fallback = true}},
 };
 

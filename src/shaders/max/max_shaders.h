@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders that 3ds Max's translator writes.
+// Fallback shaders for shaders that 3ds Max's translator writes.
 #pragma once
 
 #include <span>

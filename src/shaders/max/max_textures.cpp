@@ -38,48 +38,50 @@ struct Environment {
 
 constexpr auto kGeneratorRows = about({
     {ORIEL_PARAM(Generator, MapChannel), .fallback = {1}, .min = 1,
-     .doc = "Texture space, from 1."},
-    {ORIEL_PARAM(Generator, UOffset), .doc = "Move of the tile."},
+     .doc = "Number of the texture space, from 1."},
+    {ORIEL_PARAM(Generator, UOffset), .doc = "Offset of the tile."},
     {ORIEL_PARAM(Generator, UScale), .fallback = {1}, .doc = "Tiles along u."},
-    {ORIEL_PARAM(Generator, UWrap), .fallback = {1}, .doc = "The tile comes again."},
-    {ORIEL_PARAM(Generator, UMirror), .doc = "Every tile has its mirrored twin beside it."},
-    {ORIEL_PARAM(Generator, VOffset), .doc = "Move of the tile."},
+    {ORIEL_PARAM(Generator, UWrap), .fallback = {1}, .doc = "Whether the tile repeats."},
+    {ORIEL_PARAM(Generator, UMirror), .doc = "Whether every other tile is mirrored."},
+    {ORIEL_PARAM(Generator, VOffset), .doc = "Offset of the tile."},
     {ORIEL_PARAM(Generator, VScale), .fallback = {1}, .doc = "Tiles along v."},
-    {ORIEL_PARAM(Generator, VWrap), .fallback = {1}, .doc = "The tile comes again."},
-    {ORIEL_PARAM(Generator, VMirror), .doc = "Every tile has its mirrored twin beside it."},
-    {ORIEL_PARAM(Generator, WAngle), .unit = "radians", .doc = "Turn of the tile."},
+    {ORIEL_PARAM(Generator, VWrap), .fallback = {1}, .doc = "Whether the tile repeats."},
+    {ORIEL_PARAM(Generator, VMirror), .doc = "Whether every other tile is mirrored."},
+    {ORIEL_PARAM(Generator, WAngle), .unit = "radians", .doc = "Rotation of the tile."},
 });
 constexpr auto kOutputRows = about({
     {ORIEL_PARAM(Output, RGBAmount), .fallback = {1}, .doc = "Factor."},
-    {ORIEL_PARAM(Output, RGBOffset), .doc = "Added."},
+    {ORIEL_PARAM(Output, RGBOffset), .doc = "Offset."},
     {ORIEL_PARAM(Output, OutputAmount), .fallback = {1}, .doc = "Factor of the result."},
-    {ORIEL_PARAM(Output, Invert), .doc = "1 - colour."},
-    {ORIEL_PARAM(Output, Clamp), .doc = "Not more than 1."},
+    {ORIEL_PARAM(Output, Invert), .doc = "Whether the colour is inverted."},
+    {ORIEL_PARAM(Output, Clamp), .doc = "Whether the result is clamped to 1."},
 });
 constexpr auto kBitmapRows = about({
-    {ORIEL_PARAM(Bitmap, Bitmap), .doc = "The picture."},
-    {ORIEL_PARAM(Bitmap, Coords), .doc = "Where: a generator of coordinates."},
-    {ORIEL_PARAM(Bitmap, Output), .doc = "How values are adjusted."},
+    {ORIEL_PARAM(Bitmap, Bitmap), .doc = "Texture image."},
+    {ORIEL_PARAM(Bitmap, Coords), .doc = "Coordinate generator."},
+    {ORIEL_PARAM(Bitmap, Output), .doc = "Output adjustment."},
 });
 constexpr auto kPairRows = about({
-    {ORIEL_PARAM(Pair, Color1), .doc = "First."},
-    {ORIEL_PARAM(Pair, Color2), .fallback = {1, 1, 1}, .doc = "Second."},
-    {ORIEL_PARAM(Pair, Map1), .doc = "In place of the first colour."},
-    {ORIEL_PARAM(Pair, Map2), .doc = "In place of the second."},
-    {ORIEL_PARAM(Pair, Map1Enabled), .fallback = {1}, .doc = "Use it."},
-    {ORIEL_PARAM(Pair, Map2Enabled), .fallback = {1}, .doc = "Use it."},
+    {ORIEL_PARAM(Pair, Color1), .doc = "First colour."},
+    {ORIEL_PARAM(Pair, Color2), .fallback = {1, 1, 1}, .doc = "Second colour."},
+    {ORIEL_PARAM(Pair, Map1), .doc = "Map of the first colour."},
+    {ORIEL_PARAM(Pair, Map2), .doc = "Map of the second colour."},
+    {ORIEL_PARAM(Pair, Map1Enabled), .fallback = {1},
+     .doc = "Whether `preview` is mapped instead of rendering."},
+    {ORIEL_PARAM(Pair, Map2Enabled), .fallback = {1},
+     .doc = "Whether `preview` is mapped instead of rendering."},
 });
 constexpr auto kMixRows =
     joined(kPairRows, about({
-                          {ORIEL_PARAM(Pair, MixAmount), .doc = "Share of the second."},
-                          {ORIEL_PARAM(Pair, Mask), .doc = "In place of MixAmount."},
+                          {ORIEL_PARAM(Pair, MixAmount), .doc = "Weight of the second colour."},
+                          {ORIEL_PARAM(Pair, Mask), .doc = "Map of MixAmount."},
                       }));
-constexpr auto kCheckerRows = joined(
-    kPairRows, about({{ORIEL_PARAM(Pair, Coords), .doc = "Where: a generator of coordinates."}}));
+constexpr auto kCheckerRows =
+    joined(kPairRows, about({{ORIEL_PARAM(Pair, Coords), .doc = "Coordinate generator."}}));
 constexpr auto kEnvironmentRows = about({
-    {ORIEL_PARAM(Environment, Color), .doc = "Colour all around."},
-    {ORIEL_PARAM(Environment, Map), .doc = "A map all around."},
-    {ORIEL_PARAM(Environment, Sky), .doc = "A sky, where there is no map."},
+    {ORIEL_PARAM(Environment, Color), .doc = "Environment colour."},
+    {ORIEL_PARAM(Environment, Map), .doc = "Environment map."},
+    {ORIEL_PARAM(Environment, Sky), .doc = "Sky shader, used without a map."},
 });
 
 Vec3 generated(const Generator& p, const ShadingPoint& point) {
@@ -120,7 +122,7 @@ constexpr ShaderSpec kOutput = {
     .name = "max_base_Output",
     .library = "hosts",
     .apply = kApplyTexture,
-    .doc = "Stand-in for the adjustment of the host's maps.",
+    .doc = "Fallback for the output adjustment of 3ds Max maps.",
     .params = kOutputRows,
     .params_size = sizeof(Output),
     .value = [](const Call&, void* result) { *static_cast<Rgba*>(result) = Rgba(0); },
@@ -193,7 +195,7 @@ constexpr ShaderSpec map(const char* name, const char* doc, std::span<const Para
 }
 
 constexpr ShaderSpec kGenerator = [] {
-  ShaderSpec spec = map("max_base_UVGenerator", "Stand-in for the coordinates of the host's maps.",
+  ShaderSpec spec = map("max_base_UVGenerator", "Fallback for the coordinates of 3ds Max maps.",
                         kGeneratorRows, sizeof(Generator), [](const Call& call, void* result) {
                           *static_cast<Vec3*>(result) = generated(call.as<Generator>(), call.point);
                         });
@@ -202,14 +204,15 @@ constexpr ShaderSpec kGenerator = [] {
   return spec;
 }();
 constexpr ShaderSpec kBitmap =
-    map("max_Bitmap", "Stand-in for the host's bitmap.", kBitmapRows, sizeof(Bitmap), bitmap);
-constexpr ShaderSpec kEnvironment = map("max_Environment", "Stand-in for the host's environment.",
-                                        kEnvironmentRows, sizeof(Environment), environment);
+    map("max_Bitmap", "Fallback for the bitmap of 3ds Max.", kBitmapRows, sizeof(Bitmap), bitmap);
+constexpr ShaderSpec kEnvironment =
+    map("max_Environment", "Fallback for the environment of 3ds Max.", kEnvironmentRows,
+        sizeof(Environment), environment);
 constexpr ShaderSpec kBuffer = {
     .name = "max_base_GBuffer_lens",
     .library = "hosts",
     .apply = kApplyLens,
-    .doc = "The host's buffers beside the picture: without effect.",
+    .doc = "Frame buffer shader of 3ds Max; no effect.",
     .lens = {
         // A lens of no rays is off.
         .bend_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
@@ -223,10 +226,11 @@ constexpr ShaderSpec kNodes[] = {
     kGenerator,
     renamed(kGenerator, "adsk_base_UVGenerator"),
     kOutput,
-    map("max_Checker", "Stand-in for the host's checker.", kCheckerRows, sizeof(Pair), checker),
-    map("max_Mix", "Stand-in for the host's mix.", kMixRows, sizeof(Pair), mix),
-    map("max_RGBMultiplier", "Stand-in for the host's product of colours.", kPairRows, sizeof(Pair),
-        multiply),
+    map("max_Checker", "Fallback for the checker map of 3ds Max.", kCheckerRows, sizeof(Pair),
+        checker),
+    map("max_Mix", "Fallback for the mix map of 3ds Max.", kMixRows, sizeof(Pair), mix),
+    map("max_RGBMultiplier", "Fallback for the RGB multiply map of 3ds Max.", kPairRows,
+        sizeof(Pair), multiply),
     kEnvironment,
     renamed(kEnvironment, "adsk_environment"),
     kBuffer,

@@ -42,47 +42,47 @@ struct Condition {
   Rgba colorIfTrue, colorIfFalse;
 };
 
-constexpr auto kUnaryRows = about({{ORIEL_PARAM(Unary, input), .doc = "What is reversed."}});
+constexpr auto kUnaryRows = about({{ORIEL_PARAM(Unary, input), .doc = "Value to invert."}});
 constexpr auto kBinaryRows = about({
     {ORIEL_PARAM(Binary, operation), .fallback = {1}, .min = 0, .max = 3,
-     .doc = "0 the first, 1 product, 2 quotient, 3 power."},
-    {ORIEL_PARAM(Binary, input1), .doc = "First."},
-    {ORIEL_PARAM(Binary, input2), .fallback = {1, 1, 1}, .doc = "Second."},
+     .doc = "Operation: 0 first value, 1 multiply, 2 divide, 3 power."},
+    {ORIEL_PARAM(Binary, input1), .doc = "First colour."},
+    {ORIEL_PARAM(Binary, input2), .fallback = {1, 1, 1}, .doc = "Second colour."},
 });
 /// The rows of one term.
-#define ORIEL_TERM(i)                                                                   \
-  {.name = "input1D[" #i "]",                                                           \
-   .type = ParamType::Scalar,                                                           \
-   .element = ParamType::Scalar,                                                        \
-   .offset = offsetof(Sum, input1D) + (i) * sizeof(float),                              \
-   .doc = "A number."},                                                                 \
-      {.name = "input2D[" #i "]",                                                       \
-       .type = ParamType::Vector,                                                       \
-       .element = ParamType::Vector,                                                    \
-       .offset = offsetof(Sum, input2D) + (i) * sizeof(Vec3),                           \
-       .doc = "A pair."},                                                               \
-  {                                                                                     \
-    .name = "input3D[" #i "]", .type = ParamType::Vector, .element = ParamType::Vector, \
-    .offset = offsetof(Sum, input3D) + (i) * sizeof(Vec3), .doc = "A vector or colour." \
+#define ORIEL_TERM(i)                                                                       \
+  {.name = "input1D[" #i "]",                                                               \
+   .type = ParamType::Scalar,                                                               \
+   .element = ParamType::Scalar,                                                            \
+   .offset = offsetof(Sum, input1D) + (i) * sizeof(float),                                  \
+   .doc = "Scalar input."},                                                                 \
+      {.name = "input2D[" #i "]",                                                           \
+       .type = ParamType::Vector,                                                           \
+       .element = ParamType::Vector,                                                        \
+       .offset = offsetof(Sum, input2D) + (i) * sizeof(Vec3),                               \
+       .doc = "Two-component input."},                                                      \
+  {                                                                                         \
+    .name = "input3D[" #i "]", .type = ParamType::Vector, .element = ParamType::Vector,     \
+    .offset = offsetof(Sum, input3D) + (i) * sizeof(Vec3), .doc = "Vector or colour input." \
   }
 constexpr auto kSumRows = about({
     {ORIEL_PARAM(Sum, operation), .fallback = {1}, .min = 0, .max = 3,
-     .doc = "0 the first, 1 sum, 2 the first less the others, 3 mean."},
+     .doc = "Operation: 0 first value, 1 sum, 2 first value minus the others, 3 mean."},
     {.name = "input1D[]",
      .type = ParamType::Integer,
      .element = ParamType::Integer,
      .offset = offsetof(Sum, count1),
-     .doc = "How many numbers."},
+     .doc = "Number of scalars in use."},
     {.name = "input2D[]",
      .type = ParamType::Integer,
      .element = ParamType::Integer,
      .offset = offsetof(Sum, count2),
-     .doc = "How many pairs."},
+     .doc = "Number of pairs in use."},
     {.name = "input3D[]",
      .type = ParamType::Integer,
      .element = ParamType::Integer,
      .offset = offsetof(Sum, count3),
-     .doc = "How many vectors."},
+     .doc = "Number of vectors in use."},
     ORIEL_TERM(0),
     ORIEL_TERM(1),
     ORIEL_TERM(2),
@@ -103,40 +103,42 @@ constexpr auto kSumRows = about({
 #undef ORIEL_TERM
 constexpr ParamSpec kSumResults[] = {
     // The one that is connected most comes first.
-    {ORIEL_PARAM(Sums, output3D), .doc = "Of the vectors."},
-    {ORIEL_PARAM(Sums, output2D), .doc = "Of the pairs."},
-    {ORIEL_PARAM(Sums, output1D), .doc = "Of the numbers."},
+    {ORIEL_PARAM(Sums, output3D), .doc = "Result of the vectors."},
+    {ORIEL_PARAM(Sums, output2D), .doc = "Result of the pairs."},
+    {ORIEL_PARAM(Sums, output1D), .doc = "Result of the scalars."},
 };
 constexpr auto kBlendRows = about({
     {ORIEL_PARAM(Blend, blender), .fallback = {.5f}, .min = 0, .max = 1,
-     .doc = "Share of the first."},
-    {ORIEL_PARAM(Blend, color1), .fallback = {1, 0, 0}, .doc = "First."},
-    {ORIEL_PARAM(Blend, color2), .fallback = {0, 0, 1}, .doc = "Second."},
+     .doc = "Weight of the first colour."},
+    {ORIEL_PARAM(Blend, color1), .fallback = {1, 0, 0}, .doc = "First colour."},
+    {ORIEL_PARAM(Blend, color2), .fallback = {0, 0, 1}, .doc = "Second colour."},
 });
 constexpr auto kGammaRows = about({
-    {ORIEL_PARAM(Range, value), .doc = "What is corrected."},
-    {ORIEL_PARAM(Range, gamma), .fallback = {1, 1, 1}, .doc = "Value to the power of 1 / gamma."},
+    {ORIEL_PARAM(Range, value), .doc = "Value to correct."},
+    {ORIEL_PARAM(Range, gamma), .fallback = {1, 1, 1},
+     .doc = "Gamma; the value is raised to 1 / gamma."},
 });
 constexpr auto kClampRows = about({
-    {ORIEL_PARAM(Range, input), .doc = "What is bounded."},
-    {ORIEL_PARAM(Range, min), .doc = "Least."},
-    {ORIEL_PARAM(Range, max), .doc = "Most."},
+    {ORIEL_PARAM(Range, input), .doc = "Value to clamp."},
+    {ORIEL_PARAM(Range, min), .doc = "Minimum."},
+    {ORIEL_PARAM(Range, max), .doc = "Maximum."},
 });
 constexpr auto kRangeRows = about({
-    {ORIEL_PARAM(Range, value), .doc = "What is mapped."},
-    {ORIEL_PARAM(Range, min), .doc = "What oldMin becomes."},
-    {ORIEL_PARAM(Range, max), .doc = "What oldMax becomes."},
-    {ORIEL_PARAM(Range, oldMin), .doc = "Least."},
-    {ORIEL_PARAM(Range, oldMax), .doc = "Most."},
+    {ORIEL_PARAM(Range, value), .doc = "Value to map."},
+    {ORIEL_PARAM(Range, min), .doc = "Value that oldMin maps to."},
+    {ORIEL_PARAM(Range, max), .doc = "Value that oldMax maps to."},
+    {ORIEL_PARAM(Range, oldMin), .doc = "Minimum."},
+    {ORIEL_PARAM(Range, oldMax), .doc = "Maximum."},
 });
-constexpr auto kLuminanceRows = about({{ORIEL_PARAM(Luminance, value), .doc = "A colour."}});
+constexpr auto kLuminanceRows = about({{ORIEL_PARAM(Luminance, value), .doc = "Colour."}});
 constexpr auto kConditionRows = about({
-    {ORIEL_PARAM(Condition, firstTerm), .doc = "Compared."},
-    {ORIEL_PARAM(Condition, secondTerm), .doc = "With."},
+    {ORIEL_PARAM(Condition, firstTerm), .doc = "First compared value."},
+    {ORIEL_PARAM(Condition, secondTerm), .doc = "Second compared value."},
     {ORIEL_PARAM(Condition, operation), .min = 0, .max = 5,
-     .doc = "0 equal, 1 not, 2 greater, 3 or equal, 4 less, 5 or equal."},
-    {ORIEL_PARAM(Condition, colorIfTrue), .doc = "If so."},
-    {ORIEL_PARAM(Condition, colorIfFalse), .fallback = {1, 1, 1}, .doc = "If not."},
+     .doc = "Comparison: 0 equal, 1 not equal, 2 greater, 3 greater or equal, 4 less, 5 "
+            "less or equal."},
+    {ORIEL_PARAM(Condition, colorIfTrue), .doc = "Result if true."},
+    {ORIEL_PARAM(Condition, colorIfFalse), .fallback = {1, 1, 1}, .doc = "Result if false."},
 });
 
 template <class F>
@@ -228,7 +230,7 @@ Vec3 bounded(const Range& p) {
 }
 
 constexpr ShaderSpec kSumming = [] {
-  ShaderSpec spec = node("maya_plusminusavg", "Stand-in for the host's sums and means.", kSumRows,
+  ShaderSpec spec = node("maya_plusminusavg", "Fallback for Maya's plusMinusAverage.", kSumRows,
                          sizeof(Sum), ParamType::Struct, [](const Call& call, void* result) {
                            const auto& p = call.as<Sum>();
                            *static_cast<Sums*>(result) = {summed(p.operation, p.input1D, p.count1),
@@ -241,30 +243,30 @@ constexpr ShaderSpec kSumming = [] {
 }();
 
 constexpr ShaderSpec kNodes[] = {
-    node("maya_reverse", "Stand-in for the host's reverse.", kUnaryRows, sizeof(Unary),
+    node("maya_reverse", "Fallback for Maya's reverse.", kUnaryRows, sizeof(Unary),
          ParamType::Vector, vector_of<Unary, reversed>),
-    node("maya_multdiv", "Stand-in for the host's products and quotients.", kBinaryRows,
-         sizeof(Binary), ParamType::Vector, vector_of<Binary, multiplied>),
+    node("maya_multdiv", "Fallback for Maya's multiplyDivide.", kBinaryRows, sizeof(Binary),
+         ParamType::Vector, vector_of<Binary, multiplied>),
     kSumming,
-    node("maya_blend", "Stand-in for the host's blend of colours.", kBlendRows, sizeof(Blend),
+    node("maya_blend", "Fallback for Maya's blendColors.", kBlendRows, sizeof(Blend),
          ParamType::Color,
          [](const Call& call, void* result) {
            const auto& p = call.as<Blend>();
            const Rgb c = rgb(p.color1) * p.blender + rgb(p.color2) * (1 - p.blender);
            *static_cast<Rgba*>(result) = Rgba(c.x, c.y, c.z, 1);
          }),
-    node("maya_gamma", "Stand-in for the host's gamma.", kGammaRows, sizeof(Range),
+    node("maya_gamma", "Fallback for Maya's gammaCorrect.", kGammaRows, sizeof(Range),
          ParamType::Vector, vector_of<Range, corrected>),
-    node("maya_clamp", "Stand-in for the host's clamp.", kClampRows, sizeof(Range),
-         ParamType::Vector, vector_of<Range, bounded>),
-    node("maya_setrange", "Stand-in for the host's set range.", kRangeRows, sizeof(Range),
+    node("maya_clamp", "Fallback for Maya's clamp.", kClampRows, sizeof(Range), ParamType::Vector,
+         vector_of<Range, bounded>),
+    node("maya_setrange", "Fallback for Maya's setRange.", kRangeRows, sizeof(Range),
          ParamType::Vector, vector_of<Range, ranged>),
-    node("maya_luminance", "Stand-in for the host's luminance.", kLuminanceRows, sizeof(Luminance),
+    node("maya_luminance", "Fallback for Maya's luminance.", kLuminanceRows, sizeof(Luminance),
          ParamType::Scalar,
          [](const Call& call, void* result) {
            *static_cast<float*>(result) = maya_luminance(rgb(call.as<Luminance>().value));
          }),
-    node("maya_condition", "Stand-in for the host's condition.", kConditionRows, sizeof(Condition),
+    node("maya_condition", "Fallback for Maya's condition.", kConditionRows, sizeof(Condition),
          ParamType::Color,
          [](const Call& call, void* result) {
            const auto& p = call.as<Condition>();

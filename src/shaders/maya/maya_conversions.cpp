@@ -13,14 +13,14 @@ struct Sampled {
   bool flippedNormal;
 };
 constexpr ParamSpec kSampledResults[] = {
-    {ORIEL_PARAM(Sampled, facingRatio), .doc = "Cosine of the normal to the view."},
-    {ORIEL_PARAM(Sampled, pointWorld), .doc = "The point in world space."},
-    {ORIEL_PARAM(Sampled, pointObj), .doc = "In object space."},
-    {ORIEL_PARAM(Sampled, pointCamera), .doc = "In camera space."},
-    {ORIEL_PARAM(Sampled, normalCamera), .doc = "The normal in camera space."},
-    {ORIEL_PARAM(Sampled, uvCoord), .doc = "The surface's coordinate."},
-    {ORIEL_PARAM(Sampled, rayDirection), .doc = "The ray's direction in camera space."},
-    {ORIEL_PARAM(Sampled, flippedNormal), .doc = "Seen from behind."},
+    {ORIEL_PARAM(Sampled, facingRatio), .doc = "Cosine between normal and view direction."},
+    {ORIEL_PARAM(Sampled, pointWorld), .doc = "Point in world space."},
+    {ORIEL_PARAM(Sampled, pointObj), .doc = "Point in object space."},
+    {ORIEL_PARAM(Sampled, pointCamera), .doc = "Point in camera space."},
+    {ORIEL_PARAM(Sampled, normalCamera), .doc = "Normal in camera space."},
+    {ORIEL_PARAM(Sampled, uvCoord), .doc = "Texture coordinate of the surface."},
+    {ORIEL_PARAM(Sampled, rayDirection), .doc = "Ray direction in camera space."},
+    {ORIEL_PARAM(Sampled, flippedNormal), .doc = "Whether the back face is visible."},
 };
 
 void sample(const Call& call, void* result) {
@@ -52,27 +52,28 @@ constexpr ParamSpec part(const char* name, std::size_t i, const char* doc) {
           .doc = doc,
           .support = Support::Approximated};
 }
-constexpr ParamSpec kRgb[] = {part("r", 0, "Red."), part("g", 1, "Green."), part("b", 2, "Blue.")};
-constexpr ParamSpec kXyz[] = {part("x", 0, "Along x."), part("y", 1, "Along y."),
-                              part("z", 2, "Along z.")};
-constexpr ParamSpec kUvw[] = {part("u", 0, "Along u."), part("v", 1, "Along v."),
-                              part("w", 2, "Along w.")};
+constexpr ParamSpec kRgb[] = {part("r", 0, "Red component."), part("g", 1, "Green component."),
+                              part("b", 2, "Blue component.")};
+constexpr ParamSpec kXyz[] = {part("x", 0, "Component x."), part("y", 1, "Component y."),
+                              part("z", 2, "Component z.")};
+constexpr ParamSpec kUvw[] = {part("u", 0, "Component u."), part("v", 1, "Component v."),
+                              part("w", 2, "Component w.")};
 constexpr auto kColor = about({{.name = "color",
                                 .type = ParamType::Vector,
                                 .element = ParamType::Vector,
                                 .offset = offsetof(Whole, whole),
-                                .doc = "What is taken apart."}});
+                                .doc = "Value to split."}});
 constexpr auto kVector = about({{.name = "vector",
                                  .type = ParamType::Vector,
                                  .element = ParamType::Vector,
                                  .offset = offsetof(Whole, whole),
-                                 .doc = "What is taken apart."}});
+                                 .doc = "Value to split."}});
 
 constexpr ShaderSpec joining(const char* name, std::span<const ParamSpec> parts) {
   return {.name = name,
           .library = "hosts",
           .apply = kApplyTexture,
-          .doc = "Stand-in: joins three numbers.",
+          .doc = "Fallback: vector from three components.",
           .params = parts,
           .params_size = sizeof(Three),
           .result = ParamType::Vector,
@@ -89,7 +90,7 @@ constexpr ShaderSpec parting(const char* name, std::span<const ParamSpec> whole,
   return {.name = name,
           .library = "hosts",
           .apply = kApplyTexture,
-          .doc = "Stand-in: takes three numbers apart.",
+          .doc = "Fallback: components of a vector.",
           .params = whole,
           .params_size = sizeof(Whole),
           .result = ParamType::Struct,
@@ -107,7 +108,7 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "maya_samplerinfo",
      .library = "hosts",
      .apply = kApplyTexture,
-     .doc = "Stand-in for the host's sampler info.",
+     .doc = "Fallback for Maya's samplerInfo.",
      .result = ParamType::Struct,
      .results = kSampledResults,
      .result_size = sizeof(Sampled),

@@ -32,22 +32,22 @@ struct Shadow {
 };
 
 constexpr auto kEngineRows = about({
-    {ORIEL_PARAM(Engine, surfaceShader), .doc = "The surface.", .declared_default = false,
+    {ORIEL_PARAM(Engine, surfaceShader), .doc = "Surface shader.", .declared_default = false,
      .takes_material = true},
-    {ORIEL_PARAM(Engine, cutAwayOpacity), .doc = "Alpha of what is transparent.",
+    {ORIEL_PARAM(Engine, cutAwayOpacity), .doc = "Alpha of transparent areas.",
      .support = Support::Ignored},
-    {ORIEL_PARAM(Engine, alphaMode), .doc = "What alpha is.", .support = Support::Ignored},
+    {ORIEL_PARAM(Engine, alphaMode), .doc = "Meaning of alpha.", .support = Support::Ignored},
 });
 constexpr auto kBackgroundRows = about({
     {ORIEL_PARAM(Background, specularColor), .fallback = {.8f, .8f, .8f},
-     .doc = "Colour of the mirror."},
+     .doc = "Reflection colour."},
     {ORIEL_PARAM(Background, reflectivity), .fallback = {.8f}, .min = 0, .max = 1,
-     .doc = "Share of the mirror."},
+     .doc = "Reflectivity."},
     {ORIEL_PARAM(Background, shadowMask), .fallback = {1}, .min = 0, .max = 1,
-     .doc = "Darkness of shadows; in the alpha channel their opacity."},
+     .doc = "Density of shadows; their opacity in the alpha channel."},
 });
 constexpr auto kShadowRows = about({
-    {ORIEL_PARAM(Shadow, transparency), .doc = "Share of the light that passes."},
+    {ORIEL_PARAM(Shadow, transparency), .doc = "Fraction of the light transmitted."},
 });
 
 /// The rows of one layer.
@@ -56,19 +56,19 @@ constexpr auto kShadowRows = about({
    .type = ParamType::Color,                                                                      \
    .element = ParamType::Color,                                                                   \
    .offset = offsetof(Layers, inputs) + (i) * sizeof(Layer) + offsetof(Layer, color),             \
-   .doc = "The layer's colour or surface.",                                                       \
+   .doc = "Colour or surface of the layer.",                                                      \
    .takes_material = true},                                                                       \
   {                                                                                               \
     .name = "inputs[" #i "].transparency", .type = ParamType::Color, .element = ParamType::Color, \
     .offset = offsetof(Layers, inputs) + (i) * sizeof(Layer) + offsetof(Layer, transparency),     \
-    .doc = "Share that the layers below show."                                                    \
+    .doc = "Transparency of the layer."                                                           \
   }
 constexpr auto kLayerRows = about({
     {.name = "inputs[]",
      .type = ParamType::Integer,
      .element = ParamType::Integer,
      .offset = offsetof(Layers, count),
-     .doc = "How many layers there are."},
+     .doc = "Number of layers."},
     ORIEL_LAYER(0),
     ORIEL_LAYER(1),
     ORIEL_LAYER(2),
@@ -135,7 +135,7 @@ const ShaderSpec kMayaShadingengine = {
     .name = "maya_shadingengine",
     .library = "hosts",
     .apply = kApplySurface,
-    .doc = "Stand-in for the host's shading engine: the surface it is connected to.",
+    .doc = "Fallback for Maya's shadingEngine: evaluates the connected surface.",
     .params = kEngineRows,
     .params_size = sizeof(Engine),
     .material = {
@@ -154,7 +154,7 @@ const ShaderSpec kMayaLayeredshader = {
     .name = "maya_layeredshader",
     .library = "hosts",
     .apply = kApplySurface,
-    .doc = "Stand-in for the host's layered shader.",
+    .doc = "Fallback for Maya's layeredShader.",
     .params = kLayerRows,
     .params_size = sizeof(Layers),
     .material = {.fill = layered, .may_transmit = layers_pass},
@@ -166,8 +166,8 @@ const ShaderSpec kMayaUsebackground = {
     .library = "hosts",
     .apply = kApplySurface,
     .doc =
-        "Stand-in for the host's use-background: what lies behind with shadows on it, and a "
-        "mirror.",
+        "Fallback for Maya's useBackground: the background with shadows and "
+        "reflections.",
     .params = kBackgroundRows,
     .params_size = sizeof(Background),
     .material = {
@@ -194,7 +194,7 @@ const ShaderSpec kMayaShadow = {
     .name = "maya_shadow",
     .library = "hosts",
     .apply = kApplyShadow,
-    .doc = "Stand-in for the host's shadows.",
+    .doc = "Fallback for Maya's shadow shader.",
     .params = kShadowRows,
     .params_size = sizeof(Shadow),
     .material = {
@@ -213,7 +213,7 @@ const ShaderSpec kMayaTransparent = {
     .name = "maya_transparent",
     .library = "hosts",
     .apply = kApplyShadow,
-    .doc = "Stand-in for the host's shadow shader of what casts none.",
+    .doc = "Fallback for Maya's shadow shader of objects that cast no shadow.",
     .material = {.shadow = [](const Call&, const Rgb& light) { return light; },
                  .may_transmit = [](const ShaderNode&) { return true; }},
     .fallback = {.is_fallback = true},
@@ -223,7 +223,7 @@ const ShaderSpec kMayaPhotonsurface = {
     .name = "maya_photonsurface",
     .library = "hosts",
     .apply = kApplyPhoton,
-    .doc = "Stand-in for the host's photon shader: photons are scattered by the surface.",
+    .doc = "Fallback for Maya's photon shader: the surface scatters photons.",
     .fallback = {.is_fallback = true},
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for what Maya's translator puts around and over surfaces.
+// Fallback shaders for what Maya's translator puts around and over surfaces.
 #pragma once
 
 #include "runtime/shader_spec.h"

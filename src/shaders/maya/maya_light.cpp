@@ -25,37 +25,39 @@ struct Lamp {
 
 constexpr auto kCommonRows = about({
     {ORIEL_PARAM(Lamp, color), .fallback = {1, 1, 1}, .doc = "Colour."},
-    {ORIEL_PARAM(Lamp, intensity), .fallback = {1}, .doc = "Factor of the colour."},
-    {ORIEL_PARAM(Lamp, useRayTraceShadows), .fallback = {1}, .doc = "Cast shadows."},
-    {ORIEL_PARAM(Lamp, shadowColor), .doc = "Share that passes opaque blockers; its mean."},
-    {ORIEL_PARAM(Lamp, emitDiffuse), .fallback = {1}, .doc = "Light diffuse surfaces."},
+    {ORIEL_PARAM(Lamp, intensity), .fallback = {1}, .doc = "Colour factor."},
+    {ORIEL_PARAM(Lamp, useRayTraceShadows), .fallback = {1},
+     .doc = "Whether the light casts shadows."},
+    {ORIEL_PARAM(Lamp, shadowColor),
+     .doc = "Fraction transmitted by opaque occluders; the mean of the channels is used."},
+    {ORIEL_PARAM(Lamp, emitDiffuse), .fallback = {1},
+     .doc = "Whether the light lights diffuse surfaces."},
 });
-constexpr auto kRows =
-    joined(kCommonRows,
-           about({{ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1}, .doc = "Make highlights."}}));
+constexpr auto kRows = joined(kCommonRows, about({{ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
+                                                   .doc = "Whether the light makes highlights."}}));
 constexpr auto kDirectionalRows =
     joined(kRows, about({{ORIEL_PARAM(Lamp, lightAngle), .min = 0, .unit = "radians",
-                          .doc = "Width of the cone the light comes from."}}));
+                          .doc = "Angular width of the light source."}}));
 constexpr auto kAmbientRows = joined(
-    kCommonRows, about({
-                     {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
-                      .doc = "Ambient light makes no highlights.", .support = Support::Ignored},
-                     {ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
-                      .doc = "Share that depends on the direction to the light; the rest is "
-                             "independent of it."},
-                 }));
-constexpr auto kPointRows =
-    joined(kRows, about({{ORIEL_PARAM(Lamp, decayRate), .min = 0, .max = 3,
-                          .doc = "Exponent of the distance by which it weakens."}}));
-constexpr auto kSpotRows = joined(
-    kPointRows,
+    kCommonRows,
     about({
-        {ORIEL_PARAM(Lamp, coneAngle), .fallback = {.698132f}, .min = 0, .unit = "radians",
-         .doc = "Width of the cone; more than a turn is taken for degrees."},
-        {ORIEL_PARAM(Lamp, penumbraAngle), .unit = "radians",
-         .doc = "Width of the rim that fades: outside of the cone, where negative inside of it."},
-        {ORIEL_PARAM(Lamp, dropoff), .min = 0, .doc = "Exponent of the cosine to the axis."},
+        {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
+         .doc = "Highlights of the light; ambient light has none.", .support = Support::Ignored},
+        {ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
+         .doc = "Fraction that is directional from the light's position; the rest ignores the "
+                "surface orientation."},
     }));
+constexpr auto kPointRows = joined(kRows, about({{ORIEL_PARAM(Lamp, decayRate), .min = 0, .max = 3,
+                                                  .doc = "Exponent of the distance decay."}}));
+constexpr auto kSpotRows =
+    joined(kPointRows,
+           about({
+               {ORIEL_PARAM(Lamp, coneAngle), .fallback = {.698132f}, .min = 0, .unit = "radians",
+                .doc = "Width of the cone; values above a full turn are degrees."},
+               {ORIEL_PARAM(Lamp, penumbraAngle), .unit = "radians",
+                .doc = "Width of the penumbra: outside the cone, inside it if negative."},
+               {ORIEL_PARAM(Lamp, dropoff), .min = 0, .doc = "Exponent of the cosine to the axis."},
+           }));
 
 LightValue lamp(const Lamp& p) {
   const Rgba& s = p.shadowColor;
@@ -132,7 +134,7 @@ LightValue point_value(const Call& call, const LightCall& l) {
 
 const ShaderSpec kMayaDirectionallight = [] {
   ShaderSpec spec =
-      light("maya_directionallight", "Stand-in for the host's directional light.", kDirectionalRows,
+      light("maya_directionallight", "Fallback for Maya's directional light.", kDirectionalRows,
             [](const Call& call, const LightCall&) { return lamp(call.as<Lamp>()); });
   spec.light.cone = [](const void* params) {
     return std::max(0.0f, angle_of(static_cast<const Lamp*>(params)->lightAngle) / 2);
@@ -141,17 +143,16 @@ const ShaderSpec kMayaDirectionallight = [] {
 }();
 
 const ShaderSpec kMayaPointlight =
-    light("maya_pointlight", "Stand-in for the host's point light.", kPointRows, point_value);
+    light("maya_pointlight", "Fallback for Maya's pointLight.", kPointRows, point_value);
 
-const ShaderSpec kMayaVolumelight =
-    light("maya_volumelight", "Stand-in for the host's volume light: a point light.", kPointRows,
-          point_value);
+const ShaderSpec kMayaVolumelight = light(
+    "maya_volumelight", "Fallback for Maya's volumeLight: a point light.", kPointRows, point_value);
 
 const ShaderSpec kMayaSpotlight =
-    light("maya_spotlight", "Stand-in for the host's spot light.", kSpotRows,
+    light("maya_spotlight", "Fallback for the spot light of 3ds Max.", kSpotRows,
           [](const Call& call, const LightCall& l) { return spot_light(call.as<Lamp>(), l); });
 
-const ShaderSpec kMayaArealight = light("maya_arealight", "Stand-in for the host's area light.",
+const ShaderSpec kMayaArealight = light("maya_arealight", "Fallback for Maya's areaLight.",
                                         kPointRows, [](const Call& call, const LightCall& l) {
                                           LightValue value =
                                               point_light(call.as<Lamp>(), l.distance);
@@ -161,7 +162,7 @@ const ShaderSpec kMayaArealight = light("maya_arealight", "Stand-in for the host
 
 const ShaderSpec kMayaShapelight = renamed(kMayaArealight, "maya_shapelight");
 
-const ShaderSpec kMayaAmbientlight = light(
-    "maya_ambientlight", "Stand-in for the host's ambient light.", kAmbientRows, ambient_light);
+const ShaderSpec kMayaAmbientlight =
+    light("maya_ambientlight", "Fallback for Maya's ambientLight.", kAmbientRows, ambient_light);
 
 }  // namespace oriel

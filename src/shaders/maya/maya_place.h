@@ -16,20 +16,22 @@ struct MayaPlace {
 };
 
 inline constexpr auto kMayaPlaceRows = about({
-    {ORIEL_PARAM(MayaPlace, uvCoord), .doc = "Where, when connected."},
-    {ORIEL_PARAM(MayaPlace, coverage), .fallback = {1, 1, 0}, .doc = "Size of the frame."},
-    {ORIEL_PARAM(MayaPlace, translateFrame), .doc = "Move of the frame."},
+    {ORIEL_PARAM(MayaPlace, uvCoord), .doc = "Texture coordinate, used if connected."},
+    {ORIEL_PARAM(MayaPlace, coverage), .fallback = {1, 1, 0},
+     .doc = "Coverage: size of the frame."},
+    {ORIEL_PARAM(MayaPlace, translateFrame), .doc = "Translation of the frame."},
     {ORIEL_PARAM(MayaPlace, rotateFrame), .unit = "radians",
-     .doc = "Turn of the frame about the middle."},
-    {ORIEL_PARAM(MayaPlace, mirrorU), .doc = "Mirror every other tile."},
-    {ORIEL_PARAM(MayaPlace, mirrorV), .doc = "Mirror every other tile."},
-    {ORIEL_PARAM(MayaPlace, stagger), .doc = "Shift every other row by half a tile."},
-    {ORIEL_PARAM(MayaPlace, wrapU), .fallback = {1}, .doc = "The frame comes again."},
-    {ORIEL_PARAM(MayaPlace, wrapV), .fallback = {1}, .doc = "The frame comes again."},
-    {ORIEL_PARAM(MayaPlace, repeatUV), .fallback = {1, 1, 0}, .doc = "Tiles in the frame."},
-    {ORIEL_PARAM(MayaPlace, offset), .doc = "Move of the tiles."},
-    {ORIEL_PARAM(MayaPlace, rotateUV), .unit = "radians", .doc = "Turn of the tiles."},
-    {ORIEL_PARAM(MayaPlace, noiseUV), .doc = "Strength of wobbling."},
+     .doc = "Rotation of the frame about its centre."},
+    {ORIEL_PARAM(MayaPlace, mirrorU), .doc = "Whether every other tile is mirrored."},
+    {ORIEL_PARAM(MayaPlace, mirrorV), .doc = "Whether every other tile is mirrored."},
+    {ORIEL_PARAM(MayaPlace, stagger), .doc = "Whether every other row is shifted by half a tile."},
+    {ORIEL_PARAM(MayaPlace, wrapU), .fallback = {1}, .doc = "Whether the frame repeats."},
+    {ORIEL_PARAM(MayaPlace, wrapV), .fallback = {1}, .doc = "Whether the frame repeats."},
+    {ORIEL_PARAM(MayaPlace, repeatUV), .fallback = {1, 1, 0},
+     .doc = "Number of tiles in the frame."},
+    {ORIEL_PARAM(MayaPlace, offset), .doc = "Offset of the tiles."},
+    {ORIEL_PARAM(MayaPlace, rotateUV), .unit = "radians", .doc = "Rotation of the tiles."},
+    {ORIEL_PARAM(MayaPlace, noiseUV), .doc = "Strength of the coordinate noise."},
 });
 
 /// A coordinate outside of every frame.

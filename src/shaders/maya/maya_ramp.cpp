@@ -34,26 +34,29 @@ struct Textured {
    .type = ParamType::Scalar,                                                                      \
    .element = ParamType::Scalar,                                                                   \
    .offset = offsetof(Ramp, entries) + (i) * sizeof(Entry) + offsetof(Entry, position),            \
-   .doc = "Where the colour stands, 0..1."},                                                       \
+   .doc = "Position of the colour, 0..1."},                                                        \
   {                                                                                                \
     .name = "colorEntryList[" #i "].color", .type = ParamType::Color, .element = ParamType::Color, \
     .offset = offsetof(Ramp, entries) + (i) * sizeof(Entry) + offsetof(Entry, color),              \
-    .doc = "The colour."                                                                           \
+    .doc = "Input colour."                                                                         \
   }
 constexpr auto kRows = about({
-    {ORIEL_PARAM(Ramp, uvCoord), .doc = "Where, when connected."},
+    {ORIEL_PARAM(Ramp, uvCoord), .doc = "Texture coordinate, used if connected."},
     {ORIEL_PARAM(Ramp, type), .min = 0, .max = 8,
-     .doc = "0 along V, 1 along U, 2 diagonal, 3 around, 4 outward, 5 squares; others as 0."},
+     .doc = "Ramp type: 0 along V, 1 along U, 2 diagonal, 3 radial, 4 circular, 5 box; "
+            "other values as 0."},
     {ORIEL_PARAM(Ramp, interpolation), .fallback = {1}, .min = 0, .max = 6,
-     .doc = "0 none, 1 linear, 2 slow start, 3 slow end, 4 smooth; others linear."},
-    {ORIEL_PARAM(Ramp, colorGain), .fallback = {1, 1, 1}, .doc = "Factor of the colour."},
-    {ORIEL_PARAM(Ramp, colorOffset), .doc = "Added to the colour."},
-    {ORIEL_PARAM(Ramp, defaultColor), .fallback = {.5f, .5f, .5f}, .doc = "Outside the frame."},
+     .doc = "Interpolation: 0 none, 1 linear, 2 slow start, 3 slow end, 4 smooth; other "
+            "values linear."},
+    {ORIEL_PARAM(Ramp, colorGain), .fallback = {1, 1, 1}, .doc = "Colour factor."},
+    {ORIEL_PARAM(Ramp, colorOffset), .doc = "Colour offset."},
+    {ORIEL_PARAM(Ramp, defaultColor), .fallback = {.5f, .5f, .5f},
+     .doc = "Colour outside the frame."},
     {.name = "colorEntryList[]",
      .type = ParamType::Integer,
      .element = ParamType::Integer,
      .offset = offsetof(Ramp, count),
-     .doc = "How many colours there are."},
+     .doc = "Number of colours."},
     ORIEL_ENTRY(0),
     ORIEL_ENTRY(1),
     ORIEL_ENTRY(2),
@@ -74,7 +77,7 @@ constexpr auto kRows = about({
 #undef ORIEL_ENTRY
 constexpr ParamSpec kResults[] = {
     {ORIEL_PARAM(Textured, outColor), .doc = "Colour."},
-    {ORIEL_PARAM(Textured, outAlpha), .doc = "How bright it is."},
+    {ORIEL_PARAM(Textured, outAlpha), .doc = "Alpha: the luminance of the colour."},
 };
 
 /// 0..1 within each tile; the end of the first tile is 1.
@@ -138,7 +141,7 @@ const ShaderSpec kMayaRamp = {
     .name = "maya_ramp",
     .library = "hosts",
     .apply = kApplyTexture,
-    .doc = "Stand-in for the host's ramp.",
+    .doc = "Fallback for Maya's ramp.",
     .params = kRows,
     .params_size = sizeof(Ramp),
     .result = ParamType::Struct,

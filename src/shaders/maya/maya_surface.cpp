@@ -35,65 +35,65 @@ struct Plain {
 
 constexpr auto kRows = about({
     {ORIEL_PARAM(Surface, color), .fallback = {.5f, .5f, .5f}, .doc = "Colour."},
-    {ORIEL_PARAM(Surface, transparency), .doc = "Share that is seen through."},
-    {ORIEL_PARAM(Surface, ambientColor), .doc = "Light of its own, times the colour."},
-    {ORIEL_PARAM(Surface, incandescence), .doc = "Light that is added."},
-    {ORIEL_PARAM(Surface, diffuse), .fallback = {.8f}, .min = 0, .max = 1,
-     .doc = "Factor of the colour."},
+    {ORIEL_PARAM(Surface, transparency), .doc = "Transparency."},
+    {ORIEL_PARAM(Surface, ambientColor), .doc = "Ambient emission, multiplied by the colour."},
+    {ORIEL_PARAM(Surface, incandescence), .doc = "Self-illumination colour, added."},
+    {ORIEL_PARAM(Surface, diffuse), .fallback = {.8f}, .min = 0, .max = 1, .doc = "Colour factor."},
     {ORIEL_PARAM(Surface, translucence), .min = 0, .max = 1,
-     .doc = "Share of the diffuse light that comes from behind."},
+     .doc = "Fraction of diffuse light from behind."},
     {ORIEL_PARAM(Surface, normalCamera),
-     .doc = "Normal of a connected bump node, in camera space; a value alone is ignored."},
-    {ORIEL_PARAM(Surface, refractions), .doc = "Bend what is seen through."},
+     .doc = "Normal of a connected bump node, in camera space; a constant value is ignored."},
+    {ORIEL_PARAM(Surface, refractions), .doc = "Whether transparency refracts."},
     {ORIEL_PARAM(Surface, refractiveIndex), .fallback = {1}, .min = 0,
      .doc = "Index of refraction."},
 });
 /// Of those that mirror.
 constexpr auto kMirrorRows = joined(
-    kRows,
-    about({
-        {ORIEL_PARAM(Surface, specularColor), .fallback = {.5f, .5f, .5f},
-         .doc = "Colour of highlight and mirror."},
-        {ORIEL_PARAM(Surface, reflectivity), .min = 0, .max = 1, .doc = "Share of the mirror."},
-    }));
+    kRows, about({
+               {ORIEL_PARAM(Surface, specularColor), .fallback = {.5f, .5f, .5f},
+                .doc = "Colour of highlight and reflection."},
+               {ORIEL_PARAM(Surface, reflectivity), .min = 0, .max = 1, .doc = "Reflectivity."},
+           }));
 constexpr auto kPhongRows =
     joined(kMirrorRows, about({{ORIEL_PARAM(Surface, cosinePower), .fallback = {20}, .min = 0,
-                                .doc = "Narrowness of the highlight."}}));
-constexpr auto kPhongERows = joined(
-    kMirrorRows, about({
-                     {ORIEL_PARAM(Surface, roughness), .fallback = {.7f}, .min = 0,
-                      .doc = "Width of the highlight's fall."},
-                     {ORIEL_PARAM(Surface, highlightSize), .fallback = {.5f}, .min = 0,
-                      .doc = "Size of the highlight."},
-                     {ORIEL_PARAM(Surface, whiteness), .fallback = {.5f, .5f, .5f},
-                      .doc = "Colour of the highlight's middle.", .support = Support::Ignored},
-                 }));
+                                .doc = "Highlight exponent."}}));
+constexpr auto kPhongERows =
+    joined(kMirrorRows, about({
+                            {ORIEL_PARAM(Surface, roughness), .fallback = {.7f}, .min = 0,
+                             .doc = "Width of the highlight falloff."},
+                            {ORIEL_PARAM(Surface, highlightSize), .fallback = {.5f}, .min = 0,
+                             .doc = "Highlight size."},
+                            {ORIEL_PARAM(Surface, whiteness), .fallback = {.5f, .5f, .5f},
+                             .doc = "Colour of the highlight centre.", .support = Support::Ignored},
+                        }));
 constexpr auto kBlinnRows =
     joined(kMirrorRows, about({
                             {ORIEL_PARAM(Surface, eccentricity), .fallback = {.3f}, .min = 0,
-                             .max = 1, .doc = "Width of the highlight."},
+                             .max = 1, .doc = "Highlight width."},
                             {ORIEL_PARAM(Surface, specularRollOff), .fallback = {.7f}, .min = 0,
-                             .max = 1, .doc = "Strength of the highlight."},
+                             .max = 1, .doc = "Highlight strength."},
                         }));
 constexpr auto kAnisotropicRows = joined(
     kMirrorRows,
     about({
-        {ORIEL_PARAM(Surface, angle), .unit = "radians", .doc = "Turn of the highlight's axes."},
+        {ORIEL_PARAM(Surface, angle), .unit = "radians", .doc = "Rotation of the anisotropy axes."},
         {ORIEL_PARAM(Surface, spreadX), .fallback = {13}, .min = 0,
          .doc = "Narrowness along the first axis."},
         {ORIEL_PARAM(Surface, spreadY), .fallback = {3}, .min = 0,
-         .doc = "Narrowness along the second."},
-        {ORIEL_PARAM(Surface, roughness), .fallback = {.7f}, .min = 0, .doc = "Width along both."},
+         .doc = "Narrowness along the second axis."},
+        {ORIEL_PARAM(Surface, roughness), .fallback = {.7f}, .min = 0,
+         .doc = "Roughness along both axes."},
         {ORIEL_PARAM(Surface, fresnelRefractiveIndex), .fallback = {1.45f},
-         .doc = "Index that dims the highlight.", .support = Support::Ignored},
+         .doc = "Index of refraction of the highlight's Fresnel factor.",
+         .support = Support::Ignored},
     }));
 constexpr ParamSpec kShownResults[] = {
-    {ORIEL_PARAM(Shown, outColor), .doc = "Colour without light."},
-    {ORIEL_PARAM(Shown, outTransparency), .doc = "Share that is seen through."},
+    {ORIEL_PARAM(Shown, outColor), .doc = "Unlit colour."},
+    {ORIEL_PARAM(Shown, outTransparency), .doc = "Transparency."},
 };
 constexpr auto kPlainRows = about({
-    {ORIEL_PARAM(Plain, outColor), .doc = "What is seen."},
-    {ORIEL_PARAM(Plain, outTransparency), .doc = "Share that is seen through."},
+    {ORIEL_PARAM(Plain, outColor), .doc = "Visible colour."},
+    {ORIEL_PARAM(Plain, outTransparency), .doc = "Transparency."},
 });
 
 void add(LobeKind kind, LobeType type, const Rgb& level, const Vec3& normal, Closure& closure) {
@@ -226,24 +226,24 @@ void lambert(const Call& call, Closure& closure) { body(call, Rgb(1), closure); 
 }  // namespace
 
 const ShaderSpec kMayaLambert = [] {
-  ShaderSpec spec = surface("maya_lambert", "Stand-in for the host's lambert.", kRows, lambert);
+  ShaderSpec spec = surface("maya_lambert", "Fallback for Maya's lambert.", kRows, lambert);
   spec.material.max_lobes = [](const ShaderNode&) { return 3; };
   return spec;
 }();
 const ShaderSpec kMayaPhong =
-    surface("maya_phong", "Stand-in for the host's phong.", kPhongRows, phong);
+    surface("maya_phong", "Fallback for Maya's phong.", kPhongRows, phong);
 const ShaderSpec kMayaPhongE =
-    surface("maya_phongE", "Stand-in for the host's phongE.", kPhongERows, phong_e);
+    surface("maya_phongE", "Fallback for Maya's phongE.", kPhongERows, phong_e);
 const ShaderSpec kMayaBlinn =
-    surface("maya_blinn", "Stand-in for the host's blinn.", kBlinnRows, blinn);
-const ShaderSpec kMayaAnisotropic = surface(
-    "maya_anisotropic", "Stand-in for the host's anisotropic.", kAnisotropicRows, anisotropic);
+    surface("maya_blinn", "Fallback for Maya's blinn.", kBlinnRows, blinn);
+const ShaderSpec kMayaAnisotropic =
+    surface("maya_anisotropic", "Fallback for Maya's anisotropic.", kAnisotropicRows, anisotropic);
 
 const ShaderSpec kMayaSurfaceshader = {
     .name = "maya_surfaceshader",
     .library = "hosts",
     .apply = kApplyMaterial | kApplyShadow | kApplyPhoton,
-    .doc = "Stand-in for the host's surface shader: a colour as it stands.",
+    .doc = "Fallback for Maya's surfaceShader: an unlit colour.",
     .params = kPlainRows,
     .params_size = sizeof(Plain),
     .result = ParamType::Struct,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for surfaces that Maya's translator writes.
+// Fallback shaders for surfaces that Maya's translator writes.
 #pragma once
 
 #include "runtime/shader_spec.h"

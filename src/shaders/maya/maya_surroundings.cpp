@@ -20,14 +20,14 @@ struct Display {
 };
 
 constexpr auto kDisplacementRows = about({
-    {ORIEL_PARAM(Displacement, displacement), .unit = "scene units", .doc = "Height."},
-    {ORIEL_PARAM(Displacement, scale), .fallback = {1}, .doc = "Factor of the height."},
+    {ORIEL_PARAM(Displacement, displacement), .unit = "scene units", .doc = "Displacement height."},
+    {ORIEL_PARAM(Displacement, scale), .fallback = {1}, .doc = "Height factor."},
 });
 constexpr auto kBackgroundRows =
-    about({{ORIEL_PARAM(Background, color), .doc = "Colour all around."}});
+    about({{ORIEL_PARAM(Background, color), .doc = "Environment colour."}});
 
 constexpr auto kDisplayRows = about({
-    {ORIEL_PARAM(Display, gamma), .min = 0, .doc = "Gamma of the display; 0: the sRGB curve."},
+    {ORIEL_PARAM(Display, gamma), .min = 0, .doc = "Display gamma; 0 = the sRGB curve."},
 });
 
 /// Whether the options or a lens shader already encode colours for a display.
@@ -51,7 +51,7 @@ constexpr ShaderSpec displacing(const char* name) {
   return {.name = name,
           .library = "hosts",
           .apply = kApplyTexture,
-          .doc = "Stand-in for the host's displacement.",
+          .doc = "Fallback for Maya's displacement.",
           .params = kDisplacementRows,
           .params_size = sizeof(Displacement),
           .result = ParamType::Scalar,
@@ -85,27 +85,27 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "maya_envcolor",
      .library = "hosts",
      .apply = kApplyEnvironment,
-     .doc = "Stand-in for the host's background colour.",
+     .doc = "Fallback for Maya's background colour.",
      .params = kBackgroundRows,
      .params_size = sizeof(Background),
      .value = [](const Call& call,
                  void* result) { *static_cast<Rgba*>(result) = call.as<Background>().color; },
      .fallback = {.is_fallback = true}},
-    passed_over("maya_shaderglow", kApplyOutput, "The host's glow: without effect."),
-    passed_over("maya_volumesampler", kApplyVolume, "The host's volumes: without effect."),
-    passed_over("maya_volumeengine", kApplyVolume, "The host's volumes: without effect."),
+    passed_over("maya_shaderglow", kApplyOutput, "Maya's shader glow; no effect."),
+    passed_over("maya_volumesampler", kApplyVolume, "Maya's volume shaders; no effect."),
+    passed_over("maya_volumeengine", kApplyVolume, "Maya's volume shaders; no effect."),
     {.name = "maya_colormanagement",
      .library = "hosts",
      .apply = kApplyLens | kApplyOutput,
-     .doc = "Stand-in for the host's colour management: encodes the picture for a display.",
+     .doc = "Fallback for Maya's colour management: encodes the image for a display.",
      .params = kDisplayRows,
      .params_size = sizeof(Display),
      .lens = {.map_color = encode},
      .fallback = {.is_fallback = true,
                   .aliases = "maya_colormgt maya_colormanager maya_colourmanagement"}},
-    passed_over("maya_options", kApplyOutput, "The host's options: without effect."),
-    passed_over("maya_state", kApplyOutput, "The host's state: without effect."),
-    passed_over("maya_lightlink", kApplyLight, "The host's links of lights: without effect."),
+    passed_over("maya_options", kApplyOutput, "Maya's options; no effect."),
+    passed_over("maya_state", kApplyOutput, "Maya's state; no effect."),
+    passed_over("maya_lightlink", kApplyLight, "Maya's light links; no effect."),
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ struct Bump {
 constexpr ParamSpec kTexturedResults[] = {
     {ORIEL_PARAM(Textured, outColor), .doc = "Colour."},
     {ORIEL_PARAM(Textured, outAlpha), .doc = "Alpha."},
-    {ORIEL_PARAM(Textured, outTransparency), .doc = "1 - alpha."},
+    {ORIEL_PARAM(Textured, outTransparency), .doc = "Whether alpha is inverted."},
 };
 
 /// The rows of `balance` in S.
@@ -59,19 +59,22 @@ constexpr ParamSpec kTexturedResults[] = {
   .name = #member, .type = detail::ParamTypeOf<decltype(Balance::member)>::value, \
   .element = detail::element_type<decltype(Balance::member)>(),                   \
   .offset = offsetof(S, balance) + offsetof(Balance, member)
-#define ORIEL_BALANCE_ROWS(S)                                                                    \
-  {ORIEL_BALANCE_ROW(S, invert), .doc = "1 - colour."},                                          \
-      {ORIEL_BALANCE_ROW(S, alphaIsLuminance), .doc = "Alpha is how bright the colour is."},     \
-      {ORIEL_BALANCE_ROW(S, colorGain), .fallback = {1, 1, 1}, .doc = "Factor of the colour."},  \
-      {ORIEL_BALANCE_ROW(S, colorOffset), .doc = "Added to the colour."},                        \
-      {ORIEL_BALANCE_ROW(S, alphaGain), .fallback = {1}, .doc = "Factor of alpha."},             \
-      {ORIEL_BALANCE_ROW(S, alphaOffset), .doc = "Added to alpha."}, {                           \
-    ORIEL_BALANCE_ROW(S, defaultColor), .fallback = {.5f, .5f, .5f}, .doc = "Outside the frame." \
+#define ORIEL_BALANCE_ROWS(S)                                                            \
+  {ORIEL_BALANCE_ROW(S, invert), .doc = "Whether the colour is inverted."},              \
+      {ORIEL_BALANCE_ROW(S, alphaIsLuminance),                                           \
+       .doc = "Whether alpha is the luminance of the colour."},                          \
+      {ORIEL_BALANCE_ROW(S, colorGain), .fallback = {1, 1, 1}, .doc = "Colour factor."}, \
+      {ORIEL_BALANCE_ROW(S, colorOffset), .doc = "Colour offset."},                      \
+      {ORIEL_BALANCE_ROW(S, alphaGain), .fallback = {1}, .doc = "Alpha factor."},        \
+      {ORIEL_BALANCE_ROW(S, alphaOffset), .doc = "Alpha offset."}, {                     \
+    ORIEL_BALANCE_ROW(S, defaultColor), .fallback = {.5f, .5f, .5f},                     \
+                                        .doc = "Colour outside the frame."               \
   }
 
 constexpr ParamSpec kPlacedResults[] = {
-    {ORIEL_PARAM(Placed, outUV), .doc = "Coordinate within the texture."},
-    {ORIEL_PARAM(Placed, outUvFilterSize), .doc = "Null: textures measure it themselves."},
+    {ORIEL_PARAM(Placed, outUV), .doc = "Texture coordinate."},
+    {ORIEL_PARAM(Placed, outUvFilterSize),
+     .doc = "Filter size; ignored, textures compute their footprint."},
 };
 /// Results by the names of the parameters.
 constexpr auto kAllPlacedResults = [] {
@@ -81,52 +84,50 @@ constexpr auto kAllPlacedResults = [] {
 }();
 constexpr auto kFileRows =
     joined(kMayaPlaceRows, about({
-                               {ORIEL_PARAM(File, fileTextureName), .doc = "The picture."},
+                               {ORIEL_PARAM(File, fileTextureName), .doc = "Texture image."},
                                ORIEL_BALANCE_ROWS(File),
                            }));
 constexpr auto kPatternRows = about({
-    {ORIEL_PARAM(Pattern, uvCoord), .doc = "Where, when connected."},
+    {ORIEL_PARAM(Pattern, uvCoord), .doc = "Texture coordinate, used if connected."},
     ORIEL_BALANCE_ROWS(Pattern),
 });
-constexpr auto kCheckerRows = joined(
-    kPatternRows,
-    about({
-        {ORIEL_PARAM(Pattern, color1), .fallback = {1, 1, 1}, .doc = "Lower left and upper right."},
-        {ORIEL_PARAM(Pattern, color2), .doc = "The other fields."},
-        {ORIEL_PARAM(Pattern, contrast), .fallback = {1}, .min = 0, .max = 1,
-         .doc = "0 mixes the colours."},
-    }));
+constexpr auto kCheckerRows =
+    joined(kPatternRows, about({
+                             {ORIEL_PARAM(Pattern, color1), .fallback = {1, 1, 1},
+                              .doc = "Colour of the lower left and upper right fields."},
+                             {ORIEL_PARAM(Pattern, color2), .doc = "Colour of the other fields."},
+                             {ORIEL_PARAM(Pattern, contrast), .fallback = {1}, .min = 0, .max = 1,
+                              .doc = "Contrast; 0 = the mean of the colours."},
+                         }));
 constexpr auto kGrainRows = joined(
     kPatternRows,
     about({
-        {ORIEL_PARAM(Pattern, threshold), .doc = "Added to the noise."},
-        {ORIEL_PARAM(Pattern, ratio), .fallback = {.707f},
-         .doc = "How fast finer noise gets weaker."},
-        {ORIEL_PARAM(Pattern, frequencyRatio), .fallback = {2}, .doc = "How fast it gets finer."},
-        {ORIEL_PARAM(Pattern, frequency), .fallback = {8}, .doc = "Grains along the texture."},
+        {ORIEL_PARAM(Pattern, threshold), .doc = "Noise offset."},
+        {ORIEL_PARAM(Pattern, ratio), .fallback = {.707f}, .doc = "Amplitude ratio per octave."},
+        {ORIEL_PARAM(Pattern, frequencyRatio), .fallback = {2},
+         .doc = "Frequency ratio per octave."},
+        {ORIEL_PARAM(Pattern, frequency), .fallback = {8}, .doc = "Noise frequency."},
     }));
 constexpr auto kNoiseRows =
     joined(kGrainRows, about({
                            {ORIEL_PARAM(Pattern, amplitude), .fallback = {1},
-                            .doc = "Factor of the noise about its mean."},
+                            .doc = "Contrast of the noise about its mean."},
                            {ORIEL_PARAM(Pattern, depthMax), .fallback = {3}, .min = 1, .max = 9,
-                            .doc = "Sizes of noise."},
+                            .doc = "Number of octaves."},
                        }));
-constexpr auto kFractalRows =
-    joined(kGrainRows,
-           about({
-               {ORIEL_PARAM(Pattern, amplitude), .fallback = {1}, .doc = "Factor of the noise."},
-               {ORIEL_PARAM(Pattern, levelMax), .fallback = {9}, .min = 1, .max = 9,
-                .doc = "Sizes of noise."},
-           }));
+constexpr auto kFractalRows = joined(
+    kGrainRows, about({
+                    {ORIEL_PARAM(Pattern, amplitude), .fallback = {1}, .doc = "Noise amplitude."},
+                    {ORIEL_PARAM(Pattern, levelMax), .fallback = {9}, .min = 1, .max = 9,
+                     .doc = "Number of octaves."},
+                }));
 #undef ORIEL_BALANCE_ROW
 #undef ORIEL_BALANCE_ROWS
 constexpr auto kBumpRows = about({
-    {ORIEL_PARAM(Bump, bumpValue), .doc = "Height."},
-    {ORIEL_PARAM(Bump, bumpDepth), .fallback = {1}, .unit = "scene units",
-     .doc = "Factor of the height."},
+    {ORIEL_PARAM(Bump, bumpValue), .doc = "Displacement height."},
+    {ORIEL_PARAM(Bump, bumpDepth), .fallback = {1}, .unit = "scene units", .doc = "Height factor."},
     {ORIEL_PARAM(Bump, normalCamera),
-     .doc = "Normal of another connected bump node, in camera space; a value alone is "
+     .doc = "Normal of another connected bump node, in camera space; a constant value is "
             "ignored."},
 });
 
@@ -310,7 +311,7 @@ const ShaderSpec kMayaPlace2dtex = {
     .name = "maya_place2dtex",
     .library = "hosts",
     .apply = kApplyTexture,
-    .doc = "Stand-in for the host's placement of textures.",
+    .doc = "Fallback for Maya's place2dTexture.",
     .params = kMayaPlaceRows,
     .params_size = sizeof(MayaPlace),
     .result = ParamType::Struct,
@@ -326,14 +327,15 @@ const ShaderSpec kMayaPlace2dtex = {
 };
 
 const ShaderSpec kMayaFile =
-    texture("maya_file", "Stand-in for the host's file texture.", kFileRows, sizeof(File), file);
-const ShaderSpec kMayaChecker = texture("maya_checker", "Stand-in for the host's checker.",
+    texture("maya_file", "Fallback for Maya's file texture.", kFileRows, sizeof(File), file);
+const ShaderSpec kMayaChecker = texture("maya_checker", "Fallback for the checker map of 3ds Max.",
                                         kCheckerRows, sizeof(Pattern), checker);
 const ShaderSpec kMayaNoise = texture(
-    "maya_noise", "Stand-in for the host's noise: other patterns.", kNoiseRows, sizeof(Pattern),
+    "maya_noise", "Fallback for Maya's noise, with a different pattern.", kNoiseRows,
+    sizeof(Pattern),
     [](const Call& call, void* result) { noise(call, result, call.as<Pattern>().depthMax, true); });
 const ShaderSpec kMayaFractal =
-    texture("maya_fractal", "Stand-in for the host's fractal: other patterns.", kFractalRows,
+    texture("maya_fractal", "Fallback for Maya's fractal, with a different pattern.", kFractalRows,
             sizeof(Pattern), [](const Call& call, void* result) {
               noise(call, result, call.as<Pattern>().levelMax, false);
             });
@@ -342,7 +344,7 @@ const ShaderSpec kMayaBump2d = {
     .name = "maya_bump2d",
     .library = "hosts",
     .apply = kApplyTexture,
-    .doc = "Stand-in for the host's bump.",
+    .doc = "Fallback for Maya's bump2d.",
     .params = kBumpRows,
     .params_size = sizeof(Bump),
     .result = ParamType::Vector,

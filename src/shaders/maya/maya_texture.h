@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for two-dimensional textures that Maya's translator writes, and where they are placed.
+// Fallback shaders for two-dimensional textures that Maya's translator writes, and where they are
+// placed.
 #pragma once
 
 #include "runtime/shader_spec.h"

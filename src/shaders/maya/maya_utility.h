@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for the small nodes between Maya's textures and surfaces.
+// Fallback shaders for the small nodes between Maya's textures and surfaces.
 #pragma once
 
 #include <span>

@@ -30,23 +30,25 @@ struct Matte {
 
 constexpr auto kGammaGainRows = about({
     {ORIEL_PARAM(GammaGain, input), .doc = "Colour.", .declared_default = false},
-    {ORIEL_PARAM(GammaGain, gamma), .fallback = {1}, .min = 0, .doc = "The exponent is 1 / gamma."},
-    {ORIEL_PARAM(GammaGain, gain), .fallback = {1}, .doc = "Factor, before the gamma."},
-    {ORIEL_PARAM(GammaGain, reverse), .doc = "The inverse: exponent gamma, then 1 / gain."},
+    {ORIEL_PARAM(GammaGain, gamma), .fallback = {1}, .min = 0,
+     .doc = "Gamma; the exponent is 1 / gamma."},
+    {ORIEL_PARAM(GammaGain, gain), .fallback = {1}, .doc = "Gain, applied before the gamma."},
+    {ORIEL_PARAM(GammaGain, reverse),
+     .doc = "Whether the inverse is applied: exponent gamma, then 1 / gain."},
 });
 
 constexpr auto kRaySwitchRows = [] {
   auto rows = about({
-      {ORIEL_PARAM(RaySwitch, eye), .doc = "Shown to eye rays."},
-      {ORIEL_PARAM(RaySwitch, transparent), .doc = "Shown to transparency rays."},
-      {ORIEL_PARAM(RaySwitch, reflection), .doc = "Shown to reflection rays."},
-      {ORIEL_PARAM(RaySwitch, refraction), .doc = "Shown to refraction rays."},
+      {ORIEL_PARAM(RaySwitch, eye), .doc = "Shader for camera rays."},
+      {ORIEL_PARAM(RaySwitch, transparent), .doc = "Shader for transparency rays."},
+      {ORIEL_PARAM(RaySwitch, reflection), .doc = "Shader for reflection rays."},
+      {ORIEL_PARAM(RaySwitch, refraction), .doc = "Shader for refraction rays."},
       {ORIEL_PARAM(RaySwitch, finalgather),
-       .doc = "Shown to final gather rays and diffuse bounces."},
-      {ORIEL_PARAM(RaySwitch, environment), .doc = "Shown to environment rays."},
-      {ORIEL_PARAM(RaySwitch, shadow), .doc = "Shown to shadow rays."},
-      {ORIEL_PARAM(RaySwitch, photon), .doc = "Shown to photons."},
-      {ORIEL_PARAM(RaySwitch, default_), .doc = "Shown to all other rays."},
+       .doc = "Shader for final gather rays and diffuse bounces."},
+      {ORIEL_PARAM(RaySwitch, environment), .doc = "Shader for environment rays."},
+      {ORIEL_PARAM(RaySwitch, shadow), .doc = "Shader for shadow rays."},
+      {ORIEL_PARAM(RaySwitch, photon), .doc = "Shader for photons."},
+      {ORIEL_PARAM(RaySwitch, default_), .doc = "Shader for all other rays."},
   });
   for (ParamSpec& row : rows) {
     row.declared_default = false;
@@ -57,13 +59,13 @@ constexpr auto kRaySwitchRows = [] {
 }();
 
 constexpr auto kMatteRows = about({
-    {ORIEL_PARAM(Matte, background), .doc = "What is seen where no shadow falls.",
+    {ORIEL_PARAM(Matte, background), .doc = "Background, visible without shadow.",
      .declared_default = false},
-    {ORIEL_PARAM(Matte, catch_shadows), .fallback = {1}, .doc = "Show shadows."},
-    {ORIEL_PARAM(Matte, shadows), .fallback = {0, 0, 0, 1}, .doc = "Colour of shadows."},
-    {ORIEL_PARAM(Matte, ambient), .doc = "Share of the light that no shadow takes."},
+    {ORIEL_PARAM(Matte, catch_shadows), .fallback = {1}, .doc = "Whether shadows are received."},
+    {ORIEL_PARAM(Matte, shadows), .fallback = {0, 0, 0, 1}, .doc = "Shadow colour."},
+    {ORIEL_PARAM(Matte, ambient), .doc = "Fraction of the light that is never shadowed."},
     {ORIEL_PARAM(Matte, opacity), .fallback = {1}, .min = 0, .max = 1,
-     .doc = "Share of the surface that exists; of mip_matteshadow_mtl."},
+     .doc = "Opacity of the surface; only of mip_matteshadow_mtl."},
 });
 
 Rgb gamma_gain(const GammaGain& p, const Rgb& c) {
@@ -118,7 +120,7 @@ constexpr ShaderSpec kMatte = {
     .name = "mip_matteshadow",
     .library = "hosts",
     .apply = kApplyMaterial | kApplyShadow | kApplyPhoton,
-    .doc = "Stand-in: a background that catches shadows.",
+    .doc = "Fallback: shadow catcher over a background.",
     .params = kMatteRows,
     .params_size = sizeof(Matte),
     .material = {
@@ -137,7 +139,7 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "mip_gamma_gain",
      .library = "hosts",
      .apply = kApplyTexture | kApplyEnvironment | kApplyLens,
-     .doc = "Stand-in: gamma and gain of a colour, as a lens of the picture.",
+     .doc = "Fallback: gamma and gain of a colour, or of the image as lens shader.",
      .params = kGammaGainRows,
      .params_size = sizeof(GammaGain),
      .value =
@@ -158,7 +160,7 @@ constexpr ShaderSpec kNodes[] = {
     {.name = "mip_rayswitch",
      .library = "hosts",
      .apply = kApplyMaterial | kApplyTexture | kApplyEnvironment | kApplyShadow | kApplyPhoton,
-     .doc = "Stand-in: another shader for each kind of ray.",
+     .doc = "Fallback: a separate shader per ray type.",
      .params = kRaySwitchRows,
      .params_size = sizeof(RaySwitch),
      .value =

@@ -30,32 +30,34 @@ struct Shift {
 
 constexpr ParamSpec kPanoramaRows[] = {
     {ORIEL_PARAM(Panorama, projection), .fallback = {0}, .min = 0, .max = 1,
-     .doc = "0 a sphere by longitude and latitude, 1 a cylinder."},
+     .doc = "Projection: 0 spherical (latitude-longitude), 1 cylindrical."},
     {ORIEL_PARAM(Panorama, horizontal), .fallback = {360}, .min = 0, .max = 360, .unit = "degrees",
-     .doc = "What the picture's width shows."},
+     .doc = "Horizontal angle of view."},
     {ORIEL_PARAM(Panorama, vertical), .fallback = {0}, .min = 0, .max = 180, .unit = "degrees",
-     .doc = "What its height shows; 0 = as makes the middle square."},
+     .doc = "Vertical angle of view; 0 = square pixels at the centre."},
 };
 constexpr ParamSpec kFisheyeRows[] = {
     {ORIEL_PARAM(FisheyeLens, mapping), .fallback = {0}, .min = 0, .max = 3,
-     .doc = "0 equidistant, 1 equisolid, 2 stereographic, 3 orthographic."},
+     .doc = "Projection: 0 equidistant, 1 equisolid, 2 stereographic, 3 orthographic."},
     {ORIEL_PARAM(FisheyeLens, angle), .fallback = {180}, .min = 0, .max = 360, .unit = "degrees",
-     .doc = "What the circle shows, from rim to rim; orthographic at most 180."},
+     .doc = "Angle of view across the image circle; orthographic at most 180."},
     {ORIEL_PARAM(FisheyeLens, full_frame), .fallback = {0},
-     .doc = "The circle surrounds the picture in place of lying in it."},
+     .doc = "Whether the image circle encloses the frame, instead of lying inside it."},
 };
 constexpr ParamSpec kCubeRows[] = {
     {ORIEL_PARAM(CubeLens, layout), .fallback = {0}, .min = 0, .max = 2,
-     .doc = "Faces -x, x, -y, y, -z, z: 0 from the top down, 1 from the left, 2 in two rows."},
+     .doc = "Order of the faces -x, x, -y, y, -z, z: 0 from the top down, 1 from the left, "
+            "2 in two rows."},
 };
 constexpr ParamSpec kShiftRows[] = {
     {ORIEL_PARAM(Shift, horizontal), .fallback = {0}, .unit = "picture widths",
-     .doc = "How far the view moves to the right."},
+     .doc = "Horizontal lens shift, to the right."},
     {ORIEL_PARAM(Shift, vertical), .fallback = {0}, .unit = "picture heights",
-     .doc = "How far it moves up."},
+     .doc = "Vertical lens shift, upwards."},
     {ORIEL_PARAM(Shift, keep_verticals), .fallback = {0},
-     .doc = "A tilted camera's film stays upright: what runs along up stays parallel."},
-    {ORIEL_PARAM(Shift, up), .fallback = {0, 1, 0}, .doc = "World direction of those lines."},
+     .doc = "Whether lines along `up` stay parallel when the camera is tilted."},
+    {ORIEL_PARAM(Shift, up), .fallback = {0, 1, 0},
+     .doc = "World direction of the lines to keep parallel."},
 };
 
 constexpr float kDegree = kPi / 180;
@@ -146,7 +148,7 @@ const ShaderSpec kOrielLensPanorama = {
     .name = "oriel_lens_panorama",
     .library = "oriel",
     .apply = kApplyLens,
-    .doc = "The whole surroundings in one picture.",
+    .doc = "Panoramic camera.",
     .params = kPanoramaRows,
     .params_size = sizeof(Panorama),
     .lens = {.bend_ray = unroll, .ray_count = one_ray},
@@ -156,7 +158,7 @@ const ShaderSpec kOrielLensFisheye = {
     .name = "oriel_lens_fisheye",
     .library = "oriel",
     .apply = kApplyLens,
-    .doc = "A round picture of a wide angle.",
+    .doc = "Fisheye camera.",
     .params = kFisheyeRows,
     .params_size = sizeof(FisheyeLens),
     .lens = {.bend_ray = bend_round, .ray_count = one_ray},
@@ -166,7 +168,7 @@ const ShaderSpec kOrielLensCube = {
     .name = "oriel_lens_cube",
     .library = "oriel",
     .apply = kApplyLens,
-    .doc = "Six square views for a cube around the scene.",
+    .doc = "Six square views of a cube environment.",
     .params = kCubeRows,
     .params_size = sizeof(CubeLens),
     .lens = {.bend_ray = unfold, .ray_count = one_ray},
@@ -176,7 +178,7 @@ const ShaderSpec kOrielLensShift = {
     .name = "oriel_lens_shift",
     .library = "oriel",
     .apply = kApplyLens,
-    .doc = "Moves the film: shifted lenses and two-point perspective.",
+    .doc = "Lens shift and two-point perspective.",
     .params = kShiftRows,
     .params_size = sizeof(Shift),
     .lens = {.bend_ray = shift, .ray_count = one_ray},

@@ -14,11 +14,12 @@ struct NormalMap {
 };
 
 constexpr ParamSpec kOrielNormalMapRows[] = {
-    {ORIEL_PARAM(NormalMap, tex), .doc = "The picture; red along u, green along v, blue outward."},
+    {ORIEL_PARAM(NormalMap, tex), .doc = "Normal map; red along u, green along v, blue outward."},
     {ORIEL_PARAM(NormalMap, factor), .fallback = {1},
-     .doc = "Times red and green; 0 is flat, below 0 hills are hollows."},
+     .doc = "Factor of red and green; 0 = flat, below 0 = inverted."},
     {ORIEL_PARAM(NormalMap, bump_mode), .fallback = {5}, .min = 0, .max = 8,
-     .doc = "As of mia_material_x: what the vector is to it; 0 turns the normal and gives none."},
+     .doc = "bump_mode of mia_material_x, which defines the returned vector; 0 changes the "
+            "normal and returns nothing."},
 };
 
 /// The normal that the picture tells, facing the viewer as the point's own does.
@@ -57,7 +58,7 @@ const ShaderSpec kOrielNormalMap = {
     .name = "oriel_normal_map",
     .library = "oriel",
     .apply = kApplyTexture,
-    .doc = "Turns the normal by a picture of normals.",
+    .doc = "Normal map that changes the shading normal.",
     .params = kOrielNormalMapRows,
     .params_size = sizeof(NormalMap),
     .result = ParamType::Vector,

@@ -10,7 +10,7 @@ struct TexVector {
 
 constexpr ParamSpec kOrielTexVectorRows[] = {
     {ORIEL_PARAM(TexVector, vector), .fallback = {0, 0, 0},
-     .doc = "World space, any length; null leaves what is there."},
+     .doc = "Vector in world space, any length; null = unchanged."},
 };
 
 void leave_vector(const Call& call) {
@@ -24,7 +24,7 @@ const ShaderSpec kOrielTexVector = {
     .name = "oriel_tex_vector",
     .library = "oriel",
     .apply = kApplyTexture | kApplyMaterial,
-    .doc = "Leaves a vector for the material behind it in the list.",
+    .doc = "Vector stored for the next material of the list.",
     .params = kOrielTexVectorRows,
     .params_size = sizeof(TexVector),
     .result = ParamType::Vector,

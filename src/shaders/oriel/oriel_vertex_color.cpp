@@ -12,11 +12,11 @@ struct VertexColor {
 
 constexpr ParamSpec kOrielVertexColorRows[] = {
     {ORIEL_PARAM(VertexColor, color), .fallback = {1, 1, 1, 1},
-     .doc = "What the colours of the mesh multiply."},
+     .doc = "Factor of the vertex colour."},
     {ORIEL_PARAM(VertexColor, space), .fallback = {0}, .min = -1, .max = 64,
-     .doc = "Texture space whose coordinates are red, green and blue; -1: none."},
+     .doc = "Texture space that stores red, green and blue; -1 = none."},
     {ORIEL_PARAM(VertexColor, alpha_space), .fallback = {-1}, .min = -1, .max = 64,
-     .doc = "Texture space whose first coordinate is the alpha; -1: none."},
+     .doc = "Texture space whose first coordinate stores alpha; -1 = none."},
 };
 
 /// 1 where the surface has no such space.
@@ -37,7 +37,7 @@ const ShaderSpec kOrielVertexColor = {
     .name = "oriel_vertex_color",
     .library = "oriel",
     .apply = kApplyTexture,
-    .doc = "Colours that a mesh's corners have.",
+    .doc = "Vertex colours of a mesh.",
     .params = kOrielVertexColorRows,
     .params_size = sizeof(VertexColor),
     .value = give_color,
