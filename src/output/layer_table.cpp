@@ -117,6 +117,12 @@ void add_measured_rows(std::vector<LayerSpec>& rows) {
            "motion on the picture during the shutter interval: x and y in pixels, z the increase "
            "of distance",
        .surface_value = SurfaceValue::Motion});
+  rows.push_back({.name = "position",
+                  .exr = "position",
+                  .channels = kVector,
+                  .group = LayerGroup::Motion,
+                  .about = "world position of the first surface of a sample, scene units; 0 = none",
+                  .surface_value = SurfaceValue::Position});
 }
 
 void add_material_rows(std::vector<LayerSpec>& rows) {

@@ -202,6 +202,7 @@ void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
         Tracer::Met{record_->depth,  point.position, point.normal,   point.geometric_normal,
                     point.back_side, &material,      point.instance, point.primitive};
   if (record_->requested.irradiance) sense_irradiance(closure, point);
+  (*record_)[SurfaceValue::Position] = point.position;
   if (record_->wants(SurfaceValue::Motion)) (*record_)[SurfaceValue::Motion] = raster_motion(point);
 }
 

@@ -36,7 +36,8 @@ struct PathResult {
 
 /// Values of the first surface of a sample that layers show.
 enum class SurfaceValue : std::uint8_t {
-  Motion,  ///< raster_motion()
+  Motion,    ///< raster_motion()
+  Position,  ///< world, scene units
   Count
 };
 inline constexpr auto kSurfaceValues = static_cast<std::size_t>(SurfaceValue::Count);
