@@ -78,13 +78,14 @@ std::size_t count_statements(const scene::Scene& scene) {
 
 /// What happens in place of a string option that does not act.
 std::string done_instead(std::string_view keyword) {
-  for (const scene::OptionRow& row : scene::option_table())
-    if (row.keyword == keyword) return std::string(row.meaning);
+  if (const scene::StatementRow* row = scene::option_table().find(keyword))
+    return std::string(row->meaning);
   return "path tracing and the noise target take its place";
 }
 
 json options_json(const scene::RenderOptions& options, const Diagnostics& diagnostics) {
-  constexpr const char* kReasons[] = {"not_yet", "kept", "harmless"};
+  // In the order of scene::Support.
+  constexpr const char* kReasons[] = {"", "not_yet", "kept", "harmless"};
   json without = {{"not_yet", json::array()}, {"kept", json::array()}, {"harmless", json::array()}};
   for (const scene::WithoutEffect& w : options.without_effect) {
     json entry = {{"keyword", w.keyword}};
@@ -93,7 +94,7 @@ json options_json(const scene::RenderOptions& options, const Diagnostics& diagno
       entry["file"] = diagnostics.file(w.where.file);
       entry["line"] = w.where.line;
     }
-    without[kReasons[static_cast<int>(w.reason)]].push_back(std::move(entry));
+    without[kReasons[static_cast<int>(w.support)]].push_back(std::move(entry));
   }
   return {{"without_effect", without}, {"unknown_strings", options.unknown_strings}};
 }
