@@ -114,14 +114,15 @@ TEST(ElementSettings, LightsHavePhotonsAndShadowMaps) {
                  statement("visible"),
                  statement("shadowmap", {boolean(false)}),
                  statement("shadowmap detail samples", {numbers({9})}),
-                 statement("shadowmap filter", {word("gauss")})};
+                 statement("shadowmap filter", {word("gauss")}),
+                 statement("shadowmap unheard of")};
   const LightSettings s = settings_of(light);
   EXPECT_EQ(s.exponent, 1);
   EXPECT_EQ(s.energy, Rgb(4, 5, 0));
   EXPECT_EQ(s.caustic, (LightSettings::Photons{100, 200}));
   EXPECT_EQ(s.globillum, (LightSettings::Photons{0, 0}));
   EXPECT_TRUE(s.visible);
-  EXPECT_FALSE(s.shadow_map.on);
+  EXPECT_FALSE(s.shadow_map.on);  // the last has words that no row has
   EXPECT_EQ(s.shadow_map.detail_samples, 9);
   EXPECT_EQ(s.shadow_map.filter, 'g');
 }

@@ -124,9 +124,7 @@ void set_profile(L& l, V v) {
   if (v.size() > 0) l.profile = {v.word(), v.where()};
 }
 
-void set_shadow_map(L& l, V v) {
-  l.shadow_map.on = v.size() == 0 || v.value(0).kind != Value::Kind::Boolean || v.on(0);
-}
+void set_shadow_map(L& l, V v) { l.shadow_map.on = !v.is_off(); }
 
 template <char kType>
 void set_shadow_map_type(L& l, V) {
@@ -182,7 +180,7 @@ void set_visible(InstanceSettings& i, V v) {
 void set_hide(InstanceSettings& i, V v) { i.flags.hidden = v.is_on(); }
 
 void set_motion(InstanceSettings& i, V v) {
-  if (v.size() == 1 && !v.is_on()) i.motion_off = true;
+  if (v.size() == 1 && v.is_off()) i.motion_off = true;
 }
 
 constexpr std::string_view kFlag = "[on|off|flag_bits]", kFace = "front|back|both",

@@ -122,6 +122,8 @@ bool StatementValues::is_on() const {
   return size() == 0 || (items_[0].value && items_[0].value->boolean);
 }
 
+bool StatementValues::is_off() const { return size() > 0 && is_word(items_[0], "off"); }
+
 std::string StatementValues::word() const {
   return size() > 0 && items_[0].value ? items_[0].value->text : std::string();
 }

@@ -65,6 +65,7 @@ class StatementValues {
   double number_or(std::size_t i, double missing) const;
   std::vector<double> numbers() const;  ///< those among the values
   bool is_on() const;                   ///< no value, `on`, or a number other than 0
+  bool is_off() const;                  ///< the word `off`
   std::string word() const;             ///< the first value, if it is text
 
  private:
@@ -78,6 +79,9 @@ struct ParserForm {
   std::string words = {};  ///< that may stand as a value, alternatives by '|'
   int strings = 0;         ///< how many may follow
 };
+
+/// The form fits any values.
+bool is_open(std::string_view form);
 
 /// The rows of one element, by keyword.
 class StatementTable {
@@ -141,9 +145,12 @@ class ElementTable : public StatementTable {
     std::vector<FormItem> items;
     for (const Statement& s : statements) {
       const Match match = this->match(s, items);
-      if (match.row && match.fits)
+      // `shadow approximate` is another statement than `shadow`.
+      if (!match.row || (match.has_other_words && (!match.fits || is_open(match.row->form))))
+        continue;
+      if (match.fits)
         set(*match.row, target, {match.values, s.where});
-      else if (match.row && !match.has_other_words && diagnostics)
+      else if (diagnostics)
         report_misfit(s, *match.row, *diagnostics);
     }
     return target;
@@ -156,8 +163,6 @@ class ElementTable : public StatementTable {
 /// The keyword as messages name it.
 std::string name_of(const StatementRow& row);
 inline bool is_string_option(const StatementRow& row) { return row.keyword.starts_with('"'); }
-/// The form fits any values.
-bool is_open(std::string_view form);
 /// Whether `items` fit the form; fills in FormItem::choice.
 bool fits_form(std::string_view form, std::span<FormItem> items);
 
