@@ -16,6 +16,7 @@
 #include "render/budget.h"
 #include "render/indirect_plan.h"
 #include "render/session.h"
+#include "scene/element_settings.h"
 #include "scene/option_table.h"
 #include "scene_code.h"
 #include "scene_file.h"
@@ -34,22 +35,14 @@ struct CheckArguments {
   bool as_json = false;
 };
 
-bool acts(const std::string& keyword, std::initializer_list<std::string_view> acting) {
-  return std::find(acting.begin(), acting.end(), keyword) != acting.end();
-}
-
-/// Statements of cameras and lights that were read and have no effect.
-void count_inert(const scene::Element& element, std::map<std::string, int>& kept) {
-  if (const auto* camera = std::get_if<scene::Camera>(&element))
-    for (const scene::Statement& s : camera->other)
-      if (!acts(s.keyword, {"offset", "window", "clip", "stereo", "eye separation",
-                            "parallax distance", "frame", "data", "tag"}))
-        ++kept["camera " + s.keyword];
-  if (const auto* light = std::get_if<scene::Light>(&element))
-    for (const scene::Statement& s : light->other)
-      if (!acts(s.keyword, {"exponent", "caustic photons", "globillum photons", "photons only",
-                            "visible", "lightprofile", "energy", "data", "tag"}))
-        ++kept["light " + s.keyword];
+/// Counts the statements that were read and have no effect.
+void count_inert(const std::string& where, const scene::StatementTable& table,
+                 const std::vector<scene::Statement>& statements,
+                 std::map<std::string, int>& kept) {
+  for (const scene::Statement& s : statements) {
+    const scene::StatementRow* row = table.find(s.keyword);
+    if (!row || row->support != scene::Support::Effective) ++kept[where + " " + s.keyword];
+  }
 }
 
 /// Constructs that were read and have no effect, by keyword.
@@ -61,7 +54,10 @@ std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
       ++kept[fmt::format("{} {}", where, t.keyword)];
   };
   for (const scene::Element& element : scene.elements()) {
-    count_inert(element, kept);
+    if (const auto* c = std::get_if<scene::Camera>(&element))
+      count_inert("camera", scene::camera_table(), c->other, kept);
+    if (const auto* l = std::get_if<scene::Light>(&element))
+      count_inert("light", scene::light_table(), l->other, kept);
     if (const auto* k = std::get_if<scene::KeptElement>(&element)) ++kept[k->kind];
     if (const auto* o = std::get_if<scene::Options>(&element)) count(o->uninterpreted, "options");
     if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->uninterpreted, "camera");
@@ -79,13 +75,14 @@ std::size_t count_statements(const scene::Scene& scene) {
 
 /// What happens in place of a string option that does not act.
 std::string done_instead(std::string_view keyword) {
-  for (const scene::OptionRow& row : scene::option_table())
-    if (row.keyword == keyword) return std::string(row.meaning);
+  if (const scene::StatementRow* row = scene::option_table().find(keyword))
+    return std::string(row->meaning);
   return "path tracing and the noise target take its place";
 }
 
 json options_json(const scene::RenderOptions& options, const Diagnostics& diagnostics) {
-  constexpr const char* kReasons[] = {"not_yet", "kept", "harmless"};
+  // In the order of scene::Support.
+  constexpr const char* kReasons[] = {"", "not_yet", "kept", "harmless"};
   json without = {{"not_yet", json::array()}, {"kept", json::array()}, {"harmless", json::array()}};
   for (const scene::WithoutEffect& w : options.without_effect) {
     json entry = {{"keyword", w.keyword}};
@@ -94,7 +91,7 @@ json options_json(const scene::RenderOptions& options, const Diagnostics& diagno
       entry["file"] = diagnostics.file(w.where.file);
       entry["line"] = w.where.line;
     }
-    without[kReasons[static_cast<int>(w.reason)]].push_back(std::move(entry));
+    without[kReasons[static_cast<int>(w.support)]].push_back(std::move(entry));
   }
   return {{"without_effect", without}, {"unknown_strings", options.unknown_strings}};
 }

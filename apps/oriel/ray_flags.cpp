@@ -139,16 +139,17 @@ std::vector<RayFlag> make_flags() {
   for (const Row& row : kRows)
     flags.push_back({std::string(row.name), std::string(row.form), row.target,
                      std::string(row.statement), std::string(row.meaning), row.target != Nothing});
-  for (const scene::OptionRow& row : scene::option_table()) {
-    if (row.keyword.starts_with('"') || row.form == "...") continue;
-    std::string name(row.keyword);
+  for (const scene::StatementRow& row : scene::option_table().rows()) {
+    if (scene::is_string_option(row) || scene::is_open(row.form)) continue;
+    const std::string statement = scene::name_of(row);
+    std::string name = statement;
     std::replace(name.begin(), name.end(), ' ', '_');
     const bool known = std::any_of(flags.begin(), flags.end(),
                                    [&](const RayFlag& flag) { return flag.name == name; });
     // "x y" as a value of "x": read with it.
     if (known || name == "filter_clip" || name == "finalgather_accuracy_view") continue;
-    flags.push_back({std::move(name), std::string(row.form), Options, std::string(row.keyword),
-                     std::string(row.meaning), row.support == scene::OptionSupport::Effective});
+    flags.push_back({std::move(name), std::string(row.form), Options, statement,
+                     std::string(row.meaning), row.support == scene::Support::Effective});
   }
   std::sort(flags.begin(), flags.end(),
             [](const RayFlag& a, const RayFlag& b) { return a.name < b.name; });
@@ -252,13 +253,11 @@ class LineReader {
   void lengthen_keyword(RayCall& call, std::string& form) {
     if (call.flag->target != Options || rest_.empty()) return;
     const std::string longer = call.keyword + " " + rest_.front();
-    for (const scene::OptionRow& row : scene::option_table()) {
-      if (row.keyword != longer) continue;
-      call.keyword = longer;
-      form = row.form;
-      rest_ = rest_.subspan(1);
-      return;
-    }
+    const scene::StatementRow* row = scene::option_table().find(longer);
+    if (!row) return;
+    call.keyword = longer;
+    form = row->form;
+    rest_ = rest_.subspan(1);
   }
 
   /// As many values as fit.
@@ -270,7 +269,7 @@ class LineReader {
       values.push_back(typed(word));
     }
     for (;; values.pop_back()) {
-      std::vector<scene::OptionItem> items;
+      std::vector<scene::FormItem> items;
       items.reserve(values.size());
       for (const Value& v : values)
         items.push_back(

@@ -21,7 +21,7 @@ enum class RayTarget : std::uint8_t {
 
 struct RayFlag {
   std::string name;  ///< without the dash
-  std::string form;  ///< what follows, as scene/option_table.h writes it; `...` = up to `--`
+  std::string form;  ///< what follows, as scene/statement_table.h writes it; `...` = up to `--`
   RayTarget target;
   std::string statement;  ///< keyword that it stands for; empty where there is none
   std::string meaning;

@@ -144,7 +144,7 @@ class FrameRenderer {
     SessionSettings settings = plan_.session;
     settings.outputs = keeps_outputs();
     settings.lights = keeps_lights();
-    settings.mattes = keeps_mattes(command);
+    settings.mattes = keeps_mattes();
     settings.irradiance = any_needs(LayerNeed::Irradiance);
     for (const PictureFile& file : files_) settings.surface_values |= surface_values(file);
     settings.unit_luminance = unit_of_pixels();
@@ -266,19 +266,15 @@ class FrameRenderer {
   }
 
   /// Ranks of the Cryptomattes that user or scene ask for; 0 = none.
-  int ranks_of_mattes(const scene::RenderCommand& command) const {
+  int ranks_of_mattes() const {
     if (plan_.matte_ranks) return *plan_.matte_ranks;
-    const auto* options = scene_.get<scene::Options>(command.options);
-    const scene::Statement* asked =
-        options ? find_last(options->statements, "cryptomatte") : nullptr;
-    if (!asked || asked->values.empty()) return 0;
-    const scene::Value& value = asked->values[0];
-    if (value.numbers.empty()) return value.boolean ? kMatteRanks : 0;
-    return static_cast<int>(std::clamp(value.numbers[0], 0.0, double{kMostMatteRanks}));
+    const int ranks = world_->options.matte_ranks;
+    return ranks == scene::RenderOptions::kDefaultMatteRanks ? kMatteRanks
+                                                             : std::min(ranks, kMostMatteRanks);
   }
 
-  std::optional<MatteNames> keeps_mattes(const scene::RenderCommand& command) {
-    int ranks = ranks_of_mattes(command);
+  std::optional<MatteNames> keeps_mattes() {
+    int ranks = ranks_of_mattes();
     if (ranks > 0 && std::none_of(files_.begin(), files_.end(), holds_light_layers)) {
       diagnostics_.warning("OR-RN-062", {},
                            "Cryptomattes are layers of EXR files, and none is written",

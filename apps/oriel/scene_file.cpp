@@ -109,13 +109,11 @@ bool set_in_list(scene::Scene& scene, scene::ShaderList& list, const Edit& edit,
 void set_option(scene::Options& options, const Edit& edit) {
   scene::Statement statement;
   statement.keyword = edit.parameter;
-  const std::string quoted = fmt::format("\"{}\"", edit.parameter);
-  bool known = false;
-  for (const scene::OptionRow& row : scene::option_table()) {
-    if (row.keyword == quoted) statement.quoted = known = true;
-    if (row.keyword == edit.parameter) known = true;
-  }
-  if (!known) throw UserError(fmt::format("--set: there is no option \"{}\"", edit.parameter));
+  const scene::StatementRow* row = scene::option_table().find(edit.parameter);
+  if (const auto* string_option = scene::option_table().find(fmt::format("\"{}\"", edit.parameter)))
+    row = string_option;
+  if (!row) throw UserError(fmt::format("--set: there is no option \"{}\"", edit.parameter));
+  statement.quoted = scene::is_string_option(*row);
   Value value = parse_value(edit.value);
   value.bare = value.kind == Value::Kind::Text && !statement.quoted;
   statement.values.push_back(std::move(value));

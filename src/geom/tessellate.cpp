@@ -13,6 +13,7 @@
 #include "geom/polygon.h"
 #include "geom/subdivide.h"
 #include "scene/approximation.h"
+#include "scene/element_settings.h"
 
 namespace oriel::geom {
 
@@ -234,7 +235,7 @@ Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics) {
 Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& context,
                 Diagnostics& diagnostics) {
   Mesh mesh;
-  mesh.tagged = object.tagged();
+  mesh.tagged = scene::settings_of(object).tagged;
   Tessellator tessellator(mesh);
   for (const scene::PolygonGroup& group : object.groups) tessellator.add_group(group);
   tessellator.finish();

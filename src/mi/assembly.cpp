@@ -2,11 +2,12 @@
 // assembly "name" [box min max] [motion box min max] file "file" end assembly
 #include "mi/elements.h"
 #include "mi/statements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 
 void read_assembly(Parse& parse, SourceLocation at) {
-  static const FormTable forms{{"box"}, {"motion box"}, {"file", "", 1}, {"tag"}};
+  static const FormTable forms(scene::assembly_table());
   parse.element<scene::Assembly>("assembly", at, [&](scene::Assembly& assembly) {
     StatementList statements(assembly.statements, parse.incremental);
     assembly.content.clear();

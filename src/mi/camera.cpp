@@ -6,6 +6,7 @@
 #include "mi/elements.h"
 #include "mi/number.h"
 #include "mi/statements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 namespace {
@@ -14,20 +15,7 @@ using scene::Camera;
 using scene::Output;
 
 const FormTable& camera_forms() {
-  static const FormTable table({{"offset"},
-                                {"window"},
-                                {"clip"},
-                                {"dof"},
-                                {"frame"},
-                                {"field"},
-                                {"stereo", "offset|toein|toe in|offaxis|off axis", 1},
-                                {"eye separation"},
-                                {"parallax distance"},
-                                {"tag"},
-                                {"shift"},
-                                {"motion"},
-                                {"motion off"}},
-                               kCameraWords);
+  static const FormTable table(scene::camera_table(), kCameraWords);
   return table;
 }
 

@@ -6,34 +6,16 @@
 
 #include "mi/elements.h"
 #include "mi/statements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 namespace {
 
 using scene::Instance;
 
-constexpr std::string_view kOtherInstanceWords[] = {"transform", "motion", "material",
-                                                    "light",     "data",   "approximate"};
-
 const FormTable& instance_forms() {
-  static const FormTable table({{"hide"},
-                                {"visible"},
-                                {"shadow"},
-                                {"shadowmap"},
-                                {"trace"},
-                                {"reflection"},
-                                {"refraction"},
-                                {"transparency"},
-                                {"caustic"},
-                                {"globillum"},
-                                {"finalgather"},
-                                {"face", "front|back|both"},
-                                {"select"},
-                                {"override"},
-                                {"shading samples"},
-                                {"hardware"},
-                                {"tag"}},
-                               kOtherInstanceWords);
+  static constexpr std::string_view kOthers[] = {"transform", "material", "light"};
+  static const FormTable table(scene::instance_table(), kOthers);
   return table;
 }
 

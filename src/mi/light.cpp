@@ -4,6 +4,7 @@
 
 #include "mi/elements.h"
 #include "mi/statements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 namespace {
@@ -13,41 +14,10 @@ using scene::Light;
 constexpr std::string_view kAreas[] = {"rectangle", "disc", "sphere", "cylinder", "object", "user"};
 constexpr std::string_view kOtherLightWords[] = {"emitter",   "origin", "direction", "spread",
                                                  "rectangle", "disc",   "sphere",    "cylinder",
-                                                 "object",    "user",   "data"};
+                                                 "object",    "user"};
 
 const FormTable& light_forms() {
-  static const FormTable table({{"exponent"},
-                                {"caustic photons"},
-                                {"globillum photons"},
-                                {"photons only"},
-                                {"visible"},
-                                {"shadowmap"},
-                                {"shadowmap resolution"},
-                                {"shadowmap softness"},
-                                {"shadowmap samples"},
-                                {"shadowmap file", "", 1},
-                                {"shadowmap filter", "box|triangle|gauss|mitchell|lanczos"},
-                                {"shadowmap bias"},
-                                {"shadowmap accuracy"},
-                                {"shadowmap color"},
-                                {"shadowmap alpha"},
-                                {"shadowmap detail"},
-                                {"shadowmap detail samples"},
-                                {"shadowmap merge"},
-                                {"shadowmap trace"},
-                                {"shadowmap window"},
-                                {"shadowmap camera", "", 1},
-                                {"lightprofile", "", 1},
-                                {"energy", "spectrum", 1},
-                                {"shadow"},
-                                {"tag"}},
-                               kOtherLightWords);
-  return table;
-}
-
-const FormTable& profile_forms() {
-  static const FormTable table{
-      {"format", "ies|eulumdat"}, {"file", "", 1}, {"flags"}, {"hermite"}, {"resolution"}};
+  static const FormTable table(scene::light_table(), kOtherLightWords);
   return table;
 }
 
@@ -117,9 +87,10 @@ void read_light(Parse& parse, SourceLocation at) {
 
 void read_light_profile(Parse& parse, SourceLocation at) {
   parse.element<scene::LightProfile>("lightprofile", at, [&](scene::LightProfile& profile) {
+    static const FormTable forms(scene::light_profile_table());
     StatementList statements(profile.statements, parse.incremental);
     while (!parse.in.at_word("end"))
-      if (auto statement = read_statement(parse, profile_forms(), "a light profile"))
+      if (auto statement = read_statement(parse, forms, "a light profile"))
         statements.add(std::move(*statement));
     parse.expect_end("lightprofile");
     profile.directory = parse.in.folder();

@@ -5,6 +5,7 @@
 #include "mi/elements.h"
 #include "mi/freeform.h"
 #include "mi/statements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 namespace {
@@ -15,33 +16,7 @@ constexpr std::string_view kBodyWords[] = {"group", "trilist", "basis",       "h
                                            "file",  "data",    "approximate", "intersection"};
 
 const FormTable& object_forms() {
-  static const FormTable table({{"visible"},
-                                {"shadow"},
-                                {"trace"},
-                                {"reflection"},
-                                {"refraction"},
-                                {"transparency"},
-                                {"caustic"},
-                                {"globillum"},
-                                {"finalgather"},
-                                {"face", "front|back|both"},
-                                {"select"},
-                                {"tagged"},
-                                {"shadowmap"},
-                                {"transform"},
-                                {"box"},
-                                {"motion box"},
-                                {"max displace"},
-                                {"ray offset"},
-                                {"samples"},
-                                {"shading samples"},
-                                {"volume group"},
-                                {"tag"},
-                                {"hardware"},
-                                {"file", "", 1},
-                                {"photonmap file", "", 1},
-                                {"finalgather file", "", 1}},
-                               kBodyWords);
+  static const FormTable table(scene::object_table(), kBodyWords);
   return table;
 }
 
@@ -66,12 +41,9 @@ void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
     object.groups.back().settings.push_back(std::move(statement));
     return;
   }
-  auto statement = read_statement(parse, object_forms(), "an object");
-  if (!statement) return;
-  if (statement->keyword == "tagged")
-    parse.tagged = statement->values.empty() || statement->values[0].boolean ||
-                   (!statement->values[0].numbers.empty() && statement->values[0].numbers[0] != 0);
-  flags.add(std::move(*statement));
+  if (auto statement = read_statement(parse, object_forms(), "an object"))
+    flags.add(std::move(*statement));
+  parse.tagged = scene::settings_of(object).tagged;
 }
 
 }  // namespace

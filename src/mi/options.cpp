@@ -2,131 +2,14 @@
 // options "name" ... end options
 #include "mi/elements.h"
 #include "mi/statements.h"
+#include "scene/option_table.h"
 
 namespace oriel::mi {
 namespace {
 
-// The statements with a form of their own, by their first word.
-constexpr std::string_view kOtherWords[] = {"state",   "data",      "traversal",
-                                            "contour", "attribute", "approximate"};
-
-// Source: published grammar and manual of mental ray 3.x (options), with the statements that later
-// versions added. Words of the values only where a word may stand.
-// A table. NOLINTNEXTLINE(readability-function-size)
 const FormTable& option_forms() {
-  static const FormTable table(
-      {// Sampling
-       {"samples"},
-       {"samples collect"},
-       {"samples motion"},
-       {"contrast"},
-       {"time contrast"},
-       {"filter", "box|triangle|gauss|mitchell|lanczos|clip mitchell|clip lanczos"},
-       {"jitter"},
-       {"samplelock"},
-       {"shading samples"},
-       {"task size"},
-       // Rays
-       {"trace"},
-       {"trace depth"},
-       {"scanline", "rast|rapid|opengl"},
-       {"shadow", "sort|segments"},
-       {"shadowmap", "opengl|detail|only"},
-       {"shadowmap trace"},
-       {"shadowmap window"},
-       {"shadowmap bias"},
-       {"shadowmap motion"},
-       {"shadowmap rebuild", "merge"},
-       {"face", "front|back|both"},
-       {"acceleration", "bsp|bsp2|large bsp|grid|raycl"},
-       {"bsp size"},
-       {"bsp depth"},
-       {"bsp memory"},
-       {"bsp shadow"},
-       {"grid size"},
-       {"grid depth"},
-       {"grid resolution"},
-       {"displace"},
-       {"displace presample"},
-       {"max displace"},
-       {"motion"},
-       {"motion steps"},
-       {"shutter"},
-       {"shutter delay"},
-       {"lens"},
-       {"volume"},
-       {"geometry"},
-       {"output"},
-       {"merge"},
-       {"hair"},
-       {"pass"},
-       {"autovolume"},
-       {"photon autovolume"},
-       {"lightmap", "only"},
-       {"field", "even|odd"},
-       {"object space"},
-       {"camera space"},
-       {"mixed space"},
-       {"world space"},
-       {"inheritance", "", 1},
-       // Indirect light
-       {"caustic"},
-       {"caustic accuracy"},
-       {"caustic filter", "box|cone|gauss"},
-       {"caustic scale"},
-       {"globillum"},
-       {"globillum accuracy"},
-       {"globillum filter", "box|cone|gauss"},
-       {"globillum scale"},
-       {"photonvol accuracy"},
-       {"photonvol scale"},
-       {"photon trace depth"},
-       {"photonmap file", "", 1},
-       {"photonmap rebuild"},
-       {"photonmap only"},
-       {"finalgather", "only|fastlookup"},
-       {"finalgather accuracy", "view"},
-       {"finalgather trace depth"},
-       {"finalgather presample density"},
-       {"finalgather filter"},
-       {"finalgather falloff"},
-       {"finalgather scale"},
-       {"finalgather secondary scale"},
-       {"finalgather file", "", 1},
-       {"finalgather rebuild", "freeze"},
-       {"trace importance"},
-       {"trace falloff"},
-       {"trace accuracy"},
-       {"caustic importance"},
-       {"caustic falloff"},
-       {"globillum importance"},
-       {"globillum falloff"},
-       {"finalgather importance"},
-       {"ambientocclusion"},
-       {"ambientocclusion importance"},
-       {"ambientocclusion falloff"},
-       {"ambientocclusion accuracy"},
-       {"ibl"},
-       {"ibl importance"},
-       {"ibl falloff"},
-       {"ibl accuracy"},
-       // Output
-       {"frame buffer", "", 1},
-       {"gamma"},
-       {"desaturate"},
-       {"dither"},
-       {"premultiply"},
-       {"colorclip", "rgb|alpha|raw"},
-       {"luminance weight", "ntsc"},
-       {"colorprofile", "", 1},
-       {"diagnostic samples"},
-       {"diagnostic photon", "density|irradiance"},
-       {"diagnostic grid", "object|world|camera"},
-       {"diagnostic bsp", "depth|size"},
-       {"diagnostic finalgather"},
-       {"diagnostic hardware", "grid|window|light|solid"},
-       {"hardware", "all|force|cg|native|fast"}},
-      kOtherWords);
+  static constexpr std::string_view kOthers[] = {"state"};
+  static const FormTable table(scene::option_table(), kOthers);
   return table;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mi/elements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 namespace {
@@ -23,14 +24,13 @@ struct Waiting {
 std::vector<Waiting> waiting_in(const Parse& parse) {
   std::vector<Waiting> list;
   for (const Element& element : parse.scene->elements()) {
-    const auto add = [&](const auto& e, const std::vector<scene::Statement>& statements) {
-      if (const std::string file = scene::placeholder_file(statements);
+    const auto add = [&](const auto& e) {
+      if (const std::string file = scene::settings_of(e).file;
           !file.empty() && e.content.empty() && !parse.reported.contains("placeholder " + e.name))
         list.push_back({e.name, file, e.where});
     };
-    if (const auto* object = std::get_if<Object>(&element)) add(*object, object->flags);
-    if (const auto* assembly = std::get_if<Assembly>(&element))
-      add(*assembly, assembly->statements);
+    if (const auto* object = std::get_if<Object>(&element)) add(*object);
+    if (const auto* assembly = std::get_if<Assembly>(&element)) add(*assembly);
   }
   return list;
 }

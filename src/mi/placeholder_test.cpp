@@ -10,6 +10,7 @@
 
 #include "mi/testing/test_support.h"
 #include "mi/writer.h"
+#include "scene/element_settings.h"
 #include "scene/hierarchy.h"
 
 namespace oriel::mi {
@@ -50,7 +51,7 @@ TEST_F(Placeholder, AnObjectStandsForTheOneInItsFile) {
   ASSERT_EQ(leaves.size(), 2u);
   ASSERT_TRUE(leaves[1].object());
   EXPECT_EQ(leaves[1].object()->groups.size(), 1u);
-  EXPECT_TRUE(leaves[1].object()->tagged());
+  EXPECT_TRUE(scene::settings_of(*leaves[1].object()).tagged);
   EXPECT_TRUE(leaves[1].flags.visible) << "as its file says";
   EXPECT_TRUE(leaves[1].flags.casts_shadow) << "as the placeholder says";
 }

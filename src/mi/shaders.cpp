@@ -15,19 +15,6 @@ using scene::ParamType;
 using scene::ShaderUse;
 using scene::Value;
 
-std::size_t most_numbers(ParamType type) {
-  switch (type) {
-    case ParamType::Color:
-      return 4;
-    case ParamType::Vector:
-      return 3;
-    case ParamType::Transform:
-      return 16;
-    default:
-      return 1;
-  }
-}
-
 void check_arguments(Parse& parse, const std::vector<ParamDecl>& declared,
                      const std::vector<scene::Argument>& arguments, const std::string& shader);
 
@@ -38,12 +25,12 @@ void check_value(Parse& parse, const ParamDecl& declared, const Value& value,
   if (value.kind == Value::Kind::Array && declared.type == ParamType::Array &&
       !declared.members.empty())
     for (const Value& item : value.items) check_value(parse, declared.members[0], item, shader);
-  if (value.kind == Value::Kind::Numbers && value.numbers.size() > most_numbers(declared.type) &&
+  if (value.kind == Value::Kind::Numbers && value.numbers.size() > number_count(declared.type) &&
       declared.type != ParamType::Array)
     parse.warn(code::kTooManyValues, value.where,
                fmt::format("parameter \"{}\" of shader \"{}\" has {} numbers, a {} takes {}",
                            declared.name, shader, value.numbers.size(),
-                           scene::type_name(declared.type), most_numbers(declared.type)),
+                           scene::type_name(declared.type), number_count(declared.type)),
                "the rest is ignored");
 }
 

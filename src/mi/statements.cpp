@@ -90,17 +90,22 @@ void read_statement_values(Parse& parse, const Form& form, Statement& statement)
 
 }  // namespace
 
-FormTable::FormTable(std::initializer_list<Form> forms, std::span<const std::string_view> others)
-    : forms_(forms) {
+FormTable::FormTable(const scene::StatementTable& rows, std::span<const std::string_view> others)
+    : FormTable(rows.forms(), others) {
+  for (const std::string_view word : rows.special_words()) first_words_.emplace(word);
+}
+
+FormTable::FormTable(std::vector<Form> forms, std::span<const std::string_view> others)
+    : forms_(std::move(forms)) {
   for (const std::string_view word : others) first_words_.emplace(word);
   std::sort(forms_.begin(), forms_.end(),
             [](const Form& a, const Form& b) { return a.keyword < b.keyword; });
   for (const Form& form : forms_) {
-    names_.emplace_back(form.keyword);
-    first_words_.emplace(form.keyword.substr(0, form.keyword.find(' ')));
-    for (auto blank = form.keyword.find(' '); blank != std::string_view::npos;
+    names_.push_back(form.keyword);
+    first_words_.insert(form.keyword.substr(0, form.keyword.find(' ')));
+    for (auto blank = form.keyword.find(' '); blank != std::string::npos;
          blank = form.keyword.find(' ', blank + 1))
-      prefixes_.emplace(form.keyword.substr(0, blank));
+      prefixes_.insert(form.keyword.substr(0, blank));
   }
 }
 

@@ -9,22 +9,20 @@
 #include <vector>
 
 #include "mi/parse.h"
+#include "scene/statement_table.h"
 
 namespace oriel::mi {
 
-/// One statement of the language. Numbers and one boolean may always follow; `words` are the bare
-/// words that may stand as a value (alternatives by '|'), `strings` how many strings may follow.
-struct Form {
-  std::string_view keyword;  ///< words joined by single blanks
-  std::string_view words = {};
-  int strings = 0;
-};
+using Form = scene::ParserForm;
 
-/// The forms that one element knows. Built once, searched by keyword.
+/// The forms of the statements of one element, by keyword.
 class FormTable {
  public:
   /// `others`: first words of what else may stand in the element, read without a form.
-  FormTable(std::initializer_list<Form> forms, std::span<const std::string_view> others = {});
+  FormTable(std::vector<Form> forms, std::span<const std::string_view> others);
+  FormTable(std::initializer_list<Form> forms) : FormTable(std::vector<Form>(forms), {}) {}
+  explicit FormTable(const scene::StatementTable& rows,
+                     std::span<const std::string_view> others = {});
   const Form* find(std::string_view keyword) const;
   bool is_prefix(std::string_view words) const;        ///< of a keyword with more words
   bool starts_statement(std::string_view word) const;  ///< first word of any keyword, or other

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects and their polygon groups: most of a file's bytes come from here.
 #include "mi/write_parts.h"
+#include "scene/element_settings.h"
 
 namespace oriel::mi {
 namespace {
@@ -108,14 +109,6 @@ void write_group(TextSink& out, const PolygonGroup& group, bool tagged) {
   out.put("    end group\n");
 }
 
-/// Whether polygons begin with a label: `tagged`, `tagged on`, `tagged 1`.
-bool has_labels(const scene::Object& object) {
-  const scene::Statement* s = scene::find_last(object.flags, "tagged");
-  if (!s || s->values.empty()) return s != nullptr;
-  const scene::Value& v = s->values[0];
-  return v.boolean || (!v.numbers.empty() && v.numbers[0] != 0);
-}
-
 }  // namespace
 
 void write_element(TextSink& out, const scene::Object& object, int depth) {
@@ -126,7 +119,8 @@ void write_element(TextSink& out, const scene::Object& object, int depth) {
   // Bases come before the groups that use them.
   write_bases(out, object.bases);
   write_uninterpreted(out, object.uninterpreted, depth + 1);
-  for (const PolygonGroup& group : object.groups) write_group(out, group, has_labels(object));
+  const bool tagged = scene::settings_of(object).tagged;
+  for (const PolygonGroup& group : object.groups) write_group(out, group, tagged);
   for (const scene::Hair& hair : object.hairs) write_hair(out, hair, depth + 1);
   out.put("end object\n");
 }

@@ -8,7 +8,7 @@
 
 #include "image/cryptomatte.h"
 #include "output/layer_table.h"
-#include "scene/label.h"
+#include "scene/element_settings.h"
 
 namespace oriel {
 namespace {
@@ -73,8 +73,8 @@ MatteNames matte_names(const scene::Scene& scene, const World& world, int depth)
     const auto* instance = scene.get<scene::Instance>(data.name);
     const auto* object = instance ? scene.get<scene::Object>(instance->element) : nullptr;
     names.assets.push_back(object ? object->name : data.name);
-    const std::uint32_t label = instance ? scene::label_of(instance->flags) : 0;
-    names.labels.push_back(label == 0 && object ? scene::label_of(object->flags) : label);
+    const std::uint32_t label = instance ? scene::settings_of(*instance).label : 0;
+    names.labels.push_back(label == 0 && object ? scene::settings_of(*object).label : label);
   }
   return names;
 }

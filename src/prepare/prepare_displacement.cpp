@@ -11,6 +11,7 @@
 #include "base/math.h"
 #include "base/parallel.h"
 #include "geom/surface.h"
+#include "scene/element_settings.h"
 #include "transport/surface.h"
 
 namespace oriel {
@@ -309,9 +310,7 @@ class Displacer {
 };
 
 float limit_of(const scene::Object& object, const scene::RenderOptions& options) {
-  const scene::Statement* own = scene::find_last(object.flags, "max displace");
-  const bool written = own && !own->values.empty() && !own->values[0].numbers.empty();
-  const float limit = written ? static_cast<float>(own->values[0].numbers[0]) : 0;
+  const float limit = scene::settings_of(object).max_displace;
   return limit > 0 ? limit : options.max_displace;
 }
 

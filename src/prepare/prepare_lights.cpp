@@ -9,6 +9,7 @@
 #include "geom/motion.h"
 #include "prepare/object_light.h"
 #include "prepare/prepare_parts.h"
+#include "scene/element_settings.h"
 
 namespace oriel {
 namespace {
@@ -17,19 +18,6 @@ using scene::Statement;
 
 /// Film size of a camera that does not say: a 50 mm lens on 36 mm film, the usual export.
 constexpr float kDefaultFocal = 50, kDefaultAperture = 36;
-
-float number(const Statement* s, std::size_t i, float missing) {
-  if (!s || s->values.empty() || i >= s->values[0].numbers.size()) return missing;
-  return static_cast<float>(s->values[0].numbers[i]);
-}
-
-bool is_on(const Statement* s) {
-  if (!s) return false;
-  if (s->values.empty()) return true;
-  const scene::Value& v = s->values[0];
-  if (v.kind == scene::Value::Kind::Numbers) return !v.numbers.empty() && v.numbers[0] != 0;
-  return v.boolean;
-}
 
 /// All numbers of a statement, however its values are grouped.
 std::vector<float> numbers_of(const Statement& s) {
@@ -108,24 +96,14 @@ void place_area(const scene::Light& element, const Mat4& to_world,
   }
 }
 
-PhotonCount photon_count(const Statement* s) {
-  const auto whole = [&](std::size_t i) {
-    return static_cast<std::uint64_t>(clamp(number(s, i, 0), 0.0f, 1e12f));
-  };
-  return {whole(0), whole(1)};
-}
-
-/// `energy`, `caustic photons`, `globillum photons`, `photons only`.
-LightPhotons photons_of(const scene::Light& element) {
+LightPhotons photons_of(const scene::LightSettings& settings) {
   LightPhotons photons;
-  photons.global = photon_count(find_last(element.other, "globillum photons"));
-  photons.caustic = photon_count(find_last(element.other, "caustic photons"));
-  photons.only = is_on(find_last(element.other, "photons only"));
-  const Statement* energy = find_last(element.other, "energy");
-  const Rgb flux(number(energy, 0, 0), number(energy, 1, 0), number(energy, 2, 0));
-  if (max_component(flux) > 0) photons.emission.energy = flux;
-  photons.has_energy = energy;
-  photons.none = energy && !(max_component(flux) > 0);
+  photons.global = {settings.globillum.store, settings.globillum.emit};
+  photons.caustic = {settings.caustic.store, settings.caustic.emit};
+  photons.only = settings.photons_only;
+  photons.has_energy = settings.energy.has_value();
+  photons.none = settings.energy && !(max_component(*settings.energy) > 0);
+  if (photons.has_energy && !photons.none) photons.emission.energy = settings.energy;
   return photons;
 }
 
@@ -141,11 +119,11 @@ Light place_light(const scene::Leaf& leaf, const std::vector<scene::Leaf>& leave
   const Vec3 direction =
       transform_vector(element.direction.value_or(Vec3(0, 0, -1)), light.to_world);
   light.direction = normalize(direction);
-  light.exponent = number(find_last(element.other, "exponent"), 0, 2);
-  light.visible = is_on(find_last(element.other, "visible")) ||
-                  is_on(find_last(leaf.instance().flags, "visible"));
+  const scene::LightSettings settings = settings_of(element);
+  light.exponent = settings.exponent;
+  light.visible = settings.visible || settings_of(leaf.instance()).visible_light;
   const bool infinite = element.direction && (!element.origin || !element.spread);
-  light.photons = photons_of(element);
+  light.photons = photons_of(settings);
   if (element.spread && !infinite) light.spread = *element.spread;
   if (infinite && !element.area)
     light.shape = LightShape::Directional;
@@ -220,11 +198,10 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
     }
     light.shader = nodes.back();
     const ShaderSpec& spec = light.shader->spec();
-    const Statement* measured = find_last(leaf.light()->other, "lightprofile");
-    const bool named = measured && !measured->values.empty();
-    light.profile_placement = place_profile(
-        named ? binder.light_profile(measured->values[0].text, measured->where) : nullptr,
-        light.to_world, light.direction);
+    const auto profile = settings_of(*leaf.light()).profile;
+    light.profile_placement =
+        place_profile(profile ? binder.light_profile(profile->name, profile->where) : nullptr,
+                      light.to_world, light.direction);
     if (light.placed_by_shader && spec.library != std::string_view("user"))
       diagnostics.warning("OR-RN-021", leaf.light()->where,
                           fmt::format("area light \"{}\" of kind user is rendered as a point "
@@ -294,27 +271,26 @@ void set_film(const scene::Camera& element, const PrepareOptions& options, Camer
     camera.aperture = kDefaultAperture;
     camera.aspect = static_cast<float>(camera.width) / static_cast<float>(camera.height);
   }
-  const Statement* offset = find_last(element.other, "offset");
+  const scene::CameraSettings settings = settings_of(element);
   const float size_ratio = static_cast<float>(camera.width) / static_cast<float>(resolution[0]);
-  camera.offset = Vec2(number(offset, 0, 0), number(offset, 1, 0)) * size_ratio;
-  take_eye(element, options.eye, camera);
+  camera.offset = settings.offset * size_ratio;
+  take_eye(settings, options.eye, camera);
   constexpr float kFarthest = 1e6f;  // pixels; beyond it rays are no numbers any more
   for (float* shift : {&camera.offset.x, &camera.offset.y})
     *shift = std::abs(*shift) < kFarthest ? *shift : 0;
-  const Statement* clip = find_last(element.other, "clip");
-  camera.clip_near = number(clip, 0, 0);
-  camera.clip_far = number(clip, 1, 0);
+  camera.clip_near = settings.clip_near;
+  camera.clip_far = settings.clip_far;
   camera.window[2] = camera.width;
   camera.window[3] = camera.height;
-  if (const Statement* window = find_last(element.other, "window")) {
-    const std::vector<float> w = numbers_of(*window);
+  if (settings.window) {
+    const std::array<float, 4>& w = *settings.window;
     const int most[] = {camera.width, camera.height};
     // Clipped before it is an integer: files hold any number.
     const auto pixel = [&](float x, int least, int last) {
       return static_cast<int>(
           clamp(x * size_ratio, static_cast<float>(least), static_cast<float>(last)));
     };
-    for (std::size_t i = 0; i < 2 && w.size() == 4; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
       camera.window[i] = pixel(w[i], 0, most[i] - 1);
       camera.window[i + 2] = pixel(w[i + 2] + 1, camera.window[i] + 1, most[i]);
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runtime/camera.h"
-#include "scene/elements.h"
+#include "scene/element_settings.h"
 
 namespace oriel {
 
@@ -24,7 +24,7 @@ std::vector<Eye> eyes_of(const scene::Camera& camera);
 ///          their axes meet there. Without a distance both are as `offset`; `stereo on` is
 ///          `offaxis`. Orthographic cameras only turn.
 /// Checked: Stereo.* in stereo_test.cpp
-void take_eye(const scene::Camera& element, Eye eye, Camera& camera);
+void take_eye(const scene::CameraSettings& settings, Eye eye, Camera& camera);
 
 /// "room.exr" to "room_left.exr"; the middle's as it is.
 std::string eye_path(const std::string& path, Eye eye);

@@ -5,32 +5,9 @@
 
 #include "photometry/profile_file.h"
 #include "scene/asset_path.h"
+#include "scene/element_settings.h"
 
 namespace oriel {
-namespace {
-
-using scene::Value;
-
-/// The n-th number of a statement, over all its values.
-int whole_number(const scene::Statement* statement, std::size_t n, int missing) {
-  if (!statement) return missing;
-  for (const Value& value : statement->values) {
-    if (n < value.numbers.size())
-      return static_cast<int>(clamp(static_cast<float>(value.numbers[n]), -2.0e9f, 2.0e9f));
-    n -= value.numbers.size();
-  }
-  return missing;
-}
-
-std::string word(const scene::Statement* statement) {
-  if (statement)
-    for (const Value& value : statement->values)
-      if (!value.text.empty()) return value.text;
-  return {};
-}
-
-}  // namespace
-
 ProfilePlacement place_profile(const photometry::LightProfile* profile, const Mat4& to_world,
                                const Vec3& direction) {
   ProfilePlacement placed;
@@ -53,36 +30,31 @@ ProfilePlacement place_profile(const photometry::LightProfile* profile, const Ma
 
 std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightProfile& element,
                                                              Diagnostics& diagnostics) {
-  const auto statement = [&](std::string_view keyword) {
-    return find_last(element.statements, keyword);
-  };
-  const std::string file = word(statement("file"));
-  if (file.empty()) {
+  const scene::LightProfileSettings settings = settings_of(element);
+  if (settings.file.empty()) {
     diagnostics.warning("OR-RT-040", element.where,
                         fmt::format("light profile \"{}\" names no file", element.name),
                         "write `file \"name.ies\"`; without it the light shines evenly");
     return nullptr;
   }
-  const std::string path = scene::find_asset(file, element.directory);
-  const std::string format = word(statement("format"));
-  const int flags = whole_number(statement("flags"), 0, 0);
+  const std::string path = scene::find_asset(settings.file, element.directory);
   try {
     using photometry::ProfileFormat, photometry::Turn;
+    using Format = scene::LightProfileSettings::Format;
     const photometry::ProfileData data =
         read_profile(path,
-                     format == "ies"        ? ProfileFormat::Ies
-                     : format == "eulumdat" ? ProfileFormat::Eulumdat
-                                            : ProfileFormat::ByContent,
-                     (flags & 1) != 0   ? Turn::Clockwise
-                     : (flags & 2) != 0 ? Turn::CounterClockwise
-                                        : Turn::AsFormat);
+                     settings.format == Format::Ies        ? ProfileFormat::Ies
+                     : settings.format == Format::Eulumdat ? ProfileFormat::Eulumdat
+                                                           : ProfileFormat::ByContent,
+                     (settings.flags & 1) != 0   ? Turn::Clockwise
+                     : (settings.flags & 2) != 0 ? Turn::CounterClockwise
+                                                 : Turn::AsFormat);
     for (const std::string& note : data.report.notes)
       diagnostics.note("OR-RT-041", element.where,
                        fmt::format("light profile \"{}\": {}", element.name, note));
-    const scene::Statement* resolution = statement("resolution");
-    const photometry::ProfileGrid grid{.cubic = whole_number(statement("hermite"), 0, 1) >= 3,
-                                       .azimuth_cells = whole_number(resolution, 0, 0),
-                                       .polar_cells = whole_number(resolution, 1, 0)};
+    const photometry::ProfileGrid grid{.cubic = settings.hermite >= 3,
+                                       .azimuth_cells = settings.azimuth_cells,
+                                       .polar_cells = settings.polar_cells};
     return std::make_unique<photometry::LightProfile>(data.table, grid);
   } catch (const photometry::ProfileError& e) {
     SourceLocation where = element.where;

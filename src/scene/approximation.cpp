@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/elements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::scene {
 namespace {
@@ -217,7 +217,7 @@ ApproximationRules::ApproximationRules(const PolygonGroup& group,
   for (const Instance* instance : chain) {
     auto level = approximations(instance->flags);
     if (level.empty()) continue;
-    if (find_last(instance->flags, "override"))
+    if (settings_of(*instance).overrides)
       add(std::move(level));
     else
       inherited.insert(inherited.begin(), std::move(level));

@@ -9,12 +9,6 @@ const ShaderList* Material::slot(std::string_view keyword) const {
   return nullptr;
 }
 
-std::string placeholder_file(const std::vector<Statement>& statements) {
-  const Statement* file = find_last(statements, "file");
-  const bool named = file && !file->values.empty() && file->values[0].kind == Value::Kind::Text;
-  return named ? file->values[0].text : std::string();
-}
-
 bool operator==(const Texture& a, const Texture& b) {
   return a.name == b.name && a.type == b.type && a.local == b.local && a.writable == b.writable &&
          a.filter == b.filter && a.file == b.file && a.format == b.format &&
@@ -29,6 +23,19 @@ std::string_view type_name(ParamType type) {
       "lightprofile", "spectrum",  "color texture", "scalar texture", "vector texture",
       "shader",       "data",      "struct",        "array"};
   return kNames[static_cast<int>(type)];
+}
+
+std::size_t number_count(ParamType type) {
+  switch (type) {
+    case ParamType::Color:
+      return 4;
+    case ParamType::Vector:
+      return 3;
+    case ParamType::Transform:
+      return 16;
+    default:
+      return 1;
+  }
 }
 
 bool operator==(const UserData& a, const UserData& b) {

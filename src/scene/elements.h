@@ -163,9 +163,6 @@ struct Assembly {
   bool operator==(const Assembly&) const = default;
 };
 
-/// The file that an object or assembly stands for; empty when it has none.
-std::string placeholder_file(const std::vector<Statement>& statements);
-
 /// data "name" ...: what users attach to other elements for their shaders to read. One of bytes, a
 /// file of them, and parameters of a declared layout.
 struct UserData {

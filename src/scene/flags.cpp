@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/flags.h"
 
-#include <fmt/format.h>
-
 #include <array>
-#include <cmath>
 
 namespace oriel::scene {
 namespace {
@@ -31,52 +28,28 @@ constexpr std::uint32_t kCasts = 1, kReceives = 2, kBoth = 3;
 constexpr std::uint32_t kTraced =
     bits_of(kReflection, kBoth) | bits_of(kRefraction, kBoth) | bits_of(kFinalGather, kBoth);
 
-/// A flag's keyword, the channels it writes, and the integers that `off` stands for. Photon flags
-/// name the channel of their boolean.
+/// The channels that a flag writes, and the integers that `off` stands for. Photon flags name the
+/// channel of their boolean.
 struct FlagRow {
-  std::string_view keyword;
   std::array<Channel, 3> channels;
   unsigned channel_count;
   std::uint32_t object_off, instance_off;
   std::optional<Channel> boolean = std::nullopt;
 };
 
-// Source: reference of the language, Object (shadow and trace off = 2), Instance (shadow off = 6,
-// that is off-cast and on-receive; trace off = 12).
+// In the order of Flag. Source: reference of the language, Object (shadow and trace off = 2),
+// Instance (shadow off = 6, that is off-cast and on-receive; trace off = 12).
 constexpr FlagRow kFlagRows[] = {
-    {"visible", {kVisible}, 1, 0, 12},
-    {"shadow", {kShadow}, 1, 2, 6},
-    {"trace", {kReflection, kRefraction, kFinalGather}, 3, 2, 12},
-    {"reflection", {kReflection}, 1, 2, 12},
-    {"refraction", {kRefraction}, 1, 2, 12},
-    {"transparency", {kTransparency}, 1, 2, 12},
-    {"finalgather", {kFinalGather}, 1, 2, 12},
-    {"caustic", {kCaustic}, 1, 0, 12, kCausticTakesPart},
-    {"globillum", {kGlobillum}, 1, 0, 12, kGlobillumTakesPart},
+    {{kVisible}, 1, 0, 12},
+    {{kShadow}, 1, 2, 6},
+    {{kReflection, kRefraction, kFinalGather}, 3, 2, 12},
+    {{kReflection}, 1, 2, 12},
+    {{kRefraction}, 1, 2, 12},
+    {{kTransparency}, 1, 2, 12},
+    {{kFinalGather}, 1, 2, 12},
+    {{kCaustic}, 1, 0, 12, kCausticTakesPart},
+    {{kGlobillum}, 1, 0, 12, kGlobillumTakesPart},
 };
-
-const FlagRow* find_row(std::string_view keyword) {
-  for (const FlagRow& row : kFlagRows)
-    if (row.keyword == keyword) return &row;
-  return nullptr;
-}
-
-/// A flag's value: a boolean (a bare keyword means on) or a sum of bits.
-struct FlagValue {
-  bool on = true;
-  std::optional<std::uint32_t> integer;
-};
-
-std::optional<FlagValue> read_value(const Statement& s) {
-  if (s.values.empty()) return FlagValue{};
-  const Value& v = s.values[0];
-  if (s.values.size() != 1) return std::nullopt;
-  if (v.kind == Value::Kind::Boolean) return FlagValue{v.boolean, std::nullopt};
-  if (v.kind != Value::Kind::Numbers || v.numbers.size() != 1) return std::nullopt;
-  const double n = v.numbers[0];
-  if (n != std::floor(n) || n < 0 || n > 15) return std::nullopt;
-  return FlagValue{n != 0, static_cast<std::uint32_t>(n)};
-}
 
 void put(FlagLayer& layer, Channel channel, std::uint32_t bits, std::uint32_t mask) {
   const std::uint32_t place = bits_of(channel, mask);
@@ -84,57 +57,18 @@ void put(FlagLayer& layer, Channel channel, std::uint32_t bits, std::uint32_t ma
   layer.mask |= place;
 }
 
-void put_flag(FlagLayer& layer, const FlagRow& row, const FlagValue& value, bool in_instance) {
-  if (row.boolean && !value.integer) return put(layer, *row.boolean, value.on, 1);
+}  // namespace
+
+void set_flag(FlagLayer& layer, Flag flag, const StatementValues& values, bool in_instance) {
+  const FlagRow& row = kFlagRows[static_cast<int>(flag)];
+  const bool is_integer = values.is_number(0), on = values.is_on();
+  if (row.boolean && !is_integer) return put(layer, *row.boolean, on, 1);
   const std::uint32_t off = in_instance ? row.instance_off : row.object_off;
-  const std::uint32_t bits = value.integer.value_or(value.on ? kBoth : off);
+  const std::uint32_t bits =
+      is_integer ? static_cast<std::uint32_t>(values.integer(0)) : (on ? kBoth : off);
   // In an instance bits 4 and 8 switch off what 1 and 2 switch on; an object knows only the latter.
   const std::uint32_t mask = in_instance ? (bits | bits >> 2) & kBoth : kBoth;
   for (unsigned i = 0; i < row.channel_count; ++i) put(layer, row.channels[i], bits & kBoth, mask);
-}
-
-/// front, back, both; null for anything else. Readers may hold the word as value or as keyword.
-std::optional<Face> read_face(const Statement& s) {
-  constexpr std::string_view kNames[] = {"front", "back", "both"};
-  std::string_view word = s.values.size() == 1 ? std::string_view(s.values[0].text) : "";
-  if (s.values.empty() && s.keyword.size() > 5) word = std::string_view(s.keyword).substr(5);
-  for (int i = 0; i < 3; ++i)
-    if (word == kNames[i]) return static_cast<Face>(i);
-  return std::nullopt;
-}
-
-FlagLayer read_layer(const std::vector<Statement>& statements, bool in_instance,
-                     Diagnostics& diagnostics) {
-  FlagLayer layer;
-  for (const Statement& s : statements) {
-    const bool is_face = s.keyword == "face" || s.keyword.starts_with("face ");
-    const bool is_hide = s.keyword == "hide" && in_instance;
-    const FlagRow* row = find_row(s.keyword);
-    if (!row && !is_face && !is_hide) continue;
-    const auto value = is_face ? std::nullopt : read_value(s);
-    const auto face = is_face ? read_face(s) : std::nullopt;
-    if (face)
-      layer.face = face;
-    else if (value && is_hide)
-      layer.hidden = value->on;
-    else if (value)
-      put_flag(layer, *row, *value, in_instance);
-    else
-      diagnostics.warning("OR-SC-201", s.where, fmt::format("flag '{}' is ignored", s.keyword),
-                          is_face ? "expected: face front|back|both"
-                                  : fmt::format("expected: {} on|off|flag bits", s.keyword));
-  }
-  return layer;
-}
-
-}  // namespace
-
-FlagLayer object_flags(const Object& object, Diagnostics& diagnostics) {
-  return read_layer(object.flags, false, diagnostics);
-}
-
-FlagLayer instance_flags(const Instance& instance, Diagnostics& diagnostics) {
-  return read_layer(instance.flags, true, diagnostics);
 }
 
 FlagLayer photon_flags(std::optional<int> caustic, std::optional<int> globillum) {
@@ -183,13 +117,6 @@ ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances) {
           .face = said.face,
           .hidden = said.hidden,
           .assumed_on = assumed_on};
-}
-
-ResolvedFlags resolve_flags(const Object& object, std::span<const Instance* const> chain,
-                            Diagnostics& diagnostics) {
-  FlagLayer instances;
-  for (const Instance* i : chain) instances = overlay(instances, instance_flags(*i, diagnostics));
-  return resolve(object_flags(object, diagnostics), instances);
 }
 
 }  // namespace oriel::scene

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
-#include "scene/elements.h"
 #include "scene/render_options.h"
+#include "scene/statement_table.h"
 
 namespace oriel::scene {
 
@@ -49,22 +48,28 @@ struct FlagLayer {
   bool operator==(const FlagLayer&) const = default;
 };
 
-/// Flags of an object. Integers: 1 casts or is seen, 2 receives or sends; `off` keeps receiving.
-/// Errors: OR-SC-201 a flag with values that it does not take (skipped).
-FlagLayer object_flags(const Object& object, Diagnostics& diagnostics);
-/// Flags of an instance. Integers: 1, 2 switch the two on; 4, 8 off. Errors: OR-SC-201
-FlagLayer instance_flags(const Instance& instance, Diagnostics& diagnostics);
+enum class Flag : std::uint8_t {
+  Visible,
+  Shadow,
+  Trace,
+  Reflection,
+  Refraction,
+  Transparency,
+  FinalGather,
+  Caustic,
+  Globillum
+};
+
+/// Writes `[on|off|flag_bits]`. Integers of an object: 1 casts or is seen, 2 receives or sends;
+/// `off` keeps receiving. Integers of an instance: 1, 2 switch the two on; 4, 8 off.
+void set_flag(FlagLayer& layer, Flag flag, const StatementValues& values, bool in_instance);
 /// What options say for objects that do not: integers as in an instance.
 FlagLayer photon_flags(std::optional<int> caustic, std::optional<int> globillum);
 /// `lower` laid over `higher`.
 FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower);
 /// `instances` laid over `object`, and what is still open decided.
-ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances);
-
-/// All of it for one leaf.
 /// Source:  reference of the language, sections Object and Instance.
 /// Checked: flags_test.cpp
-ResolvedFlags resolve_flags(const Object& object, std::span<const Instance* const> chain,
-                            Diagnostics& diagnostics);
+ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances);
 
 }  // namespace oriel::scene

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/flags.h"
 
+#include "scene/element_settings.h"
+
 #include <gtest/gtest.h>
 
 namespace oriel::scene {
@@ -34,6 +36,14 @@ Statement flag(std::string keyword, const char* word) {
 }
 
 using Flags = std::vector<Statement>;
+
+ResolvedFlags resolve_flags(const Object& object, std::span<const Instance* const> chain,
+                            Diagnostics& diagnostics) {
+  FlagLayer instances;
+  for (const Instance* i : chain)
+    instances = overlay(instances, settings_of(*i, &diagnostics).flags);
+  return resolve(settings_of(object, &diagnostics).flags, instances);
+}
 
 /// Flags of an object below instances, outermost first.
 ResolvedFlags resolved(Flags object, std::vector<Flags> instances = {}) {
@@ -151,7 +161,7 @@ TEST(ObjectFlags, OptionsLieBelowObjectsAndInstances) {
   Object o;
   o.flags = {flag("caustic", 2), flag("globillum", 1)};
   Diagnostics d;
-  const ResolvedFlags r = resolve(overlay(options, object_flags(o, d)), {});
+  const ResolvedFlags r = resolve(overlay(options, settings_of(o, &d).flags), {});
   EXPECT_EQ(r.caustic, (PhotonFlags{false, false, true}));
   EXPECT_EQ(r.globillum, (PhotonFlags{false, true, false}));
   EXPECT_EQ(photon_flags(std::nullopt, std::nullopt), FlagLayer{});

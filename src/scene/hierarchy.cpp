@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "scene/element_settings.h"
 #include "scene/motion.h"
 
 namespace oriel::scene {
@@ -171,14 +172,10 @@ class Flattener {
     info.known = true;
     info.singular = check_singular(instance.transform, instance);
     info.motion_singular = check_singular(instance.motion_transform, instance);
-    info.flags = instance_flags(instance, diagnostics_);
-    for (const Statement& s : instance.flags) {
-      if (s.keyword == "override") info.overrides = true;
-      if (s.keyword == "motion off" ||
-          (s.keyword == "motion" && s.values.size() == 1 &&
-           s.values[0].kind == Value::Kind::Boolean && !s.values[0].boolean))
-        info.motion_off = true;
-    }
+    const InstanceSettings settings = settings_of(instance, &diagnostics_);
+    info.flags = settings.flags;
+    info.overrides = settings.overrides;
+    info.motion_off = settings.motion_off;
     info.element = placed_element(instance);
     return info;
   }
@@ -272,7 +269,7 @@ class Flattener {
 
   const FlagLayer& flags_of_object(std::size_t index) {
     auto& layer = objects_[index];
-    if (!layer) layer = object_flags(std::get<Object>(element(index)), diagnostics_);
+    if (!layer) layer = settings_of(std::get<Object>(element(index)), &diagnostics_).flags;
     return *layer;
   }
 

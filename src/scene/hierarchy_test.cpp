@@ -119,7 +119,10 @@ TEST(Hierarchy, MotionTransformsComposeAndCanBeSwitchedOff) {
   outer.transform = moved(1, 0, 0);
   outer.motion_transform = moved(3, 0, 0);
   b.instance("moving", "o").transform = moved(0, 1, 0);
-  b.instance("still", "o").flags = {flag("motion off")};
+  Statement motion = flag("motion");
+  motion.values.emplace_back();
+  motion.values[0].kind = Value::Kind::Boolean;
+  b.instance("still", "o").flags = {motion};
   b.group("g", {"moving", "still"});
   b.group("root", {"outer"});
   Diagnostics d;

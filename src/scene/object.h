@@ -64,7 +64,6 @@ struct Object {
   std::vector<UninterpretedStatement> uninterpreted;  ///< other geometry
   std::string content;  ///< of a placeholder (`file "f"`): the object loaded for it, if it was
   SourceLocation where;
-  bool tagged() const;
   bool operator==(const Object&) const = default;
 };
 

@@ -2,7 +2,6 @@
 #include "scene/option_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 #include "color/luminance.h"
@@ -11,11 +10,17 @@ namespace oriel::scene {
 namespace {
 
 using O = RenderOptions;
-using V = const OptionValues&;
+using V = const StatementValues&;
 using P = PhotonOptions;
 using F = FinalGatherOptions;
 using M = MotionOptions;
-using enum OptionSupport;
+using enum Support;
+
+/// One, two or three numbers: both r and sum 2r; sum r + t; as written.
+TraceDepth depth_of(V v) {
+  const int r = v.integer(0), t = v.size() > 1 ? v.integer(1) : r;
+  return {r, t, v.size() > 2 ? v.integer(2) : r + t};
+}
 
 /// Writes the values into one member, by its type; an enumeration takes the number of the
 /// alternative, a switch without a value is on.
@@ -32,7 +37,7 @@ void to(O& o, V v) {
   else if constexpr (std::is_same_v<T, Rgba>)
     target = v.color();
   else if constexpr (std::is_same_v<T, TraceDepth>)
-    target = v.depth();
+    target = depth_of(v);
   else
     target = static_cast<T>(v.choice(0));
 }
@@ -101,7 +106,7 @@ void set_shadow_switch(O& o, V v) {
   o.shadow = v.size() == 0 || v.on(0) ? kMode : ShadowMode::Simple;
 }
 
-/// Read from the statement itself, where it is needed: see approximation.h.
+/// approximation.h reads the statement itself.
 void set_elsewhere(O&, V) {}
 
 void set_shutter(O& o, V v) {
@@ -175,8 +180,17 @@ void set_frame_buffer(O& o, V v) {
   o.frame_buffers.push_back(std::move(b));
 }
 
-/// Nothing to keep: who chooses files reads the statement itself.
-void at_the_files(O&, V) {}
+void set_mattes(O& o, V v) {
+  if (v.choice(0) == 0)
+    o.matte_ranks = v.on(0) ? O::kDefaultMatteRanks : 0;
+  else
+    o.matte_ranks = std::max(v.integer(0), 0);
+}
+
+/// Read before the others: see interpret_options.
+void set_unified_sampling(O& o, V v) {
+  o.unified_sampling = v.choice(0) == 0 ? v.on(0) : v.number(0) != 0;
+}
 
 void set_luminance(O& o, V v) { o.luminance_weight = {v.number(0), v.number(1), v.number(2)}; }
 void set_luminance_ntsc(O& o, V) { o.luminance_weight = kNtscLuminance; }
@@ -185,7 +199,10 @@ constexpr std::string_view kDepth = "int [int [int]]", kColor = "float [float fl
                            kDepthMeaning = "reflection, refraction, sum",
                            kMapsUnused = "shadows are traced instead of mapped",
                            kAcceleration = "acceleration structure",
-                           kImportance = "importance and reach of rays";
+                           kImportance = "importance and reach of rays",
+                           kOcclusion = "ambient occlusion of the whole scene",
+                           kEnvironment = "light from the environment",
+                           kDiagnostic = "pictures of the method";
 constexpr auto kCausticFlags = &O::caustic, kGlobillumFlags = &O::globillum,
                kPhotonvol = &O::photonvol;
 constexpr auto kGather = &O::finalgather;
@@ -193,7 +210,7 @@ constexpr auto kMotion = &O::motion;
 
 // One row, one statement: the formatter would break rows in the middle.
 // clang-format off
-constexpr OptionRow kOptionRows[] = {
+constexpr Row<O> kOptionRows[] = {
     // Sampling
     {"samples", "int [int [int int]]", Effective, "max, or min max: levels n of 4^n", set_samples},
     {"samples collect", "int", Harmless, "rasteriser"},
@@ -205,7 +222,7 @@ constexpr OptionRow kOptionRows[] = {
      set_contrast<&O::time_contrast>},
     {"filter", "box|triangle|gauss|mitchell|lanczos [float [float]]", Effective,
      "kind, width and height in pixels", set_filter<false>},
-    {"filter clip", "mitchell|lanczos [float [float]]", Effective, "no negative results",
+    {"filter (clip)", "mitchell|lanczos [float [float]]", Effective, "no negative results",
      set_filter<true>},
     {"jitter", "float", Effective, "0 none, 1 the whole cell", to<&O::jitter>},
     {"samplelock", "bool", Effective, "same pattern in every frame", to<&O::samplelock>},
@@ -218,18 +235,18 @@ constexpr OptionRow kOptionRows[] = {
     {"trace accuracy", "...", Uninterpreted, kImportance},
     {"scanline", "bool|rast|rapid|opengl", Harmless, "first hit method"},
     {"shadow", "off|on|sort|segments", Effective, "how blockers are met", to<&O::shadow>},
-    {"shadow sort", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Sort>},
-    {"shadow segments", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Segments>},
+    {"shadow (sort)", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Sort>},
+    {"shadow (segments)", "[bool]", Effective, "older form", set_shadow_switch<ShadowMode::Segments>},
     {"shadowmap", "off|on|only|opengl|detail", Harmless, kMapsUnused, to<&O::shadowmap>},
     {"shadowmap trace", "...", Harmless, kMapsUnused},
     {"shadowmap window", "...", Harmless, kMapsUnused},
     {"shadowmap bias", "...", Harmless, kMapsUnused},
     {"shadowmap motion", "...", Harmless, kMapsUnused},
-    {"shadowmap rebuild", "...", Harmless, kMapsUnused},
+    {"shadowmap rebuild", "... merge", Harmless, kMapsUnused},
     {"face", "front|back|both", Effective, "sides that primary rays see", to<&O::face>},
-    {"acceleration", "...", Harmless, kAcceleration},
-    {"bsp", "...", Harmless, kAcceleration},
-    {"grid", "...", Harmless, kAcceleration},
+    {"acceleration", "... bsp|bsp2|large_bsp|grid|raycl", Harmless, kAcceleration},
+    {"bsp: size|depth|memory|shadow", "...", Harmless, kAcceleration},
+    {"grid: size|depth|resolution", "...", Harmless, kAcceleration},
     {"object space", "", Effective, "geometry is local", is<&O::space, Space::Object>},
     {"camera space", "", NotYet, "geometry is in camera space", is<&O::space, Space::Camera>},
     {"mixed space", "", NotYet, "geometry local, instances camera", is<&O::space, Space::Mixed>},
@@ -238,17 +255,17 @@ constexpr OptionRow kOptionRows[] = {
     {"displace", "bool", Effective, "displacement shaders", to<&O::displace>},
     {"displace presample", "bool", Harmless, "looks for bounds first", to<&O::displace_presample>},
     {"max displace", "float", Effective, "greatest displacement", to<&O::max_displace>},
-    {"approximate", "...", Effective, "tessellation of every object", set_elsewhere},
+    {"approximate", "<approximation>", Effective, "tessellation of every object", set_elsewhere},
     {"motion", "bool", Effective, "motion blur", to<kMotion, &M::on>},
     {"motion steps", "int", Effective, "points of a path", to<kMotion, &M::steps>},
     {"shutter", "float [float]", Effective, "close, or delay close", set_shutter},
     {"shutter delay", "float", Effective, "opens at", to<kMotion, &M::delay>},
     {"field", "off|even|odd", Uninterpreted, "half pictures"},
-    {"inheritance", "...", Uninterpreted, "function that inherits parameters"},
-    {"traversal", "...", Uninterpreted, "function that inherits parameters"},
-    {"data", "...", Uninterpreted, "user data"},
-    {"hardware", "...", Harmless, "graphics hardware"},
-    {"attribute", "...", Uninterpreted, "overrides of attributes"},
+    {"inheritance", "... string", Uninterpreted, "function that inherits parameters"},
+    {"traversal", "<name>", Uninterpreted, "function that inherits parameters"},
+    {"data", "<name>", Uninterpreted, "user data"},
+    {"hardware", "... all|force|cg|native|fast", Harmless, "graphics hardware"},
+    {"attribute", "<text>", Uninterpreted, "overrides of attributes"},
     // Switches
     {"lens", "bool", Effective, "lens shaders", to<&O::lens>},
     {"volume", "bool", Effective, "volume shaders of the camera", to<&O::volume>},
@@ -285,7 +302,7 @@ constexpr OptionRow kOptionRows[] = {
     {"finalgather", "bool|only|fastlookup", Effective, "final gathering", set_gather},
     {"finalgather accuracy", "int [float [float]]", Effective, "rays, max and min radius",
      set_gather_accuracy<false>},
-    {"finalgather accuracy view", "int [float [float]]", Effective, "radii in pixels",
+    {"finalgather accuracy (view)", "int [float [float]]", Effective, "radii in pixels",
      set_gather_accuracy<true>},
     {"finalgather trace depth", "int [int [int [int]]]", Effective,
      "reflection, refraction, diffuse, sum", set_gather_depth},
@@ -299,8 +316,10 @@ constexpr OptionRow kOptionRows[] = {
     {"finalgather file", "list|off|string", Effective, "kept points", set_gather_files},
     {"finalgather rebuild", "off|on|freeze", Effective, "start over", to<kGather, &F::rebuild>},
     {"finalgather importance", "...", Uninterpreted, kImportance},
-    {"ambientocclusion", "...", Uninterpreted, "ambient occlusion of the whole scene"},
-    {"ibl", "...", Uninterpreted, "light from the environment"},
+    {"ambientocclusion", "...", Uninterpreted, kOcclusion},
+    {"ambientocclusion: importance|falloff|accuracy", "...", Uninterpreted, kOcclusion},
+    {"ibl", "...", Uninterpreted, kEnvironment},
+    {"ibl: importance|falloff|accuracy", "...", Uninterpreted, kEnvironment},
     // Output
     {"frame buffer", "int [string]", NotYet, "buffer by number", set_frame_buffer},
     {"gamma", "float", Effective, "of integer files", to<&O::gamma>},
@@ -309,18 +328,22 @@ constexpr OptionRow kOptionRows[] = {
     {"premultiply", "bool", Effective, "colours times alpha", to<&O::premultiply>},
     {"colorclip", "rgb|alpha|raw", Effective, "which of colour and alpha yields", to<&O::colorclip>},
     {"luminance weight", "float float float", Effective, "red, green, blue", set_luminance},
-    {"luminance weight ntsc", "", Effective, ".299 .587 .114", set_luminance_ntsc},
-    {"colorprofile", "...", Uninterpreted, "render space"},
-    {"contour store", "...", Uninterpreted, "contours"},
-    {"contour contrast", "...", Uninterpreted, "contours"},
-    {"diagnostic", "...", Uninterpreted, "pictures of the method"},
+    {"luminance weight (ntsc)", "", Effective, ".299 .587 .114", set_luminance_ntsc},
+    {"colorprofile", "... string", Uninterpreted, "render space"},
+    {"contour store", "<text>", Uninterpreted, "contours"},
+    {"contour contrast", "<text>", Uninterpreted, "contours"},
+    {"diagnostic: samples|finalgather", "...", Uninterpreted, kDiagnostic},
+    {"diagnostic: photon", "... density|irradiance", Uninterpreted, kDiagnostic},
+    {"diagnostic: grid", "... object|world|camera", Uninterpreted, kDiagnostic},
+    {"diagnostic: bsp", "... depth|size", Uninterpreted, kDiagnostic},
+    {"diagnostic: hardware", "... grid|window|light|solid", Uninterpreted, kDiagnostic},
     // String options
     {"\"cryptomatte\"", "bool|int", Effective, "mattes of EXR files; ranks of a pixel",
-     at_the_files},
+     set_mattes},
     {"\"indirect\"", "scene|path|fg|photons|fg+photons", Effective, "how light is gathered",
      to<&O::indirect>},
     {"\"unified sampling\"", "bool|float", Effective, "off: the other \"samples\" options do not act",
-     set_elsewhere},
+     set_unified_sampling},
     {"\"samples min\"", "float", Effective, "fewest samples of a pixel, as level 4^n",
      set_fewest_samples},
     {"\"samples max\"", "float", Effective, "most samples of a pixel, as level 4^n",
@@ -351,67 +374,11 @@ constexpr OptionRow kOptionRows[] = {
 };
 // clang-format on
 
-bool is_word(const OptionItem& item, std::string_view word) {
-  if (!item.value || item.value->kind == Value::Kind::Text) {
-    return item.text.size() == word.size() &&
-           std::equal(word.begin(), word.end(), item.text.begin(),
-                      [](char w, char c) { return w == c || (w == '_' && c == ' '); });
-  }
-  return item.value->kind == Value::Kind::Boolean && word == (item.value->boolean ? "on" : "off");
-}
-
-bool is_alternative(const OptionItem& item, std::string_view alternative) {
-  const auto kind = item.value ? item.value->kind : Value::Kind::Null;
-  if (alternative == "bool") return kind == Value::Kind::Boolean;
-  if (alternative == "float") return kind == Value::Kind::Numbers;
-  // A scalar with a whole value may stand for an integer: exporters write `500.`.
-  if (alternative == "int")
-    return kind == Value::Kind::Numbers && item.number == std::floor(item.number) &&
-           std::abs(item.number) < 2147483648.0;
-  if (alternative == "string") return kind == Value::Kind::Text;
-  if (alternative == "list") return kind == Value::Kind::Array;
-  return is_word(item, alternative);
-}
-
-bool fits_atom(std::string_view atom, OptionItem& item) {
-  for (item.choice = 0; !atom.empty(); ++item.choice) {
-    const auto bar = atom.find('|');
-    if (is_alternative(item, atom.substr(0, bar))) return true;
-    atom = bar == std::string_view::npos ? std::string_view{} : atom.substr(bar + 1);
-  }
-  return false;
-}
-
 }  // namespace
 
-Rgba OptionValues::color() const {
-  if (size() == 1) return {number(0), number(0), number(0), 1};
-  return {number(0), number(1), number(2), size() > 3 ? number(3) : 1.0f};
-}
-
-TraceDepth OptionValues::depth() const {
-  const int r = integer(0), t = size() > 1 ? integer(1) : r;
-  return {r, t, size() > 2 ? integer(2) : r + t};
-}
-
-std::span<const OptionRow> option_table() { return kOptionRows; }
-
-bool fits_form(std::string_view form, std::span<OptionItem> items) {
-  std::size_t used = 0;
-  while (!form.empty()) {
-    if (form == "...") return true;
-    // A bracket opens a rest that may be missing as a whole.
-    if (form.front() == '[' && used == items.size()) return true;
-    if (form.front() == ' ' || form.front() == '[' || form.front() == ']') {
-      form.remove_prefix(1);
-      continue;
-    }
-    const auto end = std::min(form.find_first_of(" ]"), form.size());
-    if (used == items.size() || !fits_atom(form.substr(0, end), items[used])) return false;
-    ++used;
-    form.remove_prefix(end);
-  }
-  return used == items.size();
+const ElementTable<RenderOptions>& option_table() {
+  static const ElementTable<RenderOptions> table(kOptionRows);
+  return table;
 }
 
 }  // namespace oriel::scene

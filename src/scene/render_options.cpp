@@ -4,71 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "scene/option_table.h"
 
 namespace oriel::scene {
 namespace {
 
-const std::unordered_map<std::string_view, const OptionRow*>& rows_by_keyword() {
-  static const auto rows = [] {
-    std::unordered_map<std::string_view, const OptionRow*> map;
-    for (const OptionRow& row : option_table()) map.emplace(row.keyword, &row);
-    return map;
-  }();
-  return rows;
-}
-
-const OptionRow* find_row(const std::string& keyword) {
-  const auto found = rows_by_keyword().find(keyword);
-  return found == rows_by_keyword().end() ? nullptr : found->second;
-}
-
-void add_words(std::vector<OptionItem>& items, std::string_view words, const Value* value) {
-  for (std::size_t at = 0; at < words.size();) {
-    const auto end = std::min(words.find(' ', at), words.size());
-    items.push_back({.value = value, .text = words.substr(at, end - at)});
-    at = end + 1;
-  }
-}
-
-/// Words of the keyword, then the values: where a reader stops calling words a keyword is its own
-/// affair (`shadow segments`, `filter clip gauss`), so both look the same here.
-std::vector<OptionItem> items_of(const Statement& s) {
-  std::vector<OptionItem> items;
-  if (!s.quoted) add_words(items, s.keyword, nullptr);
-  for (const Value& v : s.values) {
-    if (v.kind == Value::Kind::Numbers)
-      for (const double n : v.numbers) items.push_back({.value = &v, .number = n});
-    else if (v.bare)
-      add_words(items, v.text, &v);
-    else
-      items.push_back({.value = &v, .text = v.text});
-  }
-  return items;
-}
-
-struct Match {
-  const OptionRow* row = nullptr;
-  std::size_t words = 0;  ///< items that belong to the row's keyword
-};
-
-/// The row with the longest keyword that the leading words spell.
-Match find_longest(const std::vector<OptionItem>& items) {
-  constexpr std::size_t kMostWords = 3;
-  Match best;
-  std::string keyword;
-  for (std::size_t n = 0; n < std::min(items.size(), kMostWords); ++n) {
-    if (items[n].text.empty()) break;
-    if (n) keyword += ' ';
-    keyword += items[n].text;
-    if (const OptionRow* row = find_row(keyword)) best = {row, n + 1};
-  }
-  return best;
-}
-
-std::string describe(const OptionItem& item) {
+std::string describe(const FormItem& item) {
   if (!item.value) return std::string(item.text);
   switch (item.value->kind) {
     case Value::Kind::Boolean:
@@ -85,30 +27,37 @@ std::string describe(const OptionItem& item) {
 }
 
 class Interpreter {
+  using Table = ElementTable<RenderOptions>;
+
  public:
-  /// `unified`: the sampling of mental ray 3.11 on is not switched off.
-  Interpreter(RenderOptions& options, bool unified, Diagnostics& diagnostics)
-      : options_(options), unified_(unified), diagnostics_(diagnostics) {}
+  Interpreter(RenderOptions& options, Diagnostics& diagnostics)
+      : options_(options), diagnostics_(diagnostics) {}
 
   void read(const Statement& s) {
     if (s.quoted && s.keyword.starts_with(kLightGroup)) return read_light_group(s);
-    std::vector<OptionItem> items = items_of(s);
-    const Match match =
-        s.quoted ? Match{find_row(fmt::format("\"{}\"", s.keyword)), 0} : find_longest(items);
+    const auto match = option_table().match(s, items_);
     if (!match.row && is_of_other_method(s))
-      return keep(fmt::format("\"{}\"", s.keyword), WithoutEffect::Reason::Harmless, s.where);
+      return keep(fmt::format("\"{}\"", s.keyword), Support::Harmless, s.where);
     if (!match.row) return s.quoted ? keep_string(s.keyword) : report_unknown(s);
     if (s.quoted && s.keyword.starts_with("samples ") && !unified_)
-      return keep(match.row->keyword, WithoutEffect::Reason::Harmless, s.where);
-    const auto values = std::span(items).subspan(match.words);
-    if (!fits_form(match.row->form, values)) return report_misfit(s, *match.row, values);
-    if (match.row->set) match.row->set(options_, OptionValues(values));
-    note_effect(*match.row, OptionValues(values), s.where);
+      return keep(match.row->keyword, Support::Harmless, s.where);
+    if (!match.fits) return report_misfit(s, *match.row, match.values);
+    const StatementValues values(match.values, s.where);
+    Table::set(*match.row, options_, values);
+    note_effect(*match.row, values);
   }
 
-  void keep(std::string_view keyword, WithoutEffect::Reason reason, SourceLocation where) {
+  /// `"unified sampling"` decides what other statements mean, before it or behind it.
+  void read_unified_sampling(const Statement& s) {
+    if (!s.quoted || s.keyword != "unified sampling") return;
+    const auto match = option_table().match(s, items_);
+    if (match.fits) Table::set(*match.row, options_, {match.values, s.where});
+    unified_ = options_.unified_sampling;
+  }
+
+  void keep(std::string_view keyword, Support support, SourceLocation where) {
     std::erase_if(options_.without_effect, [&](const auto& w) { return w.keyword == keyword; });
-    options_.without_effect.push_back({std::string(keyword), reason, where});
+    options_.without_effect.push_back({std::string(keyword), support, where});
   }
 
  private:
@@ -135,23 +84,18 @@ class Interpreter {
 
   /// Lists a statement that does not act. One that asks for what holds anyway (`caustic off`) loses
   /// nothing and is not listed.
-  void note_effect(const OptionRow& row, const OptionValues& values, SourceLocation where) {
-    if (row.support == OptionSupport::Effective) return;
-    if (row.support == OptionSupport::NotYet) {
+  void note_effect(const StatementRow& row, const StatementValues& values) {
+    if (row.support == Support::Effective) return;
+    const std::string name = name_of(row);
+    if (row.support == Support::NotYet) {
       RenderOptions alone;
-      row.set(alone, values);
+      Table::set(row, alone, values);
       if (alone == RenderOptions{}) {
-        std::erase_if(options_.without_effect,
-                      [&](const auto& w) { return w.keyword == row.keyword; });
+        std::erase_if(options_.without_effect, [&](const auto& w) { return w.keyword == name; });
         return;
       }
     }
-    using Reason = WithoutEffect::Reason;
-    keep(row.keyword,
-         row.support == OptionSupport::NotYet     ? Reason::NotYet
-         : row.support == OptionSupport::Harmless ? Reason::Harmless
-                                                  : Reason::Uninterpreted,
-         where);
+    keep(name, row.support, values.where());
   }
 
   void keep_string(const std::string& name) {
@@ -161,26 +105,27 @@ class Interpreter {
 
   void report_unknown(const Statement& s) {
     std::vector<std::string> keywords;
-    for (const OptionRow& row : option_table())
-      if (!row.keyword.starts_with('"')) keywords.emplace_back(row.keyword);
+    for (const StatementRow& row : option_table().rows())
+      if (!is_string_option(row)) keywords.push_back(name_of(row));
     const std::string near = nearest_name(s.keyword, keywords);
     diagnostics_.warning("OR-SC-102", s.where, fmt::format("unknown option '{}'", s.keyword),
                          near.empty() ? "" : fmt::format("did you mean '{}'?", near));
   }
 
-  void report_misfit(const Statement& s, const OptionRow& row, std::span<OptionItem> values) {
+  void report_misfit(const Statement& s, const StatementRow& row, std::span<FormItem> values) {
     std::string found;
-    for (const OptionItem& item : values) found += ' ' + describe(item);
+    for (const FormItem& item : values) found += ' ' + describe(item);
     // A string option of the wrong type is documented to be ignored, so it is worth no warning.
     diagnostics_.report(s.quoted ? Severity::Note : Severity::Warning,
                         s.quoted ? "OR-SC-103" : "OR-SC-101", s.where,
-                        fmt::format("{}{} is ignored", row.keyword, found),
-                        fmt::format("expected: {} {} ({})", row.keyword, row.form, row.meaning));
+                        fmt::format("{}{} is ignored", name_of(row), found),
+                        fmt::format("expected: {} {} ({})", name_of(row), row.form, row.meaning));
   }
 
   RenderOptions& options_;
-  bool unified_;
   Diagnostics& diagnostics_;
+  bool unified_ = true;
+  std::vector<FormItem> items_;  // of the statement being read
 };
 
 }  // namespace
@@ -192,15 +137,11 @@ float default_filter_width(FilterKind kind) {
 
 RenderOptions interpret_options(const Options& options, Diagnostics& diagnostics) {
   RenderOptions result;
-  const Statement* unified = find_last(options.statements, "unified sampling");
-  const Value* value = unified && !unified->values.empty() ? &unified->values[0] : nullptr;
-  const bool off = value && (value->kind == Value::Kind::Numbers
-                                 ? !value->numbers.empty() && value->numbers[0] == 0
-                                 : value->kind == Value::Kind::Boolean && !value->boolean);
-  Interpreter interpreter(result, !off, diagnostics);
+  Interpreter interpreter(result, diagnostics);
+  for (const Statement& s : options.statements) interpreter.read_unified_sampling(s);
   for (const Statement& s : options.statements) interpreter.read(s);
   for (const UninterpretedStatement& k : options.uninterpreted)
-    interpreter.keep(k.keyword, WithoutEffect::Reason::Uninterpreted, k.where);
+    interpreter.keep(k.keyword, Support::Uninterpreted, k.where);
   return result;
 }
 

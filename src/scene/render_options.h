@@ -10,6 +10,7 @@
 #include "base/vec.h"
 #include "scene/elements.h"
 #include "scene/light_group.h"
+#include "scene/statement_table.h"
 
 namespace oriel::scene {
 
@@ -111,11 +112,7 @@ struct UserFrameBuffer {
 /// A statement that was read but does not act on the picture.
 struct WithoutEffect {
   std::string keyword;
-  enum class Reason : std::uint8_t {
-    NotYet,         ///< its meaning is known, nothing acts on it
-    Uninterpreted,  ///< kept and written back, not interpreted
-    Harmless,  ///< concerns speed or another program's method; the picture does not depend on it
-  } reason = Reason::Uninterpreted;
+  Support support = Support::Uninterpreted;
   SourceLocation where;
   bool operator==(const WithoutEffect&) const = default;
 };
@@ -125,6 +122,7 @@ struct RenderOptions {
   int samples_min = -2, samples_max = 0;
   Rgba contrast{0.1f, 0.1f, 0.1f, 0.1f}, time_contrast{0.2f, 0.2f, 0.2f, 0.2f};
   bool contrast_all_buffers = false;
+  bool unified_sampling = true;  ///< off: the string options "samples ..." do not act
   PixelFilter filter;
   float jitter = 0;        ///< 0 none, 1 the whole cell
   bool samplelock = true;  ///< same pattern in every frame
@@ -158,6 +156,9 @@ struct RenderOptions {
   std::vector<UserFrameBuffer> frame_buffers;
   std::vector<LightGroup>
       light_groups;  ///< `"light group NAME" "PATTERN,..."`; layers of EXR files
+
+  static constexpr int kDefaultMatteRanks = -1;
+  int matte_ranks = 0;  ///< names that a pixel of Cryptomatte layers holds; 0: no such layers
 
   std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
   std::vector<std::string> unknown_strings;   ///< unknown string options, each once

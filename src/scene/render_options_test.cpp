@@ -228,7 +228,7 @@ TEST(RenderOptions, WhatDoesNotActIsListedUnlessItAsksForTheDefault) {
   std::vector<std::string> listed;
   for (const auto& w : o.without_effect) listed.push_back(w.keyword);
   EXPECT_EQ(listed, (std::vector<std::string>{"acceleration", "contour store"}));
-  EXPECT_EQ(o.without_effect[0].reason, WithoutEffect::Reason::Harmless);
+  EXPECT_EQ(o.without_effect[0].support, Support::Harmless);
 }
 
 TEST(RenderOptions, SamplingOfLaterVersionsActs) {
@@ -265,9 +265,9 @@ TEST(RenderOptions, GlobalIlluminationOfLaterVersionsIsPathTracing) {
 
 TEST(OptionTable, RowsAreUniqueAndActingOnesHaveASetter) {
   std::vector<std::string_view> keywords;
-  for (const OptionRow& row : option_table()) {
+  for (const Row<RenderOptions>& row : option_table().rows()) {
     keywords.push_back(row.keyword);
-    if (row.support == OptionSupport::Effective || row.support == OptionSupport::NotYet) {
+    if (row.support == Support::Effective || row.support == Support::NotYet) {
       EXPECT_NE(row.set, nullptr) << row.keyword;
     }
     EXPECT_FALSE(row.meaning.empty());

@@ -55,6 +55,8 @@ enum class ParamType : std::uint8_t {
 
 /// The keyword(s) of a type in `.mi`: "scalar", "color texture", ...
 std::string_view type_name(ParamType type);
+/// The greatest number of numbers in a value of that type; 1 where it holds none.
+std::size_t number_count(ParamType type);
 
 /// One declared parameter or result member.
 struct ParamDecl {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/value.h"
 
-#include <algorithm>
-
 namespace oriel::scene {
 
 bool operator==(const Value& a, const Value& b) {
@@ -16,12 +14,6 @@ bool operator==(const Argument& a, const Argument& b) {
 
 bool operator==(const Statement& a, const Statement& b) {
   return a.keyword == b.keyword && a.quoted == b.quoted && a.values == b.values;
-}
-
-const Statement* find_last(const std::vector<Statement>& statements, std::string_view keyword) {
-  const auto found = std::find_if(statements.rbegin(), statements.rend(),
-                                  [&](const Statement& s) { return s.keyword == keyword; });
-  return found == statements.rend() ? nullptr : &*found;
 }
 
 }  // namespace oriel::scene

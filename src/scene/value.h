@@ -67,7 +67,4 @@ struct UninterpretedStatement {
   bool operator==(const UninterpretedStatement&) const = default;
 };
 
-/// The last statement of that keyword (later ones override), or null.
-const Statement* find_last(const std::vector<Statement>& statements, std::string_view keyword);
-
 }  // namespace oriel::scene

@@ -26,17 +26,7 @@ const ParamSpec* declared_parameter(const CallWork& call) {
 
 std::size_t element_width(const CallWork& call) {
   const ParamSpec* row = declared_parameter(call);
-  if (!row || row->type != ParamType::Array) return 1;
-  switch (row->element) {
-    case ParamType::Color:
-      return 4;
-    case ParamType::Vector:
-      return 3;
-    case ParamType::Transform:
-      return 16;
-    default:
-      return 1;
-  }
+  return row && row->type == ParamType::Array ? number_count(row->element) : 1;
 }
 
 /// A string, or the name of an element.

@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "scene/label.h"
 #include "sdk/context.h"
 #include "sdk/host.h"
 #include "sdk/user_data.h"
@@ -53,16 +52,15 @@ struct Maker {
     out.item = host.tag_of_name(from.element);
     if (!from.materials.empty()) out.material = host.tag_of_name(from.materials.front());
     out.mtl_array_size = static_cast<int>(from.materials.size());
-    out.userdata = attached_data(from.flags, host);
-    out.label = scene::label_of(from.flags);
+    attach(settings_of(from), out);
     return record(out, size);
   }
   Bytes operator()(const scene::InstanceGroup& from) const {
     std::vector<miTag> kids;
     for (const std::string& member : from.members)
       if (const miTag kid = host.tag_of_name(member)) kids.push_back(kid);
-    return group_record(kids, attached_data(from.settings, host), scene::label_of(from.settings),
-                        size);
+    const scene::InstanceGroupSettings settings = settings_of(from);
+    return group_record(kids, attached_data(settings, host), settings.label, size);
   }
   Bytes operator()(const scene::Light& from) const {
     miLight out = {};
@@ -72,9 +70,9 @@ struct Maker {
     out.spread = from.spread.value_or(0);
     out.shader = shader_of(host, &from.shaders);
     out.emitter = shader_of(host, &from.emitters);
-    out.userdata = attached_data(from.other, host);
-    out.label = scene::label_of(from.other);
-    store_shadow_maps(from.other, out);
+    const scene::LightSettings settings = settings_of(from);
+    attach(settings, out);
+    store_shadow_map(settings.shadow_map, out);
     return record(out, size);
   }
   Bytes operator()(const scene::Material& from) const {
@@ -102,6 +100,11 @@ struct Maker {
   template <class Other>
   Bytes operator()(const Other&) const {
     return {};
+  }
+  template <class Record>
+  void attach(const scene::Attachments& from, Record& out) const {
+    out.userdata = attached_data(from, host);
+    out.label = from.label;
   }
 };
 

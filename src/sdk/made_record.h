@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oriel/sdk/shader/scene.h"
-#include "scene/elements.h"
+#include "scene/element_settings.h"
 
 namespace oriel::sdk {
 
@@ -26,8 +26,8 @@ std::unique_ptr<std::byte[]> element_record(Host& host, const std::string& name,
 /// A group with all leaves of the World: what the root holds.
 std::unique_ptr<std::byte[]> root_record(Host& host, std::size_t& size);
 
-/// The members of a light that describe shadow maps, from its statements.
-void store_shadow_maps(const std::vector<scene::Statement>& from, miLight& out);
+/// The members of a light that describe shadow maps, which shaders can ask for.
+void store_shadow_map(const scene::ShadowMap& from, miLight& out);
 
 /// Matrices and identity of an instance; without tags.
 miInstance c_instance(const scene::Instance& from);

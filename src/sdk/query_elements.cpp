@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sdk/query_elements.h"
 
-#include "scene/label.h"
 #include "sdk/call.h"
 #include "sdk/host.h"
 #include "sdk/made_record.h"
@@ -10,19 +9,25 @@
 namespace oriel::sdk {
 namespace {
 
-/// The statements of the scene's element that a tag stands for; null: of no such element.
-const std::vector<scene::Statement>* statements_of(Host& host, miTag tag) {
-  const scene::Scene& scene = host.scene();
-  const bool placed = kind_of(tag) == TagKind::Instance || kind_of(tag) == TagKind::LightInstance;
+/// The instance that the tag of an instance, an object or a light comes from; null: none.
+const scene::Instance* instance_behind(Host& host, miTag tag) {
   const std::string* name = nullptr;
   if (const InstanceData* i = host.instance(tag)) name = &i->name;
   if (const int l = host.light(tag); l >= 0)
     name = &host.world()->lights[static_cast<std::size_t>(l)].name;
-  const auto* instance = name ? scene.get<scene::Instance>(*name) : nullptr;
-  if (!instance || placed) return instance ? &instance->flags : nullptr;
-  if (const auto* object = scene.get<scene::Object>(instance->element)) return &object->flags;
-  if (const auto* light = scene.get<scene::Light>(instance->element)) return &light->other;
-  return nullptr;
+  return name ? host.scene().get<scene::Instance>(*name) : nullptr;
+}
+
+/// What is attached to the scene's element that a tag stands for.
+scene::Attachments attachments_of(Host& host, miTag tag) {
+  const scene::Scene& scene = host.scene();
+  const bool placed = kind_of(tag) == TagKind::Instance || kind_of(tag) == TagKind::LightInstance;
+  const auto* instance = instance_behind(host, tag);
+  if (!instance) return {};
+  if (placed) return settings_of(*instance);
+  if (const auto* object = scene.get<scene::Object>(instance->element)) return settings_of(*object);
+  if (const auto* light = scene.get<scene::Light>(instance->element)) return settings_of(*light);
+  return {};
 }
 
 /// Bounds of the object that an instance places, in object space.
@@ -41,21 +46,17 @@ geom::Box3 object_bounds(const Host& host, std::size_t index) {
 }  // namespace
 
 void store_written(Host& host, miTag tag, miLight& out) {
-  const auto* statements = statements_of(host, tag);
-  if (!statements) return;
-  out.label = scene::label_of(*statements);
-  store_shadow_maps(*statements, out);
+  const scene::Instance* instance = instance_behind(host, tag);
+  const auto* light = instance ? host.scene().get<scene::Light>(instance->element) : nullptr;
+  if (!light) return;
+  const scene::LightSettings settings = settings_of(*light);
+  out.label = settings.label;
+  store_shadow_map(settings.shadow_map, out);
 }
 
-miTag data_of(Host& host, miTag tag) {
-  const auto* statements = statements_of(host, tag);
-  return statements ? attached_data(*statements, host) : miNULLTAG;
-}
+miTag data_of(Host& host, miTag tag) { return attached_data(attachments_of(host, tag), host); }
 
-miUint label_of(Host& host, miTag tag) {
-  const auto* statements = statements_of(host, tag);
-  return statements ? scene::label_of(*statements) : 0;
-}
+miUint label_of(Host& host, miTag tag) { return attachments_of(host, tag).label; }
 
 miUint Host::hit_label(std::size_t instance) {
   if (!labels_ready_.load(std::memory_order_acquire)) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "runtime/texture_node.h"
+#include "scene/element_settings.h"
 #include "sdk/call.h"
 #include "sdk/current.h"
 #include "sdk/frame_buffers.h"
@@ -24,18 +25,6 @@ miUchar bits(unsigned visibility, unsigned casts, unsigned receives) {
   return static_cast<miUchar>(((visibility & casts) ? 1 : 0) | ((visibility & receives) ? 2 : 0));
 }
 
-/// The frame as the camera writes it: `frame number time field`.
-void store_frame(const scene::Camera& camera, miCamera& out) {
-  const scene::Statement* frame = scene::find_last(camera.other, "frame");
-  if (!frame || frame->values.empty()) return;
-  std::vector<double> numbers;
-  for (const scene::Value& v : frame->values)
-    numbers.insert(numbers.end(), v.numbers.begin(), v.numbers.end());
-  if (!numbers.empty()) out.frame = static_cast<int>(numbers[0]);
-  if (numbers.size() > 1) out.frame_time = static_cast<float>(numbers[1]);
-  if (numbers.size() > 2) out.frame_field = static_cast<int>(numbers[2]);
-}
-
 miCamera camera_of(const World& world, const scene::Camera* written) {
   const Camera& c = world.camera;
   miCamera out = {};
@@ -50,7 +39,12 @@ miCamera camera_of(const World& world, const scene::Camera* written) {
   out.x_offset = c.offset.x;
   out.y_offset = c.offset.y;
   out.buffertag = make_tag(TagKind::Camera, 0);
-  if (written) store_frame(*written, out);
+  if (written) {
+    const scene::CameraSettings settings = settings_of(*written);
+    out.frame = settings.frame;
+    out.frame_time = settings.frame_time;
+    out.frame_field = settings.frame_field;
+  }
   return out;
 }
 

@@ -1,49 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a light of the scene says of shadow maps, for shaders that ask; shadows are traced.
-#include <string_view>
-
 #include "sdk/made_record.h"
 
 namespace oriel::sdk {
-namespace {
 
-constexpr std::string_view kPrefix = "shadowmap";
-
-/// `what`: the words behind `shadowmap`, which is on.
-void store_setting(std::string_view what, const scene::Statement& s, miLight& out) {
-  const auto number = [&] {
-    return s.values.empty() || s.values[0].numbers.empty() ? 0.0 : s.values[0].numbers[0];
-  };
-  if (what == "detail") out.shadowmap_flags |= miSHADOWMAP_DETAIL;
-  if (what == "merge") out.shadowmap_flags |= miSHADOWMAP_MERGE;
-  if (what == "trace") out.shadowmap_flags |= miSHADOWMAP_TRACE;
-  if (what == "window") out.shadowmap_flags |= miSHADOWMAP_WINDOW;
-  if (what == "camera") out.shadowmap_flags |= miSHADOWMAP_CAMERA;
-  if (what == "resolution") out.shadowmap_resolution = static_cast<int>(number());
-  if (what == "samples") out.shadowmap_samples = static_cast<int>(number());
-  if (what == "softness") out.shadowmap_softness = static_cast<miScalar>(number());
-  if (what == "bias") out.shadowmap_bias = static_cast<miScalar>(number());
-  if (what == "accuracy") out.shmap.accuracy = static_cast<miScalar>(number());
-  if (what == "detail samples") out.shmap.samples = static_cast<int>(number());
-  if (what == "color") out.shmap.type = 'c';
-  if (what == "alpha") out.shmap.type = 'a';
-  if (what == "filter" && !s.values.empty() && !s.values[0].text.empty())
-    out.shmap.filter = s.values[0].text[0];
-}
-
-}  // namespace
-
-void store_shadow_maps(const std::vector<scene::Statement>& from, miLight& out) {
-  for (const scene::Statement& s : from) {
-    const std::string_view keyword = s.keyword;
-    if (keyword == kPrefix) {
-      const bool off = !s.values.empty() && s.values[0].kind == scene::Value::Kind::Boolean &&
-                       !s.values[0].boolean;
-      out.use_shadow_maps = !off;
-    } else if (keyword.starts_with(kPrefix) && keyword[kPrefix.size()] == ' ') {
-      store_setting(keyword.substr(kPrefix.size() + 1), s, out);
-    }
-  }
+void store_shadow_map(const scene::ShadowMap& from, miLight& out) {
+  out.use_shadow_maps = from.on;
+  if (from.detail) out.shadowmap_flags |= miSHADOWMAP_DETAIL;
+  if (from.merge) out.shadowmap_flags |= miSHADOWMAP_MERGE;
+  if (from.trace) out.shadowmap_flags |= miSHADOWMAP_TRACE;
+  if (from.window) out.shadowmap_flags |= miSHADOWMAP_WINDOW;
+  if (from.camera) out.shadowmap_flags |= miSHADOWMAP_CAMERA;
+  out.shadowmap_resolution = from.resolution;
+  out.shadowmap_samples = from.samples;
+  out.shadowmap_softness = from.softness;
+  out.shadowmap_bias = from.bias;
+  out.shmap.accuracy = from.accuracy;
+  out.shmap.samples = from.detail_samples;
+  out.shmap.type = from.type;
+  out.shmap.filter = from.filter;
 }
 
 }  // namespace oriel::sdk

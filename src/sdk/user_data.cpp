@@ -157,10 +157,8 @@ std::unique_ptr<std::byte[]> user_data_record(const scene::UserData& data, Host&
   return record;
 }
 
-miTag attached_data(const std::vector<scene::Statement>& statements, Host& host) {
-  const scene::Statement* s = scene::find_last(statements, "data");
-  if (!s || s->values.empty() || s->values[0].kind != Value::Kind::Text) return miNULLTAG;
-  return host.tag_of_name(s->values[0].text);
+miTag attached_data(const scene::Attachments& attachments, Host& host) {
+  return attachments.data.empty() ? miNULLTAG : host.tag_of_name(attachments.data);
 }
 
 }  // namespace oriel::sdk

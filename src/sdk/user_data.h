@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "scene/element_settings.h"
 #include "sdk/host.h"
 
 namespace oriel::sdk {
@@ -20,7 +21,7 @@ namespace oriel::sdk {
 std::unique_ptr<std::byte[]> user_data_record(const scene::UserData& data, Host& host,
                                               std::size_t& size);
 
-/// The data that an element's statements attach to it; null: none.
-miTag attached_data(const std::vector<scene::Statement>& statements, Host& host);
+/// The data that is attached to an element; null: none.
+miTag attached_data(const scene::Attachments& attachments, Host& host);
 
 }  // namespace oriel::sdk

@@ -32,10 +32,13 @@ unsigned apply_of(const scene::ShaderDeclaration& declaration) {
 }
 
 int version_of(const scene::ShaderDeclaration& declaration) {
-  const scene::Statement* s = scene::find_last(declaration.requirements, "version");
-  return s && !s->values.empty() && !s->values[0].numbers.empty()
-             ? static_cast<int>(s->values[0].numbers[0])
-             : 0;
+  int version = 0;
+  for (const scene::Statement& s : declaration.requirements)
+    if (s.keyword == "version")
+      version = s.values.empty() || s.values[0].numbers.empty()
+                    ? 0
+                    : static_cast<int>(s.values[0].numbers[0]);
+  return version;
 }
 
 std::size_t aligned(std::size_t offset, std::size_t alignment) {

@@ -2,6 +2,7 @@
 // What geometry shaders make is what the same element of a scene file is.
 #include "prepare/generated_geometry.h"
 #include "scene/approximation.h"
+#include "scene/element_settings.h"
 #include "user_scene.h"
 
 namespace oriel {
@@ -165,9 +166,7 @@ TEST(GeometryShaders, CallbacksMakeTheContentOfPlaceholdersAndKeepTheirFlags) {
   EXPECT_NEAR(scene.pixel(2, 4, 16).x, 1, 1e-5f);
   EXPECT_NEAR(scene.pixel(3, 4, 16).x, 2, 1e-5f);
   const scene::Object a = object_of(scene, "a");
-  const scene::Statement* shadow = scene::find_last(a.flags, "shadow");
-  ASSERT_NE(shadow, nullptr);
-  EXPECT_FALSE(shadow->values.at(0).boolean);
+  EXPECT_FALSE(resolve(settings_of(a).flags, {}).casts_shadow);
   EXPECT_EQ(object_of(scene, "make:a"), scene::Object());
 }
 

@@ -11,6 +11,7 @@
 #include "geom/freeform/seams.h"
 #include "geom/freeform/surface_mesh.h"
 #include "geom/freeform/weld.h"
+#include "scene/element_settings.h"
 
 namespace oriel::geom {
 namespace {
@@ -109,18 +110,11 @@ void make_seams(GroupWork& work, Budget& budget) {
 
 MaterialSlot slot_of(const GroupWork& work, const scene::FreeSurface& surface) {
   MaterialSlot slot;
-  if (work.object.tagged())
+  if (scene::settings_of(work.object).tagged)
     slot.label = surface.material;
   else if (surface.material < work.group.materials.size())
     slot.name = work.group.materials[surface.material];
   return slot;
-}
-
-float merge_distance(const scene::PolygonGroup& group) {
-  const scene::Statement* merge = scene::find_last(group.settings, "merge");
-  const bool given = merge && !merge->values.empty() && !merge->values[0].numbers.empty();
-  const double distance = given ? merge->values[0].numbers[0] : 0;
-  return distance > 0 && distance < 1e18 ? static_cast<float>(distance) : 0.0f;
 }
 
 /// Memory that all surfaces of a group together may take, whoever asks for how much.
@@ -150,11 +144,11 @@ Mesh tessellate_freeform(const scene::Object& object, const scene::PolygonGroup&
     const SurfaceInput input{object, group, group.freeform.surfaces[i], work.input(i)};
     parts[i] = make_surface(input, budget, diagnostics);
     parts[i].mesh.slots = {slot_of(work, input.surface)};
-    parts[i].mesh.tagged = object.tagged();
+    parts[i].mesh.tagged = scene::settings_of(object).tagged;
   });
-  weld_edges(parts, merge_distance(group));
+  weld_edges(parts, scene::settings_of(group).merge);
   for (const SurfacePart& part : parts) append_mesh(mesh, part.mesh);
-  mesh.tagged = object.tagged();
+  mesh.tagged = scene::settings_of(object).tagged;
   return mesh;
 }
 
