@@ -72,7 +72,7 @@ TEST(ModelMend, PolygonsWithoutAreaGoInOneNote) {
       polygons += object->groups[0].polygons.size();
   EXPECT_EQ(polygons, 2u);
   ASSERT_EQ(count_of(diagnostics, "OR-MD-009"), 1);
-  EXPECT_NE(diagnostics.all()[0].message.find("left out: 4"), std::string::npos);
+  EXPECT_NE(diagnostics.all()[0].message.find("dropped: 4"), std::string::npos);
 }
 
 TEST(ModelMend, ColladaThatIsNotThereAtAllIsOpaque) {

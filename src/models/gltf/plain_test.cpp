@@ -147,14 +147,14 @@ TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
   made.import(file.text());
   ASSERT_TRUE(made.scene);
   EXPECT_EQ(world_points(*made.scene).size(), 3u);
-  EXPECT_TRUE(made.said("2 parts of meshes are left out: there is no accessor 99"));
+  EXPECT_TRUE(made.said("2 mesh primitives are skipped: accessor 99 does not exist"));
   EXPECT_EQ(made.diagnostics.all().size(), 1u);
   // Where nothing is left there is no model.
   file.root["meshes"][0]["primitives"].erase(0);
   Made none;
   none.import(file.text());
   EXPECT_FALSE(none.scene);
-  EXPECT_TRUE(none.said("there is no accessor 99"));
+  EXPECT_TRUE(none.said("accessor 99 does not exist"));
 }
 
 TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
@@ -165,7 +165,7 @@ TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
   Made made;
   made.import(file.text());
   EXPECT_EQ(made.group().polygons.size(), 2u);
-  EXPECT_TRUE(made.said("1 triangles name corners that do not exist"));
+  EXPECT_TRUE(made.said("1 triangles have vertex indices out of range"));
 }
 
 TEST(GltfPlain, CoordinatesThatDoNotFitAreReplacedByTheNextSet) {
@@ -185,7 +185,7 @@ TEST(GltfPlain, TextThatIsNestedTooDeepIsNoModel) {
   Made made;
   made.import(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300'000, '['));
   EXPECT_FALSE(made.scene);
-  EXPECT_TRUE(made.said("its text is nested too deep"));
+  EXPECT_TRUE(made.said("its JSON is nested too deeply"));
 }
 
 TEST(GltfPlain, RequiredExtensionsThatNobodyKnowsAreNamedOnce) {
@@ -218,7 +218,7 @@ TEST(GltfPictures, WebPGoesFirstAndBasisUniversalIsNotRead) {
     Made made;
     for (const char* name : {"a.ppm", "b.webp", "c.ktx2", "d.webp"}) made.folder.write(name, "P6");
     made.import(file.text());
-    EXPECT_TRUE(made.said("2 textures are of Basis Universal"));
+    EXPECT_TRUE(made.said("2 textures use Basis Universal"));
     EXPECT_EQ(made.diagnostics.all().size(), 1u);
     for (const scene::Element& e : made.scene->elements())
       if (const auto* found = std::get_if<scene::Texture>(&e)) return found->file;
