@@ -11,14 +11,14 @@
 namespace oriel {
 namespace {
 
-/// "lamp_12" and "lamp_3" are "lamp_*".
+/// Name without trailing digits: "lamp_12" and "lamp_3" become "lamp_*".
 std::string family_of(const std::string& name) {
   std::size_t end = name.size();
   while (end > 0 && name[end - 1] >= '0' && name[end - 1] <= '9') --end;
   return end == name.size() || end == 0 ? name : name.substr(0, end) + "*";
 }
 
-/// Layers of at most `most` names in all; what has none is the rest.
+/// At most `most` names; more are merged to families, and the last ones are dropped.
 std::vector<std::string> layer_names(const std::vector<std::string>& names, std::size_t most,
                                      bool& families) {
   const std::set<std::string> each(names.begin(), names.end());
@@ -33,7 +33,7 @@ std::vector<std::string> layer_names(const std::vector<std::string>& names, std:
   return list;
 }
 
-/// The colour on its way through exposures.
+/// Records the colour after each exposure shader.
 void follow_mappings(const World& world, const NodeList& outputs, const Vec2& raster,
                      Explanation& e) {
   Rgb colour = e.colour;
@@ -61,7 +61,7 @@ Rgb ExplainedSurface::total() const {
 
 Rgb Explanation::total(std::size_t surface) const {
   Rgb sum = surfaces[surface].total();
-  // Surfaces stand behind those that they were seen from.
+  // Surfaces follow the surface that they were seen from.
   for (std::size_t i = surface + 1; i < surfaces.size(); ++i)
     if (surfaces[i].from == surface) sum += total(i);
   return sum;
@@ -122,7 +122,7 @@ Explanation explain_pixel(World& world, const SessionSettings& asked, int x, int
   e.variance = pixel.variance;
   e.shown = film.shown(0, 0);
   e.sources = world.light_layers.names;
-  e.sources.emplace_back("light without a source of its own");
+  e.sources.emplace_back("light without a separate source");
   e.sources.emplace_back("light of unknown source");
   const Film::Shares shares = film.shares_of(0, 0);
   observer.tell(shares.positive, shares.negative, e);

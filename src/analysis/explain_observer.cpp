@@ -31,7 +31,7 @@ PathSegment way_by(LobeKind kind) {
   }
 }
 
-/// The part of a surface's light that rays find which leave it that way.
+/// The light-path AOV at a surface for light that it scatters in direction `way`.
 Aov part_by(PathSegment way, Aov here) {
   switch (way) {
     case PathSegment::Diffuse:
@@ -71,7 +71,8 @@ std::vector<float> values_of(const ParamSpec& p, const std::byte* at) {
   return values;
 }
 
-/// Parameters of the material's shaders that others give at the point.
+/// Parameters of the material's shaders that are connected to other shaders, evaluated at the
+/// point.
 std::vector<ExplainedParameter> parameters_at(const Material& material, ShadingPoint& point) {
   std::vector<ExplainedParameter> found;
   for (const ShaderNode* node : material.surface) {
@@ -199,7 +200,7 @@ void ExplainObserver::on_light(Place at, const LightPart& part, std::size_t laye
   if (surfaces_[surface].facts.behind) {
     const PathSegment way = surfaces_[surface].facts.way;
     own = part_by(way, Aov::Indirect);
-    // A glowing surface that a ray found is a source, as samples of it are.
+    // Emission that a scattered ray hits counts as a light source, like light samples of it.
     if (part.here == Aov::Added && layer != world_.light_layers.unknown())
       surface = surfaces_[surface].facts.from;
   }
