@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C structures behind tags: camera, options, lights, instances, materials, shader calls.
+// C structures of tags: camera, options, lights, instances, materials, shader calls.
 #include <algorithm>
 #include <cstring>
 
@@ -24,7 +24,7 @@ miUchar bits(unsigned visibility, unsigned casts, unsigned receives) {
   return static_cast<miUchar>(((visibility & casts) ? 1 : 0) | ((visibility & receives) ? 2 : 0));
 }
 
-/// The frame as the camera writes it: `frame number time field`.
+/// The frame of the camera: `frame number time field`.
 void store_frame(const scene::Camera& camera, miCamera& out) {
   const scene::Statement* frame = scene::find_last(camera.other, "frame");
   if (!frame || frame->values.empty()) return;
@@ -240,7 +240,7 @@ miMaterial material_of(const Material& from, Host& host) {
   return out;
 }
 
-/// A shader of the renderer: its parameters are no C struct.
+/// A built-in shader: its parameters are not a C struct.
 miFunction foreign_function(const ShaderNode& node) {
   miFunction out = {};
   out.type = miFUNCTION_C;
@@ -383,7 +383,7 @@ void* Host::access(miTag tag) {
     if (const auto found = records_.find(tag); found != records_.end())
       return found->second.bytes.get();
   }
-  Record made = make(tag);  // asks for further tags itself
+  Record made = make(tag);  // may request further tags
   if (!made.bytes) return nullptr;
   const std::unique_lock lock(mutex_);
   return records_.try_emplace(tag, std::move(made)).first->second.bytes.get();
@@ -472,7 +472,7 @@ void* mi_db_access(miTag tag) {
   Host* host = current_host();
   return host ? host->access(tag) : nullptr;
 }
-void mi_db_unpin(miTag) {}  // what tags stand for lives as long as the frame
+void mi_db_unpin(miTag) {}  // elements exist until the end of the frame
 int mi_db_type(miTag tag) {
   Host* host = current_host();
   return host ? host->type_of(tag) : miSCENE_NONE;
@@ -485,7 +485,7 @@ void* mi_db_access_type(int* type, miTag tag) {
   *type = mi_db_type(tag);
   return mi_db_access(tag);
 }
-// The scene under way is read only: edits change the shader's view of it, not the picture.
+// Editing changes the view of the shader, not the scene, which is read-only during rendering.
 void* mi_scene_edit(miTag tag) { return mi_db_access(tag); }
 void mi_scene_edit_end(miTag) {}
 

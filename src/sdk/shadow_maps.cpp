@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a light of the scene says of shadow maps, for shaders that ask; shadows are traced.
+// Shadow map settings of scene lights for queries of shaders; shadows are ray traced.
 #include <string_view>
 
 #include "sdk/made_record.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "shadowmap";
 
-/// `what`: the words behind `shadowmap`, which is on.
+/// `what`: the words after `shadowmap`, which is on.
 void store_setting(std::string_view what, const scene::Statement& s, miLight& out) {
   const auto number = [&] {
     return s.values.empty() || s.values[0].numbers.empty() ? 0.0 : s.values[0].numbers[0];
