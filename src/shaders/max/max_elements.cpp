@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of 3ds Max that wrap a material and show it unchanged.
+// Fallback shaders for 3ds Max shaders that wrap a material; they show the material unchanged.
 #include "runtime/shade_input.h"
 #include "shaders/max/max_shaders.h"
 #include "shaders/maya/host_rows.h"

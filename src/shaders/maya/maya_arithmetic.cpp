@@ -102,7 +102,7 @@ constexpr auto kSumRows = about({
 });
 #undef ORIEL_TERM
 constexpr ParamSpec kSumResults[] = {
-    // The one that is connected most comes first.
+    // The result that is connected most often comes first.
     {ORIEL_PARAM(Sums, output3D), .doc = "Of the vectors."},
     {ORIEL_PARAM(Sums, output2D), .doc = "Of the pairs."},
     {ORIEL_PARAM(Sums, output1D), .doc = "Of the numbers."},

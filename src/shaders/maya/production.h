@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of the production library.
+// Fallback shaders for the production library.
 #pragma once
 
 #include <span>

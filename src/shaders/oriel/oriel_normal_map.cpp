@@ -21,7 +21,7 @@ constexpr ParamSpec kOrielNormalMapRows[] = {
      .doc = "As of mia_material_x: what the vector is to it; 0 turns the normal and gives none."},
 };
 
-/// The normal that the picture tells, facing the viewer as the point's own does.
+/// The normal from the picture, on the viewer's side like that of the point.
 Vec3 mapped_normal(const NormalMap& p, ShadingPoint& point) {
   if (!p.tex.texture || p.tex.texture->missing() || point.texture_spaces == 0) return point.normal;
   const bool given = point.bump_u[0] != Vec3(0);
