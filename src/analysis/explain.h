@@ -13,8 +13,8 @@
 namespace oriel {
 
 // Conventions
-// Colours are radiance in pixel units before exposure, and are shares of the colour of the pixel:
-// the light of all surfaces plus `unexplained` is that colour.
+//   Colours are radiance in pixel units before exposure, and are shares of the colour of the pixel:
+//   the light of all surfaces plus `unexplained` is that colour.
 
 /// How paths reached a surface.
 enum class PathSegment : std::uint8_t {

@@ -11,8 +11,8 @@
 namespace oriel {
 
 // Conventions
-// Row vectors multiply from the left, p' = p * M; the translation is the last row. This is
-// the convention of Imath and mental ray.
+//   Row vectors multiply from the left, p' = p * M; the translation is the last row. This is the
+//   convention of Imath and mental ray.
 //   World space is right-handed. Lengths are scene units. Angles are radians.
 using Vec2 = Imath::V2f;
 using Vec3 = Imath::V3f;

@@ -7,10 +7,10 @@
 namespace oriel::bsdf {
 
 // Conventions
-// As in bsdf/lobe_sample.h, but eval only: these models weight light sources and are not sampled.
-// Values include |cos wi|. As in phong.h, the visible result is the irradiance-like colour of a
-// light times pi times eval. The brightness of mental ray's own highlights is unpublished; these
-// are the normalised reflectances of the papers.
+//   As in bsdf/lobe_sample.h, but eval only: these models weight light sources and are not sampled.
+//   Values include |cos wi|. As in phong.h, the visible result is the irradiance-like colour of a
+//   light times pi times eval. The brightness of mental ray's own highlights is unpublished; these
+//   are the normalised reflectances of the papers.
 
 /// Microfacets with Beckmann slopes, Blinn's masking and Fresnel reflectance.
 ///

@@ -7,15 +7,16 @@
 namespace oriel::bsdf {
 
 // Conventions (all of src/bsdf)
-// Local shading frame, z = normal on the viewer's side. wo points to the viewer, wi to the light;
-// both are unit vectors away from the surface. Lobes return zero unless wo.z > 0; wi.z < 0 is the
+//   Local shading frame, z = normal on the viewer's side. wo points to the viewer, wi to the light;
+//   both are unit vectors away from the surface. Lobes return zero unless wo.z > 0; wi.z < 0 is the
 //   other side of the surface.
-//   Each lobe is a small value with three functions:
-//     float eval(wo, wi)   the lobe's value INCLUDING |cos wi|, white; the caller applies colour
-//                          and level (Fresnel, curve) per view angle. Delta lobes: 0.
+//   Each lobe is a small value type with three functions:
+//     float eval(wo, wi)   the value INCLUDING |cos wi|, white; the caller applies colour and
+//     weight
+//                          (Fresnel, curve) by view angle. Delta lobes: 0.
 //     float pdf(wo, wi)    density of sample() per solid angle. Delta lobes: 0.
-//     std::optional<LobeSample> sample(wo, u2, u1)   u2, u1 uniform in [0,1); nothing when the draw
-//                          is lost below the horizon.
+//     std::optional<LobeSample> sample(wo, u2, u1)   u2, u1 uniform in [0,1); unset if the sampled
+//                                                    direction is below the horizon.
 //   Radiance is not scaled by eta^2 on refraction, which is mental ray's convention.
 
 /// A sampled direction.

@@ -10,8 +10,8 @@
 namespace oriel {
 
 // Conventions
-// XYZ is stored in a Vec3; white (Y = 1) is D65, x = .3127, y = .3290.
-// Linear sRGB has the primaries of Rec. 709. All functions accept values outside 0..1.
+//   XYZ is stored in a Vec3; white (Y = 1) is D65, x = .3127, y = .3290.
+//   Linear sRGB has the primaries of Rec. 709. All functions accept values outside 0..1.
 
 /// Clamps a channel to a non-negative finite number.
 inline float usable_light(float v) { return v > 0 ? std::min(v, 1e30f) : 0.0f; }

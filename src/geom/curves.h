@@ -10,8 +10,8 @@
 namespace oriel::geom {
 
 // Conventions
-// Object space. A line segment connects two consecutive points; a cubic has four consecutive
-// control points. Columns are empty or have one entry per point.
+//   Object space. A line segment connects two consecutive points; a cubic has four consecutive
+//   control points. Columns are empty or have one entry per point.
 struct Curves {
   /// Memory layout of Embree.
   struct Point {

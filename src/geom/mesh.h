@@ -20,9 +20,9 @@ using Box3 = Imath::Box3f;
 using scene::kNone;
 
 // Conventions
-// Object space, or world space once an Accel has baked the mesh. The front of a triangle is the
-// side on which a, b, c are counter-clockwise. A column is empty (the mesh lacks the field) or has
-// one entry per vertex; a null vector means that the vertex lacks the value.
+//   Object space, or world space once an Accel has baked the mesh. The front of a triangle is the
+//   side on which a, b, c are counter-clockwise. A column is empty (the mesh lacks the field) or
+//   has one entry per vertex; a null vector means that the vertex lacks the value.
 
 struct Triangle {
   std::uint32_t a = 0, b = 0, c = 0;

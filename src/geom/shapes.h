@@ -9,9 +9,9 @@
 namespace oriel::geom {
 
 // Conventions
-// All arguments are in one space, usually world space. `d` may have any length; t is measured in
-// it. The result is the nearest hit with tnear < t < tfar on either side. Degenerate shapes (null
-// edges or radii) and rays in the plane of a shape are never hit.
+//   All arguments are in one space, usually world space. `d` may have any length; t is measured in
+//   it. The result is the nearest hit with tnear < t < tfar on either side. Degenerate shapes (null
+//   edges or radii) and rays in the plane of a shape are never hit.
 
 struct ShapeHit {
   float t;

@@ -21,8 +21,8 @@ struct Hit {
 };
 
 // Conventions
-// All vectors are in world space and refer to the front side, even if the back was hit. The front
-// is the side with counter-clockwise corners in object space, also for mirrored instances.
+//   All vectors are in world space and refer to the front side, even if the back was hit. The front
+//   is the side with counter-clockwise corners in object space, also for mirrored instances.
 struct SurfacePoint {
   Vec3 p;
   /// A ray that starts at p + offset ng (or p - offset ng) does not hit its own surface again. The

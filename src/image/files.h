@@ -9,10 +9,10 @@
 namespace oriel {
 
 // Conventions
-// Values are not converted: integers are divided by their maximum, floats are unchanged; alpha
-// is unchanged. Row 0 is the top.
-// The files module (liboriel_image_files.so) contains OpenImageIO. It is loaded at the first use of
-// a format or file texture that requires it, because loading takes 0.1 s.
+//   Values are not converted: integers are divided by their maximum, floats are unchanged; alpha is
+//   unchanged. Row 0 is the top.
+//   The files module (liboriel_image_files.so) contains OpenImageIO. It is loaded at the first use
+//   of a format or file texture that requires it, because loading takes 0.1 s.
 
 enum class SampleFormat { U8, U16, Half, Float };
 

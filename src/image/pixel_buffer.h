@@ -9,8 +9,8 @@
 namespace oriel {
 
 // Conventions
-//   Row 0 is the top row of the picture, x runs to the right, channels are interleaved.
-// The pixel buffer does not record whether its values are linear or display-encoded.
+//   Row 0 is the top row of the picture, x runs to the right, channels are interleaved. The pixel
+//   buffer does not record whether its values are linear or display-encoded.
 
 struct Image {
   int width = 0;

@@ -9,8 +9,8 @@
 namespace oriel {
 
 // Conventions
-// Values are display-encoded in 0...1 and are not converted. PNG supports only unassociated alpha,
-// so other programs interpret written alpha as unassociated.
+//   Values are display-encoded in 0...1 and are not converted. PNG supports only unassociated
+//   alpha, so other programs interpret written alpha as unassociated.
 
 /// Encoding recorded in the header. It never changes the values.
 enum class PngEncoding { Unsaid, Srgb, Gamma };

@@ -11,9 +11,9 @@
 namespace oriel {
 
 // Conventions
-// Layers have the names of the outputs of mia_material_x. Each is R, G, B except `opacity`, which
-// has one channel. `other` contains light that belongs to no output. The beauty is the layer with
-// an empty name; its alpha is ignored. All values are linear.
+//   Layers have the names of the outputs of mia_material_x. Each is R, G, B except `opacity`, which
+//   has one channel. `other` contains light that belongs to no output. The beauty is the layer with
+//   an empty name; its alpha is ignored. All values are linear.
 
 /// Minimum brightness for relative differences, as a share of the mean brightness of the picture.
 /// It limits the effect of rounding: an error of 1e-7 of the mean in a black pixel counts as 1e-4.

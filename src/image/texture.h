@@ -17,9 +17,8 @@ namespace oriel {
 // Conventions
 //   uv (0, 0) is the lower left corner of the picture, u to the right, v up; the centre of texel
 //   (i, j) from below lies at ((i + 0.5) / width, (j + 0.5) / height).
-// Values are those of the file: colour and alpha as stored, without (un)premultiplication. A
-// picture
-// without alpha has alpha 1; a grey picture has its value in R, G and B.
+//   Values are those of the file: colour and alpha as stored, without (un)premultiplication. A
+//   picture without alpha has alpha 1; a grey picture has its value in R, G and B.
 
 enum class Wrap : std::uint8_t {
   Black,     ///< outside [0, 1): transparent black, with a hard border

@@ -9,8 +9,8 @@
 namespace oriel::lens {
 
 // Conventions
-// Camera space: looking along -z, +y up, +x right. Picture coordinates: u to the right, v up,
-// (0, 0) lower left corner, (1, 1) upper right corner. Directions are unit vectors.
+//   Camera space: looking along -z, +y up, +x right. Picture coordinates: u to the right, v up;
+//   (0, 0) is the lower left corner, (1, 1) the upper right one. Directions are unit vectors.
 
 /// Cylindrical panorama, or equirectangular (longitude and latitude); the centre of the picture is
 /// the view direction.

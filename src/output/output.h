@@ -16,8 +16,8 @@
 namespace oriel {
 
 // Conventions
-// Files cover the full frame. Pixels outside of the rendered window are 0, so that pictures of
-// several windows can be added.
+//   Files cover the full frame. Pixels outside of the rendered window are 0, so that pictures of
+//   several windows can be added.
 
 /// One file to write.
 struct PictureFile {

@@ -9,9 +9,9 @@
 namespace oriel::photometry {
 
 // Conventions
-// C0 - C180 is across the luminaire, C90 - C270 along it; in IES files 0 - 180 is along it.
-// In the luminaire frame of light_profile.h gamma 0 is nadir (-z), C90 is +x and C0 is -y:
-// C is counter-clockwise seen from above, and C is the IES angle + 90.
+//   C0 - C180 is across the luminaire, C90 - C270 along it; in IES files 0 - 180 is along it. In
+//   the luminaire frame of light_profile.h gamma 0 is nadir (-z), C90 is +x and C0 is -y: C is
+//   counter-clockwise seen from above, and C is the IES angle + 90.
 
 /// Reads EULUMDAT files of every symmetry (Isym 0 ... 4).
 ///

@@ -10,11 +10,10 @@
 namespace oriel::photometry {
 
 // Conventions
-// Luminaire frame: nadir ("straight down", the aiming axis of the luminaire) is -z; +x
-// is the photometric horizontal, the 0 degree direction of IES files, along the luminaire's
-// length; +y completes a right-handed frame. Directions are unit vectors away from the
-// luminaire. Intensity is in candela, flux in lumen, densities per solid angle. Tables are in
-// degrees like the files.
+//   Luminaire frame: nadir ("straight down", the aiming axis of the luminaire) is -z; +x is the
+//   photometric horizontal, the 0 degree direction of IES files, along the luminaire's length; +y
+//   completes a right-handed frame. Directions are unit vectors away from the luminaire. Intensity
+//   is in candela, flux in lumen, densities per solid angle. Tables are in degrees like the files.
 
 /// Axes of the angles of a table: polar angle 0 is `pole`; azimuth 0 is `zero`, 90 is `side`.
 struct PolarFrame {

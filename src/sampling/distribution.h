@@ -11,10 +11,10 @@
 namespace oriel::sampling {
 
 // Conventions
-// The table covers [0,1) (or [0,1)^2, row 0 at v = 0) with equal cells of constant value.
-// Densities are with respect to that unit domain; the caller applies the Jacobian of its own
-// mapping.
-// Negative and non-finite entries count as 0; a table of zeros is uniform.
+//   The table covers [0,1) (or [0,1)^2, row 0 at v = 0) with equal cells of constant value.
+//   Densities are with respect to that unit domain; the caller applies the Jacobian of its own
+//   mapping.
+//   Negative and non-finite entries count as 0; a table of zeros is uniform.
 
 /// Piecewise constant distribution over [0,1).
 ///

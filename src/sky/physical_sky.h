@@ -12,11 +12,11 @@
 namespace oriel::sky {
 
 // Conventions
-// Results follow mental ray: the sun returns lux times unit conversion, the environment pi times
-// luminance times unit conversion. The cosine-weighted mean of the environment over the hemisphere
-// is therefore an illuminance, and the value of a Lambert surface is albedo times that mean.
-// Directions are unit vectors in scene space, z up (y up with y_is_up). A "seen" direction has
-// y and z swapped if necessary and the horizon moved to z = 0.
+//   Results follow mental ray: the sun returns lux times unit conversion, the environment pi times
+//   luminance times unit conversion. The cosine-weighted mean of the environment over the
+//   hemisphere is therefore an illuminance, and the value of a Lambert surface is albedo times that
+//   mean. Directions are unit vectors in scene space, z up (y up with y_is_up). A "seen" direction
+//   has y and z swapped if necessary and the horizon moved to z = 0.
 
 /// Angular radius of the real sun in radians.
 /// Source: NVIDIA, MDL-SDK base.mdl; 695500 km at 149.6 million km is 0.004649.

@@ -7,10 +7,10 @@
 namespace oriel::sky {
 
 // Conventions
-// z points up; directions are unit vectors away from the viewer; `to_sun` points to the sun.
-// Luminance in cd/m2, illuminance in lux; an Rgb contains one such value per channel (photometric
-// RGB), and its Rec. 709 luminance is the quantity itself.
-// Turbidity 2 is very clear air; the fits are valid up to about 10 and are used beyond.
+//   z points up; directions are unit vectors away from the viewer; `to_sun` points to the sun.
+//   Luminance in cd/m2, illuminance in lux; an Rgb contains one such value per channel (photometric
+//   RGB), and its Rec. 709 luminance is the quantity itself.
+//   Turbidity 2 is very clear air; the fits are valid up to about 10 and are used beyond.
 
 /// Minimum z of lookup directions and of the sun; lower directions are raised to it.
 /// Source:  NVIDIA's port of the sky (MDL-SDK base.mdl), which treats the horizon in the same way.

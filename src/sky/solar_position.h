@@ -11,8 +11,8 @@ namespace oriel::sky {
 
 // Conventions
 //   Angles in degrees. Latitude north, longitude east, azimuth clockwise from north (90 = east).
-// double: Julian days require 13 digits, and the mean longitude of the sun is a difference of large
-//   angles.
+//   double: Julian days require 13 digits, and the mean longitude of the sun is a difference of
+//   large angles.
 
 struct Place {
   double latitude = 0, longitude = 0;

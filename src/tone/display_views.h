@@ -8,8 +8,8 @@
 namespace oriel::lens {
 
 // Conventions
-// Input is linear Rec. 709, with 0.18 for a grey card and 1 for white without a view.
-// Negative components and NaN count as 0. Output is in 0..1.
+//   Input is linear Rec. 709, with 0.18 for a grey card and 1 for white without a view. Negative
+//   components and NaN count as 0. Output is in 0..1.
 
 /// The contrast curve of AgX.
 ///

@@ -7,10 +7,10 @@
 namespace oriel::lens {
 
 // Conventions
-// Input is linear and unbounded; output is designed for 0..1 but not clipped above. Negative input
-// counts as 0 (in the simple exposure after pedestal and gain), NaN as 0, and infinity as the
-// largest float. The constructor precomputes everything that is equal for all pixels;
-// the call operator is const and thread-safe.
+//   Input is linear and unbounded; output is designed for 0..1 but not clipped above. Negative
+//   input counts as 0 (in the simple exposure after pedestal and gain), NaN as 0, and infinity as
+//   the largest float. The constructor precomputes everything that is equal for all pixels; the
+//   call operator is const and thread-safe.
 
 /// Saturation luminance of the sensor divided by 2^EV100: 78 / (0.65 * 100). A white card under
 /// 96.5 klx gets the value 1 by the "Sunny 16" rule. mental ray's constant is unpublished.
