@@ -110,17 +110,18 @@ struct Explanation {
 /// Assigns a separate light layer to each source: lights, emissive instances, the environment. If
 /// there are too many, names that differ only in trailing digits share a layer, and the last ones
 /// are merged.
-void part_sources(World& world);
+void separate_light_layers(World& world);
 
 /// Renders one pixel and explains its colour.
 ///
 /// Model:   renders a session of one pixel with an ExplainObserver. Its samples are those of a
 ///          picture with the same sample count, and its maps are those of the whole picture.
-/// Inputs:  asked: budget, seed, window and map files of the picture; x, y: from the upper left of
+/// Inputs:  picture: budget, seed, window and map files of the picture; x, y: from the upper left
+/// of
 ///          the picture; outputs: output shaders of the camera, of which the exposures are
 ///          evaluated.
 /// Checked: Explain.* in tests/explain/explain_test.cpp, tests/cli/explain_test.cpp
-Explanation explain_pixel(World& world, const SessionSettings& asked, int x, int y,
+Explanation explain_pixel(World& world, const SessionSettings& picture, int x, int y,
                           const NodeList& outputs, const Progressive::Callbacks& callbacks = {},
                           const std::atomic<bool>* cancel = nullptr);
 

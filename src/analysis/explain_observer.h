@@ -27,13 +27,13 @@ class ExplainObserver final : public PathObserver {
                const Closure& closure) override;
   Place on_scatter(Place at, LobeKind kind) override;
   void on_light(Place at, const LightPart& part, std::size_t layer, const Rgb& radiance) override;
-  void on_light_sample(Place at, const ShadingPoint& point, const LightSampleEvent& asked) override;
+  void on_light_sample(Place at, const ShadingPoint& point, const LightSampleEvent& event) override;
   void on_lookup(Place at, int records, int photons) override;
   void on_occlusion(Place at, const Occlusion& occlusion, float free) override;
 
   /// Writes the result. `positive`, `negative`: filter weights of positive and negative samples in
   /// the pixel.
-  void tell(float positive, float negative, Explanation& explanation) const;
+  void write_to(float positive, float negative, Explanation& explanation) const;
 
  private:
   /// Sum over samples, separate for positive and negative filter samples, and its second moment.
@@ -61,7 +61,7 @@ class ExplainObserver final : public PathObserver {
                     const Material& material);
   std::size_t depth_of(std::size_t surface) const;
   void note_lobes(const Closure& closure, ExplainedSurface& s) const;
-  int blocker(const ShadingPoint& point, const LightSampleEvent& asked) const;
+  int blocker(const ShadingPoint& point, const LightSampleEvent& event) const;
 
   const World& world_;
   std::vector<Surface> surfaces_;
