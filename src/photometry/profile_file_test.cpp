@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bad profiles: each has one message that names the line and what to do.
+// Invalid profiles: each has one message with the line and a hint.
 #include "photometry/profile_file.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes of glTF files: instances, circles, chains, cameras.
+// Nodes of glTF files: instances, cycles, chains, cameras.
 #include "models/gltf/plain_nodes.h"
 
 #include <gtest/gtest.h>
