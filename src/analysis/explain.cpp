@@ -11,14 +11,14 @@
 namespace oriel {
 namespace {
 
-/// "lamp_12" and "lamp_3" are "lamp_*".
+/// Name without trailing digits: "lamp_12" and "lamp_3" become "lamp_*".
 std::string family_of(const std::string& name) {
   std::size_t end = name.size();
   while (end > 0 && name[end - 1] >= '0' && name[end - 1] <= '9') --end;
   return end == name.size() || end == 0 ? name : name.substr(0, end) + "*";
 }
 
-/// Layers of at most `most` names in all; what has none is the rest.
+/// At most `most` names; more are merged to families, and the last ones are dropped.
 std::vector<std::string> layer_names(const std::vector<std::string>& names, std::size_t most,
                                      bool& families) {
   const std::set<std::string> each(names.begin(), names.end());
@@ -33,7 +33,7 @@ std::vector<std::string> layer_names(const std::vector<std::string>& names, std:
   return list;
 }
 
-/// The colour on its way through exposures.
+/// Records the colour after each exposure shader.
 void follow_mappings(const World& world, const NodeList& outputs, const Vec2& raster,
                      Explanation& e) {
   Rgb colour = e.colour;
@@ -61,18 +61,18 @@ Rgb ExplainedSurface::total() const {
 
 Rgb Explanation::total(std::size_t surface) const {
   Rgb sum = surfaces[surface].total();
-  // Surfaces stand behind those that they were seen from.
+  // Surfaces follow the surface that they were seen from.
   for (std::size_t i = surface + 1; i < surfaces.size(); ++i)
     if (surfaces[i].from == surface) sum += total(i);
   return sum;
 }
 
-void part_sources(World& world) {
-  const std::vector<EmissionKind> glows = emissive_instances(world, emissive_materials(world));
+void separate_light_layers(World& world) {
+  const std::vector<EmissionKind> emission = emissive_instances(world, emissive_materials(world));
   std::vector<std::string> names;
   for (const Light& light : world.lights) names.push_back(light.name);
-  for (std::size_t i = 0; i < glows.size(); ++i)
-    if (glows[i] == EmissionKind::Source) names.push_back(world.instances[i].name);
+  for (std::size_t i = 0; i < emission.size(); ++i)
+    if (emission[i] == EmissionKind::Source) names.push_back(world.instances[i].name);
   bool families = false;
   LightLayers layers;
   layers.names = layer_names(names, scene::kMostLightGroups - 1, families);
@@ -87,29 +87,29 @@ void part_sources(World& world) {
                                            : layers.rest());
   };
   for (const Light& light : world.lights) layers.of_light.push_back(layer_of(light.name));
-  for (std::size_t i = 0; i < glows.size(); ++i) {
-    const bool of_lights = glows[i] == EmissionKind::OfLights;
+  for (std::size_t i = 0; i < emission.size(); ++i) {
+    const bool of_lights = emission[i] == EmissionKind::OfLights;
     const std::size_t other = of_lights ? layers.unknown() : layers.rest();
     layers.some_unknown = layers.some_unknown || of_lights;
-    layers.of_instance.push_back(glows[i] == EmissionKind::Source
+    layers.of_instance.push_back(emission[i] == EmissionKind::Source
                                      ? layer_of(world.instances[i].name)
                                      : static_cast<std::uint8_t>(other));
   }
   world.light_layers = std::move(layers);
 }
 
-Explanation explain_pixel(World& world, const SessionSettings& asked, int x, int y,
+Explanation explain_pixel(World& world, const SessionSettings& picture, int x, int y,
                           const NodeList& outputs, const Progressive::Callbacks& callbacks,
                           const std::atomic<bool>* cancel) {
-  part_sources(world);
+  separate_light_layers(world);
   Explanation e;
   e.x = x, e.y = y;
   const int row = world.camera.height - 1 - y;
   const Window window{x, row, x + 1, row + 1};
   ExplainObserver observer(world);
   const int* frame = world.camera.window;
-  SessionSettings settings = asked;
-  settings.maps_for = asked.crop.value_or(Window{frame[0], frame[1], frame[2], frame[3]});
+  SessionSettings settings = picture;
+  settings.maps_for = picture.crop.value_or(Window{frame[0], frame[1], frame[2], frame[3]});
   settings.crop = window;
   settings.observer = &observer;
   RenderSession session(world, settings);
@@ -122,10 +122,10 @@ Explanation explain_pixel(World& world, const SessionSettings& asked, int x, int
   e.variance = pixel.variance;
   e.shown = film.shown(0, 0);
   e.sources = world.light_layers.names;
-  e.sources.emplace_back("light without a source of its own");
+  e.sources.emplace_back("light without a separate source");
   e.sources.emplace_back("light of unknown source");
   const Film::Shares shares = film.shares_of(0, 0);
-  observer.tell(shares.positive, shares.negative, e);
+  observer.write_to(shares.positive, shares.negative, e);
   e.unexplained = e.colour - e.total(0);
   follow_mappings(world, outputs, window.pixel_centre(0, 0), e);
   return e;

@@ -31,7 +31,7 @@ PathSegment way_by(LobeKind kind) {
   }
 }
 
-/// The part of a surface's light that rays find which leave it that way.
+/// The light-path AOV at a surface for light that it scatters in direction `way`.
 Aov part_by(PathSegment way, Aov here) {
   switch (way) {
     case PathSegment::Diffuse:
@@ -71,7 +71,8 @@ std::vector<float> values_of(const ParamSpec& p, const std::byte* at) {
   return values;
 }
 
-/// Parameters of the material's shaders that others give at the point.
+/// Parameters of the material's shaders that are connected to other shaders, evaluated at the
+/// point.
 std::vector<ExplainedParameter> parameters_at(const Material& material, ShadingPoint& point) {
   std::vector<ExplainedParameter> found;
   for (const ShaderNode* node : material.surface) {
@@ -82,9 +83,9 @@ std::vector<ExplainedParameter> parameters_at(const Material& material, ShadingP
         const ShaderNode* source = node->source(p.offset);
         if (!source || numbers_of(p.type) == 0) continue;
         const std::byte* at = static_cast<const std::byte*>(call.params) + p.offset;
-        alignas(16) std::byte asked[sizeof(Rgba)];
+        alignas(16) std::byte evaluated[sizeof(Rgba)];
         ShadingPoint own = point;
-        if (p.asked_for && node->ask(p.offset, own, asked)) at = asked;
+        if (p.asked_for && node->ask(p.offset, own, evaluated)) at = evaluated;
         found.push_back({p.name, source->spec().name, values_of(p, at)});
       }
     });
@@ -199,7 +200,7 @@ void ExplainObserver::on_light(Place at, const LightPart& part, std::size_t laye
   if (surfaces_[surface].facts.behind) {
     const PathSegment way = surfaces_[surface].facts.way;
     own = part_by(way, Aov::Indirect);
-    // A glowing surface that a ray found is a source, as samples of it are.
+    // Emission that a scattered ray hits counts as a light source, like light samples of it.
     if (part.here == Aov::Added && layer != world_.light_layers.unknown())
       surface = surfaces_[surface].facts.from;
   }
@@ -218,33 +219,33 @@ void ExplainObserver::on_light(Place at, const LightPart& part, std::size_t laye
   touched_.push_back(light);
 }
 
-int ExplainObserver::blocker(const ShadingPoint& point, const LightSampleEvent& asked) const {
+int ExplainObserver::blocker(const ShadingPoint& point, const LightSampleEvent& event) const {
   const std::uint32_t kinds[] = {geom::RayMask::Shadow, geom::RayMask::ShadowTransparent};
   for (const std::uint32_t mask : kinds) {
     geom::Hit hit;
-    if (world_.accel->intersect(oriel::leave(point, asked.wi, asked.reach, mask), hit))
+    if (world_.accel->intersect(oriel::leave(point, event.wi, event.reach, mask), hit))
       return static_cast<int>(world_.accel->instance(hit.instance).user);
   }
   return -1;
 }
 
 void ExplainObserver::on_light_sample(Place at, const ShadingPoint& point,
-                                      const LightSampleEvent& asked) {
+                                      const LightSampleEvent& event) {
   const std::size_t surface = surface_of(at);
   if (surface == 0 || surfaces_[surface].facts.behind) return;
   std::vector<ExplainedLamp>& lamps = surfaces_[surface].facts.lamps;
   auto lamp = std::find_if(lamps.begin(), lamps.end(),
-                           [&](const ExplainedLamp& l) { return l.light == asked.light; });
+                           [&](const ExplainedLamp& l) { return l.light == event.light; });
   if (lamp == lamps.end()) {
-    lamps.emplace_back().light = asked.light;
+    lamps.emplace_back().light = event.light;
     lamp = lamps.end() - 1;
   }
-  const Rgb arrived = asked.unshadowed * asked.open;
+  const Rgb arrived = event.unshadowed * event.open;
   ++lamp->samples;
-  lamp->unshadowed += asked.unshadowed;
+  lamp->unshadowed += event.unshadowed;
   lamp->arrived += arrived;
-  const double lost = luminance(asked.unshadowed - arrived);
-  if (lost > 0) lamp->blockers[blocker(point, asked)] += lost;
+  const double lost = luminance(event.unshadowed - arrived);
+  if (lost > 0) lamp->blockers[blocker(point, event)] += lost;
 }
 
 void ExplainObserver::on_lookup(Place at, int records, int photons) {
@@ -262,7 +263,7 @@ void ExplainObserver::on_occlusion(Place at, const Occlusion& occlusion, float f
   s.facts.free += free;
 }
 
-void ExplainObserver::tell(float positive, float negative, Explanation& e) const {
+void ExplainObserver::write_to(float positive, float negative, Explanation& e) const {
   const double n[2] = {static_cast<double>(samples_[0]), static_cast<double>(samples_[1])};
   const double by[2] = {n[0] > 0 ? positive / n[0] : 0, n[1] > 0 ? negative / n[1] : 0};
   const double all = std::max(1.0, n[0] + n[1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What paths tell, put together: the surfaces of an explanation and their light.
+// Accumulates path events to the surfaces of an explanation and their light.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace oriel {
 
-/// Listens to the paths of one pixel.
+/// Observes the paths of one pixel.
 ///
-/// Model:   a surface is what paths of one kind of way met from the surface before: an instance and
-///          its material. Behind a diffuse surface only the first is kept apart; the light of all
-///          further bounces is its own. Light that rays find of a source counts as that of the
-///          surface which sent the ray, as samples of the source do.
+/// Model:   a surface is an instance and its material, reached from a previous surface by one type
+///          of path segment. Behind a diffuse surface only the next surface is separate; it
+///          includes the light of all further bounces. If a scattered ray hits a light source, the
+///          light counts at the surface that scattered the ray, like its light samples.
 class ExplainObserver final : public PathObserver {
  public:
   explicit ExplainObserver(const World& world);
@@ -27,19 +27,20 @@ class ExplainObserver final : public PathObserver {
                const Closure& closure) override;
   Place on_scatter(Place at, LobeKind kind) override;
   void on_light(Place at, const LightPart& part, std::size_t layer, const Rgb& radiance) override;
-  void on_light_sample(Place at, const ShadingPoint& point, const LightSampleEvent& asked) override;
+  void on_light_sample(Place at, const ShadingPoint& point, const LightSampleEvent& event) override;
   void on_lookup(Place at, int records, int photons) override;
   void on_occlusion(Place at, const Occlusion& occlusion, float free) override;
 
-  /// What was heard. `plain`, `marked`: weights of both kinds of samples in the pixel.
-  void tell(float positive, float negative, Explanation& explanation) const;
+  /// Writes the result. `positive`, `negative`: filter weights of positive and negative samples in
+  /// the pixel.
+  void write_to(float positive, float negative, Explanation& explanation) const;
 
  private:
-  /// A sum over samples, plain and marked ones apart, and how much single samples vary.
+  /// Sum over samples, separate for positive and negative filter samples, and its second moment.
   struct Sum {
     std::array<Imath::Vec3<double>, 2> light{Imath::Vec3<double>(0.0), Imath::Vec3<double>(0.0)};
-    double squares = 0;  ///< of luminances
-    Rgb current{0};      ///< of the sample under way
+    double squares = 0;  ///< of luminance
+    Rgb current{0};      ///< of the current sample
     void keep(int kind);
   };
   struct Light {
@@ -48,7 +49,7 @@ class ExplainObserver final : public PathObserver {
     Sum sum;
   };
   struct Surface {
-    ExplainedSurface facts;  ///< sums over `met` where means are wanted
+    ExplainedSurface facts;  ///< sums, to be divided by `met` for means
     std::uint64_t met = 0, look_ups = 0, occlusions = 0;
     std::vector<std::size_t> lights, children;
   };
@@ -60,16 +61,16 @@ class ExplainObserver final : public PathObserver {
                     const Material& material);
   std::size_t depth_of(std::size_t surface) const;
   void note_lobes(const Closure& closure, ExplainedSurface& s) const;
-  int blocker(const ShadingPoint& point, const LightSampleEvent& asked) const;
+  int blocker(const ShadingPoint& point, const LightSampleEvent& event) const;
 
   const World& world_;
   std::vector<Surface> surfaces_;
   std::vector<Light> lights_;
-  std::vector<std::size_t> touched_;  ///< lights of the sample under way
+  std::vector<std::size_t> touched_;  ///< lights of the current sample
   std::array<Sum, kAovs> parts_;
   std::array<std::uint64_t, 2> samples_{};
   Rgb weight_{1};
-  int kind_ = 0;  ///< of the sample under way: 1 = marked
+  int kind_ = 0;  ///< of the current sample: 1 = negative filter sample
 };
 
 }  // namespace oriel

@@ -16,12 +16,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Floats of rays and shading, as a share of the value: no interval is narrower.
+/// Relative rounding error of rays and shading in float; intervals are at least this wide.
 constexpr double kRounding = 1e-5;
-/// Found by simulation, see take_readings().
+/// Determined by simulation, see take_readings().
 constexpr double kDegreesKept = 0.5;
 
-/// Means of batches, one after the other.
+/// Running mean and variance of batch means.
 /// Source:  B. Welford, Technometrics 4(3), 1962.
 struct BatchMeans {
   std::uint32_t batches = 0;
@@ -46,7 +46,7 @@ struct BatchMeans {
   }
 };
 
-/// A batch to draw: number `batch` of quantity `index`.
+/// A batch to evaluate: index `batch` of quantity `index`.
 struct Work {
   std::size_t index;
   std::uint32_t batch;
@@ -101,7 +101,7 @@ std::vector<Reading> take_readings(std::size_t count, const Quantity& quantity,
     parallel_for(work.size(), [&](std::size_t w) {
       if (!over()) drawn[w] = draw_batch(work[w], quantity, request.seed);
     });
-    // A pass that was broken off is lost: what had ended by then need not be a fair sample.
+    // Discard an interrupted pass: the batches that had finished are a biased selection.
     if (over()) break;
     for (std::size_t w = 0; w < work.size(); ++w) means[work[w].index].add(drawn[w]);
     for (std::size_t i = 0; i < count; ++i) readings[i] = means[i].reading(request);
@@ -171,7 +171,7 @@ std::vector<Reading> measure_luminance(const World& world, const std::vector<Vec
 }
 
 Rgb open_sky_irradiance(const World& world, const Vec3& up) {
-  constexpr int kRings = 128, kSectors = 512;  // a degree and less
+  constexpr int kRings = 128, kSectors = 512;  // a resolution of one degree or finer
   const NodeList& shaders = world.environment;
   if (shaders.empty()) return Rgb(0);
   const Frame frame(up);

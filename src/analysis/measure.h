@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measuring: means of random samples to a stated precision, with intervals that hold.
+// Measurements: means of random samples with a given precision and reliable confidence intervals.
 #pragma once
 
 #include <atomic>
@@ -13,39 +13,39 @@
 
 namespace oriel {
 
-/// When a reading is good enough; whichever comes first ends it.
+/// Stopping criteria of a reading; the first one that is met applies.
 struct MeasureRequest {
-  double precision = .02;  ///< half width of the interval as a share of the value
-  double floor = 0;        ///< half width that is good enough whatever the value, its unit
-  std::uint64_t max_samples = std::uint64_t{1} << 20;  ///< of each reading; rounded up to batches
-  double seconds = 0;  ///< for all readings together, after the first pass; 0 = no limit
+  double precision = .02;  ///< half width of the interval relative to the value
+  double floor = 0;        ///< absolute half width that is sufficient, in the unit of the value
+  std::uint64_t max_samples = std::uint64_t{1} << 20;  ///< per reading; rounded up to whole batches
+  double seconds = 0;  ///< for all readings together, checked after the first pass; 0 = no limit
   std::uint32_t seed = 0;
 };
 
-/// A mean and how far it may be from the truth.
+/// A mean with its confidence interval.
 struct Reading {
   double value = 0;
-  double half_width = 0;  ///< the truth lies within value +- this in 95 of 100 readings
+  double half_width = 0;  ///< half width of the 95 % confidence interval
   std::uint64_t samples = 0;
-  bool precise = false;  ///< as good as was asked
+  bool precise = false;  ///< whether the requested precision was reached
 };
 
-/// One sample of quantity i. Many threads ask at once.
+/// Returns one sample of quantity i. Called from many threads.
 using Quantity =
     std::function<double(std::size_t i, sampling::Sampler& sampler, RayCounts& counts)>;
 
-/// Takes readings of `count` quantities.
+/// Measures `count` quantities.
 ///
-/// Model:   samples come in batches of kBatchSamples with random numbers of their own, stratified
-///          within. The interval is Student's t over the means of the batches. A pass doubles the
-///          number of batches of the readings that are not good enough yet. Readings end when their
-///          interval happens to look narrow, which it does too often: for that half of the degrees
-///          of freedom are given away, and the number of batches grows, not their size. Of
-///          simulated intervals of hit-or-miss quantities 95 in 100 held the truth, of quantities
-///          with long tails 93 to 95 (all degrees and batches of twice the size: 91 to 94).
-///          What no sample has found is not in the interval: light that one path of ten thousand
-///          finds needs more samples than that, whatever the interval says.
-///          Deterministic, unless time ends it.
+/// Model:   samples are drawn in batches of kBatchSamples with independent random numbers,
+///          stratified within a batch. The interval is Student's t over the batch means. Each pass
+///          doubles the number of batches of the readings that are not precise yet. Stopping when
+///          the interval happens to be narrow biases it; to compensate, half of the degrees of
+///          freedom are discarded, and the number of batches grows instead of their size. In
+///          simulations 95 of 100 intervals of hit-or-miss quantities contained the true value, and
+///          93 to 95 of long-tailed quantities (91 to 94 with all degrees and batches of twice the
+///          size). Rare light that no sample has found is not covered by the interval: light that
+///          one path in ten thousand finds requires more samples. Deterministic unless the time
+///          limit ends it.
 /// Checked: MeasureStatistics.* in measure_test.cpp
 std::vector<Reading> take_readings(std::size_t count, const Quantity& quantity,
                                    const MeasureRequest& request,
@@ -53,16 +53,16 @@ std::vector<Reading> take_readings(std::size_t count, const Quantity& quantity,
 
 inline constexpr std::uint32_t kBatchSamples = 16, kFirstBatches = 64;
 
-/// Half width of the two-sided 95 % interval of Student's t, in standard errors.
+/// Half width of the two-sided 95 % interval of Student's t in standard errors.
 ///
-/// Source:  G. W. Hill, "Algorithm 396: Student's t-Quantiles", CACM 13(10), 1970: its expansion
-///          about the normal quantile, to the third power of 1 / degrees; within 2e-4 from 10 on.
+/// Source:  G. W. Hill, "Algorithm 396: Student's t-Quantiles", CACM 13(10), 1970: expansion about
+///          the normal quantile to the third power of 1 / degrees; within 2e-4 from 10 on.
 /// Checked: MeasureStatistics.StudentsFactorIsThatOfTables
 double student_95(double degrees);
 
-/// Illuminance in lux of each meter, by paths.
+/// Illuminance in lux at each irradiance sensor, by path tracing.
 ///
-/// Inputs:  unit: cd/m2 of one unit of a pixel.
+/// Inputs:  unit: cd/m2 per pixel unit.
 /// Checked: tests/analytic/outputs/measure_test.cpp
 std::vector<Reading> measure_illuminance(const World& world,
                                          const std::vector<IrradianceSensor>& sensors, float unit,
@@ -70,27 +70,27 @@ std::vector<Reading> measure_illuminance(const World& world,
                                          const PathSettings& settings = {},
                                          const std::atomic<bool>* cancel = nullptr);
 
-/// Mean of all readings with its interval: they are independent of each other.
+/// Mean of all readings with its interval, assuming independence.
 Reading mean_reading(const std::vector<Reading>& readings);
 
-/// What the eye sees in the middle of a pixel.
+/// The surface that is visible at the centre of a pixel.
 struct Spot {
-  bool surface = false;     ///< false: nothing is there but the environment
-  IrradianceSensor sensor;  ///< lies on the surface, on the side that is seen
-  float distance = 0;       ///< from the eye, scene units
+  bool surface = false;     ///< false: only the environment is visible
+  IrradianceSensor sensor;  ///< on the surface, on the visible side
+  float distance = 0;       ///< from the camera, scene units
   std::string material, instance;
 };
 
-/// Inputs:  raster: as Camera::ray takes it.
+/// Inputs:  raster: as in Camera::ray.
 Spot find_spot(const World& world, Vec2 raster);
 
-/// Luminance of pixels, evenly over their squares; lower left corners in raster space.
+/// Mean luminance of pixels over their area; lower left corners in raster space.
 std::vector<Reading> measure_luminance(const World& world, const std::vector<Vec2>& pixels,
                                        float unit, const MeasureRequest& request,
                                        const std::atomic<bool>* cancel = nullptr);
 
-/// Irradiance (see IrradianceSensor) of open level ground under the scene's environment alone, by
-/// quadrature; without what is seen by the eye alone (a sun's disc).
+/// Irradiance (see IrradianceSensor) of unoccluded horizontal ground under the environment of the
+/// scene, by quadrature. Excludes light that only camera rays see (the disc of a sun).
 Rgb open_sky_irradiance(const World& world, const Vec3& up);
 
 }  // namespace oriel

@@ -8,10 +8,10 @@
 namespace oriel {
 namespace measure_test {
 
-/// Light that few samples find, and then much of it: mean 1, spread 3.
+/// Rare bright light: mean 1, standard deviation 3.
 double rare(sampling::Sampler& sampler) { return sampler.next_1d() < .1f ? 10 : 0; }
 
-/// Exponential: mean 1, skew 2, from draws that are not stratified against each other.
+/// Exponential: mean 1, skewness 2, from independent draws.
 double skewed(sampling::Sampler& sampler) { return -std::log(1 - double{sampler.next_1d()}); }
 
 TEST(MeasureStatistics, StudentsFactorIsThatOfTables) {
@@ -24,7 +24,7 @@ TEST(MeasureStatistics, StudentsFactorIsThatOfTables) {
 }
 
 TEST(MeasureStatistics, NinetyFiveOfAHundredIntervalsHoldTheTruth) {
-  // Independent readings; of n the number that holds the truth is binomial: four sigma are 4 sqrt(n
+  // For n independent readings the number of correct intervals is binomial: four sigma are 4 sqrt(n
   // .95 .05).
   constexpr std::size_t kReadings = 2000;
   const double four_sigma = 4 * std::sqrt(kReadings * .95 * .05);
@@ -35,10 +35,10 @@ TEST(MeasureStatistics, NinetyFiveOfAHundredIntervalsHoldTheTruth) {
     for (const Reading& r : readings) count += std::abs(r.value - 1) <= r.half_width;
     return count;
   };
-  // A fixed number of samples, and one that each reading's own interval ends.
+  // A fixed number of samples, and a number determined by the interval of each reading.
   const auto uneven = [](sampling::Sampler& s) { return skewed(s) * rare(s); };
   EXPECT_NEAR(covered(uneven, {.precision = 0, .max_samples = 2048}), .95 * kReadings, four_sigma);
-  // Ended by their own intervals: a long tail costs up to one more of a hundred.
+  // Stopping by interval: with a long tail up to one more of a hundred fails.
   EXPECT_NEAR(covered(skewed, {.precision = .01}), .945 * kReadings, four_sigma + .005 * kReadings);
 }
 
@@ -57,7 +57,7 @@ TEST(MeasureStatistics, ReadingsEndAtTheirPrecision) {
   EXPECT_TRUE(few[0].precise);
   EXPECT_FALSE(few[1].precise);
   EXPECT_EQ(few[1].samples, 2000u);  // whole batches
-  // Good enough by its own width, however small the value.
+  // Precise by absolute width, for any value.
   EXPECT_TRUE(take_readings(2, quantity, {.precision = 0, .floor = .3})[1].precise);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ORIEL_ASSERT: a programmer's mistake stops the program with its place; compiled out in release.
+// ORIEL_ASSERT: aborts on programming errors with file and line; compiled out in release builds.
 #pragma once
 
 #include <cstdio>

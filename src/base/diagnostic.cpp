@@ -43,7 +43,7 @@ void Diagnostics::report(Severity severity, std::string_view code, SourceLocatio
       std::count_if(all_.begin(), all_.end(), [&](const Diagnostic& d) { return d.code == code; });
   if (static_cast<std::size_t>(same) > kMostPerCode) return;
   if (static_cast<std::size_t>(same) == kMostPerCode) {
-    message = "further messages of this kind are left out";
+    message = "further messages of this kind are suppressed";
     hint.clear();
   }
   all_.push_back({severity, std::string(code), where, std::move(message), std::move(hint)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Oriel tells a user about a scene: severity, stable code, place through includes, hint.
+// Diagnostics for users: severity, stable code, location with its includes, hint.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,8 @@
 
 namespace oriel {
 
-/// Where something was written. `file` is an index into Diagnostics::files; line and column count
-/// from 1, 0 means unknown. Locations compare equal always: where a thing was written is no part of
-/// what it is, so scenes compare by content.
+/// Location in a file. `file` is an index into Diagnostics::files; line and column count from 1, 0
+/// means unknown. All locations compare equal, so that scenes are compared by content.
 struct SourceLocation {
   std::uint32_t file = 0;
   std::uint32_t line = 0;
@@ -27,11 +26,11 @@ struct Diagnostic {
   Severity severity = Severity::Note;
   std::string code;  ///< stable, such as "OR-MI-012"
   SourceLocation where;
-  std::string message;  ///< one sentence, no full stop needed
-  std::string hint;     ///< what to do, or empty
+  std::string message;  ///< one sentence without a full stop
+  std::string hint;     ///< how to fix the problem; may be empty
 };
 
-/// Collects diagnostics; safe to call from several threads.
+/// Collects diagnostics; thread-safe.
 class Diagnostics {
  public:
   Diagnostics();
@@ -56,11 +55,12 @@ class Diagnostics {
   std::size_t count(Severity severity) const;
   bool has(std::string_view code) const;
 
-  /// "file:line:column: warning: message [code]", one line for each include it came through, and
+  /// "file:line:column: warning: message [code]", preceded by a line per include and followed by
   /// the hint.
   std::string format(const Diagnostic& diagnostic) const;
 
-  /// Messages of one code kept before the rest is only counted (a broken file can hold millions).
+  /// Maximum number of stored messages per code; further ones are only counted, since an invalid
+  /// file may cause millions.
   static constexpr std::size_t kMostPerCode = 50;
 
  private:
@@ -73,8 +73,8 @@ class Diagnostics {
   std::vector<Diagnostic> all_;
 };
 
-/// The candidate nearest to `name` by edit distance, empty when none is near enough to be a likely
-/// slip (a third of the length).
+/// The candidate with the smallest edit distance to `name`; empty if all are too different (more
+/// than a third of the length) to be typing errors.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace oriel

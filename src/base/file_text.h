@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All bytes of a small file.
+// Reads small files.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace oriel {
 
-/// Empty where it cannot be read.
+/// The content of the file; empty if it cannot be read.
 inline std::string file_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orthonormal frames: the local frame of shading, z along the normal.
+// Orthonormal frames, such as the local shading frame with z along the normal.
 #pragma once
 
 #include "base/vec.h"
@@ -23,8 +23,8 @@ struct Frame {
     t = Vec3(b, sign + n.y * n.y * a, -n.y);
   }
 
-  /// Frame around the unit vector `normal` whose s lies along `tangent` as far as it can; any frame
-  /// where the tangent is null or parallel to the normal.
+  /// Frame around the unit vector `normal` with s as close to `tangent` as possible; an arbitrary s
+  /// if the tangent is null or parallel to the normal.
   static Frame along(const Vec3& normal, const Vec3& tangent) {
     const Vec3 s = tangent - normal * dot(normal, tangent);
     const float len2 = dot(s, s);

@@ -11,13 +11,13 @@ namespace oriel {
 namespace {
 
 constexpr int kSide = 4;
-// double throughout: what shaders invert is often a product of scales that float does not hold.
+// double throughout: shaders invert products of scales that exceed the precision of float.
 using Rows = double[kSide][kSide];
 
-/// Brings `a` to the identity by rows and does the same to the `columns` of each row of b; false
-/// where a is singular.
+/// Reduces `a` to the identity by row operations and applies them to the `columns` of b; returns
+/// false if a is singular.
 bool eliminate(Rows& a, double* b, int columns) {
-  // Rows of one size first: a small scale beside a far place is not singular.
+  // Scale rows first: a matrix with a small scale and a large translation is not singular.
   for (int i = 0; i < kSide; ++i) {
     double largest = 0;
     for (const double v : a[i]) largest = std::max(largest, std::abs(v));
@@ -29,7 +29,7 @@ bool eliminate(Rows& a, double* b, int columns) {
     int pivot = k;
     for (int i = k + 1; i < kSide; ++i)
       if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    // What a scale leaves that is smaller by this than how far away it stands is no number.
+    // A pivot that is this small relative to the scaled row is a rounding error.
     if (!(std::abs(a[pivot][k]) > 1e-13)) return false;
     if (pivot != k) {
       std::swap_ranges(a[k], a[k] + kSide, a[pivot]);
@@ -53,7 +53,7 @@ void load(Rows& rows, std::span<const float, 16> m) {
     for (int j = 0; j < kSide; ++j) rows[i][j] = m[static_cast<std::size_t>(i * kSide + j)];
 }
 
-/// Columns that are solved together.
+/// Maximum number of columns that are solved together.
 constexpr int kMostColumns = 16;
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-// Constants with more than 53 bits are sums of doubles; the leading ones have trailing zeros, so
+// Constants with more than 53 bits are sums of doubles. The leading ones have trailing zeros, so
 // that their products with the integers of an argument reduction are exact.
 constexpr double kLn2[2] = {0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
 constexpr double kLog2E[2] = {0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
@@ -28,7 +28,8 @@ double power_of_2(int k) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 
-/// The first `terms` of c[0] + c[1] x + ...: even and odd ones each by Horner's rule, side by side.
+/// The first `terms` terms of c[0] + c[1] x + ...: even and odd terms by separate Horner schemes,
+/// for instruction parallelism.
 template <int terms>
 double polynomial(double x, const double* c) {
   constexpr int last = terms - 1;
@@ -39,8 +40,8 @@ double polynomial(double x, const double* c) {
   return last % 2 == 0 ? fma(b, x, a) : fma(a, x, b);
 }
 
-// Terms of Taylor series. For |r| <= pi/4 and ln(2)/2 the first term that is left out is below
-// 2^-36 (float) and 2^-58 (double) of the sum.
+// Coefficients of Taylor series. For |r| <= pi/4 and ln(2)/2 the first omitted term is below 2^-36
+// (float) and 2^-58 (double) of the sum.
 
 constexpr double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
@@ -95,12 +96,13 @@ Split split(double x) {
           std::bit_cast<double>(bits - (static_cast<std::uint64_t>(up) << 52))};
 }
 
-/// Terms of ln(m) = 2 (s + s^3/3 + s^5/5 ...), s = (m - 1) / (m + 1), |s| <= 0.1716, behind the
-/// first: over s^3, in s^2. Left out: below 2^-44 (float) and 2^-60 (double).
+/// Coefficients of ln(m) = 2 (s + s^3/3 + s^5/5 ...), s = (m - 1) / (m + 1), |s| <= 0.1716, after
+/// the first term, divided by s^3, as powers of s^2. Truncation error: below 2^-44 (float) and
+/// 2^-60 (double).
 constexpr double kAtanh[] = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11,
                              2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
 
-/// Zero, negative, infinite or NaN: the logarithm's value there; x > 0 and finite otherwise.
+/// Special cases of the logarithm: zero, negative, infinite or NaN.
 bool has_no_logarithm(double x) { return !(x > 0 && x < kInf); }
 double special_logarithm(double x) { return x == 0 ? -kInf : (x == kInf ? kInf : kNaN); }
 
@@ -119,11 +121,11 @@ Sum sum_of(double a, double b) {
   return {high, b - (high - a)};
 }
 
-/// ln(x) with an error below 2^-59 of its size.
+/// ln(x) with a relative error below 2^-59.
 Sum log_in_two(double x) {
   const Split a = split(x);
   const double f = a.m - 1, g = a.m + 1;
-  const double g_low = (1 - (g - a.m));  // exact: what rounding took from m + 1
+  const double g_low = (1 - (g - a.m));  // exact: the rounding error of m + 1
   const double s = f / g;
   const double s_low = (fma(-s, g, f) - s * g_low) / g;
   const double z = s * s;
@@ -152,14 +154,14 @@ constexpr double kExp[] = {1,
                            1 / factorial(13),
                            1 / factorial(14)};
 
-/// value 2^k, also where the result is denormal.
+/// value 2^k, also if the result is denormal.
 double scaled(double value, int k) {
   if (k > 1023) return value * 0x1p1023 * power_of_2(k - 1023 > 1023 ? 1023 : k - 1023);
   if (k < -1022) return value * power_of_2(k + 200 < -1022 ? -1022 : k + 200) * 0x1p-200;
   return value * power_of_2(k);
 }
 
-/// e^x for what becomes a float: |x| < 200.
+/// e^x in float precision, |x| < 200.
 double exp_of_float(double x) {
   const double k = round_to_int(x * kLog2E[0]);
   const double r = fma(-k, kLn2[0] + kLn2[1], x);
@@ -178,9 +180,9 @@ double exp_of(double x, double low) {
   return scaled(1 + (r + (above + lost)), static_cast<int>(k));
 }
 
-/// atan of a quotient in [0, 1] by the nearest of the angles i pi/16: atan(y/x) = atan(t) +
-/// atan((y - t x) / (x + t y)), the rest at most tan(pi/32) = 0.0985. Then the Taylor series; what
-/// is left out is below 2^-41 (float) and 2^-62 (double).
+/// atan of a quotient in [0, 1], using the nearest angle i pi/16: atan(y/x) = atan(t) + atan((y - t
+/// x) / (x + t y)), where the second argument is at most tan(pi/32) = 0.0985. Taylor series with a
+/// truncation error below 2^-41 (float) and 2^-62 (double).
 constexpr double kTangents[] = {0, 0x1.975f5e0553158p-3, 0x1.a827999fcef32p-2, 0x1.561b82ab7f990p-1,
                                 1};
 constexpr double kTangentsBetween[] = {0.09849140335716425, 0.30334668360734240,
@@ -212,7 +214,7 @@ double atan2_of(double y, double x) {
   const bool backward = __builtin_signbit(x) != 0;
   double angle = 0;
   if (ay > ax) {
-    const double beyond = atan_of_quotient<terms>(ax, ay);  // of a right angle
+    const double beyond = atan_of_quotient<terms>(ax, ay);  // complement to a right angle
     angle = backward ? kPi / 2 + (beyond + kPiLow / 2) : kPi / 2 - (beyond - kPiLow / 2);
   } else {
     if (ay != 0) angle = atan_of_quotient<terms>(ay, ax);
@@ -221,13 +223,13 @@ double atan2_of(double y, double x) {
   return copy_sign(angle, y);
 }
 
-/// Whether y is an integer, and whether an odd one. Above 2^53 all are even.
+/// Whether y is an integer, and whether it is odd. All doubles above 2^53 are even.
 bool is_integer(double y) { return abs(y) >= 0x1p52 || round_to_int(y) == y; }
 bool is_odd(double y) {
   return abs(y) < 0x1p53 && is_integer(y) && (static_cast<std::int64_t>(y) & 1) != 0;
 }
 
-/// Where pow follows no logarithm: true, and the value.
+/// Special cases of pow; returns true and sets the value.
 bool special_power(double x, double y, double& value) {
   if (y == 0 || x == 1) {
     value = 1;
@@ -324,7 +326,7 @@ float log10(float x) {
 float log1p(float x) {
   const double wide = x, u = 1 + wide;
   if (u == 1 || !(u > 0 && u < kInf)) return u == 1 ? x : static_cast<float>(special_logarithm(u));
-  // Kahan: the quotient makes good what rounding took from 1 + x.
+  // Kahan: the quotient compensates the rounding error of 1 + x.
   return static_cast<float>(log_of_float(u) * (wide / (u - 1)));
 }
 
@@ -416,7 +418,7 @@ double hypot(double x, double y) {
   if (x == kInf || y == kInf) return kInf;
   const double most = x > y ? x : y;
   if (!(most > 0)) return x + y;  // zero or NaN
-  // By a power of two, so that squares neither overflow nor vanish.
+  // Scale by a power of two, so that squares neither overflow nor underflow.
   const int k = static_cast<int>((std::bit_cast<std::uint64_t>(most) >> 52)) - 1023;
   const double down = scaled(1, -(k > 1000 ? 1000 : k));
   const double a = x * down, b = y * down;

@@ -15,8 +15,7 @@ namespace math_test {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// Distance from the exact value in units of the last place of T there. The reference is the C
-/// library's 64-bit arithmetic.
+/// Error in units of the last place of T. The reference is the C library's 64-bit arithmetic.
 template <class T>
 double ulps(T value, long double exact) {
   if (std::isnan(exact)) return std::isnan(value) ? 0 : 1e9;
@@ -31,7 +30,7 @@ double ulps(T value, long double exact) {
                              std::ldexp(1.0L, exponent - std::numeric_limits<T>::digits));
 }
 
-/// Largest error over numbers drawn evenly from [a, b] and, where `scales`, over all exponents.
+/// Maximum error for random numbers, uniform in [a, b] or, with `scales`, over all exponents.
 template <class T, class F, class G>
 double worst(F ours, G exact, double a, double b, bool scales = true) {
   std::mt19937_64 random(7);
@@ -121,7 +120,7 @@ TEST(Math, FunctionsOfTwoArguments) {
   }
 }
 
-/// Same bits; any NaN equals any other.
+/// Equal bits; all NaN are equal.
 template <class T>
 void expect_same(T ours, T standard, const char* what, T x, T y) {
   if (std::isnan(standard)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel loops: oneTBB with denormals flushed on every thread that works.
+// Parallel loops with oneTBB; worker threads flush denormals to zero.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace oriel {
 
-/// Limits all parallel loops of the process to `count` threads while it lives; 0 = all cores.
+/// Limits all parallel loops of the process to `count` threads during its lifetime; 0 = all cores.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int count);
@@ -19,7 +19,7 @@ class ThreadLimit {
   void* control_;
 };
 
-/// Flushes denormals to zero on the calling thread (Embree asks for it).
+/// Flushes denormals to zero on the calling thread, as Embree recommends.
 void flush_denormals();
 
 /// Calls body(i) for each i in [0, count), in any order, on any thread.

@@ -7,7 +7,7 @@ namespace oriel::math {
 
 namespace {
 
-/// pi/2 as a sum; the first two have trailing zeros, so that their products with k are exact.
+/// pi/2 as a sum; the first two terms have trailing zeros, so that their products with k are exact.
 constexpr double kHalfPi[3] = {0x1.921fb5p+0, 0x1.110b46p-26, 0x1.1a62633145c07p-54};
 constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 
@@ -22,10 +22,10 @@ Reduced reduce_small(double x) {
   return {r, (high - r) + tail, static_cast<std::uint32_t>(static_cast<std::int64_t>(k))};
 }
 
-/// Payne and Hanek: x = m 2^e times those 128 bits of 2/pi that decide the quarter and the
+/// Payne and Hanek: multiplies x = m 2^e by the 128 bits of 2/pi that determine the quarter and the
 /// fraction.
 Reduced reduce_large(double x) {
-  static constexpr std::uint64_t kBits[] = {// of 2/pi; the first word is before the point
+  static constexpr std::uint64_t kBits[] = {// of 2/pi; word 0 is the integer part
                                             0,
                                             0xa2f9836e4e441529,
                                             0xfc2757d1f534ddc0,
@@ -50,7 +50,7 @@ Reduced reduce_large(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(__builtin_fabs(x));
   const std::uint64_t m = (bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1} << 52);
   const int e = static_cast<int>(bits >> 52) - 1075;  // |x| = m 2^e
-  // Bits of 2/pi before position e - 2 give multiples of 4 quarters; begin there, three words long.
+  // Bits of 2/pi before position e - 2 give multiples of 4 quarters; use three words from there on.
   const int start = 64 + e - 2;
   const auto word = [&](int i) {
     const int at = start / 64 + i, shift = start % 64;
@@ -64,14 +64,14 @@ Reduced reduce_large(double x) {
       m * word(0) + static_cast<std::uint64_t>(middle >> 64);  // modulo 4 quarters
   const std::uint64_t second = static_cast<std::uint64_t>(middle);
   std::uint64_t quarter = top >> 62;
-  // The fraction behind the quarter as a signed number of 2^-126, rounded to the nearest quarter.
+  // The fraction after the quarter as a signed multiple of 2^-126, relative to the nearest quarter.
   auto fraction =
       static_cast<__int128>((static_cast<Wide>(top) << 66) | (static_cast<Wide>(second) << 2));
-  if (fraction < 0) ++quarter;  // one half or more: from the next quarter, backward
+  if (fraction < 0) ++quarter;  // at least one half: relative to the next quarter
   const double high = static_cast<double>(static_cast<std::int64_t>(fraction >> 64)) * 0x1p-64;
   const double rest = static_cast<double>(static_cast<std::uint64_t>(fraction)) * 0x1p-128;
   const double half_pi = kHalfPi[0] + kHalfPi[1];
-  const double turn = high + rest;  // of a quarter
+  const double turn = high + rest;  // in units of a quarter
   const double turn_low = (high - turn) + rest;
   const double r = turn * half_pi;
   const double low_r = __builtin_fma(turn, half_pi, -r) + turn * kHalfPi[2] + turn_low * half_pi;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Smooth curves through given values.
+// Interpolating splines.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace oriel {
 
-/// Catmull and Rom's spline (tension 1/2) through equally spaced values. Beyond the ends the two
-/// outermost values continue as a line, so that values on a line give the line.
+/// Catmull-Rom spline (tension 1/2) through equally spaced values. The ends are extrapolated
+/// linearly, so collinear values give a line.
 ///
-/// Inputs:  t: 0 at the first value ... 1 at the last, clamped; 0 for NaN.
-/// Returns: 0 without values.
+/// Inputs:  t: 0 at the first value ... 1 at the last, clamped; NaN counts as 0.
+/// Returns: 0 if there are no values.
 /// Source:  Catmull, Rom, "A Class of Local Interpolating Splines", 1974.
 /// Checked: Spline.*
 inline float catmull_rom(float t, std::span<const float> values) {

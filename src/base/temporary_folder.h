@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder for files that are needed for a while.
+// A temporary folder.
 #pragma once
 
 #include <stdlib.h>
@@ -10,15 +10,15 @@
 
 namespace oriel {
 
-/// Among the temporary files of the system (`TMPDIR`), of this user and this object alone; goes
-/// away with its content.
-/// Errors: std::runtime_error where none can be made.
+/// A unique folder in the temporary directory of the system (`TMPDIR`), accessible only to this
+/// user; deleted with its content in the destructor.
+/// Errors:  std::runtime_error if it cannot be created.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "oriel-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-      throw std::runtime_error("cannot make a folder '" + name + "'");
+      throw std::runtime_error("cannot create folder '" + name + "'");
     path_ = name;
   }
   ~TemporaryFolder() {

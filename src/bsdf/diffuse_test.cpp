@@ -15,7 +15,7 @@ namespace diffuse_test {
 
 using testing::polar_direction;
 
-/// Over azimuth (the lobe's azimuth has a kink a quarter turn from the viewer's) and sin^2.
+/// Integral over azimuth (with a kink a quarter turn from the viewer) and sin^2.
 double quadrature_albedo(const OrenNayar& lobe, const Vec3& wo) {
   double sum = 0;
   const double kink = std::atan2(double{wo.y}, double{wo.x}) + M_PI / 2;
@@ -63,7 +63,8 @@ TEST(OrenNayar, AlbedoMatchesTheClosedForm) {
       const Vec3 wo = polar_direction(theta, 20);
       EXPECT_NEAR(quadrature_albedo(lobe, wo), lobe.albedo(wo.z), 1e-5) << sigma << ' ' << theta;
     }
-  // The published model at 0.25 rad and 85 degrees reflects 1.00724; the excess is divided out.
+  // The published model at 0.25 rad and 85 degrees reflects 1.00724; the lobe is divided by that
+  // excess.
   const double a = 1 - .5 * .0625 / (.0625 + .33), b = .45 * .0625 / (.0625 + .09);
   EXPECT_NEAR(OrenNayar(0.25f).albedo(polar_direction(85).z) * (a + b / 2), 1.00724, 2e-4);
 }
@@ -76,7 +77,7 @@ TEST(OrenNayar, NeverReflectsMoreThanItReceives) {
 
 // acceptance: D1
 TEST(OrenNayar, FlatLitSphereIsFlatterThanLambert) {
-  // Lit from the viewer: Lambert falls with the cosine, a powdery sphere stays bright to its rim.
+  // Lit from the viewer: Lambert falls off with the cosine, a rough sphere stays bright to its rim.
   const OrenNayar lobe(1);
   for (const double theta : {30.0, 60.0, 80.0}) {
     const Vec3 w = polar_direction(theta);

@@ -20,11 +20,11 @@ double mean_from_outside(double n) {
 }  // namespace
 
 float fresnel_dielectric_mean(float eta) {
-  constexpr double kNearOne = 1.001;  // below, a straight line to 0 is within 1e-5
+  constexpr double kNearOne = 1.001;  // below, linear interpolation to 0 is within 1e-5
   const double n = eta < 1 ? 1 / static_cast<double>(eta) : static_cast<double>(eta);
   const double outside =
       n < kNearOne ? mean_from_outside(kNearOne) * (n - 1) / (kNearOne - 1) : mean_from_outside(n);
-  // What crosses from inside is what crosses from outside, squeezed by n^2.
+  // Transmission from inside is transmission from outside divided by n^2.
   return static_cast<float>(eta < 1 ? 1 - (1 - outside) / (n * n) : outside);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much a smooth boundary reflects: dielectric, hand-drawn curve, pane, and their means.
+// Reflectance of smooth boundaries: dielectric, user-defined curve, pane, and their means.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace oriel::bsdf {
 //   cos_o >= 0 is the cosine between the viewer's direction and the normal on its side.
 //   eta is the index of the far side divided by the index of the viewer's side.
 
-/// Direction of the ray refracted at a boundary with normal h; nothing on total reflection.
+/// Direction of the ray refracted at a boundary with normal h; unset on total internal reflection.
 ///
 /// Inputs:  w: unit, away from the boundary, dot(w, h) > 0. eta as above.
 /// Returns: unit, away from the boundary, on the far side.
@@ -40,7 +40,7 @@ inline float fresnel_dielectric(float cos_o, float eta) {
   return 0.5f * (s * s + p * p);
 }
 
-/// The same from the indices and the cosines on both sides; 1 where both are grazing.
+/// Same from the indices and the cosines on both sides; 1 if both are grazing.
 /// Checked: Fresnel.FromBothCosines.
 inline float fresnel_from_cosines(float ior_in, float ior_out, float cos_in, float cos_out) {
   const float s = ior_in * cos_in + ior_out * cos_out, p = ior_out * cos_in + ior_in * cos_out;
@@ -53,12 +53,12 @@ inline float fresnel_from_cosines(float ior_in, float ior_out, float cos_in, flo
 /// Checked: Fresnel.MeanMatchesTheTableAndQuadrature.
 float fresnel_dielectric_mean(float eta);
 
-/// Reflectance of a lossless pane with both faces and all bounces between them, from the
-/// reflectance r of one face; it transmits the rest.
+/// Reflectance of a lossless pane, including all bounces between its faces, from the reflectance r
+/// of one face; the rest is transmitted.
 /// Source: Stokes 1862, incoherent sum of the series.
 inline float pane_reflectance(float r) { return 2 * r / (1 + r); }
 
-/// Reflectivity by angle drawn by hand, `brdf_0_degree_refl`, `brdf_90_degree_refl`, `brdf_curve`.
+/// User-defined reflectance by angle: `brdf_0_degree_refl`, `brdf_90_degree_refl`, `brdf_curve`.
 /// Source:  Schlick, "An Inexpensive BRDF Model", 1994, with a free exponent.
 /// Checked: Fresnel.CurveMatchesTheTable.
 struct ReflectivityCurve {

@@ -10,7 +10,7 @@ namespace fresnel_test {
 
 float cos_deg(double degrees) { return static_cast<float>(std::cos(degrees * M_PI / 180)); }
 
-/// Midpoint rule for the cosine-weighted mean, over sin^2.
+/// Midpoint rule in sin^2 for the cosine-weighted mean.
 template <typename F>
 double quadrature_mean(const F& f) {
   constexpr int kSteps = 200000;
@@ -34,7 +34,7 @@ TEST(Fresnel, DielectricMatchesTheTable) {
 }
 
 TEST(Fresnel, BrewsterAngleLosesTheParallelHalf) {
-  // Only the perpendicular half is left: ((n^2 - 1) / (n^2 + 1))^2 / 2.
+  // Only the perpendicular polarisation remains: ((n^2 - 1) / (n^2 + 1))^2 / 2.
   EXPECT_NEAR(fresnel_dielectric(cos_deg(56.3099), 1.5f), 0.5 * std::pow(1.25 / 3.25, 2), 1e-6);
 }
 

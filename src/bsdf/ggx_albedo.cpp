@@ -11,7 +11,7 @@ namespace {
 
 using Coordinates = GgxAlbedoCoordinates;
 
-// Floats at compile time; the checked-in table is in units of 1/16384.
+// Converted to float at compile time; the stored table has units of 1/16384.
 alignas(64) constexpr auto kTable = [] {
   std::array<float, Coordinates::kValues> t{};
   for (std::size_t i = 0; i < t.size(); ++i) t[i] = kGgxAlbedoTable[i] * (1.0f / 16384);
@@ -26,7 +26,7 @@ Float4 load(const float* aligned) { return *reinterpret_cast<const Float4*>(alig
 
 float ggx_albedo(float ax, float ay, const Vec3& wo) {
   const Coordinates c(ax, ay, wo);
-  // The polynomials of the skew are the lanes.
+  // The lanes are the polynomials of the skew.
   Float4 sum = {0, 0, 0, 0};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {

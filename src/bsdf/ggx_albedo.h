@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much a white GGX surface reflects in a single bounce: what multiple bounces have to make up.
+// Single-scattering albedo of a white GGX surface, for multiple-scattering compensation.
 #pragma once
 
 #include <algorithm>
@@ -9,33 +9,33 @@
 
 namespace oriel::bsdf {
 
-/// Directional albedo of single scattering off a white GGX surface, light that would leave below
-/// the horizon counted as lost.
+/// Directional albedo of single scattering on a white GGX surface; light scattered below the
+/// horizon counts as lost.
 ///
-/// Model:   quadratic B-splines fitted to quadrature by tools/generate_ggx_albedo.cpp; within 0.4 %
-///          for any ratio of axes up to 10.
+/// Model:   quadratic B-splines, fitted to quadrature by tools/generate_ggx_albedo.cpp; within 0.4
+///          % for axis ratios up to 10.
 /// Inputs:  ax, ay in (0, kMaxAlpha]; wo unit, local frame, wo.z > 0.
 /// Returns: in (0, 1].
-/// Errors:  total; outside of the range it is the value at the border.
+/// Errors:  none; arguments are clamped to the range.
 /// Checked: GgxAlbedo.TableIsTheGeneratorsOutput, GgxAlbedo.MatchesQuadrature.
 float ggx_albedo(float ax, float ay, const Vec3& wo);
 
-/// The space the table spans, shared with its generator.
+/// Coordinates of the table, shared with its generator.
 struct GgxAlbedoCoordinates {
   static constexpr int kCells[3] = {12, 6, 6};
   static constexpr int kNodes[3] = {kCells[0] + 2, kCells[1] + 2, kCells[2] + 2};
   static constexpr int kTerms = 4;
   static constexpr int kValues = kNodes[0] * kNodes[1] * kNodes[2] * kTerms;
   static constexpr float kLargest = 1.2f;
-  static constexpr float kSmallestSkew = 0.19f;  // that of axes 1 : 10 seen along the diagonal
+  static constexpr float kSmallestSkew = 0.19f;  // axes 1 : 10, viewed along the diagonal
 
   int cell[3];
-  float weight[3][3];  // of the three nodes that reach into the cell, for each axis
+  float weight[3][3];  // weights of the three nodes of the cell, per axis
   float term[kTerms];  // Chebyshev polynomials of the skew
 
-  /// In the viewer's plane the surface has roughness `along` and `across`, and a skew which is 1
-  /// when an axis of the roughness lies in that plane. The angle enters as z / (z + along sin),
-  /// with which the loss at grazing angles keeps its shape however small the roughness.
+  /// Roughness along and across the plane of the viewer, and a skew, which is 1 if a roughness axis
+  /// is in that plane. The angle is parametrised by z / (z + along sin), for which the loss at
+  /// grazing angles has a similar shape for all roughness values.
   GgxAlbedoCoordinates(float ax, float ay, const Vec3& wo) {
     const float sin2 = wo.x * wo.x + wo.y * wo.y;
     const float cos2_phi = sin2 > 1e-12f ? wo.x * wo.x / sin2 : 1;

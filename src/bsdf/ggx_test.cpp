@@ -28,7 +28,7 @@ double furnace(const GlossyReflection& lobe, const Vec3& wo, std::uint32_t sampl
   return sum / samples;
 }
 
-/// A random roughness within the limits and a random viewer, grazing ones often.
+/// A random roughness within the limits and a random view direction, often grazing.
 struct RandomCase {
   float ax, ay;
   Vec3 wo;
@@ -98,7 +98,7 @@ TEST(GgxAlbedo, MatchesQuadrature) {
   double worst = 0;
   for (int n = 0; n < 800; ++n) {
     const RandomCase c = random_case(n);
-    // The furnace divides quadrature by the table.
+    // The furnace test divides quadrature by the table.
     worst = std::max(worst, std::abs(furnace({c.ax, c.ay}, c.wo) - 1));
   }
   RecordProperty("worst", std::to_string(worst));
@@ -147,7 +147,7 @@ TEST(GlossyReflection, HighlightNarrowsAtConstantEnergy) {
   }
 }
 
-/// Angle off the mirror direction at which the highlight has fallen to half, along azimuth phi.
+/// Angle from the mirror direction at which the highlight has half its peak, along azimuth phi.
 double half_width(const GlossyReflection& lobe, float phi) {
   const Vec3 wo(0, 0, 1);
   const float half = 0.5f * lobe.eval(wo, wo);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a glossiness parameter means: the one place that turns gloss and anisotropy into roughness.
+// Conversion of glossiness and anisotropy parameters to roughness.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@ namespace oriel::bsdf {
 
 /// Smaller roughness is a mirror: the lobe would be narrower than 0.06 degrees.
 inline constexpr float kMinAlpha = 5e-4f;
-/// Larger roughness along one axis is drawn back, keeping the ratio; gloss 0 at anisotropy 10 needs
-/// 1.118. The albedo table ends here.
+/// Larger roughness along one axis is scaled down with the ratio preserved; gloss 0 at anisotropy
+/// 10 would need 1.118. The albedo table ends here.
 inline constexpr float kMaxAlpha = 1.2f;
-/// Anisotropy beyond 1/10 and 10 acts like the limit.
+/// Anisotropy is clamped to 1/10 ... 10.
 inline constexpr float kMaxAnisotropy = 10;
 
 enum class GlossModel {
-  Nvidia,  ///< the map of NVIDIA's own successor of the material
-  Linear,  ///< roughness 1 - gloss squared, as converters of scenes tuned it
+  Nvidia,  ///< the mapping of NVIDIA's successor of the material
+  Linear,  ///< roughness is 1 - gloss squared, as used by scene converters
 };
 
 /// GGX roughness of a glossiness in [0, 1]; gloss 1 gives 0, a mirror.
@@ -38,8 +38,8 @@ struct Roughness {
   bool is_mirror() const { return ax == 0; }
 };
 
-/// Spreads a roughness over both axes so that widths have the ratio `anisotropy`, and so that a and
-/// 1/a are the same lobe turned by 90 degrees.
+/// Distributes roughness over both axes such that the lobe widths have the ratio `anisotropy`, and
+/// a and 1/a give the same lobe rotated by 90 degrees.
 ///
 /// Returns: both zero (a mirror) or both within kMinAlpha ... kMaxAlpha.
 /// Checked: Gloss.AnisotropyIsTheRatioOfWidths.
@@ -52,8 +52,8 @@ inline Roughness anisotropic_roughness(float alpha, float anisotropy) {
   return {std::max(base * root, kMinAlpha), std::max(base / root, kMinAlpha)};
 }
 
-/// Roughness given along both axes, within the same limits: of axes more than ten times as wide as
-/// each other the mean and the ratio's limit are kept.
+/// Roughness given for both axes, limited in the same way: for axis ratios above the limit the mean
+/// is kept and the ratio clamped.
 inline Roughness limited_roughness(float ax, float ay) {
   const float x = std::max(ax, kMinAlpha), y = std::max(ay, kMinAlpha);
   return anisotropic_roughness(std::sqrt(x * y), x / y);

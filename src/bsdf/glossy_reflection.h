@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Glossy reflection and its mirror image, the blur of a thin sheet.
+// Glossy reflection, and blurred transmission of a thin sheet.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,12 @@
 
 namespace oriel::bsdf {
 
-/// White glossy reflection, without Fresnel: the level is the caller's, by the viewer's angle.
+/// White glossy reflection without Fresnel; the caller applies a weight that depends on the view
+/// angle.
 ///
-/// Model:   single scattering off GGX, divided by its directional albedo, so that every roughness
-///          reflects everything. The division makes it depend on the viewer's side: not reciprocal.
+/// Model:   single scattering on GGX, divided by its directional albedo, so that the total
+///          reflectance is 1 for every roughness. The division depends on the view direction, so
+///          the lobe is not reciprocal.
 /// Inputs:  ax, ay: from gloss.h, not a mirror.
 /// Source:  Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007;
 ///          Turquin, "Practical Multiple Scattering Compensation for Microfacet Models", 2019.
@@ -22,8 +24,8 @@ namespace oriel::bsdf {
 class GlossyReflection {
  public:
   GlossyReflection(float ax, float ay) : ggx_{ax, ay} { ORIEL_ASSERT(ax > 0 && ay > 0); }
-  /// The same lobe made for one viewer: its albedo is looked up once, and it must only be asked
-  /// about this wo. Half the cost where one point meets several lights.
+  /// Lobe for one view direction: the albedo is looked up once, and eval, pdf and sample must use
+  /// the same wo. This halves the cost if a point is lit by several lights.
   GlossyReflection(float ax, float ay, float inverse_albedo)
       : ggx_{ax, ay}, inverse_albedo_(inverse_albedo) {}
   GlossyReflection(float ax, float ay, const Vec3& wo)
@@ -31,7 +33,7 @@ class GlossyReflection {
 
   float eval(const Vec3& wo, const Vec3& wi) const {
     if (wo.z <= 0 || wi.z <= 0) return 0;
-    // D G2 / (4 wo.z) with G2 written out.
+    // D G2 / (4 wo.z) with G2 expanded.
     const float shadowed = ggx_.stretched(wo) * wi.z + ggx_.stretched(wi) * wo.z;
     return 0.5f * ggx_.d(normalize(wo + wi)) * wi.z / shadowed * inverse_albedo(wo);
   }
@@ -57,10 +59,10 @@ class GlossyReflection {
   }
 
   Ggx ggx_;
-  float inverse_albedo_ = 0;  // 0: not made for one viewer
+  float inverse_albedo_ = 0;  // 0: not prepared for one view direction
 };
 
-/// Where a rough surface reflects to on the whole: from the mirrored view r toward the normal n.
+/// Mean direction of a rough reflection, between the mirror direction r and the normal n.
 /// Source:  Lagarde, de Rousiers, "Moving Frostbite to Physically Based Rendering 3.0", SIGGRAPH
 ///          2014 courses, 4.9.3: a fit for GGX.
 /// Checked: EnvBlur.OneLookUpIsWhatManyRaysConvergeTo
@@ -69,13 +71,13 @@ inline Vec3 main_direction(const Vec3& r, const Vec3& n, float alpha) {
   return normalize(n + (r - n) * (smooth * (std::sqrt(smooth) + alpha)));
 }
 
-/// Blurred transparency of a thin sheet: the reflection lobe turned to the other side, centred on
-/// the straight way through.
+/// Blurred transmission of a thin sheet: the reflection lobe mirrored to the other side and centred
+/// on the undeflected direction.
 /// Checked: RoughThinTransmission.CentresOnTheStraightWay and the contract suite.
 class RoughThinTransmission {
  public:
   RoughThinTransmission(float ax, float ay) : reflection_(ax, ay) {}
-  /// Made for one viewer, as the reflection.
+  /// Prepared for one view direction, like GlossyReflection.
   RoughThinTransmission(float ax, float ay, float inverse_albedo)
       : reflection_(ax, ay, inverse_albedo) {}
   RoughThinTransmission(float ax, float ay, const Vec3& wo) : reflection_(ax, ay, wo) {}

@@ -10,7 +10,7 @@
 namespace oriel::bsdf {
 namespace {
 
-/// Slopes smaller than this are points of light that no picture resolves.
+/// Minimum slope; smaller highlights are below any pixel size.
 constexpr float kLeastSlope = 1e-3f;
 
 }  // namespace

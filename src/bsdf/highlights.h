@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Highlights of light sources in the models of mental ray's illumination shaders.
+// Highlights of light sources in mental ray's illumination shaders.
 #pragma once
 
 #include "base/vec.h"
@@ -7,17 +7,17 @@
 namespace oriel::bsdf {
 
 // Conventions
-//   As bsdf/lobe_sample.h, with eval alone: light sources are weighed by these, rays do not follow
-//   them. Values include |cos wi|. Like phong.h, a light's irradiance-like colour times pi times
-//   eval is what is seen. How bright mental ray's own highlights of these models are is not
-//   published; these are the normalised reflectances of the papers.
+//   As in bsdf/lobe_sample.h, but eval only: these models weight light sources and are not sampled.
+//   Values include |cos wi|. As in phong.h, the visible result is the irradiance-like colour of a
+//   light times pi times eval. The brightness of mental ray's own highlights is unpublished; these
+//   are the normalised reflectances of the papers.
 
-/// Facets of Beckmann's slopes with Blinn's masking and Fresnel's reflectance.
+/// Microfacets with Beckmann slopes, Blinn's masking and Fresnel reflectance.
 ///
 /// Inputs:  slope: root mean square slope of the facets, > 0; eta: index of the material, >= 1.
 /// Source:  Cook, Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1), 1982, with
-///          pi in place of 4 as denominators of later papers have it; Blinn, SIGGRAPH 1977, for the
-///          masking.
+///          the normalised slope distribution of later papers (pi instead of 4 in the denominator);
+///          Blinn, SIGGRAPH 1977, for the masking.
 /// Checked: Highlights.Torrance*
 struct TorranceHighlight {
   float slope = 0.3f;
@@ -25,7 +25,7 @@ struct TorranceHighlight {
   float eval(const Vec3& wo, const Vec3& wi) const;
 };
 
-/// An anisotropic Gaussian of slopes.
+/// Anisotropic Gaussian distribution of slopes.
 ///
 /// Inputs:  alpha_x, alpha_y: root mean square slopes along x and y of the frame, > 0.
 /// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equation 5a.
@@ -35,9 +35,10 @@ struct WardHighlight {
   float eval(const Vec3& wo, const Vec3& wi) const;
 };
 
-/// The cone that a fibre along x mirrors, to a power; whichever side of the ribbon is lit.
+/// Reflection cone of a fibre along x, raised to a power; independent of the lit side of the
+/// ribbon.
 ///
-/// Returns: eval: cos^exponent / pi of the angle to the cone, not normalised, as Phong's.
+/// Returns: eval: cos^exponent / pi of the angle to the cone, not normalised, like Phong's.
 /// Source:  Kajiya, Kay, "Rendering Fur with Three Dimensional Textures", SIGGRAPH 1989, section 4.
 /// Checked: Highlights.Hair*
 struct HairHighlight {

@@ -40,8 +40,9 @@ void expect_reciprocal(const H& highlight) {
 }
 
 TEST(Highlights, WardIsNormalisedForSmallSlopes) {
-  // Exact as the slopes go to zero, looking straight down. Aslant it falls with the cosine, which
-  // later papers mend: Duer, "An Improved Normalization for the Ward Reflectance Model", JGT 2006.
+  // Exact for slopes near zero at normal incidence. Off-normal it decreases with the cosine, which
+  // later papers correct: Duer, "An Improved Normalization for the Ward Reflectance Model", JGT
+  // 2006.
   EXPECT_NEAR(albedo(WardHighlight{.05f, .05f}, polar_direction(0)), 1, .02);
   EXPECT_NEAR(albedo(WardHighlight{.05f, .1f}, polar_direction(0)), 1, .03);
   EXPECT_NEAR(albedo(WardHighlight{.06f, .06f}, polar_direction(30)), std::cos(kPi / 6), .02);
@@ -53,7 +54,7 @@ TEST(Highlights, WardAndTorranceAreReciprocal) {
 }
 
 TEST(Highlights, WardMatchesItsFormula) {
-  // Along the mirrored view the exponent is 0: 1 / (4 pi ax ay).
+  // In the mirror direction the exponent is 0: 1 / (4 pi ax ay).
   const Vec3 wo = polar_direction(40), mirrored = polar_direction(40, 180);
   EXPECT_NEAR((WardHighlight{.2f, .1f}.eval(wo, mirrored)), 1 / (4 * kPi * .02f), 1e-3);
   // Lights at 20 degrees to both sides of the normal of a facet of slope tan(20).
@@ -77,7 +78,7 @@ TEST(Highlights, TorranceReflectsWhatFresnelSaysOfSmoothFacets) {
 }
 
 TEST(Highlights, TorrancePeaksBeyondTheMirrorDirection) {
-  // Cook, Torrance 1982: at grazing angles the peak lies nearer to the surface.
+  // Cook, Torrance 1982: at grazing angles the peak is closer to the surface.
   const TorranceHighlight rough{.4f, 1.5f};
   const Vec3 wo = polar_direction(65);
   float best = 0, at = 0;
@@ -88,11 +89,11 @@ TEST(Highlights, TorrancePeaksBeyondTheMirrorDirection) {
 
 TEST(Highlights, HairMirrorsInAConeAboutTheFibre) {
   const HairHighlight hair{10};
-  // The light at the mirrored angle to the fibre shines in full, from any side around it.
+  // A light at the mirror angle to the fibre has the full value, at any azimuth.
   const Vec3 wo(.6f, 0, .8f);
   for (const Vec3& wi : {Vec3(-.6f, 0, .8f), Vec3(-.6f, .8f, 0), Vec3(-.6f, 0, -.8f)})
     EXPECT_NEAR(hair.eval(wo, wi), kInvPi, 1e-5f);
-  // An angle beside it: cos^n of that angle.
+  // At an angle to the cone: cos^n of that angle.
   const float a = std::asin(.6f) + .2f;
   EXPECT_NEAR(hair.eval(wo, Vec3(-std::sin(a), 0, std::cos(a))),
               std::pow(std::cos(.2f), 10) * kInvPi, 1e-4f);

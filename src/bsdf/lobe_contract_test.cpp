@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every lobe owes its callers, tried on every lobe: density, weight, sign, energy.
+// The contract of lobes, tested for each lobe: density, weight, sign, energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,8 +23,8 @@ using sampling::Sampler;
 
 struct Case {
   std::string name;
-  bool always_samples;  ///< no draw is lost, so the density integrates to 1
-  bool reciprocal;      ///< claims eval(a, b) / cos b == eval(b, a) / cos a
+  bool always_samples;  ///< no sample is lost, so the density integrates to 1
+  bool reciprocal;      ///< eval(a, b) / cos b == eval(b, a) / cos a
   std::function<float(const Vec3&, const Vec3&)> eval, pdf;
   std::function<std::optional<LobeSample>(const Vec3&, const Vec2&, float)> sample;
 
@@ -157,7 +157,7 @@ TEST(ReciprocalLobes, SeeTheSameFromBothEnds) {
       Vec3 b = sampling::sample_cosine_hemisphere(r.next_2d());
       const bool through = lobe.eval(a, b) == 0;
       if (through) b = -b;
-      // From the other side the surface is seen in a frame turned over.
+      // From the other side, in a frame with reversed normal.
       const Vec3 from = through ? -b : b, to = through ? -a : a;
       ASSERT_NEAR(lobe.eval(a, b) / std::abs(b.z), lobe.eval(from, to) / std::abs(to.z), 1e-5)
           << lobe.name;

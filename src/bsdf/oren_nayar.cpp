@@ -7,8 +7,8 @@
 
 namespace oriel::bsdf {
 
-// Azimuths integrate to 2 over the facing half. What is left is sin(max) tan(min) cos sin over the
-// polar angle, split at the viewer's own.
+// The azimuth integrates to 2 over the facing half. The remaining integrand is sin(max) tan(min)
+// cos sin over the polar angle, split at that of the viewer.
 float OrenNayar::albedo(float cos_o) const {
   const float c = clamp(cos_o, 1e-6f, 1.0f);
   const float s = std::sqrt(1 - c * c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diffuse reflection, smooth to powdery.
+// Oren-Nayar diffuse reflection.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace oriel::bsdf {
 
-/// White diffuse reflection of roughness sigma.
+/// White diffuse reflection with roughness sigma.
 ///
 /// Model:   the qualitative model of Oren and Nayar; roughness 0 is exactly Lambert. For small
-/// sigma
-///          the published model reflects up to 1.3 % more than it receives at grazing angles; it is
-///          divided by that excess, a constant of sigma, so that it stays reciprocal.
+///          sigma the published model reflects up to 1.3 % more than it receives at grazing angles.
+///          It is divided by that maximum, which depends on sigma only and so preserves
+///          reciprocity.
 /// Inputs:  sigma: standard deviation of the facets' slope angle, rad, >= 0 (`diffuse_roughness`).
 /// Source:  Oren, Nayar, "Generalization of Lambert's Reflectance Model", SIGGRAPH 1994, eq. 30.
 /// Checked: OrenNayar.AlbedoMatchesTheClosedForm, OrenNayar.NeverReflectsMoreThanItReceives.
@@ -26,13 +26,13 @@ class OrenNayar {
     const float s2 = sigma * sigma;
     const float a = 1 - 0.5f * s2 / (s2 + 0.33f);
     const float b = 0.45f * s2 / (s2 + 0.09f);
-    // The albedo tends to A + B / 2 at grazing angles, its highest value whenever that exceeds 1.
+    // The albedo tends to A + B / 2 at grazing angles, which is its maximum if it exceeds 1.
     const float scale = 1 / std::max(1.0f, a + 0.5f * b);
     a_ = a * scale;
     b_ = b * scale;
   }
 
-  /// The model's A and B after the division.
+  /// Coefficients A and B of the model after the division.
   float a() const { return a_; }
   float b() const { return b_; }
 
@@ -40,7 +40,7 @@ class OrenNayar {
     if (wo.z <= 0 || wi.z <= 0) return 0;
     float f = a_;
     if (b_ > 0) {
-      // cos(difference of azimuth) sin(wo) sin(wi), and sin * tan of the model is that over the
+      // cos(difference of azimuth) sin(wo) sin(wi); sin * tan of the model is this divided by the
       // larger cosine.
       const float c = wo.x * wi.x + wo.y * wi.y;
       if (c > 0) f += b_ * c / std::max(wo.z, wi.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mental ray's Phong highlight, for the base shaders that use it.
+// mental ray's Phong and Blinn highlights for the base shaders.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace oriel::bsdf {
 
-/// A highlight of lights only: it is neither sampled nor part of any energy budget.
+/// A highlight for light sources only; it is not sampled and not part of an energy balance.
 ///
-/// Model:   the cosine between the mirrored viewer and the light to a power, NOT multiplied by the
-///          light's cosine and not normalised.
-/// Returns: eval: cos^exponent / pi, so that a light's irradiance-like colour times pi times this
-///          is mental ray's cos^n times colour.
-/// Source:  mental ray's mi_phong_specular as its manual describes it.
+/// Model:   a power of the cosine between the mirrored view direction and the light, NOT multiplied
+///          by the cosine of the light and not normalised.
+/// Returns: eval: cos^exponent / pi, so that the irradiance-like colour of a light times pi times
+///          this is mental ray's cos^n times colour.
+/// Source:  mi_phong_specular as described in the mental ray manual.
 /// Checked: Phong.IsTheBareCosinePower.
 struct PhongHighlight {
   float exponent = 1;
@@ -27,7 +27,7 @@ struct PhongHighlight {
   }
 };
 
-/// The cosine between the half vector and the normal to a power, not normalised.
+/// A power of the cosine between the half vector and the normal, not normalised.
 /// Source:  Blinn, "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977.
 /// Checked: BlinnPhong.IsThePowerOfTheHalfVectorsCosine.
 inline float blinn_phong(const Vec3& wo, const Vec3& wi, float exponent) {

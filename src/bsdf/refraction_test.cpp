@@ -61,7 +61,7 @@ TEST(RoughRefraction, TendsToTheClearOne) {
   }
 }
 
-// The density integrates to 1 by quadrature of its own formula: the lobe neither loses nor gains.
+// The density integrates to 1 by quadrature of its own formula.
 TEST(RoughRefraction, FurnaceIsWhite) {
   for (const float eta : {1.5f, 1.1f, 1 / 1.33f, 1 / 1.5f, 2.4f})
     for (const auto& r : {Roughness{0.3f, 0.3f}, Roughness{0.6f, 0.15f}, Roughness{1, 1}})
@@ -69,7 +69,7 @@ TEST(RoughRefraction, FurnaceIsWhite) {
         const RoughRefraction lobe(r.ax, r.ay, eta);
         const Vec3 wo = polar_direction(theta, 25);
         double sum = 0;
-        // |cos| = 1 - t^2 opens up the pole, where lobes of a weak index are narrow.
+        // |cos| = 1 - t^2 resolves the pole, where lobes are narrow for indices near 1.
         for (const double side : {-1.0, 1.0})
           for (int cell = 0; cell < 64; ++cell) {
             const double t0 = (cell / 8) / 8.0, p0 = (cell % 8) * M_PI / 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lobes with one direction: mirror, clear refraction, clear thin sheet.
+// Delta lobes: mirror, clear refraction, clear thin sheet.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct Mirror {
   }
 };
 
-/// Clear refraction into a medium; what is totally reflected goes the mirror's way.
+/// Clear refraction into a medium; on total internal reflection the mirror direction.
 /// Inputs:  eta: index of the far side over the viewer's side.
 /// Checked: Refraction.TotalReflectionBeginsAtTheCriticalAngle.
 struct ClearRefraction {
@@ -34,7 +34,7 @@ struct ClearRefraction {
   }
 };
 
-/// A sheet without thickness: light goes straight through.
+/// A sheet without thickness; light passes undeflected.
 struct ClearThinTransmission {
   float eval(const Vec3&, const Vec3&) const { return 0; }
   float pdf(const Vec3&, const Vec3&) const { return 0; }

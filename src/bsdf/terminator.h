@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edge of shadow on bumped and smoothed surfaces, without the hard line of the flat triangle.
+// Softens the shadow terminator of bump-mapped and smooth-shaded surfaces.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace oriel::bsdf {
 
-/// Factor on diffuse light from wi: 1 where shading and geometric normal agree, falling softly to 0
-/// at the horizon of the geometric surface.
+/// Factor for diffuse light from wi: 1 if shading and geometric normal are equal, with a smooth
+/// falloff to 0 at the geometric horizon.
 ///
-/// Inputs:  ng, ns: unit geometric and shading normal; wi: unit, to the light; one frame for all.
+/// Inputs:  ng, ns: unit geometric and shading normal; wi: unit, to the light; all in one frame.
 /// Returns: 0..1, exactly 1 when ns == ng.
 /// Source:  Chiang, Li, Burley, "Taming the Shadow Terminator", SIGGRAPH 2019 Talks.
 /// Checked: Terminator.* in terminator_test.cpp

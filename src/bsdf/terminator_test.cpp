@@ -43,7 +43,8 @@ TEST(Terminator, IsTheCubicOfTheRatioOfCosines) {
   const float g = 0.311941f;
   EXPECT_NEAR(soft_terminator(kUp, polar_direction(30), polar_direction(80)),
               -g * g * g + g * g + g, 1e-5f);
-  // On the other side of the geometric normal the shading normal sees less: nothing to soften.
+  // On the other side of the geometric normal the shading normal has a smaller cosine: no
+  // softening.
   EXPECT_EQ(soft_terminator(kUp, polar_direction(30), polar_direction(-40)), 1);
 }
 
@@ -59,7 +60,7 @@ TEST(Terminator, FallsContinuouslyToZeroAtTheGeometricHorizon) {
       most = std::max(most, std::abs(f - before));
       before = f;
     }
-    // The slope in cosines is at most 4/3 over the least of the shading cosine.
+    // The slope in cosines is at most 4/3 divided by the smallest shading cosine.
     const float least = dot(ns, polar_direction(90)) * dot(kUp, ns);
     EXPECT_LE(most, 4.0f / 3 * kStep * kPi / 180 / least * 1.1f + 1e-5f) << tilt;
     EXPECT_LT(soft_terminator(kUp, ns, polar_direction(89.99f)), 0.01f) << tilt;

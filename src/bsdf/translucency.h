@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diffuse transmission: light that comes out evenly on the other side.
+// Diffuse (Lambert) transmission.
 #pragma once
 
 #include <optional>

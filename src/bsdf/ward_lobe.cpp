@@ -11,9 +11,9 @@
 namespace oriel::bsdf {
 namespace {
 
-/// Steepest mean slope: that of a shininess of 0.
+/// Maximum mean slope, for shininess 0.
 constexpr float kMostWardSlope = 10;
-/// Highlights of finer slopes are points that no picture resolves.
+/// Minimum slope; smaller highlights are below any pixel size.
 constexpr float kLeastWardSlope = 1e-4f;
 
 }  // namespace

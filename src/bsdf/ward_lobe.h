@@ -6,16 +6,16 @@
 
 namespace oriel::bsdf {
 
-/// Root mean square slope of the facets (Ward's alpha) by shininess: its reciprocal, within 1e-4
-/// and 10.
+/// Root mean square slope of the facets (Ward's alpha): the reciprocal of shininess, clamped to
+/// 1e-4 ... 10.
 /// Checked: WardLobe.HasAWidestSlope
 float ward_slope(float shininess);
 
-/// Directions mirrored at facets whose slopes are Gaussian.
+/// Reflections at microfacets with Gaussian slopes.
 ///
 /// Conventions: local frame, z = normal, wo.z > 0, u along x. As bsdf/lobe_sample.h.
-/// Model:   root mean square slopes are 1 / shininess (Ward's alpha). A direction that would lie
-///          below the surface is mirrored above it: the shader has no answer for a lost one.
+/// Model:   root mean square slopes are 1 / shininess (Ward's alpha). A direction below the surface
+///          is mirrored to above it, because the shader cannot return a lost sample.
 /// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 5
 ///          and 6; Walter, "Notes on the Ward BRDF", 2005, for the density.
 /// Checked: WardLobe.*, Highlights.OfWard*,
@@ -24,12 +24,12 @@ class WardLobe {
  public:
   WardLobe(float shiny_u, float shiny_v);
 
-  /// Always a direction with z > 0.
+  /// The result always has z > 0.
   Vec3 sample(const Vec3& wo, const Vec2& u) const;
   /// Density of sample() per solid angle.
   float pdf(const Vec3& wo, const Vec3& wi) const;
-  /// Radiance of Ward's highlight relative to that of a white Lambert surface: pi times the
-  /// reflectance, without the cosine of wi, which WardHighlight includes.
+  /// Radiance of Ward's highlight relative to a white Lambert surface: pi times the reflectance,
+  /// without the cosine of wi that WardHighlight includes.
   float relative_to_lambert(const Vec3& wo, const Vec3& wi) const;
 
  private:

@@ -32,7 +32,7 @@ TEST(WardLobe, IsWardsReflectance) {
   EXPECT_EQ(WardLobe(4, 8).relative_to_lambert(wo, Vec3(.28f, 0, -.96f)), 0);
 }
 
-// A shininess of 0 has mean slopes of 10, not infinite ones.
+// A shininess of 0 has mean slopes of 10 instead of infinite ones.
 TEST(WardLobe, HasAWidestSlope) {
   const Vec3 wo(0, 0, 1), wi(.6f, 0, .8f);
   const float widest = WardLobe(0, 0).relative_to_lambert(wo, wi);

@@ -8,7 +8,7 @@
 namespace oriel {
 namespace {
 
-// Planck's law in doubles: the constants span fifty decades.
+// Planck's law in doubles: the constants span fifty orders of magnitude.
 constexpr double kPlanck = 6.62607015e-34;        // J s, SI 2019
 constexpr double kLightSpeed = 299792458.0;       // m/s, SI 2019
 constexpr double kBoltzmann = 1.380649e-23;       // J/K, SI 2019
@@ -66,8 +66,8 @@ Vec3 black_body_xyz(float kelvin) {
 
 Rgb black_body_color(float kelvin) {
   const Vec3 xyz = black_body_xyz(kelvin);
-  if (!(xyz.y > 0)) return Rgb(1, 0, 0);  // too cold to shine: the red end
-  // Normalise before the matrix, so that very cold bodies keep their digits.
+  if (!(xyz.y > 0)) return Rgb(1, 0, 0);  // no visible light: return the red end of the scale
+  // Normalise before the matrix to keep precision for very low temperatures.
   Rgb c = xyz_to_linear_srgb(xyz * (1 / xyz.y));
   c = Rgb(std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f));
   return c * (1 / max_component(c));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour and the light output of a black body by temperature.
+// Colour and luminance of a black body by temperature.
 #pragma once
 
 #include "base/vec.h"
@@ -18,19 +18,20 @@ Vec3 cie_1931_matching(float wavelength_nm);
 /// Checked: BlackBody.SpectrumPeaksWhereWienSays
 double black_body_spectral_radiance(double wavelength_nm, double kelvin);
 
-/// Radiance of a black body over all wavelengths, W m^-2 sr^-1; 0 unless `kelvin` is positive.
+/// Radiance of a black body integrated over all wavelengths, W m^-2 sr^-1; 0 unless `kelvin` is
+/// positive.
 ///
 /// Source:  the law of Stefan and Boltzmann, sigma T^4 / pi.
 double black_body_radiance(double kelvin);
 
-/// Luminance (Y, cd/m2) and its X and Z of a black body at `kelvin` > 0.
+/// XYZ of a black body at `kelvin` > 0, where Y is luminance in cd/m2.
 /// Checked: BlackBody.ChromaticityMatchesTable, BlackBody.SunDiscGivesItsIlluminance
 Vec3 black_body_xyz(float kelvin);
 
 /// Linear sRGB of a black body scaled to a largest component of 1; negative channels become 0.
 Rgb black_body_color(float kelvin);
 
-/// Luminous efficacy of a black body's whole radiation, lm/W.
+/// Luminous efficacy of the total radiation of a black body, lm/W.
 float black_body_efficacy(float kelvin);
 
 }  // namespace oriel

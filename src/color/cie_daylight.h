@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour of the CIE's phases of daylight by their temperature.
+// Colour of CIE daylight by correlated colour temperature.
 #pragma once
 
 #include "base/vec.h"
@@ -8,12 +8,12 @@ namespace oriel {
 
 /// CIE 1931 chromaticity (x, y) of daylight at a correlated colour temperature.
 ///
-/// Inputs:  kelvin: 4000 ... 25000; what lies outside is taken as the end of the range.
+/// Inputs:  kelvin: clamped to 4000 ... 25000.
 /// Source:  CIE 15:2004, equations 3.3 to 3.5.
 /// Checked: CieDaylight.IsD65At6504Kelvin
 Vec2 cie_daylight_chromaticity(float kelvin);
 
-/// Linear sRGB of that daylight at luminance 1; negative channels become 0 before it is scaled.
+/// Linear sRGB of CIE daylight at luminance 1; negative channels are clamped to 0 before scaling.
 Rgb cie_daylight_color(float kelvin);
 
 }  // namespace oriel

@@ -17,7 +17,7 @@ TEST(CieDaylight, IsD65At6504Kelvin) {
 }
 
 TEST(CieDaylight, MatchesTheIlluminantsD50D55D75) {
-  // CIE 15:2004, table T.3; their nominal temperatures in the present temperature scale.
+  // CIE 15:2004, table T.3; nominal temperatures in the current temperature scale.
   const float table[][3] = {{5003, .3457f, .3585f}, {5503, .3325f, .3476f}, {7504, .2991f, .3149f}};
   for (const auto& row : table) {
     const Vec2 xy = cie_daylight_chromaticity(row[0]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Luminance weights, sRGB and black bodies against published figures.
+// Luminance weights, sRGB and black bodies compared with published values.
 #include "color/black_body.h"
 #include "color/luminance.h"
 #include "color/srgb.h"
@@ -85,7 +85,7 @@ TEST(BlackBody, SpectrumPeaksWhereWienSays) {
 }
 
 TEST(BlackBody, RadianceIsTheIntegralOfTheSpectrum) {
-  double sum = 0;  // trapezium rule in steps of 10 nm, up to 1 mm
+  double sum = 0;  // trapezoid rule in steps of 10 nm, up to 1 mm
   for (int nm = 10; nm <= 1000000; nm += 10) sum += black_body_spectral_radiance(nm, 3000) * 10;
   EXPECT_NEAR(sum / black_body_radiance(3000), 1, 1e-4);
 }
@@ -97,7 +97,8 @@ TEST(BlackBody, ThatIsColdIsDark) {
 }
 
 TEST(BlackBody, ColorMatchesTable) {
-  // The tolerance is that of the fits: the range and step of the integral alone move 2e-3.
+  // The tolerance covers the error of the fits; range and step of the integral alone contribute
+  // 2e-3.
   for (const BlackBodyRow& row : kBlackBodies) {
     const Rgb c = black_body_color(row.kelvin);
     EXPECT_FLOAT_EQ(c.x, 1) << row.kelvin;

@@ -25,7 +25,7 @@ constexpr float kDaylight[kSpectrumBands][3] = {
 
 float band_nm(int band) { return kSpectrumFirstNm + kSpectrumStepNm * static_cast<float>(band); }
 
-/// What each band adds to X, Y and Z.
+/// Contribution of each band to X, Y and Z.
 std::array<Vec3, kSpectrumBands> matching_bands() {
   std::array<Vec3, kSpectrumBands> bands;
   float y = 0;
@@ -42,8 +42,8 @@ const std::array<Vec3, kSpectrumBands>& bands_of_xyz() {
   return bands;
 }
 
-/// Solves a x = b for three right sides b, by elimination with the largest pivot; both are changed.
-/// In doubles: the matrix joins slopes of 1 with matching functions of a hundredth.
+/// Solves a x = b for three right-hand sides by Gaussian elimination with pivoting; modifies both.
+/// In double, because the matrix combines slopes of 1 with matching functions near 0.01.
 void solve(std::vector<std::vector<double>>& a, std::vector<std::array<double, 3>>& b) {
   const std::size_t n = a.size();
   for (std::size_t c = 0; c < n; ++c) {
@@ -63,7 +63,8 @@ void solve(std::vector<std::vector<double>>& a, std::vector<std::array<double, 3
     for (std::size_t k = 0; k < 3; ++k) b[r][k] /= a[r][r];
 }
 
-/// Smoothest spectra of X, Y and Z alone: least slopes with Lagrange multipliers for the colour.
+/// Smoothest spectra of unit X, Y and Z: minimum slope with the colour as a constraint (Lagrange
+/// multipliers).
 std::array<Vec3, kSpectrumBands> smooth_bands() {
   constexpr std::size_t kBands = kSpectrumBands, kAll = kBands + 3;
   std::vector<std::vector<double>> a(kAll, std::vector<double>(kAll, 0));
@@ -103,7 +104,7 @@ Spectrum smooth_spectrum(const Vec3& xyz) {
 
 Spectrum black_body_spectrum(float kelvin) {
   Spectrum s;
-  // 0 below some 290 K, where the exponential exceeds the largest float: the spectrum is black.
+  // 0 below about 290 K, where the exponential overflows; the spectrum is then black.
   const double middle = black_body_spectral_radiance(560, kelvin);
   for (int i = 0; i < kSpectrumBands; ++i) {
     const double radiance = black_body_spectral_radiance(band_nm(i), kelvin);

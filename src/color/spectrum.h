@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spectra of 31 bands: of lamps and of colours, and their colours.
+// Spectra of 31 bands: illuminants, reflectances, and conversion to and from colours.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ using Spectrum = std::array<float, kSpectrumBands>;
 /// Checked: Spectrum.*
 Vec3 spectrum_xyz(const Spectrum& spectrum);
 
-/// The spectrum of that XYZ whose neighbouring bands differ least, by the sum of squares. Linear in
-/// its argument; saturated colours have negative bands.
+/// The smoothest spectrum of an XYZ colour: minimises the sum of squared differences of
+/// neighbouring bands. Linear in its argument; saturated colours have negative bands.
 /// Source:  S. A. Burns, "Numerical methods for smoothest reflectance reconstruction", Color
 ///          Research and Application 45(1), 2020, section 2 (least slope squared).
 /// Checked: Spectrum.SmoothSpectraHaveTheirColour
@@ -31,9 +31,9 @@ Spectrum smooth_spectrum(const Vec3& xyz);
 /// Planck's law relative to its value at 560 nm; kelvin > 0.
 Spectrum black_body_spectrum(float kelvin);
 
-/// The CIE's phase of daylight, 100 at 560 nm.
+/// CIE daylight, 100 at 560 nm.
 ///
-/// Inputs:  kelvin: 4000 ... 25000; what lies outside is taken as the end of the range.
+/// Inputs:  kelvin: clamped to 4000 ... 25000.
 /// Source:  CIE 15:2004, section 3.1 and table T.2.
 /// Checked: Spectrum.DaylightIsTheTableOfD65
 Spectrum daylight_spectrum(float kelvin);
@@ -42,11 +42,11 @@ Spectrum daylight_spectrum(float kelvin);
 /// Checked: Spectrum.BandsAreCentredOnTheirWavelengths
 int spectrum_band(float nm);
 
-/// The spectrum scaled to a luminance Y; black where it has none.
+/// The spectrum scaled to luminance Y; black if its luminance is 0.
 /// Checked: Spectrum.ScalingSetsTheLuminance
 Spectrum with_luminance(Spectrum spectrum, float luminance);
 
-/// A standard illuminant of the CIE: "A", "D50", "D55", "D65", "D75" or "E"; null if unknown.
+/// A CIE standard illuminant: "A", "D50", "D55", "D65", "D75" or "E"; null if unknown.
 /// Source:  CIE 15:2004, section 3.1.
 /// Checked: Spectrum.IlluminantsAreThoseOfTheCie
 std::optional<Spectrum> cie_illuminant(std::string_view name);

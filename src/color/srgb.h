@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sRGB colour space: between CIE XYZ and linear sRGB, and between linear and encoded values.
+// The sRGB colour space: conversion between CIE XYZ, linear sRGB and encoded sRGB.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 namespace oriel {
 
 // Conventions
-//   XYZ is carried in a Vec3, white (Y = 1) is D65, x = .3127, y = .3290.
-//   Linear sRGB has the primaries of Rec. 709. Values outside 0..1 are kept by every function.
+//   XYZ is stored in a Vec3; white (Y = 1) is D65, x = .3127, y = .3290.
+//   Linear sRGB has the primaries of Rec. 709. All functions accept values outside 0..1.
 
-/// A channel of light that curves can take: a number that is not negative and not without end.
+/// Clamps a channel to a non-negative finite number.
 inline float usable_light(float v) { return v > 0 ? std::min(v, 1e30f) : 0.0f; }
 
-/// Linear sRGB of a CIE 1931 XYZ colour; negative where the colour lies outside the gamut.
-/// Source: IEC 61966-2-1 primaries and white, the matrix solved from them to seven digits.
+/// Linear sRGB of a CIE 1931 XYZ colour; negative if the colour is out of gamut.
+/// Source:  IEC 61966-2-1 primaries and white; matrix computed from them with seven digits.
 /// Checked: Srgb.XyzRoundTripIsIdentity, Srgb.WhiteIsD65
 inline Rgb xyz_to_linear_srgb(const Vec3& xyz) {
   return Rgb(3.2409699f * xyz.x - 1.5373832f * xyz.y - 0.4986108f * xyz.z,
@@ -32,8 +32,8 @@ inline Vec3 linear_srgb_to_xyz(const Rgb& c) {
               0.0193308f * c.x + 0.1191948f * c.y + 0.9505322f * c.z);
 }
 
-/// sRGB opto-electronic transfer: encoded value of a linear one. Odd in its argument, so negative
-/// values survive a round trip.
+/// sRGB transfer function: encoded value of a linear one. Odd, so negative values survive a round
+/// trip.
 /// Source: IEC 61966-2-1, piecewise form.
 /// Checked: Srgb.MidGreyEncodesTo0461, Srgb.TransferRoundTripIsIdentity
 inline float srgb_encode(float linear) {

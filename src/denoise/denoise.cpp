@@ -16,11 +16,11 @@ using denoising::kBandwidths;
 using denoising::Noisy;
 using denoising::Planes;
 
-/// Errors of single pixels say little: the choice between bandwidths looks at their mean over this
-/// radius, and fades from one to the other over the second one.
+/// The bandwidth is selected by the mean error within the first radius, since errors of single
+/// pixels are too noisy; the selection is then blurred with the second radius.
 constexpr int kErrorRadius = 4, kChoiceRadius = 2;
-/// Where nothing predicts the error, the wider bandwidth: a picture that weighs itself agrees with
-/// its own noise too well.
+/// Bandwidth without an error estimate: the wider one, because a picture that is its own guide fits
+/// its own noise too closely.
 constexpr int kBandwidthAlone = 1;
 
 /// f(i) for every value of every plane, in parallel.
@@ -32,7 +32,7 @@ void for_each_value(const Planes& planes, const F& f) {
   });
 }
 
-/// One half of the samples, which is twice as noisy as the whole.
+/// The mean of one half of the samples, with twice the variance of the whole.
 Estimate half_of(const Noisy& noisy, float sign) {
   Estimate e{noisy.mean, noisy.variance};
   for_each_value(e.mean, [&](std::size_t i) {
@@ -42,7 +42,7 @@ Estimate half_of(const Noisy& noisy, float sign) {
   return e;
 }
 
-/// How much further the wider bandwidth is from the half it has not seen, squared, in variances.
+/// Excess squared error of the wider bandwidth against the other half, in units of variance.
 Planes excess_of_wider(const Estimate& a, const Estimate& b,
                        const std::array<Planes, kBandwidths>& to_a,
                        const std::array<Planes, kBandwidths>& to_b) {
@@ -64,7 +64,7 @@ Planes excess_of_wider(const Estimate& a, const Estimate& b,
   return denoising::box_blur(excess, kErrorRadius);
 }
 
-/// Weights each half by the other.
+/// Denoises each half with the other half as the guide.
 Planes cross_filtered(const Noisy& noisy, float strength) {
   const Estimate a = half_of(noisy, 1), b = half_of(noisy, -1);
   const auto to_a = denoising::regress(a, b, noisy.features, strength);
@@ -117,7 +117,7 @@ Image denoise(const DenoiseInput& input, const DenoiseOptions& options) {
         const float divisor = noisy.albedo.row(c, y)[x];
         const float before = noisy.color.row(c, y)[x];
         const float change = correction.row(c, y)[x];
-        // Light is not negative; a fit may be, beside a steep edge.
+        // Clamp to non-negative values; a linear fit may be negative near a steep edge.
         to[c] = std::max(before + change * divisor, std::min(before, 0.0f));
       }
     }

@@ -1,44 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes the noise out of a path-traced picture with the help of what its first hits looked like.
+// Denoises a path-traced picture with feature layers of its first hits.
 #pragma once
 
 #include "image/pixel_buffer.h"
 
 namespace oriel {
 
-/// What a render knows of its own noise and of the surfaces in it. All images of one size; null =
-/// not known. One of half_difference and variance is needed, both are best.
+/// Noise estimates and feature layers of a render. All images have the same size; null = not
+/// available. At least one of half_difference and variance is required; both give the best result.
 struct DenoiseInput {
-  const Image* color = nullptr;            ///< linear, RGB first; channels after RGB come out as is
-  const Image* half_difference = nullptr;  ///< half of (mean of one half of the samples - other's)
-  const Image* variance = nullptr;         ///< of each pixel's mean, RGB
-  const Image* albedo = nullptr;           ///< RGB, of the first surface
-  const Image* normal = nullptr;           ///< XYZ, 0 where nothing was hit
-  const Image* depth = nullptr;            ///< 0 where nothing was hit
+  const Image* color = nullptr;  ///< linear, RGB first; further channels are copied
+  /// half of (mean of one half of the samples - mean of the other)
+  const Image* half_difference = nullptr;
+  const Image* variance = nullptr;  ///< variance of the mean of each pixel, RGB
+  const Image* albedo = nullptr;    ///< RGB, of the first surface
+  const Image* normal = nullptr;    ///< XYZ, 0 = no hit
+  const Image* depth = nullptr;     ///< 0 = no hit
 };
 
 struct DenoiseOptions {
-  /// How far from the noise two patches may be and still count as equal; scales both bandwidths.
+  /// Patch difference, relative to noise, up to which patches count as equal; scales both
+  /// bandwidths.
   float strength = 1;
-  /// Filters irradiance instead of colour. For pictures that exposure has bent, where colour is not
-  /// proportional to albedo any more, leave it off.
+  /// Denoises irradiance instead of colour. Disable it for tone-mapped pictures, where colour is
+  /// not proportional to albedo.
   bool divide_by_albedo = true;
   bool spread_outliers = true;  ///< see spread_outliers()
 };
 
-/// The picture without noise.
+/// Returns the denoised picture.
 ///
 /// Model:   first-order regression of colour on position, albedo, normal and depth in a window of
-///          19 x 19 pixels, weighted by how alike 7 x 7 patches are (non-local means with the noise
-///          cancelled). Each half of the samples is weighed by patches of the other half, so that
-///          noise does not vouch for itself; of two bandwidths each region takes the one whose
-///          result predicts the other half better. Where only the variance is known the picture
-///          weighs itself. The result is the input plus a correction that is exactly 0 where there
-///          is nothing to correct. Features are taken as they are: blur of lens and motion must
-///          have converged in them.
-/// Returns: as many channels as color; not finite values count as black. The same bytes for any
-///          number of threads.
-/// Errors:  std::runtime_error when sizes differ, colour is missing, or nothing tells the noise.
+///          19 x 19 pixels, weighted by the similarity of 7 x 7 patches (non-local means with noise
+///          cancellation). Each half of the samples is weighted by patches of the other half, so
+///          that weights are independent of the noise. Of two bandwidths each region uses the one
+///          that predicts the other half better. If only the variance is available, the picture is
+///          its own guide. The result is the input plus a correction, which is exactly 0 where the
+///          input is free of noise. Features are not denoised, so depth of field and motion blur
+///          must have converged in them.
+/// Returns: as many channels as color; values that are not finite count as black. The result does
+///          not depend on the number of threads.
+/// Errors:  std::runtime_error if sizes differ, colour is missing, or there is no noise estimate.
 /// Source:  B. Bitterli, F. Rousselle, B. Moon et al., "Nonlinearly Weighted First-order Regression
 ///          for Denoising Monte Carlo Renderings", CGF 35(4), 2016; F. Rousselle, C. Knaus,
 ///          M. Zwicker, "Adaptive Rendering with Non-Local Means Filtering", TOG 31(6), 2012.
@@ -58,8 +60,8 @@ Image denoise(const DenoiseInput& input, const DenoiseOptions& options = {});
 /// Checked: Outliers.* in outliers_test.cpp
 Image spread_outliers(const DenoiseInput& input);
 
-/// The input that the layers of a render hold: beauty, halves, variance, albedo, normal, Z. It
-/// refers to them, and is incomplete where they are.
+/// Finds the input layers of a render: beauty, halves, variance, albedo, normal, Z. The result
+/// refers to them and is incomplete if layers are missing.
 DenoiseInput denoise_input(const std::vector<Layer>& layers);
 
 }  // namespace oriel

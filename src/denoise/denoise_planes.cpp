@@ -13,19 +13,19 @@
 namespace oriel::denoising {
 namespace {
 
-/// Albedos below this are not divided by: a black surface has no irradiance to speak of.
+/// Minimum albedo for the division; darker surfaces have no meaningful irradiance.
 constexpr float kSmallestAlbedo = 0.05f;
 
-/// Depth enters as a logarithm, so that it means the same near and far; a factor of 1.25 counts as
-/// much as two normals 60 degrees apart.
+/// Scale of the logarithm of depth; with it a ratio of 1.25 counts as much as an angle of 60
+/// degrees between normals.
 constexpr float kDepthScale = 4;
-/// Nothing hit is further than anything by this much.
+/// Log-depth difference between background and the farthest hit.
 constexpr float kNothing = 1;
 
-/// Radii over which variance is smoothed and over which it is brought to the level that the halves
-/// show. Samples that are spread evenly converge faster than their own variance says.
-/// Source: the idea is that of Rousselle et al. 2012; the radii are such that 9 and 441 pixels are
-///         averaged, 33 % and 5 % of noise left in a variance.
+/// Radius for smoothing the variance, and radius for scaling it to the variance of the halves.
+/// Stratified samples converge faster than their sample variance suggests.
+/// Source:  method of Rousselle et al. 2012; the radii average 9 and 441 pixels, which leaves 33 %
+///          and 5 % noise in a variance.
 constexpr int kVarianceRadius = 1, kLevelRadius = 10;
 
 Planes read(const Image* image, int channels) {
@@ -43,14 +43,14 @@ Planes read(const Image* image, int channels) {
 
 void check(const DenoiseInput& input) {
   if (!input.color || input.color->empty())
-    throw std::runtime_error("denoising needs a colour picture");
+    throw std::runtime_error("denoising requires a colour layer");
   if (!input.half_difference && !input.variance)
-    throw std::runtime_error("denoising needs to know the noise: halves or variance");
+    throw std::runtime_error("denoising requires a noise estimate: the layer halves or variance");
   const auto fits = [&](const Image* image, int channels, const char* what) {
     if (image && (image->width != input.color->width || image->height != input.color->height ||
                   image->channels < channels))
-      throw std::runtime_error(std::string("denoising: the picture of ") + what +
-                               " has another size than colour, or too few channels");
+      throw std::runtime_error(std::string("denoising: the layer ") + what +
+                               " differs from colour in size, or has too few channels");
   };
   fits(input.color, 3, "colour");
   fits(input.half_difference, 3, "half differences");
@@ -89,7 +89,7 @@ void divide_by_albedo(Noisy& n) {
     }
 }
 
-/// The variance of the mean: the samples' own tells where, the halves tell how much.
+/// Variance of the mean: spatial distribution from the sample variance, scale from the halves.
 Planes estimate_variance(const Noisy& n) {
   if (!n.half.count) return n.variance;
   Planes squares = n.half;
@@ -110,7 +110,7 @@ Planes estimate_variance(const Noisy& n) {
 Planes box_blur(const Planes& planes, int radius) {
   Planes across(planes.width, planes.height, planes.count), out = across;
   const std::size_t rows = std::size_t(planes.height) * planes.count;
-  // Plain sums, not running ones: those would carry the rounding of bright pixels into dark ones.
+  // Plain sums: running sums would carry rounding errors of bright pixels into dark ones.
   parallel_for(rows, [&](std::size_t row) {
     const float* from = planes.values.data() + row * planes.width;
     float* to = across.values.data() + row * planes.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the steps of the denoiser hand each other: planes of floats, and the noisy picture in them.
+// Data of the denoiser: planes of floats, and the noisy picture.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace oriel::denoising {
 
-/// Planar channels, so that loops over pixels of a row run in vector registers.
+/// Planar channels, so that loops over the pixels of a row vectorise.
 struct Planes {
   int width = 0, height = 0, count = 0;
   std::vector<float> values;
@@ -24,20 +24,20 @@ struct Planes {
   const float* row(int i, int y) const { return plane(i) + std::size_t(y) * width; }
 };
 
-/// Means over squares of 2 radius + 1 pixels; at the border over what there is of them.
+/// Means over squares of 2 radius + 1 pixels, clipped at the border.
 Planes box_blur(const Planes& planes, int radius);
 
 /// Albedo 3, normal 3, logarithm of depth.
 inline constexpr int kFeatures = 7;
 
-/// The picture in the form the regression takes it.
+/// The preprocessed input of the regression.
 struct Noisy {
   Planes color;     ///< 3: the input, without outliers
   Planes mean;      ///< 3: colour, or irradiance where albedo is divided out
   Planes half;      ///< 3: half the difference of the halves; empty: not known
   Planes variance;  ///< 3: of the mean
-  Planes features;  ///< kFeatures, scaled so that a difference of 1 is a large one
-  Planes albedo;    ///< 3: what the mean was divided by
+  Planes features;  ///< kFeatures, scaled such that a difference of 1 is large
+  Planes albedo;    ///< 3: divisor of the mean
 };
 
 /// Reads colours, halves and variance: replaces values that are not finite.

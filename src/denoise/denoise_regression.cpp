@@ -11,49 +11,48 @@
 namespace oriel::denoising {
 namespace {
 
-/// Sizes of patch and window.
+/// Radii of patch and window.
 /// Source: Bitterli et al. 2016.
 constexpr int kPatch = 3, kWindow = 9;
 constexpr int kPatchSide = 2 * kPatch + 1, kWindowSide = 2 * kWindow + 1;
 constexpr int kOffsets = kWindowSide * kWindowSide;
 
-/// A tile's weights (0.7 MB) stay in the second-level cache from one step to the next.
+/// With this tile size the weights (0.7 MB) fit into the second-level cache.
 constexpr int kTileWidth = 32, kTileHeight = 16;
 constexpr int kHalo = kPatch + kWindow;
 constexpr int kLocalWidth = kTileWidth + 2 * kHalo, kLocalHeight = kTileHeight + 2 * kHalo;
 
-/// Relative differences below this count as none, or equal pixels would divide 0 by 0.
+/// Differences below this share of the value count as zero, to avoid 0 / 0 for equal pixels.
 constexpr float kRelativeResolution = 1e-5f;
 
-/// Squared feature distance at which a neighbour has lost 1 - 1/e of its weight. Features follow
-/// the linear model up to here; beyond it, at another surface, the model says nothing. Twice or
-/// half of it changes the error on scenes/interior by 2 %.
+/// Squared feature distance at which the weight of a neighbour is 1/e. Within this distance the
+/// linear model of features holds; beyond it, on other surfaces, it does not. Doubling or halving
+/// the value changes the error on scenes/interior by 2 %.
 constexpr float kFeatureReach = 0.5f;
 
-/// How much colour may change, relative to itself, over a feature difference of 1: the prior of
-/// the slopes. Wide, so that data decide wherever they can; 1 is 4 % worse on
-/// scenes/interior, 4 as good.
+/// Prior of the slopes: relative change of colour over a feature difference of 1. It is wide, so
+/// that the data dominates; 1 is 4 % worse on scenes/interior, 4 is equally good.
 constexpr float kSlopePrior = 2.0f;
-/// Keeps the system regular where a feature does not vary at all.
+/// Minimum that keeps the system regular if a feature is constant.
 constexpr float kSmallestRidge = 1e-4f;
-/// Past this slopes are nought anyway.
+/// With a larger ridge the slopes are zero.
 constexpr float kLargestRidge = 1e6f;
 
 constexpr int kColors = 3;
 constexpr int kTerms = 1 + 2 + kFeatures;  ///< constant, position, features
 constexpr int kPairs = kTerms * (kTerms + 1) / 2;
 constexpr int kLanes = 8;
-/// Neighbouring pixels, one to a lane of a vector register: the sums below are two thirds of the
-/// denoiser's time, and take three times as long as loops over arrays.
+/// Neighbouring pixels in the lanes of a vector register. The sums below take two thirds of the run
+/// time; with loops over arrays they take three times as long.
 typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float))));
 
-/// A tile with its surroundings; beyond the picture the border pixel goes on.
+/// A tile with its margin; beyond the picture the border pixel is repeated.
 struct Tile {
   using Plane = float[kLocalHeight][kLocalWidth];
   Plane guide[kColors], guide_variance[kColors];
   Plane target[kColors], target_variance;
   Plane features[kFeatures];
-  Plane inside;  ///< 0 beyond the picture
+  Plane inside;  ///< 0 outside of the picture
   float distance[kOffsets][kTileHeight][kTileWidth];
 };
 
@@ -87,8 +86,8 @@ void load(const Estimate& target, const Estimate& guide, const Planes& features,
   }
 }
 
-/// Squared differences of the guide to itself, shifted, in units of its variance, less the part
-/// that noise alone makes.
+/// Squared differences between the guide and the shifted guide, in units of variance, minus the
+/// expected value from noise.
 /// Source: Rousselle et al. 2012, the distance of two pixels with variance cancelled, alpha = 1.
 void shifted_distances(const Tile& tile, int dx, int dy,
                        float (&out)[kTileHeight + 2 * kPatch][kTileWidth + 2 * kPatch]) {
@@ -110,7 +109,7 @@ void shifted_distances(const Tile& tile, int dx, int dy,
   }
 }
 
-/// Patch distances of all offsets, for a bandwidth of 1.
+/// Patch distances of all offsets for bandwidth 1.
 void patch_distances(Tile& tile) {
   float point[kTileHeight + 2 * kPatch][kTileWidth + 2 * kPatch];
   float across[kTileHeight + 2 * kPatch][kTileWidth];
@@ -140,7 +139,7 @@ Lanes lanes(const float* from) {
 
 Lanes greater(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
 
-/// exp(-d) for d >= 0, within 2 % of 1 where it matters and exactly 0 from 64 on.
+/// Approximates exp(-d) for d >= 0, within 2 % for the relevant range and exactly 0 from 64 on.
 Lanes falloff(const Lanes& d) {
   Lanes e = greater(1 - d * (1.0f / 64), Lanes{});
   e *= e, e *= e, e *= e, e *= e, e *= e;
@@ -149,11 +148,11 @@ Lanes falloff(const Lanes& d) {
 
 bool all_zero(const Lanes& v) {
   float sum = 0;
-  for (int l = 0; l < kLanes; ++l) sum += v[l];  // weights: none is negative
+  for (int l = 0; l < kLanes; ++l) sum += v[l];  // weights are non-negative
   return sum == 0;
 }
 
-/// The neighbours in one row of the window that have any weight, as seen from their pixels.
+/// Neighbours in one row of the window with a non-zero weight, relative to their pixels.
 struct Neighbours {
   int count = 0;
   Lanes weight[kBandwidths][kWindowSide];
@@ -181,7 +180,7 @@ void find_neighbours(const Tile& tile, int x, int y, int dy,
     const Lanes distance = lanes(&tile.distance[offset][y][x]);
     for (int b = 0; b < kBandwidths; ++b)
       out.weight[b][n] = falloff(distance * inverse_squares[b]) * near;
-    if (all_zero(out.weight[kBandwidths - 1][n])) continue;  // the widest
+    if (all_zero(out.weight[kBandwidths - 1][n])) continue;  // the widest bandwidth
     for (int c = 0; c < kColors; ++c)
       out.change[n][c] = lanes(&tile.target[c][qy][qx]) - lanes(&tile.target[c][py][px]);
     ++out.count;
@@ -195,7 +194,7 @@ struct Sums {
   Lanes matrix[kPairs] = {};
   Lanes right[kTerms][kColors] = {};
 
-  /// Adds a row's neighbours to equation I, whose sums stay in registers meanwhile.
+  /// Adds the neighbours of a row to equation I, whose sums stay in registers.
   template <int I>
   void add(const Neighbours& n, const Lanes* weight) {
     Lanes m[I + 1], r[kColors];
@@ -215,11 +214,11 @@ struct Sums {
   }
 };
 
-/// The first unknown of the ridge-regularised equations: the correction at the pixel itself.
+/// Solves the ridge-regularised equations for the first unknown, the correction at the pixel.
 void solve(Sums& s, const Lanes& ridge, Lanes (&out)[kColors]) {
   auto& a = s.matrix;
   for (int i = 1; i < kTerms; ++i) a[pair_index(i, i)] += ridge;
-  // Eliminated from the last unknown down to the first, nothing need be put back in.
+  // Elimination from the last to the first unknown makes back substitution unnecessary.
   for (int k = kTerms - 1; k > 0; --k) {
     const Lanes inverse = 1 / greater(a[pair_index(k, k)], ridge);
     for (int i = 0; i < k; ++i) {
@@ -231,7 +230,7 @@ void solve(Sums& s, const Lanes& ridge, Lanes (&out)[kColors]) {
   for (int c = 0; c < kColors; ++c) out[c] = a[0] > 0 ? s.right[0][c] / a[0] : Lanes{};
 }
 
-/// The ridge of a Gaussian prior on slopes is noise variance over the prior's variance.
+/// Ridge of a Gaussian prior on the slopes: noise variance over variance of the prior.
 Lanes ridge_of(const Tile& tile, int x, int y, const Sums& s) {
   const Lanes weight = greater(s.matrix[0], Lanes{} + 1e-30f);
   Lanes level = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The denoiser against pictures whose truth is known.
+// The denoiser on pictures with known ground truth.
 #include "denoise/denoise.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace oriel {
 namespace denoise_test {
 
-/// A picture as a renderer would bring it, with its truth.
+/// A synthetic render with its ground truth.
 struct Render {
   Image truth, color, half, variance, albedo, normal, depth;
   DenoiseInput input() const { return {&color, &half, &variance, &albedo, &normal, &depth}; }
@@ -29,8 +29,8 @@ struct Point {
 };
 using Scene = std::function<Point(int x, int y)>;
 
-/// Draws `samples` per pixel from an exponential distribution around the truth: a standard
-/// deviation as large as the value and a long tail, as light that is found by chance has.
+/// Draws `samples` per pixel from an exponential distribution with the true mean: the standard
+/// deviation equals the mean and the tail is long, like light that is found by chance.
 Render render(int width, int height, int samples, const Scene& scene) {
   Render r;
   r.truth = r.color = r.half = r.variance = r.albedo = r.normal = Image(width, height, 3);
@@ -62,7 +62,7 @@ Render render(int width, int height, int samples, const Scene& scene) {
   return r;
 }
 
-/// A wall with a checked texture, and a floor; light falls off smoothly over both.
+/// A wall with a checker texture and a floor, with smooth illumination.
 Point room(int x, int y) {
   const bool floor = y > 60;
   const float light = 2 + std::sin(0.05f * float(x)) + 0.01f * float(y);
@@ -143,10 +143,10 @@ TEST(Denoise, EdgesOfFeaturesKeepTheirStep) {
       for (int c = 0; c < 3; ++c) p.color[c] = light * p.albedo[c];
       return p;
     };
-    // So many rows that the noise left in the step is a third of what is allowed.
+    // Enough rows to reduce the noise of the step to a third of the tolerance.
     const Render r = render(32, kRows, 64, scene);
     const Image out = denoise(r.input());
-    // The two columns beside the edge: a blurred edge would have lost its step there.
+    // The two columns next to the edge: a blurred edge would have a smaller step there.
     const auto step_of = [&](const Image& image) {
       return mean_of(image, 16, 0, 17, kRows, 0) - mean_of(image, 15, 0, 16, kRows, 0);
     };
@@ -159,7 +159,7 @@ TEST(Denoise, ConstantPicturesStayBitIdentical) {
     return Point{{0.1f, 0.7f, 1234.5f}, {0.3f, 0.3f, 0.9f}, {0, 0, 1}, 2};
   });
   EXPECT_EQ(denoise(r.input()).pixels, r.color.pixels);
-  // Also where the noise is said to be large.
+  // Also with a large noise estimate.
   std::fill(r.variance.pixels.begin(), r.variance.pixels.end(), 0.5f);
   EXPECT_EQ(denoise(r.input()).pixels, r.color.pixels);
   DenoiseInput alone = r.input();
@@ -187,7 +187,7 @@ TEST(Denoise, BiasVanishesWithTheNoise) {
 
 TEST(Denoise, FirefliesGo) {
   Render r = render(96, 96, 32, room);
-  // One sample of 3000 in a pixel of 2, in the even half.
+  // One sample of 3000 in a pixel of 2, in one half of the samples.
   for (const auto& [x, y] : {std::pair{20, 20}, {48, 70}, {90, 5}, {0, 95}}) {
     for (int c = 0; c < 3; ++c) {
       r.color.at(x, y)[c] += 100;
@@ -201,7 +201,7 @@ TEST(Denoise, FirefliesGo) {
 }
 
 TEST(Denoise, BrightHighlightsAreNoFireflies) {
-  // The same brightness, but all samples agree on it.
+  // The same brightness, but all samples have it.
   Render r = render(96, 96, 32, room);
   for (int c = 0; c < 3; ++c) {
     r.color.at(48, 70)[c] = 100;

@@ -32,11 +32,11 @@ bool is_usable(const InstanceDesc& desc) {
                      [](const Mat4& m) { return is_usable(m); });
 }
 
-/// Numbers of geometries in the scene of an instanced mesh, beside the triangles' 0.
+/// Geometry ids in the scene of an instanced mesh; triangles have id 0.
 constexpr std::uint32_t kLines = 1, kBeziers = 2;
 
-/// Embree's robust mode reports hits at tnear itself: from there on only what is behind the surface
-/// that a ray starts on.
+/// The smallest tnear above the given one. Embree's robust mode also reports hits at tnear itself,
+/// which would be the surface that the ray starts on.
 float behind(float tnear) { return tnear + std::numeric_limits<float>::min(); }
 
 bool count_memory(void* total, ssize_t bytes, bool /*after*/) {
@@ -45,7 +45,7 @@ bool count_memory(void* total, ssize_t bytes, bool /*after*/) {
 }
 
 void set_transform_of(RTCGeometry geometry, const Mat4& m, unsigned step = 0) {
-  // Embree's columns are our rows.
+  // Embree's matrices are column-major, ours row-major.
   const float columns[12] = {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2],
                              m[2][0], m[2][1], m[2][2], m[3][0], m[3][1], m[3][2]};
   rtcSetGeometryTransform(geometry, step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
@@ -63,10 +63,11 @@ void set_path_of(RTCGeometry geometry, const InstanceDesc& desc) {
 struct Accel::Impl {
   struct MeshEntry {
     Mesh mesh;
-    RTCScene scene = nullptr;     // once it has several instances
-    std::uint32_t uses = 0;       // usable instances
-    std::uint32_t baked = kNone;  // the instance whose world space the mesh is in
-    // In the world space of an instance of the frame before, whose matrices these are.
+    RTCScene scene = nullptr;     // used once the mesh has several instances
+    std::uint32_t uses = 0;       // number of usable instances
+    std::uint32_t baked = kNone;  // the instance in whose world space the mesh is stored
+    // The mesh was in the world space of an instance of the previous frame, which had these
+    // matrices.
     bool was_baked = false;
     Mat4 place, back;
   };
@@ -77,18 +78,18 @@ struct Accel::Impl {
   RTCScene top = nullptr;
   std::vector<MeshEntry> meshes;
   std::vector<InstanceDesc> instances;
-  std::vector<bool> attached;          // per instance: Embree has it
+  std::vector<bool> attached;          // per instance: attached to the Embree scene
   std::vector<std::uint32_t> pending;  // instances to attach at the next commit
-  // Of the frame before, from begin_again() to commit().
+  // State of the previous frame, from begin_again() to commit().
   bool again = false, meshes_added = false;
   std::vector<InstanceDesc> before;
   std::vector<bool> before_attached;
 
   explicit Impl(Edges asked) : edges(asked) {
-    // One instruction set on every processor: wider ones round differently and are no faster for
-    // single rays.
+    // One instruction set on every processor, because wider ones round differently. They are no
+    // faster for single rays.
     device = rtcNewDevice("max_isa=avx2");
-    if (!device) throw std::runtime_error("Embree does not start on this processor");
+    if (!device) throw std::runtime_error("Embree failed to initialise on this processor");
     rtcSetDeviceMemoryMonitorFunction(device, count_memory, &embree_bytes);
     top = new_scene();
   }
@@ -102,7 +103,7 @@ struct Accel::Impl {
   RTCScene new_scene() const {
     RTCScene scene = rtcNewScene(device);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-    // Robust traversal divides where the fast one multiplies by an estimated reciprocal.
+    // Robust traversal divides; fast traversal multiplies by an estimated reciprocal.
     if (edges == Edges::Watertight)
       rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     return scene;
@@ -119,7 +120,7 @@ struct Accel::Impl {
     return meshes[static_cast<std::uint32_t>(instances[instance].mesh)];
   }
 
-  /// Number, among an instance's primitives, of the first piece in that geometry of curves.
+  /// Index of the first piece of that curve geometry among the primitives of an instance.
   std::uint32_t first_piece(std::uint32_t instance, std::uint32_t geometry) {
     const Mesh& mesh = mesh_of(instance).mesh;
     const std::size_t lines = geometry == kBeziers ? mesh.curves.lines.size() : 0;
@@ -157,7 +158,7 @@ struct Accel::Impl {
       rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, pieces.data(),
                                  0, sizeof(std::uint32_t), pieces.size());
       if (type == RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE) {
-        // Pieces that go on in their neighbours have no caps there.
+        // Pieces that continue in a neighbour have no caps at that end.
         auto* flags = static_cast<unsigned char*>(rtcSetNewGeometryBuffer(
             geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, pieces.size()));
         for (std::size_t i = 0; flags && i < pieces.size(); ++i) {
@@ -207,7 +208,7 @@ struct Accel::Impl {
       transform_mesh(entry.mesh, entry.back, entry.place);
   }
 
-  /// Replaces Embree's place of a hit, which rests on an estimate of reciprocals that differs
+  /// Replaces the hit position of Embree, which is based on a reciprocal estimate that differs
   /// between processors.
   void refine(const Ray& ray, Hit& hit) const {
     const InstanceDesc& desc = instances[hit.instance];
@@ -219,7 +220,7 @@ struct Accel::Impl {
     hit.ng = transform_normal(hit.ng, back);
   }
 
-  // A baked mesh got its second instance.
+  // Moves a baked mesh back to object space when it gets a second instance.
   void unbake(MeshEntry& entry) {
     const std::uint32_t i = entry.baked;
     rtcDetachGeometry(top, i);
@@ -236,7 +237,8 @@ struct Accel::Impl {
     rtcCommitScene(entry.scene);
   }
 
-  // True: the world is the one before, and all that was built for it stands.
+  // Returns true if the world is identical to the previous one, so that all built structures can be
+  // reused.
   bool take_over() {
     if (!std::exchange(again, false)) return false;
     if (!meshes_added && instances == before) {
@@ -275,7 +277,7 @@ struct Accel::Impl {
     for (const std::uint32_t i : pending) {
       attached[i] = true;
       MeshEntry& entry = mesh_of(i);
-      // Curves keep their round sections under any matrix only as an instance.
+      // Curves need an instance, since a baked matrix could deform their round cross-sections.
       if (entry.uses == 1 && entry.mesh.curves.empty() && instances[i].path.empty()) {
         bake(i, remake);
         continue;
@@ -319,7 +321,7 @@ bool Accel::set_transform(std::uint32_t instance, const Mat4& local_to_world,
   if (!is_usable(desc)) return false;
   impl_->instances[instance] = desc;
   if (!impl_->attached[instance]) {
-    impl_->pending.push_back(instance);  // it may have been singular before
+    impl_->pending.push_back(instance);  // its previous matrix may have been singular
     return true;
   }
   Impl::MeshEntry& entry = impl_->mesh_of(instance);
@@ -434,7 +436,7 @@ void Accel::interpolate(const Hit& hit, SurfacePoint& point) const {
     const Mat4 forward = matrix_at(desc.path, hit.time), back = inverse_of(forward);
     geom::interpolate(entry.mesh, hit, {&forward, &back}, point);
     point.speed += transform_point(transform_point(point.p, back), change_at(desc.path, hit.time));
-    // The tracer's own matrices, rounded between steps that may lie far apart.
+    // Allows for the rounding of the matrices that Embree interpolates between keys.
     const auto place = [](const Mat4& m) { return length(Vec3(m[3][0], m[3][1], m[3][2])); };
     point.offset = 2 * point.offset +
                    5e-7f * (place(desc.path.front()) + place(desc.path.back()) + length(point.p));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays against a world of instanced meshes. The only header through which anyone reaches Embree.
+// Ray intersection with a world of instanced meshes. The only header that exposes Embree.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,18 @@ struct RTCSceneTy;
 
 namespace oriel::geom {
 
-/// Kinds of rays; an instance's mask holds the kinds that meet it, a ray's the kinds it is.
+/// Ray types. A ray intersects an instance if their masks share a bit.
 struct RayMask {
   enum : std::uint32_t {
     Camera = 1u << 0,
-    Shadow = 1u << 1,             ///< for blockers known to let no light through
-    ShadowTransparent = 1u << 2,  ///< for blockers that may let some through
+    Shadow = 1u << 1,             ///< for occluders that are known to be opaque
+    ShadowTransparent = 1u << 2,  ///< for occluders that may be partly transparent
     Reflection = 1u << 3,
     Refraction = 1u << 4,
     Transparency = 1u << 5,
-    FinalGather = 1u << 6,  ///< also the diffuse bounces of path tracing
-    Probe = 1u << 7,        ///< shaders that feel for the scene: occlusion, round corners
-    // What rays of that kind see although it casts no shadow.
+    FinalGather = 1u << 6,  ///< also used for diffuse bounces of path tracing
+    Probe = 1u << 7,  ///< rays of shaders that sample nearby geometry: occlusion, round corners
+    // For instances that are visible to this type of ray but cast no shadow.
     ShadowlessReflection = 1u << 8,
     ShadowlessRefraction = 1u << 9,
     ShadowlessFinalGather = 1u << 10,
@@ -35,10 +35,10 @@ struct RayMask {
 struct Ray {
   Vec3 org{0, 0, 0};
   float tnear = 0;
-  Vec3 dir{0, 0, 0};  ///< any length; t counts in it
+  Vec3 dir{0, 0, 0};  ///< any length; t is measured in it
   float tfar = std::numeric_limits<float>::infinity();
   std::uint32_t mask = RayMask::All;
-  float time = 0;  ///< 0 to 1 from the first to the last step of what moves
+  float time = 0;  ///< 0 to 1 from the first to the last motion key
 };
 
 /// A ray from a surface in direction d.
@@ -46,7 +46,7 @@ inline Ray spawn_ray(const SurfacePoint& from, const Vec3& d, std::uint32_t mask
   return Ray{from.ray_origin(d), 0, d, std::numeric_limits<float>::infinity(), mask, from.time};
 }
 
-/// A ray from a surface to just before `target`, which it reaches at t = 1.
+/// A ray from a surface to a point just before `target`, which is at t = 1.
 inline Ray spawn_ray_to(const SurfacePoint& from, const Vec3& target, std::uint32_t mask) {
   constexpr float kShort = 1 - 1e-4f;  // pbrt's shadow epsilon
   const Vec3 org = from.ray_origin(target - from.p);
@@ -59,16 +59,17 @@ struct InstanceDesc {
   MeshId mesh{};
   Mat4 local_to_world, world_to_local;
   std::uint32_t mask = RayMask::All;
-  std::uint32_t user = 0;  ///< the caller's own number
-  /// local_to_world at equal steps of a ray's time from 0 to 1, at most kMostKeys; empty: it stays.
+  std::uint32_t user = 0;  ///< user data of the caller
+  /// local_to_world at equal steps of ray time from 0 to 1, at most kMostKeys; empty if the
+  /// instance does not move.
   std::vector<Mat4> path = {};
   bool operator==(const InstanceDesc&) const = default;
 };
 
-/// Bytes that live as long as the acceleration structure.
+/// Memory usage of the acceleration structure in bytes.
 struct AccelMemory {
   std::size_t meshes = 0, instances = 0, embree = 0;
-  std::size_t triangles = 0;  ///< stored, not instanced
+  std::size_t triangles = 0;  ///< stored triangles; instances are not counted
   double bytes_per_triangle() const {
     return triangles == 0
                ? 0
@@ -76,23 +77,23 @@ struct AccelMemory {
   }
 };
 
-/// Owns the meshes of a world and answers rays.
+/// Owns the meshes of a world and intersects rays with them.
 ///
-/// Model:   a mesh with one instance is carried to world space in place and traced without an
-///          instance in between; a mesh with several is built once and instanced, one level deep.
-///          An instance whose matrix is singular or not finite is never hit. Curves are always
-///          instanced; their pieces are numbered behind the mesh's triangles. Meshes with keys and
-///          instances with a path move; the latter are instanced even where they are alone.
-///          Of surfaces at the same distance the instance, then the primitive, with the smallest
-///          number is hit.
+/// Model:   a mesh with one instance is transformed to world space in place and traced without an
+///          instance. A mesh with several instances is built once and instanced, one level deep. An
+///          instance with a singular or non-finite matrix is never hit. Curves are always
+///          instanced; their pieces are numbered after the triangles of the mesh. Meshes with keys
+///          and instances with a path move; the latter are always instanced. If several surfaces
+///          have the same distance, the one with the smallest instance index, then primitive index,
+///          is hit.
 /// Errors:  std::bad_alloc or std::runtime_error from the constructor and commit().
 /// Checked: AccelTest.*, RefineHit.*, Motion.*, NextFrame.*
 class Accel {
  public:
-  /// How rays meet edges. Watertight: no ray passes between two triangles that share an edge, and
-  /// hits are the same on every processor. Fast: about a tenth less time for a whole picture; of
-  /// rays aimed exactly at an edge one in ten passes, of others practically none, and results
-  /// follow the processor's estimates of reciprocals.
+  /// Handling of edges. Watertight: no ray passes between two triangles that share an edge, and
+  /// hits are identical on every processor. Fast: rendering takes about 10 % less time. About one
+  /// in ten rays that are aimed exactly at an edge passes through it, other rays practically never
+  /// do, and results depend on the processor's reciprocal estimates.
   enum class Edges : std::uint8_t { Watertight, Fast };
 #ifdef ORIEL_NATIVE
   static constexpr Edges kDefaultEdges = Edges::Fast;
@@ -106,48 +107,49 @@ class Accel {
   Accel& operator=(const Accel&) = delete;
 
   MeshId add_mesh(Mesh mesh);
-  /// Returns the instance's number: they count from 0 in the order added.
+  /// Returns the index of the instance: 0, 1, ... in the order of the calls.
   std::uint32_t add_instance(const InstanceDesc& desc);
-  /// Moves an instance at the next commit(), to stay there; false, and nothing changes, for a
-  /// singular matrix.
+  /// Sets the transform of an instance and removes its motion path, at the next commit(). Returns
+  /// false and changes nothing if the matrix is singular.
   bool set_transform(std::uint32_t instance, const Mat4& local_to_world,
                      const Mat4& world_to_local);
-  /// Changes which rays meet an instance, at the next commit().
+  /// Changes the mask of an instance at the next commit().
   void set_mask(std::uint32_t instance, std::uint32_t mask);
-  /// Takes all instances away and keeps the meshes, for the next frame: those that no instance has
-  /// at the next commit() are forgotten then, and where the same instances are added again nothing
-  /// is built. What comes of the rest is to the last bit what a new Accel would have.
+  /// Removes all instances and keeps the meshes, for the next frame. Meshes without an instance at
+  /// the next commit() are deleted. If the same instances are added again, nothing is rebuilt.
+  /// Results are bit-identical to those of a new Accel.
   void begin_again();
-  /// A mesh as it was added, for one that was carried to where it no longer is.
+  /// Returns a mesh as it was added, to replace one that was baked with a transform that has
+  /// changed.
   using Remake = std::function<Mesh(MeshId)>;
-  /// Builds what was added or changed; needed before the first ray and after every change. Without
-  /// `remake` such meshes are carried back, which rounds.
+  /// Builds everything that was added or changed; required before the first ray and after every
+  /// change. Without `remake`, baked meshes are transformed back, which rounds.
   void commit(const Remake& remake = {});
 
-  // From here on: safe from any thread after commit(). Threads should have denormals flushed.
+  // All functions below are thread-safe after commit(). Threads should flush denormals to zero.
 
-  /// The nearest hit in (tnear, tfar).
+  /// Finds the nearest hit in (tnear, tfar).
   bool intersect(const Ray& ray, Hit& hit) const;
-  /// Whether anything lies in (tnear, tfar).
+  /// Whether there is any hit in (tnear, tfar).
   bool occluded(const Ray& ray) const;
   void interpolate(const Hit& hit, SurfacePoint& point) const;
-  /// Matrices of an instance at a time.
+  /// Matrices of an instance at a given time.
   void placement_at(std::uint32_t instance, float time, Mat4& local_to_world,
                     Mat4& world_to_local) const;
 
   const Mesh& mesh(MeshId id) const;
-  /// Whether the mesh's columns are in world space.
+  /// Whether the vertex data of the mesh is in world space.
   bool is_baked(MeshId id) const;
   const InstanceDesc& instance(std::uint32_t index) const;
   std::uint32_t instance_count() const;
-  Box3 bounds() const;  ///< world, of all instances whatever their masks
+  Box3 bounds() const;  ///< world space; all instances, regardless of masks
   AccelMemory memory() const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
-  RTCSceneTy* scene_ = nullptr;              // impl's, one step nearer for the rays
-  const InstanceDesc* instances_ = nullptr;  // as well
+  RTCSceneTy* scene_ = nullptr;  // copy of the pointer in impl_, saves an indirection per ray
+  const InstanceDesc* instances_ = nullptr;  // likewise
 };
 
 }  // namespace oriel::geom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays meet what they should, baked or instanced, and never the surface they leave.
+// Ray intersection with baked and instanced meshes, and self-intersection.
 #include "geom/accel.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Mesh unit_triangle() {
   return mesh;
 }
 
-// A closed ball of `rings` x 2 `rings` quads with normals, outward.
+// A closed ball of `rings` x 2 `rings` quads with outward normals.
 Mesh ball(int rings) {
   Mesh mesh;
   const int columns = 2 * rings;
@@ -75,7 +75,7 @@ class Random {
     const float z = in(-1, 1), phi = in(0, kTwoPi), r = std::sqrt(std::max(0.0f, 1 - z * z));
     return Vec3(r * std::cos(phi), r * std::sin(phi), z);
   }
-  // Rotation, scales apart by up to `stretch` each way, translation up to `far`.
+  // Rotation, anisotropic scale up to `stretch`, translation up to `far`.
   Mat4 placement(float stretch, float far, bool mirrored = false) {
     Mat4 first, scale, second, move;
     first.setEulerAngles(Vec3(in(0, 6), in(0, 6), in(0, 6)));
@@ -185,7 +185,7 @@ TEST(AccelTest, InstancedAndBakedMeshesGiveEqualHits) {
       Hit a, b;
       const bool hit_a = baked.intersect(ray, a), hit_b = instanced.intersect(ray, b);
       if (hit_a != hit_b || (hit_a && a.primitive != b.primitive)) {
-        ++differing;  // along an edge rounding decides
+        ++differing;  // on an edge, rounding decides
         continue;
       }
       if (!hit_a) continue;
@@ -270,7 +270,7 @@ TEST(AccelTest, ASecondInstanceAfterTheFirstCommitLeavesTheFirstInPlace) {
   EXPECT_EQ(accel.instance(hit.instance).user, 2u);
 }
 
-/// All that rays from a fixed pattern meet.
+/// All hits of rays in a fixed pattern.
 std::vector<float> scan(const Accel& accel) {
   std::vector<float> seen;
   for (int i = 0; i < 400; ++i) {
@@ -291,7 +291,7 @@ std::vector<float> scan(const Accel& accel) {
 TEST(NextFrame, IsToTheLastBitWhatANewAccelHas) {
   Random random(7);
   const Mat4 a = random.placement(1, 0.2f, false), b = random.placement(1, 0.2f, true);
-  // Which instances, by mesh and place; between them alone, several, moved and none.
+  // Lists of instances by mesh and position: single, several, moved and none per mesh.
   using Frame = std::vector<std::pair<int, Mat4>>;
   const Frame frames[] = {{{0, a}, {1, b}},         {{0, a}, {1, b}}, {{0, b}, {1, b}},
                           {{0, b}, {0, a}, {1, b}}, {{0, a}, {1, b}}, {{1, a}},
@@ -331,12 +331,12 @@ TEST(NextFrame, IsToTheLastBitWhatANewAccelHas) {
     EXPECT_EQ(accel.memory().triangles, anew.memory().triangles);
     kept = known;
   }
-  // Only what stood alone and then stood elsewhere, or not alone.
+  // Only meshes that had a single instance and now have another one, or several.
   EXPECT_GT(made, 0);
   EXPECT_LT(made, 6);
 }
 
-// Rays that start where a hit is, away from a flat or outward from a convex surface, meet nothing.
+// Rays that start at a hit, away from a flat surface or outward from a convex one, hit nothing.
 int self_hits(Random& random, bool instanced, float stretch, float far, int rays) {
   int bad = 0;
   for (int scene = 0; scene < 20; ++scene) {
@@ -351,7 +351,7 @@ int self_hits(Random& random, bool instanced, float stretch, float far, int rays
       const Vec3 local =
           flat ? Vec3(random.in(0, 0.5f), random.in(0, 0.5f), 0) : random.direction() * 0.5f;
       const Vec3 target = transform_point(local, place);
-      // Not so far off that aiming itself misses.
+      // Not too far away, so that the aim is exact.
       const Vec3 d = random.direction(), org = target - d * random.in(1, 4) * stretch;
       Hit hit;
       if (!accel.intersect({org, 0, d}, hit)) continue;
@@ -360,8 +360,7 @@ int self_hits(Random& random, bool instanced, float stretch, float far, int rays
       Vec3 out = random.direction();
       if (i % 4 == 0) out = normalize(out - point.ng * (0.999f * dot(out, point.ng)));  // grazing
       if (!flat && dot(out, point.ng) < 0) out = -out;
-      // A stretched ball's corners are rounded to where it is no longer convex: there only the
-      // triangle itself counts.
+      // Rounding makes the stretched ball locally concave, so only the triangle itself is tested.
       if (accel.intersect(spawn_ray(point, out, RayMask::All), hit) &&
           (stretch == 1 || hit.primitive == point.primitive)) {
         ++bad;
@@ -381,7 +380,7 @@ TEST(AccelTest, RaysNeverMeetTheSurfaceTheyStartOn) {
             << (instanced ? "instanced" : "baked") << " stretch " << stretch << " far " << far;
 }
 
-// Rays from inside a closed ball that get out; aimed exactly at edges, or anywhere.
+// Number of rays from inside a closed ball that escape; aimed exactly at edges, or anywhere.
 int leaks(Accel::Edges edges, bool at_edges, int rays) {
   Accel accel(edges);
   accel.add_instance(instance_of(accel.add_mesh(ball(40)), Mat4()));
@@ -408,7 +407,7 @@ TEST(AccelTest, ClosedMeshesHoldRaysInside) {
 
 TEST(AccelTest, MemoryStaysWithinTheBudgetPerTriangle) {
   Accel accel;
-  Mesh mesh = ball(250);  // shared vertices, as smooth surfaces have them
+  Mesh mesh = ball(250);  // shared vertices, as in smooth surfaces
   mesh.textures.resize(1);
   mesh.textures[0].coordinate = mesh.normals;
   mesh.positions.shrink_to_fit();

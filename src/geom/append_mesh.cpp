@@ -36,7 +36,7 @@ void append_slots(Mesh& mesh, const Mesh& part) {
 void append_mesh(Mesh& mesh, const Mesh& part) {
   if (part.triangles.empty()) return;
   const std::size_t before = mesh.vertex_count(), more = part.vertex_count();
-  // A mesh without triangles may name a slot that nothing uses.
+  // A mesh without triangles may have an unused slot.
   if (mesh.triangles.empty()) mesh.slots.clear();
   append_slots(mesh, part);
   mesh.positions.resize(before);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several meshes of one object become one.
+// Merges several meshes of one object.
 #pragma once
 
 #include "geom/mesh.h"
 
 namespace oriel::geom {
 
-/// Adds the vertices, triangles and material slots of `part` behind those of `mesh`; both may lack
-/// columns that the other has, which then hold null vectors. Both have their spare vertex, and so
-/// has the result. Curves are not touched.
+/// Appends the vertices, triangles and material slots of `part` to `mesh`. A column that only one
+/// of them has is filled with null vectors. Both meshes have the spare vertex at the end, and so
+/// has the result. Curves are unchanged.
 /// Checked: AppendMesh.*
 void append_mesh(Mesh& mesh, const Mesh& part);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weights of a triangle's corners at a point.
+// Barycentric coordinates of a point.
 #pragma once
 
 #include "base/vec.h"
 
 namespace oriel::geom {
 
-/// Weights of the corners whose mean is the point, projected onto the triangle's plane. Their sum
-/// is 1; outside of the triangle some are negative. A triangle without area gives the first corner.
+/// Barycentric coordinates of the point projected onto the plane of the triangle. Their sum is 1;
+/// outside the triangle some are negative. A triangle without area returns (1, 0, 0).
 /// Checked: Barycentric.*
 inline Vec3 barycentric_weights(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 e1 = b - a, e2 = c - a, d = point - a;

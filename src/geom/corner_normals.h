@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals where sharp edges may part the faces of a refined surface. Private to subdivide.cpp.
+// Normals of a refined surface with sharp edges. Private to subdivide.cpp.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace oriel::geom {
 
-/// Normals of the corners of each face. Faces around a point that no sharp edge parts form a sector
-/// and share one.
+/// Normals of the corners of each face. Faces around a point that are not separated by sharp edges
+/// form a sector and share a normal.
 class CornerNormals {
  public:
   explicit CornerNormals(const RefinedSurface& refined)
@@ -64,11 +64,11 @@ class CornerNormals {
     int sharp = 0;
     for (const int e : level_.GetVertexEdges(v))
       sharp += parts(e) && level_.GetEdgeFaces(e).size() > 1;
-    // A crease that ends inside the surface leaves its end smooth.
+    // A crease that ends inside the surface leaves its end point smooth.
     const int parting = level_.IsVertexBoundary(v) ? 1 : 2;
     const bool smooth = sharp < parting && !refined_.tangent_normals.empty();
     if (!smooth) return add_sectors(v);
-    // A sharp point alone has no tangent plane; at a boundary its one face does.
+    // A sharp point has no tangent plane, except at a boundary where it has only one face.
     const bool tip = level_.IsVertexInfSharp(v) && faces.size() > 1;
     normals.push_back(tip ? Vec3(0) : refined_.tangent_normals[static_cast<std::size_t>(v)]);
     for (int i = 0; i < faces.size(); ++i)
@@ -81,7 +81,7 @@ class CornerNormals {
     const auto count = static_cast<std::size_t>(faces.size());
     std::vector<std::size_t> sector(count);
     for (std::size_t i = 0; i < count; ++i) sector[i] = i;
-    // Joined across each edge that does not part them; few faces meet at a point.
+    // Joins faces across each edge that does not separate them; few faces meet at a point.
     for (const int e : level_.GetVertexEdges(v)) {
       if (parts(e)) continue;
       const auto sides = level_.GetEdgeFaces(e);

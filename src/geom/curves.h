@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair as the ray tracer reads it: round pieces of lines and of cubic Bezier curves.
+// Hair as input of the ray tracer: round line segments and cubic Bezier curves.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 namespace oriel::geom {
 
 // Conventions
-//   Object space. A piece of a line runs between two points that follow each other, a piece of a
-//   cubic between the first and the last of four. Columns are empty or have one entry per point.
+//   Object space. A line segment connects two consecutive points; a cubic has four consecutive
+//   control points. Columns are empty or have one entry per point.
 struct Curves {
-  /// Laid out as the tracer reads it.
+  /// Memory layout of Embree.
   struct Point {
     Vec3 p{0, 0, 0};
     float radius = 0;
@@ -21,11 +21,11 @@ struct Curves {
   };
   std::vector<Point> points;
   std::vector<std::uint32_t> lines;         ///< first point of each piece
-  std::vector<std::uint32_t> beziers;       ///< counted after lines
-  std::vector<Vec3> normals;                ///< as the scene gives them; null where it does not
+  std::vector<std::uint32_t> beziers;       ///< first point of each piece; numbered after lines
+  std::vector<Vec3> normals;                ///< from the scene; null where not given
   std::vector<std::vector<Vec3>> textures;  ///< one column per texture space
   std::vector<std::vector<Vec3>> motion;    ///< one column per motion step, as Mesh::motion
-  /// The points at equal steps of a ray's time from 0 to 1; empty: they stay.
+  /// The points at equal steps of ray time from 0 to 1; empty if the curves do not move.
   std::vector<std::vector<Point>> keys;
 
   bool empty() const { return lines.empty() && beziers.empty(); }

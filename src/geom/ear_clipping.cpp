@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ear clipping of PolygonTriangulator: loops of nodes, bridges to holes, ears, and the grid
-// that keeps big outlines from taking quadratic time.
-// Source: D. Eberly, "Triangulation by Ear Clipping" (2002), for bridges; the grid, the relaxation
-//         of rules for bad outlines and the bound on work are ours.
+// Ear clipping of PolygonTriangulator: loops of nodes, bridges to holes, ears, and the grid that
+// avoids quadratic time for large outlines.
+// Source:  D. Eberly, "Triangulation by Ear Clipping" (2002), for bridges. The grid, the relaxed
+//          rules for invalid outlines and the work limit are original.
 #include <algorithm>
 #include <cmath>
 
@@ -22,8 +22,8 @@ bool PolygonTriangulator::locally_inside(const Node& p, const Node& q) const {
   return turn(before, p, after) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
 }
 
-// Appends corners [begin, end) as a ring without immediate repeats; kNone when fewer than three are
-// left. The ring runs the asked way round whichever way the corners do.
+// Appends corners [begin, end) as a ring without consecutive duplicates; kNone if fewer than three
+// are left. The ring gets the requested orientation, whatever the orientation of the corners.
 std::uint32_t PolygonTriangulator::add_loop(std::span<const Vec3> corners, std::uint32_t begin,
                                             std::uint32_t end, bool counter_clockwise) {
   const auto first = static_cast<std::uint32_t>(nodes_.size());
@@ -43,7 +43,7 @@ std::uint32_t PolygonTriangulator::add_loop(std::span<const Vec3> corners, std::
   double area = 0;
   for (std::uint32_t i = 1; i + 1 < count; ++i)
     area += turn(nodes_[first], nodes_[first + i], nodes_[first + i + 1]);
-  // The plane was chosen so that the outline is counter-clockwise; only holes are turned.
+  // The plane was chosen so that the outline is counter-clockwise; only holes may be reversed.
   const bool reverse = !counter_clockwise && area > 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t after = first + (i + 1) % count, before = first + (i + count - 1) % count;
@@ -58,10 +58,10 @@ std::uint32_t PolygonTriangulator::copy_node(std::uint32_t node) {
   return static_cast<std::uint32_t>(nodes_.size()) - 1;
 }
 
-// How m, the rightmost node of a hole, joins the outline.
+// How m, the rightmost node of a hole, is connected to the outline.
 PolygonTriangulator::Bridge PolygonTriangulator::find_bridge(std::uint32_t outline,
                                                              const Node& m) const {
-  // The nearest side that a ray from m to the right leaves through.
+  // The nearest edge that a ray from m to the right crosses outwards.
   double nearest = INFINITY;
   std::uint32_t end = kNone, side_begin = kNone, v = outline;
   do {
@@ -81,8 +81,9 @@ PolygonTriangulator::Bridge PolygonTriangulator::find_bridge(std::uint32_t outli
   if (end == kNone) return {Join::Outside, kNone};
   if (nearest == m.x) return {Join::OnSide, side_begin};
 
-  // Nodes in the triangle between m, that point and the side's end hide the end: take the one
-  // least steep from m, the nearest of equals, and of copies the one whose angle m is in.
+  // Nodes in the triangle of m, that point and the end of the edge occlude the end. Select the
+  // occluder with the smallest slope from m, then the nearest one, and among copies of a node the
+  // one whose interior angle contains m.
   Node hit = m;
   hit.x = nearest;
   const Node& corner = nodes_[end];
@@ -116,13 +117,14 @@ void PolygonTriangulator::link(std::uint32_t from, std::uint32_t to) {
 
 void PolygonTriangulator::bridge_holes(std::uint32_t outline,
                                        std::vector<std::uint32_t>& rightmost) {
-  // From right to left, so that what lies between a hole and its bridge is in the outline already.
+  // From right to left, so that everything between a hole and its bridge is already part of the
+  // outline.
   std::sort(rightmost.begin(), rightmost.end(), [this](std::uint32_t a, std::uint32_t b) {
     return nodes_[a].x != nodes_[b].x ? nodes_[a].x > nodes_[b].x : a < b;
   });
   for (const std::uint32_t m : rightmost) {
     const auto [join, p] = find_bridge(outline, nodes_[m]);
-    if (join == Join::Outside) continue;  // it cuts nothing
+    if (join == Join::Outside) continue;  // the hole is outside of the outline
     const std::uint32_t after = nodes_[p].next, first = nodes_[m].next, last = nodes_[m].prev;
     if (join == Join::AtNode) {  // p -> first ... last -> p2 -> after
       const std::uint32_t p2 = copy_node(p);
@@ -160,7 +162,8 @@ void PolygonTriangulator::unlink(std::uint32_t v) {
     update(before);
     update(after);
     wake(v);
-    // A side there and back again, as bridges become, has to go at once: it can hide in no ear.
+    // An edge followed by its reverse, as bridges produce, has to be removed at once: no ear can
+    // contain it.
     if (nodes_[before].prev == after) return;
     if (same(nodes_[before].prev, after) || same(before, after))
       v = before;
@@ -220,7 +223,7 @@ void PolygonTriangulator::build_grid(std::uint32_t start) {
   } while (v != start);
 }
 
-// A reflex node that lies in the triangle a, b, c, at none of its corners; kNone when there is
+// A reflex node inside the triangle a, b, c that is not at one of its corners; kNone if there is
 // none.
 std::uint32_t PolygonTriangulator::find_blocker(const Node& a, const Node& b, const Node& c,
                                                 bool touching_blocks) {
@@ -228,7 +231,7 @@ std::uint32_t PolygonTriangulator::find_blocker(const Node& a, const Node& b, co
   const auto between = [this](const Node& p, const Node& tip, const Node& q, const Node& r) {
     return turn(p, tip, r) > 0 && turn(tip, q, r) > 0;
   };
-  // A little more than the triangle: which cell a node on a border fell into is up to rounding.
+  // Slightly larger than the triangle, because the cell of a node on a border depends on rounding.
   const double margin_x = 1e-6 * cell_width_, margin_y = 1e-6 * cell_height_;
   const int row0 = row_of(std::min({a.y, b.y, c.y}) - margin_y);
   const int row1 = row_of(std::max({a.y, b.y, c.y}) + margin_y);
@@ -313,7 +316,7 @@ bool PolygonTriangulator::try_clip(std::uint32_t v, Rule rule, std::vector<Trian
 }
 
 void PolygonTriangulator::enqueue(std::uint32_t v) {
-  ++nodes_[v].stamp;  // an older place in the queue counts no more
+  ++nodes_[v].stamp;  // invalidates older queue entries
   queue_.push_back({v, nodes_[v].stamp});
 }
 
@@ -327,8 +330,8 @@ void PolygonTriangulator::clip_ears(std::uint32_t start, std::vector<Triangle>& 
   build_grid(start);
   queue_.clear();
   waiting_.clear();
-  // Outlines that cross themselves can make every search a long one; past this bound the rest is
-  // cut without asking whether ears overlap. Stars and spirals of a million corners stay below it.
+  // In self-intersecting outlines every search can be long. Beyond this limit the rest is cut
+  // without testing whether ears overlap. Stars and spirals with a million corners stay below it.
   work_left_ = 5'000'000 + 400 * static_cast<std::int64_t>(nodes_.size());
   Rule rule = Rule::Strict;
   const auto enqueue_all = [&] {
@@ -340,8 +343,8 @@ void PolygonTriangulator::clip_ears(std::uint32_t start, std::vector<Triangle>& 
     } while (v != start);
   };
   enqueue_all();
-  // A node that fails waits for the node in its way to go. So under the strict rule an empty queue
-  // says that there is no ear, and only then is a laxer rule tried, for one ear.
+  // A node that fails waits until the blocking node is removed. Under the strict rule, an empty
+  // queue therefore means that there is no ear. Only then is a relaxed rule tried, for one ear.
   for (std::size_t head = 0; work_left_ >= 0 && nodes_[start].prev != nodes_[start].next; ++head) {
     if (head == queue_.size()) {
       queue_.clear();
@@ -355,9 +358,9 @@ void PolygonTriangulator::clip_ears(std::uint32_t start, std::vector<Triangle>& 
     if (!try_clip(v, rule, out)) continue;
     start = v;
     while (nodes_[start].removed) start = nodes_[start].next;
-    // As ears grow, so do the cells.
+    // Cells grow with the ears.
     if (2 * alive_ < in_grid_) build_grid(start);
-    // The neighbours go to the end of the queue: that spreads the ears and makes fewer needles.
+    // Appending the neighbours to the queue spreads the ears, which avoids needle triangles.
     enqueue(nodes_[start].prev);
     enqueue(start);
     if (rule != Rule::Strict) enqueue_all();

@@ -9,10 +9,10 @@ namespace {
 
 using IndexColumn = std::vector<std::uint32_t>;
 
-/// Kinds at one point that a vertex is compared with.
+/// Maximum number of distinct vertices at one point that a vertex is compared with.
 constexpr int kMostCompared = 16;
 
-/// The columns beside the point.
+/// The index columns other than the point.
 std::vector<const IndexColumn*> columns_of(const scene::VertexList& list) {
   std::vector<const IndexColumn*> columns;
   const auto add = [&](const IndexColumn& column) {
@@ -40,7 +40,7 @@ DifferentVertices find_equal_vertices(const scene::VertexList& list, std::size_t
   DifferentVertices out;
   out.number_of.reserve(list.size());
   out.kept.reserve(std::min(list.size(), vectors));
-  // The kinds at each point as a chain, the latest first; numbers are those of the kinds.
+  // The distinct vertices at each point as a linked list, the latest first.
   IndexColumn latest(vectors, scene::kNone), earlier;
   earlier.reserve(out.kept.capacity());
   for (std::uint32_t vertex = 0; vertex < list.size(); ++vertex) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which vertices of a list are written alike: exporters that write one for each corner repeat them.
+// Finds duplicate vertices in a list: some exporters repeat a vertex for each corner.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace oriel::geom {
 
 struct DifferentVertices {
-  std::vector<std::uint32_t> kept;       ///< one vertex of each kind, ascending
-  std::vector<std::uint32_t> number_of;  ///< per vertex of the list: its kind, an index into kept
+  std::vector<std::uint32_t> kept;       ///< first vertex of each group of equal ones, ascending
+  std::vector<std::uint32_t> number_of;  ///< per vertex of the list: its index in kept
 };
 
-/// Finds vertices whose fields are the same indices: they are the same vertex. The fields that a
-/// mesh does not hold (user) do not count.
+/// Finds vertices whose fields have equal indices. Fields that a mesh does not store (user) are
+/// ignored.
 ///
-/// Model:   a vertex is compared with the last few kinds at the same point, so that a point with
-///          thousands of different normals costs no more than any other.
-/// Inputs:  vectors: size of the group's pool.
+/// Model:   a vertex is compared with the last few distinct vertices at the same point only, so
+///          that a point with thousands of different normals does not take quadratic time.
+/// Inputs:  vectors: size of the vector pool of the group.
 /// Checked: Tessellate.VerticesWrittenAlikeBecomeOne
 DifferentVertices find_equal_vertices(const scene::VertexList& list, std::size_t vectors);
 

@@ -19,7 +19,7 @@ using Field = Hair::Field;
 using FieldKind = Field::Kind;
 
 constexpr float kFarthest = 1e18f;
-/// Most motion vectors that are kept of a point: vectors of a hair count for each of its points.
+/// Maximum number of motion vectors per point; the vectors of a hair apply to all of its points.
 constexpr std::size_t kMostSteps = scene::kMostMotionSteps;
 
 std::size_t width_of(const std::vector<Field>& fields) {
@@ -28,15 +28,15 @@ std::size_t width_of(const std::vector<Field>& fields) {
   return width;
 }
 
-/// What a point of a curve has beside its place.
+/// Attributes of a curve point other than its position.
 struct Attributes {
   float radius = 1;
   Vec3 normal{0, 0, 0};
   std::vector<Vec3> textures;
-  std::vector<Vec3> motion;  ///< from its place, at equal steps of the motion interval
+  std::vector<Vec3> motion;  ///< displacement at equal steps of the motion interval
 };
 
-/// Reads the numbers of `fields` over what `all` holds already.
+/// Reads the values of `fields` and overwrites those in `all`.
 void read_fields(const std::vector<Field>& fields, std::span<const float> numbers,
                  Attributes& all) {
   std::size_t at = 0;
@@ -62,7 +62,7 @@ bool is_near(const Vec3& p) {
   return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;
 }
 
-/// Where motion vectors lead in a share of the interval, 0 to 1.
+/// Displacement at a share of the motion interval, 0 to 1.
 Vec3 way_at(std::span<const Vec3> motion, float share) {
   if (motion.empty()) return Vec3(0);
   const KeysAt at(motion.size() + 1, share);
@@ -70,7 +70,7 @@ Vec3 way_at(std::span<const Vec3> motion, float share) {
   return from * (1 - at.share) + motion[at.step] * at.share;
 }
 
-/// Gives all points so far `steps` motion vectors; those that had others go their way in these.
+/// Resamples the motion vectors of all points to `steps` steps.
 void set_steps(Curves& curves, std::size_t steps) {
   std::vector<std::vector<Vec3>> columns(steps, std::vector<Vec3>(curves.points.size(), Vec3(0)));
   std::vector<Vec3> way(curves.motion.size());
@@ -91,7 +91,7 @@ class HairMaker {
         hair_width_(width_of(hair.per_hair)),
         vertex_width_(3 + width_of(hair.per_vertex)) {}
 
-  /// False: this hair is none.
+  /// Returns false if the hair is invalid.
   bool add(std::size_t number) {
     const std::span<const float> all(hair_.scalars.data() + hair_.first[number],
                                      hair_.first[number + 1] - hair_.first[number]);
@@ -122,7 +122,7 @@ class HairMaker {
     Attributes more;
   };
 
-  /// All points of a piece but its last, which the next one begins with.
+  /// Adds all points of a piece except the last, which is the first of the next piece.
   void add_piece(std::size_t i) {
     const auto first = static_cast<std::uint32_t>(curves_.points.size());
     (degree_ == 1 ? curves_.lines : curves_.beziers).push_back(first);
@@ -173,11 +173,11 @@ class HairMaker {
   std::vector<Vertex> vertices_;
 };
 
-/// Lines are counted before curves, so the slots of curves move up when lines are added.
+/// Lines are numbered before curves, so the slots of curves move up when lines are added.
 void set_slots(Mesh& mesh, const MaterialSlot& slot, std::size_t lines_before,
                std::size_t beziers_before) {
   const std::size_t triangles = mesh.triangles.size();
-  // An object without polygons has one slot that nothing uses yet.
+  // An object without polygons has one unused slot.
   if (triangles + lines_before + beziers_before == 0) mesh.slots.clear();
   auto found = std::find(mesh.slots.begin(), mesh.slots.end(), slot);
   if (found == mesh.slots.end()) found = mesh.slots.insert(found, slot);
@@ -189,13 +189,13 @@ void set_slots(Mesh& mesh, const MaterialSlot& slot, std::size_t lines_before,
   if (mesh.slots.size() == 1) mesh.slot.clear();
 }
 
-/// Place, radius and derivative of a piece at u, and the points between which columns run.
+/// Position, radius and derivative of a piece at u, and the points to interpolate columns between.
 struct CurvePoint {
   Vec3 p, tangent;
   float radius;
   std::uint32_t first, last;
-  Vec3 speed{0};       ///< per unit of a ray's time
-  float farthest = 0;  ///< coordinate of the places between which it moves
+  Vec3 speed{0};       ///< per unit of ray time
+  float farthest = 0;  ///< largest coordinate of the motion keys
 };
 
 CurvePoint evaluate(const Curves& curves, const std::vector<Curves::Point>& points,
@@ -245,8 +245,8 @@ void add_hair(Mesh& mesh, const scene::Hair& hair, Diagnostics& diagnostics) {
     set_slots(mesh, {hair.material, kNone}, lines, beziers);
   if (left_out > 0)
     diagnostics.warning("OR-GEOM-023", hair.where,
-                        fmt::format("{} of {} hairs left out: they have fewer vertices than their "
-                                    "degree takes, or numbers that do not come out even",
+                        fmt::format("{} of {} hairs are skipped: their number of vertices does not "
+                                    "match their degree, or of values their fields",
                                     left_out, hair.size()));
 }
 
@@ -265,7 +265,7 @@ void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placem
   point.dpdv = cross(point.ng, normalize(point.dpdu)) * at.radius;
   point.speed = forward ? transform_vector(at.speed, *forward) : at.speed;
   point.uv_density = 0;
-  // The tracer finds the surface of a curve by steps and stops at about this much of its radius.
+  // Embree finds the surface of a curve iteratively, to about this share of its radius.
   constexpr float kStep = 2e-3f, kRounding = 1e-6f;
   const float stretch =
       forward ? largest(transform_vector(outward * at.radius, *forward)) : at.radius;
@@ -277,7 +277,7 @@ void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placem
   const auto along = [&](const std::vector<Vec3>& column) {
     return column[at.first] * (1 - hit.u) + column[at.last] * hit.u;
   };
-  // The normal of the skin below, where the scene gives one; bent to the side that is seen.
+  // The normal of the underlying skin from the scene, flipped to the visible side.
   if (!curves.normals.empty() && along(curves.normals) != Vec3(0)) {
     const Vec3 normal = along(curves.normals);
     const Vec3 world =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair of a scene becomes round curves.
+// Converts hair of a scene to round curves.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -7,16 +7,17 @@
 
 namespace oriel::geom {
 
-/// Adds the hairs of `hair` to the curves of `mesh`, behind all its triangles, with their slot.
+/// Appends the hairs of `hair` and their slot to the curves of `mesh`.
 ///
-/// Model:   degree 1 are lines, 2 and 3 chains of Bezier curves (degree * k + 1 vertices, quadratic
-///          ones as the cubic they are); round, so that `approximate` has nothing to ask for. The
-///          radius is that of the vertex, else of the hair, else of all; it may change along a
-///          hair, and is 1 when nothing says. Each field `t` begins a texture space, of three
-///          numbers at most; those of hairs come before those of vertices. Motion vectors are those
-///          of the vertex, else of the hair; hairs with few go the same way in the steps of those
-///          with the most, 15 at most. User fields are not read.
-/// Errors:  OR-GEOM-023 once: hairs left out (too few vertices, numbers that do not come out even).
+/// Model:   degree 1 makes line segments, degrees 2 and 3 make chains of Bezier curves (degree * k
+///          + 1 vertices; quadratic curves are raised to cubics). Curves are round, so
+///          `approximate` is ignored. The radius is that of the vertex, else of the hair, else of
+///          all; it may vary along a hair (default 1). Each field `t` begins a texture space of at
+///          most three numbers; those of hairs precede those of vertices. Motion vectors are those
+///          of the vertex, else of the hair. They are resampled to the largest number of steps of
+///          all hairs, at most 15. User fields are ignored.
+/// Errors:  OR-GEOM-023 once: hairs skipped because of too few vertices or a wrong number of
+///          values.
 /// Checked: Hair.*
 void add_hair(Mesh& mesh, const scene::Hair& hair, Diagnostics& diagnostics);
 
@@ -24,8 +25,9 @@ struct Hit;
 struct Placement;
 struct SurfacePoint;
 
-/// As interpolate() for triangles: the point of a hair where hit.ng leaves its centre line. dpdu
-/// runs along the hair, dpdv around it. Normals of the skin do not turn with hair that moves.
+/// Like interpolate() for triangles: the surface point of a hair in direction hit.ng from its
+/// centre line. dpdu is along the hair, dpdv around it. Skin normals are not rotated with moving
+/// hair.
 void interpolate_curve(const Mesh& mesh, const Hit& hit, const Placement& placement,
                        SurfacePoint& point);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair covers what its radius says and is shaded where it is hit.
+// Hair coverage by radius, and shading at hits.
 #include "geom/hair.h"
 
 #include <gtest/gtest.h>
@@ -45,10 +45,10 @@ struct Placed {
     accel.interpolate(hit, point);
     return true;
   }
-  /// The area of the square [-1, 1]^2 of the plane z = 3 from which nothing below is seen along -z:
-  /// what the hair covers there, and the shadow it throws.
+  /// Area of the square [-1, 1]^2 in the plane z = 3 below which hair occludes a ray along -z:
+  /// coverage and shadow.
   float covered() const {
-    // Points of the additive sequence of the plastic number, which fill the square evenly.
+    // The additive sequence of the plastic number, which fills the square evenly.
     constexpr int kPoints = 1 << 16;
     constexpr double kPlastic = 1.32471795724474602596;
     int hits = 0;
@@ -66,7 +66,7 @@ struct Placed {
 TEST(Hair, AStraightOneAndItsShadowCoverTwoRadiiTimesItsLengthAndTwoHalfCaps) {
   const auto line = hair_of(1, {-.5f, .2f, 0, .5f, .2f, 0}, {0, 6});
   EXPECT_NEAR(Placed(line).covered(), .2f + kPi * .01f, 2e-3f);
-  // As the cubic whose points lie evenly on it; its ends are flat.
+  // The equivalent cubic with evenly spaced points; its ends are flat.
   const auto cubic =
       hair_of(3, {-.5f, .2f, 0, -.5f / 3, .2f, 0, .5f / 3, .2f, 0, .5f, .2f, 0}, {0, 12});
   EXPECT_NEAR(Placed(cubic).covered(), .2f, 2e-3f);
@@ -94,7 +94,7 @@ TEST(Hair, AHitLiesOnTheTubeWithItsNormalOutward) {
     EXPECT_NEAR(dot(point.ns, Vec3(0, y, z) * 10), 1, 1e-4f);
     EXPECT_GT(normalize(point.dpdu).x, .999f);
     EXPECT_EQ(point.primitive, 1u);
-    // What leaves it does not meet it again.
+    // Rays that leave the hair do not hit it again.
     EXPECT_FALSE(straight.accel.occluded(spawn_ray(point, point.ng, RayMask::All)));
   }
 }
@@ -160,7 +160,7 @@ Mesh moving(const std::vector<scene::Hair>& hairs) {
   return mesh;
 }
 
-/// Whether a ray down z from (x, y) meets it at that time; what it then knows of it.
+/// Whether a ray along -z from (x, y) hits at that time, and the resulting point.
 bool meets(const Accel& accel, float x, float y, float time, SurfacePoint* point = nullptr) {
   Ray ray{Vec3(x, y, 3), 0, Vec3(0, 0, -1)};
   ray.time = time;
@@ -172,7 +172,7 @@ bool meets(const Accel& accel, float x, float y, float time, SurfacePoint* point
 }
 
 TEST(Hair, RaysMeetItWhereItsVectorsLead) {
-  // Right by 4 in the first half, up by 2 in the second; of lines and of both kinds of curves.
+  // Right by 4 in the first half, up by 2 in the second; for lines and for both kinds of curves.
   const std::vector<float> way = {4, 0, 0, 4, 2, 0};
   for (const int degree : {1, 2, 3})
     for (const bool of_hair : {false, true}) {
@@ -194,7 +194,7 @@ TEST(Hair, RaysMeetItWhereItsVectorsLead) {
       EXPECT_TRUE(meets(accel, 0, .25f, 0)) << degree;
       EXPECT_FALSE(meets(accel, 0, .25f, .3f)) << degree;
       ASSERT_TRUE(meets(accel, 2, .25f, .25f, &point)) << degree;
-      // On the tube, where hair and instance have moved, and moving on as both do.
+      // On the tube after the motion of hair and instance, with the velocity of both.
       EXPECT_LT(length(point.p - Vec3(2, .25f, .25f + std::sqrt(.01f - sqr(.05f)))), 1e-3f);
       EXPECT_LT(length(point.speed - Vec3(8, 0, 1)), 1e-4f) << point.speed;
       EXPECT_FALSE(accel.occluded(spawn_ray(point, point.ng, RayMask::All)));
@@ -206,7 +206,7 @@ TEST(Hair, RaysMeetItWhereItsVectorsLead) {
 }
 
 TEST(Hair, VectorsOfAVertexGoBeforeThoseOfItsHair) {
-  // The end is held, the tip swings; the hair's own vector would carry both away.
+  // The root is fixed and the tip moves; the vector of the hair would move both.
   auto hair = hair_of(1, {9, 9, 9, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 15});
   hair.per_hair = {{Kind::Motion, 1}};
   hair.per_vertex = {{Kind::Motion, 1}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangle meshes as the ray tracer and the shading point read them: columns of shared vertices.
+// Triangle meshes for ray tracing and shading: columns of vertex data.
 #pragma once
 
 #include <ImathBox.h>
@@ -20,9 +20,9 @@ using Box3 = Imath::Box3f;
 using scene::kNone;
 
 // Conventions
-//   Everything is in object space, or in world space once an Accel has baked the mesh. The front of
-//   a triangle is the side from which a, b, c run counter-clockwise. A column is empty (the mesh
-//   lacks the field) or has one entry per vertex; a null vector says that this vertex lacks it.
+//   Object space, or world space once an Accel has baked the mesh. The front of a triangle is the
+//   side on which a, b, c are counter-clockwise. A column is empty (the mesh lacks the field) or
+//   has one entry per vertex; a null vector means that the vertex lacks the value.
 
 struct Triangle {
   std::uint32_t a = 0, b = 0, c = 0;
@@ -34,8 +34,9 @@ struct TextureSpace {
   std::vector<Vec3> basis_u, basis_v;  ///< bump basis vectors, not normalised
 };
 
-/// What a triangle's slot stands for. In a tagged object `label` indexes the instance's material
-/// list; otherwise `name` is the object's own material, and empty means the instance supplies one.
+/// Material slot of triangles. In a tagged object `label` is an index into the material list of the
+/// instance; otherwise `name` is the material of the object, and empty means that the instance
+/// provides one.
 struct MaterialSlot {
   std::string name;
   std::uint32_t label = kNone;
@@ -43,8 +44,8 @@ struct MaterialSlot {
   bool operator==(const MaterialSlot&) const = default;
 };
 
-/// Room for `count` elements: exactly as many in an empty column; later ones grow by half, so that
-/// many small parts are not each copied with all that is there.
+/// Reserves `count` elements: exactly in an empty column, by factors of 1.5 afterwards, so that
+/// many small appends do not copy the column each time.
 template <class T>
 void make_room(std::vector<T>& column, std::size_t count) {
   if (count <= column.capacity()) return;
@@ -52,16 +53,18 @@ void make_room(std::vector<T>& column, std::size_t count) {
 }
 
 struct Mesh {
-  std::vector<Vec3> positions;  ///< one more than there are vertices: Embree reads 16 bytes at each
+  /// has one extra entry at the end: Embree reads 16 bytes per vertex
+  std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  std::vector<Vec3> normals;  ///< unit in object space; null = the geometric normal there
+  std::vector<Vec3> normals;  ///< unit vectors in object space; null = geometric normal
   std::vector<TextureSpace> textures;
-  std::vector<Vec3> dpdu, dpdv;           ///< derivatives, where the scene gives them
+  std::vector<Vec3> dpdu, dpdv;           ///< derivatives, if the scene provides them
   std::vector<std::vector<Vec3>> motion;  ///< one column per motion step
-  /// Positions at equal steps of a ray's time from 0 to 1, padded as they are; empty: they stay.
+  /// Positions at equal steps of ray time from 0 to 1, with the same extra entry; empty if the mesh
+  /// does not move.
   std::vector<std::vector<Vec3>> keys;
-  Curves curves;                    ///< hair; its pieces count as primitives after triangles
-  std::vector<std::uint32_t> slot;  ///< per primitive; empty when all are in slot 0
+  Curves curves;                    ///< hair; its pieces are primitives after the triangles
+  std::vector<std::uint32_t> slot;  ///< per primitive; empty if all are in slot 0
   std::vector<MaterialSlot> slots;  ///< never empty in a tessellated mesh
   bool tagged = false;
 
@@ -70,9 +73,9 @@ struct Mesh {
   std::uint32_t slot_of(std::uint32_t primitive) const {
     return slot.empty() ? 0 : slot[primitive];
   }
-  /// Bounds of what triangles and curves use; empty for an empty mesh.
+  /// Bounds of all vertices in use; empty for an empty mesh.
   Box3 bounds() const;
-  /// Memory the columns hold.
+  /// Memory usage of the columns.
   std::size_t bytes() const;
 };
 

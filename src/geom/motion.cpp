@@ -10,7 +10,7 @@ namespace {
 
 using Columns = std::vector<std::vector<Vec3>>;
 
-/// Where a vertex is at a number of steps from where it was written, of so many in an interval.
+/// Position of a vertex at a step of the motion interval.
 Vec3 displaced(const Columns& motion, std::size_t vertex, int step) {
   const int steps = static_cast<int>(motion.size());
   const auto at = [&](int i) {
@@ -23,14 +23,14 @@ Vec3 displaced(const Columns& motion, std::size_t vertex, int step) {
   return at(steps) + (at(steps) - at(steps - 1)) * static_cast<float>(step - steps);
 }
 
-/// `add_key(step)` for each step of what the vectors move; nothing where they are all null.
+/// Calls `add_key(step)` for each step; does nothing if all motion vectors are null.
 template <class F>
 void for_each_key(Columns& motion, int first, int last, F&& add_key) {
   const bool moves = std::any_of(motion.begin(), motion.end(), [](const auto& column) {
     return std::any_of(column.begin(), column.end(), [](const Vec3& v) { return v != Vec3(0); });
   });
   if (!moves) return;
-  // An interval that reaches far leaves room for fewer vectors.
+  // A long time range leaves fewer motion vectors per interval.
   const auto most = (kMostKeys - 1) / static_cast<std::size_t>(last - first);
   if (motion.size() > most) motion.resize(most);
   const int steps = static_cast<int>(motion.size());

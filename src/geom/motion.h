@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things at a time: between equal steps of a ray's time everything moves on straight lines.
+// Motion blur: positions and matrices at a time, interpolated linearly between equal steps.
 #pragma once
 
 #include <array>
@@ -10,38 +10,38 @@
 
 namespace oriel::geom {
 
-/// Steps that one way may have: as many as the ray tracer takes.
+/// Maximum number of motion keys, a limit of Embree.
 inline constexpr std::size_t kMostKeys = 129;
 
-/// The step before a time and the share of the way to the next, of what has so many keys, at least
-/// two; as the ray tracer has them.
+/// The key before a time and the interpolation weight of the next, for at least two keys; computed
+/// like in Embree.
 struct KeysAt {
   std::size_t step;
-  float share;   ///< 0 at `step`, 1 at the next
-  float pieces;  ///< between all keys
+  float share;   ///< 0 at `step`, 1 at the next key
+  float pieces;  ///< number of intervals between keys
   KeysAt(std::size_t keys, float time);
 };
 
-/// Fills Mesh::keys and Curves::keys from the motion vectors: vector i of n leads from a vertex to
-/// where it is at (i + 1) / n of the motion interval. `first`, `last`: the intervals that ray time
-/// 0 to 1 covers, at most kMostKeys steps in all; outside of 0 to 1 vertices go on as they do at
-/// its ends. Nothing for a mesh without motion vectors. Checked: Motion.*, Hair.*
+/// Fills Mesh::keys and Curves::keys from the motion vectors: vector i of n is the displacement of
+/// a vertex at (i + 1) / n of the motion interval. `first`, `last`: the intervals that ray time 0
+/// to 1 covers, at most kMostKeys steps; outside of 0 to 1 the motion is extrapolated. Does nothing
+/// for a mesh without motion vectors. Checked: Motion.*, Hair.*
 void add_keys(Mesh& mesh, int first, int last);
 
-/// Corners of a triangle at a time, of a mesh with keys.
+/// Corners of a triangle at a time; requires a mesh with keys.
 std::array<Vec3, 3> moved_corners(const Mesh& mesh, const Triangle& t, float time);
-/// The same of any mesh.
+/// Corners of a triangle at a time, with or without keys.
 inline std::array<Vec3, 3> corners_at(const Mesh& mesh, const Triangle& t, float time) {
   if (!mesh.keys.empty()) return moved_corners(mesh, t, time);
   return {mesh.positions[t.a], mesh.positions[t.b], mesh.positions[t.c]};
 }
-/// How fast they move: lengths per unit of ray time. Null vectors for a mesh without keys.
+/// Velocities of the corners per unit of ray time; null vectors for a mesh without keys.
 std::array<Vec3, 3> speeds_at(const Mesh& mesh, const Triangle& t, float time);
 
-/// A matrix of equal steps, at least one, and its change per unit of ray time.
+/// Interpolates matrices at equal steps (at least one); change_at() is the derivative by ray time.
 Mat4 matrix_at(std::span<const Mat4> path, float time);
 Mat4 change_at(std::span<const Mat4> path, float time);
-/// Computed in double.
+/// Inverse, computed in double.
 Mat4 inverse_of(const Mat4& m);
 
 }  // namespace oriel::geom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes and instances that move: where rays meet them, and that rays leave them.
+// Moving meshes and instances: ray hits, and rays that leave them.
 #include "geom/motion.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(Motion, VectorsLeadFromTheVertexToEachStep) {
   EXPECT_EQ(mesh.keys[2][1], Vec3(3, 4, 0));
   EXPECT_EQ(moved_corners(mesh, mesh.triangles[0], .75f)[0], Vec3(1.5f, 2, 0));
   EXPECT_EQ(speeds_at(mesh, mesh.triangles[0], .75f)[0], Vec3(2, 8, 0));
-  // Beyond the interval as at its ends.
+  // Extrapolated beyond the interval.
   add_keys(mesh, -1, 2);
   ASSERT_EQ(mesh.keys.size(), 7u);
   EXPECT_EQ(mesh.keys[0][0], Vec3(-2, 0, 0));
@@ -120,13 +120,13 @@ TEST(Motion, SpeedIsTheWayBetweenTwoTimes) {
   accel.interpolate(hit, after);
   hit.time = .5f;
   accel.interpolate(hit, at);
-  // Of a product of two straight ways the difference over both sides is exact.
+  // For a product of two linear motions, the central difference is exact.
   EXPECT_LT(length((after.p - before.p) / (2 * kStep) - at.speed), 1e-4f);
   EXPECT_GT(length(at.speed), 1);
 }
 
 TEST(Motion, VertexNormalsTurnWithTheirTriangle) {
-  // A square that stands up about its edge y = 0.
+  // A square that rotates about its edge y = 0.
   Mesh mesh = square({{{0, 0, 0}, {0, 0, 0}, {0, -1, 1}, {0, -1, 1}}});
   const Vec3 tilted = normalize(Vec3(.2f, 0, 1));
   mesh.normals = all(tilted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of several surfaces at the same distance Embree reports.
+// Selects the hit that Embree reports among surfaces at the same distance.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -9,8 +9,8 @@
 
 namespace oriel::geom {
 
-/// Hits whose distances differ by less than this share are equal: coincident surfaces, and
-/// triangles on both sides of an edge. Embree's distances differ by less between processors.
+/// Hits whose relative distance is below this are equal: coincident surfaces, and triangles on both
+/// sides of an edge. Differences of Embree between processors are smaller.
 inline constexpr float kTie = 1e-6f;
 
 struct NearestContext {
@@ -19,8 +19,8 @@ struct NearestContext {
   std::uint64_t id = 0;
 };
 
-/// Of hits at the same distance the one with the smallest number is the nearest, so that rounding
-/// does not decide. Embree calls this for every hit nearer than tfar.
+/// Intersection filter: among hits at the same distance, the smallest index is the nearest,
+/// independent of rounding. Embree calls it for every hit nearer than tfar.
 inline void keep_nearest(const RTCFilterFunctionNArguments* args) {
   auto& nearest = *reinterpret_cast<NearestContext*>(args->context);
   auto& ray = *reinterpret_cast<RTCRay*>(args->ray);

@@ -19,10 +19,10 @@ std::size_t begin_of_data(std::size_t dimensions) {
 
 }  // namespace
 
-/// The nearest points so far, as a heap whose first is the farthest.
+/// The nearest points found so far, as a max-heap by distance.
 struct PointTree::Search {
   const float* place;
-  double reach2;  ///< square of the distance within which points are wanted
+  double reach2;  ///< square of the search radius
   std::size_t most;
   std::vector<std::pair<double, Index>> found;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which points of a set lie near a place? Points have any number of coordinates and carry data.
+// Nearest-neighbour search in a set of points with any number of coordinates and attached data.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace oriel::geom {
 
-/// A kd-tree that grows: balanced trees of 1, 2, 4, 8, ... points, of which equal ones are merged
-/// when a point is added.
+/// A dynamic kd-tree: balanced trees of 1, 2, 4, 8, ... points. Adding a point merges trees of
+/// equal size.
 ///
-/// Model:   points keep their addresses until the tree goes. All functions are safe to call from
-///          all threads at once.
+/// Model:   the addresses of points are stable while the tree exists. All functions are
+///          thread-safe.
 /// Source:  Bentley, Saxe, "Decomposable Searching Problems I", Journal of Algorithms 1, 1980.
 /// Checked: PointTree.FindsWhatASearchOfAllPointsFinds
 class PointTree {
@@ -37,19 +37,21 @@ class PointTree {
     float distance;
   };
 
-  /// Copies the coordinates and the data; null data is zeros. False: a coordinate is no number.
+  /// Copies the coordinates and the data; null data means zeros. Returns false if a coordinate is
+  /// NaN.
   bool add(const float* place, const void* data);
-  /// The points within `radius` of a place, at most `most` of them, nearest first; points of equal
-  /// distance in the order in which they were added.
+  /// At most `most` points within `radius`, nearest first; points at equal distance in insertion
+  /// order.
   std::vector<Near> near(const float* place, float radius, std::size_t most) const;
-  /// All points in the order in which they were added.
+  /// All points in insertion order.
   std::vector<Point> all() const;
 
   std::size_t bytes() const;
 
  private:
   using Index = std::uint32_t;
-  /// Implicit: the middle of a range divides it along a coordinate, which changes with depth.
+  /// Implicit kd-tree: the median of a range splits it along a coordinate that depends on the
+  /// depth.
   using Level = std::vector<Index>;
   struct Search;
 
@@ -60,7 +62,7 @@ class PointTree {
   const std::size_t dimensions_, data_size_, stride_;
   mutable std::shared_mutex mutex_;
   std::vector<std::unique_ptr<std::byte[]>> points_;  ///< coordinates, then data
-  std::vector<Level> levels_;                         ///< the k-th has 2^k points or none
+  std::vector<Level> levels_;                         ///< level k has 2^k points or none
 };
 
 }  // namespace oriel::geom

@@ -42,7 +42,7 @@ struct Cloud {
     return std::sqrt(sum);
   }
 
-  /// Numbers of the points within a radius, nearest first, by asking all of them.
+  /// Points within a radius, nearest first, by linear search.
   std::vector<int> search(const std::vector<float>& from, float radius, std::size_t most) const {
     std::vector<std::pair<double, int>> all;
     for (int i = 0; i < static_cast<int>(places.size()); ++i)

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-// The plane and the cases that need no ear clipping; ear_clipping.cpp has the rest. All in double:
-// sums and products of float differences are then exact or nearly so, and the sign of a turn is
-// what everything rests on.
+// Projection plane and the cases without ear clipping; ear_clipping.cpp has the rest. Uses double,
+// because sums and products of float differences are then nearly exact and the algorithm depends on
+// the sign of turns.
 namespace oriel::geom {
 
 namespace {
@@ -21,7 +21,8 @@ V3d newell_normal(std::span<const Vec3> outline) {
   return sum;
 }
 
-// A normal for outlines whose area cancels (bow-ties): of the widest triangle at the first corner.
+// A normal for outlines whose area cancels (bow-ties): that of the largest triangle at the first
+// corner.
 V3d widest_normal(std::span<const Vec3> outline) {
   const V3d origin(outline[0]);
   V3d far(0);
@@ -41,7 +42,7 @@ double turn2(const Vec3& p, const Vec3& q, const Vec3& r, int x, int y) {
   return ax * by - ay * bx;
 }
 
-// Halving keeps the triangles of a disc's rim fat where a fan would make a thousand needles.
+// Recursive halving avoids the needle triangles that a fan would make in a disc.
 void cut_convex(std::uint32_t first, std::uint32_t last, std::vector<Triangle>& out) {
   if (last - first < 2) return;
   const std::uint32_t middle = (first + last) / 2;
@@ -60,7 +61,7 @@ bool PolygonTriangulator::choose_plane(std::span<const Vec3> outline) {
       low[k] = std::min(low[k], double(p[k]));
       high[k] = std::max(high[k], double(p[k]));
     }
-  // Below this the area is what rounding of the corners leaves of one that cancels.
+  // A smaller relative area is a rounding error of an area that cancels.
   constexpr double kCancelled = 1e-6;
   if (!(normal.length() > kCancelled * (high - low).length2())) {
     const V3d widest = widest_normal(outline);
@@ -91,7 +92,7 @@ bool PolygonTriangulator::cut_quad(std::span<const Vec3> corners,
       out.insert(out.end(), {{0, 1, 3}, {1, 2, 3}});
     return true;
   }
-  // Sides cross: two opposite sides stay, facing as the first of them says.
+  // Sides cross: keep two opposite sides, with the orientation of the first.
   const auto cover = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     out.insert(out.end(), {{a, b, c}, {a, c, d}});
     return true;
@@ -114,7 +115,7 @@ bool PolygonTriangulator::is_convex(std::span<const Vec3> outline) const {
     if ((step > 0) != (last_step > 0)) ++reversals;
     last_step = step;
   }
-  return reversals <= 3;  // two, or one more where the first step was null; a star makes four
+  return reversals <= 3;  // two, or three if the first step was null; a star has four
 }
 
 bool PolygonTriangulator::triangulate(std::span<const Vec3> corners,
@@ -137,7 +138,7 @@ bool PolygonTriangulator::triangulate(std::span<const Vec3> corners,
     }
   }
 
-  // Ear clipping over the outline with the holes bridged into it.
+  // Ear clipping over the outline with bridged holes.
   const std::size_t before = out.size();
   nodes_.clear();
   const std::uint32_t start = add_loop(corners, 0, outline_size, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts one polygon, concave and with holes as it may be, into triangles over its own corners.
+// Triangulates a polygon, which may be concave and have holes, without new vertices.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace oriel::geom {
 
-/// Triangulates polygons one after another and keeps its working memory between them.
+/// Triangulates polygons one after another and reuses its working memory.
 ///
-/// Model:   the polygon is seen along the dominant axis of its Newell normal, so that coordinates
-///          stay exact; areas of triangles add up to the polygon's for every outline that does not
-///          cross itself. Crossing outlines get some cover of triangles. No corners are added.
-///          Quads are cut along the shorter valid diagonal; a quad whose sides cross (a bow-tie, in
-///          practice corners in the wrong order) covers the hull of its corners.
+/// Model:   the polygon is projected along the dominant axis of its Newell normal, so coordinates
+///          stay exact. For outlines without self-intersection the triangle areas add up to the
+///          area of the polygon; self-intersecting outlines get an approximate cover. Quads are
+///          split along the shorter valid diagonal. A quad with crossing sides (a bow-tie, usually
+///          corners in the wrong order) is replaced by the hull of its corners.
 /// Checked: PolygonTriangulator.*
 class PolygonTriangulator {
  public:
-  /// Appends triangles, as indices into `corners`, counter-clockwise where the outline is.
+  /// Appends triangles as indices into `corners`, with the orientation of the outline.
   ///
-  /// Inputs:  corners: finite; the outline, then each hole, which may run either way.
-  ///          holes: where in `corners` each hole begins, ascending.
-  /// Returns: false when nothing was appended because the polygon has no area.
+  /// Inputs:  corners: finite; the outline, then each hole, in either orientation. holes: index of
+  ///          the first corner of each hole, ascending.
+  /// Returns: false if the polygon has no area; nothing is appended then.
   bool triangulate(std::span<const Vec3> corners, std::span<const std::uint32_t> holes,
                    std::vector<Triangle>& out);
 
@@ -34,8 +34,8 @@ class PolygonTriangulator {
     std::uint32_t corner;
     std::uint32_t prev = 0, next = 0;
     std::uint32_t next_in_cell = kNone;
-    std::uint32_t first_waiting = kNone;  ///< nodes whose ear this one is in the way of
-    std::uint32_t stamp = 0;              ///< of its newest place in the queue
+    std::uint32_t first_waiting = kNone;  ///< nodes whose ear this one blocks
+    std::uint32_t stamp = 0;              ///< of its latest queue entry
     bool reflex = false, removed = false;
   };
   struct Queued {
@@ -49,7 +49,7 @@ class PolygonTriangulator {
   enum class Join : std::uint8_t { Outside, AtNode, OnSide, Across };
   struct Bridge {
     Join join;
-    std::uint32_t node;  ///< of the outline: the same place, the side's begin, the far end
+    std::uint32_t node;  ///< of the outline: same position, begin of the edge, far end
   };
 
   bool choose_plane(std::span<const Vec3> outline);
@@ -74,12 +74,13 @@ class PolygonTriangulator {
   double turn(const Node& p, const Node& q, const Node& r) const;
   void update(std::uint32_t v);
 
-  int axis_x_ = 0, axis_y_ = 1;  ///< swapped where that makes the outline counter-clockwise
+  int axis_x_ = 0, axis_y_ = 1;  ///< swapped if the outline would be clockwise
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> cells_, rightmost_;
   std::vector<Queued> queue_;
   std::vector<Waiting> waiting_;
-  std::size_t alive_ = 0, in_grid_ = 0;  ///< nodes now, and when the grid was built
+  /// current number of nodes, and that when the grid was built
+  std::size_t alive_ = 0, in_grid_ = 0;
   int columns_ = 1, rows_ = 1;
   double grid_x_ = 0, grid_y_ = 0, cell_width_ = 1, cell_height_ = 1;
   std::int64_t work_left_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangulated polygons keep their area, their orientation and their corners, whatever their shape.
+// Triangulation preserves area, orientation and corners for all shapes.
 #include "geom/polygon.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ V3d area_of_loop(std::span<const Vec3> loop) {
   return sum;
 }
 
-// Shoelace: the outline's area less the holes', as a vector along the outline's normal.
+// Shoelace formula: area of the outline minus that of the holes, as a vector along the normal.
 V3d area_of(const Polygon& polygon) {
   const std::size_t outline = polygon.holes.empty() ? polygon.corners.size() : polygon.holes[0];
   V3d sum = area_of_loop(std::span(polygon.corners).first(outline));
@@ -59,7 +59,7 @@ void expect_exact_cover(const Polygon& polygon, double tolerance = 1e-12) {
     ASSERT_GT(area, 0) << "a triangle faces backward";
     sum += area;
   }
-  // Every triangle faces forward, so an equal sum leaves room for neither overlap nor gap.
+  // Every triangle has the orientation of the polygon, so an equal sum excludes overlaps and gaps.
   EXPECT_NEAR(sum / expected.length(), 1, tolerance);
 }
 
@@ -122,7 +122,7 @@ TEST(PolygonTriangulator, StarsKeepTheirArea) {
   for (int i = 0; i < 300; ++i) {
     const Polygon star = random_star(random, 5 + i % 60);
     expect_exact_cover(star);
-    // Rounded corners are no longer in one plane; the projection is still covered once.
+    // Rounded corners are not coplanar; the projection is still covered once.
     expect_exact_cover(moved_into_space(star, 3), 1e-5);
   }
 }
@@ -146,7 +146,7 @@ TEST(PolygonTriangulator, HolesRunEitherWay) {
 }
 
 TEST(PolygonTriangulator, GridsOfHolesShareLinesAndStillKeepTheirArea) {
-  // Window walls: corners of all holes line up, bridges meet copies of bridges.
+  // Window walls: corners of all holes are aligned, and bridges meet copies of bridges.
   Polygon wall{{place(0, 0), place(41, 0), place(41, 21), place(0, 21)}, {}};
   for (int x = 0; x < 20; ++x)
     for (int y = 0; y < 10; ++y)
@@ -169,7 +169,8 @@ TEST(PolygonTriangulator, RandomHolesInStarsKeepTheArea) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 100; ++i) {
     Polygon polygon = random_star(random, 50);
-    for (Vec3& p : polygon.corners) p *= 20;  // nothing nearer than 4 to the centre, but sides are
+    // no vertex is closer than 4 to the centre, but sides are
+    for (Vec3& p : polygon.corners) p *= 20;
     for (int k = 0; k < 4; ++k)
       polygon.add_hole(circle(1.2 * std::cos(k * M_PI / 2), 1.2 * std::sin(k * M_PI / 2),
                               0.2 + 0.5 * unit(random), 3 + i % 9, unit(random) < 0.5));

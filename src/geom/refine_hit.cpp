@@ -24,7 +24,7 @@ void refine_triangle(const std::array<Vec3, 3>& corners, const Vec3& org, const 
   hit.ng = Vec3(normal);
 }
 
-/// A place on the axis of a curve, its derivatives by the parameter, and the radius there.
+/// A point on the axis of a curve, its derivatives by the parameter, and the radius.
 struct Axis {
   DVec3 p, first, second;
   double radius, slope;
@@ -65,9 +65,9 @@ Axis bezier_at(const std::array<ControlPoint, 4>& c, double u) {
   return at;
 }
 
-/// On the surface the distance to the axis is the radius, and the axis is at right angles to the
-/// way there, as Embree defines a swept Bezier curve; a line is a cone that touches its end
-/// spheres.
+/// On the surface, the distance to the axis equals the radius, and the axis is perpendicular to the
+/// connection. This is Embree's definition of a swept Bezier curve; a line is a cone tangent to its
+/// end spheres.
 void refine_curve(const std::array<ControlPoint, 4>& c, bool is_line, const Vec3& org,
                   const Vec3& dir, Hit& hit) {
   const DVec3 o(org), d(dir);
@@ -94,7 +94,7 @@ void refine_curve(const std::array<ControlPoint, 4>& c, bool is_line, const Vec3
     if (step > 0 && std::abs(change_u) <= 1e-13 && std::abs(change_t) <= reach) break;
     if (step == kSteps - 1) return;
   }
-  // Embree may have met another sheet of the surface than the one that the steps lead to.
+  // Newton's method may converge to another sheet of the surface than the one that Embree hit.
   constexpr double kSameSheet = 0.05;
   const Axis at = is_line ? line_at(c, u) : bezier_at(c, u);
   if (std::abs(t - hit.t) * d.length() > kSameSheet * at.radius + 1e-5 * std::abs(t) * d.length())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hits have the place that exact arithmetic gives, whatever Embree estimated.
+// Refined hits equal those of exact arithmetic, independent of Embree's estimate.
 #include "geom/refine_hit.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ class Random {
   std::mt19937 engine_{17};
 };
 
-/// The hit as another processor's estimate of the reciprocal would give it.
+/// The hit with the reciprocal estimate of another processor.
 Hit disturbed(Hit hit, Random& random) {
   const float factor = 1 + random(-3e-7f, 3e-7f);
   hit.t *= factor;
@@ -75,7 +75,7 @@ TEST(RefineHit, DistanceOfATriangleIsThatOfItsPlane) {
     const Wide wa(a), n = (Wide(b) - wa).cross(Wide(c) - wa);
     const long double t = n.dot(wa - Wide(org)) / n.dot(Wide(dir));
     EXPECT_NEAR(hit.t, static_cast<double>(t), 6.1e-8 * std::abs(static_cast<double>(t)));
-    // Areas of the parts into which the place divides the triangle.
+    // Areas of the parts into which the point divides the triangle.
     const Wide p = Wide(org) + Wide(dir) * t - wa;
     EXPECT_NEAR(hit.u, double(p.cross(Wide(c) - wa).dot(n) / n.dot(n)), 1e-7);
     EXPECT_NEAR(hit.v, double((Wide(b) - wa).cross(p).dot(n) / n.dot(n)), 1e-7);
@@ -98,7 +98,7 @@ TEST(RefineHit, DoesNotDependOnWhatEmbreeEstimated) {
       ++hits;
       Hit again = disturbed(hit, random);
       refine_hit(mesh, org, dir, again);
-      // The ends of curves keep Embree's values.
+      // At the ends of curves Embree's values are kept.
       same += again.t == hit.t && again.u == hit.u && again.ng == hit.ng ? 1 : 0;
       if (mesh.curves.empty()) expect_same_bits(again, hit);
     }

@@ -14,7 +14,7 @@ namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
-/// A vector as the refiner sums it.
+/// A vector in the form that OpenSubdiv requires.
 struct Weighted {
   Vec3 v{0, 0, 0};
   // The refiner's names. NOLINTNEXTLINE(readability-identifier-naming)
@@ -31,7 +31,7 @@ Values weighted(const std::vector<Vec3>& column) {
   return values;
 }
 
-// What the library would print.
+// Suppresses the output of OpenSubdiv.
 void say_nothing(Far::ErrorType /*type*/, const char* /*message*/) {}
 void say_nothing(const char* /*message*/) {}
 
@@ -70,7 +70,7 @@ Refiner refine(const SubdivisionCage& cage, int level) {
   return refiner;
 }
 
-/// Brings columns of the cage to the last level.
+/// Interpolates columns of the cage to the last level.
 struct RefinedColumns {
   explicit RefinedColumns(const Far::TopologyRefiner& r)
       : refiner(r), primvars(r), last(r.GetMaxLevel()) {}

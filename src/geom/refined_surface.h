@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A subdivision surface refined alike everywhere, with all its columns. Private to subdivide.cpp
-// and what it is made of.
+// A uniformly refined subdivision surface with all columns. Private to subdivide.cpp and its parts.
 #pragma once
 
 #include <opensubdiv/far/topologyRefiner.h>
@@ -13,26 +12,26 @@
 
 namespace oriel::geom {
 
-/// Points, motion and texture values of the last level, moved to the limit; those of the cage at
+/// Points, motion and texture values of the last level at the limit surface; those of the cage at
 /// level 0.
 class RefinedSurface {
  public:
-  /// Null where the faces meet in a way that is no surface.
+  /// Returns null if the topology of the faces is invalid.
   static std::unique_ptr<RefinedSurface> make(const SubdivisionCage& cage, int level);
 
   const OpenSubdiv::Far::TopologyLevel& level() const {
     return refiner_->GetLevel(refiner_->GetMaxLevel());
   }
-  /// Where in the cage a face of the last level lies.
+  /// Origin of a face of the last level in the cage.
   struct Origin {
-    std::uint32_t face = 0;  ///< number in the scene's list
-    int child =
-        -1;  ///< at which corner of it, or its middle one (3 of a triangle by Loop); -1: all
+    std::uint32_t face = 0;  ///< index in the list of the scene
+    /// Corner of that face; 3 of a triangle (Loop) is the middle one, -1 the whole face.
+    int child = -1;
   };
   Origin origin(int face) const;
 
   std::vector<Vec3> positions;
-  std::vector<Vec3> tangent_normals;  ///< of the limit; empty at level 0
+  std::vector<Vec3> tangent_normals;  ///< normals of the limit surface; empty at level 0
   std::vector<std::vector<Vec3>> motion;
   std::vector<TextureSpace> channels;
 

@@ -15,8 +15,7 @@ struct PlaneHit {
   Vec3 n;
 };
 
-// Only positions relative to the center enter, so that shapes far from the origin keep their
-// digits.
+// Uses only positions relative to the center, to keep precision far from the origin.
 std::optional<PlaneHit> intersect_plane(const Vec3& center, const Vec3& u, const Vec3& v,
                                         const Vec3& org, const Vec3& d, float tnear, float tfar) {
   const Vec3 n = cross(u, v);
@@ -35,8 +34,8 @@ float turn_fraction(float y, float x) {
   return angle < 0 ? angle + 1 : angle;
 }
 
-// Roots, ascending, of |f + t d|^2 = r^2; `miss` is f less its part along d, from which the
-// discriminant comes without cancellation.
+// Ascending roots of |f + t d|^2 = r^2; `miss` is the part of f perpendicular to d, which gives the
+// discriminant without cancellation.
 std::optional<Vec2> circle_roots(const Vec3& f, const Vec3& d, float radius) {
   const float a = dot(d, d), b = -dot(f, d);
   if (!(a > 0)) return {};

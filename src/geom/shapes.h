@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a ray meets the analytic shapes that area lights have.
+// Intersection of rays with the analytic shapes of area lights.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 namespace oriel::geom {
 
 // Conventions
-//   Everything is in one space, usually the world. `d` may have any length; t counts in it. The hit
-//   returned is the nearest with tnear < t < tfar, seen from either side. Degenerate shapes (null
-//   edges or radii) and rays within a shape's plane are never hit.
+//   All arguments are in one space, usually world space. `d` may have any length; t is measured in
+//   it. The result is the nearest hit with tnear < t < tfar on either side. Degenerate shapes (null
+//   edges or radii) and rays in the plane of a shape are never hit.
 
 struct ShapeHit {
   float t;
@@ -20,7 +20,7 @@ struct ShapeHit {
   Vec2 uv;
 };
 
-/// Parallelogram center + a edge_u + b edge_v with a, b in [-1, 1]; uv is (a, b) brought to [0, 1].
+/// Parallelogram center + a edge_u + b edge_v with a, b in [-1, 1]; uv is (a, b) mapped to [0, 1].
 struct Rectangle {
   Vec3 center{0, 0, 0}, edge_u{0, 0, 0}, edge_v{0, 0, 0};
 };
@@ -49,7 +49,7 @@ std::optional<ShapeHit> intersect(const Rectangle& shape, const Vec3& org, const
 std::optional<ShapeHit> intersect(const Disc& shape, const Vec3& org, const Vec3& d, float tnear,
                                   float tfar);
 /// Source:  E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
-///          Gems (2019), ch. 7: small spheres far away and huge ones nearby keep their digits.
+///          Gems (2019), ch. 7; stable for small distant and huge close spheres.
 std::optional<ShapeHit> intersect(const Sphere& shape, const Vec3& org, const Vec3& d, float tnear,
                                   float tfar);
 std::optional<ShapeHit> intersect(const Cylinder& shape, const Vec3& org, const Vec3& d,

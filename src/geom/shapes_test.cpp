@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays meet the shapes of lights where geometry says.
+// Intersections of rays with light shapes.
 #include "geom/shapes.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(Shapes, SpheresAreHitFromOutsideAndInside) {
 }
 
 TEST(Shapes, FarAndHugeSpheresKeepTheirDigits) {
-  // At a distance of 1e4 radii the schoolbook discriminant has lost all digits.
+  // At a distance of 1e4 radii the textbook discriminant has no significant digits.
   for (const float miss : {0.0f, 0.5f, 0.9f}) {
     const auto hit =
         intersect(Sphere{Vec3(0, 0, 1e4f), 1}, Vec3(miss, 0, 0), Vec3(0, 0, 1), 0, kFar);

@@ -104,7 +104,8 @@ void EdgeSplitter::add_vertices(const std::vector<Key>& marked, const std::vecto
 
 void EdgeSplitter::cut_triangles(const std::vector<Key>& edges, std::size_t total) {
   const auto base =
-      static_cast<std::uint32_t>(mesh_.vertex_count() - edges.size());  // of the new vertices
+      // index of the first new vertex
+      static_cast<std::uint32_t>(mesh_.vertex_count() - edges.size());
   std::vector<Triangle> cut;
   std::vector<std::uint32_t> slot;
   cut.reserve(total);
@@ -114,7 +115,7 @@ void EdgeSplitter::cut_triangles(const std::vector<Key>& edges, std::size_t tota
   };
   for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
     const Triangle& t = mesh_.triangles[i];
-    // Corners v, and m the middle of the side from v[k] to v[k + 1], if it is split.
+    // Corners v; m is the middle of the side from v[k] to v[k + 1] if it is split.
     std::array<std::uint32_t, 3> v{t.a, t.b, t.c}, m{};
     unsigned count = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -122,7 +123,7 @@ void EdgeSplitter::cut_triangles(const std::vector<Key>& edges, std::size_t tota
       m[k] = r == kNone ? kNone : base + r;
       count += r != kNone;
     }
-    // So that with one side split it is the first, with two the first two.
+    // Rotate so that a single split side is the first, and two split sides are the first two.
     const auto turn = [&] {
       std::rotate(v.begin(), v.begin() + 1, v.end());
       std::rotate(m.begin(), m.begin() + 1, m.end());

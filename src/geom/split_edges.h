@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles cut finer at edges, without cracks: what displacement needs for its detail.
+// Refines triangles at edges without cracks, for displacement.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@ namespace oriel::geom {
 
 /// Halves edges of a mesh, once per pass.
 ///
-/// Model:   an edge is known by the places of its ends, whatever vertices stand there: if any of
-/// the
-///          triangles at it asks, all of them split it at the same place, so no T-junction arises
-///          even across seams of texture coordinates. A triangle with one, two or three edges to
-///          split becomes two, three or four. New vertices lie in the middle, with the mean of all
-///          columns; normals are made unit again, and null where one end's is.
+/// Model:   edges are identified by the positions of their ends, independent of vertex indices. If
+///          any adjacent triangle requests a split, all adjacent triangles split the edge at the
+///          same point, so there are no T-junctions, even across seams of texture coordinates. A
+///          triangle with one, two or three split edges becomes two, three or four triangles. New
+///          vertices are the middle, with the mean of all columns. Normals are renormalised; a
+///          normal is null if that of one end is.
 /// Checked: EdgeSplitter.*
 class EdgeSplitter {
  public:
-  /// The mesh must outlive the splitter and only be changed by it.
+  /// The mesh must outlive the splitter and must not be changed by other code.
   explicit EdgeSplitter(Mesh& mesh);
 
-  /// Splits the edges for which wants(triangle, vertex, vertex) holds for any of their triangles.
-  /// Returns whether there were any. When more than `most` triangles would result nothing is split
-  /// and `exceeded` set.
+  /// Splits the edges for which wants(triangle, vertex, vertex) is true for any of their triangles.
+  /// Returns whether any edge was split. If the result would have more than `most` triangles,
+  /// nothing is split and `exceeded` is set.
   template <typename Wants>
   bool pass(Wants&& wants, std::size_t most) {
     std::vector<Key> marked;
@@ -41,7 +41,7 @@ class EdgeSplitter {
   bool exceeded = false;
 
  private:
-  using Key = std::uint64_t;  // of two numbers, the smaller one above
+  using Key = std::uint64_t;  // two indices, the smaller one in the upper half
   static Key key(std::uint32_t a, std::uint32_t b) {
     return a < b ? Key{a} << 32 | b : Key{b} << 32 | a;
   }
@@ -51,15 +51,14 @@ class EdgeSplitter {
   void cut_triangles(const std::vector<Key>& edges, std::size_t total);
 
   Mesh& mesh_;
-  std::vector<std::uint32_t> place_;  // per vertex: the same number where positions are equal
+  std::vector<std::uint32_t> place_;  // per vertex; equal positions have equal numbers
   std::uint32_t places_ = 0;
 };
 
-/// Numbers vertices by their positions, from 0; equal ones share a number. Returns how many there
-/// are.
+/// Numbers the distinct positions of the vertices from 0. Returns their count.
 std::uint32_t number_places(const Mesh& mesh, std::vector<std::uint32_t>& place);
 
-/// Gives each triangle its own vertices with its facet's normal, where a mesh has no normals.
+/// Gives each triangle separate vertices with its geometric normal, if the mesh has no normals.
 void add_facet_normals(Mesh& mesh);
 
 }  // namespace oriel::geom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges are split without T-junctions, by a rule that depends on the edge alone.
+// Edge splitting without T-junctions, depending on the edge only.
 #include "geom/split_edges.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace oriel::geom {
 namespace split_edges_test {
 
-/// A unit square of two triangles with a vertex per corner of each: a seam along the diagonal.
+/// A unit square of two triangles with separate vertices: a seam along the diagonal.
 Mesh square_with_seam() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}};
@@ -25,7 +25,7 @@ Mesh square_with_seam() {
   return mesh;
 }
 
-/// How often each side of a triangle occurs, by places, whatever its direction.
+/// Number of occurrences of each triangle side by positions, regardless of direction.
 std::map<std::array<float, 6>, int> sides_of(const Mesh& mesh) {
   std::map<std::array<float, 6>, int> sides;
   for (const Triangle& t : mesh.triangles)
@@ -84,7 +84,7 @@ TEST(EdgeSplitter, AnEdgeIsSplitForBothTrianglesWhenOneAsks) {
   EXPECT_TRUE(splitter.pass(first_triangle_asks_for_its_diagonal, 100));
   EXPECT_EQ(mesh.triangles.size(), 4u);
   EXPECT_EQ(mesh.slot, (std::vector<std::uint32_t>{0, 0, 1, 1}));
-  // Each side of the seam got its own middle, with its own coordinates.
+  // Each side of the seam has its own middle vertex with its own coordinates.
   EXPECT_EQ(mesh.vertex_count(), 8u);
   EXPECT_EQ(mesh.positions[6], Vec3(.5f, .5f, 0));
   EXPECT_EQ(mesh.positions[7], Vec3(.5f, .5f, 0));

@@ -15,13 +15,14 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-/// Is that part of a face among those a trim names?
+/// Whether a trim removes that child of a face.
 bool cuts_away(std::uint32_t parts, int child) {
   constexpr int kMaskBits = 32;
   return child >= 0 && child < kMaskBits && (parts >> child & 1u) != 0;
 }
 
-/// Triangles of the refined faces; a vertex for each point, normal and texture values that differ.
+/// Makes triangles from the refined faces, with a vertex for each distinct combination of point,
+/// normal and texture values.
 class MeshMaker {
  public:
   MeshMaker(const RefinedSurface& refined, Mesh& mesh)
@@ -33,7 +34,7 @@ class MeshMaker {
     mesh_.motion.resize(refined.motion.size());
   }
 
-  /// slot_of(base face) is the number of its material slot; trims: by base face.
+  /// slot_of(base face) returns its material slot; trims are keyed by base face.
   template <typename SlotOf>
   void make(const std::map<std::uint32_t, std::uint32_t>& trims, SlotOf&& slot_of) {
     const Far::TopologyLevel& level = refined_.level();
@@ -58,7 +59,7 @@ class MeshMaker {
     key_.assign(1, normals_.at(f, k));
     for (int c = 0; c < static_cast<int>(refined_.channels.size()); ++c)
       key_.push_back(static_cast<std::uint32_t>(level.GetFaceFVarValues(f, c)[k]));
-    // Those of one point are a chain from its latest one.
+    // Vertices of one point are a linked list, latest first.
     std::uint32_t v = latest_[point];
     while (v != kNone && !std::equal(key_.begin(), key_.end(), keys_.begin() + offset(v)))
       v = before_[v];
@@ -86,7 +87,7 @@ class MeshMaker {
     return static_cast<std::ptrdiff_t>(v * key_.size());
   }
 
-  /// Quads along their shorter diagonal; faces of a cage as fans.
+  /// Splits quads along the shorter diagonal; faces of a cage become fans.
   void cut() {
     const auto distance = [this](std::size_t a, std::size_t b) {
       return length(mesh_.positions[corners_[b]] - mesh_.positions[corners_[a]]);
@@ -105,7 +106,8 @@ class MeshMaker {
   const RefinedSurface& refined_;
   CornerNormals normals_;
   Mesh& mesh_;
-  std::vector<std::uint32_t> latest_, before_;  // vertices per point, vertex per vertex
+  // latest vertex per point, previous vertex per vertex
+  std::vector<std::uint32_t> latest_, before_;
   std::vector<std::uint32_t> keys_, key_;
   std::vector<std::uint32_t> corners_;
 };
@@ -119,27 +121,27 @@ Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface
   mesh.tagged = tagged;
   if (!surface.details.empty())
     diagnostics.warning("OR-GEOM-020", surface.where,
-                        fmt::format("surface \"{}\": details and hierarchies of {} faces are not "
-                                    "followed; the base faces are refined alike",
+                        fmt::format("surface \"{}\": details and hierarchies of {} faces are "
+                                    "ignored; the base faces are refined uniformly",
                                     surface.name, surface.details.size()));
   const SubdivisionCage cage = cage_of(group, surface);
-  // Parts of a face there are from the first refinement on.
+  // Trims remove children of a face, so they require at least one refinement.
   const int wanted =
       std::max(subdivision_level(cage, approximation, view), surface.trims.empty() ? 0 : 1);
   const int level = affordable_level(cage, wanted);
   if (level < wanted)
     diagnostics.warning("OR-GEOM-021", surface.where,
-                        fmt::format("surface \"{}\" would have more than {} faces; it is refined "
-                                    "{} times, not {}",
+                        fmt::format("surface \"{}\" exceeds {} faces; it is refined "
+                                    "{} times instead of {}",
                                     surface.name, kMostFaces, level, wanted),
-                        "ask for less in its approximation");
+                        "use a coarser approximation");
   const std::unique_ptr<RefinedSurface> refined = RefinedSurface::make(cage, level);
   const std::size_t left_out = refined ? cage.dropped : surface.faces.size();
   if (left_out > 0)
     diagnostics.warning(
         "OR-GEOM-022", surface.where,
-        fmt::format("surface \"{}\": {} of its faces left out (corners that coincide, are not "
-                    "finite, or meet in a way that is no surface)",
+        fmt::format("surface \"{}\": {} of its faces are skipped (coincident or non-finite "
+                    "corners, or invalid topology)",
                     surface.name, left_out));
   if (!refined) return mesh;
 

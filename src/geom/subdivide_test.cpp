@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces against the published limits of their schemes.
+// Subdivision surfaces compared with the published limits of their schemes.
 #include "geom/subdivide.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +99,7 @@ double area_of(const Mesh& mesh) {
   return sum;
 }
 
-/// Every side of a triangle, by places: how often it is met one way less the other way.
+/// Number of occurrences of each triangle side by positions, minus those in the opposite direction.
 bool is_closed(const Mesh& mesh) {
   const auto key = [&](std::uint32_t v) {
     const Vec3& p = mesh.positions[v];
@@ -120,7 +120,7 @@ bool is_closed(const Mesh& mesh) {
 // surfaces", SIGGRAPH 1993.
 TEST(Subdivide, ACornerOfTheCubeGoesToItsPublishedLimit) {
   const auto mesh = mesh_of(cube(), 2);
-  // Of the corner (1,1,1) after one refinement, by Catmull and Clark's rules:
+  // The corner (1,1,1) after one refinement by the Catmull-Clark rules:
   const Vec3 v = Vec3(5.0f / 9), f_x(1, 0, 0), f_y(0, 1, 0), f_z(0, 0, 1);
   const Vec3 e_xy = Vec3(.75f, .75f, 0), e_yz = Vec3(0, .75f, .75f), e_zx = Vec3(.75f, 0, .75f);
   const Vec3 limit = (v * 9 + (e_xy + e_yz + e_zx) * 4 + f_x + f_y + f_z) * (1.0f / 24);
@@ -170,7 +170,7 @@ TEST(Subdivide, AreasConvergeFourfoldWithEachLevel) {
 
 TEST(Subdivide, TheBoundaryIsTheSplineOfTheBoundaryAndCornersStay) {
   scene::PolygonGroup group = grid(4);
-  group.vectors[2].y = -1;  // the middle of the lower boundary
+  group.vectors[2].y = -1;  // centre of the lower boundary
   const Mesh mesh = mesh_of(group, 2);
   EXPECT_EQ(nearest(mesh, Vec3(0)), 0) << "corner";
   // A cubic B-spline's limit of a control point: (1 4 1) / 6.
@@ -195,7 +195,7 @@ TEST(Subdivide, ACreaseKeepsAnEdgeStraightAndPartsItsNormals) {
         off = std::min(off, std::abs(sharp.positions[v].z));
     EXPECT_LT(off, 1e-6f);
   }
-  // On the fold each place has a vertex for each side, with the normal of that side.
+  // On the fold each position has one vertex per side, with the normal of that side.
   int sides[2] = {};
   for (std::size_t v = 0; v < sharp.vertex_count(); ++v) {
     if (std::abs(sharp.positions[v].y - 2) > 1e-5f) continue;
@@ -294,7 +294,7 @@ TEST(Subdivide, LevelZeroIsTheCage) {
   EXPECT_EQ(nearest(mesh, Vec3(1)), 0);
 }
 
-// What is left of a flat grid is counted by its area; the rest of it stays where it was.
+// The remaining part of a flat grid is measured by its area; the rest is unchanged.
 TEST(Subdivide, TrimsCutPartsOfFacesAway) {
   scene::PolygonGroup group = grid(2);
   const Mesh whole = mesh_of(group, 3);

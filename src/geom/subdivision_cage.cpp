@@ -13,7 +13,7 @@ namespace {
 
 using TextureRule = scene::SubdivisionSurface::TextureRule;
 
-/// Sharpness from which an edge never gets smooth, and what a crease of 1 becomes.
+/// OpenSubdiv's infinite sharpness; a crease of 1 is mapped to it.
 /// Source: OpenSubdiv, Sdc::Crease::SHARPNESS_INFINITE.
 constexpr float kSharpForEver = 10;
 constexpr float kFarthestCagePoint = 1e18f;
@@ -93,7 +93,7 @@ class CageMaker {
 
   void add_creases() {
     const scene::PolygonList& faces = surface_.faces;
-    // Both faces of an edge may name it; the sharper one counts.
+    // Both faces of an edge may define a sharpness; the larger one is used.
     std::map<std::pair<int, int>, float> sharpness;
     for (const auto& crease : surface_.creases) {
       if (crease.face >= faces.size()) continue;
@@ -130,7 +130,7 @@ class CageMaker {
     }
   }
 
-  // Corners at one point with equal values share one, so that the space is smooth across them.
+  // Corners at one point with equal values share one, so that the space is smooth there.
   void add_channel(std::size_t s) {
     const scene::TextureColumn& column = group_.vertices.textures[s];
     const auto& rules = surface_.texture_rules;
@@ -171,10 +171,10 @@ class CageMaker {
   const scene::PolygonGroup& group_;
   const scene::SubdivisionSurface& surface_;
   SubdivisionCage cage_;
-  std::unordered_map<std::uint32_t, int> known_;  // vectors that are points of the cage
+  std::unordered_map<std::uint32_t, int> known_;  // indices of vectors that are points of the cage
   std::vector<std::uint32_t> vertex_of_;          // the first vertex of each point
   std::vector<std::uint32_t> vertices_;           // per corner
-  std::vector<std::uint32_t> places_;             // of the face at hand
+  std::vector<std::uint32_t> places_;             // of the current face
 };
 
 }  // namespace

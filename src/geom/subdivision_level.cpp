@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often a subdivision surface is refined.
+// Computes the number of refinements of a subdivision surface.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,11 +13,12 @@ namespace {
 
 using scene::Approximation;
 
-/// What refining makes smaller, at the cage.
+/// Measures of the cage that a refinement reduces.
 struct Extent {
-  float length = 0;    ///< of the longest edge, in the unit that was asked for
-  float distance = 0;  ///< of a point from the mean of those around it; bounds that from the limit
-  float angle = 0;     ///< between normals of two faces at an edge, radians
+  float length = 0;  ///< of the longest edge, in the unit of the criterion
+  /// of a point from the mean of its neighbours; bounds its distance from the limit
+  float distance = 0;
+  float angle = 0;  ///< between normals of two adjacent faces, radians
 };
 
 Vec3 face_normal(const SubdivisionCage& cage, std::size_t first, std::size_t size) {
@@ -37,7 +38,7 @@ Extent measure(const SubdivisionCage& cage, const Approximation& approximation,
   };
   std::vector<Vec3> sums(cage.points.size(), Vec3(0));
   std::vector<float> counts(cage.points.size(), 0);
-  std::map<std::pair<int, int>, Vec3> normals;  // of the first face at each edge
+  std::map<std::pair<int, int>, Vec3> normals;  // normal of the first face at each edge
   std::size_t first = 0;
   for (const int face_size : cage.face_sizes) {
     const auto size = static_cast<std::size_t>(face_size);
@@ -65,7 +66,7 @@ Extent measure(const SubdivisionCage& cage, const Approximation& approximation,
   return extent;
 }
 
-/// Refinements until `extent` is at most `wanted` when each divides it by `by`.
+/// Number of refinements until `extent` is at most `wanted`, if each divides it by `by`.
 int refinements(float extent, float wanted, float by) {
   if (!(extent > wanted)) return 0;
   constexpr float kMost = 16;
@@ -95,7 +96,7 @@ int subdivision_level(const SubdivisionCage& cage, const Approximation* approxim
 }
 
 int affordable_level(const SubdivisionCage& cage, int level, std::size_t most_faces) {
-  // The first refinement makes a quad for each corner, the others four of each face.
+  // The first refinement makes a quad for each corner, later ones four faces of each.
   const std::size_t first = cage.loop ? cage.face_sizes.size() * 4 : cage.corners.size();
   int most = 1;
   for (std::size_t faces = first; most < level && faces * 4 <= most_faces; ++most) faces *= 4;

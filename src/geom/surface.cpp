@@ -10,12 +10,12 @@ namespace oriel::geom {
 
 namespace {
 
-// Half a unit in the last place, times n, with the margin of (n eps) / (1 - n eps) for small n.
+// Relative error bound of n rounded operations, (n eps) / (1 - n eps) for small n.
 constexpr float gamma(int n) { return static_cast<float>(n) * 6.0e-8f; }
 
 Vec3 abs(const Vec3& v) { return Vec3(std::abs(v.x), std::abs(v.y), std::abs(v.z)); }
 
-// |v| through |M|: what an error bound becomes.
+// Transforms an error bound: |M| |v|.
 Vec3 transform_bound(const Vec3& v, const Mat4& m) {
   return Vec3(v.x * std::abs(m[0][0]) + v.y * std::abs(m[1][0]) + v.z * std::abs(m[2][0]),
               v.x * std::abs(m[0][1]) + v.y * std::abs(m[1][1]) + v.z * std::abs(m[2][1]),
@@ -24,18 +24,18 @@ Vec3 transform_bound(const Vec3& v, const Mat4& m) {
 
 Vec3 translation(const Mat4& m) { return Vec3(m[3][0], m[3][1], m[3][2]); }
 
-// Unit vector of products so small or large that their squares leave float's range.
+// Normalises a vector whose squared length may be out of range of float.
 Vec3 normalize_any(const Vec3& v) {
   const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return largest > 0 ? normalize(v * (1 / largest)) : v;
 }
 
-// How far the plane that the tracer computes may be from the triangle's: its normal is the rounded
-// cross product of the sides, and the longer and thinner the triangle the more that tilts.
+// Bounds the distance between Embree's plane and that of the triangle. Embree's normal is the
+// rounded cross product of the sides; its tilt grows with the length and thinness of the triangle.
 float tilt_of(const Vec3& e1, const Vec3& e2, float area) {
   const float l1 = length(e1), l2 = length(e2), longest = std::max(l1, l2);
   const float thinness = area > 0 ? l1 * l2 / area : 0;
-  constexpr float kThinnest = 1000;  // beyond, the offset would show
+  constexpr float kThinnest = 1000;  // beyond this value the offset would be visible
   return longest * gamma(8) * (1 + std::min(thinness, kThinnest));
 }
 
@@ -62,8 +62,8 @@ Vec3 shading_normal(const Mesh& mesh, const Triangle& t, const Weights& weights,
   return front == ng ? n : -n;
 }
 
-// Shading normal of a triangle that has moved, and its speed; the error of where it is grows with
-// how far its corners are apart in time.
+// Computes the shading normal and the velocity of a moving triangle. The position error grows with
+// the distance of the corners between keys.
 void move_triangle(const Mesh& mesh, const Triangle& t, float time, const Weights& weights,
                    SurfacePoint& point, Vec3& error) {
   point.speed = weights(speeds_at(mesh, t, time));
@@ -75,7 +75,7 @@ void move_triangle(const Mesh& mesh, const Triangle& t, float time, const Weight
   point.ns = turned(shading_normal(mesh, t, weights, rest), rest, point.ng);
 }
 
-// Derivatives by texture space 0, or those of the scene, and the ratio of areas.
+// Derivatives in texture space 0 or from the scene, and the ratio of areas.
 void derive(const Mesh& mesh, const Triangle& t, const Weights& weights, const Vec3& e1,
             const Vec3& e2, SurfacePoint& point) {
   const TextureDerivatives by = texture_derivatives(mesh, t, 0, e1, e2);
@@ -124,12 +124,12 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
   const Mat4* forward = placement.local_to_world;
   const Mat4* back = placement.world_to_local;
 
-  // Place and normals in the mesh's space.
+  // Position and normals in the space of the mesh.
   point.p = weights(a, b, c);
   Vec3 error = (abs(a) * std::abs(weights.a) + abs(b) * weights.b + abs(c) * weights.c) * gamma(7);
   const Vec3 cross_product = cross(e1, e2);
   const float area = length(cross_product);
-  // Twice the area, far from where its square leaves float's range.
+  // Twice the area, within the range where its square is a float.
   const bool plain = area > 1e-12f && area < 1e12f;
   point.ng = plain ? cross_product * (1 / area) : normalize_any(cross_product);
   point.ns = mesh.normals.empty() ? point.ng : shading_normal(mesh, t, weights, point.ng);
@@ -138,7 +138,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
 
   float tilt = tilt_of(e1, e2, area);
 
-  // To world space.
+  // Transform to world space.
   float world_area = area;
   if (forward) {
     const Vec3 local = point.p;
@@ -148,7 +148,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
     error = transform_bound(error + and_back * gamma(8), *forward) + there * gamma(4);
     world_area = length(cross(transform_vector(e1, *forward), transform_vector(e2, *forward)));
     const Vec3 normal = transform_normal(point.ng, *back);
-    tilt /= length(normal);  // planes come apart as their normals get short
+    tilt /= length(normal);  // the distance of planes grows as the normal gets shorter
     point.ng = normalize_any(normal);
     point.ns = transform_normal(point.ns, *back);
     if (moves) point.speed = transform_vector(point.speed, *forward);
@@ -158,13 +158,13 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
   point.offset = dot(abs(point.ng), error + abs(point.p) * gamma(2)) + tilt;
   if (world_area > 0) point.uv_density /= world_area;
 
-  // A shading normal beyond the horizon would light the surface from behind.
+  // A shading normal below the horizon would be lit from behind.
   constexpr float kHorizon = 1e-3f;
   point.ns = normalize(point.ns);
   if (const float cosine = dot(point.ns, point.ng); !(cosine >= kHorizon))
     point.ns = normalize(point.ns + point.ng * (kHorizon - cosine));
 
-  // What the scene attached to the vertices.
+  // Vertex attributes of the scene.
   point.slot = mesh.slot_of(hit.primitive);
   point.primitive = hit.primitive;
   point.texture_count =
@@ -184,7 +184,7 @@ void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement,
 }
 
 void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse) {
-  // Double: an instance far from the origin and its way back lose no more than one rounding.
+  // Double, so that an instance far from the origin is rounded only once in each direction.
   const Imath::M44d exact(matrix);
   const auto place = [&exact](std::vector<Vec3>& positions) {
     for (std::size_t i = 0; i + 1 < positions.size(); ++i)
@@ -192,7 +192,7 @@ void transform_mesh(Mesh& mesh, const Mat4& matrix, const Mat4& inverse) {
   };
   place(mesh.positions);
   for (std::vector<Vec3>& key : mesh.keys) place(key);
-  // Not made unit again: their lengths are weights, by which they interpolate as in object space.
+  // Not normalised: the lengths act as interpolation weights, as in object space.
   for (Vec3& n : mesh.normals) n = transform_normal(n, inverse);
   const auto carry = [&matrix](std::vector<Vec3>& column) {
     for (Vec3& v : column) v = transform_vector(v, matrix);

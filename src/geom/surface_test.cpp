@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals stay on the front, missing fields have their stated stand-ins.
+// Normals stay on the front; missing fields have their documented fallback.
 #include "geom/surface.h"
 
 #include <gtest/gtest.h>

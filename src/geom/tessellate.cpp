@@ -19,7 +19,7 @@ namespace oriel::geom {
 
 namespace {
 
-// Embree leaves out what lies further away; so do we, and say so.
+// Embree ignores geometry beyond this distance; such polygons are skipped with a diagnostic.
 constexpr float kFarthestVertex = 1e18f;
 
 bool is_usable_vertex(const Vec3& p) {
@@ -43,7 +43,7 @@ class Tessellator {
       if (!column.empty()) column.resize(vertices_, Vec3(0));
       column.shrink_to_fit();
     };
-    // No triangle uses these any more.
+    // Replaces positions that no triangle uses.
     std::replace_if(
         mesh_.positions.begin(), mesh_.positions.end(),
         [](const Vec3& p) { return !is_usable_vertex(p); }, Vec3(0));
@@ -72,7 +72,8 @@ class Tessellator {
     for (std::vector<Vec3>& step : mesh_.motion) function(step);
   }
 
-  // Appends a group's column; a mesh column begins, filled with nulls, with the first that is used.
+  // Appends a column of the group. The column of the mesh is created, filled with nulls, when a
+  // group first has it.
   void add_column(const scene::PolygonGroup& group, const std::vector<std::uint32_t>& indices,
                   std::vector<Vec3>& column, bool unit) const {
     const std::size_t pool = group.vectors.size();
@@ -155,7 +156,7 @@ class Tessellator {
     }
   }
 
-  /// The polygon of corners_, which become vertices of the mesh.
+  /// Adds the polygon in corners_, whose entries become vertices of the mesh.
   void add_polygon() {
     bool finite = true;
     for (std::uint32_t& c : corners_) {
@@ -186,8 +187,8 @@ class Tessellator {
   }
 
   void add_triangle(const Triangle& t) {
-    // In double: a small triangle far from the origin still has its area, one of coordinates
-    // near 1e-20 does not vanish in the product.
+    // Double: keeps the area of a small triangle far from the origin, and avoids underflow for
+    // coordinates near 1e-20.
     const Imath::V3d a(mesh_.positions[t.a]), b(mesh_.positions[t.b]), c(mesh_.positions[t.c]);
     if ((b - a).cross(c - a) == Imath::V3d(0))
       ++without_area;
@@ -197,8 +198,8 @@ class Tessellator {
 
   Mesh& mesh_;
   std::size_t base_ = 0, vertices_ = 0;
-  bool usable_ = true;           // all positions of the group at hand
-  DifferentVertices different_;  // of the group at hand
+  bool usable_ = true;           // all positions of the current group
+  DifferentVertices different_;  // of the current group
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> slot_index_;
   const scene::PolygonGroup* last_group_ = nullptr;
   std::uint32_t last_material_ = 0, last_slot_ = 0;
@@ -209,7 +210,7 @@ class Tessellator {
   std::vector<Triangle> cut_;
 };
 
-/// The finer of the surface's own approximation and the one of its displacement.
+/// The finer of the approximation of the surface and that of its displacement.
 Mesh subdivide_as_asked(const scene::PolygonGroup& group, const scene::SubdivisionSurface& surface,
                         bool tagged, const scene::ApproximationRules& rules,
                         const scene::TessellationView& view, Diagnostics& diagnostics) {
@@ -255,16 +256,17 @@ Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& 
   if (left_out > 0)
     diagnostics.warning(
         "OR-GEOM-001", object.where,
-        fmt::format("object \"{}\": {} of its polygons left out ({} without area, {} with corners "
-                    "that are not finite, {} with corners that do not exist)",
-                    object.name, left_out, tessellator.without_area, tessellator.not_finite,
-                    tessellator.out_of_range));
+        fmt::format(
+            "object \"{}\": {} of its polygons are skipped ({} without area, {} with corners "
+            "that are not finite, {} with corners that do not exist)",
+            object.name, left_out, tessellator.without_area, tessellator.not_finite,
+            tessellator.out_of_range));
   for (const scene::PolygonGroup& group : object.groups)
     if (group.vertices.textures.size() > kMaxTextureSpaces) {
       diagnostics.warning(
           "OR-GEOM-002", object.where,
-          fmt::format("object \"{}\" has {} texture spaces; {} are read", object.name,
-                      group.vertices.textures.size(), kMaxTextureSpaces));
+          fmt::format("object \"{}\" has {} texture spaces; only the first {} are used",
+                      object.name, group.vertices.textures.size(), kMaxTextureSpaces));
       break;
     }
   return mesh;

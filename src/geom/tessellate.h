@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene's polygon groups to one triangle mesh per object.
+// Tessellates the polygon groups of an object to one triangle mesh.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -12,26 +12,25 @@ struct ApproximationContext;
 
 namespace oriel::geom {
 
-/// Texture spaces that a shading point can hold; an object's further ones are left out.
+/// Maximum number of texture spaces of a shading point; further ones of an object are ignored.
 inline constexpr std::size_t kMaxTextureSpaces = 8;
 
-/// The polygons and surfaces of all groups of `object` as one mesh; vertices stay as shared as they
-/// were written, and those of a group that are written alike become one.
+/// The polygons and surfaces of all groups of `object` as one mesh. Shared vertices stay shared;
+/// duplicate vertices of a group are merged.
 ///
-/// Model:   triangles are kept, quads and general polygons cut without new vertices, so that all
-///          attributes interpolate between the corners as written. Normals become unit vectors;
-///          those that are missing, null or not finite become null, and the geometric normal takes
-///          their place at that vertex; where no vertex has one, the column is empty. Subdivision
-///          surfaces are refined as finely as their own approximation or that of their displacement
-///          asks, whichever is finer.
-/// Inputs:  context: what the scene around the object says of approximations, and the camera.
-/// Errors:  OR-GEOM-001 once per object, counting the polygons left out (no area, corners that are
-///          not finite or do not exist); OR-GEOM-002 for texture spaces left out; those of
-///          subdivide() and tessellate_freeform(). Total otherwise.
+/// Model:   triangles are kept. Quads and general polygons are triangulated without new vertices,
+///          so attributes interpolate between the original corners. Normals are normalised;
+///          missing, null or non-finite normals become null, which selects the geometric normal at
+///          that vertex. If no vertex has a normal, the column is empty. Subdivision surfaces are
+///          refined by the finer of their own approximation and that of their displacement.
+/// Inputs:  context: approximations of the scene for the object, and the camera.
+/// Errors:  OR-GEOM-001 once per object, with the number of skipped polygons (no area, non-finite
+///          or missing corners); OR-GEOM-002 for ignored texture spaces; those of subdivide() and
+///          tessellate_freeform(). Never fails otherwise.
 /// Checked: Tessellate.*, Subdivide.*, FreeForm.*
 Mesh tessellate(const scene::Object& object, const scene::ApproximationContext& context,
                 Diagnostics& diagnostics);
-/// As an object without instance and camera.
+/// Tessellates an object without instance and camera.
 Mesh tessellate(const scene::Object& object, Diagnostics& diagnostics);
 
 }  // namespace oriel::geom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects become meshes with vertices shared as written and bad polygons counted, not drawn.
+// Tessellation of objects: shared vertices are kept, invalid polygons are counted and dropped.
 #include "geom/tessellate.h"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,8 @@ TEST(Tessellate, MixedColumnsHoldNullWhereAVertexLacksTheField) {
   EXPECT_TRUE(mesh.textures[0].basis_u.empty());
 }
 
-// Two triangles with a vertex per corner, as exporters write them, are a square of four vertices.
+// Two triangles with separate vertices per corner, as some exporters write them, become a square
+// with four vertices.
 TEST(Tessellate, VerticesWrittenAlikeBecomeOne) {
   scene::PolygonGroup group = group_of(kSquare, {{0, 1, 2}, {3, 4, 5}});
   group.vectors.push_back(Vec3(0, 0, 1));
@@ -103,7 +104,7 @@ TEST(Tessellate, VerticesWrittenAlikeBecomeOne) {
   EXPECT_EQ(mesh.triangles[1], (Triangle{0, 2, 3}));
   EXPECT_EQ(mesh.positions[3], kSquare[3]);
 
-  // Another normal at a corner, or another texture coordinate, keeps it apart.
+  // A different normal or texture coordinate at a corner keeps its vertex separate.
   object.groups[0].vertices.normal[3] = 5;
   object.groups[0].vertices.textures.resize(1);
   object.groups[0].vertices.textures[0].coordinate = {0, 0, 0, 0, kNone, 0};
@@ -113,7 +114,7 @@ TEST(Tessellate, VerticesWrittenAlikeBecomeOne) {
   EXPECT_EQ(apart.triangles[1], (Triangle{3, 4, 5}));
 }
 
-// A point with more normals than are compared still has the right one at every corner.
+// A point with more normals than are compared still has the correct one at every corner.
 TEST(Tessellate, PointsWithManyNormalsKeepThemAll) {
   scene::PolygonGroup group = group_of(kSquare, {});
   for (int round = 0; round < 2; ++round)

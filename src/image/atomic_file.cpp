@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary)>& write) {
-  // Name it so that neither another process nor another thread writes the same one.
+  // The process id and the counter make the name unique across processes and threads.
   static std::atomic<unsigned> count{0};
   const fs::path target(path);
   const fs::path temporary =

@@ -18,7 +18,8 @@ std::uint32_t byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-/// As a string of JSON. Names are bytes; what is no plain character is escaped or stays.
+/// The JSON string of a name. Control characters, quotes and backslashes are escaped; other bytes
+/// are copied.
 std::string json_string(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) {
@@ -46,7 +47,7 @@ std::uint32_t murmur3_32(std::string_view text, std::uint32_t seed) {
   for (std::size_t k = text.size(); k > i; --k) rest = rest << 8 | byte_at(text, k - 1);
   hash ^= scrambled(rest);
   hash ^= static_cast<std::uint32_t>(text.size());
-  // Every bit of the result depends on every bit so far.
+  // Final mixing of MurmurHash3.
   hash = (hash ^ hash >> 16) * 0x85ebca6b;
   hash = (hash ^ hash >> 13) * 0xc2b2ae35;
   return hash ^ hash >> 16;
@@ -77,7 +78,8 @@ void rank_shares(std::vector<CryptomatteShare>& shares, std::span<float> out) {
 
 std::map<std::string, std::string> cryptomatte_metadata(std::string_view type,
                                                         std::span<const std::string> names) {
-  // The key is the first seven digits of the type's hash, so it is the same in every file.
+  // The key is the first seven digits of the hash of the type name, so it is the same in every
+  // file.
   const std::string key =
       fmt::format("cryptomatte/{}/", fmt::format("{:08x}", murmur3_32(type)).substr(0, 7));
   std::string manifest;

@@ -25,8 +25,8 @@
 namespace oriel {
 namespace {
 
-// What a small file may claim before its own length bounds it, and how often it may expand: ZIP
-// reaches about 1000 : 1, lossy coders of constant pictures some more.
+// Memory that any file may request regardless of its length, and the maximum expansion of longer
+// files: ZIP reaches about 1000 : 1, lossy codecs of constant pictures somewhat more.
 constexpr std::size_t kFreeBytes = std::size_t(256) << 20;
 constexpr std::size_t kMostExpansion = 4096;
 constexpr std::size_t kMostChannels = 4096;
@@ -41,28 +41,30 @@ std::string full_name(const std::string& layer, const std::string& channel) {
   return channel.empty() ? layer : layer + "." + channel;
 }
 
-/// Depths, and ids whose bits matter.
+/// Depth and ids require all 32 bits.
 bool stays_float(const std::string& name) {
   return name.starts_with("Crypto") || name == "Z" || name == "ZBack" ||
          (name.size() > 2 && name.compare(name.size() - 2, 2, ".Z") == 0);
 }
 
 void check_layers(const std::string& path, const std::vector<Layer>& layers) {
-  if (layers.empty()) fail("write", path, "it has no layer");
+  if (layers.empty()) fail("write", path, "there are no layers to write");
   const Image& first = layers.front().image;
   std::set<std::string> names;
   for (const Layer& layer : layers) {
     const Image& image = layer.image;
     if (image.width < 1 || image.height < 1 || image.width != first.width ||
         image.height != first.height)
-      fail("write", path, "layer '" + layer.name + "' has another size, or none");
+      fail("write", path,
+           "layer '" + layer.name + "' is empty or differs in size from the first layer");
     if (layer.channel_names.size() != std::size_t(image.channels) ||
         image.pixels.size() != image.pixel_count() * image.channels)
-      fail("write", path, "layer '" + layer.name + "' has pixels and names that do not match");
+      fail("write", path,
+           "layer '" + layer.name + "' has a channel count that differs from its list of names");
     for (const std::string& channel : layer.channel_names) {
       const std::string name = full_name(layer.name, channel);
       if (name.empty() || !names.insert(name).second)
-        fail("write", path, "channel '" + name + "' is there twice or has no name");
+        fail("write", path, "channel '" + name + "' is a duplicate or has no name");
     }
   }
 }
@@ -72,16 +74,16 @@ void write_file(const std::string& path, const std::vector<Layer>& layers,
   const Image& first = layers.front().image;
   Imf::Header header(first.width, first.height);
   header.compression() = Imf::ZIP_COMPRESSION;
-  Imf::addChromaticities(header, Imf::Chromaticities());  // its default is Rec. 709, D65
+  Imf::addChromaticities(header, Imf::Chromaticities());  // default: Rec. 709, D65
   for (const auto& [key, value] : options.metadata) header.insert(key, Imf::StringAttribute(value));
 
-  // Convert to half here: the library writes the type a slice has.
+  // OpenEXR writes the type of the slice, so convert to half here.
   std::vector<std::vector<half>> halves(layers.size());
   Imf::FrameBuffer frame;
   for (std::size_t l = 0; l < layers.size(); ++l) {
     const Image& image = layers[l].image;
     if (options.half) {
-      // Beyond the range of half clamps, since an infinity would spoil every later filter.
+      // Clamp to the range of half: an infinity would spread in later filters.
       halves[l].resize(image.pixels.size());
       std::transform(image.pixels.begin(), image.pixels.end(), halves[l].begin(),
                      [](float v) { return half(std::clamp(v, -kLargestHalf, kLargestHalf)); });
@@ -94,7 +96,7 @@ void write_file(const std::string& path, const std::vector<Layer>& layers,
       const void* base = as_half ? static_cast<const void*>(halves[l].data() + c)
                                  : static_cast<const void*>(image.pixels.data() + c);
       header.channels().insert(name, Imf::Channel(type));
-      // The library reads through this pointer only; its slices know no const.
+      // OpenEXR only reads through this pointer, but Imf::Slice takes no const pointer.
       frame.insert(name, Imf::Slice(type, static_cast<char*>(const_cast<void*>(base)),
                                     size * image.channels, size * image.channels * image.width));
     }
@@ -108,7 +110,7 @@ struct Extent {
   std::int64_t width, height;
 };
 
-/// The size of a window, or an exception where it is empty, absurd or past the limits.
+/// The size of a window; throws if the window is empty, malformed or beyond the limits.
 Extent checked_extent(const std::string& path, const Imath::Box2i& box, int largest_side) {
   const Extent e{std::int64_t(box.max.x) - box.min.x + 1, std::int64_t(box.max.y) - box.min.y + 1};
   if (e.width < 1 || e.height < 1) fail("read", path, "its picture is empty");
@@ -118,7 +120,7 @@ Extent checked_extent(const std::string& path, const Imath::Box2i& box, int larg
   return e;
 }
 
-/// Sorts the channels of one part into layers: R, G, B, A first within each, in this order.
+/// Groups the channels of one part into layers; R, G, B, A come first within each layer.
 std::vector<Layer> layers_of(const Imf::ChannelList& list) {
   std::vector<Layer> layers;
   for (auto i = list.begin(); i != list.end(); ++i) {
@@ -148,7 +150,7 @@ std::vector<Layer> layers_of(const Imf::ChannelList& list) {
   return layers;
 }
 
-/// Reads one flat part line by line and keeps what lies in the display window.
+/// Reads one flat part line by line and stores the pixels inside the display window.
 void read_part(const std::string& path, Imf::MultiPartInputFile& file, int index,
                const std::string& part_name, const ExrLimits& limits, std::size_t& bytes_left,
                std::vector<Layer>& out) {
@@ -162,11 +164,13 @@ void read_part(const std::string& path, Imf::MultiPartInputFile& file, int index
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i, ++channels)
     if (i.channel().xSampling != 1 || i.channel().ySampling != 1)
       fail("read", path, "its channel '" + std::string(i.name()) + "' is subsampled");
-  if (channels > kMostChannels) fail("read", path, "it claims too many channels");
+  if (channels > kMostChannels)
+    fail("read", path, "its header lists more channels than are supported");
   const std::size_t area =
       std::size_t(std::max(d.width, shown.width)) * std::size_t(std::max(d.height, shown.height));
   const std::size_t bytes = area * channels * sizeof(float);
-  if (bytes > bytes_left) fail("read", path, "it claims more pixels than a file of its length has");
+  if (bytes > bytes_left)
+    fail("read", path, "its header declares more pixels than a file of this length can contain");
   bytes_left -= bytes;
 
   std::vector<Layer> layers = layers_of(header.channels());
@@ -246,7 +250,7 @@ ExrFile read_exr(const std::string& path, const ExrLimits& limits) {
       const std::string part = file.parts() > 1 && header.hasName() ? header.name() : "";
       read_part(path, file, p, part, limits, bytes_left, out.layers);
     }
-    if (out.layers.empty()) throw std::runtime_error("it holds no flat picture");
+    if (out.layers.empty()) throw std::runtime_error("it contains no flat picture");
     return out;
   } catch (const std::exception& e) {
     const std::string why = e.what();
@@ -260,7 +264,7 @@ Image read_exr_image(const std::string& path, const ExrLimits& limits) {
   Layer& first = file.layers.front();
   if (first.image.channels <= 4) return std::move(first.image);
 
-  // Keep the first four channels of a layer that has more.
+  // Only the first four channels of a layer are used.
   Image out(first.image.width, first.image.height, 4);
   for (std::size_t p = 0; p < out.pixel_count(); ++p)
     std::copy_n(first.image.pixels.data() + p * first.image.channels, 4, out.pixels.data() + p * 4);

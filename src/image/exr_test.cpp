@@ -119,7 +119,7 @@ TEST(Exr, LayersThatDoNotFitAreRefused) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-/// Reads bytes as a file; true when it was refused with an exception that names the file.
+/// Reads bytes as a file; true if that threw an exception whose message contains the file name.
 bool is_refused(const TestFolder& folder, const std::vector<char>& bytes) {
   const std::string path = folder.file("broken.exr");
   write_bytes(path, bytes);
@@ -139,11 +139,11 @@ TEST(Exr, BrokenFilesThrowAndNeverCrash) {
   write_exr(folder.file("good.exr"), three_layers());
   const std::vector<char> good = bytes_of(folder.file("good.exr"));
 
-  // Cut anywhere.
+  // Truncation at any position.
   for (std::size_t n = 1; n < good.size() - 1; n += good.size() / 97)
     EXPECT_TRUE(is_refused(folder, std::vector<char>(good.begin(), good.begin() + long(n)))) << n;
 
-  // Garbage, and sound files with a few wrong bytes, which may still be readable.
+  // Random bytes, and valid files with a few wrong bytes, which may still be readable.
   std::mt19937 random(7);
   std::vector<char> garbage(4000);
   for (char& c : garbage) c = char(random());

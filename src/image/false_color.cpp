@@ -18,21 +18,21 @@ constexpr std::uint32_t kViridis[kViridisSteps] = {
     0x440154, 0x481a6c, 0x472f7d, 0x414487, 0x39568c, 0x31688e, 0x2a788e, 0x23888e,
     0x1f988b, 0x22a884, 0x35b779, 0x54c568, 0x7ad151, 0xa5db36, 0xd2e21b, 0xfde725};
 
-/// Bits of a hexadecimal colour.
+/// Converts 0xRRGGBB.
 Rgb color_of(std::uint32_t bits) {
   return Rgb(static_cast<float>(bits >> 16), static_cast<float>((bits >> 8) & 255),
              static_cast<float>(bits & 255)) /
          255.0f;
 }
 
-/// Of the values, this share may lie above the scale, and as many below a logarithmic one.
+/// Share of the values that may lie above the scale, and below a logarithmic scale.
 constexpr double kShareOutside = 0.01;
 
-/// The next 1, 2, 5 times a power of ten from a value upward, or downward.
+/// The nearest 1, 2 or 5 times a power of ten above (or below) a value.
 float round_number(float value, bool up) {
   const float decade = math::pow(10.0f, std::floor(math::log10(value)));
   const float digit = value / decade;
-  // A little over a round number is that number.
+  // A value slightly above a round number counts as that number.
   constexpr float kSlack = 1.0001f;
   constexpr float kDigits[] = {1, 2, 5, 10};
   float found = kDigits[up ? 3 : 0];
@@ -69,7 +69,7 @@ std::vector<float> logarithmic_ticks(const ValueScale& s) {
 
 bool counts(float value) { return std::isfinite(value) && value > 0; }
 
-/// Places of the legend, by the size of a dot of its text.
+/// Layout of the legend; the unit is the size of a font dot.
 struct Legend {
   int scale, gap, bar, width, top, bottom;
 
@@ -104,7 +104,7 @@ void draw_legend(Image& out, int left, const FalseColorOptions& o, const std::ve
   for (const float tick : ticks) {
     const int y = bottom - static_cast<int>(std::lround(o.scale.position(tick) * span));
     for (int x = bar + legend.bar; x < bar + legend.bar + legend.gap; ++x) put(x, y, white);
-    if (last - y < step) continue;  // too near to the one before for its text
+    if (last - y < step) continue;  // skips a tick whose text would overlap the previous one
     last = y;
     draw_text(out, bar + legend.bar + 2 * legend.gap, y - kGlyphHeight * legend.scale / 2,
               tick_text(tick), legend.scale, white);

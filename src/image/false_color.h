@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of numbers: values as colours, with lines of equal value and a legend beside them.
+// False-colour pictures: values as colours, with isolines and a legend.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace oriel {
 
-/// Colour of t in 0...1 (clamped), as displays take it (sRGB).
+/// Display-encoded (sRGB) colour of t in 0...1 (clamped).
 ///
-/// Model:   viridis: dark to bright in even steps of lightness, readable without colour.
+/// Model:   viridis: lightness rises evenly, so the picture is readable without colour.
 /// Source:  S. van der Walt, N. Smith, matplotlib's viridis (2015, CC0): every 17th of its 256
-///          colours, straight lines between; within 0.02 of the table.
+///          colours, interpolated linearly; within 0.02 of the table.
 /// Checked: FalseColor.LightnessRisesEvenly
 Rgb viridis(float t);
 
-/// What colours stand for.
+/// The range of values that the colours represent.
 struct ValueScale {
   float low = 0, high = 1;  ///< low < high; logarithmic: low > 0
   bool logarithmic = false;
@@ -27,9 +27,9 @@ struct ValueScale {
   float position(float value) const;
 };
 
-/// A scale that shows the values: from 0 (logarithmic: a round number near the darkest hundredth)
-/// to a round number near the brightest hundredth. Not a number, infinity and values of 0 and less
-/// do not count.
+/// A scale for the given values. It starts at 0 (logarithmic: at a round number near the 1st
+/// percentile) and ends at a round number near the 99th percentile. NaN, infinity and values <= 0
+/// are ignored.
 ValueScale scale_of(const Image& values, bool logarithmic);
 
 /// Round numbers within the scale, 4 to 10 of them, ascending. Logarithmic over a decade and more:
@@ -37,19 +37,20 @@ ValueScale scale_of(const Image& values, bool logarithmic);
 /// Checked: FalseColor.TicksAreRoundAndWithinTheScale
 std::vector<float> scale_ticks(const ValueScale& scale);
 
-/// "0.5", "320", "1500", "12k": short.
+/// Short text of a value: "0.5", "320", "1500", "12k".
 std::string tick_text(float value);
 
 struct FalseColorOptions {
   ValueScale scale;
-  bool isolines = false;  ///< black lines where values pass a tick
-  std::string unit = {};  ///< over the legend, in characters of glyphs.h
+  bool isolines = false;  ///< black lines where values cross a tick
+  std::string unit = {};  ///< text above the legend, in characters of glyphs.h
 };
 
-/// The values' first channel as an RGB picture for display, legend at its right.
+/// Shows the first channel of the values as an RGB display picture with the legend at the right.
 ///
-/// Model:   values that are 0, or not a number (nothing is there), are black.
-/// Returns: as high as the values (at least enough for the legend), wider by the legend.
+/// Model:   pixels with value 0 or NaN (no hit) are black.
+/// Returns: a picture with the height of the values (or of the legend, if that is higher), wider by
+///          the legend.
 /// Checked: FalseColor.*
 Image false_color(const Image& values, const FalseColorOptions& options);
 

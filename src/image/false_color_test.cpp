@@ -14,7 +14,7 @@
 namespace oriel {
 namespace false_color_test {
 
-/// CIE 1976 lightness, 0...1 for what lies far enough from black.
+/// CIE 1976 lightness in 0...1, for colours above the linear segment near black.
 float lightness(const Rgb& display) {
   const Rgb linear(srgb_decode(display));
   return 1.16f * std::cbrt(luminance(linear)) - .16f;
@@ -31,7 +31,7 @@ TEST(FalseColor, LightnessRisesEvenly) {
   EXPECT_NEAR(last, .91f, .02f);
   for (float t = 0; t <= 1; t += 1 / 64.0f)
     EXPECT_NEAR(lightness(viridis(t)), first + (last - first) * t, .02f) << t;
-  // Two of the table's colours.
+  // Two colours of the published table.
   EXPECT_NEAR(viridis(.2f).z, 0x87 / 255.0f, 1e-5f);
   EXPECT_NEAR(viridis(2).x, 0xfd / 255.0f, 1e-5f);
 }
@@ -40,7 +40,7 @@ TEST(FalseColor, ScalesAreRoundAndShowNearlyAll) {
   Image values(100, 10, 1);
   for (std::size_t i = 0; i < values.pixels.size(); ++i)
     values.pixels[i] = static_cast<float>(i) * .43f;
-  values.pixels[0] = 1e9f;  // a lamp
+  values.pixels[0] = 1e9f;  // an outlier
   values.pixels[1] = std::numeric_limits<float>::quiet_NaN();
   const ValueScale linear = scale_of(values, false);
   EXPECT_EQ(linear.low, 0);
@@ -82,9 +82,9 @@ TEST(FalseColor, ValuesBecomeColoursWithALegendBesideThem) {
   const Image picture = false_color(values, {.scale = {0, 640}, .unit = "lx"});
   EXPECT_EQ(picture.height, 80);
   EXPECT_GT(picture.width, 64 + 20);
-  EXPECT_EQ(pixel(picture, 0, 5), Rgb(0));  // nothing is there
+  EXPECT_EQ(pixel(picture, 0, 5), Rgb(0));  // no hit
   EXPECT_EQ(pixel(picture, 32, 5), viridis(.5f));
-  // The bar runs from low at the bottom to high at the top.
+  // The bar shows the low end of the scale at the bottom and the high end at the top.
   const int bar = 64 + 6;
   EXPECT_EQ(pixel(picture, bar, 80 - 4 - 3), viridis(0));
   float before = 2;
@@ -110,7 +110,7 @@ TEST(Glyphs, AllThatLegendsSayCanBeWritten) {
   draw_text(image, 1, 1, "1", 1, Rgb(1, .5f, 0));
   EXPECT_EQ(pixel(image, 3, 1), Rgb(1, .5f, 0));
   EXPECT_EQ(pixel(image, 1, 1), Rgb(0));
-  draw_text(image, 16, 5, "888", 3, Rgb(1));  // runs over the edges
+  draw_text(image, 16, 5, "888", 3, Rgb(1));  // extends beyond the edges
   EXPECT_EQ(text_width("12", 2), 22);
 }
 

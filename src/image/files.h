@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any image file in and out; EXR and PNG directly, everything else through the files module.
+// Image file input and output: EXR and PNG directly, other formats through the files module.
 #pragma once
 
 #include <string>
@@ -9,34 +9,36 @@
 namespace oriel {
 
 // Conventions
-//   Raw values: integers are divided by their largest value, floats stay; no colour conversion, no
-//   change of alpha. Row 0 is the top.
-//   The files module (liboriel_image_files.so) holds OpenImageIO. It is opened at the first use of
-//   a format that needs it, or of a file texture, and never before: it costs every start 0.1 s.
+//   Values are not converted: integers are divided by their maximum, floats are unchanged; alpha is
+//   unchanged. Row 0 is the top.
+//   The files module (liboriel_image_files.so) contains OpenImageIO. It is loaded at the first use
+//   of a format or file texture that requires it, because loading takes 0.1 s.
 
 enum class SampleFormat { U8, U16, Half, Float };
 
 struct FileOptions {
-  SampleFormat format = SampleFormat::U8;  ///< the nearest one the file type has is taken
-  int jpeg_quality = 95;                   ///< 1 ... 100
-  bool dither = false;                     ///< of 8-bit pictures
+  /// formats that the file type lacks are replaced by the nearest one
+  SampleFormat format = SampleFormat::U8;
+  int jpeg_quality = 95;  ///< 1 ... 100
+  bool dither = false;    ///< for 8-bit pictures
 };
 
 /// Reads up to four channels of the first picture in the file.
 ///
-/// Errors:  std::runtime_error with path and reason: missing, broken, past 65536 a side or 4 GiB.
+/// Errors:  std::runtime_error with path and reason if the file is missing, invalid, wider or
+///          higher than 65536, or larger than 4 GiB.
 /// Checked: Files.*
 Image read_image(const std::string& path);
 
-/// Writes by the extension of `path`: .exr (half or float), .png (8 or 16 bit), and what the module
-/// knows: .tif, .jpg, .hdr, .tga, .bmp, .iff, .pic, ... Atomic. Integer formats clip to 0...1; a
-/// file type without alpha loses it.
+/// Selects the format by the extension of `path`: .exr (half or float), .png (8 or 16 bit), and the
+/// formats of the files module: .tif, .jpg, .hdr, .tga, .bmp, .iff, .pic, ... Writes atomically.
+/// Integer formats clip to 0...1; file types without alpha drop it.
 ///
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: Files.*
 void write_image(const std::string& path, const Image& image, const FileOptions& options = {});
 
-/// True when the files module has been opened in this process.
+/// Whether the files module is loaded in this process.
 bool image_module_is_open();
 
 }  // namespace oriel

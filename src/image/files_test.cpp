@@ -25,7 +25,7 @@ bool openimageio_is_loaded() {
   return false;
 }
 
-// Seen before any test runs, whatever their order.
+// Initialised before any test runs, in any order of tests.
 const bool kLoadedAtStart = openimageio_is_loaded();
 
 TEST(ImageModule, OpenImageIoIsAbsentUntilAFileTextureIsOpened) {

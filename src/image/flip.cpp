@@ -76,8 +76,8 @@ float hyab(const Vec3& a, const Vec3& b) {
 
 // --- separable filters ---
 
-/// Rows with `kx`, then columns with `ky`; both of odd length, the border pixel goes on. The inner
-/// loops run over whole rows, one tap at a time, so that they vectorise.
+/// Convolves rows with `kx`, then columns with `ky`, both of odd length. Border pixels are
+/// repeated. The inner loops run over whole rows, one tap at a time, so that they vectorise.
 Plane filtered(const Plane& in, int width, int height, const std::vector<float>& kx,
                const std::vector<float>& ky) {
   Plane between(in.size(), 0.0f), out(in.size(), 0.0f);
@@ -105,8 +105,8 @@ struct Gaussian {
   float height, width;  // a and b of the paper's contrast sensitivity functions
 };
 
-/// The contrast sensitivity filter of one opponent channel: a sum of one or two Gaussians that
-/// weighs 1 in all.
+/// The contrast sensitivity filter of one opponent channel: a normalised sum of one or two
+/// Gaussians.
 Plane contrast_filtered(const Plane& in, int width, int height, const std::vector<Gaussian>& parts,
                         float pixels_per_degree) {
   // All channels share the radius of the widest Gaussian (b = 0.04).
@@ -122,7 +122,7 @@ Plane contrast_filtered(const Plane& in, int width, int height, const std::vecto
       sum += k.back();
     }
     for (float& v : k) v /= sum;
-    // In two dimensions the unnormalised Gaussian weighs sum^2.
+    // The sum of the unnormalised Gaussian in two dimensions is sum^2.
     weights.push_back(g.height * std::sqrt(kPi / g.width) * sum * sum);
     total += weights.back();
     kernels.push_back(std::move(k));
@@ -135,7 +135,7 @@ Plane contrast_filtered(const Plane& in, int width, int height, const std::vecto
   return out;
 }
 
-/// YCxCz of the encoded picture.
+/// Converts the sRGB-encoded picture to YCxCz.
 Picture opponent_picture(const Image& image) {
   Picture out{image.width, image.height, {}};
   for (Plane& p : out.plane) p.resize(image.pixel_count());
@@ -149,7 +149,7 @@ Picture opponent_picture(const Image& image) {
   return out;
 }
 
-/// What the eye makes of it: filtered, then Hunt-adjusted L*a*b*.
+/// The picture after contrast sensitivity filtering, in Hunt-adjusted L*a*b*.
 std::vector<Vec3> perceived(const Picture& p, float ppd) {
   const Plane y = contrast_filtered(p.plane[0], p.width, p.height, {{1, 0.0047f}}, ppd);
   const Plane cx = contrast_filtered(p.plane[1], p.width, p.height, {{1, 0.0053f}}, ppd);
@@ -204,7 +204,8 @@ Features features_of(const Picture& p, float ppd) {
   return {magnitude(slope), magnitude(bend)};
 }
 
-/// Spreads the colour distance over 0...1: most of the range for what is well below the largest.
+/// Maps the colour distance to 0...1. Most of the range is used for distances well below the
+/// maximum.
 float colour_error(const Vec3& a, const Vec3& b) {
   static const float largest =
       math::pow(hyab(hunt_lab_of(Vec3(0, 1, 0)), hunt_lab_of(Vec3(0, 0, 1))), kColourExponent);
@@ -219,7 +220,7 @@ float colour_error(const Vec3& a, const Vec3& b) {
 Image flip_error(const Image& test, const Image& reference, float pixels_per_degree) {
   if (test.width != reference.width || test.height != reference.height || test.empty() ||
       reference.empty())
-    throw std::runtime_error("FLIP needs two pictures of the same size");
+    throw std::runtime_error("FLIP requires two pictures of the same size");
   const float ppd = pixels_per_degree > 0 ? pixels_per_degree : kFlipPixelsPerDegree;
   const Picture a = opponent_picture(test), b = opponent_picture(reference);
   const std::vector<Vec3> seen_a = perceived(a, ppd), seen_b = perceived(b, ppd);

@@ -24,7 +24,7 @@ constexpr Glyph kGlyphs[] = {
     {'d', "....#....#.##.##..###...##...#.####"}, {'m', "..........##.#.#.#.##.#.##...##...#"},
     {'M', "#...###.###.#.##.#.##...##...##...#"}, {'e', "...........###.#...#######.....###."},
 };
-/// The square of a unit.
+/// The superscript 2 of a unit.
 constexpr const char* kSquare = ".##..#..#...#...#...####...........";
 
 const char* dots_of(char c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and units written into pictures, in a tiny fixed font of their own.
+// Draws numbers and units into pictures with a small built-in bitmap font.
 #pragma once
 
 #include <string_view>
@@ -9,20 +9,20 @@
 
 namespace oriel {
 
-/// A cell of the font without the gap to the next, in its own dots.
+/// Size of a glyph in font dots; kGlyphStep includes the gap to the next glyph.
 inline constexpr int kGlyphWidth = 5, kGlyphHeight = 7, kGlyphStep = 6;
 
-/// Whether there is a glyph: digits, . - + / and the letters of lx, cd/m2, k, M, e.
+/// Whether the font has the character: digits, . - + / and the letters of lx, cd/m2, k, M, e.
 bool has_glyph(char c);
 
 inline int text_width(std::string_view text, int scale) {
   return text.empty() ? 0 : (static_cast<int>(text.size()) * kGlyphStep - 1) * scale;
 }
 
-/// Draws text whose upper left corner is at (x, y); what lies outside of the picture is cut off.
-/// The 2 of "m2" is raised. Characters without a glyph are blanks.
+/// Draws text with its upper left corner at (x, y), clipped to the picture. The 2 of "m2" is
+/// raised. Characters without a glyph are blank.
 ///
-/// Inputs:  scale: pixels of a dot; color: of the first three channels.
+/// Inputs:  scale: pixels per font dot; color: written to the first three channels.
 /// Checked: Glyphs.* in false_color_test.cpp
 void draw_text(Image& image, int x, int y, std::string_view text, int scale, const Rgb& color);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures whose pixels stand in the scene itself: a pyramid in memory, no image library.
+// Textures with pixels from the scene description: a mip pyramid in memory.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,7 +46,7 @@ struct Level {
   }
 };
 
-/// Half the size; an odd last row or column is spread by exact area weights.
+/// The next mip level; an odd last row or column is distributed by exact area weights.
 Level halved(const Level& fine) {
   Level out{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
   out.texels.resize(std::size_t(out.width) * out.height);
@@ -86,7 +86,8 @@ class MemoryTexture final : public Texture {
     if (!u || !v) return Rgba(0, 0, 0, 0);
     if (how.interpolation == Interpolation::Nearest) return levels_[0].nearest(*u, *v, how);
 
-    // Measure the footprint in texels; the longer axis is walked, the shorter sets the level.
+    // The footprint in texels: the shorter axis selects the mip level, probes are placed along the
+    // longer one.
     Vec2 major(bounded_derivative(footprint.dx.x), bounded_derivative(footprint.dx.y));
     Vec2 minor(bounded_derivative(footprint.dy.x), bounded_derivative(footprint.dy.y));
     const Vec2 size{float(width_), float(height_)};
@@ -100,7 +101,7 @@ class MemoryTexture final : public Texture {
     const float width = std::max({shorter, longer / most, 1.0f});
     const int probes = std::clamp(int(std::ceil(longer / width)), 1, int(most));
 
-    // Average the probes along the longer axis.
+    // Average of the probes along the longer axis.
     Rgba sum(0, 0, 0, 0);
     const float level = math::log2(width);
     for (int i = 0; i < probes; ++i) {

@@ -26,11 +26,11 @@ FilesModule* open_module() {
       tried += "\n  " + candidate + ": not there";
       continue;
     }
-    // Local symbols: the 260 libraries behind it must not answer for anybody else.
+    // RTLD_LOCAL: symbols of the 260 dependent libraries must not resolve symbols of other code.
     void* handle = dlopen(candidate.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle) {
       const char* why = dlerror();
-      tried += "\n  " + candidate + ": " + (why ? why : "cannot be opened");
+      tried += "\n  " + candidate + ": " + (why ? why : "cannot be loaded");
       continue;
     }
     const auto entry = reinterpret_cast<FilesModuleEntry>(dlsym(handle, kFilesModuleSymbol));

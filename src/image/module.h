@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The border between oriel_image and the module that holds OpenImageIO, and how it is found.
+// Interface of the module that contains OpenImageIO, and the search for the module file.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,13 @@
 
 namespace oriel {
 
-/// What the module offers. Both sides are built together; the version catches a stray old file.
+/// Functions of the module. Host and module are built together; the version detects an outdated
+/// file.
 class FilesModule {
  public:
   virtual ~FilesModule() = default;
 
-  /// Throw std::runtime_error with the bare reason.
+  /// The functions throw std::runtime_error with the reason only, without the path.
   virtual Image read(const std::string& path) = 0;
   virtual void write(const std::string& path, const Image& image, const FileOptions& options) = 0;
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
@@ -28,20 +29,21 @@ class FilesModule {
 };
 
 inline constexpr int kFilesModuleVersion = 2;
-/// The one symbol the module exports; null when the version differs. The object lives for ever.
+/// The only exported symbol of the module. It returns null when the version differs. The object is
+/// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);
 inline constexpr char kFilesModuleSymbol[] = "oriel_image_files_module";
 
-/// Opens the module once and keeps it.
+/// Loads the module at the first call and keeps it loaded.
 ///
-/// Model:   looked for in each folder of ORIEL_MODULE_PATH (colon-separated), in the folder of the
-///          object this code is linked into, in ../lib from there, the same two for the program,
-///          and in the folder of the build. Never in a place a scene names.
-/// Errors:  std::runtime_error that names every place tried.
+/// Model:   searches each folder of ORIEL_MODULE_PATH (colon-separated), the folder of the object
+///          that this code is linked into and ../lib from there, the same two for the program, and
+///          the build folder. A path from the scene is never searched.
+/// Errors:  std::runtime_error that lists every path that was tried.
 /// Checked: ImageModule.*
 FilesModule& files_module();
 
-/// The places files_module looks at, in order.
+/// The paths that files_module tries, in order.
 std::vector<std::string> module_candidates();
 
 }  // namespace oriel

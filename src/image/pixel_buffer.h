@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture in memory: float pixels, interleaved channels, and the named layers of a render.
+// A picture in memory: float pixels with interleaved channels, and named render layers.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace oriel {
 
 // Conventions
-//   Row 0 is the top row of the picture, x runs to the right, channels are interleaved.
-//   Whether the values are linear or display-encoded is the caller's knowledge.
+//   Row 0 is the top row of the picture, x runs to the right, channels are interleaved. The pixel
+//   buffer does not record whether its values are linear or display-encoded.
 
 struct Image {
   int width = 0;
@@ -29,25 +29,25 @@ struct Image {
   std::size_t pixel_count() const { return std::size_t(width) * height; }
 };
 
-/// One layer of a picture. The beauty has the empty name. A layer whose only channel has the empty
-/// name is one bare channel called as the layer ("Z").
+/// One layer of a picture. The beauty has an empty name. If the only channel of a layer has an
+/// empty name, its full name is the name of the layer ("Z").
 struct Layer {
   std::string name;
   std::vector<std::string> channel_names;  ///< as many as image.channels
   Image image;
 };
 
-/// The layer of that name, or null.
+/// The layer with the given name, or null.
 inline const Layer* find_layer(const std::vector<Layer>& layers, const std::string& name) {
   for (const Layer& layer : layers)
     if (layer.name == name) return &layer;
   return nullptr;
 }
 
-/// Layer of files whose beauty lens or output shaders have mapped: the beauty before them.
+/// Layer with the linear beauty, in files whose beauty was mapped by lens or output shaders.
 inline constexpr const char* kLinearLayer = "linear";
 
-/// The linear beauty of a file, or null.
+/// The linear beauty of a file, or null if the file has none.
 inline const Layer* find_linear_beauty(const std::vector<Layer>& layers) {
   const Layer* linear = find_layer(layers, kLinearLayer);
   return linear ? linear : find_layer(layers, "");

@@ -32,13 +32,13 @@ File open_file(const std::string& path, const char* mode) {
   return file;
 }
 
-// libpng reports errors by longjmp, which must not cross anything with a destructor. So each
-// function that calls setjmp below holds only what its caller owns.
+// libpng reports errors by longjmp, which must not skip destructors. Each function that calls
+// setjmp below therefore uses only objects that its caller owns.
 struct Session {
   bool reading;
   png_structp png = nullptr;
   png_infop info = nullptr;
-  char message[200] = "libpng gave up";
+  char message[200] = "unknown libpng error";
 
   explicit Session(bool read) : reading(read) {
     png = read ? png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning)
@@ -94,7 +94,7 @@ std::vector<png_byte> quantised(const Image& image, const PngOptions& options) {
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < image.channels; ++c) {
         const float value = image.at(x, y)[c];
-        const float inside = value > 0 ? std::min(value, 1.0f) : 0.0f;  // also for not a number
+        const float inside = value > 0 ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
         const float shift = options.dither ? dither_offset(x, y, c) : 0.0f;
         const float step = std::clamp(std::floor(inside * most + 0.5f + shift), 0.0f, most);
         const auto integer = static_cast<unsigned>(step);
@@ -111,10 +111,10 @@ void write_file(const std::string& path, const Image& image, const PngOptions& o
   for (int y = 0; y < image.height; ++y) rows[y] = data.data() + y * row_bytes;
   File file = open_file(path, "wb");
   Session s(false);
-  if (!s.info) throw std::runtime_error("libpng cannot start");
+  if (!s.info) throw std::runtime_error("libpng initialisation failed");
   if (!encode(s, file.get(), image, options, rows.data())) throw std::runtime_error(s.message);
-  // A full disk shows only when the buffers are flushed.
-  if (std::fclose(file.release()) != 0) throw std::runtime_error("the disk refused the data");
+  // A full disk is reported only when the buffers are flushed.
+  if (std::fclose(file.release()) != 0) throw std::runtime_error("writing to the disk failed");
 }
 
 // --- reading ---
@@ -155,7 +155,7 @@ bool decode_pixels(Session& s, png_bytepp rows) {
 Image read_file(const std::string& path) {
   File file = open_file(path, "rb");
   Session s(true);
-  if (!s.info) throw std::runtime_error("libpng cannot start");
+  if (!s.info) throw std::runtime_error("libpng initialisation failed");
   Shape shape{};
   if (!decode_header(s, file.get(), shape)) throw std::runtime_error(s.message);
   const std::size_t count = std::size_t(shape.width) * shape.height * shape.channels;

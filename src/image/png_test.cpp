@@ -14,7 +14,7 @@
 namespace oriel {
 namespace png_test {
 
-/// Every value is a whole step of the given number of bits.
+/// Every value is a multiple of one step of the given bit depth.
 Image steps(int width, int height, int channels, int bits) {
   const int most = (1 << bits) - 1;
   std::mt19937 random(5);

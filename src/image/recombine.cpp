@@ -9,7 +9,7 @@
 namespace oriel {
 namespace {
 
-/// Every layer the two forms take, but `opacity`.
+/// Layers used by the two sums, except `opacity`.
 constexpr const char* kColours[] = {"diffuse_result",  "diffuse_raw",      "diffuse_level",
                                     "spec_result",     "spec_raw",         "spec_level",
                                     "refl_result",     "refl_raw",         "refl_level",
@@ -26,7 +26,7 @@ std::string size_of(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
 }
 
-/// What is wrong with a layer that should have this many channels, empty when nothing is.
+/// Why a layer with this channel count cannot be used; empty if it can.
 std::string complaint(const std::vector<Layer>& layers, const std::string& name, int channels) {
   const Layer* layer = find_layer(layers, name);
   if (!layer) return name + " is missing";
@@ -39,7 +39,7 @@ std::string complaint(const std::vector<Layer>& layers, const std::string& name,
   return {};
 }
 
-/// Sums of layers. All are RGB of one size.
+/// A sum of RGB layers of equal size.
 class Sum {
  public:
   explicit Sum(const std::vector<Layer>& layers) : layers_(layers) {
@@ -75,7 +75,7 @@ class Sum {
   const std::vector<Layer>& layers_;
 };
 
-/// The brightness that stands for the beauty where it is darker.
+/// Minimum brightness for relative differences.
 float brightness_floor(const Image& beauty) {
   // double: a sum over tens of millions of values.
   double sum = 0;
@@ -87,7 +87,7 @@ float brightness_floor(const Image& beauty) {
       ++count;
     }
   const double mean = count ? sum / double(count) : 0;
-  // In a black picture any light at all is far too much.
+  // In a black picture any positive value counts as an error.
   return std::max(kRecombineFloorShare * static_cast<float>(mean),
                   std::numeric_limits<float>::min());
 }
@@ -98,10 +98,9 @@ std::vector<std::string> unusable_outputs(const std::vector<Layer>& layers) {
   std::vector<std::string> wrong;
   const Layer* beauty = find_linear_beauty(layers);
   if (!beauty)
-    wrong.emplace_back("the picture itself (R, G, B) is missing");
+    wrong.emplace_back("the beauty layer (R, G, B) is missing");
   else if (beauty->image.channels < 3)
-    wrong.push_back("the picture itself has " + with_unit(beauty->image.channels) +
-                    " instead of 3");
+    wrong.push_back("the beauty layer has " + with_unit(beauty->image.channels) + " instead of 3");
   const auto look_at = [&](const std::string& name, int channels) {
     std::string text = complaint(layers, name, channels);
     if (!text.empty()) wrong.push_back(std::move(text));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does the picture come out again when its layers are put together as a compositor would do it?
+// Rebuilds the beauty from the layers of a render, as in compositing, and measures the difference.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 namespace oriel {
 
 // Conventions
-//   Layers carry the names of the outputs of mia_material_x; each is R, G, B but `opacity`, which
-//   is one bare channel. `other` is the light of pixels that belongs to no output. The beauty is
-//   the layer without a name; its alpha takes no part. Everything is linear.
+//   Layers have the names of the outputs of mia_material_x. Each is R, G, B except `opacity`, which
+//   has one channel. `other` contains light that belongs to no output. The beauty is the layer with
+//   an empty name; its alpha is ignored. All values are linear.
 
-/// Below this share of the picture's mean brightness a difference counts as if the beauty were that
-/// bright: a rounding error of 1e-7 of a usual pixel in a black one then stays at 1e-4.
+/// Minimum brightness for relative differences, as a share of the mean brightness of the picture.
+/// It limits the effect of rounding: an error of 1e-7 of the mean in a black pixel counts as 1e-4.
 inline constexpr float kRecombineFloorShare = 1e-3f;
 
-/// What is wrong with the layers for recombine(), one phrase each ("diffuse_raw is missing",
-/// "opacity has 3 channels instead of 1"); empty when nothing is.
+/// Reasons why recombine() cannot use the layers, one phrase each ("diffuse_raw is missing",
+/// "opacity has 3 channels instead of 1"); empty if it can.
 ///
 /// Checked: Recombine.WhatCannotBeUsedIsNamed
 std::vector<std::string> unusable_outputs(const std::vector<Layer>& layers);
 
-/// The beauty put together in two ways, RGB.
+/// The beauty rebuilt in two ways, RGB.
 struct Recombination {
-  Image simple;   ///< the sum of all results
-  Image complex;  ///< from levels and raw light
+  Image simple;   ///< sum of all results
+  Image complex;  ///< sum of level x raw light
 };
 
 /// Model:   simple  = diffuse_result + indirect_result + spec_result + refl_result + refr_result
@@ -41,24 +41,25 @@ struct Recombination {
 /// Checked: Recombine.BothFormsFollowTheirEquations
 Recombination recombine(const std::vector<Layer>& layers);
 
-/// How far a rebuilt picture is from the beauty.
+/// Difference of a rebuilt picture from the beauty.
 struct RebuiltDifference {
-  float largest = 0;      ///< relative difference; infinite where a value is not finite
-  int x = 0, y = 0;       ///< its pixel, row 0 at the top; the first of equals
+  float largest = 0;  ///< relative difference; infinite where a value is not finite
+  /// pixel of the largest difference, row 0 at the top; the first one if several are equal
+  int x = 0, y = 0;
   int channel = 0;        ///< 0, 1, 2 = R, G, B
-  float beauty = 0;       ///< the two values there
-  float rebuilt = 0;      ///<
-  float floor = 0;        ///< the least brightness that differences were divided by
-  std::size_t above = 0;  ///< pixels with a channel above the threshold
+  float beauty = 0;       ///< value of the beauty at that pixel
+  float rebuilt = 0;      ///< value of the rebuilt picture at that pixel
+  float floor = 0;        ///< minimum divisor of the relative difference
+  std::size_t above = 0;  ///< number of pixels with a channel above the threshold
 };
 
 /// |rebuilt - beauty| / max(|beauty|, floor) of every pixel and channel, RGB.
 ///
-/// Inputs:  beauty: of three channels or more. rebuilt: RGB of the same size.
+/// Inputs:  beauty: at least three channels. rebuilt: RGB of the same size.
 /// Checked: Recombine.DifferencesAreRelativeAboveTheFloor, Recombine.NoNumberIsInfinitelyFar
 Image relative_difference(const Image& rebuilt, const Image& beauty);
 
-/// The worst of relative_difference(). A value that is no number lies above any threshold.
+/// The maximum of relative_difference(). NaN counts as above any threshold.
 RebuiltDifference compare_rebuilt(const Image& rebuilt, const Image& beauty, float threshold);
 
 }  // namespace oriel

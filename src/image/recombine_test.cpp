@@ -25,7 +25,7 @@ void expect_all(const Image& image, float value) {
 
 TEST(Recombine, BothFormsFollowTheirEquations) {
   auto layers = output_layers(3, 2);
-  // Each term a power of two of its own, so that the sum says which ones are in it.
+  // Each term is a different power of two, so the sum shows which terms it contains.
   float result = 1;
   for (const char* name : {"diffuse_result", "indirect_result", "spec_result", "refl_result",
                            "refr_result", "tran_result", "add_result", "opacity_result", "other"}) {
@@ -72,7 +72,7 @@ TEST(Recombine, DifferencesAreRelativeAboveTheFloor) {
   EXPECT_EQ(d.channel, 1);
   EXPECT_FLOAT_EQ(d.rebuilt, 1.01f);
   EXPECT_FLOAT_EQ(d.beauty, 1);
-  // The mean leaves alpha out: 299 ones among 300 values.
+  // The mean excludes alpha: 299 ones among 300 values.
   EXPECT_NEAR(d.floor, kRecombineFloorShare * 299 / 300, 1e-9);
   EXPECT_NEAR(relative_difference(rebuilt, beauty).at(0, 0)[0], 1e-6f / d.floor, 1e-6);
   EXPECT_EQ(d.above, 2u);
@@ -92,7 +92,7 @@ TEST(Recombine, NoNumberIsInfinitelyFar) {
     Image beauty(4, 4, 3, 1);
     Image rebuilt = beauty;
     rebuilt.at(3, 1)[2] = bad;
-    beauty.at(3, 1)[2] = bad;  // Not even when both say so.
+    beauty.at(3, 1)[2] = bad;  // also if both pictures have the same invalid value
     const RebuiltDifference d = compare_rebuilt(rebuilt, beauty, 1e30f);
     EXPECT_TRUE(std::isinf(d.largest));
     EXPECT_EQ(d.x, 3);
@@ -123,7 +123,7 @@ TEST(Recombine, WhatCannotBeUsedIsNamed) {
                                 "opacity has 3 channels instead of 1"}));
   EXPECT_THROW(recombine(layers), std::runtime_error);
   EXPECT_EQ(unusable_outputs({}).size(), 23u) << "the picture, 21 colours, opacity";
-  EXPECT_EQ(unusable_outputs({}).front(), "the picture itself (R, G, B) is missing");
+  EXPECT_EQ(unusable_outputs({}).front(), "the beauty layer (R, G, B) is missing");
 }
 
 }  // namespace recombine_test

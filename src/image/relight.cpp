@@ -32,17 +32,17 @@ Rgb tinted(float factor, float warmth) {
 std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<LightGain>& gains) {
   const Layer* beauty = find_linear_beauty(layers);
   if (!beauty || beauty->image.channels < 3)
-    throw std::runtime_error("the picture itself (R, G, B) is missing");
+    throw std::runtime_error("the beauty layer (R, G, B) is missing");
   const std::vector<std::string> names = light_layer_names(layers);
   if (names.empty())
     throw std::runtime_error(
-        "there are no layers of lights; write them with oriel render SCENE -o FILE.exr "
+        "there are no light layers; write them with oriel render SCENE -o FILE.exr "
         "--light-group NAME=PATTERNS");
   for (const LightGain& gain : gains)
     if (std::find(names.begin(), names.end(), gain.name) == names.end()) {
       std::string list;
       for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-      throw std::runtime_error("there is no group of lights \"" + gain.name + "\": " + list);
+      throw std::runtime_error("unknown light group \"" + gain.name + "\": " + list);
     }
   std::vector<Layer> out{*beauty};
   Image sum = beauty->image;
@@ -53,7 +53,7 @@ std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<L
   for (const Layer& layer : layers) {
     if (!is_light(layer)) continue;
     if (layer.image.channels != 3 || layer.image.pixel_count() != sum.pixel_count())
-      throw std::runtime_error(layer.name + " has another shape than the picture");
+      throw std::runtime_error(layer.name + " differs from the beauty in size or channels");
     Rgb factor(1);
     for (const LightGain& gain : gains)
       if (layer.name.substr(kLightLayerPrefix.size()) == gain.name) factor *= gain.factor;

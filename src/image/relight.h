@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers of lights: do they sum to the picture, and the picture under other strengths of them.
+// Relighting: scales the light layers of a render and sums them to a new beauty.
 #pragma once
 
 #include <string>
@@ -11,29 +11,29 @@
 
 namespace oriel {
 
-/// Layers of lights are named `light.key`; together they are the beauty.
+/// Light layers are named `light.key`; their sum is the beauty.
 inline constexpr std::string_view kLightLayerPrefix = "light.";
 
-/// The groups that the layers hold, in their order, without the prefix.
+/// The names of the light groups without the prefix, in file order.
 std::vector<std::string> light_layer_names(const std::vector<Layer>& layers);
 
-/// What one group of lights is multiplied by.
+/// A factor for one light group.
 struct LightGain {
   std::string name;
   Rgb factor{1};
 };
 
-/// A factor with a tint: positive is warmer, as red against blue by 4 for 1; the luminance of white
-/// stays.
+/// A factor with a tint. Positive warmth raises red and lowers blue, with a ratio of 4 at 1; the
+/// luminance of white is unchanged.
 /// Checked: Relight.TintsKeepTheLuminance
 Rgb tinted(float factor, float warmth);
 
-/// Multiplies the layers of those groups and makes the sum of all the new beauty, whose alpha
-/// stays. Layers that other lights would not leave as they are (variance, outputs...) are dropped;
-/// depth, normal and albedo stay.
+/// Scales the layers of the given groups and replaces the beauty by their sum; alpha is unchanged.
+/// Layers that depend on the lights (variance, outputs...) are dropped; depth, normal and albedo
+/// are kept.
 ///
-/// Errors:  std::runtime_error: there are no layers of lights, or no such group, or they differ in
-///          shape from the beauty.
+/// Errors:  std::runtime_error if there are no light layers, a group is unknown, or a light layer
+///          differs in shape from the beauty.
 /// Checked: Relight.*
 std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<LightGain>& gains);
 

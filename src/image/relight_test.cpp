@@ -35,7 +35,7 @@ TEST(Relight, TheBeautyIsTheSumOfTheScaledGroups) {
   EXPECT_EQ(find_layer(out, "light.rest")->image.pixels[2], 1);
   EXPECT_NE(find_layer(out, "Z"), nullptr);
   EXPECT_EQ(find_layer(out, "variance"), nullptr) << "of another picture";
-  // Gains of one group multiply, and what was made may be used again.
+  // Gains of the same group multiply, and the result can be relit again.
   const auto again = relight(out, {{"key", Rgb(2)}, {"key", Rgb(.5f)}});
   EXPECT_EQ(find_layer(again, "")->image.pixels, beauty.pixels);
 }

@@ -11,7 +11,8 @@ Rgbe encode_rgbe(const Rgb& color) {
   int exponent = 0;
   const float largest = std::max({0.0f, color.x, color.y, color.z});
   std::frexp(std::min(largest, 1e38f), &exponent);
-  // A normal number: processors that flush denormal ones to zero would never be below 1e-38.
+  // Compare with a normal number: on processors that flush denormals to zero nothing is below
+  // 1e-38.
   if (!(largest >= std::numeric_limits<float>::min())) exponent = -128;
   const auto mantissa = [exponent](float v) {
     return static_cast<std::uint8_t>(

@@ -9,14 +9,14 @@
 
 namespace oriel {
 
-/// Three mantissas of 8 bits and an exponent biased by 128; 0 is black.
+/// Three mantissas of 8 bits and an exponent biased by 128; all 0 is black.
 /// Source:  Ward, "Real Pixels", Graphics Gems II, 1991.
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// Negative channels are 0, as are colours below the least normal float; large ones are limited to
-/// 1e38. Checked: RgbeTest.*
+/// Negative channels and colours below the smallest normal float become 0; large values are clamped
+/// to 1e38. Checked: RgbeTest.*
 Rgbe encode_rgbe(const Rgb& color);
-/// The middle of the interval that the code stands for.
+/// Returns the centre of the quantisation interval.
 Rgb decode_rgbe(const Rgbe& code);
 
 }  // namespace oriel

@@ -11,28 +11,28 @@
 namespace oriel::image {
 namespace {
 
-/// Of the spline across one axis, in texels: a quarter of its square.
+/// Variance of the quadratic spline along one axis, in texels^2.
 constexpr float kSplineVariance = 0.25f;
-/// Of a texel that four points stand for, and of one that is a mean.
+/// Variance of a texel averaged from four points, and of a box-filtered texel, in texels^2.
 constexpr float kFourPointVariance = 1 / 16.0f, kBoxVariance = 1 / 12.0f;
-/// Width of the first level in texels.
+/// Kernel width of level 0 in texels.
 const float kFirstWidth = std::sqrt(kSplineVariance + kFourPointVariance);
-/// Maps do not get smaller than that many texels each way.
+/// Minimum side of a cube face in texels.
 constexpr int kLeastSide = 6;
-/// Points of a kernel for each square texel of its variance, and least.
+/// Sample points of a kernel per square texel of its variance, and their minimum number.
 constexpr float kPointsPerTexel = 16, kLeastPoints = 48;
 
 float texel_width(int side) { return std::sqrt(4 * kPi / 6) / static_cast<float>(side); }
 
-/// Cosine below which lies the share u of the kernel exp(k (cos t - 1)).
+/// The cosine of the angle that contains the share u of the kernel exp(k (cos t - 1)).
 float cosine_at(float u, float k) {
   return std::max(-1.0f, 1 + math::log(1 - u * (1 - math::exp(-2 * k))) / k);
 }
 
-/// The map under a kernel of that variance, at points spread evenly over it.
+/// The map convolved with a kernel of the given variance, at evenly distributed sample points.
 CubeMap blurred(const CubeMap& map, float variance) {
   const float k = 1 / variance;
-  // Its area is 2 pi times the variance, and no more than the sphere's.
+  // The effective area of the kernel is 2 pi times the variance, at most the whole sphere.
   constexpr float kWhole = 2;
   const auto points = static_cast<int>(std::max(
       kLeastPoints, kPointsPerTexel * std::min(variance, kWhole) / sqr(texel_width(map.side()))));
@@ -52,7 +52,7 @@ CubeMap blurred(const CubeMap& map, float variance) {
     for (const Vec3& o : offsets) sum += map.lookup(frame.to_world(o));
     return sum * (1 / static_cast<float>(points));
   });
-  // The points are no exact quadrature: what they brighten or darken all in all is made up for.
+  // The sample points are not an exact quadrature; rescale to keep the mean colour.
   const Rgba before = map.mean(), after = out.mean();
   Rgba factor(1);
   for (int c = 0; c < 4; ++c)
@@ -136,7 +136,7 @@ CubeMap CubeMap::halved() const {
 }
 
 Rgba CubeMap::mean() const {
-  double sum[4] = {}, all = 0;  // a million terms of very different size
+  double sum[4] = {}, all = 0;  // double: a million terms of very different size
   for (int face = 0; face < 6; ++face)
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
@@ -168,7 +168,8 @@ SphereBlur::SphereBlur(int samples, const std::function<Rgba(const Vec3&)>& sour
     const float texel = sqr(texel_width(map.side()));
     const float own = 2 * kSplineVariance + (j < 3 ? kFourPointVariance : kBoxVariance);
     levels_[static_cast<std::size_t>(j)] = blurred(map, sqr(width(j)) - own * texel);
-    // A level is at least twice as wide as its texels: splines bend little.
+    // Halve the resolution while the kernel is at least twice as wide as a texel; the spline error
+    // stays small.
     if (j > 1 && map.side() % 2 == 0 && map.side() / 2 >= kLeastSide) map = map.halved();
   }
 }
@@ -185,10 +186,11 @@ Rgba SphereBlur::lookup(const Vec3& direction, const Weights& weights) const {
 }
 
 SphereBlur::Weights SphereBlur::weights_of(const std::function<float(float)>& kernel) const {
-  // Rings between angles in geometric steps: what is narrow counts as well as what is wide.
+  // Rings with angles in geometric steps, so that narrow and wide parts of the kernel have equal
+  // weight.
   constexpr int kRings = 96, kRounds = 400;
   const float least = 0.1f * width(0);
-  std::array<double, kRings> wanted{};  // double: shares of very different size are added up
+  std::array<double, kRings> wanted{};  // double: sums terms of very different size
   std::array<std::array<double, kLevels>, kRings> has{};
   std::array<double, kLevels> all{};
   double total = 0;
@@ -221,7 +223,7 @@ SphereBlur::Weights SphereBlur::weights_of(const std::function<float(float)>& ke
     }
     weights = next;
   }
-  // What is left of levels that do not help costs a look-up each.
+  // Drop levels with a negligible weight, since each level costs a lookup.
   constexpr double kNegligible = 1e-3;
   double sum = 0;
   for (double& w : weights) sum += w = w < kNegligible ? 0 : w;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours all around, tabulated once and then looked up as blurred as one likes.
+// Blurred lookups of a spherical colour function from precomputed levels.
 #pragma once
 
 #include <array>
@@ -10,25 +10,25 @@
 
 namespace oriel::image {
 
-/// Colours all around on the six faces of a cube, looked up by smooth (quadratic) splines.
+/// A cube map with lookups by smooth (quadratic) splines.
 ///
-/// Model:   Steps along a face are equal angles at the middle of the cube. Each face goes on by one
-///          texel beyond its edges, so that look-ups meet no seam.
+/// Model:   texels of a face cover equal angles at the centre of the cube. Each face is extended by
+///          one texel beyond its edges, so lookups have no seams.
 class CubeMap {
  public:
   explicit CubeMap(int side = 0);
   int side() const { return side_; }
-  /// A texel; x and y from -1 to side, those outside being beyond the edge.
+  /// A texel; x and y from -1 to side, where -1 and side are beyond the edge.
   Rgba& at(int face, int x, int y) { return texels_[index(face, x, y)]; }
   const Rgba& at(int face, int x, int y) const { return texels_[index(face, x, y)]; }
-  /// Towards a point of a face; 0.5 more than x or y is the middle of a texel.
+  /// Direction of a point on a face; the centre of texel (x, y) is at (x + 0.5, y + 0.5).
   Vec3 direction(int face, float x, float y) const;
   Rgba lookup(const Vec3& direction) const;
-  /// Sets all texels, on all threads.
+  /// Sets all texels, in parallel.
   void fill(const std::function<Rgba(int face, int x, int y)>& colour);
-  /// Means of two by two; the side is even.
+  /// The map at half the resolution (means of 2 x 2 texels); requires an even side.
   CubeMap halved() const;
-  /// By solid angle.
+  /// Mean weighted by solid angle.
   Rgba mean() const;
 
  private:
@@ -43,14 +43,15 @@ class CubeMap {
   std::vector<Rgba> texels_;
 };
 
-/// The same colours blurred by kernels of doubling width.
+/// A spherical function blurred by kernels of doubling width.
 ///
-/// Model:   Level j holds them under exp(k_j (cos t - 1)), 1 / k_j = width_j^2. Level 0 is the map,
-///          as wide as its texels and splines; each further one is twice as wide. Wider maps have
-///          fewer texels. Any kernel that falls off with the angle is a mixture of levels.
-/// Inputs:  samples: texels at least; sides of the cube are multiples of 16. source: colour by
-///          direction, asked four times for each texel, on all threads; what is not finite is
-///          black.
+/// Model:   level j is convolved with exp(k_j (cos t - 1)), 1 / k_j = width_j^2. Level 0 has the
+///          width of its texels and splines; each further level is twice as wide and may have fewer
+///          texels. Any kernel that falls off with the angle is approximated by a mixture of
+///          levels.
+/// Inputs:  samples: minimum number of texels; sides of the cube are multiples of 16. source:
+///          colour by direction, evaluated four times per texel on all threads; values that are not
+///          finite count as black.
 /// Checked: SphereBlur.*
 class SphereBlur {
  public:
@@ -60,14 +61,14 @@ class SphereBlur {
   SphereBlur(int samples, const std::function<Rgba(const Vec3&)>& source);
 
   int side() const { return levels_[0].side(); }
-  /// Radians: of the level's kernel, across one axis.
+  /// Kernel width of a level along one axis, in radians.
   float width(int level) const;
-  /// Sum of the levels under weights that add up to 1.
+  /// Weighted sum of the levels; the weights add up to 1.
   Rgba lookup(const Vec3& direction, const Weights& weights) const;
-  /// The weights by which levels are most like a kernel.
+  /// The weights of the levels that approximate a kernel.
   ///
-  /// Inputs:  kernel: density per solid angle by angle (radians, 0 ... pi).
-  /// Model:   least Kullback-Leibler divergence, found by expectation maximisation.
+  /// Inputs:  kernel: density per solid angle as a function of the angle (radians, 0 ... pi).
+  /// Model:   minimises the Kullback-Leibler divergence by expectation maximisation.
   Weights weights_of(const std::function<float(float)>& kernel) const;
 
  private:

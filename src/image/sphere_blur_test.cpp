@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blurred look-ups against kernels that are known exactly.
+// Compares blurred lookups with kernels of known closed form.
 #include "image/sphere_blur.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace oriel::image {
 namespace sphere_blur_test {
 
-/// Directions all around, evenly.
+/// Evenly distributed directions on the sphere.
 Vec3 spread(int i, int n) {
   const float z = 1 - 2 * (static_cast<float>(i) + 0.5f) / static_cast<float>(n);
   const float r = std::sqrt(std::max(0.0f, 1 - z * z)), phi = 2.399963f * static_cast<float>(i);
@@ -50,7 +50,7 @@ TEST(SphereBlur, KeepsConstantsAndMeansAndAsksOnce) {
 }
 
 TEST(SphereBlur, LevelsAreAsWideAsTheySay) {
-  // A round spot of the kernels' own kind: widths add up as squares, away from the widest.
+  // A round spot of the same kernel type: squared widths add up, except at the widest levels.
   for (const Vec3& to :
        {Vec3(0, 0, 1), normalize(Vec3(.3f, .8f, -.4f)), normalize(Vec3(1, 1, 0))}) {
     const float width = .06f;

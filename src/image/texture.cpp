@@ -10,7 +10,7 @@
 namespace oriel {
 namespace {
 
-constexpr float kDefaultCacheMegabytes = 1024;  // holds some eighty 2048 x 2048 RGB byte pictures
+constexpr float kDefaultCacheMegabytes = 1024;  // about eighty 2048 x 2048 8-bit RGB pictures
 std::atomic<float> cache_megabytes{kDefaultCacheMegabytes};
 std::atomic<bool> has_module{false};
 
@@ -32,7 +32,7 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) 
 }
 
 void TextureSystem::set_cache_megabytes(float megabytes) {
-  // Setting a limit must not load the module; open() hands it on.
+  // Setting a limit must not load the module; open() passes it on.
   cache_megabytes = megabytes;
 }
 

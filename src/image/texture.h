@@ -17,28 +17,29 @@ namespace oriel {
 // Conventions
 //   uv (0, 0) is the lower left corner of the picture, u to the right, v up; the centre of texel
 //   (i, j) from below lies at ((i + 0.5) / width, (j + 0.5) / height).
-//   Values are the file's: colour and alpha as stored, never multiplied or divided. A picture
-//   without alpha has alpha 1, a grey one has it in R, G and B.
+//   Values are those of the file: colour and alpha as stored, without (un)premultiplication. A
+//   picture without alpha has alpha 1; a grey picture has its value in R, G and B.
 
 enum class Wrap : std::uint8_t {
   Black,     ///< outside [0, 1): transparent black, with a hard border
   Periodic,  ///< repeats
-  Clamp,     ///< the border texel goes on
-  Mirror,    ///< repeats, every other copy mirrored
+  Clamp,     ///< the border texel is repeated
+  Mirror,    ///< repeats, every second copy mirrored
 };
 
 enum class Interpolation : std::uint8_t { Nearest, Bilinear, Bicubic };
 
-/// How to look up. `Bicubic` acts where the texture is magnified; in memory it is Bilinear.
+/// Filter settings. `Bicubic` has an effect where the texture is magnified; textures in memory use
+/// Bilinear instead.
 struct TextureSampling {
   Wrap wrap_u = Wrap::Periodic;
   Wrap wrap_v = Wrap::Periodic;
   Interpolation interpolation = Interpolation::Bilinear;
-  float anisotropy = 16;  ///< longest ratio of the filter's axes; beyond it the result blurs
+  float anisotropy = 16;  ///< maximum ratio of the filter axes; beyond it the result is blurred
 };
 
-/// The footprint of a pixel: change of uv per pixel step in x and y. All zero = no filtering, the
-/// full-resolution picture is interpolated.
+/// The footprint of a pixel: change of uv per pixel step in x and y. All zero disables filtering;
+/// the full resolution is interpolated.
 struct TextureFootprint {
   Vec2 dx{0, 0}, dy{0, 0};
 };
@@ -47,8 +48,8 @@ class Texture {
  public:
   virtual ~Texture() = default;
 
-  /// The filtered colour. Safe on any thread, no exception, total: where uv is not finite it is
-  /// transparent black. Where the file turns out to be broken it is magenta, and error() says why.
+  /// The filtered colour. Thread-safe; never throws. Returns transparent black if uv is not finite.
+  /// Returns magenta if the file turns out to be invalid; error() then has the reason.
   /// Checked: Texture.*
   virtual Rgba sample(const Vec2& uv, const TextureFootprint& footprint,
                       const TextureSampling& how) const = 0;
@@ -65,7 +66,7 @@ class Texture {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  int channels() const { return channels_; }  ///< of the file, also where only four are used
+  int channels() const { return channels_; }  ///< channels of the file; at most four are used
 
  protected:
   int width_ = 0, height_ = 0, channels_ = 0;
@@ -73,32 +74,34 @@ class Texture {
 
 enum class RowOrder { BottomUp, TopDown };
 
-/// A texture of bytes, `components` of them (1 to 4) per pixel, decoded as value^gamma (alpha not).
+/// A texture from bytes with `components` (1 to 4) per pixel, decoded as value^gamma except alpha.
 ///
 /// Model:   box-filtered pyramid, trilinear, with up to `anisotropy` probes along the longer axis.
-/// Errors:  null when `bytes` is not width x height x components long or a size is out of range.
+/// Errors:  null if `bytes` does not have width x height x components elements or a size is out of
+///          range.
 /// Checked: MemoryTexture.*
 std::unique_ptr<Texture> make_memory_texture(int width, int height, int components,
                                              std::span<const std::uint8_t> bytes, float gamma = 1,
                                              RowOrder order = RowOrder::BottomUp);
 
-/// The file textures of one world; each (path, gamma) is opened once. All share one tile cache.
+/// The file textures of one world. Each (path, gamma) is opened once. All systems share one tile
+/// cache.
 class TextureSystem {
  public:
   struct Opened {
-    const Texture* texture;  ///< owned by the system; null when it cannot be opened
-    std::string message;     ///< why, for the first caller only; empty when it was said before
+    const Texture* texture;  ///< owned by the system; null if the file cannot be opened
+    std::string message;     ///< reason; reported to the first caller only, empty afterwards
   };
 
-  /// Opens a file by its resolved path; a new system sees a changed file anew. Safe on any thread,
-  /// not for the hot path.
+  /// Opens a file by its resolved path. A new system detects files that were modified. Thread-safe,
+  /// but too slow for use during shading.
   ///
-  /// Inputs:  gamma: integer pictures are decoded as value^gamma before filtering (alpha is not);
-  ///          1 = as stored. Float pictures never are. No sRGB curve is ever assumed.
+  /// Inputs:  gamma: integer pictures are decoded as value^gamma before filtering, except alpha; 1
+  ///          = as stored. Float pictures are not decoded. An sRGB curve is never applied.
   /// Checked: FileTexture.*
   Opened open(const std::string& path, float gamma = 1);
 
-  /// Memory of the tile cache, shared by all systems of the process; 1024 unless set, 16 at least.
+  /// Size of the tile cache in MB (default 1024, minimum 16), shared by all systems of the process.
   /// Takes effect when the next texture is opened.
   static void set_cache_megabytes(float megabytes);
 

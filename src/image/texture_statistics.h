@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the cache of texture files did.
+// Statistics of the texture tile cache.
 #pragma once
 
 #include <cstdint>
 
 namespace oriel {
 
-/// Of the process, so far.
+/// Totals of the process.
 struct TextureStatistics {
-  std::int64_t files = 0;          ///< opened as textures
-  std::int64_t tile_requests = 0;  ///< each look-up needs one to eight tiles, more when anisotropic
-  std::int64_t tile_misses = 0;    ///< of them: tiles that had to be read
-  std::int64_t bytes_read = 0;     ///< pixels, as they were before compression
-  std::int64_t bytes_held = 0;     ///< by tiles, now
+  std::int64_t files = 0;          ///< files opened as textures
+  std::int64_t tile_requests = 0;  ///< a lookup requests one to eight tiles, more if anisotropic
+  std::int64_t tile_misses = 0;    ///< requested tiles that had to be read
+  std::int64_t bytes_read = 0;     ///< uncompressed size of the pixels read
+  std::int64_t bytes_held = 0;     ///< current size of the cached tiles
 };
 
-/// Zeros while no file has been opened.
+/// All values are 0 before the first file is opened.
 /// Checked: FileTexture.StatisticsCountTilesThatWereRead
 TextureStatistics texture_statistics();
 

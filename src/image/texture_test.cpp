@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// File and memory textures obey the same rules, so most claims are tested on both.
+// File and memory textures follow the same rules, so most tests run on both.
 #include "image/texture.h"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@
 #include "support/files.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// OpenImageIO's PNG reader loses the text of an error where libpng jumps out of it.
+// OpenImageIO's PNG reader loses the error message when libpng reports an error by longjmp.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOpenImageIO\n"; }
 #endif
 
@@ -32,7 +32,7 @@ namespace texture_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Makes the same texture from a TIFF file or from bytes; rows from the top, three components.
+/// Makes the same texture from a TIFF file or from bytes; three components, rows from the top.
 class TextureTest : public ::testing::TestWithParam<const char*> {
  protected:
   const Texture* make(int width, int height, const Bytes& rgb, float gamma = 1) {
@@ -49,7 +49,7 @@ class TextureTest : public ::testing::TestWithParam<const char*> {
     return opened.texture;
   }
 
-  /// Grey columns from `columns`, `height` rows.
+  /// Grey values of the columns, repeated in `height` rows.
   const Texture* columns(const Bytes& columns, int height, float gamma = 1) {
     Bytes rgb;
     for (int y = 0; y < height; ++y)
@@ -86,7 +86,7 @@ TEST_P(TextureTest, OriginIsLowerLeftAndTexelCentresAreExact) {
   for (const auto mode : {Interpolation::Nearest, Interpolation::Bilinear}) {
     TextureSampling how = wrap(Wrap::Clamp);
     how.interpolation = mode;
-    for (int j = 0; j < h; ++j)  // from below
+    for (int j = 0; j < h; ++j)  // from the bottom
       for (int i = 0; i < w; ++i) {
         const Rgba got = t->sample({(i + 0.5f) / w, (j + 0.5f) / h}, {}, how);
         for (int c = 0; c < 3; ++c)
@@ -147,10 +147,10 @@ TEST_P(TextureTest, MinificationConvergesToTheMean) {
 }
 
 TEST_P(TextureTest, FootprintBlursAlongItsOwnDirectionOnly) {
-  Bytes stripes;  // 8 texels wide each
+  Bytes stripes;  // each 8 texels wide
   for (int x = 0; x < 128; ++x) stripes.push_back(x / 8 % 2 ? 255 : 0);
   const Texture* t = columns(stripes, 128);
-  const Vec2 uv(12.0f / 128, 0.5f);  // the middle of a white one
+  const Vec2 uv(12.0f / 128, 0.5f);  // centre of a white stripe
   const float thin = 1.0f / 128, wide = 16.0f / 128;
   EXPECT_NEAR(t->sample(uv, {{thin, 0}, {0, wide}}, {}).r, 1, 0.02f);
   EXPECT_NEAR(t->sample(uv, {{0, wide}, {thin, 0}}, {}).r, 1, 0.02f);
@@ -285,7 +285,7 @@ TEST(FileTexture, NewSystemSeesAChangedFile) {
   for (const float gamma : {1.0f, 2.0f})
     for (const int step : {51, 204}) {
       write_image(path, Image(4, 4, 3, float(step) / 255));
-      // Time stamps count whole seconds; the test is faster than that.
+      // Time stamps have a resolution of one second; the test runs faster than that.
       std::filesystem::last_write_time(
           path, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(step));
       TextureSystem system;
@@ -308,7 +308,7 @@ TEST(FileTexture, StatisticsCountTilesThatWereRead) {
     EXPECT_GE(after.tile_requests - before.tile_requests, 16);
     return after.tile_misses - before.tile_misses;
   };
-  // One may bring a whole row.
+  // One tile request may read a whole row of tiles.
   const std::int64_t misses = look_at_all();
   EXPECT_GE(misses, 4);
   EXPECT_LE(misses, 16);
@@ -319,7 +319,7 @@ TEST(FileTexture, StatisticsCountTilesThatWereRead) {
 
 TEST(FileTexture, SmallCacheGivesTheSameValues) {
   const TestFolder folder;
-  Image image(2048, 2048, 3);  // float: three times the smallest cache
+  Image image(2048, 2048, 3);  // float: three times the minimum cache size
   for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = float(i % 8191);
   FileOptions options;
   options.format = SampleFormat::Float;
@@ -357,7 +357,7 @@ TEST(FileTexture, ThreadsSeeTheSameValues) {
   for (int i = 1; i < 4; ++i) EXPECT_EQ(results[i], results[0]);
 }
 
-/// Looks into all of them from several threads, far fewer files open than there are.
+/// Looks up all textures from several threads, with an open-file limit far below their number.
 [[noreturn]] void look_into(const std::vector<std::string>& files) {
   constexpr rlim_t kOpen = 600;
   const rlimit limit{kOpen, kOpen};
@@ -370,7 +370,7 @@ TEST(FileTexture, ThreadsSeeTheSameValues) {
   for (std::size_t k = 0; k < 4; ++k)
     threads.emplace_back([&, k] {
       for (std::size_t i = 0; i < 3 * textures.size(); ++i) {
-        // Steps of primes without a common factor, so that threads meet in no order.
+        // The steps are different primes, so the threads visit the textures in different orders.
         const Texture* t = textures[(i * (7 + 4 * k)) % textures.size()];
         if (!t || std::abs(t->sample({.5f, .5f}, {}, {}).r - .2f) > 1e-5f) ++wrong;
       }
@@ -379,7 +379,7 @@ TEST(FileTexture, ThreadsSeeTheSameValues) {
   std::_Exit(wrong == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
-// OpenImageIO's own limit ends in threads that wait for each other.
+// OpenImageIO's own limit causes a deadlock.
 TEST(TextureFiles, MayBeMoreThanCanBeOpen) {
   TestFolder folder;
   constexpr int kFiles = 701;
@@ -391,7 +391,7 @@ TEST(TextureFiles, MayBeMoreThanCanBeOpen) {
     files.push_back(folder.file(fmt::format("{}.tif", i)));
     std::filesystem::create_hard_link(files[0], files.back());
   }
-  testing::FLAGS_gtest_death_test_style = "threadsafe";  // a process that opened nothing before
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // runs in a process without open textures
   EXPECT_EXIT(look_into(files), ::testing::ExitedWithCode(EXIT_SUCCESS), "");
 }
 

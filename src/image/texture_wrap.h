@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a texture coordinate lands under a wrap mode; shared by file and memory textures.
+// Maps texture coordinates by wrap mode; used by file and memory textures.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace oriel {
 
-/// The coordinate in [0, 1] that stands for x; nothing where the lookup is black. Reducing before
-/// any filtering keeps the precision of coordinates far away and integers in range.
+/// Maps x to [0, 1]; nullopt where the lookup is black. This is done before filtering, to keep the
+/// precision of distant coordinates and integers in range.
 inline std::optional<float> wrapped(float x, Wrap mode) {
   if (!std::isfinite(x)) return std::nullopt;
   switch (mode) {
@@ -31,9 +31,9 @@ inline std::optional<float> wrapped(float x, Wrap mode) {
   return std::nullopt;
 }
 
-/// Derivatives a filter can work with: not a number becomes 0, the rest is bounded.
+/// Limits a derivative for filtering: NaN becomes 0, the magnitude is bounded.
 inline float bounded_derivative(float d) {
-  constexpr float kMost = 64;  // a footprint of 64 copies of the texture is its mean anyhow
+  constexpr float kMost = 64;  // a footprint of 64 copies of the texture already yields its mean
   return std::isnan(d) ? 0.0f : std::clamp(d, -kMost, kMost);
 }
 

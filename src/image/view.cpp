@@ -10,7 +10,7 @@
 namespace oriel {
 namespace {
 
-/// x where it is a finite number; 0 for not a number, the largest float for infinity.
+/// Maps NaN to 0 and infinity to the largest float.
 float tame(float x) { return std::isnan(x) ? 0.0f : clamp(x, -3.0e38f, 3.0e38f); }
 
 Rgb desaturated(const Rgb& c, const Rgb& weight) {
@@ -20,7 +20,7 @@ Rgb desaturated(const Rgb& c, const Rgb& weight) {
   const float sum = weight.x + weight.y + weight.z;
   const float grey = sum > 0 ? clamp01(weight.dot(c) / sum) : clamp01((c.x + c.y + c.z) / 3);
 
-  // The largest share of the way from grey to the colour that stays inside the cube.
+  // The largest share of the way from grey to the colour that stays inside the unit cube.
   float share = 1;
   if (highest > 1) share = std::min(share, highest > grey ? (1 - grey) / (highest - grey) : 0);
   if (lowest < 0) share = std::min(share, grey > lowest ? grey / (grey - lowest) : 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From linear film to the values of an integer picture: gamma, clipping, premultiplication.
+// Converts linear pixels to values of an integer picture: gamma, clipping, premultiplication.
 #pragma once
 
 #include "base/vec.h"
@@ -8,33 +8,34 @@
 
 namespace oriel {
 
-/// How colour and alpha are made to fit each other (option `colorclip`).
+/// How out-of-range colour and alpha are clipped (option `colorclip`).
 enum class ColorClip {
-  Raw,        ///< `raw`: not at all; each is cut to 0...1 by itself
-  KeepColor,  ///< `rgb`: alpha is raised to the largest of R, G, B; colour is kept
-  KeepAlpha,  ///< `alpha`: R, G, B are lowered to alpha; alpha is kept
+  Raw,        ///< `raw`: each component is clipped to 0...1 independently
+  KeepColor,  ///< `rgb`: alpha is raised to the maximum of R, G, B; colour is unchanged
+  KeepAlpha,  ///< `alpha`: R, G, B are lowered to alpha; alpha is unchanged
 };
 
 struct ViewOptions {
-  float gamma = 1;  ///< colour gets the exponent 1 / gamma; alpha never does
+  float gamma = 1;  ///< exponent 1 / gamma for colour; alpha is not encoded
   ColorClip clip = ColorClip::Raw;
-  bool desaturate = false;  ///< out-of-range colours fade towards white and keep their intensity
-  bool premultiply = true;  ///< off: colour is divided by alpha
-  Rgb luminance_weight = kRec709Luminance;  ///< what "intensity" is
+  bool desaturate = false;  ///< desaturates out-of-range colours and preserves their intensity
+  bool premultiply = true;  ///< false: colour is divided by alpha
+  Rgb luminance_weight = kRec709Luminance;  ///< weights of the intensity for desaturation
 };
 
-/// One premultiplied linear colour as an integer file stores it, each component in 0...1.
+/// Converts one premultiplied linear colour to the values of an integer file, each in 0...1.
 ///
-/// Model:   1. premultiply off divides (where alpha is 0 the colour stays); 2. desaturate moves the
-///          colour towards the grey of its intensity until it is in range, in linear light; 3.
-///          gamma; 4. colorclip, last, since it speaks of the numbers that are stored (without
-///          premultiplication there is nothing to couple and every mode is Raw); 5. cut to 0...1.
-/// Returns: total: not a number becomes 0. Dithering happens where the integers are made (png.h).
+/// Model:   1. without premultiply, colour is divided by alpha (unchanged where alpha is 0); 2.
+///          desaturate moves the colour towards the grey of its intensity until it is in range, in
+///          linear light; 3. gamma; 4. colorclip, last because it applies to the stored numbers
+///          (without premultiply every mode acts as Raw); 5. clip to 0...1.
+/// Returns: a finite value for every input; NaN becomes 0. Dithering is applied on conversion to
+///          integers (png.h).
 /// Source:  mental ray manual, "Color Calculations": rgb raises alpha, alpha lowers colour.
 /// Checked: View.*
 Rgba view_color(const Rgba& linear, const ViewOptions& options);
 
-/// The same for a picture of 1 to 4 channels (grey, grey + alpha, RGB, RGBA).
+/// Converts a picture of 1 to 4 channels (grey, grey + alpha, RGB, RGBA).
 Image view_image(const Image& linear, const ViewOptions& options);
 
 }  // namespace oriel

@@ -8,7 +8,7 @@
 namespace oriel::lens {
 namespace {
 
-/// Below this everything lies in the middle; keeps the exponent finite.
+/// With a smaller bias all samples are at the centre; keeps the exponent finite.
 constexpr float kLeastBias = 1e-4f;
 constexpr int kMostBlades = 1 << 16;
 
@@ -25,7 +25,7 @@ Aperture::Aperture(int blade_count, float blade_angle, float bias)
 
 Aperture::Aperture(std::span<const Rgb> texels, std::size_t width, std::size_t height) {
   std::vector<float> brightness(texels.size());
-  double sum[3] = {0, 0, 0};  // double: up to a million texels
+  double sum[3] = {0, 0, 0};  // double: sums up to a million texels
   for (std::size_t i = 0; i < texels.size(); ++i) {
     const Rgb c(usable(texels[i].x), usable(texels[i].y), usable(texels[i].z));
     for (int k = 0; k < 3; ++k) sum[k] += c[k];

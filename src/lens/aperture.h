@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where on a lens light comes in: round, bladed, or as a picture says.
+// Sampling of lens positions: round and bladed apertures, and apertures from a picture.
 #pragma once
 
 #include <span>
@@ -10,27 +10,28 @@
 
 namespace oriel::lens {
 
-/// The shape of a lens opening, to be sampled.
+/// The shape of an aperture, with importance sampling.
 ///
-/// Model:   a disc of radius 1, or the polygon whose corners lie on its rim, the first one at
-///          `blade_angle`, counter-clockwise from +x. A sample's distance from the middle, as a
-///          share of what the rim allows in its direction, is u^(1 / (2 bias)): 1 fills evenly,
-///          less gathers in the middle, more at the rim. Or a picture over [-1,1]^2: places are
-///          chosen in proportion to its brightness, colours become weights, so that what is sharp
-///          keeps its brightness in the channel that the picture has most of.
-/// Source:  the manual, section 3.2; the form of bias is ours.
+/// Model:   a disc of radius 1, or a polygon with corners on the unit circle, the first one at
+///          `blade_angle`, counter-clockwise from +x. The distance of a sample from the centre,
+///          relative to the rim in its direction, is u^(1 / (2 bias)): a bias of 1 is uniform,
+///          smaller values concentrate samples at the centre, larger ones at the rim. Alternatively
+///          a picture over [-1,1]^2: positions are sampled in proportion to its brightness, and
+///          colours become weights. The brightness of objects in focus is unchanged in the dominant
+///          channel of the picture.
+/// Source:  the manual, section 3.2; the formula for bias is specific to Oriel.
 /// Checked: Aperture.*
 class Aperture {
  public:
   struct Sample {
-    Vec2 point;  ///< x to the right, y up, as seen from behind the camera
-    Rgb weight;  ///< of the light through it; mean 1 but for coloured pictures
+    Vec2 point;  ///< x to the right, y up, seen from behind the camera
+    Rgb weight;  ///< colour weight of the sample; the mean is 1 except for coloured pictures
   };
 
-  /// Inputs:  blade_count: below 3 = round; blade_angle: 1 is a full turn; bias: 0 = all in the
-  ///          middle.
+  /// Inputs:  blade_count: below 3 = round; blade_angle: 1 is a full turn; bias: 0 = all at the
+  ///          centre.
   Aperture(int blade_count, float blade_angle, float bias);
-  /// Inputs:  texels: row after row, the lowest first. A black picture lets nothing in.
+  /// Inputs:  texels: rows from bottom to top. A black picture blocks all light.
   Aperture(std::span<const Rgb> texels, std::size_t width, std::size_t height);
 
   /// Inputs:  u: uniform in [0,1)^2.
@@ -39,7 +40,7 @@ class Aperture {
  private:
   int blades_ = 0;
   float angle_ = 0, exponent_ = 0.5f;
-  std::vector<Rgb> weights_;  ///< of each texel; empty without a picture
+  std::vector<Rgb> weights_;  ///< per texel; empty without a picture
   sampling::Distribution2D table_;
 };
 

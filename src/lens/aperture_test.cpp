@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of lens openings: areas, corners, the histogram of radii, kernels from pictures.
+// Apertures: areas, corners, radial distribution, kernels from pictures.
 #include "lens/aperture.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ float share_within(const Aperture& aperture, float radius) {
 
 // acceptance: K2
 TEST(Aperture, BiasShapesTheHistogramOfRadii) {
-  // P(distance < r) = r^(2 bias): even, gathered in the middle, at the rim.
+  // P(distance < r) = r^(2 bias): uniform, concentrated at the centre, at the rim.
   for (float bias : {0.5f, 1.0f, 2.0f})
     for (float r : {0.25f, 0.5f, 0.75f, 0.9f})
       EXPECT_NEAR(share_within(Aperture(0, 0, bias), r), std::pow(r, 2 * bias), 2e-3f)
@@ -41,7 +41,7 @@ TEST(Aperture, BiasShapesTheHistogramOfRadii) {
 // acceptance: K2
 TEST(Aperture, AnEvenPolygonFillsItsArea) {
   for (int n : {3, 4, 6, 9}) {
-    // The circle inside all edges holds pi r^2 of the polygon's n/2 sin(2 pi / n).
+    // The inscribed circle has the share pi r^2 of the polygon area n/2 sin(2 pi / n).
     const float inner = std::cos(kPi / static_cast<float>(n));
     const float area = static_cast<float>(n) / 2 * std::sin(kTwoPi / static_cast<float>(n));
     EXPECT_NEAR(share_within(Aperture(n, 0.13f, 1), inner), kPi * sqr(inner) / area, 3e-3f) << n;

@@ -44,7 +44,7 @@ std::optional<Vec3> fisheye(const Vec2& place, Fisheye mapping, float half_angle
 Vec3 cube(const Vec2& uv, CubeLayout layout) {
   const int columns = layout == CubeLayout::Column ? 1 : layout == CubeLayout::Row ? 6 : 3;
   const int rows = 6 / columns;
-  // Faces are counted from the top.
+  // Faces are numbered from the top.
   const float x = clamp01(uv.x) * static_cast<float>(columns);
   const float y = (1 - clamp01(uv.y)) * static_cast<float>(rows);
   const int column = std::min(static_cast<int>(x), columns - 1);

@@ -26,7 +26,7 @@ TEST(LensProjection, ACylinderKeepsVerticalLinesAndHeights) {
   const auto at = [](float u, float v) {
     return cylindrical(Vec2(u, v), kTwoPi, 2 * std::atan(2.0f));
   };
-  // On a cylinder of radius 1 the picture's height spans -2 to 2, evenly.
+  // On a cylinder of radius 1 the picture height is linear from -2 to 2.
   for (const float v : {0.0f, .25f, .5f, .9f}) {
     const Vec3 d = at(.6f, v);
     EXPECT_NEAR(d.y / std::hypot(d.x, d.z), 4 * v - 2, 1e-5f);
@@ -87,7 +87,7 @@ TEST(LensProjection, FacesOfACubeMeetAtTheirEdges) {
 TEST(LensProjection, AnUprightBackKeepsVerticalsParallel) {
   const Vec3 up(0, 1, 0), forward = normalize(Vec3(.3f, .5f, -1));
   expect_near(normalize(upright(Vec2(0, 0), forward, up)), forward, 2e-6f, "the middle stays");
-  // A point at height h and a level way off lands at the same x whatever h is.
+  // Points on a vertical line at a horizontal distance have the same x for every height h.
   const Vec3 axis = normalize(Vec3(.3f, 0, -1)), right = cross(axis, up);
   for (const float y : {-.4f, 0.0f, .7f}) {
     const Vec3 d = upright(Vec2(.25f, y), forward, up);

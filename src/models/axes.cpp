@@ -10,7 +10,7 @@
 namespace oriel::models {
 namespace {
 
-/// An axis of the file (0 x, 1 y, 2 z) and whether it is meant as it runs or against it.
+/// A coordinate axis of the file (0 x, 1 y, 2 z) and its sign.
 struct Axis {
   std::int32_t index = -1, sign = 1;
   bool valid() const { return index >= 0 && index < 3 && (sign == 1 || sign == -1); }
@@ -34,7 +34,7 @@ Mat4 upright(const aiScene& model, std::optional<char> up) {
   unsigned named = 0;
   for (const Axis& a : axes)
     if (a.valid()) named |= 1u << a.index;
-  if (named != 7) return to_scene;  // all three
+  if (named != 7) return to_scene;  // all three axes are given
   for (int to = 0; to < 3; ++to) {
     const Axis& a = axes[static_cast<std::size_t>(to)];
     for (int k = 0; k < 3; ++k) to_scene[a.index][k] = k == to ? static_cast<float>(a.sign) : 0.0f;

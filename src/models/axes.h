@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way a model file is turned.
+// Coordinate system of model files.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// From the axes of a file to those of scenes: x to the right, y up, z to the viewer; a mirror
-/// where the file's are left-handed.
+/// Transform from the axes of a file to those of scenes: x right, y up, z towards the viewer. It
+/// mirrors files with left-handed axes.
 ///
-/// Inputs:  up: the file's axis that points up, 'y' or 'z', by who knows it better than the file;
-///          unset: as the file's settings say (FBX: UpAxis, FrontAxis, CoordAxis with their signs),
-///          y where it says nothing or names an axis twice.
+/// Inputs:  up: overrides the up axis of the file, 'y' or 'z'. Unset: as the settings of the file
+///          say (FBX: UpAxis, FrontAxis, CoordAxis with their signs); y if they are missing or name
+///          an axis twice.
 /// Source:  Autodesk FBX SDK, FbxAxisSystem and the properties of FbxGlobalSettings.
 /// Checked: ModelAxes.*
 Mat4 upright(const aiScene& model, std::optional<char> up);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way FBX files are turned, and how large they are.
+// Orientation and scale of FBX files.
 #include "models/axes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using testing::expect_near;
 using testing::FbxFile;
 using testing::property;
 
-/// Where the corner of a triangle that is its own node's x axis, y axis comes to lie.
+/// Image of the triangle corner on the x (or y) axis of its node.
 struct Corners {
   Vec3 origin{0}, x{0}, y{0};
 };

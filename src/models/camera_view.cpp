@@ -12,7 +12,7 @@
 namespace oriel::models {
 namespace {
 
-/// The part of space that a camera at the origin, looking down -z, has in its frame.
+/// The view frustum of a camera at the origin that looks down -z.
 class Frame {
  public:
   explicit Frame(const scene::Camera& camera) {
@@ -32,7 +32,7 @@ class Frame {
     return std::all_of(sides_.begin(), sides_.end(),
                        [&](const Side& side) { return side.depth(p) > 0; });
   }
-  /// Of a convex polygon at least; one with notches can be in it a little early.
+  /// Exact for convex polygons; a concave polygon near the frustum may count as visible.
   bool meets(std::vector<Vec3>& polygon) {
     for (const Side& side : sides_) {
       cut_.clear();
@@ -48,7 +48,7 @@ class Frame {
   }
 
  private:
-  /// A plane of the frame: inward, and how far behind it the eye is.
+  /// A plane of the frustum: inward normal, and its distance behind the eye.
   struct Side {
     Vec3 normal{0};
     float offset = 0;
@@ -68,7 +68,7 @@ bool sees(Frame& frame, const scene::PolygonGroup& group, const Mat4& to_camera)
   const scene::PolygonList& polygons = group.polygons;
   for (const std::uint32_t corner : polygons.indices)
     if (frame.holds(at(corner))) return true;
-  // A wall can fill the frame with its corners far outside.
+  // A large polygon can fill the frame with all vertices outside, so clip it.
   std::vector<Vec3> polygon;
   for (std::size_t i = 0; i + 1 < polygons.first.size(); ++i) {
     polygon.clear();
@@ -79,7 +79,7 @@ bool sees(Frame& frame, const scene::PolygonGroup& group, const Mat4& to_camera)
   return false;
 }
 
-/// Instances of cameras right below the root group.
+/// Instances of cameras that are direct members of the root group.
 std::vector<std::string> cameras_of(const scene::Scene& scene) {
   std::vector<std::string> names;
   for (const std::string& member : scene.get<scene::InstanceGroup>(kRootGroup)->members) {
@@ -97,7 +97,7 @@ bool sees_model(const scene::Scene& scene, const std::string& placed) {
   if (!camera) return false;
   Frame frame(*camera);
   const Mat4 to_camera = instance->transform.value_or(Mat4());
-  Diagnostics ignored;  // rendering tells them again
+  Diagnostics ignored;  // rendering reports them again
   for (const scene::Leaf& leaf : scene::flatten(scene, kRootGroup, ignored)) {
     if (leaf.kind != scene::LeafKind::Object) continue;
     for (const scene::PolygonGroup& group : leaf.object()->groups)
@@ -119,10 +119,11 @@ bool choose_camera(scene::Scene& scene, const DaylightOptions& options, Diagnost
   if (seeing != cameras.begin())
     diagnostics.warning(
         "OR-MD-011", {},
-        fmt::format("camera \"{}\" of the file sees nothing of the model, which is shown {}",
-                    cameras.front(),
-                    of_file ? fmt::format("by \"{}\"", *seeing) : "from its front"),
-        "the file's cameras stay in the scene");
+        fmt::format(
+            "camera \"{}\" of the file shows no part of the model; the model is rendered {}",
+            cameras.front(),
+            of_file ? fmt::format("with camera \"{}\"", *seeing) : "from its front"),
+        "the scene still contains the cameras of the file");
   if (of_file)
     scene.renders = {{kRootGroup, *seeing, kOptions, {}}};
   else

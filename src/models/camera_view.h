@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a camera of a model sees of it.
+// Selects a camera that shows the model.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace oriel::models {
 
-/// Whether some polygon of the model, or a part of it, is in the frame of a camera that stands
-/// right below the root group. What stands before what is not asked.
-/// Inputs:  placed: name of the camera's instance.
+/// Whether any part of a polygon of the model is in the frustum of a camera that is a direct member
+/// of the root group. Occlusion is ignored.
+/// Inputs:  placed: name of the camera instance.
 /// Checked: CameraView.*
 bool sees_model(const scene::Scene& scene, const std::string& placed);
 
-/// Has the scene render the first of its cameras that sees the model, and where there is none one
-/// of our own that shows all of it; see add_camera. The others stay in the scene. A model without
-/// surfaces is seen by its first.
-/// Returns: whether it is a camera of the file.
-/// Errors:  OR-MD-011, once, where a camera of the file is passed over.
+/// Makes the scene render with its first camera that shows the model, or adds one that shows the
+/// whole model; see add_camera. Other cameras stay in the scene. A model without surfaces is
+/// rendered with its first camera.
+/// Returns: whether the camera is from the file.
+/// Errors:  OR-MD-011, once, if cameras of the file were skipped.
 /// Checked: CameraView.*
 bool choose_camera(scene::Scene& scene, const DaylightOptions& options, Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What cameras of a model see of it, and which one takes the picture.
+// Visibility of the model for its cameras, and selection of the camera.
 #include "models/camera_view.h"
 
 #include <gtest/gtest.h>

@@ -18,18 +18,18 @@ namespace {
 using Box3 = Imath::Box3f;
 
 constexpr float kFocal = 50, kAperture = 36;  // millimetres
-/// Of the way to the model that its frame leaves free around it; a guess that looks right.
+/// Distance factor that leaves a margin around the model; chosen by eye.
 constexpr float kMargin = 1.08f;
-/// Where the camera stands, seen from the model.
+/// Direction from the model to the camera.
 const Vec3 kFromModel(.6f, .45f, 1);
-/// Half size of the ground in radii of the model.
+/// Half the side of the ground, in radii of the model.
 constexpr float kGround = 60;
-/// W/(m2 sr) to cd/m2 over pi, as the sun and the sky take it.
+/// Converts W/(m2 sr) to cd/m2 over pi, the unit of the sun and sky shaders.
 constexpr float kUnit = .318f;
 
-/// All vertices, in the world; the corners of a unit cube where there are none.
+/// All vertices in world space; the corners of a unit cube if there are none.
 std::vector<Vec3> points_of(const scene::Scene& scene) {
-  Diagnostics ignored;  // rendering tells them again
+  Diagnostics ignored;  // rendering reports them again
   std::vector<Vec3> points;
   for (const scene::Leaf& leaf : scene::flatten(scene, kRootGroup, ignored)) {
     if (leaf.kind != scene::LeafKind::Object) continue;
@@ -50,7 +50,7 @@ Box3 bounds_of(const std::vector<Vec3>& points) {
   return box;
 }
 
-/// The largest of lengths along an axis that is never 0.
+/// Half the diagonal of the box, at least 1e-4.
 float radius_of(const Box3& box) { return std::max(length(box.size()) / 2, 1e-4f); }
 
 void put(scene::Scene& scene, scene::Instance instance) {
@@ -58,13 +58,14 @@ void put(scene::Scene& scene, scene::Instance instance) {
   scene.add(std::move(instance));
 }
 
-/// Where a camera with these axes, looking along -z, shows all points as large as it can.
+/// Position of a camera with these axes, looking along -z, from which all points just fit the
+/// frame.
 Vec3 place_for(const std::vector<Vec3>& points, const Vec3& x, const Vec3& y, const Vec3& z,
                float aspect) {
   const float wide = kAperture / 2 / kFocal, high = wide / aspect;
   Vec3 centre = bounds_of(points).center();
   const float near = radius_of(bounds_of(points)) * 1e-3f;
-  // Near parts look larger: what is in the middle depends on the distance, and that on the middle.
+  // The centre of the projection depends on the distance and vice versa, so iterate.
   constexpr int kRounds = 4;
   for (int round = 0;; ++round) {
     float distance = near;
@@ -95,7 +96,7 @@ scene::ShaderList reference(const std::string& name) {
   return {use};
 }
 
-/// Inputs:  eye: of the camera that renders; the ground is below it as well.
+/// Inputs:  eye: position of the rendering camera; the ground is also below it.
 void add_ground(scene::Scene& scene, const Box3& box, const Vec3& eye) {
   const float size = radius_of(box), r = kGround * size;
   const Vec3 c = box.center();
@@ -109,7 +110,7 @@ void add_ground(scene::Scene& scene, const Box3& box, const Vec3& eye) {
   for (const char* flag : {"visible", "shadow", "trace"})
     object.flags.push_back({flag, false, {}, {}});
   scene::PolygonGroup group;
-  // Below a floor that the model has itself: not in one plane with it.
+  // Slightly below the model, so that the ground is not coplanar with a floor of the model.
   constexpr float kBelow = 1e-3f;
   constexpr float kEyeHeight = .1f;
   const float lowest = eye.y < box.min.y ? eye.y - kEyeHeight * size : box.min.y;
@@ -158,7 +159,7 @@ void set_picture_size(scene::Scene& scene, int width, int height) {
 }
 
 void add_exposure(scene::Scene& scene, float f_number, float shutter) {
-  // The options' gamma is applied where pictures are written.
+  // The gamma of the options is applied when pictures are written.
   ShaderCall photographic("mia_exposure_photographic");
   photographic.set("cm2_factor", 1.0f).set("film_iso", 100.0f).set("camera_shutter", shutter);
   photographic.set("f_number", f_number).set("vignetting", 0.0f).set("burn_highlights", .3f);

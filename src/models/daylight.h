@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes a picture of a model: a camera that shows all of it, ground, sun, sky, exposure.
+// Default setup for rendering a model: camera, ground, sun, sky, exposure.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,24 +12,23 @@ struct DaylightOptions {
   int width = 960, height = 640;
 };
 
-/// What photographers take on a sunny day at ISO 100 ("sunny 16"); the shutter in 1/s.
+/// The "sunny 16" rule at ISO 100; the shutter in 1/s.
 inline constexpr float kSunnyFNumber = 16, kSunnyShutter = 100;
 
-/// Adds a camera with a 50 mm lens on full-frame film that looks at the model from its front, right
-/// and above, as near as all of it allows; and has the scene render it. +z is the front, y is up.
-/// An empty model is taken for a unit cube.
+/// Adds a camera and makes the scene render with it: a 50 mm lens on full-frame film, looking at
+/// the model from the front, right and above, as close as the model allows. +z is the front, y is
+/// up. An empty model counts as a unit cube.
 /// Checked: Daylight.TheWholeModelIsInTheFrame
 void add_camera(scene::Scene& scene, const DaylightOptions& options);
 
-/// Sets the picture of the camera that the scene renders; its width shows what it showed before.
+/// Sets the resolution of the rendering camera; the horizontal field of view is unchanged.
 void set_picture_size(scene::Scene& scene, int width, int height);
 
-/// Gives the camera that the scene renders a photographic exposure at ISO 100, in place of the
-/// one it had; shutter in 1/s.
+/// Replaces the exposure of the rendering camera by a photographic one at ISO 100; shutter in 1/s.
 void add_exposure(scene::Scene& scene, float f_number, float shutter);
 
-/// Adds grey ground under the model and its camera, a physical sun and sky, and an exposure for a
-/// sunny day to the camera that the scene renders. Pixels are cd/m2 over pi.
+/// Adds grey ground under the model and the camera, a physical sun and sky, and an exposure for a
+/// sunny day to the rendering camera. Pixels are cd/m2 over pi.
 void add_daylight(scene::Scene& scene, const DaylightOptions& options);
 
 }  // namespace oriel::models

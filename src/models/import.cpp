@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nodes within nodes; deeper ones are left out.
+/// Maximum nesting depth of nodes.
 constexpr int kMostDepth = 500;
 
-/// Row vectors here, column vectors there.
+/// Scenes use row vectors, assimp column vectors.
 Mat4 matrix(const aiMatrix4x4& m) {
   return Mat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4,
               m.c4, m.d4);
@@ -35,7 +35,7 @@ scene::Statement statement(std::string keyword, std::vector<scene::Value> values
   return {std::move(keyword), quoted, std::move(values), {}};
 }
 
-/// Puts one model into a scene.
+/// Adds a model to a scene.
 class Builder {
  public:
   Builder(const aiScene& model, const std::string& path,
@@ -64,7 +64,7 @@ class Builder {
     scene_.add(std::move(root_));
     if (std::all_of(objects_.begin(), objects_.end(),
                     [](const std::string& name) { return name.empty(); }))
-      diagnostics_.warning("OR-MD-012", {}, "the file has no surfaces; there is nothing to see");
+      diagnostics_.warning("OR-MD-012", {}, "the file has no surfaces; the picture will be empty");
     if (!first_camera_.empty()) scene_.renders.push_back({kRootGroup, first_camera_, kOptions, {}});
     return std::move(scene_);
   }
@@ -95,7 +95,7 @@ class Builder {
   void add_node(const aiNode& node, const Mat4& parent, int depth) {
     if (depth > kMostDepth) {
       diagnostics_.warning("OR-MD-002", {},
-                           fmt::format("nodes nested deeper than {} are left out", kMostDepth));
+                           fmt::format("nodes nested deeper than {} are skipped", kMostDepth));
       return;
     }
     const Mat4 to_world = matrix(node.mTransformation) * parent;
@@ -123,7 +123,7 @@ class Builder {
     } else {
       diagnostics_.warning(
           "OR-MD-005", {},
-          fmt::format("\"{}\" stands in a flat or endless space; its place is lost",
+          fmt::format("the transform of \"{}\" is singular or not finite and is ignored",
                       instance.name));
     }
     if (!material.empty()) instance.materials = {material};
@@ -139,7 +139,7 @@ class Builder {
     auto light = light_of(source, nodes_);
     if (!light) {
       diagnostics_.note("OR-MD-006", {},
-                        fmt::format("light \"{}\" is of a kind that is left out", name));
+                        fmt::format("light \"{}\" has an unsupported type and is skipped", name));
       return;
     }
     light->element.name = name;

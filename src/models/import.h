@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of other programs as scenes: glTF, OBJ, FBX, Collada, IFC and what else assimp reads.
+// Imports models as scenes: glTF, OBJ, FBX, Collada, IFC and other formats of assimp.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,28 @@
 namespace oriel::models {
 
 struct ImportOptions {
-  /// Where textures that the model file itself holds are written; made when needed.
+  /// Folder for textures embedded in the model file; created on demand.
   std::string texture_folder;
-  /// Textures are named relative to it where they lie below it; the folder of the `.mi` file.
+  /// Folder of the `.mi` file; textures inside are named relative to it.
   std::string scene_folder;
-  /// Axis of the file that points up, 'y' or 'z'; unset: as its format says, else z for STL, y.
+  /// Axis of the file that points up, 'y' or 'z'; unset: as the format defines, else z for STL and
+  /// y for others.
   std::optional<char> up;
 };
 
-/// Names of what every imported scene has.
+/// Names of elements in every imported scene.
 inline constexpr const char* kRootGroup = "model_root";
 inline constexpr const char* kOptions = "model_options";
 
-/// Reads a model file as a scene: an object for each of its meshes, an instance for each place
-/// where one stands, a mia_material_x for each material, its lights and cameras, options that ask
-/// for path tracing, and a render command for its first camera, if there is one.
+/// Imports a model file as a scene: an object for each mesh, an instance for each node with a mesh,
+/// a mia_material_x for each material, lights and cameras, options for path tracing, and a render
+/// command for the first camera, if there is one.
 ///
-/// Model:   lengths are metres where the file says its unit; y is up: see axes.h.
-///          Materials: see import_material.h; cameras and lights: import_view.h. The root group
-///          holds all instances.
-/// Errors:  OR-MD-001 not readable, unset; OR-MD-002.. for what is left out or approximated,
-///          OR-MD-012 nothing is left. Damaged files: see read_model.h.
+/// Model:   lengths are metres if the file states its unit; y is up: see axes.h. Materials: see
+///          import_material.h; cameras and lights: import_view.h. The root group contains all
+///          instances.
+/// Errors:  OR-MD-001 not readable, returns unset; OR-MD-002.. for skipped or approximated data;
+///          OR-MD-012 the file has no surfaces. Damaged files: see read_model.h.
 /// Source:  assimp 5.2; glTF 2.0 specification, section 3.
 /// Checked: ModelImport.*
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,

@@ -17,7 +17,7 @@ bool is_named_normal(std::string file) {
   return file.find("normal") != std::string::npos;
 }
 
-/// How strong the model says that bumps of that kind are.
+/// Strength of a bump or normal map.
 float strength(const MaterialSource& source, aiTextureType type) {
   if (const auto scale = source.number(AI_MATKEY_GLTF_TEXTURE_SCALE(type, 0))) return *scale;
   if (const auto factor = source.number(AI_MATKEY_OBJ_BUMPMULT(type, 0))) return *factor;
@@ -37,7 +37,7 @@ bool add_bump(MaterialSource& source, ShaderCall& material) {
   const float factor = strength(source, type);
   if (type == aiTextureType_HEIGHT && !is_named_normal(source.file(type))) {
     ShaderCall bump("mib_bump_map2");
-    // It turns normals toward what is brighter, which would be lower.
+    // The shader inverts the sign: brighter would be lower.
     bump.set("tex", picture.c_str()).set("factor", -factor);
     if (factor != 0) material.set("bump_mode", 0).set("bump", source.add("bump", bump).c_str());
     return false;

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// What materials of models have beside their scattering: normals turned by pictures, a clear coat.
+// Additional layers of imported materials: bump and normal maps, clear coat.
 #pragma once
 
 #include "models/material_source.h"
 
 namespace oriel::models {
 
-/// Turns the normals of a mia_material_x as the model's pictures say. Asks for the first texture
-/// space, so it comes before all other pictures.
+/// Connects the normal or bump map of the model to a mia_material_x. It uses the first texture
+/// space, so it has to precede other textures.
 ///
-/// Model:   tangent-space normals through oriel_normal_map; heights through mib_bump_map2, where
-///          white over black is as high as the picture is wide over a hundred, times the model's
-///          factor: formats give no unit, and this looks right. A picture of heights whose name
-///          says "normal" is one of normals: OBJ has no other place for them.
-/// Returns: whether it needs the package oriel.mi.
+/// Model:   tangent-space normals use oriel_normal_map. Height maps use mib_bump_map2; white is
+///          1/100 of the picture width above black, times the factor of the model. Formats define
+///          no unit for heights; this value was chosen by eye. A height map with "normal" in its
+///          name counts as a normal map, because OBJ has no separate statement for normal maps.
+/// Returns: whether the material needs the package oriel.mi.
 /// Source:  glTF 2.0, 3.9.3; mib_bump.h for the step of a hundredth.
 /// Checked: ModelBump.*
 bool add_bump(MaterialSource& source, ShaderCall& material);
 
-/// Lays a clear coat over the material where the model has one: the material goes into a shader of
-/// its own, and a mib_glossy_reflection over it is returned.
+/// Adds the clear coat of the model, if it has one: the material becomes a separate shader, and the
+/// returned mib_glossy_reflection is layered over it.
 ///
-/// Model:   base (1 - c F) + reflection c F, F = .04 + .96 (1 - cosine)^5 for the view, as wide as
-///          the roughness squared; the coat's normal is that of the geometry.
+/// Model:   base (1 - c F) + reflection c F, F = .04 + .96 (1 - cosine)^5 for the view direction;
+///          the lobe width is the roughness squared. The coat uses the geometric normal.
 /// Source:  KHR_materials_clearcoat.
 /// Checked: ModelCoat.*, ClearCoatOfModels.* in tests/imported
 ShaderCall coated(MaterialSource& source, ShaderCall material);

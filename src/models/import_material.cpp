@@ -18,12 +18,12 @@
 namespace oriel::models {
 namespace {
 
-/// Reflectance at normal incidence of glass of index 1.5, which is what glTF takes without one.
+/// Reflectance at normal incidence for an index of refraction of 1.5, the default of glTF.
 constexpr float kDielectric = .04f;
-/// As Schlick's formula has it, and as mia_material's brdf_curve does by default.
+/// Exponent of Schlick's formula, and default of brdf_curve.
 constexpr float kCurve = 5;
 
-/// Reads properties of one material and makes its shaders.
+/// Reads the properties of one material and makes its shaders.
 class MaterialMaker {
  public:
   explicit MaterialMaker(MaterialSource source) : m_(std::move(source)), extras_(m_.extras()) {}
@@ -54,7 +54,7 @@ class MaterialMaker {
   const ShaderCall& call() const { return call_; }
 
  private:
-  /// What multiplies the base colour, once: a picture, the corners' colours, or both.
+  /// Factor of the base colour: a texture, vertex colours or both. Created once.
   std::string base_map() {
     if (!base_map_)
       base_map_ = m_.colored(m_.texture(m_.has(aiTextureType_BASE_COLOR) ? aiTextureType_BASE_COLOR
@@ -62,17 +62,17 @@ class MaterialMaker {
     return *base_map_;
   }
 
-  /// FBX has numbers of one model beside the colours of the other.
+  /// FBX may combine factors of the metallic-roughness model with colours of the older model.
   Vec3 base_color() const {
     const auto written = m_.color(AI_MATKEY_BASE_COLOR);
     return written ? *written : m_.color(AI_MATKEY_COLOR_DIFFUSE).value_or(Vec3(1));
   }
 
-  /// White paper: what is drawn with its own light and shadow would be black in daylight.
+  /// Uses a diffuse surface: unlit materials would be black under physical lights.
   void unlit() {
     m_.tinted(call_, "diffuse", base_map(), base_color(), "base");
     call_.set("diffuse_weight", 1.0f).set("reflectivity", 0.0f);
-    m_.left_out.emplace_back("unlit (it is lit as a matte surface)");
+    m_.left_out.emplace_back("unlit (shaded as a matte surface instead)");
   }
 
   void metallic_roughness(float metallic) {
@@ -82,7 +82,7 @@ class MaterialMaker {
     const std::string both = m_.data(AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE);
     const float ior = m_.number(AI_MATKEY_REFRACTI).value_or(1.5f);
     const float index = m_.number(AI_MATKEY_REFRACTI) ? sqr((ior - 1) / (ior + 1)) : kDielectric;
-    // What is no metal: its colour where it is seen straight goes with its edge as well.
+    // Dielectric part: the specular colour scales the reflectance at all angles.
     const float brightest = max_component(extras_.specular_color);
     const float edge = extras_.specular, f0 = std::min(index * brightest, 1.0f) * edge;
     const Vec3 hue = brightest > 0 ? extras_.specular_color / brightest : Vec3(1);
@@ -128,7 +128,7 @@ class MaterialMaker {
     call_.connect("refl_color", m_.add("tint", tint));
   }
 
-  /// Whether reflections are stretched; then along the coordinates that the tangents run along.
+  /// Whether reflections are anisotropic; they then follow the texture coordinates of the tangents.
   bool stretches() {
     if (extras_.anisotropy <= 0) return false;
     m_.need_a_space();
@@ -138,7 +138,7 @@ class MaterialMaker {
     return true;
   }
 
-  /// A colour, and over it the base colour with a weight.
+  /// Mixes the base colour over another colour with a weight.
   ShaderCall blended(const Vec3& below, const std::string& map, const Vec3& base, float weight) {
     ShaderCall mix("mib_color_mix");
     mix.set("num", 1).set("mode_0", 1).set("color_base", below);
@@ -147,7 +147,7 @@ class MaterialMaker {
     return mix;
   }
 
-  /// Seen straight it reflects what that colour says; the colour keeps its hue.
+  /// Specular reflection with the given colour at normal incidence; the hue is kept at all angles.
   void shine(const Vec3& specular, float roughness) {
     const float brightest = max_component(specular);
     call_.set("reflectivity", brightest > 0 ? 1.0f : 0.0f);
@@ -166,13 +166,13 @@ class MaterialMaker {
     if (m_.has(aiTextureType_SPECULAR)) m_.left_out.emplace_back("specular-glossiness texture");
   }
 
-  /// Seen straight, of a Phong highlight of that strength. Where it is said to be a mirror, what it
-  /// says; else what makes the highlight of a small light as bright as Phong's, k cos^n: f0 times
-  /// the peak of a lobe with that exponent, (n + 2) / 8 times what a white surface shows. So k =
-  /// .5, which some programs write for all that is not metal, is no mirror. At least what glass
-  /// has.
+  /// Reflectance at normal incidence for a Phong highlight of strength k. Materials that are marked
+  /// as mirrors use k. Otherwise the highlight of a small light has the brightness of Phong's k
+  /// cos^n: f0 times the peak of a lobe with that exponent is (n + 2) / 8 times the value of a
+  /// white surface. Without this, k = .5, which some programs write for all dielectrics, would act
+  /// as a mirror. The minimum is that of glass.
   float reflectance(float k, float exponent) const {
-    constexpr int kFirstMirror = 3, kShadowCatcher = 10;  // of MTL's `illum`
+    constexpr int kFirstMirror = 3, kShadowCatcher = 10;  // values of `illum` in MTL
     k = clamp01(k);
     const int illum = m_.choice(AI_MATKEY_OBJ_ILLUM).value_or(0);
     if (illum >= kFirstMirror && illum < kShadowCatcher) return k;
@@ -190,12 +190,12 @@ class MaterialMaker {
     const float exponent = m_.number(AI_MATKEY_SHININESS).value_or(0);
     const float ior = std::max(m_.number(AI_MATKEY_REFRACTI).value_or(1), 1.0f);
     const auto mode = m_.choice(AI_MATKEY_SHADING_MODEL);
-    // Collada's lambert gets a specular colour from assimp; OBJ's that says nothing its mode.
+    // assimp gives Collada's lambert a specular colour; in OBJ the shading mode is not reliable.
     const bool matte = (mode == aiShadingMode_Flat || mode == aiShadingMode_Gouraud) &&
                        !m_.choice(AI_MATKEY_OBJ_ILLUM);
     const float brightest = max_component(specular);
     const bool shines = !matte && brightest > 0 && exponent > 0;
-    // alpha = roughness squared on the other side of gloss_of_roughness.
+    // alpha = roughness squared, hence two square roots for gloss_of_roughness.
     shine(shines ? specular * (reflectance(brightest * strength, exponent) / brightest) : Vec3(0),
           std::sqrt(std::sqrt(2 / (exponent + 2))));
     if (ior > 1) call_.set("refr_ior", ior);
@@ -219,7 +219,8 @@ class MaterialMaker {
                                              [&](float x) { return through * x; }));
     call_.set("thin_walled", thickness <= 0);
     call_.set("refr_color", base_color());
-    // Facets bend what passes a solid less than what they mirror; refr_gloss is as wide in both.
+    // Microfacets deflect transmitted rays less than reflected ones, but refr_gloss gives both the
+    // same width.
     const float ior = m_.number(AI_MATKEY_REFRACTI).value_or(1.5f);
     const float bending = thickness > 0 ? std::abs(1 - 1 / std::max(ior, 1.0f)) / 2 : 1;
     call_.set("refr_gloss", gloss_of_roughness(roughness * std::sqrt(bending)));
@@ -259,9 +260,9 @@ class MaterialMaker {
       parts.emplace_back("sheen");
     parts.insert(parts.end(), extras_.left_out.begin(), extras_.left_out.end());
     if (!parts.empty())
-      diagnostics.note(
-          "OR-MD-003", {},
-          fmt::format("material \"{}\": {} left out", m_.name(), fmt::join(parts, ", ")));
+      diagnostics.note("OR-MD-003", {},
+                       fmt::format("material \"{}\": unsupported properties are ignored: {}",
+                                   m_.name(), fmt::join(parts, ", ")));
   }
 
   MaterialSource m_;
@@ -303,13 +304,13 @@ ImportedMaterial add_material(const aiScene& model, unsigned index,
   material.name =
       unique_name(scene, !written.empty() ? written : fmt::format("material_{}", index));
   const std::string name = material.name;
-  scene.add(material);  // the name is taken before its shaders get theirs
+  scene.add(material);  // reserves the name before its shaders are named
   const auto more = extras.find(written);
   MaterialMaker maker({model, source, more == extras.end() ? nullptr : &more->second,
                        vertex_colors(model, index, colors), name, textures, scene});
   ImportedMaterial made = maker.make(diagnostics);
   material.shaders = {maker.call().use()};
-  // Behind the shaders that it names.
+  // A shader has to follow the shaders that it refers to.
   scene.remove(name);
   scene.add(std::move(material));
   return made;

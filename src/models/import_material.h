@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials of models as mia_material_x.
+// Imports materials as mia_material_x.
 #pragma once
 
 #include <map>
@@ -18,40 +18,38 @@ namespace oriel::models {
 class ShaderCall;
 class TextureMaker;
 
-/// Gamma of the scene's options: 8-bit textures are read as sRGB pictures, of which 2.2 is the
-/// nearest power.
+/// Gamma of the scene options: 8-bit textures are sRGB, and 2.2 is the nearest power.
 inline constexpr float kTextureGamma = 2.2f;
 
-/// Names for elements of a scene: letters, digits and underscores of the wish, with a number where
-/// it is taken already.
+/// A unique element name: letters, digits and underscores of `wish`, followed by a number if the
+/// name exists.
 std::string unique_name(const scene::Scene& scene, const std::string& wish);
 
-/// Adds a shader of that call to the scene, under a name like `wish`, which is returned.
+/// Adds a shader to the scene under a name similar to `wish`, which is returned.
 std::string add_shader(scene::Scene& scene, const std::string& wish, const ShaderCall& call);
 
-/// What came of a material.
+/// Result of importing a material.
 struct ImportedMaterial {
   std::string name;
-  SurfaceSpaces surface;           ///< of the objects that have it
+  SurfaceSpaces surface;           ///< texture spaces of the objects with this material
   bool needs_own_package = false;  ///< it uses shaders of oriel.mi
 };
 
-/// Adds material number `index` of a model, and what it needs, to the scene.
+/// Adds material `index` of a model and the shaders that it refers to.
 ///
-/// Model:   metallic-roughness by interpolation: diffuse_weight 1 - metallic, reflections with the
-///          curve 5 from F0 (from the index of refraction, .04 without one; 1 for metals) to 1,
-///          tinted by the base colour as far as the material is metallic. Transmission becomes
-///          transparency, solid where a volume is given, else thin-walled; attenuation becomes
+/// Model:   metallic-roughness: diffuse_weight is 1 - metallic. Reflections use curve 5 from F0 to
+///          1; F0 is computed from the index of refraction (default .04) and is 1 for metals.
+///          Reflections are tinted by the base colour in proportion to metallic. Transmission
+///          becomes transparency, solid if a volume is given, else thin-walled; attenuation becomes
 ///          refr_falloff. Emission becomes additional_color, coverage cutout_opacity. Materials
 ///          without these properties (OBJ, Collada, FBX, IFC): diffuse and specular colour, gloss
-///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), F0 from the brightness of its
-///          highlight, opacity as transparency. Specular-glossiness: that colour as F0.
-///          Normals and clear coats: import_layers.h.
-///          Colours of corners: in place of the diffuse colour, times its texture (PLY, OBJ, OFF);
-///          times base colour and coverage (glTF).
-/// Inputs:  extras: of glTF files, by the names of materials; colors: of the format's corners.
-/// Errors:  OR-MD-003 sheen and what else nothing stands for is left out, OR-MD-004 a texture that
-///          cannot be used.
+///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), F0 from the brightness of the
+///          highlight, opacity as transparency. Specular-glossiness: F0 is the specular colour.
+///          Normal maps and clear coats: import_layers.h. Vertex colours replace the diffuse colour
+///          and multiply its texture (PLY, OBJ, OFF), or multiply base colour and coverage (glTF).
+/// Inputs:  extras: of glTF files, by material name; colors: meaning of vertex colours.
+/// Errors:  OR-MD-003 unsupported properties such as sheen are ignored, OR-MD-004 a texture cannot
+///          be used.
 /// Source:  glTF 2.0, appendix B, and
 ///          KHR_materials_{ior,specular,transmission,volume,emissive_strength,anisotropy};
 ///          Walter et al. 2007 for the exponent.

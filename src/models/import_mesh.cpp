@@ -36,7 +36,7 @@ std::vector<std::uint32_t> column(std::uint32_t first, unsigned count) {
 
 scene::Statement flag(const char* keyword) { return {keyword, false, {}, {}}; }
 
-/// Light of a corner's colour; its alpha where that is asked for.
+/// Linear vertex colour, or its alpha.
 Vec3 color_of(const aiMesh& mesh, unsigned corner, bool alpha, float gamma) {
   const aiColor4D& c = mesh.mColors[0][corner];
   const auto light = [&](float x) { return x > 0 && std::isfinite(x) ? math::pow(x, gamma) : 0; };
@@ -44,7 +44,7 @@ Vec3 color_of(const aiMesh& mesh, unsigned corner, bool alpha, float gamma) {
                : Vec3(light(c.r), light(c.g), light(c.b));
 }
 
-/// One texture space: a moved channel, or colours.
+/// Values of one texture space: transformed texture coordinates or colours.
 std::vector<std::uint32_t> coordinates(const aiMesh& mesh, const TextureSpace& space, float gamma,
                                        scene::PolygonGroup& group) {
   const unsigned channels = mesh.GetNumUVChannels(), count = mesh.mNumVertices;
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> coordinates(const aiMesh& mesh, const TextureSpace& s
   return column(first, count);
 }
 
-/// What is asked for; where the mesh has no such coordinates, those of the channel below.
+/// Adds the requested texture spaces; if the mesh lacks a channel, the preceding channel is used.
 void add_texture_spaces(const aiMesh& mesh, const SurfaceSpaces& surface,
                         scene::PolygonGroup& group) {
   const unsigned channels = mesh.GetNumUVChannels(), count = mesh.mNumVertices;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of models as objects.
+// Imports meshes as objects.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ struct aiMesh;
 
 namespace oriel::models {
 
-/// The mesh as an object whose polygons are as the model has them: positions, normals where there
-/// are some, the texture spaces that its material asks for and after them the coordinates that it
-/// does not. Polygons with corners that do not exist are left out.
+/// Converts a mesh with its polygons unchanged: positions, normals if present, the texture spaces
+/// of its material, then the remaining texture coordinates. Polygons with invalid vertex indices
+/// are dropped.
 /// Checked: ModelImport.*, ModelTexture.*
 scene::Object object_of(const aiMesh& mesh, std::string name, const SurfaceSpaces& surface);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture spaces, normals by pictures, clear coats and small extensions of glTF.
+// Texture spaces, normal maps, clear coats and small glTF extensions.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,7 +22,7 @@ using testing::set_in;
 const char* const kPictures =
     R"("textures":[{"source":0},{"source":1}],"images":[{"uri":"a.ppm"},{"uri":"b.ppm"}],)";
 
-/// A scene whose pictures are there, and what was said.
+/// A scene with existing pictures, and the diagnostics.
 struct Imported {
   Folder folder;
   Diagnostics diagnostics;
@@ -48,7 +48,7 @@ const scene::Argument* argument(const scene::ShaderUse& use, const std::string& 
   return nullptr;
 }
 
-/// The shader that a parameter names.
+/// The shader connected to a parameter.
 const scene::ShaderUse* behind(const scene::Scene& scene, const scene::ShaderUse& use,
                                const std::string& parameter) {
   const scene::Argument* a = argument(use, parameter);
@@ -60,7 +60,7 @@ const scene::ShaderUse& material_of(const scene::Scene& scene, const char* name 
   return scene.get<scene::Material>(name)->shaders[0];
 }
 
-/// Coordinates of a corner in a texture space of the only object.
+/// Texture coordinates of a corner of the only object.
 Vec3 uv_of(const scene::Scene& scene, std::size_t space, std::size_t corner) {
   const scene::PolygonGroup& group = scene.get<scene::Object>("seat")->groups[0];
   if (space >= group.vertices.textures.size()) return Vec3(-1e9f);
@@ -69,7 +69,7 @@ Vec3 uv_of(const scene::Scene& scene, std::size_t space, std::size_t corner) {
 
 TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
   Quad quad;
-  // The extension's own example: the lower left quadrant of the picture, turned by 90 degrees.
+  // Example of the extension: the lower left quadrant of the picture, rotated by 90 degrees.
   quad.material =
       R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{)"
       R"("KHR_texture_transform":{"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]}}}})";
@@ -95,7 +95,7 @@ TEST(ModelTexture, EachUseIsLookedUpWhereItSays) {
                   R"({"index":1,"texCoord":1})";
   quad.more = kPictures;
   const Imported made(quad.text());
-  // The normal map has the first space, which is the file's second set.
+  // The normal map has the first space, which is the second set of the file.
   EXPECT_LT(length(uv_of(made.scene, 0, 1) - Vec3(.5f, .5f, 0)), 1e-6f);
   EXPECT_LT(length(uv_of(made.scene, 1, 1) - Vec3(1, 0, 0)), 1e-6f);
   const scene::ShaderUse* base = behind(made.scene, material_of(made.scene), "diffuse");
@@ -133,7 +133,7 @@ TEST(ModelBump, NormalMapsOfGltfHaveTheirScaleAndTheMeshsTangents) {
   ASSERT_TRUE(normals);
   EXPECT_EQ(normals->type, "oriel_normal_map");
   EXPECT_NEAR(argument(*normals, "factor")->value.numbers.at(0), .7, 1e-6);
-  EXPECT_FALSE(made.said("left out"));
+  EXPECT_FALSE(made.said("unsupported"));
   EXPECT_EQ(made.scene.packages.back(), "oriel.mi");
   const scene::PolygonGroup& group = made.scene.get<scene::Object>("seat")->groups[0];
   ASSERT_EQ(group.vertices.textures[0].basis_v.size(), 4u);
@@ -187,7 +187,7 @@ TEST(ModelCoat, ItLiesOverTheMaterial) {
   ASSERT_TRUE(base);
   EXPECT_EQ(base->type, "mia_material_x");
   EXPECT_EQ(argument(*base, "brdf_0_degree_refl")->value.numbers, std::vector<double>{1});
-  EXPECT_TRUE(made.said("normal map of the clear coat left out"));
+  EXPECT_TRUE(made.said("are ignored: normal map of the clear coat"));
 }
 
 TEST(ModelMaterial, SpecularAndEmissiveStrengthAreThoseOfTheFile) {
@@ -198,11 +198,11 @@ TEST(ModelMaterial, SpecularAndEmissiveStrengthAreThoseOfTheFile) {
       R"({"specularFactor":0.5,"specularColorFactor":[2,1,1]},"KHR_materials_iridescence":{}})";
   const Imported made(quad.text());
   EXPECT_EQ(set_in(made.scene, "oak", "additional_color"), (std::vector<double>{8, 4, 0}));
-  // min(.04 colour, 1) specular where it is seen straight, specular at the edge.
+  // Facing: min(.04 colour, 1) specular; at the edge: specular.
   EXPECT_NEAR(set_in(made.scene, "oak", "brdf_0_degree_refl").at(0), .04, 1e-6);
   EXPECT_NEAR(set_in(made.scene, "oak", "brdf_90_degree_refl").at(0), .5, 1e-6);
   EXPECT_EQ(set_in(made.scene, "oak", "refl_color"), (std::vector<double>{1, .5, .5}));
-  EXPECT_TRUE(made.said("iridescence left out"));
+  EXPECT_TRUE(made.said("are ignored: iridescence"));
 }
 
 TEST(ModelMaterial, UnlitIsMatte) {

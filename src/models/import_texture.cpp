@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A picture without compression, as a Targa file: 32 bits, upper row first.
+/// Writes an uncompressed picture as a 32-bit Targa file, top row first.
 bool write_targa(const aiTexture& picture, std::ostream& file) {
   if (picture.mWidth > 0xffff || picture.mHeight > 0xffff) return false;
   const auto low = [](unsigned n) { return static_cast<char>(n & 0xff); };
@@ -40,16 +40,16 @@ bool write_targa(const aiTexture& picture, std::ostream& file) {
                            low(picture.mHeight),
                            low(picture.mHeight >> 8),
                            32,
-                           0x28};  // rows from above, 8 bits alpha
+                           0x28};  // top row first, 8 bits alpha
   file.write(header, sizeof header);
-  // aiTexel is b, g, r, a, as Targa has it.
+  // aiTexel is b, g, r, a like Targa pixels.
   file.write(reinterpret_cast<const char*>(picture.pcData),
              static_cast<std::streamsize>(sizeof(aiTexel)) * picture.mWidth * picture.mHeight);
   return file.good();
 }
 
-/// Letters and digits of the format that a compressed picture says it has; assimp has room for
-/// three of them, which WebP has not.
+/// File extension from the format of a compressed picture. assimp stores only three characters, too
+/// few for WebP, which is detected by its header.
 std::string suffix_of(const aiTexture& picture) {
   constexpr std::size_t kNameEnds = 12;  // "RIFF", a size, "WEBP"
   const std::string_view start(reinterpret_cast<const char*>(picture.pcData),
@@ -75,7 +75,7 @@ std::string TextureMaker::relative(const std::string& path) const {
 std::string TextureMaker::file_of(const aiScene& model, const std::string& written) {
   const auto [picture, index] = model.GetEmbeddedTextureAndIndex(written.c_str());
   if (!picture) {
-    // Other systems write their own separators, and paths of their own machine.
+    // Exporters write backslashes and absolute paths of their own machine.
     const std::string name = scene::with_slashes(written);
     for (const fs::path& candidate :
          {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()})
@@ -102,9 +102,11 @@ std::string TextureMaker::picture(const aiScene& model, const std::string& writt
   if (!is_new) return known->second;
   const std::string file = file_of(model, written);
   if (file.empty()) {
-    diagnostics_.warning("OR-MD-004", {},
-                         fmt::format("material \"{}\": there is no picture \"{}\"", user, written),
-                         "put it beside the model; the material is without it");
+    diagnostics_.warning(
+        "OR-MD-004", {},
+        fmt::format("material \"{}\": image \"{}\" does not exist; the texture is ignored", user,
+                    written),
+        "put the file into the folder of the model");
     return {};
   }
   scene::Texture texture;

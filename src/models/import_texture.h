@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures of models: files beside them, or pictures within them, which become files.
+// Imports textures: files, or embedded pictures, which are written to files.
 #pragma once
 
 #include <map>
@@ -14,29 +14,30 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// Makes the texture elements and lookups of one import, each file's once.
+/// Makes the texture elements and lookup shaders of one import, once per file.
 class TextureMaker {
  public:
-  /// Inputs:  folder: of the model file, which its textures are relative to.
+  /// Inputs:  folder: folder of the model file, which its texture paths are relative to.
   TextureMaker(const ImportOptions& options, std::string folder, scene::Scene& scene,
                Diagnostics& diagnostics)
       : options_(options), folder_(std::move(folder)), scene_(scene), diagnostics_(diagnostics) {}
 
-  /// Light, which the gamma of pictures holds for, or numbers, which are read as they are stored.
+  /// Colours, which are decoded with the gamma of pictures, or numbers, which are not.
   enum class Holds { Colors, Numbers };
 
-  /// Name of a texture element; empty, after OR-MD-004, where there is no such picture. `written`
-  /// is a path or, for pictures within the model, "*number" or their name.
+  /// Name of a texture element; empty after OR-MD-004 if there is no such picture. `written` is a
+  /// path or, for embedded pictures, "*number" or their name.
   std::string picture(const aiScene& model, const std::string& written, Holds holds,
                       const std::string& user);
-  /// Name of a shader that looks a picture up at a texture space, repeated; empty for none.
+  /// Name of a shader that looks up a picture in a texture space with repetition; empty if there is
+  /// no picture.
   std::string lookup(const std::string& picture, unsigned space);
 
  private:
-  /// Path of the picture's file, relative to the scene's folder where it lies below; empty: none.
+  /// Path of the picture file, relative to the scene folder if it is inside; empty if not found.
   std::string file_of(const aiScene& model, const std::string& written);
   std::string relative(const std::string& path) const;
-  /// Name of a shader that gives a texture space within 0..1.
+  /// Name of a shader that returns the coordinates of a texture space in 0..1.
   std::string coordinate(unsigned space);
 
   const ImportOptions& options_;

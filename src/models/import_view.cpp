@@ -12,7 +12,8 @@
 namespace oriel::models {
 namespace {
 
-/// Film width of cameras, which then have the angle of the model's: full frame, millimetres.
+/// Film width of imported cameras in millimetres (full frame); the focal length is set for the
+/// model's field of view.
 constexpr float kApertureMillimetres = 36;
 
 Vec3 vec_of(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
@@ -22,20 +23,20 @@ Mat4 place_of(const NodePlaces& nodes, const aiString& name) {
   return found == nodes.end() ? Mat4() : found->second;
 }
 
-/// Where it is to look; unset: as it stands.
+/// Position of the target node; unset if there is none.
 std::optional<Vec3> target_of(const NodePlaces& nodes, const aiString& name) {
   const auto found = nodes.find(std::string(name.C_Str()) + ".Target");
   if (found == nodes.end()) return std::nullopt;
   return found->second.translation();
 }
 
-/// Axes of what stands at p and looks along -z; `up` lies in its plane of y and z.
+/// Transform of an object at p that looks along -z; `up` is in its y-z plane.
 Mat4 looking(const Vec3& p, const Vec3& z, const Vec3& up) {
   const Vec3 x = normalize(cross(up, z)), y = cross(z, x);
   return Mat4(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, p.x, p.y, p.z, 1);
 }
 
-/// As it stands, turned to what it is to look at, if there is something apart from above or below.
+/// Rotates towards the target, unless the direction is vertical.
 Mat4 turned(const Mat4& to_world, const std::optional<Vec3>& target) {
   if (!target) return to_world;
   const Vec3 p = to_world.translation(), back = p - *target;
@@ -53,7 +54,7 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
   camera.focal = half > 0 && half < kPi / 2 ? kApertureMillimetres / 2 / math::tan(half)
                                             : kApertureMillimetres;
   if (source.mOrthographicWidth > 0) {
-    // Half of what is seen from left to right, in the units of the camera's space.
+    // Half the visible width, in units of the camera space.
     camera.orthographic = true;
     camera.focal.reset();
     camera.aperture = 2 * source.mOrthographicWidth;
@@ -62,7 +63,7 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
   constexpr int kWidth = 960;
   camera.resolution = {
       {kWidth, std::max(1, static_cast<int>(std::lround(kWidth / *camera.aspect)))}};
-  // Of glTF, assimp 5 gives a camera its node's translation once more.
+  // For glTF, assimp 5 applies the translation of the node twice.
   const aiNode* node = model.mRootNode ? model.mRootNode->FindNode(source.mName) : nullptr;
   const bool twice = node && Vec3(node->mTransformation.a4, node->mTransformation.b4,
                                   node->mTransformation.c4) == vec_of(source.mPosition);
@@ -83,7 +84,7 @@ std::optional<Placed<scene::Light>> light_of(const aiLight& source, const NodePl
     light.shaders = {call.use()};
     light.direction = vec_of(source.mDirection);
   } else if (source.mType == aiLightSource_POINT || spot) {
-    // It spreads its colour over 4 pi; a surface facing it shows it over pi.
+    // Converts intensity over 4 pi to radiance over pi of a facing surface.
     ShaderCall call("physical_light");
     call.set("color", color * 4.0f);
     light.origin = vec_of(source.mPosition);

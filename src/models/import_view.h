@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras and lights of models.
+// Imports cameras and lights.
 #pragma once
 
 #include <map>
@@ -15,24 +15,24 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// Where the nodes of a model stand in the world, by name.
+/// World transforms of the nodes of a model by name.
 using NodePlaces = std::map<std::string, Mat4>;
 
-/// An element, not named yet, and where it stands in the world.
+/// An element without a name, and its world transform.
 template <class T>
 struct Placed {
   T element;
   Mat4 to_world;
 };
 
-/// A camera of the file as one that looks down -z. One that has a target, a node named as it is
-/// with ".Target" (3ds Max), looks there whatever its own rotation says.
+/// Converts a camera to one that looks down -z. If it has a target (a node with its name and
+/// ".Target", 3ds Max), it is rotated towards the target.
 /// Checked: ModelFbx.*, Model3ds.*, ModelImport.*
 Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
                                 const NodePlaces& nodes);
 
-/// A light of the file. Pixels become cd/m2 where the model's lights are in candela and lux, as
-/// glTF has them. Unset for kinds that are left out.
+/// Converts a light. Pixels are cd/m2 if the lights of the model are in candela and lux, as in
+/// glTF. Unset for unsupported types.
 /// Checked: ModelImport.LightsAreInCandela, ModelFbx.*
 std::optional<Placed<scene::Light>> light_of(const aiLight& source, const NodePlaces& nodes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras and lights of FBX, and what turns and moves their nodes.
+// Cameras and lights of FBX, and the transforms of their nodes.
 #include "models/import_view.h"
 
 #include <gtest/gtest.h>

@@ -20,7 +20,7 @@ float gloss_of_roughness(float roughness) {
 Brushed brushed(float roughness, float strength) {
   const float across = std::max(sqr(clamp01(roughness)), bsdf::kMinAlpha);
   const float along = lerp(across, 1, sqr(strength));
-  // gloss_of_roughness of a roughness whose square is the mean of both.
+  // The glossiness of a roughness whose square is the mean of both.
   return {gloss_of_roughness(std::sqrt(std::sqrt(across * along))),
           std::min(along / across, bsdf::kMaxAnisotropy)};
 }

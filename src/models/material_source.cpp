@@ -127,7 +127,8 @@ std::string MaterialSource::channel(const std::string& shader, int which,
   mask[which] = 1;
   const std::string masked = add(suffix + "_mask", multiplied(shader, mask));
   ShaderCall average("mib_color_average");
-  average.connect("input", masked).set("factor", 3.0f);  // the mean of one channel of three
+  // the mean of three channels, of which two are masked
+  average.connect("input", masked).set("factor", 3.0f);
   return add(suffix, average);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One material of a model: what it says, and the shaders that are made for it.
+// Properties of one imported material, and the shaders made for it.
 #pragma once
 
 #include <assimp/material.h>
@@ -35,41 +35,42 @@ class MaterialSource {
   GltfExtras extras() const { return extras_ ? *extras_ : GltfExtras(); }
   const VertexColors& colors() const { return colors_; }
 
-  // Properties by assimp's macros of key, type and index; unset where they are missing.
+  // Properties by assimp's macros of key, type and index; unset if missing.
   std::optional<float> number(const char* key, unsigned type, unsigned index) const;
   std::optional<Vec3> color(const char* key, unsigned type, unsigned index) const;
   std::optional<int> choice(const char* key, unsigned type, unsigned index) const;
   std::string words(const char* key, unsigned type, unsigned index) const;
 
-  // Pictures by assimp's type and index of their use.
+  // Textures by assimp's type and index.
   bool has(aiTextureType type, unsigned index = 0) const;
-  /// Path as written; empty: none.
+  /// Path as written; empty if there is none.
   std::string file(aiTextureType type, unsigned index = 0) const;
-  /// Name of a shader that looks the picture up as colours; empty: none.
+  /// Name of a shader that looks up the texture as colour; empty if there is none.
   std::string texture(aiTextureType type, unsigned index = 0);
-  /// The same for numbers, without gamma.
+  /// Same for numbers, without gamma.
   std::string data(aiTextureType type, unsigned index = 0);
-  /// Name of the texture element, of numbers, for a shader that looks it up at the first texture
-  /// space: asked before any other, the space is the one of this use.
+  /// Name of the texture element (numbers) for a shader that uses the first texture space. Has to
+  /// be called before other texture functions, so that the first space is that of this texture.
   std::string picture_at_first_space(aiTextureType type, unsigned index = 0);
 
-  /// Name of a shader that multiplies a picture (empty: white) by the colours of the meshes'
-  /// corners; the picture where there are none.
+  /// Name of a shader that multiplies a texture (empty: white) by the vertex colours; the texture
+  /// itself if the meshes have none.
   std::string colored(const std::string& picture);
-  /// Makes the texture space of the mesh's first coordinates, where there is none yet.
+  /// Creates the texture space of the first coordinates if there is none yet.
   void need_a_space() {
     if (surface.spaces.empty()) surface.spaces.emplace_back();
   }
 
-  /// Adds a shader under a name of its own, which it returns.
+  /// Adds a shader with a unique name, which it returns.
   std::string add(const std::string& suffix, const ShaderCall& call);
-  /// A parameter as a texture times a factor; the factor alone where there is no texture.
+  /// Sets a parameter to a texture times a factor, or to the factor if there is no texture.
   void tinted(ShaderCall& call, const std::string& parameter, const std::string& shader,
               const Vec3& factor, const std::string& suffix);
   static ShaderCall multiplied(const std::string& shader, const Vec3& factor);
   /// One channel of a texture (0 red, 1 green, 2 blue) as grey.
   std::string channel(const std::string& shader, int which, const std::string& suffix);
-  /// A function of a grey shader's value: straight between eight places from 0 to 1.
+  /// A function of the value of a grey shader, interpolated linearly between eight points from 0 to
+  /// 1.
   template <class F>
   std::string curve(const std::string& shader, const std::string& suffix, F&& f) {
     ShaderCall map("mib_color_interpolate");
@@ -82,14 +83,14 @@ class MaterialSource {
     return add(suffix, map);
   }
 
-  SurfaceSpaces surface;              ///< what was asked for so far
-  std::vector<std::string> left_out;  ///< in words
+  SurfaceSpaces surface;              ///< texture spaces requested so far
+  std::vector<std::string> left_out;  ///< descriptions of unsupported properties
   bool needs_own_package = false;     ///< it uses shaders of oriel.mi
 
  private:
-  /// The texture space of a use, a new one where there is none yet.
+  /// Index of the texture space of a texture; created if it does not exist.
   unsigned space(aiTextureType type, unsigned index);
-  /// Unset where there are as many as there can be.
+  /// Unset if the maximum number of texture spaces is reached.
   std::optional<unsigned> space(const TextureSpace& wanted);
   std::string lookup(aiTextureType type, unsigned index, TextureMaker::Holds holds);
 

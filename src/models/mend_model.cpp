@@ -19,7 +19,7 @@ Imath::V3d corner(const aiMesh& mesh, unsigned index) {
   return {v.x, v.y, v.z};
 }
 
-/// No three of its corners span anything. In double, as where it is cut into triangles.
+/// Whether all triples of vertices are collinear. In double, as in the triangulation.
 bool without_area(const aiMesh& mesh, const aiFace& face) {
   if (face.mNumIndices < 3) return false;
   for (unsigned i = 0; i < face.mNumIndices; ++i)
@@ -46,10 +46,10 @@ void drop_polygons_without_area(aiScene& model, Diagnostics& diagnostics) {
     for (unsigned k = 0; k < mesh.mNumFaces; ++k)
       if (!without_area(mesh, mesh.mFaces[k])) std::swap(mesh.mFaces[kept++], mesh.mFaces[k]);
     dropped += mesh.mNumFaces - kept;
-    mesh.mNumFaces = kept;  // those behind go with the array
+    mesh.mNumFaces = kept;  // the array still owns the polygons beyond
   }
   if (dropped > 0)
-    diagnostics.note("OR-MD-009", {}, fmt::format("polygons without area left out: {}", dropped));
+    diagnostics.note("OR-MD-009", {}, fmt::format("zero-area polygons dropped: {}", dropped));
 }
 
 void show_invisible_materials(aiScene& model, Diagnostics& diagnostics) {
@@ -64,8 +64,8 @@ void show_invisible_materials(aiScene& model, Diagnostics& diagnostics) {
   }
   if (!names.empty())
     diagnostics.note("OR-MD-010", {},
-                     fmt::format("material {}: entirely transparent in the file, as old exporters "
-                                 "write it; taken as opaque",
+                     fmt::format("material {}: entirely transparent in the file, probably due to "
+                                 "an exporter bug; imported as opaque",
                                  fmt::join(names, ", ")));
 }
 
@@ -80,9 +80,10 @@ void widen_narrow_cameras(aiScene& model, Diagnostics& diagnostics) {
     names.push_back(fmt::format("\"{}\"", camera.mName.C_Str()));
   }
   if (!names.empty())
-    diagnostics.note("OR-MD-014", {},
-                     fmt::format("camera {}: its angle, below {} degrees, is taken as radians",
-                                 fmt::join(names, ", "), kNarrow));
+    diagnostics.note(
+        "OR-MD-014", {},
+        fmt::format("camera {}: the field of view is below {} degrees; interpreted as radians",
+                    fmt::join(names, ", "), kNarrow));
 }
 
 void halve_cones(aiScene& model, const std::string& suffix) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What files say and cannot mean: polygons without area, invisible materials, text of other times.
+// Correction of exporter errors: polygons without area, invisible materials, text encodings.
 #include "models/mend_model.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::Folder;
 using testing::imported;
 using testing::set_in;
 
-/// A Collada file of one triangle with a Phong material; effect: more of that.
+/// A Collada file of one triangle with a Phong material; effect: additional XML.
 std::string collada(const std::string& effect, const std::string& color = ".8 .4 .2 1") {
   return R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -59,7 +59,7 @@ std::ptrdiff_t count_of(const Diagnostics& diagnostics, const char* code) {
 TEST(ModelMend, PolygonsWithoutAreaGoInOneNote) {
   const Folder folder;
   Diagnostics diagnostics;
-  // A point thrice, a line as a triangle, a line as a quad; a triangle and a quad with notches.
+  // A point three times, a line as a triangle, a line as a quad; a triangle and a concave quad.
   const auto scene = import_model(
       folder.write("m.obj",
                    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 0.1 0.1 0\no one\nf 1 1 1\n"
@@ -72,7 +72,7 @@ TEST(ModelMend, PolygonsWithoutAreaGoInOneNote) {
       polygons += object->groups[0].polygons.size();
   EXPECT_EQ(polygons, 2u);
   ASSERT_EQ(count_of(diagnostics, "OR-MD-009"), 1);
-  EXPECT_NE(diagnostics.all()[0].message.find("left out: 4"), std::string::npos);
+  EXPECT_NE(diagnostics.all()[0].message.find("dropped: 4"), std::string::npos);
 }
 
 TEST(ModelMend, ColladaThatIsNotThereAtAllIsOpaque) {

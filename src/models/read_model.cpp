@@ -20,15 +20,16 @@
 namespace oriel::models {
 namespace {
 
-/// Degrees between faces; a guess that keeps edges of buildings sharp.
+/// Smoothing angle in degrees; a guess that keeps edges of buildings sharp.
 constexpr float kSmoothBelow = 45;
 
 void set_up(Assimp::Importer& importer) {
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  // Else it leaves the inverse of PostRotation out and moves children by geometric transforms.
+  // Otherwise assimp ignores the inverse of PostRotation and applies geometric transforms to
+  // children.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
-  // Else files without meshes get some that stand for the nodes.
+  // Otherwise assimp adds dummy meshes for the nodes of files without meshes.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothBelow);
 }
@@ -37,15 +38,15 @@ unsigned steps_for(const std::string& suffix) {
   const unsigned steps = unsigned{aiProcess_JoinIdenticalVertices} | aiProcess_SortByPType |
                          aiProcess_GenUVCoords | aiProcess_ValidateDataStructure |
                          aiProcess_GlobalScale;
-  // Formats that write no normals mean smooth surfaces, as far as they bend gently; glTF means flat
-  // ones (specification, 3.7.2.1). And assimp moves glTF's texture coordinates about another place
-  // than the file says: see gltf/extras.h.
+  // Formats without normals usually mean smooth surfaces up to an angle; glTF means flat ones
+  // (specification, 3.7.2.1). Texture transforms of glTF are excluded, because assimp rotates them
+  // about a wrong centre: see gltf/extras.h.
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
 }
 
-/// assimp looks for the end of a PLY header beyond the end of the file, without end.
+/// Works around an endless loop in assimp's reader of PLY headers.
 bool has_header(const std::string& ply) {
-  constexpr std::size_t kLongest = 1 << 20;  // far more than any has
+  constexpr std::size_t kLongest = 1 << 20;  // far more than any valid header
   std::string start(kLongest, '\0');
   std::ifstream file(ply, std::ios::binary);
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -70,11 +71,10 @@ ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
   const unsigned steps = steps_for(suffix);
   ReadModel result;
   const auto unreadable = [&](const std::string& why) {
-    diagnostics.error("OR-MD-001", {},
-                      fmt::format("'{}' is no model that can be read: {}", path, why));
+    diagnostics.error("OR-MD-001", {}, fmt::format("cannot read model '{}': {}", path, why));
     return std::move(result);
   };
-  if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
+  if (suffix == ".ply" && !has_header(path)) return unreadable("its header is incomplete");
   Assimp::Importer importer;
   set_up(importer);
   importer.SetIOHandler(new TextFiles(false));

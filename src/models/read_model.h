@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Model files as assimp's scenes, with what it or they get wrong put right.
+// Reads model files with assimp and corrects known errors of files and of assimp.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// The suffix of a path in lower case, with its dot.
+/// The extension of a path in lower case, with its dot.
 std::string suffix_of(const std::string& path);
 inline bool is_gltf(const std::string& suffix) { return suffix == ".gltf" || suffix == ".glb"; }
 
 struct ReadModel {
-  std::unique_ptr<const aiScene> scene;  ///< null: not readable
+  std::unique_ptr<const aiScene> scene;  ///< null if the file cannot be read
   std::map<std::string, GltfExtras> extras;
 
   ReadModel();
@@ -26,12 +26,11 @@ struct ReadModel {
   ~ReadModel();
 };
 
-/// Reads a model: its polygons without lines and points, lengths in metres where the file says its
-/// unit.
+/// Reads the polygons of a model, without lines and points. Lengths are metres if the file states
+/// its unit.
 ///
-/// Errors:  OR-MD-001 not readable; OR-MD-009, 010, 014: see mend_model.h. A damaged file
-/// can
-///          end the program by a signal: assimp trusts what it reads in some places.
+/// Errors:  OR-MD-001 not readable; OR-MD-009, 010, 014: see mend_model.h. A damaged file may crash
+///          the process, because assimp does not validate all of its input.
 /// Source:  assimp 5.2.
 /// Checked: ModelImport.*, ModelMend.*, ModelFbx.*
 ReadModel read_model(const std::string& path, Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shader calls written by the program itself.
+// Builds shader calls for generated scenes.
 #pragma once
 
 #include <initializer_list>
@@ -26,7 +26,7 @@ inline scene::Value text(std::string content, scene::Value::Kind kind = scene::V
   return value;
 }
 
-/// "type" ( "name" value, ... ), put together parameter by parameter.
+/// "type" ( "name" value, ... ), built parameter by parameter.
 class ShaderCall {
  public:
   explicit ShaderCall(std::string type) { use_.type = std::move(type); }

@@ -34,7 +34,7 @@ bool is_utf16(std::string_view bytes) {
   return bytes.starts_with(kLittleEndian) || bytes.starts_with(kBigEndian);
 }
 
-/// Without reading all of it.
+/// Reads only the byte order mark.
 bool is_utf16_file(const char* file) {
   char mark[2] = {};
   std::ifstream(file, std::ios::binary).read(mark, sizeof mark);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture spaces of objects that are made of models.
+// Texture spaces of imported objects.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace oriel::models {
 
-/// As many as shaders can ask for.
+/// Maximum number of texture spaces that shaders can access.
 inline constexpr std::size_t kMostTextureSpaces = 8;
 
-/// In place of a channel: the colours of a mesh's corners, and their alpha.
+/// Channel numbers for vertex colours and their alpha.
 inline constexpr unsigned kColorChannel = 1000, kAlphaChannel = 1001;
 
-/// A channel of a mesh's texture coordinates, moved: (u, v) to (m0 u + m1 v + m2, m3 u + m4 v +
+/// A transformed channel of texture coordinates: (u, v) maps to (m0 u + m1 v + m2, m3 u + m4 v +
 /// m5), v up.
 struct TextureSpace {
   unsigned channel = 0;
@@ -25,16 +25,17 @@ struct TextureSpace {
     return {move[0] * uv.x + move[1] * uv.y + move[2], move[3] * uv.x + move[4] * uv.y + move[5],
             uv.z};
   }
-  /// Whether u or v runs in another direction than in the mesh, or nowhere.
+  /// Whether the transform changes the direction of u or v, or is degenerate.
   bool turns() const { return move[1] != 0 || move[3] != 0 || move[0] <= 0 || move[4] <= 0; }
   bool operator==(const TextureSpace&) const = default;
 };
 
-/// What the objects that have one material need to be looked up.
+/// Texture spaces that the objects of one material have to provide.
 struct SurfaceSpaces {
-  std::vector<TextureSpace> spaces;  ///< in the order of the object's texture spaces
-  bool tangents = false;  ///< the first has the mesh's tangents as its bump basis, where there are
-  float color_gamma = 1;  ///< power that makes light of the mesh's colours
+  std::vector<TextureSpace> spaces;  ///< in the order of the texture spaces of the object
+  /// the bump basis of the first space is the mesh tangents, if there are any
+  bool tangents = false;
+  float color_gamma = 1;  ///< exponent that decodes vertex colours to linear
 };
 
 }  // namespace oriel::models

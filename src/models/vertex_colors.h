@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours that the corners of a model's meshes have.
+// Vertex colours of models.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// What a format means by them.
+/// How a format defines vertex colours.
 enum class ColorsAre {
-  Unknown,   ///< anything: masks, weights; they are left alone
-  Light,     ///< linear factors of the base colour, as glTF has them
-  Pictures,  ///< the surface's colour, coded as in pictures: PLY, OBJ, OFF
+  Unknown,   ///< arbitrary data such as masks or weights; ignored
+  Light,     ///< linear factors of the base colour (glTF)
+  Pictures,  ///< surface colour, encoded like pictures: PLY, OBJ, OFF
 };
 
-/// Inputs:  suffix: in small letters, with its dot.
+/// Inputs:  suffix: in lower case, with its dot.
 ColorsAre colors_of(const std::string& suffix);
 
-/// Of the meshes that have one material.
+/// Vertex colours of the meshes with one material.
 struct VertexColors {
-  ColorsAre are = ColorsAre::Unknown;  ///< Unknown where no mesh has colours
+  ColorsAre are = ColorsAre::Unknown;  ///< Unknown if no mesh has colours
   bool transparent = false;            ///< some alpha is below 1
 };
 VertexColors vertex_colors(const aiScene& model, unsigned material, ColorsAre are);

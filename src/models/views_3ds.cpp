@@ -13,7 +13,7 @@
 namespace oriel::models {
 namespace {
 
-/// Chunks on the way to what is read.
+/// Chunk types on the path to cameras and lights.
 enum Chunk : std::uint16_t {
   kMain = 0x4d4d,
   kEdit = 0x3d3d,
@@ -24,14 +24,14 @@ enum Chunk : std::uint16_t {
 };
 
 constexpr float kDegree = 3.14159265f / 180;
-/// Degrees times the unit of a lens.
+/// Field of view in degrees times focal length of a lens.
 constexpr float kLens = 2400;
 
-/// In the space of the file.
+/// A camera or light in the space of the file.
 struct View {
   aiVector3D position, target;
   float roll = 0, lens = 0;    ///< degrees, millimetres
-  float inner = 0, outer = 0;  ///< degrees across the cone of a spot
+  float inner = 0, outer = 0;  ///< full cone angles of a spot in degrees
   bool aimed = false;          ///< it has a target
 };
 
@@ -65,7 +65,7 @@ class Reader {
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     return text;
   }
-  /// Calls use(kind, Reader of the content) for each chunk.
+  /// Calls use(type, Reader of the content) for each chunk.
   template <class F>
   void chunks(F&& use) {
     constexpr std::uint32_t kHead = 6;
@@ -122,7 +122,7 @@ std::map<std::string, View> views_of(const std::string& bytes) {
   return views;
 }
 
-/// From the root's space to that of the node; the same where it is flat or there is none.
+/// Transform from root space to the space of a node; identity if the node is missing or singular.
 aiMatrix4x4 into_node(const aiScene& model, const aiString& name) {
   aiMatrix4x4 to_root;
   for (const aiNode* node = model.mRootNode->FindNode(name); node && node->mParent;
@@ -149,7 +149,7 @@ void mend_views_3ds(aiScene& model, const std::string& bytes) {
     aiMatrix4x4 roll;
     if (look.SquareLength() > 0)
       aiMatrix4x4::Rotation(view->roll * kDegree, aiVector3D(look).Normalize(), roll);
-    // Straight up or down there is nothing above: the front is.
+    // For a vertical view direction, use another up vector.
     const bool upright = look.x * look.x + look.y * look.y > 1e-12f * look.SquareLength();
     const aiVector3D up = roll * (upright ? aiVector3D(0, 0, 1) : aiVector3D(0, 1, 0));
     camera.mPosition = to_node * view->position;

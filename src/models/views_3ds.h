@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras and lights of 3DS files, which assimp gets wrong.
+// Corrects cameras and lights of 3DS files, which assimp misreads.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// Corrects cameras and lights of a scene that assimp made of a 3DS file.
+/// Corrects cameras and lights of a scene that assimp read from a 3DS file.
 ///
-/// Model:   The file has their places in its own space; assimp stores these numbers in nodes that
-///          stand there already, loses the direction of what is animated, takes y for up although
-///          it is z, the lens for degrees and the falloff of spots for what it adds. Positions and
-///          directions come out in the space of the node, cones as half angles; roll turns about
-///          the direction of view. The field of view is 2400 / lens, degrees across.
-/// Inputs:  bytes: of the file. What is damaged in it ends the reading; the rest stays as it is.
+/// Model:   positions in the file are in root space, but assimp stores them in nodes that are
+///          already transformed. assimp also loses the direction of animated objects, uses y
+///          instead of z as the up axis, interprets the focal length as degrees, and misreads the
+///          falloff of spots. The corrected positions and directions are in node space, cone angles
+///          are half angles, and roll is about the view direction. The field of view is 2400 /
+///          focal length in degrees across.
+/// Inputs:  bytes: content of the file. Reading stops at invalid data; the rest is unchanged.
 /// Source:  Autodesk 3D Studio File Toolkit, N_CAMERA and DL_SPOTLIGHT; 2400: lib3ds.
 /// Checked: Model3ds.*
 void mend_views_3ds(aiScene& model, const std::string& bytes);

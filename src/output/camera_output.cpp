@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Binds output shaders one list after the other. A shader of an output list names no lights.
+/// Resolves output shaders one by one. They have no light lists.
 class ShaderReader {
  public:
   ShaderReader(const scene::Scene& scene, const Registry& registry, World& world,
@@ -35,10 +35,11 @@ class ShaderReader {
       } else if (node->spec().output) {
         nodes.push_back(node);
       } else if (!node->spec().fallback.is_fallback &&
-                 !is_substitute(node->spec()))  // the host's buffers, glow
-        diagnostics_.warning("OR-RN-052", output.where,
-                             fmt::format("shader \"{}\" does not act as an output shader; skipped",
-                                         node->spec().name));
+                 // substitutes of host shaders such as buffers and glow
+                 !is_substitute(node->spec()))
+        diagnostics_.warning(
+            "OR-RN-052", output.where,
+            fmt::format("shader \"{}\" is not an output shader; it is skipped", node->spec().name));
     }
   }
 
@@ -48,10 +49,11 @@ class ShaderReader {
     if (traits.side_channel_mode == 0 || has_side_channel(world_, traits.side_channel)) return;
     diagnostics_.warning(
         "OR-RN-056", output.where,
-        fmt::format("output shader \"{}\" reads the side channel \"{}\", which no lens shader "
-                    "fills; it acts on the picture",
+        fmt::format("output shader \"{}\" reads the side channel \"{}\", which no lens "
+                    "shader writes; it uses the beauty instead",
                     node.spec().name, traits.side_channel),
-        "put a copy of the shader with the same side_channel and mode into the camera's lens");
+        "add a copy of the shader with the same side_channel and mode to the lens shaders of the "
+        "camera");
   }
 
   World& world_;
@@ -60,20 +62,19 @@ class ShaderReader {
   Diagnostics& diagnostics_;
 };
 
-/// Whether a frame buffer holds the picture itself.
+/// Whether a frame buffer contains the beauty.
 bool is_picture(const scene::FrameBuffer& buffer) {
   const std::string name = lower_case(buffer.name);
   return buffer.primary.value_or(false) || name == "rgba" || name == "beauty" || name == "color";
 }
 
-/// Depth, normals, labels and coverage: there is one picture of each, whatever the buffer is
-/// called.
+/// Depth, normals, labels and coverage exist once, independent of the name of the buffer.
 bool is_geometry_type(std::string_view datatype) {
   if (datatype.starts_with('+') || datatype.starts_with('-')) datatype.remove_prefix(1);
   return datatype == "z" || datatype == "n" || datatype == "tag" || datatype == "coverage";
 }
 
-/// Several buffers in one EXR file are layers of it.
+/// Several buffers with the same EXR file become its layers.
 void add_file(PictureFile file, std::vector<PictureFile>& files) {
   const auto same = std::find_if(files.begin(), files.end(), [&](const PictureFile& f) {
     return f.path == file.path && f.format == "exr" && file.format == "exr";
@@ -88,7 +89,7 @@ void add_file(PictureFile file, std::vector<PictureFile>& files) {
   same->samples = std::max(same->samples, file.samples);
 }
 
-/// The files of the frame buffers, each named as the output it shows.
+/// Makes the files of the frame buffers.
 class BufferReader {
  public:
   BufferReader(const OutputRoots& roots, const World& world, Diagnostics& diagnostics)
@@ -110,7 +111,7 @@ class BufferReader {
       if (count_++ == 0) first_ = buffer.where;
       return;
     }
-    // Of what kind a shader's values are, the buffer knows.
+    // The buffer defines the pixel type of values written by a shader.
     if (means_nothing)
       output.types =
           "rgba" + output.types.substr(std::min(output.types.find('_'), output.types.size()));
@@ -132,15 +133,15 @@ class BufferReader {
     if (count_ == 0) return;
     diagnostics_.error(
         "OR-RN-053", first_,
-        fmt::format("framebuffer {} {} nothing that is rendered; {} left out", unknown_,
-                    count_ == 1 ? "names" : "name", count_ == 1 ? "it is" : "they are"),
-        fmt::format("a name that ends in one of {} is that output; rgba, beauty, color or "
-                    "primary on is the picture",
+        fmt::format("framebuffer {} {} not match any render output; {} skipped", unknown_,
+                    count_ == 1 ? "does" : "do", count_ == 1 ? "it is" : "they are"),
+        fmt::format("use a name that ends in one of {}, or use rgba, beauty, color or "
+                    "primary on for the beauty",
                     fmt::join(material_output_names(), ", ")));
   }
 
  private:
-  /// Place of the buffer among those that shaders may write; -1: none.
+  /// Index of the buffer in World::user_buffers; -1 if not found.
   int user_buffer(std::string_view name) const {
     const auto& all = world_.user_buffers;
     const auto at = std::find_if(all.begin(), all.end(), [&](auto& b) { return b.name == name; });

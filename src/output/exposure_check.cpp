@@ -16,10 +16,10 @@
 namespace oriel {
 namespace {
 
-/// Units that differ by less may be meant: lux for candela is a factor of pi.
+/// Smaller factors between units may be intended: lux instead of candela is a factor of pi.
 constexpr float kWrongFactor = 10;
 
-/// Who applies gamma to what the file shows, in order.
+/// The shaders and options that apply gamma to the file, in order.
 std::vector<std::string> gammas(const World& world, const PictureFile& file) {
   std::vector<std::string> who;
   const auto add = [&](const ShaderNode& node, const char* role) {
@@ -53,10 +53,10 @@ void note_mapped_floats(const World& world, const std::vector<PictureFile>& file
   const NodeList& shaders = world.lens.empty() ? mapped->shaders : world.lens;
   diagnostics.note(
       "OR-RN-066", {},
-      fmt::format("{} holds colours after the {} shader {}, as the scene asks",
+      fmt::format("{} contains colours after the {} shader {}, as defined by the scene",
                   std::filesystem::path(mapped->path).filename().string(),
                   world.lens.empty() ? "output" : "lens", shaders.front()->spec().name),
-      "linear light is layer \"linear\" of EXR files, and all there is with --linear");
+      "the layer \"linear\" of EXR files is linear; --linear writes linear files only");
 }
 
 void check_gamma(const World& world, const std::vector<PictureFile>& files,
@@ -67,9 +67,9 @@ void check_gamma(const World& world, const std::vector<PictureFile>& files,
     if (who.size() < 2) continue;
     return diagnostics.warning(
         "OR-RN-041", {},
-        fmt::format("colours get gamma {}, by {}", who.size() == 2 ? "twice" : "several times",
+        fmt::format("gamma is applied {}, by {}", who.size() == 2 ? "twice" : "several times",
                     fmt::join(who, " and by ")),
-        "gamma belongs in one place: set the others to 1");
+        "apply gamma once: set the others to 1");
   }
 }
 
@@ -87,12 +87,12 @@ void check_units(const World& world, const std::vector<PictureFile>& files,
       if (std::abs(stops) < math::log2(kWrongFactor)) continue;
       return diagnostics.warning(
           "OR-RN-044", {},
-          fmt::format("{} takes one unit of a pixel for {:.4g} cd/m2, {} makes it {:.4g}: the "
+          fmt::format("{} assumes {:.4g} cd/m2 per pixel unit, but {} uses {:.4g}: the "
                       "picture is {:.1f} stops too {}",
                       exposure->spec().name, taken, node->spec().name, *put, std::abs(stops),
                       stops < 0 ? "dark" : "bright"),
           fmt::format("set cm2_factor to {:.4g}, or rgb_unit_conversion to {:.4g} (or film_iso 0 "
-                      "where no unit is meant)",
+                      "for pixels without a unit)",
                       *put, kInvPi / taken));
     }
   }

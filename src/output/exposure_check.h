@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exposures that cannot show what is meant: gamma twice, units that do not fit.
+// Detects exposure errors of a scene: gamma applied twice, inconsistent units.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace oriel {
 
-/// Warns of pictures that come out wrong however well they are rendered.
+/// Warns about wrong exposure settings.
 ///
-/// Errors:  OR-RN-041 colours get gamma more than once on their way to a file that people look at:
-///          by lens shaders, by output shaders, by the options. OR-RN-044 an exposure takes pixels
-///          for another luminance than sun or sky (rgb_unit_conversion) put there, by a factor of
-///          ten or more. OR-RN-066, once: a file of float pixels holds mapped colours.
+/// Errors:  OR-RN-041 gamma is applied more than once to a display file: by lens shaders, output
+///          shaders or the options. OR-RN-044 the exposure assumes a luminance per pixel unit that
+///          differs from that of sun or sky (rgb_unit_conversion) by a factor of ten or more.
+///          OR-RN-066, once: a file of float pixels contains tone-mapped colours.
 /// Checked: ExposureCheck.* in exposure_check_test.cpp
 void check_exposures(const World& world, const std::vector<PictureFile>& files,
                      Diagnostics& diagnostics);

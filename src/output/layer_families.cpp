@@ -14,7 +14,7 @@
 namespace oriel {
 namespace {
 
-/// Whether a user buffer of that name would be mistaken for another layer.
+/// Whether a user buffer with that name would collide with another layer.
 bool is_taken(const std::string& name) {
   return name.size() == 1 || name == "beauty" || name == kDenoisedLayer || name == kLinearLayer ||
          find_layer_spec(name) != nullptr;

@@ -9,15 +9,15 @@
 
 namespace oriel {
 
-/// `light.NAME` of each light group and `light.rest`, which sum to the beauty; `light.indirect`
-/// where some light does not know its group.
+/// `light.NAME` of each light group and `light.rest`, which sum to the beauty; also
+/// `light.indirect` if some light has an unknown group.
 void add_light_layers(const RenderSession& session, std::vector<Layer>& layers);
 
-/// User buffers: fbN by number, those with a name by it, if shaders wrote them. A name that another
-/// layer has becomes fb.NAME; a buffer named as an output of materials replaces that layer.
+/// User buffers that shaders wrote: by name, or fbN by number. A name of another layer becomes
+/// fb.NAME; a buffer with the name of a material output replaces that layer.
 void add_user_buffer_layers(const RenderSession& session, std::vector<Layer>& layers);
 
-/// Channel names of a user buffer that is alone in a file.
+/// Channel names of a user buffer that is the only content of a file.
 std::vector<std::string> channels_alone(const Image& image);
 
 }  // namespace oriel

@@ -14,9 +14,8 @@
 
 namespace oriel {
 
-/// What a file without layers shows of the picture.
-/// Intensity: by the luminance weights of the options. Bit: 1 where alpha is at least .5, else 0.
-/// The views from Depth on are layers.
+/// Content of a file without layers. Intensity uses the luminance weights of the options. Bit is 1
+/// if alpha is at least .5, else 0. Depth and the following views are layers.
 enum class PixelView {
   ColorAlpha,
   Color,
@@ -35,9 +34,9 @@ enum class LayerGroup : std::uint8_t {
   Film,         ///< in EXR files by default
   Photometric,  ///< values in lux or cd/m2
   Motion,
-  Outputs,   ///< of materials
-  Coverage,  ///< of the instance that covers most of the pixel
-  Always     ///< in each EXR file of the beauty, if the session stores it; cannot be named
+  Outputs,   ///< outputs of materials
+  Coverage,  ///< coverage of the instance that covers most of the pixel
+  Always     ///< in each EXR file of the beauty if the session stores it; cannot be selected
 };
 
 /// What a session has to store for a layer.
@@ -45,7 +44,7 @@ enum class LayerNeed : std::uint8_t { None, Outputs, Irradiance, Mattes, LightLa
 
 /// One row of the table: a layer, or a family of layers that depends on the scene.
 struct LayerSpec {
-  std::string name;                   ///< for --layers; of families a pattern
+  std::string name;                   ///< name for --layers; for families a pattern
   std::string exr;                    ///< name in EXR files
   std::vector<std::string> channels;  ///< names in EXR files
   LayerGroup group;
@@ -68,11 +67,11 @@ const std::vector<LayerSpec>& layer_table();
 
 inline constexpr const char* kDenoisedLayer = "denoised";
 
-/// Rows of the table.
+/// A set of rows of the table.
 class LayerSet {
  public:
   LayerSet() = default;
-  /// The layer of that --layers name; empty if there is none.
+  /// The layer with that --layers name; empty if there is none.
   explicit LayerSet(std::string_view name);
   explicit LayerSet(LayerGroup group);
   /// The layers of `--layers all`.
@@ -95,14 +94,15 @@ class LayerSet {
 
 /// Names for --layers, in the order of the table.
 std::vector<std::string> layer_names();
-/// Rows by the name for --layers, the type of `output` statements ("z"), or the view; null = none.
+/// Find a row by its --layers name, by its type in `output` statements ("z"), or by view; null =
+/// none.
 const LayerSpec* find_layer_spec(std::string_view name);
 const LayerSpec* layer_of_type(std::string_view type);
 const LayerSpec* layer_of_view(PixelView view);
 
-/// The values of a row that is no family: an image of the whole picture.
+/// The values of a row that is not a family, as an image of the full frame.
 Image layer_image(const RenderSession& session, const LayerSpec& row);
-/// An image of the whole picture with f(x, y, values) written where the film is.
+/// An image of the full frame with the values of f(x, y, values) inside the film window.
 Image collect_pixels(const RenderSession& session, int channels,
                      const std::function<void(int x, int y, float* to)>& f);
 

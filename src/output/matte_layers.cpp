@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const RenderSession& session, MatteKind kind) 
   return names;
 }
 
-/// Of a pixel: who covers most of it, all materials of an instance together.
+/// The instance that covers most of a pixel, over all of its materials.
 Mattes::Share foremost(const std::vector<Mattes::Share>& shares) {
   Mattes::Share most;
   for (const Mattes::Share& share : shares) {
@@ -45,7 +45,7 @@ Mattes::Share foremost(const std::vector<Mattes::Share>& shares) {
   return most;
 }
 
-/// Ranks of one kind as one picture of 2 x ranks channels.
+/// Ranks of one kind as an image of 2 x ranks channels.
 Image ranked(const RenderSession& session, MatteKind kind, int ranks) {
   std::vector<float> ids;
   for (const std::string& name : names_of(session, kind)) ids.push_back(cryptomatte_id(name));

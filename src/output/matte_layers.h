@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pixels see first, as layers: Cryptomattes of objects, materials and assets, labels,
-// coverage.
+// Matte layers: Cryptomattes of objects, materials and assets; labels and coverage.
 #pragma once
 
 #include <map>
@@ -13,22 +12,21 @@
 
 namespace oriel {
 
-/// Of the instances of the world, as the scene has them. An object is an instance's name; the
-/// asset, which all instances of it share, that of its object element.
+/// Names of the instances of the world. The object name is the name of the instance; the asset,
+/// shared by all instances of an object element, is the name of that element.
 MatteNames matte_names(const scene::Scene& scene, const World& world, int depth);
 
-/// CryptoObject00, 01..., CryptoMaterial00..., CryptoAsset00..., as many as depth asks for (two
-/// ranks each); channels r, g, b, a. None where the session keeps no mattes.
+/// CryptoObject00, 01..., CryptoMaterial00..., CryptoAsset00..., as many as depth requires (two
+/// ranks each); channels r, g, b, a. Empty if the session stores no mattes.
 ///
-/// Model:   what Mattes keeps, by name: names that are the same are one. Where nothing is seen the
-///          id is 0, so that all ranks of a pixel sum to 1 where there are no more names than
-///          ranks.
+/// Model:   the shares of Mattes, merged by name. The background has id 0, so all ranks of a pixel
+///          sum to 1 if there are no more names than ranks.
 /// Checked: Mattes.* in mattes_test.cpp
 std::vector<Layer> cryptomatte_layers(const RenderSession& session);
 std::map<std::string, std::string> cryptomatte_metadata(const RenderSession& session);
 
-/// The label of the instance that covers most of film pixel (x, y), and its share; 0 where that is
-/// nothing. Only of sessions with mattes.
+/// Writes the label and the coverage of the instance that covers most of film pixel (x, y); 0 for
+/// background. Requires a session with mattes.
 void write_label(const RenderSession& session, int x, int y, float* to);
 void write_coverage(const RenderSession& session, int x, int y, float* to);
 

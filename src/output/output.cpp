@@ -33,7 +33,7 @@ std::string file_type(const PictureFile& file) {
   return type;
 }
 
-/// f(x, y, values) for each pixel of the film, with its values in an image of the whole picture.
+/// Calls f(x, y, values) for each pixel of the film, with its values in an image of the full frame.
 template <class F>
 void for_each_pixel(const RenderSession& session, Image& image, const F& f) {
   const Window& w = session.window();
@@ -48,10 +48,10 @@ void put(float* to, const Rgb& c) { to[0] = c.x, to[1] = c.y, to[2] = c.z; }
 
 const std::vector<std::string> kRgbNames = {"R", "G", "B"};
 
-/// Whether an output shader works on whole pictures; others map colours one by one.
+/// Whether an output shader processes whole pictures; other output shaders map single colours.
 bool works_on_picture(const ShaderNode* node) { return node->spec().output != nullptr; }
 
-/// Output shaders in their order.
+/// Runs output shaders in order.
 void run_in_order(const NodeList& shaders, const RenderSession& session, Image& shown,
                   const Image* denoised, OutputPicture& picture) {
   const Window& w = session.window();
@@ -73,7 +73,7 @@ void run_in_order(const NodeList& shaders, const RenderSession& session, Image& 
   }
 }
 
-/// Values of a file that shows something else than colour.
+/// Values of a file that does not show colour.
 Image data_image(const RenderSession& session, PixelView view) {
   if (const LayerSpec* layer = layer_of_view(view)) return layer_image(session, *layer);
   return collect_pixels(session, 1, [&](int x, int y, float* to) {
@@ -97,12 +97,12 @@ Image intensity(const Image& rgba, const Rgb& weight) {
   return image;
 }
 
-/// Whether it shows the picture, and not something about it.
+/// Whether the view shows the picture instead of other data.
 bool shows_colour(PixelView view) {
   return view == PixelView::ColorAlpha || view == PixelView::Color || view == PixelView::Intensity;
 }
 
-/// Beauty as the film has it, with other colours where there are any.
+/// The linear beauty of the film, with replaced colours if `denoised` is not null.
 Image linear_image(const RenderSession& session, const Image* denoised) {
   Image image = std::move(film_layers(session, {}).front().image);
   if (denoised)
@@ -111,7 +111,7 @@ Image linear_image(const RenderSession& session, const Image* denoised) {
   return image;
 }
 
-/// Whether the file shows a user's buffer rather than what else it means.
+/// Whether the file shows a user buffer instead of its other content.
 bool shows_user_buffer(const PictureFile& file, const RenderSession& session) {
   if (file.user_buffer < 0) return false;
   const auto slot = static_cast<std::size_t>(file.user_buffer);
@@ -119,7 +119,7 @@ bool shows_user_buffer(const PictureFile& file, const RenderSession& session) {
          (file.only_user_buffer || session.film().is_written(slot));
 }
 
-/// A user's buffer after the output shaders of the file.
+/// A user buffer after the output shaders of the file.
 Image user_buffer_image(const PictureFile& file, const RenderSession& session,
                         const Image* denoised) {
   const auto slot = static_cast<std::size_t>(file.user_buffer);
@@ -149,8 +149,8 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
   return file.view == PixelView::Color ? without_alpha(image) : image;
 }
 
-/// Writers go by the extension, so a file whose type says otherwise is written under another name
-/// and then renamed.
+/// Writers select the format by extension. If the requested type differs, the file is written under
+/// another name and then renamed.
 void write_as(const std::string& type, const PictureFile& file, const Image& image,
               const FileOptions& options) {
   if (file_type({.path = file.path}) == type) return write_image(file.path, image, options);
@@ -267,7 +267,7 @@ void write_picture(const PictureFile& file, const RenderSession& session,
   const std::string type = file_type(file);
   if (type.empty())
     throw std::runtime_error("cannot write '" + file.path +
-                             "': the name has no suffix that tells the file type");
+                             "': the file name has no extension that selects the file type");
   if (type == "exr") {
     ExrOptions exr;
     exr.half = file.samples == SampleFormat::Half;

@@ -21,7 +21,7 @@ int material_output_index(std::string_view name) {
 }
 
 int output_of_frame_buffer(std::string_view buffer) {
-  // Cutting from the left finds the longest name first.
+  // Removing characters from the left finds the longest name first.
   for (std::size_t cut = 0; cut < buffer.size(); ++cut) {
     if (cut > 0 && std::isalpha(static_cast<unsigned char>(buffer[cut - 1]))) continue;
     const int index = material_output_index(buffer.substr(cut));

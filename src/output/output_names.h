@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the outputs of a material are called, in files and in frame buffers.
+// Names of material outputs in files and frame buffers.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace oriel {
 /// Checked: OutputNames.* in output_names_test.cpp
 const std::vector<std::string>& material_output_names();
 
-/// Where the name stands among material_output_names(), -1 when it is none of them.
+/// Index in material_output_names(); -1 if the name is not an output.
 int material_output_index(std::string_view name);
 
-/// The output that the name of a frame buffer means: the longest output name it ends with, where
-/// nothing or no letter stands before it ("fb_diffuse_raw", "beauty:diffuse_raw", "diffuse_raw").
+/// The material output that a frame buffer name refers to: the longest output name at its end that
+/// is not preceded by a letter ("fb_diffuse_raw", "beauty:diffuse_raw", "diffuse_raw").
 ///
-/// Returns: an index into material_output_names(), -1 when the name means none of them.
+/// Returns: an index into material_output_names(); -1 if there is no match.
 /// Checked: OutputNames.FrameBuffersMeanTheLongestNameTheyEndWith
 int output_of_frame_buffer(std::string_view buffer);
 

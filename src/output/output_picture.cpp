@@ -8,7 +8,7 @@
 namespace oriel {
 namespace {
 
-/// Where the C interface counts users' buffers from, as mental ray does (miRC_IMAGE_USER).
+/// First number of user buffers in the C interface, as in mental ray (miRC_IMAGE_USER).
 constexpr int kFirstUserNumber = 12;
 
 }  // namespace

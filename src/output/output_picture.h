@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finished picture in the hands of output shaders that work on all of it at once.
+// The finished picture for output shaders that process whole pictures.
 #pragma once
 
 #include <map>
@@ -10,19 +10,19 @@
 
 namespace oriel {
 
-/// Buffers by the numbers of the C interface: 0 the picture, RGBA as it is shown; 1 depth, one
-/// channel, 0 where there is nothing; 2 world normals, three; 12 + N and N the user's buffer of
-/// number N, with one, three or four channels (N alone where nothing else has that number). The
-/// picture and users' buffers may be changed; only files that show them tell.
+/// Buffers are numbered as in the C interface: 0 is the picture, RGBA as displayed; 1 is depth, one
+/// channel, 0 = no hit; 2 is world normals, three channels; 12 + N is the user buffer of number N
+/// with one, three or four channels (also N if no other buffer has that number). The picture and
+/// user buffers may be modified; the change affects only files that show them.
 class OutputPicture {
  public:
   OutputPicture(const RenderSession& session, Image& shown) : session_(session), shown_(shown) {}
 
   const World& world() const { return session_.world(); }
-  /// Null when the picture has no such buffer.
+  /// Null if the picture has no such buffer.
   Image* buffer(int number);
   bool is_writable(int number) const { return number == 0 || slot_of(number); }
-  /// By its place in World::user_buffers.
+  /// By index in World::user_buffers.
   Image& user_buffer(std::size_t slot);
 
  private:
@@ -35,10 +35,10 @@ class OutputPicture {
   std::map<std::size_t, Image> user_buffers_;
 };
 
-/// What the film has of a user's buffer, over the whole picture.
+/// Values of a user buffer in the film, as an image of the full frame.
 Image film_user_buffer(const RenderSession& session, std::size_t slot);
 
-/// Runs an output shader that works on whole pictures (ShaderSpec::output).
+/// Runs an output shader that processes whole pictures (ShaderSpec::output).
 void run_output_shader(const ShaderNode& node, OutputPicture& picture);
 
 }  // namespace oriel

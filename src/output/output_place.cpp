@@ -39,7 +39,7 @@ std::string allowed_path(const std::string& file, const OutputRoots& roots) {
 OutputPlace output_place(const std::string& file, const OutputRoots& roots) {
   const std::string portable = scene::with_slashes(file);
   const bool absolute = is_absolute(portable);
-  // A drive's letter would be taken for a folder.
+  // A drive letter would be interpreted as a folder.
   if (!absolute || portable.starts_with('/'))
     if (std::string path = allowed_path(portable, roots); !path.empty())
       return {std::move(path), false};
@@ -50,11 +50,11 @@ OutputPlace output_place(const std::string& file, const OutputRoots& roots) {
 std::string output_fault(const std::string& path, const OutputRoots& roots) {
   std::error_code error;
   const fs::path target(path), folder = target.parent_path();
-  if (fs::is_directory(target, error)) return "it is a folder";
+  if (fs::is_directory(target, error)) return "the path is a folder";
   if (!folder.empty() && !fs::is_directory(folder, error)) {
-    if (allowed_path(path, roots).empty()) return "there is no folder '" + folder.string() + "'";
+    if (allowed_path(path, roots).empty()) return "folder '" + folder.string() + "' does not exist";
     fs::create_directories(folder, error);
-    if (error) return "its folder cannot be made: " + error.message();
+    if (error) return "its folder cannot be created: " + error.message();
   }
   const fs::path probe = target.string() + ".oriel-test";
   std::ofstream stream(probe);

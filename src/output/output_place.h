@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the file of an output lies, and whether it can be written.
+// Location of output files, and whether they can be written.
 #pragma once
 
 #include <string>
@@ -7,29 +7,30 @@
 
 namespace oriel {
 
-/// Where scenes may write.
+/// Folders that scenes may write to.
 struct OutputRoots {
-  std::string base;                  ///< relative names start here: the scene's folder
-  std::vector<std::string> allowed;  ///< folders that files must lie in or below
-  /// What a user can do about a file outside of them.
+  std::string base;                  ///< folder of the scene, which relative names start from
+  std::vector<std::string> allowed;  ///< files must be inside these folders
+  /// Hint for files outside of them.
   std::string hint = "name the file with -o";
 };
 
-/// The path below one of the roots that `file` means, empty when it is outside of all.
+/// The absolute path of `file` inside one of the roots; empty if it is outside.
 std::string allowed_path(const std::string& file, const OutputRoots& roots);
 
 struct OutputPlace {
-  std::string path;    ///< empty: the file lies outside of the roots
-  bool moved = false;  ///< an absolute path outside of the roots became a file of the base folder
+  std::string path;  ///< empty: the file is outside of the roots
+  /// an absolute path outside of the roots was replaced by a file in the base folder
+  bool moved = false;
 };
 
-/// The same for a camera's output: backslashes separate folders, and absolute paths (of Windows as
-/// well) that lie outside of all roots become their file name in the base folder.
+/// Same for the output of a camera: backslashes separate folders, and absolute paths (also of
+/// Windows) outside of all roots are replaced by their file name in the base folder.
 /// Checked: OutputPlace.* in output_place_test.cpp
 OutputPlace output_place(const std::string& file, const OutputRoots& roots);
 
-/// Makes the missing folders of a file that lies in or below a root and writes an empty file beside
-/// it, which it removes. Returns why the file cannot be written; empty: it can.
+/// Creates missing folders inside a root and tests writing with an empty file, which it removes.
+/// Returns why the file cannot be written; empty if it can.
 std::string output_fault(const std::string& path, const OutputRoots& roots);
 
 }  // namespace oriel

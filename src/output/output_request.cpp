@@ -15,13 +15,12 @@ namespace oriel {
 namespace {
 
 struct Format {
-  std::string_view name;       ///< as the language or a suffix spells it
-  std::string_view extension;  ///< as the writers know it
+  std::string_view name;       ///< name in the .mi language, or suffix
+  std::string_view extension;  ///< extension for the image writers
   bool linear = false;
 };
 
-// Formats of the language that files can be written in, and suffixes of what the image library
-// writes beside them.
+// Supported formats of the .mi language, and further suffixes of the image library.
 // clang-format off
 constexpr std::array<Format, 22> kFormats = {{
     {"exr", "exr", true}, {"hdr", "hdr", true}, {"png", "png"}, {"jpg", "jpg"}, {"jpeg", "jpg"},
@@ -31,8 +30,8 @@ constexpr std::array<Format, 22> kFormats = {{
     {"pnm", "pnm"}, {"webp", "webp"}}};
 // clang-format on
 
-/// Formats of the language that nobody writes any more, and the nearest that is written: for
-/// numbers EXR, for views what keeps their depth and alpha.
+/// Obsolete formats of the .mi language and their nearest replacement: EXR for data, for pictures a
+/// format with the same depth and alpha.
 struct Nearest {
   std::string_view format, nearest;
 };
@@ -43,7 +42,7 @@ constexpr std::array<Nearest, 21> kNearest = {
      {"vt", "exr"},  {"wt", "exr"},   {"zt", "exr"},   {"nt", "exr"},     {"mt", "exr"},
      {"tt", "exr"}}};
 
-/// What a file type keeps of a number.
+/// The most precise sample format that a file type supports.
 SampleFormat finest(std::string_view extension) {
   if (extension == "exr" || extension == "hdr" || extension == "tif" || extension == "fits")
     return SampleFormat::Float;
@@ -64,7 +63,7 @@ std::string suffix_of(const std::string& path) {
   return suffix.empty() ? suffix : suffix.substr(1);
 }
 
-/// What one word of the type list means.
+/// Meaning of one word in the list of types.
 struct Type {
   PixelView view;
   LayerSet layer = {};
@@ -92,7 +91,7 @@ std::optional<Type> read_type(std::string word) {
   if (!row) return std::nullopt;
   type.view = row->view;
   type.layer = LayerSet(row->name);
-  // Whole numbers of these would mean nothing.
+  // Integers cannot represent these.
   const bool is_depth = type.view == PixelView::Depth || type.view == PixelView::Normal;
   const bool is_matte = row->need == LayerNeed::Mattes;
   if (is_matte || (is_depth && type.samples == SampleFormat::U8))
@@ -139,8 +138,8 @@ class RequestReader {
     PictureFile file{.path = place.path};
     if (file.path.empty()) {
       fail("OR-RN-050",
-           fmt::format("{} \"{}\" lies outside of the scene's folder and is not written",
-                       statement_, output_.file),
+           fmt::format("{} \"{}\" is outside of the scene folder and is not written", statement_,
+                       output_.file),
            roots.hint);
       return std::nullopt;
     }
@@ -151,7 +150,7 @@ class RequestReader {
           roots.hint);
     if (!format) {
       fail("OR-RN-051",
-           fmt::format("no file of format \"{}\" can be written; {} \"{}\" is left out",
+           fmt::format("unsupported file format \"{}\"; {} \"{}\" is skipped",
                        output_.format.empty() ? suffix_of(output_.file) : output_.format,
                        statement_, output_.file),
            nearest_to(
@@ -170,7 +169,7 @@ class RequestReader {
   }
 
  private:
-  /// What is lost where the file type knows no such numbers.
+  /// Reports precision that the file type loses.
   void tell_loss(const std::string& word, const Type& type, const PictureFile& file) {
     const SampleFormat most = finest(file.format);
     const bool is_data = type.view == PixelView::Depth || type.view == PixelView::Normal ||
@@ -179,17 +178,17 @@ class RequestReader {
         type.samples == SampleFormat::Float || type.samples == SampleFormat::Half || is_data;
     if (most == SampleFormat::Float || (!wants_float && type.samples <= most)) return;
     diagnostics_.note("OR-RN-061", output_.where,
-                      fmt::format("{} files hold {} bits of \"{}\"{}", file.format,
+                      fmt::format("{} files store {} bits of \"{}\"{}", file.format,
                                   most == SampleFormat::U16 ? 16 : 8, word,
-                                  wants_float ? ", and what lies outside of 0 to 1 is cut" : ""),
-                      "exr holds all of it");
+                                  wants_float ? ", and values outside of 0 to 1 are clipped" : ""),
+                      "use exr to store all values");
   }
 
   static std::string nearest_to(std::string_view format) {
     const auto at = std::find_if(kNearest.begin(), kNearest.end(),
                                  [&](const Nearest& n) { return n.format == format; });
-    if (at != kNearest.end()) return fmt::format("the nearest that can is {}", at->nearest);
-    return "exr, hdr, png, jpg, tif, tga, bmp, ppm, iff, sgi, rla, webp, jp2 and dpx can";
+    if (at != kNearest.end()) return fmt::format("the nearest supported format is {}", at->nearest);
+    return "use exr, hdr, png, jpg, tif, tga, bmp, ppm, iff, sgi, rla, webp, jp2 or dpx";
   }
 
   static std::string_view word_without_sign(std::string_view word) {
@@ -197,7 +196,7 @@ class RequestReader {
     return word;
   }
 
-  /// An error where the file is not written.
+  /// Reports an error if the file is not written.
   void report(Severity severity, std::string_view code, std::string message, std::string hint) {
     diagnostics_.report(severity, code, output_.where, std::move(message), std::move(hint));
   }
@@ -205,8 +204,8 @@ class RequestReader {
     report(Severity::Error, code, std::move(message), std::move(hint));
   }
 
-  /// Three strings: the format as written. Two: the suffix, else the one word there is; which is
-  /// moved to the types when it is one.
+  /// With three strings the format is explicit. With two the suffix selects it, else the single
+  /// word does, which is then removed from the types.
   const Format* choose_format(std::string& types) const {
     const std::string written = lower_case(output_.format);
     if (!types.empty() && !written.empty()) return find_format(written);
@@ -216,7 +215,7 @@ class RequestReader {
     return find_format(word);
   }
 
-  /// The place of the buffer that "fbN" means; -1 where there is none.
+  /// Index of the buffer "fbN"; -1 if it does not exist.
   int find_user_buffer(std::string_view word) const {
     if (!is_user_buffer(word)) return -1;
     const std::string_view digits = word.substr(word.find_first_of("0123456789"));
@@ -228,8 +227,8 @@ class RequestReader {
     return at == user_buffers_.end() ? -1 : static_cast<int>(at - user_buffers_.begin());
   }
 
-  /// The first type decides what is shown, and EXR files of the picture have all buffers anyway.
-  /// False when nothing is left to write.
+  /// Removes user buffers from the types. The first type selects the content, and EXR files of the
+  /// picture contain all buffers anyway. Returns false if nothing is left to write.
   bool leave_out_user_buffers(std::vector<std::string>& words) {
     const bool is_shown = !words.empty() && find_user_buffer(words.front()) >= 0;
     const auto user = std::find_if(words.begin(), words.end(), [&](const std::string& word) {
@@ -241,14 +240,14 @@ class RequestReader {
     };
     if (user == words.end()) return words.empty() || erase();
     const std::string_view why = user_buffers_.empty()
-                                     ? "is a buffer that only shaders of users write into"
-                                     : "is no buffer of the options";
+                                     ? "is a buffer that only user shaders can write"
+                                     : "is not a buffer of the options";
     const bool nothing_left = !is_shown && words.size() == 1;
     report(nothing_left ? Severity::Error : Severity::Warning, "OR-RN-054",
            fmt::format("\"{}\" {}; {} \"{}\" {}", *user, why, statement_, output_.file,
-                       words.size() > 1 ? "is written without it" : "is left out"),
-           "a framebuffer of the camera that is named as an output of the material, such as "
-           "\"diffuse_result\", or --layers outputs writes parts of the picture");
+                       words.size() > 1 ? "is written without it" : "is skipped"),
+           "to write a part of the picture, name a framebuffer after a material output such as "
+           "\"diffuse_result\", or use --layers outputs");
     return erase();
   }
 
@@ -259,9 +258,10 @@ class RequestReader {
       const std::optional<Type> type = read_type(word);
       if (!type) {
         report(words.size() == 1 ? Severity::Error : Severity::Warning, "OR-RN-051",
-               fmt::format("no picture of type \"{}\" is made; it is left out of {} \"{}\"", word,
+               fmt::format("unsupported picture type \"{}\"; it is ignored in {} \"{}\"", word,
                            statement_, output_.file),
-               "rgb, rgba, rgbe, a, s, bit, z, n, m, tag and coverage are, with _16, _h and _fp");
+               "use rgb, rgba, rgbe, a, s, bit, z, n, m, tag or coverage, optionally with _16, _h "
+               "or _fp");
         continue;
       }
       file.layers |= type->layer;
@@ -271,7 +271,7 @@ class RequestReader {
     const Type type = first.value_or(Type{PixelView::ColorAlpha});
     file.view = type.view;
     file.samples = type.samples;
-    // An integer type in a float file is a promise that the file does not need.
+    // A float file can store the values of an integer type exactly.
     const bool is_integer = type.samples == SampleFormat::U8 || type.samples == SampleFormat::U16;
     if (file.float_pixels && is_integer) file.samples = SampleFormat::Float;
     if (!is_integer) file.float_pixels = true;

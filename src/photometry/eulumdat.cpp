@@ -9,9 +9,10 @@
 namespace oriel::photometry {
 namespace {
 
-constexpr const char* kDamaged = "the file is damaged or cut off: get it again from its maker";
+constexpr const char* kDamaged =
+    "the file is damaged or truncated: obtain it again from the manufacturer";
 
-/// One field a line.
+/// Reads one field per line.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {
@@ -36,11 +37,11 @@ class Lines {
     const std::string field = text(what);
     const auto value = parse_number(field, true);
     if (!value)
-      throw ProfileError(line_, fmt::format("\"{}\" stands where {} should", field, what),
-                         "each line holds one value: a line may be missing or too many");
+      throw ProfileError(line_, fmt::format("found \"{}\" where {} is expected", field, what),
+                         "each line contains one value: check for a missing or extra line");
     return *value;
   }
-  /// An empty line is `missing`.
+  /// An empty line returns `missing`.
   double number_or(const char* what, double missing) {
     const std::string field = text(what);
     return field.empty() ? missing : parse_number(field, true).value_or(missing);
@@ -48,7 +49,7 @@ class Lines {
   int whole(const char* what, int least, int most) {
     const double value = number(what);
     return whole_number(value, line_, what, least, most,
-                        "is this an EULUMDAT file? IES files say `format ies`");
+                        "this may not be an EULUMDAT file; use `format ies` for IES files");
   }
 
  private:
@@ -57,10 +58,10 @@ class Lines {
 };
 
 constexpr const char* kSymmetries[] = {
-    "none", "the same all around", "two equal halves, on both sides of C0 - C180",
+    "none", "rotational", "two equal halves, on both sides of C0 - C180",
     "two equal halves, on both sides of C90 - C270", "four equal quadrants"};
 
-/// How many of Mc planes a file of that symmetry stores.
+/// Number of planes (of Mc) that a file of that symmetry stores.
 int stored_planes(int symmetry, int planes) {
   switch (symmetry) {
     case 1:
@@ -88,7 +89,7 @@ Planes whole_circle(const Planes& stored, std::size_t cones, int symmetry) {
   }
 }
 
-/// The sets of lamps; the flux of the first one, lm.
+/// Reads the lamp sets; returns the flux of the first one in lm.
 double read_lamps(Lines& in, ProfileReport& report) {
   const int sets = in.whole("the number of sets of lamps", 1, 20);
   double flux = 0;
@@ -98,7 +99,7 @@ double read_lamps(Lines& in, ProfileReport& report) {
     const double lumens = in.number("the flux of the lamps");
     if (s == 0 && !(lumens > 0 && lumens <= 1e9))
       throw ProfileError(in.line(), fmt::format("the flux of the lamps is {} lm", lumens),
-                         "intensities are stored for 1000 lm: the flux must be above 0");
+                         "intensities are stored per 1000 lm, so the flux must be above 0");
     in.skip(2, "colour and colour rendering");
     const double watts = in.number_or("the watts", 0);
     if (s > 0) continue;
@@ -107,7 +108,7 @@ double read_lamps(Lines& in, ProfileReport& report) {
     report.lamp = lamp;
     report.watts = static_cast<float>(watts);
     if (lamps >= 0) report.lamp_lumens = static_cast<float>(lumens);
-    // A negative number says that the luminaire as a whole was measured.
+    // A negative number of lamps means absolute photometry: the luminaire as a whole was measured.
   }
   if (sets > 1)
     report.notes.push_back(fmt::format("it lists {} sets of lamps; the first one is used", sets));
@@ -136,15 +137,16 @@ ProfileData parse_eulumdat(std::string_view text) {
   const double conversion = in.number_or("the conversion factor", 1);
   if (!(conversion > 0 && conversion <= 1e9))
     throw ProfileError(in.line(), fmt::format("the conversion factor is {}", conversion),
-                       "it is above 0, mostly 1");
+                       "it must be above 0 and is usually 1");
   in.text("the tilt of the measurement");
   const double flux = read_lamps(in, report);
   in.skip(10, "the direct ratios");
 
   if (planes <= 1) symmetry = 1;
   if ((symmetry == 2 || symmetry == 3) ? planes % 2 != 0 : symmetry == 4 && planes % 4 != 0)
-    throw ProfileError(4, fmt::format("{} C planes do not fit the symmetry {}", planes, symmetry),
-                       "Isym 2 and 3 need an even number, Isym 4 a multiple of 4");
+    throw ProfileError(
+        4, fmt::format("{} C planes are inconsistent with symmetry {}", planes, symmetry),
+        "Isym 2 and 3 require an even number, Isym 4 a multiple of 4");
   std::vector<int> c_lines, g_lines, lines;
   std::vector<float> c = read_numbers(in, planes, "a C angle", c_lines);
   const std::vector<float> gamma = read_numbers(in, cones, "an angle gamma", g_lines);
@@ -152,9 +154,9 @@ ProfileData parse_eulumdat(std::string_view text) {
   if (symmetry != 1) expect_ascending(c, c_lines, "C", 0, 360);
   const int stored = stored_planes(symmetry, planes);
   if (std::int64_t{stored} * cones > kMostIntensities)
-    throw ProfileError(4, fmt::format("{} x {} intensities are announced", stored, cones),
-                       fmt::format("{} at most are read", kMostIntensities));
-  // Isym 3 stores from C90 on.
+    throw ProfileError(4, fmt::format("the file declares {} x {} intensities", stored, cones),
+                       fmt::format("the maximum is {}", kMostIntensities));
+  // Isym 3 stores planes from C90 on.
   std::size_t first = 0;
   if (symmetry == 3)
     while (first + 1 < c.size() && c[first] < 90 - 0.05f) ++first;
@@ -162,8 +164,8 @@ ProfileData parse_eulumdat(std::string_view text) {
   if (symmetry == 1) {
     c.assign(1, 0.0f);
   } else if (first + count > c.size()) {
-    throw ProfileError(c_lines.front(), "the C angles do not fit the symmetry",
-                       "list all Mc angles of the circle from 0 on");
+    throw ProfileError(c_lines.front(), "the C angles are inconsistent with the symmetry",
+                       "list all Mc angles of the circle, starting at 0");
   } else {
     c = std::vector<float>(c.begin() + static_cast<std::ptrdiff_t>(first),
                            c.begin() + static_cast<std::ptrdiff_t>(first + count));
@@ -173,7 +175,7 @@ ProfileData parse_eulumdat(std::string_view text) {
 
   report.symmetry = kSymmetries[symmetry];
   Planes circle = whole_circle({std::move(c), std::move(candela)}, gamma.size(), symmetry);
-  // C0 lies across, at -y; C90 along, at +x.
+  // C0 is across the luminaire, at -y; C90 is along it, at +x.
   data.table = {{Vec3(0, 0, -1), Vec3(0, -1, 0), Vec3(1, 0, 0)},
                 gamma,
                 std::move(circle.azimuth),

@@ -9,14 +9,14 @@
 namespace oriel::photometry {
 
 // Conventions
-//   C0 - C180 lies across the luminaire, C90 - C270 along it; in IES files 0 - 180 lies along it.
-//   In the luminaire's own frame of light_profile.h gamma 0 is nadir (-z), C90 is +x and C0 is -y:
-//   C runs against the clock seen from above, and C is the IES angle + 90.
+//   C0 - C180 is across the luminaire, C90 - C270 along it; in IES files 0 - 180 is along it. In
+//   the luminaire frame of light_profile.h gamma 0 is nadir (-z), C90 is +x and C0 is -y: C is
+//   counter-clockwise seen from above, and C is the IES angle + 90.
 
 /// Reads EULUMDAT files of every symmetry (Isym 0 ... 4).
 ///
-/// Model:   intensity = value * lamp flux / 1000 * conversion factor; the flux is that of the first
-///          set of lamps. One value a line; commas count as decimal points.
+/// Model:   intensity = value * lamp flux / 1000 * conversion factor, with the flux of the first
+///          lamp set. One value per line; a comma is a decimal point.
 /// Errors:  ProfileError.
 /// Source:  Stockmar, "EULUMDAT - ein Leuchtendatenformat fuer den europaeischen
 ///          Beleuchtungsplaner", Licht '90, 1990.

@@ -12,9 +12,10 @@
 namespace oriel::photometry {
 namespace {
 
-constexpr const char* kDamagedIes = "the file is damaged or cut off: get it again from its maker";
+constexpr const char* kDamagedIes =
+    "the file is damaged or truncated: obtain it again from the manufacturer";
 
-/// The text of a file, line by line and then number by number.
+/// Reads the text of a file by lines, then by numbers.
 class Reader {
  public:
   explicit Reader(std::string_view text) : rest_(text) {
@@ -23,7 +24,7 @@ class Reader {
   int line() const { return line_; }
   bool at_end() const { return rest_.empty(); }
 
-  /// The next line; ends are \n, \r\n or \r.
+  /// The next line; line ends are \n, \r\n or \r.
   std::string_view next_line() {
     ++line_;
     const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -40,7 +41,7 @@ class Reader {
     const auto value = parse_number(word);
     if (!value)
       throw ProfileError(line_,
-                         fmt::format("\"{}\" stands where {} should", clean_text(word), what),
+                         fmt::format("found \"{}\" where {} is expected", clean_text(word), what),
                          "write a number there");
     return *value;
   }
@@ -93,7 +94,7 @@ std::string upper(std::string_view text) {
 
 struct Version {
   std::string name;
-  bool old;  ///< before 2002: the number after the ballast factor is a factor, too
+  bool old;  ///< before 2002, when the number after the ballast factor was also a factor
 };
 Version version_of(std::string_view first_line) {
   const std::string tag = upper(clean_text(first_line));
@@ -105,7 +106,7 @@ Version version_of(std::string_view first_line) {
   return {"LM-63-1986", true};
 }
 
-/// What follows TILT=, with keywords before it put into the report.
+/// Returns the text after TILT=, and adds the preceding keywords to the report.
 std::string read_head(Reader& in, ProfileReport& report, bool& old) {
   bool first = true;
   while (!in.at_end()) {
@@ -131,11 +132,11 @@ std::string read_head(Reader& in, ProfileReport& report, bool& old) {
     if (key == "LAMP") report.lamp = value;
     if (key == "MANUFAC") report.manufacturer = value;
   }
-  throw ProfileError(0, "there is no TILT line: this is no IES file",
-                     "if it is EULUMDAT, say `format eulumdat`");
+  throw ProfileError(0, "the file has no TILT line, so it is not an IES file",
+                     "use `format eulumdat` if it is an EULUMDAT file");
 }
 
-/// The factor at 0 degrees from: geometry, count, angles, factors.
+/// Reads a TILT table (geometry, count, angles, factors); returns the factor at 0 degrees.
 double tilt_factor(Reader& in) {
   in.whole("the lamp-to-luminaire geometry of TILT", 1, 3);
   const int count = in.whole("the number of TILT angles", 1, kMostAngles);
@@ -157,15 +158,15 @@ double read_tilt(const std::string& tilt, Reader& in, const std::string& folder,
   const std::string kind = upper(tilt);
   if (kind.empty() || kind == "NONE") return 1;
   if (kind == "INCLUDE") return tilt_factor(in);
-  // The bare name: a profile cannot name files elsewhere.
+  // Only the base name: a profile must not refer to files elsewhere.
   const std::string name = tilt.substr(tilt.find_last_of("/\\:") + 1);
   std::ifstream file;
   if (!folder.empty() || name == tilt)
     file.open(std::filesystem::path(folder) / name, std::ios::binary);
   if (folder.empty() || !file) {
     report.notes.push_back(
-        fmt::format("the TILT file \"{}\" is not beside the profile; its factors "
-                    "are taken as 1",
+        fmt::format("the TILT file \"{}\" is not in the folder of the profile; its factors "
+                    "are assumed to be 1",
                     name));
     return 1;
   }
@@ -178,7 +179,7 @@ double read_tilt(const std::string& tilt, Reader& in, const std::string& folder,
   } catch (const ProfileError& e) {
     report.notes.push_back(
         fmt::format("the TILT file \"{}\" cannot be used ({}); its factors are "
-                    "taken as 1",
+                    "assumed to be 1",
                     name, e.what()));
     return 1;
   }
@@ -193,7 +194,8 @@ struct Header {
 double factor_of(Reader& in, const char* what) {
   const double value = in.number(what);
   if (!(value > 0 && value <= 1e9))
-    throw ProfileError(in.line(), fmt::format("{} is {}", what, value), "it is above 0, mostly 1");
+    throw ProfileError(in.line(), fmt::format("{} is {}", what, value),
+                       "it must be above 0 and is usually 1");
   return value;
 }
 
@@ -205,31 +207,31 @@ Header read_header(Reader& in, bool old) {
   h.vertical = in.whole("the number of vertical angles", 2, kMostAngles);
   h.horizontal = in.whole("the number of horizontal angles", 1, kMostAngles);
   if (std::int64_t{h.vertical} * h.horizontal > kMostIntensities)
-    throw ProfileError(in.line(),
-                       fmt::format("{} x {} intensities are announced", h.vertical, h.horizontal),
-                       fmt::format("{} at most are read", kMostIntensities));
+    throw ProfileError(
+        in.line(), fmt::format("the file declares {} x {} intensities", h.vertical, h.horizontal),
+        fmt::format("the maximum is {}", kMostIntensities));
   h.type = "CBA"[in.whole("the photometric type", 1, 3) - 1];
   in.whole("the units of length", 1, 2);
   for (const char* what :
        {"the luminaire's width", "the luminaire's length", "the luminaire's height"})
     in.number(what);
   h.ballast = factor_of(in, "the ballast factor");
-  // Before 2002 a factor, mostly 1; later reserved, and of the kind of the file.
+  // Before 2002 a factor, usually 1; later reserved or the file type.
   const double other = in.number("the number after the ballast factor");
   if (old && other > 0 && other <= 10) h.other = other;
   h.watts = in.number("the watts");
   return h;
 }
 
-constexpr float kSame = 0.05f;  // degrees; files round
+constexpr float kSame = 0.05f;  // degrees; angles in files are rounded
 bool is(float angle, float value) { return std::abs(angle - value) < kSame; }
 
-/// Type C: planes around the vertical axis. Errors unless they are one of the symmetries.
+/// Type C: planes around the vertical axis. Throws if they match no symmetry.
 Planes planes_of_type_c(const Planes& stored, std::size_t cones, int line, std::string& symmetry) {
   const std::vector<float>& h = stored.azimuth;
   const float first = h.front(), last = h.back();
   if (h.size() == 1) {
-    symmetry = "the same all around";
+    symmetry = "rotational";
     Planes circle = stored;
     circle.azimuth[0] = 0;
     return close_circle(circle, cones);
@@ -246,20 +248,20 @@ Planes planes_of_type_c(const Planes& stored, std::size_t cones, int line, std::
     symmetry = "two equal halves, on both sides of 90 - 270";
     return mirror_planes(stored, cones, 90);
   }
-  // Some files leave 360 out: it is 0 again.
+  // Some files omit 360, which equals 0.
   const float step = h[1] - h[0];
   if (is(first, 0) && (is(last, 360) || (last > 180 && last + step > 360 - kSame))) {
     symmetry = "none";
     return close_circle(stored, cones);
   }
-  throw ProfileError(line, fmt::format("horizontal angles go from {} to {}", first, last),
-                     "type C files go from 0 to 0, 90, 180 or 360, or from 90 to 270");
+  throw ProfileError(line, fmt::format("the horizontal angles are from {} to {}", first, last),
+                     "type C requires 0 to 0, 90, 180 or 360, or 90 to 270");
 }
 
-/// Angles of types A and B, with the other side where only one is stored.
+/// Angles of types A and B, with the mirrored side if only one is stored.
 struct Side {
   std::vector<float> angles;
-  std::vector<std::size_t> source;  ///< index into what is stored
+  std::vector<std::size_t> source;  ///< index of the stored angle
 };
 Side both_sides(const std::vector<float>& stored) {
   Side s;
@@ -275,7 +277,7 @@ Side both_sides(const std::vector<float>& stored) {
   return s;
 }
 
-/// The angle toward the shared axis becomes the polar angle from its far end, 90 - angle.
+/// The angle towards the shared axis becomes the polar angle from the opposite end, 90 - angle.
 CandelaTable table_around_axis(const PolarFrame& frame, const Side& around, const Side& along,
                                const std::vector<float>& stored, std::size_t stride_around,
                                std::size_t stride_along) {
@@ -323,12 +325,12 @@ ProfileData parse_ies(std::string_view text, const std::string& folder) {
   }
   const Side across = both_sides(u), up = both_sides(v);
   if (across.angles.size() < 2)
-    throw ProfileError(h_lines.front(), "one horizontal angle is too few",
-                       "files of types A and B have two or more in each direction");
+    throw ProfileError(h_lines.front(), "there is only one horizontal angle",
+                       "types A and B require at least two in each direction");
   const bool mirrored_h = across.angles.size() > u.size(), mirrored_v = up.angles.size() > v.size();
-  report.symmetry = mirrored_h && mirrored_v ? "left is right, up is down"
-                    : mirrored_h             ? "left is right"
-                    : mirrored_v             ? "up is down"
+  report.symmetry = mirrored_h && mirrored_v ? "left-right and up-down"
+                    : mirrored_h             ? "left-right"
+                    : mirrored_v             ? "up-down"
                                              : "none";
   const Vec3 down(0, 0, -1), front(1, 0, 0), right(0, -1, 0);
   data.table = h.type == 'B'

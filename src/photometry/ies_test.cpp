@@ -24,7 +24,7 @@ std::vector<float> steps(float first, float last, float step) {
   return all;
 }
 
-/// An intensity without any symmetry of its own, in the luminaire's frame.
+/// An intensity without symmetry, in the luminaire frame.
 float lobes(const Vec3& d) { return 100 + 60 * d.x + 30 * d.y - 40 * d.z + 25 * d.x * d.y * d.z; }
 
 template <class F>
@@ -58,7 +58,7 @@ TEST(IesFile, SymmetriesSaveWhatTheFullTableWrites) {
   const struct {
     const char* name;
     std::vector<float> stored;
-    Vec3 mirror;  // components that intensity does not know the sign of
+    Vec3 mirror;  // components whose sign does not affect the intensity
     std::string symmetry;
   } kCases[] = {{"quadrants", steps(0, 90, 15), Vec3(0, 0, 1), "four equal quadrants"},
                 {"0 - 180", steps(0, 180, 15), Vec3(1, 0, 1), ""},
@@ -78,7 +78,7 @@ TEST(IesFile, SymmetriesSaveWhatTheFullTableWrites) {
   const auto round = [](float a, float) { return 10 + a; };
   expect_same(profile_of(file_of(1, v, {0}, round)),
               profile_of(file_of(1, v, steps(0, 360, 90), round)));
-  // A circle whose last plane was left out.
+  // A full circle without its last plane.
   const auto any = [](float a, float b) { return lobes(luminaire_direction(a, b)); };
   expect_same(profile_of(file_of(1, v, steps(0, 345, 15), any)),
               profile_of(file_of(1, v, steps(0, 360, 15), any)));
@@ -86,7 +86,7 @@ TEST(IesFile, SymmetriesSaveWhatTheFullTableWrites) {
 
 // acceptance: H6
 TEST(IesFile, TypesCBAndAMeanTheSameDirections) {
-  // A beam of two directions that no symmetry maps on each other, in each type's angles.
+  // A beam in two directions that no symmetry maps to each other, in the angles of each type.
   const auto spot = [](const Vec3& d, const Vec3& at) {
     return 1000 * std::pow(std::max(0.0f, dot(d, normalize(at))), 40.0f);
   };
@@ -94,7 +94,7 @@ TEST(IesFile, TypesCBAndAMeanTheSameDirections) {
   const std::vector<float> half = steps(-90, 90, 2.5f);
   const auto sine = [](float deg) { return std::sin(deg * kPi / 180); };
   const auto cosine = [](float deg) { return std::cos(deg * kPi / 180); };
-  // Type B: h toward -y, v about it from nadir toward +x. Type A: v above the horizon, h to -y.
+  // Type B: h towards -y, v about it from nadir towards +x. Type A: v above the horizon, h to -y.
   const auto type_b = [&](float v, float h) {
     return Vec3(cosine(h) * sine(v), -sine(h), -cosine(h) * cosine(v));
   };
@@ -115,7 +115,7 @@ TEST(IesFile, TypesCBAndAMeanTheSameDirections) {
     EXPECT_NEAR(dot(p->peak_direction(), normalize(beam)), 1, 2e-3);
     EXPECT_NEAR(p->flux(), 2 * kPi * 1000 / 41, .02 * 2 * kPi * 1000 / 41);
   }
-  // By hand: (V, H) = (0, 0) is nadir in type B, and level and forward in type A.
+  // By hand: (V, H) = (0, 0) is nadir in type B, and horizontal and forward in type A.
   const auto one = [](float v, float h) { return v == 0 && h == 0 ? 100.0f : 0.0f; };
   EXPECT_EQ(profile_of(file_of(2, half, half, one)).evaluate(Vec3(0, 0, -1)), 100);
   EXPECT_EQ(profile_of(file_of(3, half, half, one)).evaluate(Vec3(1, 0, 0)), 100);
@@ -154,7 +154,7 @@ TEST(IesFile, FactorsActOnceAndLinearly) {
   EXPECT_FLOAT_EQ(with("IESNA91", ".9 .8"), 10 * .9f * .8f);
   EXPECT_FLOAT_EQ(with("IESNA:LM-63-1995", ".9 .8"), 10 * .9f * .8f);
   EXPECT_FLOAT_EQ(with("No tag: 1986", ".9 .8"), 10 * .9f * .8f);
-  // Since 2002 the second number is no factor.
+  // Since 2002 the second number is not a factor.
   EXPECT_FLOAT_EQ(with("IESNA:LM-63-2002", ".9 .8"), 9);
   EXPECT_FLOAT_EQ(with("IES:LM-63-2019", ".9 1.10001"), 9);
 }

@@ -12,12 +12,12 @@ namespace oriel::photometry {
 namespace {
 
 constexpr float kDegree = kPi / 180;
-/// Angles this close outside of the table's range are on its border, radians.
+/// Angles this close to the border of the table's range count as on the border, radians.
 constexpr float kOnBorder = 2e-6f;
-/// The finest table that cubics are put into.
+/// Maximum resolution of the table that replaces cubics.
 constexpr std::size_t kMostCells = 2048;
 
-/// Where x lies between ascending values: the lower one's index, and the share of the way.
+/// The interval of ascending values that contains x: index of its lower end, and position inside.
 struct Place {
   std::size_t index;
   float share;
@@ -28,22 +28,23 @@ Place place_in(const std::vector<float>& values, float x) {
   return {i, clamp01((x - values[i]) / (values[i + 1] - values[i]))};
 }
 
-/// Integral of (from at t0 ... to at t1, linear) * sin t. In double: differences of cosines of
-/// near angles.
+/// Integral of (linear from `from` at t0 to `to` at t1) * sin t. In double, because cosines of
+/// close angles cancel.
 double ring_integral(double from, double to, double t0, double t1) {
   const double h = t1 - t0;
   const double ramp = math::sin(t1) - math::sin(t0) - h * math::cos(t1);
   return from * (math::cos(t0) - math::cos(t1)) + (to - from) * ramp / h;
 }
 
-/// The share of [0, 1] at which the integral of a line from a to b reaches u of its whole.
+/// The position in [0, 1] up to which the integral of a line from a to b is the share u of the
+/// total.
 double sample_line(double a, double b, double u) {
   if (a + b <= 0 || std::abs(b - a) < 1e-9 * (a + b)) return u;
   const double root = std::sqrt(std::max(0.0, a * a + u * (b * b - a * a)));
   return std::clamp((root - a) / (b - a), 0.0, 1.0);
 }
 
-/// The angle at which ring_integral from t0 reaches u of its whole. Newton within a bracket.
+/// The angle up to which ring_integral is the share u of its total. Newton's method with a bracket.
 double sample_ring(double from, double to, double t0, double t1, double u) {
   const double target = u * ring_integral(from, to, t0, t1);
   const double slope = (to - from) / (t1 - t0);
@@ -62,15 +63,15 @@ double sample_ring(double from, double to, double t0, double t1, double u) {
   return t;
 }
 
-/// Slope at an end, of the parabola through three points; never past them.
+/// End slope of the parabola through three points, limited to avoid overshoot.
 float end_slope(float h0, float d0, float h1, float d1) {
   const float slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (!(slope * d0 > 0)) return 0;
   return d0 * d1 <= 0 && std::abs(slope) > 3 * std::abs(d0) ? 3 * d0 : slope;
 }
 
-/// Slopes of the monotone cubic through (x, y): weighted harmonic means where both sides rise or
-/// fall, else 0. `closed`: the last point is the first one again.
+/// Slopes of the monotone cubic through (x, y): weighted harmonic means where both sides have the
+/// same sign, else 0. `closed`: the last point equals the first.
 std::vector<float> monotone_slopes(const std::vector<float>& x, const std::vector<float>& y,
                                    bool closed) {
   const std::size_t n = x.size();
@@ -95,7 +96,7 @@ std::vector<float> monotone_slopes(const std::vector<float>& x, const std::vecto
   return slope;
 }
 
-/// The fine values between old ones: each interval in `parts` of equal size.
+/// Interpolates each interval with `parts` equal steps.
 std::vector<float> refine_line(const std::vector<float>& x, const std::vector<float>& y,
                                const std::vector<int>& parts, bool closed) {
   const std::vector<float> slope = monotone_slopes(x, y, closed);
@@ -138,7 +139,7 @@ bool is_closed(const CandelaTable& table) {
   return table.azimuth.back() - table.azimuth.front() > 360 - 1e-3f;
 }
 
-/// The same table, finer by cubics: first along each plane, then across.
+/// Refines the table by cubic interpolation, first along each plane, then across.
 CandelaTable refine(const CandelaTable& table, const ProfileGrid& grid) {
   const std::vector<int> polar = parts_of(table.polar, grid.polar_cells);
   const std::vector<int> azimuth = parts_of(table.azimuth, grid.azimuth_cells);

@@ -14,7 +14,7 @@ namespace light_profile_test {
 
 using testing::luminaire_direction;
 
-/// A table of that function of polar angle and azimuth, both in degrees.
+/// A table of a function of polar angle and azimuth, both in degrees.
 CandelaTable table_of(const std::function<float(float, float)>& f, float polar_step,
                       float azimuth_step, float polar_end = 180) {
   CandelaTable table;
@@ -27,7 +27,7 @@ CandelaTable table_of(const std::function<float(float, float)>& f, float polar_s
 
 float cosine(float deg) { return std::cos(deg * kPi / 180); }
 
-/// A lopsided luminaire with a dark sector.
+/// An asymmetric luminaire with a dark sector.
 CandelaTable lopsided() {
   return table_of(
       [](float p, float a) {
@@ -41,7 +41,7 @@ TEST(LightProfile, IsotropicAndLambertTablesHaveTheirKnownFlux) {
   EXPECT_NEAR(isotropic.flux(), 1256.637, 2e-3);  // 4 pi 100
   const LightProfile lambert(
       table_of([](float p, float) { return 1000 * std::max(0.0f, cosine(p)); }, .5f, 360, 90));
-  EXPECT_NEAR(lambert.flux(), 3141.593, .05);  // pi 1000; straight lines between half degrees
+  EXPECT_NEAR(lambert.flux(), 3141.593, .05);  // pi 1000; linear between half degrees
   const LightProfile coarse(
       table_of([](float p, float) { return 1000 * std::max(0.0f, cosine(p)); }, 10, 360, 90),
       {.cubic = true});
@@ -77,7 +77,7 @@ TEST(LightProfile, CubicsStayBetweenNeighboursAndComeNearerToSmoothCurves) {
     EXPECT_LE(cubic.evaluate(luminaire_direction(p, 9)), 500.001f);
   }
   EXPECT_LT(cubic_error, .5 * straight_error);
-  // A grid of twelve cells has the cubic's values at every 7.5 degrees and lines between.
+  // A grid of twelve cells has the values of the cubic every 7.5 degrees, linear in between.
   EXPECT_NEAR(coarse.evaluate(luminaire_direction(22.5f, 0)),
               cubic.evaluate(luminaire_direction(22.5f, 0)), .5f);
   EXPECT_NEAR(coarse.evaluate(luminaire_direction(26.25f, 0)),
@@ -85,7 +85,7 @@ TEST(LightProfile, CubicsStayBetweenNeighboursAndComeNearerToSmoothCurves) {
                coarse.evaluate(luminaire_direction(30, 0))) /
                   2,
               .01f);
-  // A step is not overshot.
+  // A step causes no overshoot.
   const LightProfile step(table_of([](float p, float) { return p < 40 ? 100.0f : 0.0f; }, 10, 360),
                           {.cubic = true});
   for (float p = 0; p <= 180; p += .5f) {

@@ -16,25 +16,25 @@
 namespace oriel::photometry {
 namespace {
 
-/// No luminaire is brighter: a searchlight of the largest kind reaches 1e9 cd.
+/// Upper bound on plausible intensities: the largest searchlights reach 1e9 cd.
 constexpr double kMostCandela = 1e12;
-/// Planes nearer than this are the same one, degrees.
+/// Planes with a smaller difference in degrees are identical.
 constexpr float kSamePlane = 1e-3f;
 
 std::string read_text(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
-    throw ProfileError(0, "it is a folder", "name a photometric file (.ies or .ldt)");
+    throw ProfileError(0, "the path is a folder", "name a photometric file (.ies or .ldt)");
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw ProfileError(0, "there is no such file, or it may not be read",
-                       "check its name and folder");
+    throw ProfileError(0, "the file does not exist or is not readable",
+                       "check the file name and folder");
   std::string text(kMostProfileBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMostProfileBytes)
     throw ProfileError(0, fmt::format("it is larger than {} MB", kMostProfileBytes >> 20),
-                       "photometric files are small: is this one?");
+                       "photometric files are much smaller; check the file");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ProfileError(0, "it is empty", "save or download it again");
   return text;
@@ -55,10 +55,10 @@ ProfileData read_profile(const std::string& path, ProfileFormat format, Turn tur
   ProfileData data = format == ProfileFormat::Ies
                          ? parse_ies(text, std::filesystem::path(path).parent_path().string())
                          : parse_eulumdat(text);
-  // Seen from above, azimuths of types A and B run clockwise, of type C against the clock.
+  // Seen from above, azimuths are clockwise in types A and B and counter-clockwise in type C.
   const Turn natural = data.report.type == 'C' ? Turn::CounterClockwise : Turn::Clockwise;
   if (turn != Turn::AsFormat && turn != natural) {
-    // The other way round: the luminaire as its mirror image along its length.
+    // Reversing the orientation mirrors the luminaire along its length.
     PolarFrame& f = data.table.frame;
     for (Vec3* axis : {&f.pole, &f.zero, &f.side}) axis->y = -axis->y;
   }
@@ -103,15 +103,15 @@ void scale_candela(std::vector<float>& candela, const std::vector<int>& lines, d
   for (std::size_t i = 0; i < candela.size(); ++i) {
     const double value = double{candela[i]} * factor;
     if (candela[i] < 0)
-      throw ProfileError(lines[i], fmt::format("an intensity is negative ({} cd)", candela[i]),
-                         "intensities are 0 or more: correct the file");
+      throw ProfileError(lines[i], fmt::format("negative intensity ({} cd)", candela[i]),
+                         "correct the file: intensities must not be negative");
     if (!(value <= kMostCandela))
-      throw ProfileError(lines[i], fmt::format("an intensity is {:.3g} cd", value),
-                         "no luminaire is that bright: check the multiplier and factors");
+      throw ProfileError(lines[i], fmt::format("implausible intensity of {:.3g} cd", value),
+                         "check the multiplier and factors");
     candela[i] = static_cast<float>(value);
   }
   if (std::all_of(candela.begin(), candela.end(), [](float c) { return c == 0; }))
-    throw ProfileError(0, "all intensities are 0", "such a luminaire gives no light");
+    throw ProfileError(0, "all intensities are 0", "the luminaire emits no light; check the file");
 }
 
 void expect_ascending(const std::vector<float>& angles, const std::vector<int>& lines,
@@ -121,13 +121,12 @@ void expect_ascending(const std::vector<float>& angles, const std::vector<int>& 
       throw ProfileError(
           lines[i],
           fmt::format("{} angle {} is outside of {} ... {} degrees", kind, angles[i], least, most),
-          "correct the angle, or the counts that come before it");
+          "correct the angle or the preceding counts");
     if (i > 0 && !(angles[i] > angles[i - 1]))
-      throw ProfileError(
-          lines[i],
-          fmt::format("{} angle {} comes after {}: they do not ascend", kind, angles[i],
-                      angles[i - 1]),
-          "each angle stands once, in ascending order; check the counts that come before them");
+      throw ProfileError(lines[i],
+                         fmt::format("{} angle {} follows {}, but angles must be ascending", kind,
+                                     angles[i], angles[i - 1]),
+                         "list each angle once in ascending order; check the preceding counts");
   }
 }
 

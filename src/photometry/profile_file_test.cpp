@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bad profiles: each has one message that names the line and what to do.
+// Invalid profiles: each has one message with the line and a hint.
 #include "photometry/profile_file.h"
 
 #include <fmt/format.h>
@@ -52,19 +52,19 @@ TEST(ProfileFile, BadIesFilesNameTheLineAndTheReason) {
   expect_error(Parts{.header = "1 -1 0 3 1 1 2 0 0 0"}.text(), 3, "candela multiplier is 0");
   expect_error(Parts{.header = "1 -1 1 3.5 1 1 2 0 0 0"}.text(), 3, "number of vertical angles");
   expect_error(Parts{.header = "1 -1 1 -3 1 1 2 0 0 0"}.text(), 3, "number of vertical angles");
-  expect_error(Parts{.header = "1 -1 1 9000 9000 1 2 0 0 0"}.text(), 3, "announced");
+  expect_error(Parts{.header = "1 -1 1 9000 9000 1 2 0 0 0"}.text(), 3, "declares 9000 x 9000");
   expect_error(Parts{.header = "1 -1 1 999999999 1 1 2 0 0 0"}.text(), 3, "vertical angles");
   expect_error(Parts{.header = "1 -1 1 3 1 4 2 0 0 0"}.text(), 3, "photometric type");
   expect_error(Parts{.header = "1 -1 1 3 1 lamp 2 0 0 0"}.text(), 3, "\"lamp\"");
   expect_error(Parts{.factors = "0 1 40"}.text(), 4, "ballast factor");
-  expect_error(Parts{.vertical = "0 45 45"}.text(), 5, "do not ascend");
-  expect_error(Parts{.vertical = "0 90 45"}.text(), 5, "do not ascend");
+  expect_error(Parts{.vertical = "0 45 45"}.text(), 5, "must be ascending");
+  expect_error(Parts{.vertical = "0 90 45"}.text(), 5, "must be ascending");
   expect_error(Parts{.vertical = "0 45 190"}.text(), 5, "outside");
   expect_error(Parts{.vertical = "0 nan 90"}.text(), 5, "\"nan\"");
   expect_error(
       Parts{.header = "1 -1 1 3 2 1 2 0 0 0", .horizontal = "0 75", .candela = "7 8 9 7 8 9"}
           .text(),
-      6, "horizontal angles go from 0 to 75");
+      6, "horizontal angles are from 0 to 75");
   expect_error(Parts{.candela = "7\n8\n-9"}.text(), 9, "negative");
   expect_error(Parts{.candela = "7 inf 9"}.text(), 7, "\"inf\"");
   expect_error(Parts{.candela = "7 1e300 9"}.text(), 7, "cd");
@@ -94,11 +94,11 @@ TEST(ProfileFile, BadEulumdatFilesNameTheLineAndTheReason) {
   expect_error(ldt(24, "0"), 24, "conversion factor", true);
   expect_error(ldt(26, "0"), 26, "sets of lamps", true);
   expect_error(ldt(29, "-5"), 29, "flux of the lamps", true);
-  expect_error(ldt(45, "0"), 45, "do not ascend", true);
+  expect_error(ldt(45, "0"), 45, "must be ascending", true);
   expect_error(ldt(45, "200"), 45, "outside", true);
   expect_error(ldt(47, "-1"), 47, "negative", true);
   expect_error(ldt(6, "3"), 47, "ends before an intensity", true);
-  expect_error("Maker\n1\n4\n2" + ldt(0, "").substr(11), 4, "do not fit the symmetry", true);
+  expect_error("Maker\n1\n4\n2" + ldt(0, "").substr(11), 4, "are inconsistent with", true);
 }
 
 TEST(ProfileFile, FilesThatCannotBeOpenedSaySo) {
@@ -110,7 +110,7 @@ TEST(ProfileFile, FilesThatCannotBeOpenedSaySo) {
     }
     return std::string();
   };
-  EXPECT_NE(message("/nowhere/lamp.ies").find("no such file"), std::string::npos);
+  EXPECT_NE(message("/nowhere/lamp.ies").find("does not exist"), std::string::npos);
   EXPECT_NE(message(::testing::TempDir()).find("folder"), std::string::npos);
   const std::string path = ::testing::TempDir() + "/oriel-empty.ies";
   std::ofstream(path) << "\n \n";

@@ -13,8 +13,8 @@ constexpr float kBelowOne = 0x1.fffffep-1f;
 
 float usable(float v) { return std::isfinite(v) && v > 0 ? v : 0; }
 
-/// Fills cdf (one longer than values) and returns the sum of the values. Sums run in double: a
-/// million small terms would stall in float.
+/// Fills cdf (one longer than values) and returns the sum of the values. In double, because sums of
+/// a million small terms lose precision in float.
 double build_cdf(std::span<const float> values, std::span<float> cdf) {
   double total = 0;
   for (const float v : values) total += v;
@@ -25,20 +25,20 @@ double build_cdf(std::span<const float> values, std::span<float> cdf) {
     sum += total > 0 ? values[i] / total : 1 / n;
     cdf[i + 1] = static_cast<float>(std::min(sum, 1.0));
   }
-  // Everything after the last cell with weight is exactly 1, so that no u below 1 lands there.
+  // Set everything after the last cell with weight to exactly 1, so that no u below 1 selects it.
   std::size_t last = values.size();
   while (total > 0 && last > 1 && values[last - 1] == 0) --last;
   for (std::size_t i = last; i <= values.size(); ++i) cdf[i] = 1;
   return total;
 }
 
-/// The cell of u and the position in it.
+/// The cell that contains u, and the position in it.
 struct Cell {
   std::size_t index;
   float u;
 };
 Cell find_cell(std::span<const float> cdf, float u) {
-  // A search without branches: the processor cannot guess where a random number lands.
+  // Branch-free binary search: random numbers defeat branch prediction.
   std::size_t index = 0;
   for (std::size_t left = cdf.size() - 1; left > 1;) {
     const std::size_t half = left / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random choice in proportion to tabulated values: one row (lights), or a picture (environments).
+// Sampling of tabulated distributions: 1D (lights) and 2D (environment maps).
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@
 namespace oriel::sampling {
 
 // Conventions
-//   The table spreads over [0,1) (or [0,1)^2, row 0 at v = 0) in equal cells, constant in each.
-//   Densities are with respect to that unit domain; the caller adds the Jacobian of its own map.
-//   Negative and non-finite entries count as 0; a table without any weight is uniform.
+//   The table covers [0,1) (or [0,1)^2, row 0 at v = 0) with equal cells of constant value.
+//   Densities are with respect to that unit domain; the caller applies the Jacobian of its own
+//   mapping.
+//   Negative and non-finite entries count as 0; a table of zeros is uniform.
 
 /// Piecewise constant distribution over [0,1).
 ///
-/// Errors:  total, except that a table must have at least one cell (assertion).
+/// Errors:  none, except that a table must have at least one cell (assertion).
 /// Checked: Distribution1D.SamplesMatchTheTable, Distribution1D.NeverPicksAnEmptyCell.
 class Distribution1D {
  public:
@@ -29,7 +30,7 @@ class Distribution1D {
   struct Choice {
     std::size_t index;
     float pmf;  ///< probability of this cell
-    float u;    ///< position in the cell, uniform in [0,1) and free to use again
+    float u;    ///< position in the cell, uniform in [0,1) and reusable as a random number
   };
 
   Distribution1D() : Distribution1D(std::vector<float>{1.0f}) {}
@@ -53,7 +54,7 @@ class Distribution1D {
   float inverse_integral_ = 0;
 };
 
-/// Piecewise constant distribution over [0,1)^2, a row by its total, then a cell in the row.
+/// Piecewise constant distribution over [0,1)^2: samples a row by its sum, then a cell in the row.
 ///
 /// Inputs:  values, row after row, width x height.
 /// Checked: Distribution2D.SamplesMatchTheTable, Distribution2D.PdfIntegratesToOne.

@@ -23,7 +23,7 @@ TEST(ChiSquare, TailMatchesPublishedQuantiles) {
 TEST(ChiSquare, RejectsAWrongDensity) {
   const auto r = testing::test_directions(
       [](const Vec2& u, float) -> std::optional<Vec3> {
-        const float z = std::sqrt(u.x) * 0.98f;  // nearly, not quite, the cosine law
+        const float z = std::sqrt(u.x) * 0.98f;  // almost the cosine distribution
         const float s = std::sqrt(1 - z * z);
         return Vec3(s * std::cos(kTwoPi * u.y), s * std::sin(kTwoPi * u.y), z);
       },

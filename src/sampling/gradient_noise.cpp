@@ -23,7 +23,7 @@ constexpr std::array<std::uint8_t, 256> kPermutation = {
     115, 121, 50,  45,  127, 4,   150, 254, 138, 236, 205, 93,  222, 114, 67,  29,  24,  72,  243,
     141, 128, 195, 78,  66,  215, 61,  156, 180};
 
-/// Every value once, or the lattice would show.
+/// Each value has to occur once; otherwise the lattice would be visible.
 constexpr bool is_permutation() {
   std::array<bool, 256> seen{};
   for (const std::uint8_t v : kPermutation) seen[v] = true;
@@ -37,7 +37,7 @@ unsigned permuted(unsigned i) { return kPermutation[i & 255u]; }
 
 float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-/// Dot product of the offset and one of twelve gradients, towards the edges of a cube.
+/// Dot product of the offset and one of twelve gradients, which point to the edges of a cube.
 float gradient(unsigned hash, float x, float y, float z) {
   const unsigned h = hash & 15u;
   const float u = h < 8 ? x : y;
@@ -49,7 +49,7 @@ float gradient(unsigned hash, float x, float y, float z) {
 
 float gradient_noise(const Vec3& p) {
   if (!is_finite(p)) return 0;
-  // Reduced before the conversion, which far coordinates would overflow.
+  // Reduce before the conversion to integers, which would overflow for distant coordinates.
   const Vec3 cell(std::floor(p.x), std::floor(p.y), std::floor(p.z));
   const auto lattice = [](float c) {
     return static_cast<unsigned>(static_cast<int>(c - 256 * std::floor(c / 256))) & 255u;

@@ -6,13 +6,12 @@
 
 namespace oriel::sampling {
 
-/// Improved gradient noise: 0 at all whole coordinates, smooth to the second derivative, repeats
-/// every 256 units.
+/// Improved gradient noise: 0 at integer coordinates, C2 continuous, with a period of 256 units.
 ///
-/// Inputs:  p: any; where it is not finite the noise is 0.
+/// Inputs:  p: any; the noise is 0 if p is not finite.
 /// Returns: within [-1, 1], mean 0.
-/// Source:  Perlin, "Improving Noise", ACM TOG 21(3), 2002; the permutation is the one he
-/// published. Checked: GradientNoise.*
+/// Source:  Perlin, "Improving Noise", ACM TOG 21(3), 2002, with his permutation. Checked:
+///          GradientNoise.*
 float gradient_noise(const Vec3& p);
 
 }  // namespace oriel::sampling

@@ -9,7 +9,7 @@ namespace oriel::sampling {
 namespace gradient_noise_test {
 
 TEST(GradientNoise, MatchesThePublishedFunction) {
-  // The value that implementations of the 2002 reference code agree on.
+  // The value that implementations of the 2002 reference code return.
   EXPECT_NEAR(gradient_noise(Vec3(3.14f, 42, 7)), 0.13691995878400012, 1e-5);
 }
 

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t kDirections = 256;
 
-/// Largest value of a lattice point. By these the noise varies about as much at lattice points as
-/// between them: there its gradients bring nothing, here less than the values.
+/// Maximum value of a lattice point. With these the variance is about equal at lattice points,
+/// where gradients contribute nothing, and between them, where values contribute less.
 constexpr float kLatticeValue[3] = {0.5f, 0.5f, 0.35f};
 
-/// Unit vectors spread evenly; those of a line have different lengths instead.
+/// Uniformly distributed unit vectors; in one dimension, different lengths instead.
 template <int kDimensions>
 const std::array<std::array<float, kDimensions>, kDirections>& directions() {
   static const auto table = [] {
@@ -29,7 +29,7 @@ const std::array<std::array<float, kDimensions>, kDirections>& directions() {
       } else if constexpr (kDimensions == 2) {
         all[i] = {math::cos(3.14159265f * even), math::sin(3.14159265f * even)};
       } else {
-        // A spiral by the golden angle.
+        // Spiral with the golden angle.
         const float turn = 2.39996323f * static_cast<float>(i), r = std::sqrt(1 - even * even);
         all[i] = {r * math::cos(turn), r * math::sin(turn), even};
       }
@@ -39,7 +39,7 @@ const std::array<std::array<float, kDimensions>, kDirections>& directions() {
   return table;
 }
 
-/// Number of a cell; far away, where floats skip cells, it wraps around.
+/// Integer index of a cell; wraps around for distant coordinates.
 std::uint32_t cell_number(float floor) {
   const float small = std::abs(floor) < 0x1p30f ? floor : std::fmod(floor, 0x1p30f);
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(small));
@@ -50,17 +50,17 @@ std::uint64_t hash(const std::array<std::uint32_t, 3>& cell) {
   return sampling::mix_bits(sampling::mix_bits(line) + 0x9e3779b97f4a7c15ull * (cell[2] + 1ull));
 }
 
-/// An odd polynomial of the lattice noise, which the logistic function maps to 0...1.
+/// An odd polynomial of the lattice noise; the logistic function maps its value to 0...1.
 struct Curve {
   float linear, cubic = 0, quintic = 0;
 };
 
-/// A bell about .5 of standard deviation .14: 0.65 by the standard deviation of the lattice noise,
-/// which is .2906, .3126 and .2368 (4 million places).
+/// Bell-shaped about .5 with standard deviation .14: 0.65 divided by the standard deviation of the
+/// lattice noise, which is .2906, .3126 and .2368 (4 million points).
 constexpr Curve kBell[3] = {{2.237f}, {2.080f}, {2.745f}};
 
-/// Logarithm of the odds of the lattice noise's distribution, fitted to 4 million places: within
-/// .002 of even.
+/// Log odds of the cumulative distribution of the lattice noise, fitted to 4 million points; the
+/// result is uniform within .002.
 constexpr Curve kEven[3] = {
     {4.6254f, 4.0652f, 16.7919f}, {4.6736f, 2.8982f, 4.1761f}, {6.3930f, 5.5716f, 12.2233f}};
 
@@ -68,7 +68,7 @@ constexpr Curve kEven[3] = {
 
 template <int kDimensions>
 float noise_bound() {
-  // A value and a gradient towards it from all corners, in the middle of the cell.
+  // Value and gradient contributions of all corners at the centre of the cell.
   return kLatticeValue[kDimensions - 1] + 0.5f * std::sqrt(static_cast<float>(kDimensions));
 }
 

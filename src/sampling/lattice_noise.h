@@ -6,22 +6,22 @@
 
 namespace oriel::sampling {
 
-/// Noise and its gradient at a place.
+/// Noise value and gradient at a point.
 template <int kDimensions>
 struct NoiseAt {
   float value = 0;
   std::array<float, kDimensions> slope{};
 };
 
-/// Noise about 0: each point of the lattice of whole numbers has a value and a gradient of its own,
-/// between which it runs smoothly. It has no zeros in common, as plain gradient noise has on the
-/// lattice, and nothing repeats.
+/// Noise with mean 0: each integer lattice point has a random value and a random gradient,
+/// interpolated smoothly. Unlike plain gradient noise it is not zero at all lattice points, and it
+/// does not repeat.
 ///
-/// Returns: within noise_bound() either way, mean 0; continuous with its first two derivatives.
-/// Errors:  total; 0 where the place is not finite.
-/// Source:  own construction after Perlin, "Improving Noise", ACM TOG 21(3), 2002 (the polynomial),
-///          and Lewis, "Algorithms for Solid Noise Synthesis", SIGGRAPH 1989 (values as well as
-///          gradients).
+/// Returns: magnitude at most noise_bound(), mean 0; C2 continuous.
+/// Errors:  none; returns 0 if the position is not finite.
+/// Source:  original construction based on Perlin, "Improving Noise", ACM TOG 21(3), 2002
+///          (polynomial), and Lewis, "Algorithms for Solid Noise Synthesis", SIGGRAPH 1989 (values
+///          in addition to gradients).
 /// Checked: LatticeNoise.*
 template <int kDimensions>
 NoiseAt<kDimensions> lattice_noise(const std::array<float, kDimensions>& at);
@@ -30,8 +30,8 @@ template <int kDimensions>
 float noise_bound();
 
 enum class NoiseShape {
-  Bell,  ///< a bell about 0.5 of standard deviation 0.14
-  Even   ///< all values equally often
+  Bell,  ///< bell-shaped about 0.5 with standard deviation 0.14
+  Even   ///< uniform distribution of values
 };
 
 /// The lattice noise mapped to 0...1, with the gradient of the result.

@@ -56,14 +56,14 @@ TEST(ShapedNoise, EvenKindTakesAllValuesAboutAsOften) {
     double largest = 0;
     for (int i = 0; i < kPlaces; ++i)
       largest = std::max(largest, std::abs(v[static_cast<std::size_t>(i)] - (i + .5) / kPlaces));
-    // The fit is within .002; places on a line share 6000 cells, which leaves as much again by
-    // chance.
+    // The fit is within .002; points on a line share 6000 cells, which adds a random error of the
+    // same size.
     EXPECT_LT(largest, .01) << d + 1;
   }
 }
 
 TEST(ShapedNoise, NeighboursAndLatticePointsAreNoRegularity) {
-  // Plain gradient noise is the same at all whole coordinates, and repeats.
+  // Plain gradient noise is equal at all integer coordinates, and periodic.
   int same = 0, repeated = 0;
   double product = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -83,10 +83,10 @@ TEST(ShapedNoise, GradientsAreThoseOfDifferences) {
   const float h = 1.0f / 64;
   for (int i = 0; i < 300; ++i) {
     Vec3 p = place(i);
-    // Near the origin differences keep their digits.
+    // Close to the origin differences are accurate.
     p.x /= 300, p.y /= 300, p.z /= 300;
     for (const NoiseShape shape : {NoiseShape::Bell, NoiseShape::Even}) {
-      // Fourth order, so that the step may be wide.
+      // Fourth order, which allows a large step.
       const auto slope = [&](Noise noise, const Vec3& axis) {
         const auto f = [&](float d) { return noise(p + axis * d, shape); };
         return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);

@@ -25,7 +25,7 @@ SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner, co
   x1_ = x0_ + length_u;
   y1_ = y0_ + length_v;
 
-  // The z components of the four edge planes' normals are all the dihedral angles need.
+  // The dihedral angles depend only on the z components of the normals of the four edge planes.
   const float zz = z0_ * z0_;
   const auto slope = [zz](float v) {
     const float len2 = zz + v * v;
@@ -33,7 +33,7 @@ SphericalRectangle::SphericalRectangle(const Vec3& point, const Vec3& corner, co
   };
   const float n0 = -slope(y0_), n1 = slope(x1_), n2 = slope(y1_), n3 = -slope(x0_);
   const auto arc = [](float c) { return math::asin(clamp(c, -1.0f, 1.0f)); };
-  // The four angles minus 2 pi; written with arc sines nothing large has to cancel.
+  // The four angles minus 2 pi, computed with arc sines to avoid cancellation.
   const float a0 = arc(n0 * n1), a1 = arc(n1 * n2), a2 = arc(n2 * n3), a3 = arc(n3 * n0);
   solid_angle_ = std::max(0.0f, (a0 + a1) + (a2 + a3));
   b0_ = n0;
@@ -48,13 +48,13 @@ SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& u) const {
     x = lerp(x0_, x1_, u.x);
     y = lerp(y0_, y1_, u.y);
   } else {
-    // Column: the x whose strip holds the share u.x of the solid angle.
+    // Column: the x up to which the strip has the share u.x of the solid angle.
     const float au = u.x * solid_angle_ + k_;
     const float fu = (math::cos(au) * b0_ - b1_) / math::sin(au);
     const float r2 = fu * fu + b0_ * b0_;
     const float cu = std::copysign(1 / std::sqrt(std::max(r2, 1.0f)), fu);
     x = clamp(-cu * z0_ / std::sqrt(std::max(1 - cu * cu, 1e-12f)), x0_, x1_);
-    // Row: heights on the strip are uniform in the sine of the elevation.
+    // Row: heights in the strip are uniform in the sine of the elevation.
     const float d2 = x * x + z0_ * z0_;
     const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
     const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a rectangle seen from a point, uniform in solid angle.
+// Uniform solid-angle sampling of a rectangle.
 #pragma once
 
 #include "base/vec.h"
 
 namespace oriel::sampling {
 
-/// A rectangle projected on the sphere of directions around a point.
+/// A rectangle projected to the sphere of directions around a point.
 ///
-/// Model:   uniform in solid angle. Below kSmallestSolidAngle, where float no longer resolves the
-///          spherical excess, uniform in area instead; `pdf` follows.
-/// Inputs:  point; corner, edge_u, edge_v of the rectangle, edges at right angles, scene units.
-/// Returns: pdf per solid angle; 0 when the point lies in the rectangle's plane.
+/// Model:   uniform in solid angle. Below kSmallestSolidAngle, where float cannot represent the
+///          spherical excess, uniform in area; `pdf` is consistent with that.
+/// Inputs:  point; corner, edge_u, edge_v of the rectangle with perpendicular edges, scene units.
+/// Returns: pdf per solid angle; 0 if the point is in the plane of the rectangle.
 /// Errors:  total.
 /// Source:  Urena, Fajardo, King, "An Area-Preserving Parametrization for Spherical Rectangles",
 ///          EGSR 2013.
@@ -19,7 +19,7 @@ namespace oriel::sampling {
 ///          Rectangle.IrradianceMatchesTheFormFactor.
 class SphericalRectangle {
  public:
-  /// The sum of arcs carries an error near 3e-7, so this keeps the density within 1e-4.
+  /// The sum of arcs has an error near 3e-7; this limit keeps the density within 1e-4.
   static constexpr float kSmallestSolidAngle = 4e-3f;
 
   struct Sample {
@@ -33,7 +33,7 @@ class SphericalRectangle {
 
   float solid_angle() const { return solid_angle_; }
   Sample sample(const Vec2& u) const;
-  /// Density of the unit direction `wi`, which meets the rectangle at `distance`.
+  /// Density of the unit direction `wi`, which hits the rectangle at `distance`.
   float pdf(const Vec3& wi, float distance) const;
 
  private:

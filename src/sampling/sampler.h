@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where random numbers come from: padded, Owen-scrambled Sobol pairs keyed by pixel and sample.
+// Random numbers: padded, Owen-scrambled Sobol pairs keyed by pixel and sample.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace oriel::sampling {
 
-/// Mixes 64 bits so that every input bit reaches every output bit.
+/// Mixes 64 bits such that every output bit depends on every input bit.
 /// Source: the finaliser of Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
 ///         OOPSLA 2014, with Stafford's constants (variant 13).
 constexpr std::uint64_t mix_bits(std::uint64_t v) {
@@ -17,13 +17,13 @@ constexpr std::uint64_t mix_bits(std::uint64_t v) {
   return v ^ (v >> 31);
 }
 
-/// The numbers of one sample of one pixel, one dimension after the other.
+/// The random numbers of one sample of one pixel, by dimension.
 ///
-/// Model:   each draw is a fresh dimension: the (0,2)-sequence of Sobol, its index shuffled by a
-///          nested uniform permutation of its own, each coordinate Owen-scrambled. Any aligned
-///          block of 2^k samples of a pixel is a (0,k,2)-net in each 2D draw; different draws and
-///          different pixels are independent. A value type: copying forks the stream.
-/// Inputs:  sample indices count from 0 and may be visited in any order.
+/// Model:   each draw uses a new dimension: the (0,2)-sequence of Sobol with its index shuffled by
+///          a nested uniform permutation, and each coordinate Owen-scrambled. Any aligned block of
+///          2^k samples of a pixel is a (0,k,2)-net in each 2D draw; different draws and pixels are
+///          independent. A copy continues with the same numbers.
+/// Inputs:  sample indices start at 0 and may be used in any order.
 /// Returns: numbers in [0, 1), never 1.
 /// Errors:  total.
 /// Source:  Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
@@ -36,7 +36,7 @@ class Sampler {
     start(pixel_x, pixel_y, sample, seed);
   }
 
-  /// Begins sample `sample` of a pixel at dimension 0. Equal arguments give equal numbers.
+  /// Starts sample `sample` of a pixel at dimension 0. Equal arguments give equal numbers.
   void start(int pixel_x, int pixel_y, std::uint32_t sample, std::uint32_t seed = 0) {
     const auto x = static_cast<std::uint32_t>(pixel_x), y = static_cast<std::uint32_t>(pixel_y);
     key_ = mix_bits(mix_bits((std::uint64_t{y} << 32) | x) + seed + 1);
@@ -55,19 +55,18 @@ class Sampler {
     const std::uint64_t h = next_hash();
     const auto hx = static_cast<std::uint32_t>(h >> 32);
     const auto hy = static_cast<std::uint32_t>((h * 0x9e3779b97f4a7c15ull) >> 32);
-    // The shuffled index, lowest bit first: read as a fraction it is Sobol's first coordinate.
+    // The shuffled index with reversed bits, read as a fraction, is Sobol's first coordinate.
     const std::uint32_t x = reverse_bits(scramble(reversed_index_, static_cast<std::uint32_t>(h)));
     const std::uint32_t y = pascal(x);
-    // Both coordinates are still lowest digit first, which is how the scramble wants them.
+    // Both coordinates have reversed bits, as scramble() requires.
     const std::uint64_t both =
         reverse_bits((std::uint64_t{scramble(y, hy)} << 32) | scramble(x, hx));
     return Vec2(to_unit(static_cast<std::uint32_t>(both >> 32)),
                 to_unit(static_cast<std::uint32_t>(both)));
   }
 
-  /// The i-th of n streams that this sample splits into, `branch` telling groups of them apart.
-  /// When all samples of a pixel split into n, their streams together are as even as n times as
-  /// many samples.
+  /// Stream i of n that this sample splits into; `branch` distinguishes groups of streams. If all
+  /// samples of a pixel split into n streams, these are stratified like n times as many samples.
   Sampler split(std::uint32_t i, std::uint32_t n, std::uint32_t branch) const {
     Sampler s = *this;
     s.key_ = mix_bits(key_ + 0xd1b54a32d192ed03ull * (branch + 1));
@@ -75,10 +74,10 @@ class Sampler {
     return s;
   }
 
-  /// Passes over a draw that nobody needs: later ones keep their dimensions.
+  /// Skips a draw, so that later draws keep their dimensions.
   void skip() { ++dimension_; }
 
-  /// The number of draws so far; setting it jumps to that draw.
+  /// The number of draws so far; setting it continues at that draw.
   std::uint32_t dimension() const { return dimension_; }
   void set_dimension(std::uint32_t dimension) { dimension_ = dimension; }
 
@@ -98,8 +97,8 @@ class Sampler {
     return ((v >> 1) & 0x5555555555555555ull) | ((v & 0x5555555555555555ull) << 1);
   }
 
-  /// A random permutation in which each bit depends only on itself and the bits below it: an Owen
-  /// scramble of digits stored lowest first.
+  /// A random permutation in which each bit depends only on itself and lower bits: an Owen scramble
+  /// of bit-reversed values.
   /// Source: Laine, Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011; constants
   ///         of Vegdahl, "Building a Better LK Hash", 2021.
   static std::uint32_t scramble(std::uint32_t v, std::uint32_t seed) {
@@ -111,8 +110,9 @@ class Sampler {
     return v;
   }
 
-  /// Sobol's second coordinate from the first, both lowest digit first: the Pascal matrix modulo 2,
-  /// which is a Kronecker power of [1 1; 0 1] and so takes one step for each bit of the position.
+  /// Computes Sobol's second coordinate from the first, both bit-reversed: multiplication with the
+  /// Pascal matrix modulo 2. The matrix is a Kronecker power of [1 1; 0 1], so one step per bit of
+  /// the index is sufficient.
   static std::uint32_t pascal(std::uint32_t v) {
     v ^= (v & 0xffff0000u) >> 16;
     v ^= (v & 0xff00ff00u) >> 8;
@@ -121,7 +121,7 @@ class Sampler {
     return v ^ ((v & 0xaaaaaaaau) >> 1);
   }
 
-  /// 24 bits are what a float in [0, 1) holds evenly; rounding up to 1 cannot happen.
+  /// 24 bits are exactly representable in [0, 1), so the result never rounds to 1.
   static float to_unit(std::uint32_t v) { return static_cast<float>(v >> 8) * 0x1p-24f; }
 
   std::uint64_t key_ = 0;

@@ -82,7 +82,7 @@ double rmse(int samples, bool smooth) {
   return std::sqrt(sum / kRuns);
 }
 
-// Owen: N^-1.5 for smooth integrands; N^-0.75 across an edge; N^-0.5 is what chance gives.
+// Owen: N^-1.5 for smooth integrands; N^-0.75 across an edge; random sampling has N^-0.5.
 TEST(Sampler, ErrorFallsFasterThanRandom) {
   EXPECT_NEAR(std::log2(rmse(16, true) / rmse(1024, true)) / 6, 1.5, 0.12);
   EXPECT_NEAR(std::log2(rmse(16, false) / rmse(1024, false)) / 6, 0.75, 0.1);
@@ -105,8 +105,8 @@ double independence(std::uint32_t a, int ca, std::uint32_t b, int cb, int count,
   return testing::chi_square(observed, expected).p_value;
 }
 
-// Across pixels (independent draws, so the test is exact) and along one pixel's samples, where
-// stratification lowers the statistic but correlation between draws would still raise it.
+// Across pixels (independent draws, so the test is exact) and over the samples of one pixel, where
+// stratification lowers the statistic but correlation between draws would raise it.
 TEST(Sampler, DimensionsAreIndependent) {
   constexpr std::uint32_t kDraws = 8;
   const double level = testing::sidak(0.01, 2 * 4 * kDraws * (kDraws - 1) / 2);
@@ -142,7 +142,8 @@ void expect_net(const std::vector<Vec2>& points, int k, const std::string& what)
 }
 
 TEST(Sampler, SplitStreamsOfAllSamplesAreANetTogether) {
-  // 2^s samples that split into n = 2^m streams each: 2^(s + m) points as even as a net is.
+  // 2^s samples that split into n = 2^m streams each: 2^(s + m) points, as well stratified as a
+  // net.
   for (const int m : {1, 3, 4})
     for (const int s : {0, 2, 4}) {
       const std::uint32_t n = 1u << m, samples = 1u << s;
@@ -160,8 +161,8 @@ TEST(Sampler, SplitStreamsOfAllSamplesAreANetTogether) {
 }
 
 TEST(Sampler, SplitsOfOtherNumbersCountOnWithoutGaps) {
-  // Streams of samples 0, 1, 2 ... that split into n are the points 0, n, 2 n ... and those
-  // between: any 2^k first ones are a net.
+  // Streams of samples 0, 1, 2 ... that split into n are the points 0, n, 2 n ... and those in
+  // between: the first 2^k are a net for any k.
   constexpr std::uint32_t kStreams = 5;
   std::vector<Vec2> points;
   for (std::uint32_t i = 0; points.size() < 64; ++i)
@@ -191,7 +192,7 @@ TEST(Sampler, SplittingLeavesTheSampleAsItWas) {
 }
 
 TEST(Sampler, BranchesAreIndependent) {
-  // Of each other, of the sample they came from, and of the draws that follow: in one pixel and
+  // Independent of each other, of the original sample, and of subsequent draws: in one pixel and
   // across pixels.
   constexpr int kCells = 12, kCount = 16384;
   const auto first = [](Sampler s) { return s.next_2d(); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a sampling loop whose length is unknown at its start, and erand48's numbers.
+// Sample points for shader sampling loops of unknown length, and the generator of erand48.
 #pragma once
 
 #include <array>
@@ -9,25 +9,25 @@
 
 namespace oriel::sampling {
 
-/// A net of points that is the same for all loops, shifted by random numbers: the shift makes each
-/// point uniform in the unit square, and the points of one loop cover it evenly.
+/// A point set shared by all loops, shifted by random numbers. The shift makes each point uniform
+/// in the unit square; the points of one loop cover it evenly.
 ///
 /// Source:  Cranley, Patterson, "Randomization of Number Theoretic Methods for Multiple
 ///          Integration", 1976.
 /// Checked: ShiftedNet.*, Sample.*
 class ShiftedNet {
  public:
-  /// Pairs of dimensions that are even over the samples; further ones are independent.
+  /// Pairs of dimensions that are stratified over the samples; further ones are independent.
   static constexpr int kPairs = 4;
 
-  /// Inputs:  next: draws two independent numbers in [0,1).
+  /// Inputs:  next: returns two independent numbers in [0,1).
   template <class Next>
   void start(int dimensions, const Next& next) {
     for (int k = 0; k < kPairs && 2 * k < dimensions; ++k)
       shift_[static_cast<std::size_t>(k)] = next();
   }
 
-  /// Writes the coordinates of a point; those of the pairs above kPairs come from `next`.
+  /// Writes the coordinates of a point; pairs beyond kPairs come from `next`.
   template <class Next>
   void fill(double* sample, int dimensions, int index, const Next& next) const {
     Sampler net(0, 0, static_cast<std::uint32_t>(index));
@@ -50,8 +50,8 @@ class ShiftedNet {
   std::array<Vec2, kPairs> shift_;
 };
 
-/// The next number of the generator of POSIX erand48 in [0,1), rounded down to 24 bits; advances
-/// the seed, whose lowest 16 bits come first.
+/// The next number of the POSIX erand48 generator in [0,1), truncated to 24 bits; advances the
+/// seed, whose lowest 16 bits are first.
 /// Model:   x = (0x5deece66d x + 11) mod 2^48.
 /// Checked: Erand48.IsThatOfPosix
 inline float erand48(unsigned short seed[3]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions toward a sphere seen from a point, uniform in solid angle.
+// Uniform solid-angle sampling of a sphere.
 #pragma once
 
 #include "base/frame.h"
@@ -7,11 +7,11 @@
 
 namespace oriel::sampling {
 
-/// The cone of directions that meet a sphere, or the whole sphere of directions from inside it.
+/// The cone of directions that hit a sphere, or all directions if the point is inside.
 ///
-/// Inputs:  point, center, radius in one space, scene units.
-/// Returns: sample: unit direction; pdf: per solid angle, the same for every direction that meets
-///          the sphere, 0 for a sphere without size.
+/// Inputs:  point, center, radius in the same space.
+/// Returns: sample: unit direction; pdf: per solid angle, constant over the cone; 0 for a sphere of
+///          radius 0.
 /// Errors:  total.
 /// Source:  Shirley, Wang, Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations",
 ///          ACM TOG 15(1), 1996.

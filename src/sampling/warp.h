@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How uniform numbers become points and directions, how dense those are, and how two ways of
-// sampling share one integral.
+// Mappings of uniform random numbers to points and directions with their densities, and MIS
+// weights.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace oriel::sampling {
 struct SinCos {
   float sin, cos;
 };
-/// Sine and cosine of |x| <= pi / 4 rad, within 1e-7 (Taylor series; the library's own calls cost
-/// several times as much as the rest of a warp).
+/// Sine and cosine of |x| <= pi / 4 rad within 1e-7 (Taylor series; library functions take several
+/// times as long as the rest of a mapping).
 /// Checked: Warp.SineAndCosineMatchTheLibrary.
 inline SinCos sincos_octant(float x) {
   const float x2 = x * x;
@@ -37,7 +37,7 @@ inline SinCos sincos_turns(float u) {
   return {quarter & 2 ? -s : s, (quarter + 1) & 2 ? -c : c};
 }
 
-/// Point of the unit disc, uniform in area, neighbours stay neighbours.
+/// Point on the unit disc, uniform in area; the mapping is continuous.
 /// Source:  Shirley, Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997.
 /// Checked: Warp.DiscMatchesItsDensity.
 inline Vec2 sample_disc(const Vec2& u) {
@@ -49,17 +49,17 @@ inline Vec2 sample_disc(const Vec2& u) {
   return wide ? Vec2(r * t.cos, r * t.sin) : Vec2(r * t.sin, r * t.cos);
 }
 
-/// Direction of the upper hemisphere with density cos / pi.
+/// Direction on the upper hemisphere with density cos / pi.
 /// Checked: Warp.DirectionsMatchTheirDensity.
 inline Vec3 sample_cosine_hemisphere(const Vec2& u) {
   const Vec2 d = sample_disc(u);
-  // A tiny positive z keeps the density of a rim sample above zero.
+  // A tiny positive z keeps the density positive for samples on the rim.
   return Vec3(d.x, d.y, std::sqrt(std::max(1e-12f, 1 - d.x * d.x - d.y * d.y)));
 }
 inline float cosine_hemisphere_pdf(float cos_theta) { return std::max(0.0f, cos_theta) * kInvPi; }
 
-/// Direction of the cap of the hemisphere where the cosine is at least `least`, with a density in
-/// proportion to the cosine.
+/// Direction in the cap of the hemisphere with cosine at least `least`; the density is proportional
+/// to the cosine.
 /// Checked: Warp.CapDirectionsMatchTheirDensity.
 inline Vec3 sample_cosine_cap(const Vec2& u, float least) {
   const float sine2 = u.x * (1 - least * least), phi = kTwoPi * u.y;
@@ -69,7 +69,7 @@ inline Vec3 sample_cosine_cap(const Vec2& u, float least) {
 
 inline constexpr float kUniformSpherePdf = 0.25f * kInvPi;
 
-/// Direction of the whole sphere, uniform.
+/// Uniform direction on the sphere.
 inline Vec3 sample_uniform_sphere(const Vec2& u) {
   const float z = 1 - 2 * u.x;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
@@ -77,13 +77,15 @@ inline Vec3 sample_uniform_sphere(const Vec2& u) {
   return Vec3(r * phi.cos, r * phi.sin, z);
 }
 
-/// 1 - cos(theta) from sin^2(theta) for theta up to 90 degrees, exact where the cone is narrow.
+/// 1 - cos(theta) from sin^2(theta) for theta up to 90 degrees, without cancellation for narrow
+/// cones.
 inline float one_minus_cos(float sin2_theta) {
   return sin2_theta / (1 + std::sqrt(std::max(0.0f, 1 - sin2_theta)));
 }
 
-/// Direction of the cone around +z, uniform. The width is given as 1 - cos(half angle), since a
-/// cosine in float does not resolve the sun. Distance from the axis grows with u.x.
+/// Uniform direction in the cone around +z. The width is given as 1 - cos(half angle), because a
+/// float cosine cannot represent the size of the sun. The distance from the axis increases with
+/// u.x.
 inline Vec3 sample_cone(const Vec2& u, float one_minus_cos_max) {
   const float h = u.x * one_minus_cos_max;
   const float r = std::sqrt(std::max(0.0f, h * (2 - h)));
@@ -104,14 +106,14 @@ inline Vec2 sample_triangle(const Vec2& u) {
   return Vec2(u.x - y, y);
 }
 
-/// Share of the first of two ways to sample, from their densities times sample counts; a way that
-/// cannot happen has share 0, an infinite density (delta) has share 1.
+/// MIS weight of the first of two sampling techniques, from their densities times sample counts; 0
+/// if its density is 0, 1 if its density is infinite (delta).
 /// Source:  Veach, Guibas, "Optimally Combining Sampling Techniques", SIGGRAPH 1995.
 /// Checked: Heuristics.SharesSumToOne.
 inline float balance_heuristic(float pdf_this, float pdf_other) {
   return pdf_this > 0 ? 1 / (1 + pdf_other / pdf_this) : 0;
 }
-/// As above with the densities squared.
+/// Same with squared densities.
 inline float power_heuristic(float pdf_this, float pdf_other) {
   return pdf_this > 0 ? 1 / (1 + sqr(pdf_other / pdf_this)) : 0;
 }

@@ -39,7 +39,7 @@ TEST(Warp, DirectionsMatchTheirDensity) {
                  [](const Vec3& w) { return cosine_hemisphere_pdf(w.z); });
   expect_matches([](const Vec2& u, float) { return sample_uniform_sphere(u); },
                  [](const Vec3&) { return kUniformSpherePdf; });
-  // The cone ends on a cell border (cos = 0.5), so that quadrature meets no edge.
+  // The cone ends on a cell border (cos = 0.5), so the quadrature has no discontinuity.
   expect_matches([](const Vec2& u, float) { return sample_cone(u, 0.5f); },
                  [](const Vec3& w) { return w.z > 0.5f ? cone_pdf(0.5f) : 0; });
 }
@@ -120,7 +120,7 @@ TEST(Rectangle, SolidAngleMatchesTheClosedForm) {
 TEST(Rectangle, SamplesAreUniformInSolidAngle) {
   const Vec3 corner(-0.5f, 0.4f, -0.3f), eu(0, 2, 0), ev(0.6f, 0, 0.8f);
   const SphericalRectangle rect({0, 0, 0.2f}, corner, eu, ev);
-  // Each of 8 x 8 parts of the rectangle gets draws by its own solid angle.
+  // Each of 8 x 8 parts of the rectangle gets samples in proportion to its solid angle.
   constexpr int kCells = 8;
   std::vector<double> observed(kCells * kCells), expected(kCells * kCells);
   double total = 0;

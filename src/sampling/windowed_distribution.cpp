@@ -7,11 +7,11 @@
 namespace oriel::sampling {
 namespace {
 
-/// First cell boundary in (first, last] where f reaches the target, less one: the cell in which f,
-/// which grows, passes it. f is given at boundaries.
+/// The cell in which the increasing function f, given at cell boundaries, reaches the target: the
+/// first boundary in (first, last] with f >= target, minus one.
 template <class F>
 std::size_t cell_of(std::size_t first, std::size_t last, double target, const F& f) {
-  // Without branches: the processor cannot guess where a random number lands.
+  // Branch-free binary search: random numbers defeat branch prediction.
   for (std::size_t left = last - first; left > 1;) {
     const std::size_t half = left / 2;
     first += f(first + half) <= target ? half : 0;
@@ -45,7 +45,7 @@ WindowedDistribution2D::Place WindowedDistribution2D::place(float x, std::size_t
   return {cell, at - static_cast<double>(cell)};
 }
 
-/// Sum left of a boundary between columns.
+/// Sum of the table left of a boundary between columns, below y.
 double WindowedDistribution2D::column(std::size_t x, const Place& y) const {
   const double* low = &sums_[y.cell * (width_ + 1) + x];
   return low[0] + (low[width_ + 1] - low[0]) * y.share;
@@ -85,7 +85,7 @@ WindowedDistribution2D::Sample WindowedDistribution2D::sample(const Vec2& u,
   const Corners ends = corners(window);
   const double all = precise_integral(ends);
   if (!(all > 0)) return {};
-  // Along u: what lies between the window's rows, left of a boundary.
+  // Along u: sum of the window rows left of a boundary.
   const auto left_of = [&](std::size_t x) { return column(x, ends.y1) - column(x, ends.y0); };
   const double first = sum(ends.x0, ends.y1) - sum(ends.x0, ends.y0);
   const double x_target =
@@ -97,7 +97,7 @@ WindowedDistribution2D::Sample WindowedDistribution2D::sample(const Vec2& u,
   s.uv.x =
       clamp(static_cast<float>((static_cast<double>(i) + across) / static_cast<double>(width_)),
             window.lo.x, window.hi.x);
-  // Along v: that column alone.
+  // Along v: sum of the selected column.
   const auto below = [&](std::size_t y) {
     const double* at = &sums_[y * (width_ + 1) + i];
     return at[1] - at[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random choice by a tabulated picture of which only a rectangle counts that changes with every
-// draw: an environment seen through a window.
+// Sampling of a 2D table restricted to a rectangle that changes with every draw: an environment map
+// seen through a portal.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,18 @@
 
 namespace oriel::sampling {
 
-/// Part of [0,1]^2.
+/// Rectangle in [0,1]^2.
 struct Window {
   Vec2 lo{0}, hi{1};
 };
 
 /// Piecewise constant distribution over a window in [0,1]^2.
 ///
-/// Model:   sums over all cells below and left of each corner of the table; between corners they
-///          are bilinear, so that any window's integral takes four of them, and both coordinates
-///          are found by bisection.
+/// Model:   a summed-area table, interpolated bilinearly between corners, so the integral of any
+///          window takes four lookups. Both coordinates are found by bisection.
 /// Inputs:  values, row after row (row 0 at v = 0), width x height; negative and non-finite ones
 ///          count as 0.
-/// Returns: densities with respect to area in [0,1]^2; 0 where the window holds nothing.
+/// Returns: densities with respect to area in [0,1]^2; 0 if the window has no weight.
 /// Errors:  total.
 /// Source:  Crow, "Summed-area Tables for Texture Mapping", 1984; Bitterli, Novak, Jarosz,
 ///          "Portal-Masked Environment Map Sampling", EGSR 2015.
@@ -41,14 +40,14 @@ class WindowedDistribution2D {
   Sample sample(const Vec2& u, const Window& window) const;
   /// Density of a point in the window.
   float pdf(const Vec2& uv, const Window& window) const;
-  /// The table at a point.
+  /// The value of the table at a point.
   float value(const Vec2& uv) const;
 
  private:
-  /// A coordinate in cells.
+  /// A coordinate in units of cells.
   struct Place {
     std::size_t cell;
-    double share;  // of that cell
+    double share;  // position inside the cell
   };
   struct Corners {
     Place x0, x1, y0, y1;
@@ -61,7 +60,7 @@ class WindowedDistribution2D {
 
   std::size_t width_, height_;
   std::vector<float> values_;
-  // double: windows are small differences of large sums
+  // double: sums of windows are small differences of large sums
   std::vector<double> sums_;  // (width + 1) x (height + 1)
 };
 

@@ -73,7 +73,7 @@ TEST(WindowedDistribution, SamplesMatchTheTableInsideOfTheWindow) {
         centre +=
             Vec2(middle(w.lo.x, w.hi.x, x, kWidth), middle(w.lo.y, w.hi.y, y, kHeight)) * share;
       }
-    // Uniform inside of the cells: the mean is that of the cells' middles.
+    // Uniform inside cells, so the mean is that of the cell centres.
     EXPECT_NEAR(moment.x / kSamples, centre.x, 4 * .3f / std::sqrt(kSamples * 1.0f));
     EXPECT_NEAR(moment.y / kSamples, centre.y, 4 * .3f / std::sqrt(kSamples * 1.0f));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Black bodies and colour matching functions for users' shaders.
+// Black bodies and colour matching functions for user shaders.
 #include "oriel/sdk/shader/blackbody.h"
 
 #include "color/black_body.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Highlights, Fresnel's shares and phase functions for shaders.
+// Highlights, Fresnel reflectance and phase functions for shaders.
 //
-// A light of colour c shows rho * c on a Lambert surface that faces it, so values are those of
-// bsdf/highlights.h times pi: shaders that copy the renderer's own illumination shaders look as
-// these. Phong's, Blinn's and Cook and Torrance's include the light's cosine, since shaders take
-// them as they come; Ward's leave it to the caller.
+// A light of colour c has the value rho * c on a facing Lambert surface, so values are those of
+// bsdf/highlights.h times pi, as in the built-in illumination shaders. Phong's, Blinn's and Cook
+// and Torrance's include the cosine of the light, because shaders use them without further factors;
+// for Ward's the caller applies it.
 #include <cmath>
 
 #include "base/frame.h"
@@ -26,7 +26,7 @@ using oriel::Vec3;
 using oriel::bsdf::WardLobe;
 using oriel::sdk::vec;
 
-/// The two directions in the frame of the surface, both away from it.
+/// The two directions in the local frame of the surface, both away from it.
 struct Local {
   Vec3 wo, wi;
   Local(const miVector* di, const miVector* dr, const Vec3& n, const Vec3& along = Vec3(0)) {

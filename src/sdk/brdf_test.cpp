@@ -83,7 +83,7 @@ TEST(Highlights, OfWardReflectNoMoreThanArrives) {
   for (const float shiny : {2.0f, 5.0f, 15.0f})
     for (const double cosine : {1.0, .7, .3, .1}) {
       const miVector from = reversed(as_c(cosine_direction(cosine, 0)));
-      // A white Lambert surface has the value 1: pi is the share of all light.
+      // A white Lambert surface has the value 1, so the total reflected light is pi.
       const double albedo = integrate(
                                 [&](double z, double phi) {
                                   const miVector to = as_c(cosine_direction(z, phi));
@@ -99,7 +99,7 @@ TEST(Highlights, OfWardReflectNoMoreThanArrives) {
 }
 
 TEST(Highlights, OfWardAreAsWideAsItsDirections) {
-  // Straight ahead the lobe over the density is 1 / pi by the facets, up to the cosines.
+  // Straight ahead the lobe divided by the facet density is 1 / pi, up to the cosines.
   const miVector down = {0, 0, -1}, u = {1, 0, 0}, v = {0, 1, 0};
   for (const double phi : {0.0, .8, 1.57}) {
     const miVector to = as_c(cosine_direction(.99, phi));

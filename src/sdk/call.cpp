@@ -20,7 +20,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Results of connected shaders: a stack of blocks that do not move.
+/// Results of connected shaders: a stack of blocks with stable addresses.
 class Arena {
  public:
   struct Mark {
@@ -70,7 +70,8 @@ bool call_guarded(UserInstance& shader, miState& state, void* result, void* argu
   return answer;
 }
 
-/// Results that are no numbers, in this thread: one that stems from another is not reported.
+/// Number of NaN or infinite results in this thread, to report only the first shader that returned
+/// one.
 thread_local unsigned broken_results = 0;
 
 bool is_number(ParamType type, const std::byte* value) {
@@ -82,7 +83,7 @@ bool is_number(ParamType type, const std::byte* value) {
                      [](float x) { return std::isfinite(x); });
 }
 
-/// Names the first shader whose result holds what is no number: pixels show it as black.
+/// Reports the first shader whose result contains NaN or infinity; such pixels are black.
 void check_result(const UserSpec& spec, const void* result, miShader_type type, unsigned before) {
   if (type == miSHADER_OUTPUT || type == miSHADER_GEOMETRY || type == miSHADER_STATE) return;
   const auto* bytes = static_cast<const std::byte*>(result);
@@ -94,9 +95,10 @@ void check_result(const UserSpec& spec, const void* result, miShader_type type, 
   if (spec.broken.exchange(true)) return;
   spec.host->diagnostics().warning(
       "OR-SDK-007", {},
-      fmt::format("shader \"{}\" of {} returned a result that is infinite or not a number (NaN)",
-                  spec.own_name, spec.library_name),
-      "such samples are black; look for divisions by zero and roots of negative numbers in it");
+      fmt::format("shader \"{}\" of {} returned an infinite result or NaN", spec.own_name,
+                  spec.library_name),
+      "such samples are black; check the shader for divisions by zero and roots of negative "
+      "numbers");
 }
 
 }  // namespace
@@ -105,10 +107,10 @@ void* allocate_for_call(std::size_t bytes) { return arena.allocate(bytes); }
 
 bool run(UserInstance& shader, miState& state, void* result, miShader_type type, void* argument) {
   Context& c = context(&state);
-  set_current_host(c.host);  // before the init functions
+  set_current_host(c.host);  // required by the init functions
   if (!shader.ready.load(std::memory_order_acquire)) shader.make_ready(*shader.node);
   if (shader.spec->crashed.load(std::memory_order_relaxed)) return false;
-  // Shaders read parent->shader without a check.
+  // Shaders read parent->shader without a null check.
   if (state.parent && !state.parent->shader) state.parent->shader = shader.function;
   const miFunction* const outer_function = std::exchange(state.shader, shader.function);
   const UserInstance* const outer = std::exchange(c.shader, &shader);
@@ -158,7 +160,7 @@ Vec2 next(const miState* state) {
   if (c.lens) return c.lens->next();
   if (c.photon) return c.photon->next();
   if (c.emission) return c.emission->next();
-  // Keyed by the place: the same in every rendering, another at each point.
+  // Keyed by position: reproducible, and different at each point.
   std::uint32_t bits[3];
   std::memcpy(bits, &c.point->position.x, sizeof bits);
   std::uint64_t key = sampling::mix_bits((std::uint64_t{bits[0]} << 32) | bits[1]);
@@ -178,7 +180,7 @@ ShadingPoint point_of(const miState* state) {
   point.ray_direction = vec(state->dir);
   point.ray_length = static_cast<float>(state->dist);
   if (!state->pri) point.ray_offset = 0;
-  // Kinds that shaders make up for each other mean nothing to the renderer's own.
+  // Built-in shaders do not know ray types that shaders define themselves.
   if (state->type >= miRAY_EYE && state->type < miRAY_NO_TYPES)
     point.ray_kind = static_cast<RayKind>(state->type);
   if (point.texture_spaces == 0) point.tex[0] = vec(state->tex);

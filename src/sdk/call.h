@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Running users' shaders: the state they see, the guard around them, the roles they play.
+// Calls of user shaders: their state, crash guards, and shader roles.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace oriel::sdk {
 
-/// A miState with what stands behind it, for one point; lives on the stack.
+/// A miState with its context for one point; on the stack.
 class StateFrame {
  public:
-  /// `parent`: of the shader that cast the ray or asked; null where that is none of the user's. Its
-  /// user data and all else that rays inherit are copied.
+  /// `parent`: state of the shader that cast the ray or evaluates this one; null if that is not a
+  /// user shader. Its user data and all other inherited members are copied.
   StateFrame(Host& host, ShadingPoint& point, miState* parent = Caller::current().ray);
   StateFrame(const StateFrame&) = delete;
   StateFrame& operator=(const StateFrame&) = delete;
@@ -30,34 +30,34 @@ class StateFrame {
   void set_bases(ShadingPoint& point);
   void set_parent(miState* parent);
 
-  /// Parent where the one that cast the ray is a built-in shader.
+  /// Parent state if a built-in shader cast the ray.
   std::optional<miState> eye_state_;
   miVector bump_x_[kMostTextureSpaces], bump_y_[kMostTextureSpaces], derivs_[NO_DERIVS];
 };
 
-/// Runs a user's shader with a state; `result` is of its C type. Returns what the shader returns;
-/// false where it crashed.
+/// Runs a user shader with a state; `result` has its C type. Returns the return value of the
+/// shader, or false if it crashed.
 bool run(UserInstance& shader, miState& state, void* result, miShader_type type,
          void* argument = nullptr);
 
-/// Runs any shader at the state's point; `result` is of the C type of its result, at least 16
-/// bytes. A material of the renderer is shaded with all its light.
+/// Runs any shader at the point of the state; `result` has the C type of its result and at least 16
+/// bytes. A built-in material is shaded with full lighting.
 bool run_node(const ShaderNode& node, miState& state, void* result, miShader_type type,
               void* argument = nullptr);
 
-/// Gives the spec its functions, as its `apply` says; all where it says nothing.
+/// Sets the functions of the spec that its `apply` selects; all if it selects none.
 void set_roles(UserSpec& spec);
 
-/// Copies what rays inherit from the state that they are cast from. `to.type` is set.
+/// Copies the members that a ray inherits from the state that casts it. `to.type` has to be set.
 void inherit(const miState& from, miState& to);
 
-/// A value of the renderer as a C one, and back.
+/// Convert a value from the renderer's type to the C type, and back.
 void to_c(ParamType type, const void* own, void* c);
 void from_c(ParamType type, const void* c, void* own);
-/// A shader's whole result.
+/// Converts the complete result of a shader.
 void result_from_c(const UserSpec& spec, const std::byte* c, void* own);
 
-/// Room for the result of a shader, on either side; as much as the shader has is cleared.
+/// Memory for the result of a shader of either kind; cleared to the size of the result.
 struct alignas(16) Result {
   explicit Result(std::size_t used) { std::memset(bytes, 0, used); }
   explicit Result(const UserSpec& spec) : Result(spec.c_result_size) {}

@@ -10,7 +10,7 @@ using scene::Value;
 
 bool is_scalar(const Value& v) { return v.kind == Value::Kind::Numbers && v.numbers.size() == 1; }
 
-/// Appends the numbers of `more`; false: one of the two is no number.
+/// Appends the numbers of `more`; returns false if one of the values is not numeric.
 bool extend(Value& value, const Value& more) {
   if (value.kind != Value::Kind::Numbers || !is_scalar(more)) return false;
   value.integral = value.integral && more.integral;
@@ -18,7 +18,7 @@ bool extend(Value& value, const Value& more) {
   return true;
 }
 
-/// Puts scalars together to elements of `width` numbers.
+/// Groups scalars to elements of `width` numbers.
 void group_items(std::vector<Value>& items, std::size_t width) {
   if (width < 2 || items.size() % width != 0) return;
   std::vector<Value> grouped;
@@ -51,7 +51,7 @@ void CallWork::add_item(Open& array, Value value) {
   std::vector<Value>& items = array.value.items;
   const bool begins = std::exchange(array.begins, false) || !array.separated || items.empty();
   if (!parameter_.empty()) {
-    // A named value: a member of an element that is a struct.
+    // A named value is a member of a struct element.
     if (begins && (array.separated || items.empty())) {
       items.emplace_back();
       items.back().kind = Value::Kind::Struct;
@@ -99,7 +99,7 @@ bool CallWork::new_element() {
   if (open_.empty() || open_.back().value.kind != Value::Kind::Array) return false;
   Open& array = open_.back();
   std::vector<Value>& items = array.value.items;
-  // The scalars before the first separator are one element.
+  // Scalars before the first separator form one element.
   if (!array.separated && items.size() > 1) group_items(items, items.size());
   array.separated = array.begins = true;
   parameter_.clear();

@@ -8,12 +8,12 @@
 namespace oriel::sdk {
 namespace {
 
-/// Numbers of threads that ended are given to the next ones.
+/// Allocates thread numbers; numbers of finished threads are reused.
 struct ThreadNumbers {
   std::mutex mutex;
   std::vector<bool> taken;
 };
-/// Never destroyed: threads may end after static objects did.
+/// Never destroyed: threads may end after static destruction.
 ThreadNumbers& thread_numbers() {
   static auto* const numbers = new ThreadNumbers;
   return *numbers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which shader's state a new state continues: who casts the ray, asks the light, shares the point.
+// The shader state from which a new state is derived: of a ray, a light sample, or the same point.
 #pragma once
 
 #include <optional>
@@ -13,38 +13,39 @@ struct ShadingPoint;
 
 namespace oriel::sdk {
 
-/// State of the first user's material that a ray runs, as that material leaves it.
+/// Final state of the first user material that a ray runs.
 struct Answer {
   Vec3 position{0};  ///< of the hit
   miState state;
 };
 
 // Conventions
-//   One for each thread. All pointers may be null.
+//   One per thread. All pointers may be null.
 struct Caller {
-  miState* ray = nullptr;    ///< of the shader whose ray is being traced
-  miState* light = nullptr;  ///< of the shader that samples a light
-  /// Of the shader that evaluates a built-in shader at its own point.
+  miState* ray = nullptr;    ///< state of the shader that casts the current ray
+  miState* light = nullptr;  ///< state of the shader that samples a light
+  /// State of the shader that evaluates a built-in shader at its own point.
   miState* same_point = nullptr;
   const ShadingPoint* point = nullptr;      ///< that point
-  std::optional<Answer>* answer = nullptr;  ///< where the state of the hit is stored
-  miState* light_answer = nullptr;          ///< where that of the light shader is stored
+  std::optional<Answer>* answer = nullptr;  ///< receives the state of the hit
+  miState* light_answer = nullptr;          ///< receives the state of the light shader
 
   static Caller& current();
   static Caller of_ray(miState* state, std::optional<Answer>* answer = nullptr) {
     return {.ray = state, .answer = answer};
   }
-  /// Light shaders have the asking shader's state as parent, shadow shaders that of the light.
+  /// The parent of a light shader is the state of the sampling shader; the parent of a shadow
+  /// shader is the state of the light shader.
   static Caller of_light(miState* state, miState* light_answer) {
     return {.ray = state, .light = state, .light_answer = light_answer};
   }
-  /// Rays still come from where they came from.
+  /// The ray and its caller are unchanged.
   static Caller at_point(miState* state, const ShadingPoint& point) {
     return {.ray = current().ray, .same_point = state, .point = &point};
   }
 };
 
-/// Exchanges the current caller while it lives.
+/// Replaces the current caller during its lifetime.
 class CallerScope {
  public:
   explicit CallerScope(const Caller& caller) : outer_(Caller::current()) {
@@ -58,7 +59,7 @@ class CallerScope {
   Caller outer_;
 };
 
-/// Number of the calling thread: the smallest that no other thread has that runs shaders.
+/// Number of the calling thread: the smallest one that no other shader thread uses.
 short thread_number();
 
 }  // namespace oriel::sdk

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Luminance, and colours between the spaces that shaders name. The renderer's own colours and
-// those of the picture are one space: linear Rec. 709 with white D65.
+// Luminance, and conversion between colour spaces that shaders name. The rendering and picture
+// colour spaces are both linear Rec. 709 with white D65.
 #include "color/luminance.h"
 #include "color/srgb.h"
 #include "oriel/sdk/shader/brdf.h"

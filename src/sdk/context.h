@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands behind a miState: how the functions of the interface reach the renderer.
+// Renderer data behind a miState, used by the functions of the C interface.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,27 @@ class Host;
 struct UserInstance;
 struct OutputWork;
 
-/// A value of a connected parameter that was asked for, kept while the shader runs.
+/// Value of a connected parameter, cached while the shader runs.
 struct Evaluated {
   const void* parameter;
   void* value;
   const Evaluated* next;
 };
 
-/// state->child of one state: of the state of the point, of a copy of it or of another child.
+/// The state->child of one state: of the point's state, of a copy of it, or of another child.
 struct OwnedChild {
   const miState* owner;
   miState child;
 };
 
 // Conventions
-//   One Context for each ShadingPoint that users' shaders are run at, on the stack; miState::cache
-//   points to it, in copies of the state too. Internal space is world space.
+//   One Context, on the stack, per ShadingPoint at which user shaders run; miState::cache points to
+//   it, also in copies of the state. Internal space is world space.
 struct Context {
   Host* host = nullptr;
   const World* world = nullptr;
-  ShadingPoint* point = nullptr;         ///< as the renderer knows it; never null
-  const UserInstance* shader = nullptr;  ///< the call that runs
+  ShadingPoint* point = nullptr;         ///< the point in the renderer; never null
+  const UserInstance* shader = nullptr;  ///< the running call
   const Evaluated* evaluated = nullptr;
   miShader_type call_type = miSHADER_OTHER;
   std::uint32_t draws = 0;  ///< random numbers drawn without a tracer
@@ -48,22 +48,22 @@ struct Context {
 
   // Light shaders.
   bool shadow_asked = false;     ///< mi_trace_shadow was called
-  bool shadow_is_black = false;  ///< ... and answers as behind an opaque blocker
-  // What continues the ray or the photon of a lens, photon or emitter shader.
+  bool shadow_is_black = false;  ///< ... and returns the result of an opaque occluder
+  // Continuation of the ray or photon in lens, photon and emitter shaders.
   LensNext* lens = nullptr;
   PhotonNext* photon = nullptr;
   PhotonEmission* emission = nullptr;
-  EyeSample* sample = nullptr;   ///< state shaders: what they stand around
-  OutputWork* output = nullptr;  ///< output shaders: the buffers that are open
+  EyeSample* sample = nullptr;   ///< state shaders: the current eye sample
+  OutputWork* output = nullptr;  ///< output shaders: the open buffers
 
   Tracer* tracer() const { return point->tracer; }
 };
 
-/// state->pri of a triangle: never null, another one for each, the same in all samples. Its lower
-/// half alone tells the triangles of an instance apart, as seeds in sources do.
+/// Value of state->pri for a triangle: never null, unique per triangle, equal in all samples. The
+/// lower half is also unique within an instance, because shaders use it as a seed.
 inline void* handle_of(int instance, std::uint32_t primitive) {
   const auto i = static_cast<std::uint32_t>(instance) + 1;
-  // Odd factors: all triangles of an instance stay different.
+  // The odd factor keeps all triangles of an instance distinct.
   const std::uint32_t low = (primitive + 1) * 0x9e3779b1u + i * 0x85ebca77u;
   return reinterpret_cast<void*>((std::uintptr_t{i} + 1) << 32 | low);
 }
@@ -77,21 +77,22 @@ inline Rgb rgb(const miColor& c) { return Rgb(c.r, c.g, c.b); }
 inline miColor as_c(const Rgb& c, float alpha) { return {c.x, c.y, c.z, alpha}; }
 inline miColor as_c(const Rgba& c) { return {c.r, c.g, c.b, c.a}; }
 
-/// Two independent numbers in [0,1): the path's where there is one, else from the point and how
-/// many were drawn there before.
+/// Two independent numbers in [0,1): from the sampler of the path if there is one, else from a hash
+/// of the point and the number of previous draws.
 Vec2 next(const miState* state);
 
-/// The point as the state now describes it, for the renderer's own shaders and rays: shaders may
-/// move position, normals, texture coordinates and the ray.
+/// The point with the modifications of the state, for built-in shaders and rays: shaders may change
+/// position, normals, texture coordinates and the ray.
 ShadingPoint point_of(const miState* state);
-/// Whether the state's instance is that of its point: the point knows where that is at its time.
+/// Whether the instance of the state is that of its point, whose transform at the ray time is
+/// known.
 bool is_own_instance(const miState* state);
-/// Takes over into the point the vector that a shader in C left in state->tex.
+/// Copies state->tex, which a C shader may have changed, to the point.
 void take_over_tex(const miState& state, ShadingPoint& point);
-/// Takes over into the state what the renderer's shader did to the point (bump, vectors).
+/// Copies changes by a built-in shader (bump, vectors) from the point to the state.
 void take_over(const ShadingPoint& point, const ShadingPoint& before, miState* state);
 
-/// Memory for as long as the running shader runs.
+/// Memory that is freed when the running shader returns.
 void* allocate_for_call(std::size_t bytes);
 
 }  // namespace oriel::sdk

@@ -28,12 +28,12 @@ CrashHandlers& crash_handlers() {
   return handlers;
 }
 
-/// A stack for signal handlers of one thread: that of a thread that used up its own has no room.
+/// Alternate signal stack of a thread, for stack overflows.
 class SignalStack {
  public:
   SignalStack() {
     stack_t present{};
-    // Another part of the program has one for this thread.
+    // Another component has already set one for this thread.
     if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;
     void* const room =
         mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -57,16 +57,18 @@ class SignalStack {
   SignalStack& operator=(const SignalStack&) = delete;
 
  private:
-  /// Bytes: the processor's registers take up to 11 KB, and libraries' handlers may print.
+  /// Size in bytes: the saved registers take up to 11 KB, and signal handlers of libraries may
+  /// print.
   static constexpr std::size_t kSize = 128 << 10;
   void* room_ = nullptr;
 };
 
-/// Whether the address that was not accessible is at the end of the stack.
+/// Whether the fault address is at the end of the stack.
 bool is_stack_overflow(const siginfo_t& info, const void* context) {
   if (info.si_signo != SIGSEGV && info.si_signo != SIGBUS) return false;
   if (info.si_code <= 0) return false;  // sent by a process
-  // A function touches its frame below the stack pointer, or above where it has moved it.
+  // A function may access its frame below the stack pointer, or above it if it has moved the
+  // pointer.
   constexpr std::uintptr_t kFrame = 256 << 10;
   const auto& machine = static_cast<const ucontext_t*>(context)->uc_mcontext;
   const auto top = static_cast<std::uintptr_t>(machine.gregs[REG_RSP]);
@@ -74,7 +76,7 @@ bool is_stack_overflow(const siginfo_t& info, const void* context) {
   return fault + kFrame > top && fault < top + kFrame;
 }
 
-/// Returns where no function of a library is running.
+/// Leaves the guarded call; returns if no library function is running.
 void leave(Left left) {
   CrashGuard* const guard = CrashGuard::current();
   if (!guard) return;
@@ -126,7 +128,7 @@ void install_crash_handlers() {
   const std::lock_guard lock(handlers.mutex);
   struct sigaction action = {};
   action.sa_sigaction = on_crash;
-  // The handler jumps back into the program: the signal must not stay blocked.
+  // The handler jumps back into the program, so the signal must not stay blocked.
   action.sa_flags = SA_SIGINFO | SA_NODEFER | SA_ONSTACK;
   for (std::size_t i = 0; i < kCrashSignals.size(); ++i)
     sigaction(kCrashSignals[i], &action, handlers.installed ? nullptr : &handlers.before[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crashes of users' libraries: the call ends, not the program, and the function is named.
+// Crash handling for user libraries: a crash ends the call instead of the program and is reported.
 #pragma once
 
 #include <csetjmp>
@@ -12,26 +12,27 @@ namespace oriel::sdk {
 
 struct UserSpec;
 
-/// Why a call did not return.
+/// Reason why a call did not return.
 enum class Left {
-  Stopped,   ///< by its own wish: mi_fatal, mi_abort
+  Stopped,   ///< by the shader: mi_fatal, mi_abort
   Crashed,   ///< a signal
-  Overflow,  ///< a signal: the stack was used up
+  Overflow,  ///< a signal: stack overflow
   Ended      ///< it called exit, _exit, _Exit or quick_exit
 };
 
-/// The function of a library that is running.
+/// The running function of a library.
 struct Running {
-  const UserSpec* spec = nullptr;        ///< null: a function of the whole library
-  const char* suffix = "";               ///< of the function: behind the shader's name, or its name
+  const UserSpec* spec = nullptr;  ///< null: a function of the library itself
+  /// suffix of the function name after that of the shader, or the name of a library function
+  const char* suffix = "";
   const std::string* library = nullptr;  ///< file name
-  Left left = Left::Stopped;             ///< where it did not return
+  Left left = Left::Stopped;             ///< the reason, if the function did not return
 };
 
 /// 'shader "NAME" crashed in NAME_init of LIBRARY'.
 std::string describe(const Running& running);
 
-/// Where a crash jumps to, in this thread.
+/// Jump target of a crash in this thread.
 struct CrashGuard {
   sigjmp_buf back;
   Running running;
@@ -40,15 +41,14 @@ struct CrashGuard {
   static CrashGuard*& current();
 };
 
-/// Prepares the calling thread for crashes: signals are handled on a stack of their own. Quick
-/// where the thread is ready.
+/// Prepares the calling thread for crashes with an alternate signal stack. Fast if already done.
 void ready_thread_for_crashes();
 
-/// Lets the calling thread receive signals of crashes again after the handler of one was left.
+/// Unblocks crash signals in the calling thread after a signal handler was left by longjmp.
 void unblock_crash_signals();
 
-/// Calls f(). False: it was left early, and `running` is what left, which f() may have called. What
-/// f() holds is not released.
+/// Calls f(). Returns false if the call was aborted; `running` then describes the function that
+/// failed, which may be a nested one. Resources of f() are not released.
 template <class F>
 bool run_guarded(Running& running, F&& f) {
   ready_thread_for_crashes();
@@ -68,21 +68,21 @@ bool run_guarded(Running& running, F&& f) {
   return true;
 }
 
-/// Ends the call of a library's function that runs in this thread, for shaders that end themselves
-/// (mi_fatal) or wait for what will not come. Returns where none is running.
+/// Ends the running library call of this thread, for shaders that terminate themselves (mi_fatal)
+/// or wait for an event that will not occur. Returns if no library function is running.
 void leave_stopped_shader();
 
-/// The same for shaders that end the program.
+/// Same for shaders that call exit.
 void leave_ended_shader();
 
-/// Installs the handlers of crash signals: those of functions that run guarded end the call, others
-/// reach the handlers that the program had before. Called again after each function that may have
-/// installed handlers of its own.
+/// Installs the handlers of crash signals. A signal in a guarded function ends the call; other
+/// signals reach the previous handlers of the program. Called again after each function that may
+/// have installed handlers of its own.
 void install_crash_handlers();
 
-/// Remembers code of a user's library, which may not end the program: its calls of exit and _exit
-/// end the call of the shader instead, or the program with exit code 1 where none is running.
-/// `address`: anything in the library.
+/// Registers the code of a user library, which must not end the program. Its calls of exit and
+/// _exit end the running shader call instead, or the program with exit code 1 if none is running.
+/// `address`: any address in the library.
 void watch_library(const void* address, const std::string& file_name);
 void unwatch_library(const std::string& file_name);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which renderer a function means that is given no state: messages, files, aborting.
+// The host for functions without a state argument: messages, files, aborting.
 #pragma once
 
 namespace oriel {
@@ -10,16 +10,16 @@ namespace oriel::sdk {
 
 class Host;
 
-/// The host whose shader ran last in this thread; in threads that never ran one, in the process.
-/// Null where none has.
+/// The host of the shader that ran last in this thread, or in the process if this thread never ran
+/// a shader. May be null.
 Host* current_host();
-/// To be called before a shader runs.
+/// Has to be called before a shader runs.
 void set_current_host(Host* host);
-/// To be called before a host goes, by the thread it goes in.
+/// Has to be called before a host is destroyed, by the destroying thread.
 void forget_host(const Host* host);
 
-/// Where shaders may write pictures and where the names they read and write begin. Nothing may be
-/// written until it is set.
+/// Sets the folders that shaders may write pictures to, and the base of relative names. Before the
+/// call nothing may be written.
 void set_output_roots(const OutputRoots& roots);
 OutputRoots output_roots();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of the database that users' shaders make, change and end.
+// Database elements that user shaders create, modify and delete.
 #include "oriel/sdk/shader/database.h"
 
 #include <cstring>
@@ -19,12 +19,12 @@ void* mi_db_create(miTag* tag, int type, int size) {
   Host* host = current_host();
   // Types are one byte.
   if (!host || type <= miSCENE_NONE || type > 255 || size < 0) {
-    mi_error("mi_db_create: no element of type %d with %d bytes can be made", type, size);
+    mi_error("mi_db_create: cannot create an element of type %d with %d bytes", type, size);
     return nullptr;
   }
   *tag = host->elements().create(type, static_cast<std::size_t>(size));
   if (*tag == miNULLTAG) {
-    mi_fatal("no memory for an element of %d bytes", size);
+    mi_fatal("out of memory for an element of %d bytes", size);
     return nullptr;
   }
   return host->elements().bytes(*tag);
@@ -46,7 +46,7 @@ void mi_db_delete(miTag tag) {
 
 miTag mi_db_copy(miTag tag) {
   Host* host = current_host();
-  // Shader calls, profiles and images are more than their bytes.
+  // These cannot be resized as blocks of bytes.
   if (!host || kind_of(tag) == TagKind::Function || kind_of(tag) == TagKind::Profile ||
       kind_of(tag) == TagKind::Texture)
     return miNULLTAG;
@@ -63,7 +63,7 @@ miBoolean mi_db_isjob(miTag) { return miFALSE; }
 void mi_db_dump(void) {
   Host* host = current_host();
   const ShaderElements::Sum sum = host ? host->elements().sum() : ShaderElements::Sum{};
-  mi_info("shaders have made %zu elements of %zu bytes", sum.elements, sum.bytes);
+  mi_info("shaders have created %zu elements with %zu bytes", sum.elements, sum.bytes);
 }
 
 void mi_db_flush(miTag) {}

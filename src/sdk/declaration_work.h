@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shader declaration while a geometry shader makes it.
+// A shader declaration under construction by a geometry shader.
 #pragma once
 
 #include <deque>
@@ -10,7 +10,7 @@
 #include "oriel/sdk/shader/declare.h"
 #include "scene/shader.h"
 
-/// One parameter; `list` is shared by all elements of the list it is part of.
+/// One parameter; all elements of a list share `list`.
 struct miParameter {
   oriel::scene::ParamDecl declared;
   std::shared_ptr<std::vector<miParameter*>> list;
@@ -20,9 +20,9 @@ struct miParameter {
 namespace oriel::sdk {
 
 struct DeclarationWork {
-  std::deque<miParameter> parameters;  ///< all that were made; the last takes defaults
+  std::deque<miParameter> parameters;  ///< all parameters; defaults apply to the last one
   miFunction_decl data = {};
-  /// The declaration under way; without a value where it exists already.
+  /// The current declaration; unset if it already exists.
   std::optional<scene::ShaderDeclaration> declaration;
 };
 

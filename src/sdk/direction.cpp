@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where rays and photons go on: mirrored, refracted, spread, scattered.
+// Directions of scattered rays and photons: mirror, refraction, glossy and diffuse sampling, phase
+// functions.
 #include <cmath>
 
 #include "base/frame.h"
@@ -21,14 +22,14 @@ using oriel::Vec3;
 using oriel::bsdf::WardLobe;
 using oriel::sdk::vec;
 
-/// The shader's sample as the warps want it: below 1, which a double just below it rounds to.
+/// The sample of the shader as floats below 1, since a double just below 1 rounds to 1.
 Vec2 pair(const double sample[2]) {
   constexpr double kMost = 0x1.fffffep-1;
   return Vec2(static_cast<float>(std::fmin(std::fmax(sample[0], 0.0), kMost)),
               static_cast<float>(std::fmin(std::fmax(sample[1], 0.0), kMost)));
 }
 
-/// The normal on the side that the ray comes from.
+/// The normal on the side of the incoming ray.
 Vec3 facing_normal(const miState* state) {
   const Vec3 n = vec(state->normal);
   return dot(n, vec(state->dir)) > 0 ? -n : n;
@@ -39,22 +40,22 @@ Vec3 mirrored(const miState* state) {
   return normalize(d - n * (2 * dot(d, n)));
 }
 
-/// The axis of u, or that v stands on; null for both alike.
+/// The axis of u, or the one perpendicular to v; null if both are equal.
 Vec3 brushed(const miVector* u, const miVector* v, const Vec3& normal) {
   const Vec3 along = u ? vec(*u) : Vec3(0);
   return along == Vec3(0) && v ? cross(vec(*v), normal) : along;
 }
 
-/// A direction about the mirror direction of a ray that comes along `incoming`.
+/// Samples a direction about the mirror direction of a ray along `incoming`.
 Vec3 spread(const Vec3& incoming, const Vec3& normal, const Vec3& along, const WardLobe& lobe,
             Vec2 u) {
   const Frame frame = Frame::along(normal, along);
   return normalize(frame.to_world(lobe.sample(frame.to_local(-incoming), u)));
 }
 
-/// As spread(), about the refracted direction: the lobe of a ray that would be mirrored into the
-/// refracted one's image on the near side, seen on the far side. It is as wide for equal indices,
-/// which would not bend rays at any facet.
+/// Like spread(), about the refracted direction: uses the reflection lobe whose mirror direction is
+/// the image of the refracted direction, mirrored to the far side. Its width does not shrink for
+/// equal indices, unlike refraction at microfacets.
 miBoolean spread_through(miVector* dir, miState* state, miScalar ior_in, miScalar ior_out,
                          const Vec3& along, const WardLobe& lobe, Vec2 u) {
   if (!mi_refraction_dir(dir, state, ior_in, ior_out)) return miFALSE;
@@ -110,11 +111,11 @@ void mi_reflection_dir_diffuse(miVector* dir, miState* state) {
 }
 
 miBoolean mi_refraction_dir(miVector* dir, miState* state, miScalar ior_in, miScalar ior_out) {
-  // Indices that nobody set bend nothing.
+  // Unset indices mean no refraction.
   const bool sensible = ior_in > 0 && ior_out > 0;
   const auto through = oriel::bsdf::refract(-vec(state->dir), facing_normal(state),
                                             sensible ? ior_out / ior_in : 1.0f);
-  // What shaders that do not look at the answer go on with.
+  // For shaders that ignore the return value.
   *dir = oriel::sdk::as_c(through ? normalize(*through) : mirrored(state));
   return through ? miTRUE : miFALSE;
 }

@@ -18,7 +18,7 @@ using testing::DirectionTest;
 using testing::test_directions;
 
 constexpr int kDraws = 40000;
-/// 1 % for all tests of this file together.
+/// Joint significance of all tests of this file.
 const double kSignificance = testing::sidak(.01, 10);
 
 struct Draw {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements that a geometry shader has begun and not ended: one of each kind.
+// Open elements of a geometry shader: at most one of each kind.
 #pragma once
 
 #include <deque>
@@ -27,10 +27,10 @@ struct ElementWork {
   std::optional<scene::Texture> texture;
   std::optional<scene::UserData> data;
 
-  std::vector<std::string> light_list;                    ///< under way
-  std::map<miTag, std::vector<std::string>> light_lists;  ///< ended, by tag
+  std::vector<std::string> light_list;                    ///< the open list
+  std::map<miTag, std::vector<std::string>> light_lists;  ///< finished lists by tag
 
-  std::deque<CallWork> calls;  ///< within each other
+  std::deque<CallWork> calls;  ///< nested calls
   DeclarationWork declaration;
 };
 

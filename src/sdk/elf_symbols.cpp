@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands at an offset of a file's bytes; false where they end before.
+/// Reads a value at a file offset; returns false beyond the end.
 template <class T>
 bool read_at(const std::vector<char>& bytes, std::size_t offset, T& value) {
   if (offset > bytes.size() || bytes.size() - offset < sizeof(T)) return false;
@@ -41,18 +41,18 @@ std::string library_misfit(const fs::path& file) {
   Elf64_Ehdr head;
   const std::vector<char> bytes = read_all(file);
   if (bytes.size() > 2 && bytes[0] == 'M' && bytes[1] == 'Z')
-    return "it is no shared library of this system, but one of Windows";
+    return "it is a Windows library, not a shared library of this system";
   if (!read_at(bytes, 0, head) || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0)
-    return "it is no shared library of this system";
+    return "it is not a shared library of this system";
 #if defined(__x86_64__)
   constexpr int kMachine = EM_X86_64;
 #elif defined(__aarch64__)
   constexpr int kMachine = EM_AARCH64;
 #endif
-  if (head.e_ident[EI_CLASS] == ELFCLASS32) return "it was built for another processor, of 32 bits";
+  if (head.e_ident[EI_CLASS] == ELFCLASS32) return "it was built for a 32-bit processor";
   if (head.e_ident[EI_CLASS] != ELFCLASS64 || head.e_machine != kMachine)
     return "it was built for another processor";
-  if (head.e_type != ET_DYN) return "it is no shared library";
+  if (head.e_type != ET_DYN) return "it is not a shared library";
   return {};
 }
 
@@ -87,7 +87,7 @@ std::vector<std::string> missing_symbols(const fs::path& library) {
 }
 
 bool is_interface_name(const std::string& symbol) {
-  // C++ sources that declare a function themselves may leave out extern "C".
+  // C++ sources may declare interface functions without extern "C".
   const std::string readable = readable_symbol(symbol);
   for (const char* prefix : {"mi_", "mayabase_", "mi::"})
     if (readable.starts_with(prefix)) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symbols of ELF files: what a library or an object file needs from elsewhere.
+// Undefined symbols of ELF libraries and object files.
 #pragma once
 
 #include <filesystem>
@@ -8,20 +8,20 @@
 
 namespace oriel::sdk {
 
-/// Why this program cannot load the file as a shared library; empty when it may.
+/// Reason why this program cannot load the file as a shared library; empty if it can.
 std::string library_misfit(const std::filesystem::path& file);
 
-/// Undefined symbols of a shared library or an object file; weak ones are not counted. Empty for
-/// files that are not ELF.
+/// Undefined symbols of a shared library or an object file, except weak ones. Empty for files that
+/// are not ELF.
 std::vector<std::string> undefined_symbols(const std::filesystem::path& file);
 
-/// Undefined symbols of an ELF shared library that nothing loaded offers; weak ones not counted.
+/// Undefined symbols of an ELF shared library that no loaded module provides, except weak ones.
 std::vector<std::string> missing_symbols(const std::filesystem::path& library);
 
-/// Whether a name belongs to the interface for shaders, in C or as a C++ symbol.
+/// Whether a name belongs to the shader interface, as a C or C++ symbol.
 bool is_interface_name(const std::string& symbol);
 
-/// A symbol as its source writes it: C++ names demangled, others as they are.
+/// Readable form of a symbol: C++ names are demangled.
 std::string readable_symbol(const std::string& symbol);
 
 }  // namespace oriel::sdk

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of parameters (mi_eval) and shaders that shaders call.
+// Parameter evaluation (mi_eval) and shaders called by shaders.
 #include <algorithm>
 #include <cstring>
 
@@ -19,20 +19,21 @@ const CConnection* connection_of(const UserInstance& shader, const void* paramet
   return nullptr;
 }
 
-/// Asks what is connected and converts it to the parameter's type, as C has it.
+/// Evaluates the connected shader and converts its value to the C type of the parameter.
 void evaluate(const Connection& source, ParamType type, miState* state, std::byte* value) {
   ShadingPoint point = point_of(state);
   const ShadingPoint before = point;
   Result result(source.source->spec().result_size);
   if (UserInstance* user = user_instance(*source.source)) {
-    // The same state: a bump shader moves the normal for the shader that asks.
+    // Same state: a bump shader changes the normal for the calling shader.
     Result c(*user->spec);
     run(*user, *state, c.bytes, miSHADER_TEXTURE);
     result_from_c(*user->spec, c.bytes, result.bytes);
   } else {
     const CallerScope caller(Caller::at_point(state, point));
     source.source->value(point, result.bytes);
-    // A vector is for who asks for it.
+    // Changes of the point apply to the caller, except for vector parameters, where the result is
+    // the value.
     if (type != ParamType::Vector) take_over(point, before, state);
   }
   alignas(16) std::byte own[sizeof(Mat4)] = {};
@@ -48,7 +49,7 @@ void* value_of(miState* state, void* parameter, bool again) {
   if (!again)
     for (const Evaluated* e = c.evaluated; e; e = e->next)
       if (e->parameter == parameter) return e->value;
-  // Behind it, what is asked for now: neither moves while the shader runs.
+  // The value is stored after the entry; both keep their address while the shader runs.
   auto* entry = static_cast<Evaluated*>(allocate_for_call(sizeof(Evaluated)));
   auto* value = static_cast<std::byte*>(
       allocate_for_call(std::max<std::size_t>(c_size(connection->type), sizeof(miColor))));
@@ -58,7 +59,7 @@ void* value_of(miState* state, void* parameter, bool again) {
   return value;
 }
 
-/// The first shader of a material's slot for a kind of call.
+/// The first shader in the slot of a material for a kind of call.
 const ShaderNode* shader_of(const Material& material, miShader_type type) {
   const auto first = [](const NodeList& list) { return list.empty() ? nullptr : list.front(); };
   switch (type) {
@@ -75,7 +76,7 @@ const ShaderNode* shader_of(const Material& material, miShader_type type) {
     case miSHADER_PHOTONVOL:
     case miSHADER_CONTOUR:
     case miSHADER_LIGHTMAP:
-      return nullptr;  // materials have no such shaders here
+      return nullptr;  // materials have no such shaders in Oriel
     default:
       return first(material.surface);
   }
@@ -130,7 +131,7 @@ miBoolean mi_call_shader(miColor* result, miShader_type type, miState* state, mi
   return mi_call_shader_x(result, type, state, tag, nullptr);
 }
 
-// Bound calls never change: the copy is the call itself.
+// Bound calls are immutable, so a clone is the call itself.
 miTag mi_phen_clone(miState*, miTag tag) { return tag; }
 void mi_phen_unclone(miState*, miTag) {}
 

@@ -11,7 +11,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// The buffer of that number and its place; null when there is none.
+/// Finds a buffer and its index by number; null if there is none.
 const UserBuffer* find(const World& world, int number, std::size_t& slot) {
   for (slot = 0; slot < world.user_buffers.size(); ++slot)
     if (world.user_buffers[slot].number == number) return &world.user_buffers[slot];

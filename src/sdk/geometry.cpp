@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that geometry shaders make, and what they return.
+// Objects made by geometry shaders, and their results.
 #include <deque>
 #include <mutex>
 #include <unordered_map>
@@ -14,7 +14,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Names that shaders have tags for; for the life of the program.
+/// Names with tags; never freed.
 struct Names {
   std::mutex mutex;
   std::deque<std::string> names;
@@ -25,7 +25,7 @@ Names& names() {
   return all;
 }
 
-/// Sets the last vertex's entry of a column that may not be there yet.
+/// Sets the entry of the last vertex in a column, which is created if necessary.
 void set_last(std::vector<std::uint32_t>& column, std::size_t vertices, int value) {
   column.resize(vertices, scene::kNone);
   if (value >= 0) column.back() = static_cast<std::uint32_t>(value);
@@ -115,7 +115,8 @@ miBoolean mi_geoshader_add_result(miTag* result, miTag tag) {
 
 miBoolean mi_geoshader_echo_tag(FILE*, miTag, miEchoOptions*) {
   if (Host* host = current_host())
-    host->warn_once("OR-SDK-040", "mi_geoshader_echo_tag: no element is written as text");
+    host->warn_once("OR-SDK-040",
+                    "mi_geoshader_echo_tag has no effect: elements are not written as text");
   return miFALSE;
 }
 
@@ -144,7 +145,7 @@ miBoolean mi_api_vertex_add(int point) {
   if (!group) return miFALSE;
   scene::VertexList& v = group->vertices;
   v.point.push_back(static_cast<std::uint32_t>(point));
-  // Columns that are there have an entry for each vertex.
+  // Existing columns have an entry for each vertex.
   const std::size_t n = v.point.size();
   if (!v.normal.empty()) v.normal.resize(n, scene::kNone);
   for (scene::TextureColumn& t : v.textures)
@@ -165,7 +166,7 @@ miBoolean mi_api_vertex_tex_add(int coordinate, int bump_x, int bump_y) {
   scene::PolygonGroup* group = open_group();
   if (!group || group->vertices.point.empty()) return miFALSE;
   scene::VertexList& v = group->vertices;
-  // The first space that the last vertex does not have yet.
+  // The first texture space that the last vertex lacks.
   std::size_t space = 0;
   while (space < v.textures.size() && v.textures[space].coordinate.back() != scene::kNone) ++space;
   if (space == v.textures.size()) v.textures.emplace_back();

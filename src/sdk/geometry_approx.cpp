@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Approximations that geometry shaders ask for, as the statements of scene files.
+// Approximations of geometry shaders, converted to statements of scene files.
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -17,7 +17,7 @@ struct Written {
   void word(std::string_view text) { add_text(text, true); }
   void name(std::string_view text) { add_text(text, false); }
   void number(double value) {
-    // Numbers in a row are one value, as they are read from a file.
+    // Consecutive numbers form one value, as in the parser.
     auto& values = statement.values;
     if (values.empty() || values.back().kind != scene::Value::Kind::Numbers) {
       values.emplace_back();
@@ -36,7 +36,7 @@ struct Written {
   }
 };
 
-/// Words before `approximate`: the rays that it is for.
+/// Words before `approximate`: the ray types that it applies to.
 std::string rays_of(int flag) {
   constexpr std::pair<int, const char*> kRays[] = {{miAPPROX_FLAG_VISIBLE, "visible "},
                                                    {miAPPROX_FLAG_TRACE, "trace "},
@@ -51,7 +51,7 @@ std::string rays_of(int flag) {
   return words;
 }
 
-/// The technique with its constants. False: none that applies.
+/// Writes the technique with its constants. Returns false if none applies.
 bool write_technique(const miApprox& approx, Written& out) {
   const miScalar* c = approx.cnst;
   const auto criterion = [&](std::string_view word, miScalar value) {
@@ -82,7 +82,7 @@ bool write_technique(const miApprox& approx, Written& out) {
       return some;
     default:
       warn_once("OR-SDK-040",
-                "a geometry shader asks for a method of approximation that surfaces do not have; "
+                "a geometry shader uses an approximation method that surfaces do not support; "
                 "ignored");
       return false;
   }
@@ -163,8 +163,9 @@ miBoolean mi_api_surface_approx(const char* surface, const miApprox* approx) {
 }
 
 miBoolean mi_api_subdivsurf_approx(const void*, ...) {
-  warn_once("OR-SDK-040",
-            "geometry shaders make no subdivision surfaces here: their approximation is ignored");
+  warn_once(
+      "OR-SDK-040",
+      "subdivision surfaces of geometry shaders are unsupported; their approximation is ignored");
   return miTRUE;
 }
 

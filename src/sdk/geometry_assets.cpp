@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures, materials and user data that geometry shaders make, and elements that they remove.
+// Textures, materials and user data made by geometry shaders, and removal of elements.
 #include <cstdint>
 
 #include "sdk/current.h"
@@ -10,24 +10,24 @@
 namespace oriel::sdk {
 namespace {
 
-/// Most bytes of user data that a shader may copy.
+/// Maximum size of user data that a shader may copy.
 constexpr std::size_t kMostDataBytes = std::size_t{1} << 30;
 
-/// The scene's element of a name that a shader gave; takes the string over.
+/// The scene element with a name given by a shader; frees the string.
 template <class T>
 const T* find(GeometryWork* work, const char* name) {
   const std::string given = taken(name);
   return work ? work->scene->get<T>(work->own_name(given)) : nullptr;
 }
 
-/// Tag that a shader passes as a pointer: its value, or where it stands.
+/// A tag that a shader passes as a pointer: the value itself or its address.
 miTag tag_behind(const void* value) {
   const auto number = reinterpret_cast<std::uintptr_t>(value);
   if (number <= 0xffffffffu) return static_cast<miTag>(number);
   return *static_cast<const miTag*>(value);
 }
 
-/// Takes the parameters of a call over as user data.
+/// Moves the parameters of a call to user data.
 void take_parameters(const GeometryWork& work, miTag call, scene::UserData& data) {
   const auto* element = work.scene->get<scene::ShaderElement>(made::name_of(call));
   if (!element || element->functions.empty()) return;
@@ -35,7 +35,7 @@ void take_parameters(const GeometryWork& work, miTag call, scene::UserData& data
   data.arguments = element->functions[0].arguments;
 }
 
-/// Removes an element and what it holds or places.
+/// Removes an element and its contents or instances.
 void remove_tree(scene::Scene& scene, const std::string& name) {
   std::vector<std::string> below = {name};
   while (!below.empty()) {
@@ -160,7 +160,7 @@ miTag mi_api_data_append(miTag list, miTag next) {
   if (!scene.get<scene::UserData>(behind)) return list;
   auto* last = scene.get<scene::UserData>(made::name_of(list));
   if (!last) return next;
-  // What stands behind the new one already must not lead back to the list.
+  // Prevents cycles in the list of user data.
   for (const auto* data = scene.get<scene::UserData>(behind); data;
        data = scene.get<scene::UserData>(data->next))
     if (data == last) return list;

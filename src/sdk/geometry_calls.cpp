@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shader calls that geometry shaders make.
+// Shader calls made by geometry shaders.
 #include "sdk/current.h"
 #include "sdk/geometry_work.h"
 #include "sdk/host.h"
@@ -13,7 +13,7 @@ CallWork* open_call() {
   return work && !work->elements.calls.empty() ? &work->elements.calls.back() : nullptr;
 }
 
-/// The declared parameter that values are for now; null: it is not known.
+/// The declared parameter that the next values belong to; null if unknown.
 const ParamSpec* declared_parameter(const CallWork& call) {
   const Host* host = current_host();
   const ShaderSpec* spec = host ? host->registry().find(call.declared()) : nullptr;
@@ -87,7 +87,7 @@ scene::ShaderUse reference_to(const std::string& name) {
   return use;
 }
 
-/// Sets what the parameter is connected to.
+/// Sets the connection of the parameter.
 miBoolean connect(scene::Value::Kind kind, std::string name) {
   CallWork* call = open_call();
   if (!call || name.empty()) return miFALSE;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations of shaders that geometry shaders make.
+// Shader declarations made by geometry shaders.
 #include <algorithm>
 
 #include "sdk/current.h"
@@ -25,7 +25,7 @@ ParamType param_type_of(miParam_type type) {
   return found == std::end(kAll) ? ParamType::ColorTexture : *found;  // miTYPE_TEX: any texture
 }
 
-/// A parameter with all below it.
+/// A parameter with all nested ones.
 scene::ParamDecl declared_with_children(const miParameter& parameter, int depth = 0) {
   constexpr int kMostDepth = 64;
   scene::ParamDecl whole = parameter.declared;
@@ -50,7 +50,7 @@ bool same_types(const std::vector<scene::ParamDecl>& a, const std::vector<scene:
                     });
 }
 
-/// Whether the scene has a shader of that name; it then stays as it is.
+/// Whether the scene has a shader of that name, which is then kept.
 bool exists(const scene::Scene& scene, const scene::ShaderDeclaration& made) {
   if (const auto* known = scene.find_declaration(made.name)) {
     if (!same_types(known->parameters, made.parameters))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instances and groups that geometry shaders make.
+// Instances and groups made by geometry shaders.
 #include <algorithm>
 #include <cstdarg>
 #include <cstring>
@@ -14,7 +14,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Flags that the shader set; 0 leaves those of the element and of the instances above.
+/// Flags set by the shader; 0 inherits those of the element and of parent instances.
 void store_flags(const miInstance& from, std::vector<scene::Statement>& flags) {
   const auto ray_flag = [&](const char* word, int bits) {
     if (bits != 0) made::say(flags, word, made::integer(bits & 15));
@@ -36,7 +36,7 @@ void store_flags(const miInstance& from, std::vector<scene::Statement>& flags) {
   if (face) made::say(flags, "face", made::text(face));
 }
 
-/// Parent space to local space, of whichever of the two matrices was set.
+/// Transform from parent to local space, from either of the two matrices.
 Mat4 transform_of(const miTransform& tf) {
   const Mat4 to_local = made::matrix_of(tf.global_to_local);
   const Mat4 to_parent = made::matrix_of(tf.local_to_global);
@@ -98,7 +98,7 @@ miTag mi_api_instance_end(const char* item, miTag function, miTag params) {
   }
   if (params != miNULLTAG)
     warn_once("OR-SDK-040",
-              "a geometry shader gives an instance a shader for its transformation, which "
+              "a geometry shader sets a transformation shader of an instance, which "
               "has no effect; the matrices of the instance are used");
   store(*work, work->elements.instance_data, made);
   return work->add(std::move(made));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free-form surfaces that geometry shaders make: the same elements as those of scene files.
+// Free-form surfaces made by geometry shaders: the same elements as in scene files.
 #include <algorithm>
 #include <limits>
 
 #include "sdk/context.h"
 #include "sdk/geometry_work.h"
 
-/// A list that shaders fill.
+/// A list that shaders append to.
 struct miDlist {
   miDlist_type type = miDLIST_GEOSCALAR;
   std::vector<miGeoScalar> numbers;
@@ -17,7 +17,7 @@ struct miDlist {
 namespace oriel::sdk {
 namespace {
 
-/// As scene files hold numbers.
+/// Converts to the precision of scene files.
 float narrow(double value) {
   constexpr double kMost = std::numeric_limits<float>::max();
   return value == value ? static_cast<float>(std::clamp(value, -kMost, kMost)) : 0.0f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair that geometry shaders make: the same element that `hair ... end hair` of a scene file is.
+// Hair made by geometry shaders: the same element as `hair ... end hair` in scene files.
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -13,7 +13,7 @@ namespace {
 using scene::Hair;
 using FieldKind = Hair::Field::Kind;
 
-/// As in scene files: more numbers of one field are a slip.
+/// As in scene files: larger numbers are assumed to be errors.
 constexpr int kMostHairNumbers = 256;
 
 HairWork* open_hair() {
@@ -21,7 +21,7 @@ HairWork* open_hair() {
   return work && work->hair.open ? &work->hair : nullptr;
 }
 
-/// A field of n numbers; false for letters without meaning and numbers that do not fit.
+/// A field of n numbers; false for unknown letters and invalid numbers.
 bool field_of(char what, int n, Hair::Field& field) {
   if (n < 0 || n > kMostHairNumbers) return false;
   switch (what) {
@@ -45,7 +45,7 @@ bool field_of(char what, int n, Hair::Field& field) {
   }
 }
 
-/// Room for n more entries; null when there is no memory for them.
+/// Memory for n more entries; null if out of memory.
 template <class T>
 T* room(std::vector<T>& list, int n) {
   if (n < 0) return nullptr;
@@ -57,7 +57,7 @@ T* room(std::vector<T>& list, int n) {
   return list.data();
 }
 
-/// Leaves what can be rendered: finite numbers, hairs that lie within them.
+/// Removes invalid data: non-finite numbers and hairs out of range.
 void clean(Hair& hair) {
   std::replace_if(
       hair.scalars.begin(), hair.scalars.end(), [](float f) { return !std::isfinite(f); }, 0.0f);
@@ -67,7 +67,7 @@ void clean(Hair& hair) {
       std::find_if(first.begin(), good, [&](std::uint32_t i) { return i > hair.scalars.size(); });
   if (end == first.end()) return;
   warn_once("OR-SDK-040",
-            "a geometry shader makes hairs of scalars that it did not write; they are dropped");
+            "a geometry shader uses hair scalars that it did not write; these hairs are dropped");
   first.erase(end, first.end());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights that geometry shaders make.
+// Lights made by geometry shaders.
 #include "sdk/context.h"
 #include "sdk/geometry_work.h"
 #include "sdk/made_parts.h"
@@ -70,7 +70,7 @@ miLight* mi_api_light_begin(const char* name) {
   return &work->elements.light_data;
 }
 
-// Shadow maps are not stored: shadows are always traced.
+// Shadow maps are ignored; shadows are always ray traced.
 miBoolean mi_api_light_end(void) {
   GeometryWork* work = GeometryWork::current();
   if (!work || !work->elements.light) return miFALSE;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles that geometry shaders make. They are rendered as round pieces of hair: a tube is one, a
-// sphere is one of nearly no length.
+// Particles made by geometry shaders. They are rendered as round hair segments: a tube is one
+// segment, a sphere is a segment of nearly zero length.
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMostDimensions = 6;
 
-/// Declarations by name, for the life of the program: one shader declares, others use.
+/// Declarations by name; never freed, since other shaders may use them.
 struct Declarations {
   std::mutex mutex;
   std::map<std::string, std::unique_ptr<miMap_decl>> by_name;
@@ -30,7 +30,7 @@ Declarations& declarations() {
   return all;
 }
 
-/// Fields of maps pass as parameters; what is behind them is another structure.
+/// Fields of maps are passed as miParameter pointers to another structure.
 MapField* field_of(miParameter* parameter) { return reinterpret_cast<MapField*>(parameter); }
 miParameter* parameter_of(MapField* field) { return reinterpret_cast<miParameter*>(field); }
 
@@ -39,9 +39,9 @@ MapWork* open_map() {
   return work && work->map.open ? &work->map : nullptr;
 }
 
-/// The values of a particle's field by name; null when there is none.
+/// Values of a field of the current particle by name; null if there is none.
 const std::vector<double>* values_of(const MapWork& map, const std::string& name) {
-  std::size_t local = 1, global = 0;  // the position comes first
+  std::size_t local = 1, global = 0;  // after the position
   for (const MapDeclaration::Field& field : map.declaration.fields) {
     const std::size_t at = field.global ? global++ : local++;
     if (field.name != name) continue;
@@ -51,8 +51,8 @@ const std::vector<double>* values_of(const MapWork& map, const std::string& name
   return nullptr;
 }
 
-/// The values of the shape: those of the field that was named for it, else of the one that has its
-/// name.
+/// Values of a shape attribute: of the field that was assigned to it, else of the field with the
+/// same name.
 const std::vector<double>* shape_values(const MapWork& map, const std::string& shape) {
   const auto named = map.shape_fields.find(shape);
   return values_of(map, named == map.shape_fields.end() ? shape : named->second);
@@ -74,7 +74,7 @@ Vec3 vector_of(const std::vector<double>* values, const Vec3& otherwise) {
   return v;
 }
 
-/// Splits off the values of global fields, which stand before those of the first particle.
+/// Splits off the values of global fields, which precede those of the first particle.
 void take_globals(MapWork& map) {
   if (map.globals_taken) return;
   map.globals_taken = true;
@@ -105,7 +105,7 @@ void add_particle(MapWork& map) {
     add_end(hair, p, shape_number(map, "radius0", radius));
     add_end(hair, p + normalize(way) * length, shape_number(map, "radius1", radius));
   } else {
-    // Far below a pixel of the sphere, far above what its numbers are rounded to.
+    // Far below the pixel size of the sphere, far above rounding errors.
     constexpr float kHalfLength = 1e-3f;
     const Vec3 half(radius * kHalfLength, 0, 0);
     add_end(hair, p - half, radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that geometry shaders make, and what placeholders among them stand for.
+// Objects made by geometry shaders, and the content of placeholders.
 #include <filesystem>
 
 #include "mi/placeholder.h"
@@ -14,7 +14,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Flags as an object's header says them.
+/// Flags as statements of the object.
 std::vector<scene::Statement> flag_statements(const miObject& from) {
   std::vector<scene::Statement> flags;
   const auto boolean = [&](const char* word, bool on) {
@@ -43,7 +43,7 @@ miObject default_flags() {
   return flags;
 }
 
-/// The name of the element that a shader means when it begins an object of that name.
+/// Name of the element for an object that a shader begins.
 std::string object_name(GeometryWork& work, const std::string& wanted) {
   const std::string known = work.own_name(wanted);
   if (!work.filling.empty() && (wanted.empty() || wanted == work.filling || known == work.filling))
@@ -54,7 +54,7 @@ std::string object_name(GeometryWork& work, const std::string& wanted) {
   return work.free_name(wanted);
 }
 
-/// Where relative names of files begin: at the scene's own file.
+/// Base of relative file names: the main scene file.
 SourceLocation place_of_scene(const scene::Scene& scene) {
   return scene.renders.empty() ? SourceLocation{} : scene.renders.back().where;
 }
@@ -73,7 +73,7 @@ void load_file(GeometryWork& work, const std::string& name, const std::string& f
   options.knows_shader = [host](std::string_view shader) {
     return host->registry().find(shader) != nullptr;
   };
-  // Shaders may do all that the user can: a file that one names is read wherever it is.
+  // Shaders have the rights of the user: files are not restricted to folders.
   options.include_paths = {std::filesystem::path(file).parent_path().string()};
   mi::load_placeholder(*work.scene, name, options, host->diagnostics());
 }
@@ -119,7 +119,7 @@ miObject* GeometryWork::object_of(miTag tag) {
 }
 
 void finish_objects(GeometryWork& work) {
-  // A callback may make further placeholders. `arguments` are complete only now.
+  // A callback may create further placeholders. `arguments` are complete at this point.
   for (std::size_t i = 0; i < work.callbacks.size(); ++i) {
     const GeometryWork::Callback callback = work.callbacks[i];
     work.object = {};
@@ -155,7 +155,7 @@ miObject* mi_api_object_begin(const char* name) {
   auto& record = work->objects[work->object.name];
   const bool known = record != nullptr;
   if (!known) record = std::make_unique<GeometryWork::ObjectRecord>();
-  // The shader may have removed the one that had the name.
+  // The shader may have removed the previous element of that name.
   if (!known || !work->scene->get<scene::Object>(work->object.name))
     record->flags = default_flags();
   record->file.clear();

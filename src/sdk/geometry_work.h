@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a geometry shader is making.
+// Scene data under construction by a geometry shader.
 #pragma once
 
 #include <map>
@@ -14,25 +14,25 @@
 
 namespace oriel::sdk {
 
-/// The elements under way in this thread. Everything made goes into the scene under the name that
-/// the shader gives; where that is taken, under another one.
+/// Open elements of this thread. Finished elements are added to the scene under the name given by
+/// the shader, or under another one if that exists.
 struct GeometryWork {
   scene::Scene* scene = nullptr;
-  std::string prefix;        ///< of names where the shader's own is taken, or it gave none
-  bool incremental = false;  ///< elements of a known name replace it
+  std::string prefix;        ///< prefix of generated names
+  bool incremental = false;  ///< an element replaces an existing one of the same name
 
   scene::Object object;
-  /// An object that was begun: what mi_api_object_begin and mi_scene_edit give.
+  /// An object under construction, returned by mi_api_object_begin and mi_scene_edit.
   struct ObjectRecord {
     miObject flags = {};
-    std::string file;  ///< of the content of a placeholder
+    std::string file;  ///< file with the content of a placeholder
   };
   std::map<std::string, std::unique_ptr<ObjectRecord>> objects;  ///< by name
-  std::string filling;  ///< the placeholder whose callback runs
+  std::string filling;  ///< the placeholder whose callback is running
   HairWork hair;
   SurfaceWork surface;
   MapWork map;
-  std::deque<MapField> map_fields;  ///< they do not move
+  std::deque<MapField> map_fields;  ///< stable addresses
   ElementWork elements;
 
   struct Callback {
@@ -42,31 +42,31 @@ struct GeometryWork {
   };
   std::vector<Callback> callbacks;
   std::vector<std::string> results;  ///< names
-  /// Names that the shader gave, with the elements' own.
+  /// Names given by the shader, mapped to names in the scene.
   std::map<std::string, std::string> given;
 
   /// The work of this thread; null outside of geometry shaders.
   static GeometryWork*& current();
-  /// A name for what a shader calls so; no two are the same, except in incremental mode.
+  /// Name in the scene for a name given by a shader; unique except in incremental mode.
   std::string name_for(const char* wanted);
-  /// A name that nothing has yet: the wanted one where it is free; empty: any.
+  /// An unused name: the wanted one if possible; empty: any.
   std::string free_name(const std::string& wanted);
-  /// The record behind the tag of an object of this work; null for other tags.
+  /// The object behind a tag of this work; null for other tags.
   static miObject* object_of(miTag tag);
-  /// The name in the scene of what a shader calls so.
+  /// Name in the scene of a name given by the shader.
   std::string own_name(const std::string& name) const;
-  /// Adds an element to the scene; its tag.
+  /// Adds an element to the scene and returns its tag.
   miTag add(scene::Element element);
-  /// Tags for names and back.
+  /// Conversion between names and tags.
   static miTag tag_of(const std::string& name);
   static const std::string* name_of(miTag tag);
 };
 
-/// Makes what placeholders stand for, and gives all objects their flags.
+/// Creates the content of placeholders, and sets the flags of all objects.
 void finish_objects(GeometryWork& work);
 
-/// The element that stands for all results: the only one, or a group of instances of them; empty
-/// when there are none.
+/// The element that represents all results: the only one, or a group of their instances; empty if
+/// there are none.
 std::string finish(GeometryWork& work);
 
 }  // namespace oriel::sdk

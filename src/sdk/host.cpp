@@ -15,8 +15,8 @@
 namespace oriel::sdk {
 namespace {
 
-/// What a library says of the version of a shader; 0 when it says nothing. `crashed`: set where it
-/// crashed.
+/// Version of a shader reported by its library; 0 if there is none. `crashed` is set if the
+/// function crashed.
 int version_of(const Library& library, const UserSpec& spec, std::optional<Running>& crashed) {
   void* const function = library.find(spec.own_name + "_version");
   if (!function) return 0;
@@ -35,7 +35,7 @@ Host::Host(const scene::Scene& scene, const Registry& builtin, const TrustedFold
            Diagnostics& diagnostics, std::atomic<bool>* stop)
     : stopped(stop ? *stop : own_stop_), scene_(scene), diagnostics_(diagnostics) {
   mi_init_lock(&global_lock_);
-  set_current_host(this);  // for functions of libraries that run before the first shader
+  set_current_host(this);  // for library functions that run before the first shader
   SourceLocation first_missing;
   for (const scene::Statement& command : scene.commands) {
     if (command.keyword != "link") continue;
@@ -86,21 +86,21 @@ bool Host::call_module(const Library& library, const char* function) {
   install_crash_handlers();
   if (!done && running.left != Left::Stopped)
     diagnostics_.error("OR-SDK-005", {}, describe(running),
-                       "where module_init crashes, the shaders of the library are missing");
+                       "if module_init crashed, the shaders of the library are missing");
   return done;
 }
 
 void Host::stop_crashed(const Running& running) {
   stopped = true;
   if (running.left == Left::Stopped) return;
-  // Other threads may run into the same crash.
+  // Other threads may have the same crash.
   if (running.spec && running.spec->crashed.exchange(true)) return;
   diagnostics_.error("OR-SDK-005", {}, describe(running),
-                     "the picture so far is saved; run the program in a debugger to see where: "
+                     "the partial picture is saved; to locate the crash, use a debugger: "
                      "gdb --args oriel render ...");
 }
 
-/// One message for all: exporters link every library that they know.
+/// One message for all: exporters link every library they know.
 void Host::report_missing(SourceLocation where, const TrustedFolders& folders) {
   if (missing_.empty()) return;
   diagnostics_.note(
@@ -109,10 +109,10 @@ void Host::report_missing(SourceLocation where, const TrustedFolders& folders) {
                            : fmt::format("{} shader libraries were not found: {}", missing_.size(),
                                          fmt::join(missing_, ", ")),
       folders.empty()
-          ? "native code is loaded from folders that you name alone: --shader-path FOLDER, or "
-            "ORIEL_SHADER_PATH in the environment"
-          : "they must lie in a folder of --shader-path or ORIEL_SHADER_PATH; `oriel shader-build` "
-            "makes them from sources");
+          ? "native code is loaded only from folders named by --shader-path FOLDER or "
+            "the environment variable ORIEL_SHADER_PATH"
+          : "they must be in a folder of --shader-path or ORIEL_SHADER_PATH; `oriel shader-build` "
+            "builds them from sources");
 }
 
 const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const Library& library,
@@ -122,7 +122,7 @@ const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const
     diagnostics_.error("OR-SDK-011", declaration.where,
                        fmt::format("the result of shader \"{}\" has {} bytes, more than {}",
                                    declaration.name, spec->c_result_size, kMostParamBytes),
-                       "the shader is taken as unknown; split its result");
+                       "the shader is treated as unknown; split its result");
     return nullptr;
   }
   spec->index = specs_.size();
@@ -134,7 +134,7 @@ const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const
   const int built = version_of(library, *spec, crashed);
   if (crashed) {
     diagnostics_.error("OR-SDK-005", declaration.where, describe(*crashed),
-                       "the shader is taken as unknown");
+                       "the shader is treated as unknown");
     return nullptr;
   }
   if (spec->version > 0 && built > 0 && built != spec->version)
@@ -142,7 +142,7 @@ const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const
                        fmt::format("shader \"{}\" is declared with version {}, its library has "
                                    "version {}",
                                    declaration.name, spec->version, built),
-                       "its parameters may have changed: take the declaration that belongs to it");
+                       "its parameters may have changed: use the declaration of the library");
   specs_.push_back(std::move(spec));
   return specs_.back().get();
 }
@@ -157,7 +157,7 @@ void Host::leave(const World& world) {
   if (world_ == &world) forget();
 }
 
-/// What was made for a world means nothing to the next.
+/// Deletes all data of the current world.
 void Host::forget() {
   const std::unique_lock lock(mutex_);
   nodes_.clear(), textures_.clear(), profiles_.clear(), user_data_.clear(), texts_.clear(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of what tags stand for, and back: mi_api_tag_lookup, mi_api_name_lookup.
+// Conversion between names and tags: mi_api_tag_lookup, mi_api_name_lookup.
 #include "oriel/sdk/shader/lookup.h"
 #include "sdk/current.h"
 #include "sdk/frame_buffers.h"
@@ -10,7 +10,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Name of the element that an instance places; empty: there is no such instance.
+/// Name of the element that an instance refers to; empty if there is no such instance.
 std::string placed_by(const scene::Scene& scene, const std::string& instance) {
   const auto* element = scene.get<scene::Instance>(instance);
   return element ? element->element : std::string();
@@ -21,7 +21,7 @@ std::string bound_name(const World& world, const void* bound) {
   return found == world.names.end() ? std::string() : found->second;
 }
 
-/// Names of all that the world holds; of several elements of one name the first has it.
+/// Names of all elements of the world; of equal names the first is used.
 std::unordered_map<std::string, miTag> names_of(const World& world, Host& host) {
   std::unordered_map<std::string, miTag> names;
   const scene::Scene& scene = host.scene();
@@ -67,7 +67,7 @@ miTag Host::tag_of_name(const std::string& name) {
     }
     if (!made) {
       auto names = names_of(*world_, *this);
-      names.try_emplace("", miNULLTAG);  // it is made, though it may hold nothing
+      names.try_emplace("", miNULLTAG);  // marks the map as created, even if it is empty
       const std::unique_lock lock(mutex_);
       if (named_.empty()) named_ = std::move(names);
       if (const auto found = named_.find(own); found != named_.end()) return found->second;
@@ -140,7 +140,7 @@ const char* mi_api_tag_lookup(miTag tag) {
   const Host* host = current_host();
   if (!host || tag == miNULLTAG) return nullptr;
   const std::string name = host->name_of(tag);
-  // Names that have a tag are never forgotten.
+  // Names with tags are never deleted, so the pointer stays valid.
   return name.empty() ? nullptr : GeometryWork::name_of(GeometryWork::tag_of(name))->c_str();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels of images, and the names of their types and formats.
+// Pixels of images, and names of image types and formats.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -15,7 +15,7 @@ using oriel::Rgba;
 using oriel::Vec3;
 using oriel::sdk::Picture;
 
-/// The picture where it has the pixel, else null: shaders then read 0 and write nowhere.
+/// The picture if it contains the pixel, else null: reads then return 0 and writes are ignored.
 Picture* at(miImg_image* image, int x, int y) {
   auto* picture = static_cast<Picture*>(image);
   return picture && picture->holds(x, y) ? picture : nullptr;
@@ -25,7 +25,7 @@ void put_number(miImg_image* image, miScalar value, int x, int y) {
   if (Picture* p = at(image, x, y)) p->set_colour(x, y, Rgba(value, value, value, value));
 }
 
-/// The mean of the channels of colours.
+/// The mean of the colour channels.
 void get_number(miImg_image* image, miScalar* value, int x, int y) {
   Picture* p = at(image, x, y);
   const Rgba c = p ? p->colour(x, y) : Rgba(0);
@@ -36,7 +36,7 @@ struct FormatName {
   miImg_format format;
   char name[6];
 };
-// What each is called in scenes first, other spellings after it.
+// The first spelling is the one of scenes; aliases follow.
 FormatName format_names[] = {
     {miIMG_FORMAT_RLA, "rla"},  {miIMG_FORMAT_PIC, "pic"},   {miIMG_FORMAT_ALIAS, "alias"},
     {miIMG_FORMAT_RGB, "rgb"},  {miIMG_FORMAT_CT, "ct"},     {miIMG_FORMAT_TIFF, "tif"},
@@ -147,7 +147,7 @@ miImg_format mi_img_format_identify(const char* name) {
   return miIMG_FORMAT_FROM_EXT;
 }
 
-// The interface is older than const; nobody writes to names.
+// The interface lacks const; callers do not modify the names.
 char* mi_img_type_name(miImg_type type) {
   if (type < 0 || type >= miIMG_NTYPES) return no_name;
   return const_cast<char*>(oriel::sdk::traits_of(type).name);
@@ -160,10 +160,10 @@ char* mi_img_format_name(miImg_format format) {
   return found == end ? no_name : found->name;
 }
 
-// Textures of the renderer are read only.
+// Textures of the renderer are read-only.
 void* mi_lightmap_edit(void** handle, miTag /*tag*/) {
   if (handle) *handle = nullptr;
-  mi_warning("light maps are not written: no texture of a scene can be edited");
+  mi_warning("light maps are unsupported: textures of a scene cannot be edited");
   return nullptr;
 }
 

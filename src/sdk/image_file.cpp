@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Image files that shaders read and write.
+// Image files read and written by shaders.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -27,12 +27,12 @@ using oriel::sdk::Picture;
 using oriel::sdk::Storage;
 using oriel::sdk::traits_of;
 
-/// What an open miImg_file means. The C structure has no room for it.
+/// Data of an open miImg_file, which the C structure cannot hold.
 struct OpenFile {
   std::string path;
-  std::string extension;                ///< of what is written, as the writers know it
-  std::optional<Image> image;           ///< of what is read
-  std::shared_ptr<Picture> lines = {};  ///< what is written line by line, at the end
+  std::string extension;                ///< output: extension for the image writers
+  std::optional<Image> image;           ///< input
+  std::shared_ptr<Picture> lines = {};  ///< output: lines written so far
 };
 
 struct OpenFiles {
@@ -66,7 +66,7 @@ std::string extension_of(const std::string& path) {
   return suffix.empty() ? suffix : suffix.substr(1);
 }
 
-/// The type that loses nothing of a file: 16 bits where a file may have as many.
+/// The smallest lossless type for a file: 16 bits if the format supports it.
 miImg_type natural_type(const std::string& extension, int channels) {
   const bool alpha = channels % 2 == 0, grey = channels < 3;
   if (extension == "exr" || extension == "hdr" || extension == "pfm")
@@ -100,7 +100,7 @@ SampleFormat samples_of(miImg_type type) {
   }
 }
 
-/// Writers go by the extension: a file of another name is renamed when it is whole.
+/// Writers select the format by extension, so the file is written under that extension and renamed.
 void write(const OpenFile& open, const Image& image, const oriel::FileOptions& options) {
   if (oriel::writable_format(extension_of(open.path)) == open.extension)
     return oriel::write_image(open.path, image, options);
@@ -141,7 +141,7 @@ miBoolean mi_img_create(miImg_file* file, const char* name, miImg_type type, miI
     if (path.empty())
       return failed(file, miIMG_ERR_CREATE,
                     "a shader may not write '" + std::string(name) +
-                        "': it lies outside of the folders where scenes may write");
+                        "': it is outside of the folders that scenes may write to");
     const std::string asked = format == miIMG_FORMAT_FROM_EXT ? extension_of(path)
                               : format == miIMG_FORMAT_TIFF_16 || format == miIMG_FORMAT_TIFF_U
                                   ? "tif"
@@ -149,7 +149,7 @@ miBoolean mi_img_create(miImg_file* file, const char* name, miImg_type type, miI
     const std::string_view extension = oriel::writable_format(asked);
     if (extension.empty())
       return failed(file, miIMG_ERR_SUBTYPE,
-                    "a shader's picture '" + path + "' is of a format that cannot be written");
+                    "a shader's picture '" + path + "' has an unsupported format");
     file->format = mi_img_format_identify(std::string(extension).c_str());
     keep(file, {path, std::string(extension), {}});
     return miTRUE;

@@ -19,7 +19,7 @@ namespace image_test {
 
 using testing::expect_near;
 
-/// Lets shaders write into a folder of the test.
+/// Permits shaders to write to a folder of the test.
 struct Writable {
   TestFolder folder;
   Writable() { set_output_roots({folder.file(""), {folder.file("")}}); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What files can hold, smaller images, and colours that fit.
+// Type selection for files, image scaling, and colour clipping.
 #include "oriel/sdk/shader/image_tools.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using oriel::sdk::Picture;
 using oriel::sdk::Storage;
 
-/// 0 to 1; not a number is 0.
+/// Clamps to 0...1; NaN becomes 0.
 float within_one(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
 
 }  // namespace

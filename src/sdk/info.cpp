@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an instance and a shader are made of.
+// Information about instances and shaders.
 #include "oriel/sdk/shader/info.h"
 
 #include "oriel/sdk/shader/vector.h"
@@ -32,7 +32,7 @@ void mi_instance_info(miTag instance, miTag* item, miTag* material, miMatrix glo
 void mi_shader_info(miTag shader, char** name, int* version, void** paras) {
   Host* host = current_host();
   const oriel::ShaderNode* node = host ? host->node(shader) : nullptr;
-  // The interface is older than const; nobody writes to names.
+  // The interface lacks const; callers do not modify the names.
   if (name) *name = node ? const_cast<char*>(node->spec().name) : nullptr;
   if (version) *version = node ? node->spec().version : 0;
   if (!paras) return;

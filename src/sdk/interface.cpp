@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands behind the C++ classes: string options, named frame buffers, spectra.
+// Implementation of the C++ classes: string options, named frame buffers, spectra.
 #include <algorithm>
 #include <cstring>
 #include <string>
@@ -10,12 +10,12 @@
 #include "sdk/frame_buffers.h"
 #include "sdk/host.h"
 
-/// The options block that the scene is rendered with.
+/// The options block of the rendering.
 struct oriel_string_options {
   const oriel::scene::Options* block;
 };
 
-/// The frame buffers of the scene's camera.
+/// The frame buffers of the camera.
 struct oriel_framebuffers {
   const oriel::sdk::Host* host;
 };
@@ -47,7 +47,7 @@ using namespace oriel::sdk;
 extern "C" {
 
 oriel_shader_interface* mi_get_shader_interface(int version) {
-  // Nothing is asked of it but that it is there.
+  // Only its address is used.
   static int some;
   return version <= ORIEL_SHADER_INTERFACE_VERSION
              ? reinterpret_cast<oriel_shader_interface*>(&some)
@@ -68,7 +68,7 @@ oriel_string_options* oriel_options_open(miTag tag) {
 }
 void oriel_options_close(oriel_string_options* options) { delete options; }
 
-// The options were read when the frame began: to change them now changes nothing.
+// Changes have no effect, because the options are evaluated at the start of the frame.
 miBoolean oriel_options_set_boolean(oriel_string_options*, const char*, miBoolean) {
   return miFALSE;
 }
@@ -115,7 +115,7 @@ miBoolean oriel_options_get_string(const oriel_string_options* options, const ch
   return miTRUE;
 }
 
-// Buffers are those of the scene: shaders may ask for them, not make them.
+// Frame buffers are defined by the scene; shaders can only query them.
 miTag oriel_framebuffers_create(void) { return miNULLTAG; }
 miTag oriel_framebuffers_copy(miTag tag) { return tag; }
 

@@ -11,7 +11,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Rays of one call where the caller does not say: further samples of the pixel bring the rest.
+/// Default number of rays per call; further samples of the pixel reduce the noise.
 constexpr int kOcclusionRays = 1;
 
 bool irradiance(miColor* result, miState* state, bool back) {
@@ -48,7 +48,7 @@ miBoolean mi_compute_avg_radiance(miColor* result, miState* state, miUchar face,
   return miTRUE;
 }
 
-// Volumes are lit by their own shaders: there are no photons in them to ask for.
+// Volumes store no photons.
 miBoolean mi_compute_volume_irradiance(miColor* result, miState*) {
   warn_no_effect("mi_compute_volume_irradiance", "there are no photons in volumes");
   *result = {0, 0, 0, 0};
@@ -61,7 +61,7 @@ miBoolean mi_compute_directional_irradiance(miColor* result, miState*, miScalar,
   return miFALSE;
 }
 
-// Gather points are placed where shaders ask for irradiance.
+// Final gather points are computed when shaders request irradiance.
 miBoolean mi_finalgather_store(miColor* result, miState* state, int mode) {
   return mode == miFG_STORE_COMPUTE ? mi_compute_irradiance(result, state) : miFALSE;
 }
@@ -77,7 +77,7 @@ miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options,
   const int rays = options && options->rays > 0 ? options->rays : kOcclusionRays;
   const float reach =
       options && options->maxdist > 0 ? options->maxdist : std::numeric_limits<float>::infinity();
-  // Cosine-distributed up to the spread: without one, over the half-space.
+  // Cosine-distributed within the spread; default is the hemisphere.
   const float least = options && options->spread > -1 ? std::clamp(options->spread, 0.0f, 1.0f) : 0;
   int met = 0;
   Vec3 open(0);

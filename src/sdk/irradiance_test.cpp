@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indirect light and occlusion as shaders ask for them.
+// Irradiance and occlusion functions of shaders.
 #include <gtest/gtest.h>
 
 #include "oriel/sdk/shader/irradiance.h"
@@ -10,7 +10,7 @@ namespace irradiance_test {
 
 using testing::BareState;
 
-// A diffuse surround of radiance L gives the irradiance pi L.
+// A diffuse environment of radiance L gives the irradiance pi L.
 TEST(Irradiance, IsThatOfTheFaceWhichIsNamed) {
   BareState bare;
   bare.look_down(0, 1);
@@ -27,7 +27,7 @@ TEST(Irradiance, IsThatOfTheFaceWhichIsNamed) {
   EXPECT_FLOAT_EQ(c.b, 2);
 }
 
-// Rays below the surface are blocked by it; nothing else is there.
+// Only the surface itself blocks rays, those below it.
 TEST(AmbientOcclusion, IsTheShareOfRaysThatAreBlocked) {
   BareState bare;
   bare.look_down(0, 1);

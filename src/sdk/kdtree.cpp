@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trees of points for users' shaders.
+// Trees of points for user shaders.
 #include "oriel/sdk/shader/kdtree.h"
 
 #include <limits>
@@ -16,7 +16,7 @@ using oriel::geom::PointTree;
 using oriel::sdk::current_host;
 using oriel::sdk::Host;
 
-// The handle is the tree itself: only pointers to it are handed out.
+// The handle is the address of the tree.
 PointTree* tree_of(miKdtree* tree) { return reinterpret_cast<PointTree*>(tree); }
 
 miKdtree* open(miTag tag) {
@@ -32,7 +32,7 @@ miTag mi_kdtree_create(int dimension, int size) {
   Host* host = current_host();
   if (!host || dimension < 1 || dimension > PointTree::kMostDimensions || size < 0 ||
       static_cast<std::size_t>(size) > PointTree::kMostData) {
-    mi_error("mi_kdtree_create: no tree of %d coordinates and %d bytes a point can be made",
+    mi_error("mi_kdtree_create: cannot create a tree of %d coordinates and %d bytes per point",
              dimension, size);
     return miNULLTAG;
   }
@@ -57,7 +57,7 @@ miBoolean mi_kdtree_add(miKdtree* tree, const miScalar* point, const void* data)
   }
 }
 
-// The callbacks run when the search is over: they may use the tree themselves.
+// Callbacks run after the search, because they may use the tree themselves.
 int mi_kdtree_lookup(miKdtree* tree, const miScalar* place, miScalar radius, int most,
                      miKdtree_callback callback, void* arg) {
   if (!tree || !place || most < 0) return 0;

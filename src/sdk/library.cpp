@@ -26,7 +26,7 @@ void add_folders(const std::string& text, TrustedFolders& folders) {
     if (!part.empty()) folders.emplace_back(part);
 }
 
-/// Whether the loader's message is about this very symbol.
+/// Whether the message of the loader refers to this symbol.
 bool names_symbol(const std::string& error, const std::string& symbol) {
   const std::size_t at = error.find("symbol: " + symbol);
   if (at == std::string::npos) return false;
@@ -34,37 +34,37 @@ bool names_symbol(const std::string& error, const std::string& symbol) {
   return after == 0 || after == ',' || after == ' ' || after == '\n';
 }
 
-/// One message: what the library needs, and what makes it load.
+/// Reports why a library cannot be loaded, with hints.
 void report_unloadable(const fs::path& path, const std::string& error, SourceLocation where,
                        Diagnostics& diagnostics) {
   std::vector<std::string> interface, others;
   for (const std::string& symbol : missing_symbols(path)) {
     if (is_interface_name(symbol))
       interface.push_back(readable_symbol(symbol));
-    else if (names_symbol(error, symbol))  // libraries that it needs may define the rest
+    else if (names_symbol(error, symbol))  // other symbols may be defined by its dependencies
       others.push_back(readable_symbol(symbol));
   }
   std::string reason = error, hint;
   if (!interface.empty() || !others.empty()) reason.clear();
   if (!interface.empty()) {
-    reason = fmt::format("it asks for functions that Oriel does not offer: {}",
+    reason = fmt::format("it requires functions that Oriel does not provide: {}",
                          fmt::join(interface, ", "));
     hint =
         "build it without the sources that call them (docs/c-interface-functions.md lists what "
         "is offered); ";
   }
   if (!others.empty()) {
-    reason += fmt::format("{}it asks for {}, which no library defines", reason.empty() ? "" : "; ",
+    reason += fmt::format("{}it requires {}, which no library defines", reason.empty() ? "" : "; ",
                           fmt::join(others, ", "));
     hint +=
-        "build it with the source or archive that is missing: `oriel shader-build DIR --helper "
+        "build it with the missing source or archive: `oriel shader-build DIR --helper "
         "PATH`; ";
   }
   if (error.find("cannot open shared object file") != std::string::npos)
     hint += "install that library, or name its folder in LD_LIBRARY_PATH; ";
   diagnostics.error("OR-SDK-003", where,
                     fmt::format("{} cannot be loaded: {}", path.string(), reason),
-                    hint + "its shaders are missing in this picture");
+                    hint + "its shaders are missing in the picture");
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ std::unique_ptr<Library> Library::open(const std::string& written, SourceLocatio
   Running running{nullptr, "a static constructor", &library->file_name_};
   if (!run_guarded(running,
                    [&] { library->handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL); }))
-    // The loader still holds its lock, for which other threads would wait.
+    // Exit: the loader still holds its lock, so other threads would wait forever.
     throw std::runtime_error(fmt::format("error: {} [OR-SDK-005]", describe(running)));
   if (library->handle_) {
     const auto* map = static_cast<const link_map*>(library->handle_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shared library of users' shaders: where it may come from, what it lacks.
+// A shared library of user shaders: search, loading, missing symbols.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 
 namespace oriel::sdk {
 
-/// Folders whose native code may run: told by the user, never by a scene.
+/// Folders from which native code may be loaded; set by the user, never by a scene.
 using TrustedFolders = std::vector<std::filesystem::path>;
 
-/// Folders of --shader-path and then of the environment variable ORIEL_SHADER_PATH, both separated
-/// by colons.
+/// Folders of --shader-path, then of the environment variable ORIEL_SHADER_PATH, separated by
+/// colons.
 TrustedFolders trusted_folders(const std::string& told);
 
 /// File name of a path of any system, without the suffix of a shared library.
@@ -23,24 +23,23 @@ std::string library_stem(const std::string& written);
 
 class Library {
  public:
-  /// Loads what a `link` statement names: its file name alone, with any system's suffix, is looked
-  /// for in the folders, in order.
+  /// Loads the library of a `link` statement: its file name, with the suffix of this system, is
+  /// searched in the folders in order.
   ///
-  /// Errors:  null where there is no such file; null with OR-SDK-002 wrong architecture or not a
-  /// library, -003
-  ///          functions that Oriel does not offer, each by name. Throws OR-SDK-005 where a static
-  ///          constructor crashes: the system's loader cannot be used after that.
+  /// Errors:  null if there is no such file; null with OR-SDK-002 wrong architecture or not a
+  ///          library, -003 undefined functions, each named. Throws OR-SDK-005 if a static
+  ///          constructor crashes, since the loader of the system is unusable afterwards.
   static std::unique_ptr<Library> open(const std::string& written, SourceLocation where,
                                        const TrustedFolders& folders, Diagnostics& diagnostics);
   ~Library();
-  /// Unloads it. Returns what its static destructors did wrong; empty: nothing.
+  /// Unloads the library. Returns a description of a crash in its static destructors, or empty.
   std::string close();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   const std::string& file_name() const { return file_name_; }
-  /// Address of a function, null when the library has none.
+  /// Address of a function; null if the library does not contain it.
   void* find(const std::string& name) const;
 
  private:

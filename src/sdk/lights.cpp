@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that arrives at the point, and lists of lights.
+// Light samples at the point, and lists of lights.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -17,10 +17,10 @@
 namespace oriel::sdk {
 namespace {
 
-/// Lists given out live as long as their thread asks for less than this many others.
+/// A returned list stays valid until its thread has requested this many others.
 constexpr std::size_t kListsKept = 64;
 
-/// Memory of a list of lights that a shader may keep until it returns.
+/// Returns a list of lights that stays valid while the shader runs.
 void give(const std::vector<miTag>& tags, int* n, miTag** lights) {
   thread_local std::vector<std::vector<miTag>> lists(kListsKept);
   thread_local std::size_t next = 0;
@@ -30,8 +30,8 @@ void give(const std::vector<miTag>& tags, int* n, miTag** lights) {
   *lights = list.data();
 }
 
-/// Writes what the light's shader said into the struct that the asking material left for it, and
-/// into Maya's state items.
+/// Stores the attributes of a light sample in the struct of the calling material, and in Maya's
+/// state items.
 void tell(const Tracer::Arriving& arriving) {
   light_items() = {arriving.affects_diffuse > 0, arriving.affects_specular > 0};
   int size = 0;
@@ -44,8 +44,8 @@ void tell(const Tracer::Arriving& arriving) {
   data->force_specular = arriving.force_specular ? miTRUE : miFALSE;
 }
 
-/// One sample of the light; `samples` counts up from 0, at 1 the loop is over: the renderer asks
-/// once for each of its own samples, which are as many as the picture needs.
+/// Takes one sample of the light; `samples` is 0 at the first call, and the loop ends at 1. The
+/// renderer already calls the shader once per sample, so one light sample per call is sufficient.
 bool sample(miColor* result, miVector* dir, float* dot_nl, miState* state, miTag tag, int* samples,
             const miVector* axis, float cos_spread) {
   Context& c = context(state);
@@ -123,7 +123,7 @@ int mi_global_lights_info(miTag** lights) {
 }
 
 miBoolean mi_expand_lightlist(int* n, miTag** lights, miState* state) {
-  // Groups reach shaders as the lights in them; a list of none stands for all of the scene.
+  // Groups are expanded to the lights they contain; an empty list means all lights of the scene.
   std::vector<miTag> list;
   for (int i = 0; i < *n; ++i)
     if (context(state).host->light((*lights)[i]) >= 0) list.push_back((*lights)[i]);
@@ -165,7 +165,7 @@ miScalar mi_lightprofile_value(const void* profile, miScalar phi, miScalar costh
                                const miVector* pos, miBoolean rel) {
   if (!profile) return 0;
   const float sine = std::sqrt(std::max(0.0f, 1 - costheta * costheta));
-  // The profile's axis is -z: theta counts from straight down.
+  // The axis of the profile is -z: theta is measured from nadir.
   const Vec3 direction =
       pos ? normalize(vec(*pos)) : Vec3(sine * math::cos(phi), sine * math::sin(phi), -costheta);
   return profile_value(*static_cast<const photometry::LightProfile*>(profile), direction,

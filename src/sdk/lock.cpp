@@ -13,10 +13,10 @@ namespace {
 
 using Mutex = std::timed_mutex;
 
-/// Between looks whether the rendering was stopped: a shader that crashed gave nothing back.
+/// Interval of checks for an abort: a crashed shader does not release its locks.
 constexpr std::chrono::milliseconds kPatience{100};
 
-/// What a lock nobody made stands for: one for all of these.
+/// The mutex of an invalid lock handle; shared by all of them.
 Mutex& mutex_of(miLock lock) {
   static Mutex shared;
   return lock.p ? *static_cast<Mutex*>(lock.p) : shared;

@@ -10,14 +10,14 @@
 namespace oriel::sdk::made {
 namespace {
 
-/// Lists of lists deeper than this refer to themselves.
+/// Lists nested deeper than this are cyclic.
 constexpr int kMostListDepth = 64;
 
 void append_uses(const scene::Scene& scene, const std::string& name, int depth,
                  scene::ShaderList& list) {
   const auto* element = scene.get<scene::ShaderElement>(name);
   if (!element || depth > kMostListDepth) return;
-  // One call stays a reference, so that all its users share it.
+  // A single call is stored as a reference, so that its users share it.
   if (element->functions.size() == 1) {
     scene::ShaderUse use;
     use.reference = name;

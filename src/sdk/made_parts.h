@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the functions that make elements share: values, statements.
+// Functions shared by the element functions: values, statements.
 #pragma once
 
 #include <span>
@@ -23,10 +23,10 @@ scene::Value numbers(std::span<const float> values);
 scene::Value text(std::string_view words);
 void say(std::vector<scene::Statement>& statements, const char* keyword, scene::Value value);
 
-/// Name of the element that a tag stands for; empty: none.
+/// Name of the element of a tag; empty if there is none.
 std::string name_of(miTag tag);
 
-/// User data and label of a C structure, as statements.
+/// User data and label of a C structure as statements.
 template <class T>
 void attach(const T& from, std::vector<scene::Statement>& statements) {
   if (const std::string data = name_of(from.userdata); !data.empty())
@@ -36,7 +36,7 @@ void attach(const T& from, std::vector<scene::Statement>& statements) {
 
 Mat4 matrix_of(const miMatrix m);
 
-/// The shader list behind the tag of a call: one use for each call that was chained to it.
+/// The shader list of a call tag, with one use for each chained call.
 scene::ShaderList shader_list(const scene::Scene& scene, miTag call);
 
 }  // namespace oriel::sdk::made

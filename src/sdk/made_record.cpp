@@ -37,12 +37,12 @@ Bytes group_record(const std::vector<miTag>& kids, miTag data, miUint label, std
 
 void store(miMatrix to, const Mat4& from) { std::memcpy(to, from.getValue(), sizeof(miMatrix)); }
 
-/// The named shader of a list; 0 where the list holds calls without a name.
+/// The named shader of a list; 0 if the list contains unnamed calls.
 miTag shader_of(Host& host, const scene::ShaderList* list) {
   return list && !list->empty() ? host.tag_of_name(list->front().reference) : miNULLTAG;
 }
 
-/// One structure for each kind of element.
+/// Makes the structure of each kind of element.
 struct Maker {
   Host& host;
   std::size_t& size;

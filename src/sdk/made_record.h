@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C structures of elements that are reached by their names: those that shaders made, and those
-// of the scene that have no place in the World.
+// C structures of elements that are accessed by name: elements made by shaders, and elements of the
+// scene that are not part of the World.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@ class Host;
 
 miScene_types type_of_element(const Host& host, const std::string& name);
 
-/// The structure of an element of the scene, and its size in bytes; null: it has none.
+/// The structure of a scene element and its size in bytes; null if unsupported.
 ///
 /// Model:   instances, groups, lights, materials, user data, calls and declarations.
 /// Checked: Elements.* in tests/user_shaders
 std::unique_ptr<std::byte[]> element_record(Host& host, const std::string& name, std::size_t& size);
 
-/// A group with all leaves of the World: what the root holds.
+/// A group with all instances of the World, as content of the root.
 std::unique_ptr<std::byte[]> root_record(Host& host, std::size_t& size);
 
 /// The members of a light that describe shadow maps, which shaders can ask for.
 void store_shadow_map(const scene::ShadowMap& from, miLight& out);
 
-/// Matrices and identity of an instance; without tags.
+/// Matrices and identity of an instance, without tags.
 miInstance c_instance(const scene::Instance& from);
 
 }  // namespace oriel::sdk

@@ -10,7 +10,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Members of mia_material_x_return in the order of the outputs; opacity is one number.
+/// Members of mia_material_x_return in the order of the outputs; opacity is a scalar.
 void store_outputs(const MaterialOutputs& outputs, float alpha, mia_material_x_return& to) {
   miColor* const targets[] = {
       &to.result,      &to.diffuse_result,  &to.diffuse_raw,  &to.diffuse_level,   &to.spec_result,
@@ -45,8 +45,8 @@ bool shade_material(const ShaderNode& node, ShadingPoint& point, miState& state,
   if (!point.tracer) return false;
   int size = 0;
   void* const storage = left_value(miA_MATERIAL_API_STORAGE, &size);
-  // Callers that take the parts from the storage hand the address of a miColor to materials of many
-  // results, as the manual's example does.
+  // As in the example of the manual, callers that read the parts from the storage pass the address
+  // of a miColor to materials with several results.
   const ShaderSpec& spec = node.spec();
   const bool whole = !storage && spec.results.size() == kMaterialResults &&
                      (!spec.material.has_outputs || spec.material.has_outputs(node));

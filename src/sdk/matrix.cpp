@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Matrices of shaders: product, inverse, rotation, linear equations, transforms.
+// Matrix functions of shaders: product, inverse, rotation, linear equations, transforms.
 #include <algorithm>
 #include <span>
 
@@ -63,8 +63,8 @@ void mi_matrix_rotate_axis(miMatrix m, const miVector* axis, miScalar angle) {
   std::copy_n(rotation.getValue(), 16, m);
 }
 
-// Shaders that bake (two independent ones are public) solve for a 4 x 4 matrix with n = 4: a is a
-// miMatrix, b and x have four rows of n columns.
+// n = 4 means a 4 x 4 matrix: a is a miMatrix, and b and x have four rows of n columns. Two public
+// baking shaders use the function in this way.
 miBoolean mi_matrix_solve(miScalar* x, const miScalar* a, const miScalar* b, int n) {
   return oriel::solve_linear_system(rows_of(a), b, n, x) ? miTRUE : miFALSE;
 }
@@ -75,7 +75,7 @@ void mi_point_transform(miVector* r, const miVector* p, const miMatrix m) {
   r->x += m[12];
   r->y += m[13];
   r->z += m[14];
-  // Projections; of all other matrices it is 1.
+  // The projective component; 1 for affine matrices.
   const miScalar w = from.x * m[3] + from.y * m[7] + from.z * m[11] + m[15];
   if (w != 1) mi_vector_div(r, w);
 }

@@ -56,7 +56,8 @@ TEST(Matrix, RotatesRowVectorsRightHanded) {
   mi_vector_transform(&r, &x, m);
   expect_near(r, {0, 1, 0}, 1e-6f);
   mi_matrix_rotate(m, static_cast<float>(M_PI_2), 0, static_cast<float>(M_PI_2));
-  mi_vector_transform(&r, &y, m);  // to z by the first turn, which the last one leaves
+  // rotated to z by the first rotation, which the last one leaves unchanged
+  mi_vector_transform(&r, &y, m);
   expect_near(r, {0, 0, 1}, 1e-6f);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shaders written for Maya ask its translator for: only state items of lights exist here.
+// Functions of Maya's translator; only the state items of lights are supported.
 #include "oriel/sdk/mayaapi.h"
 
 #include <cstdarg>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State items of Maya's interface that the last light sample of the thread left.
+// State items of Maya's interface, set by the last light sample of the thread.
 #pragma once
 
 #include "oriel/sdk/shader/types.h"

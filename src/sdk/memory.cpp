@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of shaders: filled with zeros, whatever way it grew. Blocks are those of malloc and free,
-// so that sources may mix both.
+// Memory functions of shaders: always zero-initialised, also after growth. Blocks are compatible
+// with malloc and free.
 #include <malloc.h>
 
 #include <cstdlib>
@@ -12,8 +12,8 @@
 
 namespace {
 
-// The bytes of a block behind its size are zero as well: then the block may grow into them. Blocks
-// of malloc itself have anything there.
+// The bytes after the requested size are also zero, so that a block can grow into them. Blocks of
+// malloc itself have undefined bytes there.
 
 void clear_from(void* memory, std::size_t begin) {
   const std::size_t end = malloc_usable_size(memory);
@@ -21,7 +21,7 @@ void clear_from(void* memory, std::size_t begin) {
 }
 
 void* allocate(std::size_t size) {
-  return std::calloc(1, size > 0 ? size : 1);  // large pieces come from the system as zeros
+  return std::calloc(1, size > 0 ? size : 1);  // large blocks are zero pages of the system
 }
 
 void* resize(void* memory, std::size_t size) {
@@ -36,10 +36,10 @@ void* resize(void* memory, std::size_t size) {
   return moved;
 }
 
-/// mi_fatal does not return where a shader runs. Where none does, nobody could go on either.
+/// mi_fatal does not return while a shader runs. Otherwise the process cannot continue anyway.
 void* required(void* memory, std::size_t size, const char* file, int line) {
   if (memory) return memory;
-  mi_fatal("no memory for %zu bytes (%s:%d)", size, file, line);
+  mi_fatal("out of memory for %zu bytes (%s:%d)", size, file, line);
   std::abort();
 }
 

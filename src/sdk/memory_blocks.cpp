@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arenas of blocks of one size, and what shaders learn about memory.
+// Arenas of equally sized blocks, and memory statistics of shaders.
 #include "oriel/sdk/shader/memory_blocks.h"
 
 #include <malloc.h>
@@ -28,7 +28,7 @@ struct miMemblk {
                alignof(std::max_align_t)),
         blocks_a_page(std::max<std::size_t>(kPage / stride, 1)) {}
 
-  /// Many blocks in one piece of memory.
+  /// Several blocks in one allocation.
   struct Page {
     std::unique_ptr<std::byte[]> bytes;
     std::vector<bool> used;
@@ -36,7 +36,7 @@ struct miMemblk {
   const std::size_t stride;
   const std::size_t blocks_a_page;
   std::mutex mutex;
-  std::map<const std::byte*, Page> pages;  ///< by where they begin
+  std::map<const std::byte*, Page> pages;  ///< by start address
   std::vector<std::byte*> free;
 
   void* take() {
@@ -69,12 +69,12 @@ struct miMemblk {
     Page page{std::make_unique<std::byte[]>(blocks_a_page * stride),
               std::vector<bool>(blocks_a_page)};
     std::byte* begin = page.bytes.get();
-    free.reserve((pages.size() + 1) * blocks_a_page);  // so that giving back needs no memory
+    free.reserve((pages.size() + 1) * blocks_a_page);  // so that freeing a block needs no memory
     pages.emplace(begin, std::move(page));
     for (std::size_t i = blocks_a_page; i-- > 0;) free.push_back(begin + i * stride);
   }
 
-  /// False: that is no block, or it is marked so already.
+  /// Returns false if the address is not a block or already has that mark.
   bool mark(const std::byte* block, bool used) {
     auto after = pages.upper_bound(block);
     if (after == pages.begin()) return false;
@@ -91,7 +91,7 @@ extern "C" {
 
 miMemblk* mi_mem_blkcreate(int size) {
   if (size < 1 || static_cast<std::size_t>(size) > kMostBlock) {
-    mi_error("mi_mem_blkcreate: no blocks of %d bytes can be made", size);
+    mi_error("mi_mem_blkcreate: cannot create blocks of %d bytes", size);
     return nullptr;
   }
   return std::make_unique<miMemblk>(static_cast<std::size_t>(size)).release();
@@ -105,7 +105,7 @@ void* mi_mem_blkallocate(miMemblk* arena) {
     if (arena) block = arena->take();
   } catch (const std::bad_alloc&) {
   }
-  if (!block) mi_fatal(arena ? "no memory for a block" : "mi_mem_blkallocate: there is no arena");
+  if (!block) mi_fatal(arena ? "out of memory for a block" : "mi_mem_blkallocate: null arena");
   return block;
 }
 
@@ -123,7 +123,7 @@ void mi_mem_blkenumerate(miMemblk* arena, void (*callback)(void* block, void* ar
   for (void* block : arena->in_use()) callback(block, arg);
 }
 
-// The allocator checks itself, and ends the program where it finds a fault.
+// The allocator checks itself and aborts the program on errors.
 miBoolean mi_mem_check(void) { return miTRUE; }
 
 void mi_mem_summary(void) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages of shaders, and stopping.
+// Messages of shaders, and termination.
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -38,13 +38,13 @@ void say(Severity severity, const char* format, std::va_list arguments, int numb
     std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-/// The shader does not go on: its author counts on that.
+/// Does not return; shaders rely on that.
 void end() {
   mi_abort();
   oriel::sdk::leave_stopped_shader();
 }
 
-/// Name of a variable at `at`, in braces or as far as letters go; moves `at` behind it.
+/// The variable name at `at`, in braces or up to the first other character; moves `at` behind it.
 std::string variable_at(const char*& at) {
   const bool braces = *at == '{';
   if (braces) ++at;
@@ -117,8 +117,8 @@ void mi_abort(void) {
   if (Host* host = current_host()) host->stopped = true;
 }
 
-// Names of files as other systems write them: $NAME and ${NAME} are variables of the environment,
-// backslashes are slashes.
+// Converts file names of other systems: $NAME and ${NAME} are environment variables, backslashes
+// are slashes.
 char* mi_string_substitute(char* dst, const char* src, int max) {
   if (max <= 0) return dst;
   std::string text;

@@ -32,10 +32,11 @@ class RoleCheck {
     const auto& absent = host_.absent_libraries();
     diagnostics_.error(
         "OR-SDK-006", where,
-        fmt::format("the {} shader \"{}\" is missing: no library that was loaded has it, and {} "
-                    "{} absent; the picture is made without it",
+        fmt::format("the {} shader \"{}\" is missing: no loaded library contains it, and {} "
+                    "{} missing; the picture is rendered without it",
                     role, type, fmt::join(absent, ", "), absent.size() == 1 ? "is" : "are"),
-        "name the folder of its library with --shader-path; `oriel shader-build` makes the library "
+        "name the folder of its library with --shader-path; `oriel shader-build` builds the "
+        "library "
         "from sources");
   }
 

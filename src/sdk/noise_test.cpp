@@ -12,7 +12,7 @@ namespace noise_test {
 using sampling::NoiseShape;
 using sampling::shaped_noise;
 
-// The other functions of each shape differ from these by what they leave out.
+// The other functions of each shape return a subset of these results.
 TEST(Noise, FunctionsReturnTheirShapeAndItsGradient) {
   const miVector p = {1.3f, -2.6f, 7.9f};
   float g1, gx, gy;

@@ -32,13 +32,13 @@ void mi_output_image_close(miState* state, miUint index) {
   if (work) work->close(static_cast<int>(index));
 }
 
-// There are no contours.
+// Contours are unsupported.
 miBoolean mi_get_contour_line(miContour_endpoint*, miContour_endpoint*) {
-  warn_no_effect("mi_get_contour_line", "contours are not drawn");
+  warn_no_effect("mi_get_contour_line", "contours are unsupported");
   return miFALSE;
 }
 void mi_add_contour_lines(miContour_endpoint[], miContour_endpoint[], int) {
-  warn_no_effect("mi_add_contour_lines", "contours are not drawn");
+  warn_no_effect("mi_add_contour_lines", "contours are unsupported");
 }
 
 }  // extern "C"

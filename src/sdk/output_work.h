@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The buffers that an output shader has open.
+// Open buffers of an output shader.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ struct OutputWork {
   OutputPicture* picture = nullptr;
   std::map<int, std::unique_ptr<Picture>> open = {};
 
-  /// Takes over what the shader changed.
+  /// Stores the changes of the shader.
   void close(int number) {
     const auto found = open.find(number);
     if (found == open.end()) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a parameter stands in the block of its call.
+// Offset of a parameter in the block of its call.
 #include <string_view>
 
 #include "oriel/sdk/shader/lookup.h"
@@ -23,7 +23,7 @@ std::optional<Found> find(const std::vector<ParamSpec>& rows, const std::vector<
     const bool is_array = rows[i].type == ParamType::Array;
     if (row == name)
       return Found{is_array ? rows[i].element : rows[i].type, is_array, members[i].c_offset};
-    // Members of a struct have its name before theirs; the struct begins with the first.
+    // Members of a struct have its name as a prefix; the struct starts at the first one.
     if (row.size() > name.size() && row.starts_with(name) && row[name.size()] == '.')
       return Found{ParamType::Struct, false, members[i].c_offset};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which parameters of the running shader differ from what its declaration gives them?
+// Whether parameters of the running shader differ from their declared defaults.
 #include "oriel/sdk/shader/parameter_set.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ std::size_t offset_in(const UserInstance& shader, const void* parameter) {
                                   static_cast<const std::byte*>(shader.parameters));
 }
 
-/// The members of a colour, or of what has fewer numbers, as the declaration gives them.
+/// Whether the members of a colour or shorter value differ from their declared defaults.
 bool numbers_differ(const ParamSpec& row, const float* values, std::size_t count) {
   std::array<float, 4> usual = row.fallback;
-  // A declared colour is opaque where it says nothing else.
+  // The default alpha of a declared colour is 1.
   if (count == 4 && row.declared_default && usual[3] == 0) usual[3] = 1;
   return !std::equal(values, values + count, usual.begin());
 }
@@ -53,7 +53,7 @@ bool value_differs(const Host& host, const ParamSpec& row, const void* value) {
     case ParamType::String:
       return host.text(read(miTag{})) != std::string_view(row.text ? row.text : "");
     case ParamType::Spectrum:
-      return false;  // its values do not reach shaders
+      return false;  // its values are not passed to shaders
     default:
       return read(miTag{}) != miNULLTAG;
   }
@@ -86,7 +86,7 @@ miBoolean oriel_parameter_is_set(const miState* state, const void* parameter) {
   for (std::size_t i = 0; i < spec.members.size() && i < spec.rows.size(); ++i) {
     const CMember& member = spec.members[i];
     if (member.type == oriel::ParamType::Array) {
-      // i_name, n_name and name stand one after the other.
+      // i_name, n_name and name are consecutive.
       if (offset < member.c_offset || offset > member.c_offset + 8) continue;
       int count = 0;
       const auto* values = static_cast<const std::byte*>(shader->parameters);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons in the hands of users' shaders.
+// Photon functions for user shaders.
 #include <algorithm>
 
 #include "sdk/call.h"
@@ -16,15 +16,15 @@ bool send(RayKind kind, miColor* energy, miState* state, const Vec3& direction) 
 float sum(const miColor& c) { return c.r + c.g + c.b; }
 void scale(miColor* c, float factor) { c->r *= factor, c->g *= factor, c->b *= factor; }
 
-/// One of several scatterings by Russian roulette.
+/// One of several scattering types, selected by Russian roulette.
 struct Scatter {
   miRay_type type;
   miColor* color;
-  float share;  ///< of what is scattered
+  float share;  ///< probability share of the scattered photons
 };
 
-/// Chooses with a probability of the largest channel of the sum of all; the colour chosen is
-/// divided by its chance, so that the mean stays.
+/// Selects a type in proportion to the largest channel of its colour; the selected colour is
+/// divided by the probability, which makes the estimate unbiased.
 template <std::size_t N>
 miRay_type choose(miState* state, const Scatter (&kinds)[N]) {
   float most = 0, all = 0;
@@ -84,7 +84,7 @@ miBoolean mi_photon_transmission_diffuse(miColor* energy, miState* state, const 
 miBoolean mi_photon_transparent(miColor* energy, miState* state) {
   return send(RayKind::PhotonTransparent, energy, state, vec(state->dir)) ? miTRUE : miFALSE;
 }
-// There are no photons in volumes.
+// Photons in volumes are unsupported.
 miBoolean mi_photon_volume_scattering(miColor*, miState*, const miVector*) {
   warn_no_effect("mi_photon_volume_scattering", "photons are not scattered in volumes");
   return miFALSE;

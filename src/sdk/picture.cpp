@@ -51,7 +51,7 @@ void store(unsigned char* at, T value) {
   std::memcpy(at, &value, sizeof value);
 }
 
-/// Not a number is 0.
+/// NaN becomes 0.
 template <class T>
 T quantized(float value, float largest) {
   return static_cast<T>(std::lround((value > 0 ? std::min(value, 1.0f) : 0.0f) * largest));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes that reach so far and no farther, and where rays start.
+// Probe rays of limited length, and ray origins.
 #include "oriel/sdk/shader/probe.h"
 
 #include "oriel/sdk/shader/trace.h"
@@ -9,7 +9,7 @@ extern "C" {
 miBoolean mi_trace_probe_x(miState* state, const miVector* direction, const miVector* origin,
                            double distance) {
   if (!mi_trace_probe(state, direction, origin)) return miFALSE;
-  // The nearest hit is the only one that may be near enough.
+  // Only the nearest hit can be within the distance.
   miState* child = state->child;
   if (!child || !(distance > 0) || child->dist <= distance) return miTRUE;
   child->dist = 0;

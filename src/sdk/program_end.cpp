@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// exit, _exit, _Exit and quick_exit as users' libraries reach them: a shader, or a handler of
-// signals that its library installed, may not end the program without a picture.
+// Replaces exit, _exit, _Exit and quick_exit for user libraries: a shader or a signal handler of
+// its library must not end the program without a picture.
 //
-// The program exports these functions, so that libraries find them before those of the C library
-// (the C library's own calls do not come here). A system call without the C library is not seen.
+// The program exports these functions, so libraries resolve them before those of the C library
+// (calls inside the C library are not affected). Direct system calls are not intercepted.
 #include <dlfcn.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -20,25 +20,26 @@ namespace oriel::sdk {
 
 namespace {
 
-/// Processes that a shader forks may end as they like.
+/// Child processes forked by a shader may exit.
 const pid_t program = getpid();
 
-/// Libraries of users: read in signal handlers, so without locks. A free place has no base.
+/// Libraries of users. Read in signal handlers, so without locks. A free entry has a null base.
 struct Watched {
   std::atomic<const void*> base = nullptr;
   std::array<char, 128> name{};
 };
 constexpr std::size_t kMostWatched = 256;
 struct WatchedLibraries {
-  std::mutex mutex;  ///< of those that write
+  std::mutex mutex;  ///< for writers
   std::array<Watched, kMostWatched> all{};
 };
 WatchedLibraries& watched() {
-  static auto* const libraries = new WatchedLibraries;  // libraries may end after static objects
+  // never destroyed: libraries may run after static destruction
+  static auto* const libraries = new WatchedLibraries;
   return *libraries;
 }
 
-/// Where the object is loaded that holds an address.
+/// Load address of the object that contains an address.
 const void* base_of(const void* address) {
   Dl_info info;
   return dladdr(address, &info) != 0 ? info.dli_fbase : nullptr;
@@ -48,7 +49,7 @@ void print(const char* text) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
 }
 
-/// The exit code with which the program may end; does not return where a shader is running.
+/// The exit code for the program; does not return while a shader is running.
 int checked_exit_code(int code, const void* caller) {
   if (getpid() != program) return code;
   leave_ended_shader();

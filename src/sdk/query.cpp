@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mi_query: what shaders ask of themselves, of elements by tag, of the hit and of the rendering.
+// mi_query: information about the shader call, elements by tag, the hit and the rendering.
 #include <cstdarg>
 #include <cstring>
 #include <mutex>
@@ -24,7 +24,7 @@ bool tell_thread_pointers(ThreadPointers& pointers, void* result, int* count) {
   return tell(result, list.data());
 }
 
-/// The call that is asked about: of the tag, or the running one.
+/// The queried call: that of the tag, or the running one.
 const UserInstance* call_of(Host& host, const miState* state, miTag tag) {
   if (tag != miNULLTAG) {
     const ShaderNode* node = host.node(tag);
@@ -225,7 +225,7 @@ bool ask_material(miQ_type query, Host& host, miTag tag, void* result) {
   }
 }
 
-/// The matrix between two spaces; internal is world.
+/// The matrix between two spaces; internal space is world space.
 bool ask_transform(miQ_type query, const miState* state, void* result) {
   if (!state) return false;
   static const Mat4 kIdentity;
@@ -237,7 +237,7 @@ bool ask_transform(miQ_type query, const miState* state, void* result) {
   if (instance) to_object = &instance->to_object, to_world = &instance->to_world;
   if (!to_object) to_object = &kIdentity;
   if (!to_world) to_world = &kIdentity;
-  // Products must stay where the caller reads them.
+  // Results stay readable after the call.
   thread_local Mat4 product[2];
   switch (query) {
     case miQ_TRANS_INTERNAL_TO_WORLD:
@@ -266,7 +266,7 @@ bool ask_transform(miQ_type query, const miState* state, void* result) {
   }
 }
 
-/// Pairs of bump vectors from the first space on: indices below it are valid.
+/// Number of bump vector pairs: indices below it are valid.
 int bumps_of(const ShadingPoint& point) {
   int count = 0;
   while (count < point.texture_spaces &&
@@ -377,7 +377,7 @@ extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, 
     return query >= first && query <= last;
   };
   bool answer = false;
-  // The rest needs what is rendered, which exit functions of geometry shaders may outlive.
+  // The remaining queries need the world, which exit functions of geometry shaders may outlive.
   if (!host->world() && !within(miQ_FUNC_USERPTR, miQ_DECL_LOCK) &&
       !within(miQ_DECL_NAME, miQ_DECL_VERSION))
     return miFALSE;

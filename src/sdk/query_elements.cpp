@@ -30,7 +30,7 @@ scene::Attachments attachments_of(Host& host, miTag tag) {
   return {};
 }
 
-/// Bounds of the object that an instance places, in object space.
+/// Bounds of the object of an instance in object space.
 geom::Box3 object_bounds(const Host& host, std::size_t index) {
   const geom::Accel& accel = *host.world()->accel;
   const geom::MeshId id = accel.instance(static_cast<std::uint32_t>(index)).mesh;
@@ -99,7 +99,7 @@ bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
     case miQ_OBJ_DATA:
       return tell(result, data_of(host, tag));
     default:
-      return false;  // what kind of object it was is not known any more
+      return false;  // the type of the object is not stored
   }
 }
 
@@ -135,7 +135,7 @@ bool ask_primitive(miQ_type query, Host& host, const miState* state, void* resul
   const std::size_t index = index_of(state->instance);
   if (query == miQ_GEO_DATA) return tell(result, data_of(host, make_tag(TagKind::Object, index)));
   if (!state->pri) return false;
-  // Asked at every point of a surface: the last one is kept.
+  // Called at every point of a surface, so the last result is cached.
   thread_local struct {
     const World* world = nullptr;
     std::size_t index = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries about what instances place: objects, groups, primitives, and the data attached to them.
+// Queries about objects, groups, primitives, and the data attached to them.
 #pragma once
 
 #include <cstring>
@@ -10,21 +10,21 @@ namespace oriel::sdk {
 
 class Host;
 
-// Each writes the answer to one query of its family; false: it has none.
+// Each function writes the result of a query of its family; returns false if it is unsupported.
 bool ask_object(miQ_type query, Host& host, miTag tag, void* result);
-/// `index` counts the members of a group from 0.
+/// `index` is the index of a group member.
 bool ask_group(miQ_type query, Host& host, miTag tag, void* result, int index);
 bool ask_data(miQ_type query, Host& host, miTag tag, void* result);
-/// The object that the state's point lies on.
+/// The object at the point of the state.
 bool ask_primitive(miQ_type query, Host& host, const miState* state, void* result);
-/// What is attached to an instance, object or light; null: nothing.
+/// User data of an instance, object or light; null if there is none.
 miTag data_of(Host& host, miTag tag);
-/// Members of a light that only the scene's element knows.
+/// Members of a light that are only stored in the scene element.
 void store_written(Host& host, miTag tag, miLight& out);
-/// `tag N` of an instance or object; 0: none.
+/// `tag N` of an instance or object; 0 if there is none.
 miUint label_of(Host& host, miTag tag);
 
-/// Writes an answer where the caller wants it; arrays whole.
+/// Writes a result to the memory of the caller; arrays are copied completely.
 template <class T>
 bool tell(void* result, const T& value) {
   struct Whole {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C structures behind tags: camera, options, lights, instances, materials, shader calls.
+// C structures of tags: camera, options, lights, instances, materials, shader calls.
 #include <algorithm>
 #include <cstring>
 
@@ -234,7 +234,7 @@ miMaterial material_of(const Material& from, Host& host) {
   return out;
 }
 
-/// A shader of the renderer: its parameters are no C struct.
+/// A built-in shader: its parameters are not a C struct.
 miFunction foreign_function(const ShaderNode& node) {
   miFunction out = {};
   out.type = miFUNCTION_C;
@@ -377,7 +377,7 @@ void* Host::access(miTag tag) {
     if (const auto found = records_.find(tag); found != records_.end())
       return found->second.bytes.get();
   }
-  Record made = make(tag);  // asks for further tags itself
+  Record made = make(tag);  // may request further tags
   if (!made.bytes) return nullptr;
   const std::unique_lock lock(mutex_);
   return records_.try_emplace(tag, std::move(made)).first->second.bytes.get();
@@ -466,7 +466,7 @@ void* mi_db_access(miTag tag) {
   Host* host = current_host();
   return host ? host->access(tag) : nullptr;
 }
-void mi_db_unpin(miTag) {}  // what tags stand for lives as long as the frame
+void mi_db_unpin(miTag) {}  // elements exist until the end of the frame
 int mi_db_type(miTag tag) {
   Host* host = current_host();
   return host ? host->type_of(tag) : miSCENE_NONE;
@@ -479,7 +479,7 @@ void* mi_db_access_type(int* type, miTag tag) {
   *type = mi_db_type(tag);
   return mi_db_access(tag);
 }
-// The scene under way is read only: edits change the shader's view of it, not the picture.
+// Editing changes the view of the shader, not the scene, which is read-only during rendering.
 void* mi_scene_edit(miTag tag) { return mi_db_access(tag); }
 void mi_scene_edit_end(miTag) {}
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of render passes: there are none.
+// Render pass files, which are unsupported.
 #include "oriel/sdk/shader/renderpass.h"
 
 #include "sdk/once.h"
 
 namespace {
 
-/// Every answer is that of a pass that is not there.
+/// All functions return the result for a missing pass.
 miBoolean no_pass(const char* function) {
   oriel::sdk::warn_no_effect(function, "files of render passes are neither read nor written");
   return miFALSE;
@@ -21,7 +21,7 @@ void* mi_renderpass_access(miState*, int, int) {
   return nullptr;
 }
 
-// Loops over the resolution then end at once.
+// A resolution of 0 ends loops over pixels at once.
 miBoolean mi_renderpass_resolution(int* xl, int* yl, int* xs, int* ys, int* xres, int* yres,
                                    miState*, int, int) {
   for (int* number : {xl, yl, xs, ys, xres, yres})

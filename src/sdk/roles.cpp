@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a user's shader plays each role of a ShaderSpec.
+// Implements the roles of a ShaderSpec by calls of a user shader.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -46,11 +46,11 @@ void value(const Call& call, void* result) {
   result_from_c(*shader.spec, c.bytes, result);
   call.point.normal = vec(frame.state.normal);
   take_over_tex(frame.state, call.point);
-  // Displacement starts at the point that is left.
+  // Displacement starts at the undisplaced point.
   if (call.point.ray_kind == RayKind::Displace) call.point.position = vec(frame.state.point);
 }
 
-/// What the shader returns is what is seen. Photons and shadow rays know other shaders.
+/// The result is the visible radiance. Photons and shadow rays use other shaders.
 void material(const Call& call, Closure& closure) {
   if (!call.point.tracer) return;
   UserInstance& shader = instance_of(call);
@@ -75,7 +75,7 @@ Rgb shadow(const Call& call, const Rgb& light) {
   StateFrame frame(*shader.spec->host, point);
   miState& state = frame.state;
   state.type = miRAY_SHADOW;
-  // The renderer's shadow rays go from the lit point to the light; a shader's come from the light.
+  // Shadow rays of the renderer start at the shading point, those of shaders at the light.
   state.dir = as_c(-point.ray_direction);
   if (point.light >= 0)
     state.org = as_c(frame.context.world->lights[static_cast<std::size_t>(point.light)].position);
@@ -87,7 +87,7 @@ Rgb shadow(const Call& call, const Rgb& light) {
 
 /// One call of a light shader.
 ///
-/// Inputs:  data: what the lit material leaves for it, and what came of that; null = nothing.
+/// Inputs:  data: in and out, exchanged with the lit material; may be null.
 Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
               mia_material_api_lightdata* data) {
   if (data) leave_value(miA_MATERIAL_API_LIGHTDATA, data, sizeof *data, miSS_LIFETIME_SUBRAYS);
@@ -104,14 +104,14 @@ Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
   return answer ? rgb(c.color()) : Rgb(0);
 }
 
-/// From here on the light's state is that of the caller, for shadow shaders.
+/// Stores the state of the light shader for the shadow shaders of this sample.
 void keep_light_state(const miState& state, const miState& asker, const miFunction* shader) {
   Caller& caller = Caller::current();
   if (!caller.light_answer) return;
   miState& kept = *caller.light_answer;
   kept = state;
   kept.shader = shader;
-  // What the rest points to ends with the light shader.
+  // The remaining pointers would dangle after the light shader returns.
   kept.cache = asker.cache;
   kept.tex_list = asker.tex_list;
   kept.bump_x_list = asker.bump_x_list;
@@ -125,7 +125,7 @@ LightValue light(const Call& call, const LightCall& light) {
   UserInstance& shader = instance_of(call);
   ShadingPoint& point = call.point;
   Host& host = *shader.spec->host;
-  // The shader that asked; for a built-in one, a state of the lit point.
+  // The state of the sampling shader; for a built-in one, a state of the shading point.
   miState* asker = Caller::current().light;
   std::optional<StateFrame> lit;
   if (!asker) asker = &lit.emplace(host, point).state;
@@ -140,7 +140,7 @@ LightValue light(const Call& call, const LightCall& light) {
   state.dot_nd = dot(point.normal, light.direction);
   state.light_instance = make_tag(TagKind::LightInstance,
                                   static_cast<std::size_t>(&light.light - world.lights.data()));
-  // Materials that tell nothing of their gloss leave nothing.
+  // Materials without glossiness pass no data.
   const bool tells = point.glossiness >= 0;
   const mia_material_api_lightdata asked = {sizeof asked, point.glossiness, point.importance, 1, 1,
                                             miFALSE,      miFALSE};
@@ -151,7 +151,7 @@ LightValue light(const Call& call, const LightCall& light) {
   value.colour = ask_light(shader, frame, false, tells ? &data : nullptr);
   const LightItems answered = items;
   if (light.light.placed_by_shader) value.origin = vec(state.org);
-  // A material in C that asks for its lights itself leaves the struct for them.
+  // A material in C that samples its lights itself sets the struct for them.
   if (int size = 0; !tells) {
     const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size);
     if (left && size == sizeof data) data = *static_cast<const mia_material_api_lightdata*>(left);
@@ -171,8 +171,8 @@ LightValue light(const Call& call, const LightCall& light) {
   return value;
 }
 
-/// What a volume does is affine in the light that comes to it: two calls tell it. Photons are
-/// dimmed as light is.
+/// A volume is an affine function of the incoming light, which two calls determine. Photons are
+/// attenuated like light.
 VolumeValue volume(const Call& call) {
   UserInstance& shader = instance_of(call);
   const auto pass = [&](float behind) {
@@ -250,7 +250,7 @@ void output(const Call& call, OutputPicture& picture) {
   frame.context.output = &work;
   Result c(*shader.spec);
   run(shader, frame.state, c.bytes, miSHADER_OUTPUT);
-  // What the shader forgot to close counts as well.
+  // Also close buffers that the shader left open.
   while (!work.open.empty()) work.close(work.open.begin()->first);
 }
 
@@ -265,7 +265,7 @@ std::string geometry(const Call& call, scene::Scene& scene) {
   Result c(*shader.spec);
   std::string made;
   if (run(shader, frame.state, c.bytes, miSHADER_GEOMETRY)) {
-    // A shader may write one tag as its result, without mi_geoshader_add_result.
+    // A shader may return one tag as its result instead of calling mi_geoshader_add_result.
     miTag& tag = reinterpret_cast<miTag&>(*c.bytes);
     if (work.results.empty()) mi_geoshader_add_result(&tag, tag);
     made = finish(work);
@@ -275,7 +275,7 @@ std::string geometry(const Call& call, scene::Scene& scene) {
 }
 
 bool always(const ShaderNode&) { return true; }
-/// What a material in C shows is not told apart from what it reflects: no light to choose.
+/// Emission and reflection of a material in C cannot be separated, so there are no lobes to select.
 bool never(const ShaderNode&) { return false; }
 int no_lobes(const ShaderNode&) { return 0; }
 

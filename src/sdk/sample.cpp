@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers of shaders: those of the sample, and those of no sample.
+// Random numbers of shaders: by sample, and independent ones.
 #include <atomic>
 #include <cstdint>
 
@@ -14,7 +14,7 @@ using oriel::sampling::ShiftedNet;
 /// Maximum number of nested loops of one thread.
 constexpr int kLoops = 8;
 
-/// A loop of mi_sample, known by its counter.
+/// A loop of mi_sample, identified by the address of its counter.
 struct Loop {
   const int* counter = nullptr;
   ShiftedNet net;
@@ -45,7 +45,7 @@ const Loop* running_loop(const int* counter) {
   return nullptr;
 }
 
-/// A point of a loop; without one, independent numbers.
+/// A point of a loop; independent numbers outside of loops.
 void fill(double* sample, int dimensions, int index, const Loop* loop, const miState* state) {
   if (loop) return loop->net.fill(sample, dimensions, index, numbers_of(state));
   for (int k = 0; 2 * k < dimensions; ++k) {
@@ -73,7 +73,7 @@ miBoolean mi_sample(double* sample, int* instance, miState* state, miUshort dim,
 
 double mi_par_random(miState* state) { return oriel::sdk::next(state).x; }
 
-// The count is shared: each number is drawn once, whatever the thread.
+// The counter is shared by all threads, so each number is drawn once.
 miScalar mi_random(void) {
   const std::uint64_t count = random_count.fetch_add(1, std::memory_order_relaxed);
   return static_cast<float>(oriel::sampling::mix_bits(count * 0x9e3779b97f4a7c15ull) >> 40) *

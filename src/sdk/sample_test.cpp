@@ -59,7 +59,7 @@ TEST(Sample, LoopIsEvenAndItsMeanIsRight) {
     mean += sum / kLoops;
     square += (sum - .25) * (sum - .25) / kLoops;
   }
-  const double alone = std::sqrt((1 / 9.0 - 1 / 16.0) / n);  // of 16 unrelated points
+  const double alone = std::sqrt((1 / 9.0 - 1 / 16.0) / n);  // error of 16 independent points
   EXPECT_NEAR(mean, .25, 4 * std::sqrt(square / kLoops));
   EXPECT_LT(std::sqrt(square), alone / 2);
 }

@@ -44,7 +44,7 @@ bool ShaderElements::resize(miTag tag, std::size_t bytes) {
   Element& element = found->second;
   void* memory = std::realloc(element.bytes.get(), std::max<std::size_t>(bytes, 1));
   if (!memory) return false;
-  static_cast<void>(element.bytes.release());  // it is part of the new block
+  static_cast<void>(element.bytes.release());  // now owned by the new block
   element.bytes.reset(memory);
   if (bytes > element.size)
     std::memset(static_cast<std::byte*>(memory) + element.size, 0, bytes - element.size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements that users' shaders make for themselves: blocks of bytes and trees of points.
+// Elements created by user shaders: blocks of bytes and trees of points.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,30 @@
 
 namespace oriel::sdk {
 
-/// What mi_db_create and mi_kdtree_create made in one frame. Safe to use from all threads.
+/// Elements of mi_db_create and mi_kdtree_create in one frame. Thread-safe.
 ///
 /// Checked: SdkElements, PointTree
 class ShaderElements {
  public:
-  /// Most bytes of one element.
+  /// Maximum size of an element in bytes.
   static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-  /// A block of zeros; 0 where there is no room for it.
+  /// A zeroed block; 0 if out of memory.
   miTag create(int type, std::size_t bytes);
   miTag create(std::shared_ptr<geom::PointTree> tree);
-  /// False: there is no such block, or no room.
+  /// Returns false if there is no such block or no memory.
   bool resize(miTag tag, std::size_t bytes);
-  /// False: there is no such block.
+  /// Returns false if there is no such block.
   bool erase(miTag tag);
   void erase_tree(miTag tag);
   void clear();
 
-  /// Null: no such block.
+  /// Null if there is no such block.
   void* bytes(miTag tag);
   std::size_t size(miTag tag) const;
   int type(miTag tag) const;
-  /// A tree, which stays until it is unpinned as often as pinned, also when it is erased; null: no
-  /// such tree.
+  /// A tree, which exists until each pin is undone, even if it is erased in between; null if there
+  /// is none.
   geom::PointTree* pin(miTag tag);
   void unpin(const geom::PointTree* tree);
 
@@ -64,7 +64,7 @@ class ShaderElements {
   mutable std::mutex mutex_;
   std::unordered_map<miTag, Element> elements_;
   std::unordered_map<const geom::PointTree*, Pinned> pinned_;
-  std::size_t made_ = 0;  ///< tags are never given twice in a frame
+  std::size_t made_ = 0;  ///< tags are unique within a frame
 };
 
 }  // namespace oriel::sdk

@@ -52,7 +52,7 @@ TEST(ShaderElements, TreesStayWhileTheyAreOpen) {
   const float place = 1;
   EXPECT_TRUE(tree->add(&place, nullptr));
   elements.unpin(tree);
-  elements.unpin(tree);  // once too often
+  elements.unpin(tree);  // one time too many
   EXPECT_EQ(elements.bytes(tag), nullptr);
 }
 

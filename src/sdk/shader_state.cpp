@@ -14,7 +14,7 @@ struct StateValue {
   std::string key;
   std::unique_ptr<std::byte[]> bytes;
   int size, lifetime;
-  int depth;  ///< of the call that left it, for lifetime 0
+  int depth;  ///< call depth of the shader that set it, for lifetime 0
 };
 
 struct Store {
@@ -34,7 +34,7 @@ void drop(F&& which) {
   values.erase(std::remove_if(values.begin(), values.end(), which), values.end());
 }
 
-/// Another place on the raster: another eye ray.
+/// A different raster position means a new eye ray.
 void begin_eye_ray(const miState& state) {
   Store& s = store();
   if (s.raster_x == state.raster_x && s.raster_y == state.raster_y) return;
@@ -57,7 +57,7 @@ ShaderStateScope::ShaderStateScope(const miState& state) {
 
 ShaderStateScope::~ShaderStateScope() {
   Store& s = store();
-  s.depth = depth_;  // deeper scopes of a shader that crashed are gone as well
+  s.depth = depth_;  // also removes deeper scopes of a crashed shader
   if (!s.values.empty())
     drop([&](const StateValue& v) {
       return v.lifetime == miSS_LIFETIME_SUBRAYS && v.depth > depth_;
@@ -88,7 +88,7 @@ void* leave_value(const char* key, const void* value, int size, int lifetime) {
 
 void* left_value(const char* key, int* size) {
   auto& values = store().values;
-  // The one left last, by the innermost call.
+  // The latest value, of the innermost call.
   const auto found = std::find_if(values.rbegin(), values.rend(),
                                   [&](const StateValue& v) { return v.key == key; });
   if (found == values.rend()) return nullptr;
@@ -113,7 +113,7 @@ void* mi_shaderstate_get(miState*, const char* key, int* size) {
 }
 
 void mi_shaderstate_enumerate(miState*, void (*cb)(void*, char*, void*, int, int), void* arg) {
-  // By copies of the keys: the callback may take values away.
+  // Copies of the keys, because the callback may remove values.
   std::vector<std::pair<std::string, int>> keys;
   for (const StateValue& v : store().values) keys.emplace_back(v.key, v.lifetime);
   for (auto& [key, lifetime] : keys) {

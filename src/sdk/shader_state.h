@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that shaders leave for each other under a key (mi_shaderstate_*).
+// Values that shaders exchange under a key (mi_shaderstate_*).
 #pragma once
 
 #include "oriel/sdk/shader.h"
@@ -7,10 +7,10 @@
 namespace oriel::sdk {
 
 // Conventions
-//   Kept by thread. Lifetime 0 ends with the shader that left the value, 1 with the eye ray, 2 with
-//   the pixel (tiles are no notion of this renderer: what a shader may count on is less).
+//   Stored per thread. Lifetime 0 ends with the shader that set the value, 1 with the eye ray, 2
+//   with the pixel (Oriel has no tiles; the lifetime is the shortest that shaders can rely on).
 
-/// Around a call of a shader: values of lifetime 0 that it leaves end with it.
+/// Scope of a shader call: values of lifetime 0 that it sets are removed at its end.
 class ShaderStateScope {
  public:
   explicit ShaderStateScope(const miState& state);
@@ -22,9 +22,9 @@ class ShaderStateScope {
   int depth_;
 };
 
-/// Leaves `size` bytes under a key; the copy, or null for size 0.
+/// Sets a value of `size` bytes under a key; returns the copy, or null for size 0.
 void* leave_value(const char* key, const void* value, int size, int lifetime);
-/// The value under a key; null when there is none.
+/// The value under a key; null if there is none.
 void* left_value(const char* key, int* size);
 
 }  // namespace oriel::sdk

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points, vectors and normals between the spaces of a state. Internal space is world space.
+// Conversion of points, vectors and normals between the spaces of a state. Internal space is world
+// space.
 #include <cmath>
 
 #include "oriel/sdk/shader/space.h"
@@ -14,7 +15,7 @@ using oriel::Vec3;
 using oriel::sdk::context;
 using oriel::sdk::vec;
 
-/// Both ways between internal space and another one; null where they are the same.
+/// Matrices between internal space and another one, in both directions; null if they are equal.
 struct Way {
   const Mat4* to = nullptr;
   const Mat4* from = nullptr;
@@ -29,7 +30,7 @@ Way to_camera(const miState* state) {
   return {&world->camera.to_camera, &world->camera.to_world};
 }
 
-// By the tag first: shaders may put that of another instance.
+// By tag first, since shaders may set another instance.
 Way to_object(const miState* state) {
   const oriel::sdk::Context& c = context(state);
   if (c.host && state->instance != miNULLTAG)
@@ -96,7 +97,7 @@ void mi_point_to_raster(const miState* state, miVector* result, const miVector* 
   *result = oriel::sdk::as_c(world->camera.raster_of(p));
 }
 
-// Across the view at the depth of the hit, as long as one step of a pixel there.
+// Vectors parallel to the image plane at the depth of the hit, with the length of one pixel there.
 miBoolean mi_raster_unit(const miState* state, miVector* x, miVector* y) {
   const oriel::World* world = context(state).world;
   if (!world) return miFALSE;

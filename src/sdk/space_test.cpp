@@ -52,7 +52,8 @@ TEST(Spaces, KeepNormalsSquareToSurfaces) {
 }
 
 TEST(Spaces, AreThoseOfTheScenesTransforms) {
-  // Transforms of a scene lead from the world to the instance: the origin goes to their last row.
+  // Transforms of a scene map from the world to the instance: the last row is the image of the
+  // origin.
   BareState bare;
   const miVector origin = {0, 0, 0};
   miVector r;

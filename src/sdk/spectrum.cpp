@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spectra of shaders. The picture is rendered in three colours whatever they do with them.
+// Spectra of shaders. The picture itself is rendered in RGB.
 #include "oriel/sdk/shader/spectrum.h"
 
 #include <cstdlib>
@@ -18,14 +18,14 @@
 namespace oriel::sdk {
 namespace {
 
-/// Black where the spectrum is not valid.
+/// Black if the spectrum is invalid.
 Spectrum bands_of(const miSpectrum& s) {
   Spectrum bands = {};
   if (mi_spectrum_check(&s)) std::memcpy(bands.data(), s.value + kSpectrumBandsAt, sizeof bands);
   return bands;
 }
 
-/// Sets a valid spectrum to bands of which `change` makes new ones.
+/// Replaces the bands of a valid spectrum by `change` of them.
 template <class F>
 void change_bands(miSpectrum* s, F&& change) {
   if (!s) return;
@@ -34,7 +34,7 @@ void change_bands(miSpectrum* s, F&& change) {
   set_spectrum(*s, bands);
 }
 
-/// The same band by band with those of another spectrum.
+/// Same, with the bands of another spectrum as second argument.
 template <class F>
 void combine_bands(miSpectrum* s, const miSpectrum* other, F&& change) {
   if (!s || !other) return;
@@ -44,7 +44,7 @@ void combine_bands(miSpectrum* s, const miSpectrum* other, F&& change) {
   });
 }
 
-/// Sets it to bands that are scaled to a luminance.
+/// Sets the bands, scaled to a luminance.
 void set_scaled(miSpectrum* s, const Spectrum& bands, miScalar luminance) {
   if (s) set_spectrum(*s, with_luminance(bands, luminance));
 }
@@ -93,7 +93,7 @@ void mi_spectrum_visible_range(miScalar* lo, miScalar* hi) {
 }
 
 miSpectrum* mi_spectrum_blueprint(void) {
-  // One for each thread: a shader that writes into it must not disturb others.
+  // per thread, because a shader may write to it
   thread_local miSpectrum black;
   set_spectrum(black, {});
   return &black;
@@ -130,8 +130,8 @@ void mi_spectrum_assign(miSpectrum* to, const miSpectrum* from) {
 }
 
 void mi_spectrum_assign_data(miSpectrum* to, const miSpectrum_data*) {
-  oriel::sdk::warn_once("OR-SDK-020",
-                        "spectrum elements of the scene do not reach shaders: theirs stay black");
+  oriel::sdk::warn_once(
+      "OR-SDK-020", "spectrum elements of the scene are unsupported in shaders; they are black");
   mi_spectrum_ensure(to);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the values of a spectrum stand in the 74 numbers that shaders have of it.
+// Layout of a spectrum in the 74 numbers of miSpectrum.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace oriel::sdk {
 
-// CIE XYZ and a 1, a mark of spectra that were initialised, and the bands.
+// CIE XYZ and 1, a marker of initialised spectra, and the bands.
 inline constexpr int kSpectrumMarkAt = 4, kSpectrumBandsAt = 8;
 inline constexpr std::uint32_t kSpectrumMark = 0x53504543u;
 
-/// Makes it a valid spectrum of these bands.
+/// Initialises a spectrum with these bands.
 void set_spectrum(miSpectrum& s, const Spectrum& bands);
 
 }  // namespace oriel::sdk

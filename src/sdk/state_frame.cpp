@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The miState of a point: the hit, and what the ray inherited.
+// The miState of a point: data of the hit, and inherited members.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -76,7 +76,7 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
     const Vec3 weights = hit->weights(point.position);
     for (int i = 0; i < 3; ++i) state.bary[i] = weights[i];
   } else if (point.instance >= 0 && !point.environment) {
-    // Hair: 0 to 1 from its left to its right side, seen along the ray with its tip up.
+    // Hair: 0 to 1 from its left to its right side, seen along the ray with the tip up.
     const Vec3 right = cross(point.ray_direction, point.dpdu);
     if (right != Vec3(0)) state.bary[0] = .5f + .5f * dot(point.geometric_normal, normalize(right));
   }
@@ -89,11 +89,12 @@ void StateFrame::set_hit(Host& host, ShadingPoint& point) {
 }
 
 void StateFrame::set_bases(ShadingPoint& point) {
-  // The same numbers: shaders may move the coordinates for those that run after them.
+  // Shared memory: shaders may change the coordinates for shaders that run later.
   static_assert(sizeof(Vec3) == sizeof(miVector));
   state.tex_list = reinterpret_cast<miVector*>(point.tex);
   if (point.environment) std::fill(std::begin(point.tex), std::end(point.tex), Vec3(0));
-  // Shaders read spaces that an object lacks; what one writes there the next finds.
+  // Shaders may read texture spaces that an object lacks; values written there stay for later
+  // shaders.
   if (!std::exchange(point.other_spaces_cleared, true))
     std::fill(point.tex + point.texture_spaces, std::end(point.tex), Vec3(0));
   for (int i = 0; i < point.texture_spaces; ++i) {
@@ -115,7 +116,7 @@ void StateFrame::set_bases(ShadingPoint& point) {
 void StateFrame::set_parent(miState* parent) {
   if (const Caller& caller = Caller::current();
       caller.same_point && caller.point == context.point) {
-    // A built-in shader evaluates this one for the caller, whose state it would share.
+    // A built-in shader evaluates this one for the caller and shares its state.
     state.parent = caller.same_point->parent;
     const miTag volume = caller.same_point->volume;
     inherit(*caller.same_point, state);

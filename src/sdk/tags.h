@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tag stands for.
+// Meaning of tags.
 #pragma once
 
 #include <cstdint>
@@ -8,32 +8,32 @@
 
 namespace oriel::sdk {
 
-/// The upper bits of a tag: in which list its element stands.
+/// Kind of a tag in its upper bits; selects the list that contains the element.
 enum class TagKind : std::uint8_t {
   None,
-  Function,       ///< Host's list of shaders that have tags
-  Declaration,    ///< Host's list of the users' shaders
-  Texture,        ///< Host's list of textures that have tags
+  Function,       ///< Host's list of shaders with tags
+  Declaration,    ///< Host's list of user shaders
+  Texture,        ///< Host's list of textures with tags
   Text,           ///< Host's list of strings
-  LightInstance,  ///< World::lights
-  Light,          ///< the same, the element that is placed
+  LightInstance,  ///< index into World::lights
+  Light,          ///< same, the light element of the instance
   UserData,       ///< Host's list
-  Material,       ///< World::materials
-  Instance,       ///< World::instances
-  Object,         ///< the same, what is placed
+  Material,       ///< index into World::materials
+  Instance,       ///< index into World::instances
+  Object,         ///< same, the object of the instance
   Camera,
   CameraInstance,
   Options,
   Root,
   Profile,  ///< Host's list
-  Made,     ///< elements of the scene by name, those that shaders made as well
+  Made,     ///< elements of the scene by name, including those made by shaders
   Element   ///< by mi_db_create or mi_kdtree_create, ShaderElements
 };
 
 inline constexpr unsigned kIndexBits = 26;
 inline constexpr miTag kMostIndex = (1u << kIndexBits) - 2;
 
-/// Index counts from 0.
+/// `index` starts at 0.
 constexpr miTag make_tag(TagKind kind, std::size_t index) {
   return (static_cast<miTag>(kind) << kIndexBits) | (static_cast<miTag>(index) + 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures by tag: images, shaders that stand for them, and shaders.
+// Texture lookups by tag: images, texture shaders, and shaders.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -50,7 +50,7 @@ bool look_up(const TextureNode& texture, miState* state, const miVector& coord, 
   return true;
 }
 
-/// The value of a texture converted to a type of the renderer.
+/// The value of a texture, converted to a type of the renderer.
 bool value_of(miTag tag, miState* state, const miVector* coord, ParamType type, void* value) {
   const Host& host = *context(state).host;
   if (const TextureNode* texture = host.texture(tag)) {
@@ -89,7 +89,7 @@ miBoolean mi_lookup_vector_texture(miVector* result, miState* state, miTag tag,
 miBoolean mi_lookup_filter_color_texture(miColor* result, miState* state, miTag tag,
                                          const miTexfilter* filter, miMatrix ST) {
   const TextureNode* texture = context(state).host->texture(tag);
-  // (x, y, 1) * ST is the coordinate at a point of the screen: the disc's centre is its origin.
+  // (x, y, 1) * ST is the texture coordinate of a screen point relative to the centre of the disc.
   const miVector centre = {ST[8], ST[9], 0};
   if (!texture) return mi_lookup_color_texture(result, state, tag, &centre);
   if (texture->missing()) return miFALSE;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map from the screen to a texture.
+// The projection from the screen to a texture.
 #include <cmath>
 
 #include "oriel/sdk/shader/texture.h"
 #include "oriel/sdk/shader/vector.h"
 
-// Rows: (p.x, p.y, 1) * ST = (t.x, t.y, 1), so the third row is the coordinate at the origin:
-// shaders put another one there to look elsewhere with the same ellipse.
+// Rows: (p.x, p.y, 1) * ST = (t.x, t.y, 1), so the third row is the coordinate at the origin.
+// Shaders replace it to look up another position with the same ellipse.
 miBoolean mi_texture_filter_transform(miMatrix ST, miVector p[3], miVector t[3]) {
   miMatrix places, coordinates;
   mi_matrix_ident(places);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures under a filter that lies over the pixel.
+// Texture lookups with an elliptical pixel filter.
 #include "oriel/sdk/shader/texture_x.h"
 
 #include "runtime/texture_node.h"
@@ -11,7 +11,7 @@ using namespace oriel::sdk;
 
 namespace {
 
-/// The colour of an image under the filter; false where a look-up without filter must do.
+/// The filtered colour of an image; false if an unfiltered lookup has to be used.
 bool filtered_color(miColor& color, miState* state, miTag tag, const miVector* coord,
                     const miTexfilter* filter) {
   const TextureNode* texture = context(state).host->texture(tag);

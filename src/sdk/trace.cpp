@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that users' shaders cast.
+// Rays cast by user shaders.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -11,7 +11,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// Whether one more reflection or refraction is within the depths of the options.
+/// Whether another reflection or refraction is within the trace depths of the options.
 bool within_depth(const miState& state, bool reflection) {
   const miOptions& o = *state.options;
   if (state.reflection_level + state.refraction_level >= o.trace_depth) return false;
@@ -19,7 +19,7 @@ bool within_depth(const miState& state, bool reflection) {
                     : state.refraction_level < o.refraction_depth;
 }
 
-/// What the ray leaves behind in the state that cast it.
+/// Stores the state of a ray as child of the state that cast it.
 void keep_child(miState* state, const miState& child) {
   auto& children = context(state).children;
   auto found = std::find_if(children.begin(), children.end(),
@@ -35,7 +35,7 @@ void keep_child(miState* state, const miState& child) {
   state->child = &own.child;
 }
 
-/// A child of the state: what its ray inherits, no hit yet.
+/// A child state: inherited members, no hit yet.
 miState child_of(const miState& state, miRay_type type) {
   miState child = state;
   child.type = type;
@@ -43,7 +43,7 @@ miState child_of(const miState& state, miRay_type type) {
   return child;
 }
 
-/// The ray was not cast.
+/// Child state of a ray that was not cast.
 void keep_missing_child(miState* state, miRay_type type) {
   miState child = child_of(*state, type);
   child.dist = 0;
@@ -52,7 +52,7 @@ void keep_missing_child(miState* state, miRay_type type) {
   keep_child(state, child);
 }
 
-/// The state of the ray as the material of the hit left it. What it points to is gone.
+/// The final state of the material at the hit. Pointers that have become invalid are replaced.
 miState child_of(const miState& state, const Answer& answer) {
   miState child = answer.state;
   child.cache = state.cache;
@@ -78,7 +78,7 @@ void describe_hit(const std::optional<Tracer::Met>& met, Host& host, miState& ch
   child.dot_nd = dot(met->normal, vec(child.dir));
 }
 
-/// What the environment shows of a direction; nothing: the scene has none.
+/// The environment in a direction; unset if the scene has none.
 std::optional<Rgba> environment_of(miState& state, const Vec3& direction) {
   const Context& c = context(&state);
   const Material* material = c.host->material(state.material);
@@ -89,7 +89,7 @@ std::optional<Rgba> environment_of(miState& state, const Vec3& direction) {
   return environment_radiance(shaders, *c.world, vec(state.point), direction, RayKind::Environment);
 }
 
-/// mi_ray_falloff: what is met fades into the environment, linearly from `start` to `stop`.
+/// mi_ray_falloff: hits fade to the environment linearly from `start` to `stop`.
 void fade(Tracer::Seen& seen, miState& state, const Vec3& direction) {
   const Context& c = context(&state);
   if (!seen.met || c.falloff_stop <= c.falloff_start || seen.met->distance <= c.falloff_start)
@@ -100,7 +100,7 @@ void fade(Tracer::Seen& seen, miState& state, const Vec3& direction) {
   seen.colour = seen.colour * (1 - share) + far * share;
 }
 
-/// Sends a ray as the state asks.
+/// Traces a ray with the settings of the state.
 bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
           const Tracer::Depth& depth) {
   Context& c = context(state);
@@ -124,7 +124,7 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
   }
   fade(seen, *state, ray.direction);
 
-  // Behind a built-in material the ray may find one of the user's that is not what it hit first.
+  // Behind a built-in material the ray may run a user material that is not at the first hit.
   const bool answered = answer && seen.met && answer->position == seen.met->position;
   miState child =
       answered ? child_of(*state, *answer) : child_of(*state, static_cast<miRay_type>(kind));
@@ -138,7 +138,7 @@ bool cast(miColor* result, miState* state, RayKind kind, const Vec3& direction,
   return seen.met || seen.colour != Rgba(0, 0, 0, 0);
 }
 
-/// A ray one reflection or refraction deeper; transparency counts as a refraction.
+/// Traces a reflection or refraction ray with increased depth; transparency counts as refraction.
 miBoolean cast_deeper(miColor* result, miState* state, RayKind kind, const Vec3& direction) {
   const bool reflection = kind == RayKind::Reflect;
   if (!within_depth(*state, reflection)) {
@@ -216,12 +216,12 @@ miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVect
     return miFALSE;
   }
   const Vec3 d = normalize(vec(*direction));
-  // A probe that starts where the one before it ended goes on from there.
+  // A probe that starts at the hit of the previous probe continues from there.
   const miState* const last = state->child;
   const bool goes_on = last && last->pri && vec(*origin) == vec(last->point);
   const ShadingPoint point = point_of(goes_on ? last : state);
   const float reach = std::numeric_limits<float>::infinity();
-  // From the point itself the ray must clear its surface.
+  // From the shading point itself, the ray needs the offset from its surface.
   const bool here = goes_on || (vec(*origin) == point.position && state->pri);
   std::optional<Tracer::Met> met;
   {
@@ -238,9 +238,8 @@ miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVect
 }
 
 miBoolean mi_trace_shadow(miColor* result, miState* state) {
-  // The renderer casts the shadow ray itself, for all lights alike: here it only learns that the
-  // light has shadows, and from a second call with black ones what of the light passes all the
-  // same.
+  // The renderer traces shadow rays itself. The call only records that the light has shadows; a
+  // second call of the light shader with black shadows determines the unshadowed part of its light.
   Context& c = context(state);
   c.shadow_asked = true;
   if (!c.shadow_is_black) return miTRUE;
@@ -248,8 +247,8 @@ miBoolean mi_trace_shadow(miColor* result, miState* state) {
   return miFALSE;
 }
 
-// Segments are what the renderer walks for shadow shaders of any mode: each sees the light that is
-// left, so that nothing is left to do.
+// The renderer iterates over shadow segments in all shadow modes and passes each shader the
+// remaining light, so these functions have nothing to do.
 miBoolean mi_trace_shadow_seg(miColor*, miState*) { return miTRUE; }
 miBoolean mi_continue_shadow_seg(miColor*, miState*) { return miTRUE; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands at the corners of the triangle that was hit, and how its texture lies on the screen.
+// Vertex data of the hit triangle, and the projection of its texture to the screen.
 #include "sdk/triangle.h"
 
 #include <cmath>
@@ -44,7 +44,7 @@ namespace {
 
 enum class Sort : std::uint8_t { Point, Vector, Normal, Number };
 
-/// Copies of the corners' values in object space, for as long as the shader runs.
+/// Copies the values of the corners in object space; valid while the shader runs.
 bool give(const HitTriangle& hit, const std::vector<Vec3>& column, Sort sort, const miVector** a,
           const miVector** b, const miVector** c) {
   if (column.empty()) return false;
@@ -104,8 +104,8 @@ miBoolean mi_tri_vectors(const miState* state, int which, int ntex, const miVect
   }
 }
 
-// The points count in pixels from the hit, so that their map's third row is the coordinate there;
-// the way along the surface is that of the tangent plane, to first order.
+// Points are in pixels relative to the hit, so the third row of their map is the coordinate at the
+// hit; displacements are in the tangent plane (first order).
 miBoolean mi_texture_filter_project(miVector p[3], miVector t[3], miState* state, miScalar disc_r,
                                     miUint space) {
   const ShadingPoint& point = *context(state).point;

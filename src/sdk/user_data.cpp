@@ -15,7 +15,7 @@ namespace {
 using scene::Value;
 using Bytes = std::vector<std::byte>;
 
-/// Largest file that user data may name.
+/// Maximum size of a user data file.
 constexpr std::uintmax_t kLargestFile = 1u << 30;
 
 template <class T>
@@ -30,7 +30,7 @@ miTag tag_of_name(Host& host, ParamType type, const std::string& name) {
   return miNULLTAG;
 }
 
-/// A written value in its place of the C struct.
+/// Stores a value at its offset in the C struct.
 void put_value(Host& host, ParamType type, const Value& value, Bytes& bytes, std::size_t at) {
   if (value.kind == Value::Kind::Boolean) return put(bytes, at, miBoolean{value.boolean});
   if (value.kind == Value::Kind::Text) return put(bytes, at, tag_of_name(host, type, value.text));
@@ -108,7 +108,7 @@ Bytes declared(const scene::UserData& data, const UserSpec& layout, Host& host) 
 
 Bytes of_file(const scene::UserData& data, Host& host) {
   namespace fs = std::filesystem;
-  const fs::path path = fs::path(data.directory) / data.file;  // absolute names stay as they are
+  const fs::path path = fs::path(data.directory) / data.file;  // absolute names are kept
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   Bytes bytes;
@@ -134,8 +134,8 @@ std::unique_ptr<std::byte[]> user_data_record(const scene::UserData& data, Host&
     parameters = declared(data, *layout, host);
   } else if (!data.declaration.empty()) {
     host.diagnostics().warning("OR-SDK-013", data.where,
-                               fmt::format("there is no `declare data \"{}\"`", data.declaration),
-                               "shaders find no parameters in it");
+                               fmt::format("`declare data \"{}\"` is missing", data.declaration),
+                               "its parameters are not available to shaders");
   } else if (!data.file.empty()) {
     parameters = of_file(data, host);
   } else {

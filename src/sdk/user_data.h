@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// User data of the scene as shaders read it: miUserdata and the bytes behind it.
+// User data of the scene for shaders: miUserdata and its bytes.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,12 @@ namespace oriel::sdk {
 
 /// A miUserdata with its parameters, and its size in bytes.
 ///
-/// Model:   declared parameters stand as in a C struct, as those of shaders do, with the declared
-///          defaults where nothing is written; strings and further data are tags, names of other
-///          elements null. Without a declaration they are the bytes as written or as in the file.
-/// Errors:  OR-SDK-012 the file cannot be read, OR-SDK-013 nothing declares the layout; no
-///          parameters then.
+/// Model:   declared parameters are laid out as a C struct like shader parameters, with the
+///          declared defaults for missing values. Strings and nested data are tags; names of other
+///          elements are null. Without a declaration the bytes are those of the scene or of the
+///          file.
+/// Errors:  OR-SDK-012 the file cannot be read, OR-SDK-013 the layout is not declared and there are
+///          no parameters.
 /// Checked: UserData.* in tests/user_shaders
 std::unique_ptr<std::byte[]> user_data_record(const scene::UserData& data, Host& host,
                                               std::size_t& size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C parameter block of a call, and the life cycle of its shader.
+// C parameter block of a call, and initialisation and exit of its shader.
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -11,7 +11,7 @@
 namespace oriel::sdk {
 namespace {
 
-/// A value that names something, as a tag.
+/// Tag of a value that refers to an element.
 miTag tag_of_value(Host& host, ParamType type, const void* own) {
   const auto read = [&]<class T>(T ref) {
     std::memcpy(&ref, own, sizeof ref);
@@ -63,7 +63,7 @@ void store_value(Host& host, ParamType type, const void* own, std::byte* c) {
   }
 }
 
-/// Where a block of bytes ends with so many elements of an array.
+/// End of an array with `count` elements in a block that ends at `end`.
 std::size_t end_of_array(const CMember& m, int count, std::size_t end) {
   if (m.c_stride == 0) return end;
   return begin_of_array(m, end) + static_cast<std::size_t>(count) * m.c_stride;
@@ -78,7 +78,7 @@ ArrayView<std::byte> array_at(const std::byte* own) {
 }  // namespace
 
 UserInstance::~UserInstance() {
-  // Worlds go before their hosts, some at once: that of geometry shaders.
+  // Worlds are destroyed before their hosts; those of geometry shaders long before.
   if (host && *host && initialised) (*host)->exit_later(*this);
   if (host && *host && world) (*host)->leave(*world);
   if (lock.p) mi_delete_lock(&lock);
@@ -86,7 +86,7 @@ UserInstance::~UserInstance() {
 
 void UserInstance::make_ready(const ShaderNode& of) {
   const std::lock_guard guard(spec->host->shader_lock());
-  // Its own init functions may ask for its parameters before they have returned.
+  // Init functions may query the parameters before they return.
   if (function || ready.load(std::memory_order_relaxed)) return;
   Host& host = *spec->host;
   const auto* own = &of.constants<std::byte>();
@@ -99,7 +99,7 @@ void UserInstance::make_ready(const ShaderNode& of) {
     }
   size = (size + 15) / 16 * 16;
   constexpr std::size_t kHead = (offsetof(miFunction, parameters) + 15) / 16 * 16;
-  // Header, parameters, and as many bytes of tags of what is connected; the header ends where the
+  // Header, parameters, and as many bytes for tags of connections; the header ends where the
   // parameters begin.
   block = std::make_unique<std::byte[]>(kHead + 2 * size + 16);
   std::byte* start = block.get();
@@ -112,7 +112,7 @@ void UserInstance::make_ready(const ShaderNode& of) {
   function->parameter_size = static_cast<int>(spec->c_params_size);
   function->result_size = static_cast<int>(spec->c_result_size);
 
-  // Where each value of the renderer's went, for what is connected.
+  // C offset of each value of the renderer, for connections.
   std::map<std::size_t, std::pair<std::size_t, ParamType>> places;
   const auto put = [&](const CMember& m, std::size_t from, std::size_t to) {
     store_value(host, m.type, own + from, values + to);
@@ -152,13 +152,13 @@ void UserInstance::make_ready(const ShaderNode& of) {
   ready.store(true, std::memory_order_release);
 }
 
-/// NAME_init without parameters once, with them for each call when it asks so.
+/// Calls NAME_init once without parameters, then once per call if the shader requests it.
 void UserInstance::initialise(Host& host) {
   mi_init_lock(&lock);
   auto* shader = const_cast<UserSpec*>(spec);
   if (shader->crashed) return;
   if (!shader->init) {
-    shader->initialised = true;  // its exit function runs all the same
+    shader->initialised = true;  // set before the call, so that the exit function runs in any case
     return;
   }
   set_current_host(&host);

@@ -55,8 +55,8 @@ void set_default(ParamSpec& row, const scene::Value& value, std::deque<std::stri
     row.fallback[i] = static_cast<float>(value.numbers[i]);
 }
 
-/// Lays members out one after the other, in C and in the renderer's own way; structs within
-/// structs become members of their own, "outer.inner".
+/// Computes the layout of members in C and in the renderer; members of nested structs become
+/// separate members, "outer.inner".
 struct Layout {
   UserSpec& spec;
   std::vector<ParamSpec>& rows;
@@ -75,7 +75,7 @@ struct Layout {
     if (array && in_array) {
       diagnostics.warning("OR-SDK-010", param.where,
                           fmt::format("\"{}\" of \"{}\" is an array within elements of an array, "
-                                      "which reaches the shader empty",
+                                      "which is passed to the shader empty",
                                       name, spec.own_name));
       c_offset += 8 + c_size_of_element(param);
       return;
@@ -126,7 +126,7 @@ struct Layout {
   }
 };
 
-/// Parameters as a declaration writes them.
+/// Parameters in the syntax of a declaration.
 std::string parameter_text(const std::vector<scene::ParamDecl>& parameters) {
   std::string text;
   for (const scene::ParamDecl& p : parameters) {
@@ -229,7 +229,7 @@ UserSpec::UserSpec(const scene::ShaderDeclaration& declaration, Host& owner,
   Layout out{*this, result_rows, result_members, diagnostics};
   for (const scene::ParamDecl& param : declaration.results) out.add(param, "");
   if (result_rows.empty()) {
-    // No declared result means a colour.
+    // The default result type is color.
     scene::ParamDecl color;
     color.type = ParamType::Color;
     out.add(color, "");

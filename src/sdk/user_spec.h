@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A user's shader: the spec made of its declaration, the layout of its C struct, its functions.
+// User shaders: spec from the declaration, layout of the C struct, functions.
 #pragma once
 
 #include <atomic>
@@ -20,45 +20,45 @@ namespace oriel::sdk {
 
 class Host;
 
-/// A member of a C struct and where its value stands in the renderer's own layout.
+/// A member of a C struct and its offset in the layout of the renderer.
 struct CMember {
   ParamType type = ParamType::Scalar;
   std::size_t c_offset = 0, offset = 0;  ///< bytes
-  // Arrays: what an element has, from its begin, and its size.
+  // For arrays: members of an element relative to its start, and the element size.
   std::vector<CMember> members = {};
   std::size_t c_stride = 0, stride = 0;
 };
 
-/// Where the elements of an array stand that follow `end` bytes of a block: a multiple of their
-/// size behind the array's own place, as C reaches them by index.
+/// Offset of array elements that follow a block of `end` bytes: aligned to a multiple of the
+/// element size from the array itself, because C accesses them by index.
 std::size_t begin_of_array(const CMember& array, std::size_t end);
 
-/// Bytes of a value in C structs: 4-byte units, tags for names.
+/// Size of a value in C structs: 4-byte units, tags for names.
 std::size_t c_size(ParamType type);
 miParam_type c_type(ParamType type);
 
-/// Errors: OR-SDK-010 for parameters that no C struct can be made of (they are left out).
+/// Errors:  OR-SDK-010 for parameters that cannot be stored in a C struct; they are ignored.
 struct UserSpec : ShaderSpec {
   UserSpec(const scene::ShaderDeclaration& declaration, Host& owner, Diagnostics& diagnostics);
 
   Host* host;
   std::string own_name;
   std::string library_name;       ///< file name
-  std::deque<std::string> texts;  ///< names of rows
+  std::deque<std::string> texts;  ///< names in the rows
   std::vector<ParamSpec> rows, result_rows;
-  std::deque<std::vector<ParamSpec>> element_rows;  ///< of arrays of structs
+  std::deque<std::vector<ParamSpec>> element_rows;  ///< for arrays of structs
   std::vector<CMember> members, result_members;
   std::size_t c_params_size = 0, c_result_size = 0;
-  std::size_t index = 0;       ///< among the Host's
+  std::size_t index = 0;       ///< index in the Host
   std::string parameter_text;  ///< `.mi` form of the parameters, for miQ_DECL_PARAM
 
-  bool is_data = false;  ///< layout of user data, no shader
+  bool is_data = false;  ///< layout of user data instead of a shader
   void* function = nullptr;
   void* init = nullptr;
   void* exit = nullptr;
-  bool initialised = false, each_instance = false;  ///< under the host's shader lock
+  bool initialised = false, each_instance = false;  ///< protected by the host's shader lock
   mutable std::atomic<bool> crashed = false;        ///< it is not called again
-  mutable std::atomic<bool> broken = false;         ///< it returned what is no number
+  mutable std::atomic<bool> broken = false;         ///< it returned NaN or infinity
 };
 
 /// A connected parameter of a call.
@@ -68,13 +68,13 @@ struct CConnection {
   const Connection* source;
 };
 
-/// The pointers that threads keep for a call: miQ_FUNC_TLS_SET.
+/// Per-thread pointers of a call: miQ_FUNC_TLS_SET.
 struct ThreadPointers {
   std::mutex mutex;
   std::map<std::thread::id, void*> of;
 };
 
-/// One call of a user's shader: its parameters as its C struct.
+/// One call of a user shader with its C parameter struct.
 struct UserInstance final : ShaderState {
   UserInstance() = default;
   UserInstance(const UserInstance&) = delete;
@@ -82,10 +82,10 @@ struct UserInstance final : ShaderState {
   ~UserInstance() override;
 
   const UserSpec* spec = nullptr;
-  std::shared_ptr<Host*> host;   ///< to null when it is gone
-  const World* world = nullptr;  ///< that the call belongs to
+  std::shared_ptr<Host*> host;   ///< points to null after its destruction
+  const World* world = nullptr;  ///< world of the call
   const ShaderNode* node = nullptr;
-  std::unique_ptr<std::byte[]> block;  ///< miFunction, parameters, tags of what is connected
+  std::unique_ptr<std::byte[]> block;  ///< miFunction, parameters, tags of connections
   miFunction* function = nullptr;
   void* parameters = nullptr;
   std::vector<CConnection> connections;
@@ -95,14 +95,14 @@ struct UserInstance final : ShaderState {
   std::atomic<bool> ready = false, called = false;
   bool initialised = false;
 
-  /// Makes the block and calls the shader's init functions, once.
+  /// Builds the block and calls the init functions of the shader, once.
   void make_ready(const ShaderNode& of);
 
  private:
   void initialise(Host& host);
 };
 
-/// The call behind a node; null when it is no user's shader.
+/// The call of a node; null if it is not a user shader.
 UserInstance* user_instance(const ShaderNode& node);
 
 }  // namespace oriel::sdk

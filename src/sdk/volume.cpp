@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The volume shaders of a ray: the renderer runs one at a time.
+// Volume shaders of a ray; the renderer runs one at a time.
 #include "oriel/sdk/shader/volume.h"
 
 #include "sdk/context.h"
@@ -30,7 +30,7 @@ int mi_volume_tags(const miState* state, const miTag** tags) {
   return 1;
 }
 
-// Materials have no volumes: what there is fills the space around all objects.
+// Materials have no volumes; the only volume fills the space around all objects.
 int mi_volume_instances(const miState* state, const miTag** instances) {
   static const miTag around = miNULLTAG;
   const int count = mi_volume_num_shaders(state);

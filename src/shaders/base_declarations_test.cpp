@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The declared interfaces of the base and physics libraries, name by name.
+// Declarations of the base and physics libraries, by name.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -196,7 +196,7 @@ TEST(Declarations, OcclusionAndGlossyNodesAreTheDeclaredTables) {
   EXPECT_EQ(spec_of("mib_glossy_reflection").version, 3);
 }
 
-/// As the table above shortens types.
+/// Abbreviates types as in the table above.
 const char* letter_of(const ParamSpec& p) {
   static const std::map<ParamType, const char*> kLetters = {
       {ParamType::Color, "c"},          {ParamType::Vector, "v"},

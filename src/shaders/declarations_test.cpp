@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The declared interfaces, name by name: what scenes and exporters rely on.
+// Declarations by name, for compatibility with scenes and exporters.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 namespace oriel {
 namespace declarations_test {
 
-// One line a parameter: name | type | declared default, "-" where the declaration has none. In the
-// order of the declaration, later editions' additions last.
-// Source: the library's manual and declarations as later editions and scenes show them.
+// One line per parameter: name | type | declared default, "-" if the declaration has none. In the
+// order of the declaration; additions of later editions are last.
+// Source:  manual and declarations of the library in later editions and scenes.
 constexpr std::string_view kMiaMaterialXTable = R"(
 diffuse_weight | scalar | 1
 diffuse | color | 0.5 0.5 0.5
@@ -113,7 +113,7 @@ y_is_up | boolean | -
 illuminance_mode | integer | 0
 direct_normal_illuminance | scalar | 0
 flags | integer | -
-)";  // flags: Oriel's own, at the end
+)";  // flags: extension of Oriel, at the end
 constexpr std::string_view kPhysicalSkyTable = R"(
 on | boolean | on
 multiplier | scalar | 1
@@ -241,7 +241,7 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
   EXPECT_EQ(spec_of("mia_lens_bokeh").version, 4);
 }
 
-// What every table owes its readers, of shaders here and of shaders to come.
+// Requirements of every parameter table.
 TEST(Declarations, EveryTableIsSound) {
   std::set<std::string> shaders;
   for (const ShaderSpec* spec : builtin_shaders().all()) {

@@ -8,7 +8,7 @@ namespace oriel {
 
 const Registry& builtin_shaders();
 
-/// The shader packages Oriel supplies: includes and links of these are satisfied without a file.
+/// The shader packages that are built in: their includes and links require no file.
 const std::vector<std::string>& builtin_packages();
 
 /// The `.mi` type of a parameter: "scalar", "array light".

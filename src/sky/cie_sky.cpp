@@ -10,13 +10,13 @@
 namespace oriel::sky {
 namespace {
 
-/// Brightness around the sun.
+/// Relative luminance as a function of the angle to the sun.
 float indicatrix(float cos_gamma) {
   const float gamma = math::acos(clamp(cos_gamma, -1, 1));
   return 0.91f + 10 * math::exp(-3 * gamma) + 0.45f * sqr(cos_gamma);
 }
 
-/// Brightness from the zenith to the horizon; on the horizon the exponential is gone.
+/// Relative luminance from the zenith to the horizon; the exponential is 0 on the horizon.
 float gradation(float cos_theta) {
   return cos_theta > 0 ? 1 - math::exp(-0.32f / cos_theta) : 1.0f;
 }
@@ -28,10 +28,10 @@ float cie_clear_relative(float cos_theta, float cos_gamma, float sun_z) {
 }
 
 float cie_clear_horizontal(float sun_z) {
-  // Midpoints, equal steps in sin^2 of the zenith angle (the cosine-weighted measure) and azimuth.
+  // Midpoint rule with equal steps in sin^2 of the zenith angle (cosine-weighted) and azimuth.
   constexpr int kRings = 64, kSectors = 96;
   const float sun_x = std::sqrt(std::max(0.0f, 1 - sqr(sun_z)));
-  double sum = 0;  // thousands of like terms
+  double sum = 0;  // double: sums thousands of similar terms
   for (int i = 0; i < kRings; ++i) {
     const float sin2 = (static_cast<float>(i) + 0.5f) / kRings;
     const float r = std::sqrt(sin2), z = std::sqrt(1 - sin2);
@@ -59,7 +59,7 @@ CieSky::CieSky(const CieParameters& p)
   if (!p.on) return;
   to_sun_ = z_up(normalize(p.sun_direction), p.y_is_up);
   const float overcast = clamp01(p.overcast), sun_z = to_sun_.z;
-  // A sun below the horizon lights the sky as one on it.
+  // A sun below the horizon is moved to the horizon.
   to_sun_ = normalize(Vec3(to_sun_.x, to_sun_.y, std::max(to_sun_.z, 0.0f)));
   clear_ = 1 - overcast;
   overcast_ = overcast;

@@ -14,7 +14,7 @@ using testing::sky_direction;
 
 constexpr float kDeg = kPi / 180;
 
-/// Illuminance of a plane with that normal, by plain sums over the sphere.
+/// Illuminance of a plane by numerical integration over the sphere.
 float illuminance(const CieSky& sky, const Vec3& normal) {
   double sum = 0;
   constexpr int kRows = 400, kColumns = 400;
@@ -55,7 +55,7 @@ TEST(CieSky, GivenLuminanceOrIlluminanceIsMet) {
     p.zenith_luminance = 0;
     p.diffuse_horizontal_illuminance = 12000;
     EXPECT_NEAR(illuminance(CieSky(p), Vec3(0, 0, 1)), 12000, 24) << overcast;
-    // The zenith's luminance goes before.
+    // The zenith luminance has priority.
     p.zenith_luminance = 2500;
     EXPECT_NEAR(CieSky(p).luminance(Vec3(0, 0, 1)), 2500, .1f);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the physical sky: illuminance integrals, the energy of disc and glow, aerial haze.
+// Components of the physical sky: illuminance integrals, disc and glow of the sun, aerial
+// perspective.
 #include "sky/daylight.h"
 
 #include "base/math.h"
@@ -10,7 +11,7 @@
 namespace oriel::sky {
 namespace {
 
-/// The square -1..1 to the unit disc, area preserving.
+/// Area-preserving map of the square -1..1 to the unit disc.
 /// Source: Shirley, Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997.
 Vec2 concentric_disc(float x, float y) {
   if (x == 0 && y == 0) return Vec2(0, 0);
@@ -20,8 +21,8 @@ Vec2 concentric_disc(float x, float y) {
   return Vec2(r * math::cos(phi), r * math::sin(phi));
 }
 
-/// Integral of the glow profile over the sphere, 2 (1 - a/g)^3 against 2 pi sin a da, for a glow
-/// of angular radius g. In doubles: the closed form cancels as g^-4.
+/// Integral of the glow profile over the sphere for a glow of angular radius g: 2 (1 - a/g)^3 times
+/// 2 pi sin a da. In double, because the closed form has cancellation of order g^-4.
 double glow_integral(double g) {
   constexpr double kPi64 = 3.14159265358979323846;
   const double g2 = g * g;
@@ -32,9 +33,9 @@ double glow_integral(double g) {
 }  // namespace
 
 Rgb horizontal_illuminance(const PreethamSky& sky) {
-  // Midpoints, equal steps in sin^2 of the zenith angle (the cosine-weighted measure) and azimuth.
+  // Midpoint rule with equal steps in sin^2 of the zenith angle (cosine-weighted) and azimuth.
   constexpr int kRings = 48, kSectors = 96;
-  double sum[3] = {0, 0, 0};  // thousands of like terms
+  double sum[3] = {0, 0, 0};  // double: sums thousands of similar terms
   for (int i = 0; i < kRings; ++i) {
     const float sin2 = (static_cast<float>(i) + 0.5f) / kRings;
     const float r = std::sqrt(sin2), z = std::sqrt(1 - sin2);
@@ -68,7 +69,7 @@ DiscScale physical_disc_scale(float disc_scale, float disc_intensity, float glow
   const float glow = std::max(glow_intensity, 0.0f) *
                      static_cast<float>(glow_integral(10.0 * static_cast<double>(radius)));
   const float kept = std::min(glow, 0.5f * target);
-  // The cap's area by the half angle: 1 - cos loses all digits at this size.
+  // Half-angle form of the cap area: 1 - cos has no significant digits at this size.
   const float cap = 4 * kPi * sqr(math::sin(0.5f * std::min(radius, kPi)));
   DiscScale scale;
   scale.glow = glow > 0 ? kept / glow : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Later editions' explicit levels: luminance and illuminance that a scene gives.
+// Luminance and illuminance given by the scene (later editions).
 #include <gtest/gtest.h>
 
 #include "color/luminance.h"
@@ -14,7 +14,7 @@ namespace given_luminance_test {
 using testing::sky_direction;
 
 const Vec3 kUp(0, 0, 1);
-/// The CIE clear sky is one of Perez' form.
+/// The CIE clear sky has the Perez form.
 constexpr PerezCoefficients kCieClear{-1, -0.32f, 10 / 0.91f, -3, 0.45f / 0.91f};
 
 SkyParameters given(const GivenLuminance& luminance, float elevation = 40) {
@@ -29,7 +29,7 @@ float luminance_at(const SkyParameters& p, const Vec3& d) {
   return luminance(PhysicalSky(p).radiance(d, SkyPart::Gradient)) / kPi;
 }
 
-/// Cosine-weighted mean of the look-up: what a level card reads.
+/// Cosine-weighted mean of lookups: the value of a horizontal surface.
 float card(const SkyParameters& p) {
   const PhysicalSky sky(p);
   double sum = 0;
@@ -86,7 +86,7 @@ TEST(GivenLuminance, WithoutCoefficientsTheHazeDistributes) {
   const float factor = luminance_at(scaled, kUp) / luminance_at(plain, kUp);
   for (const Vec3& d : {sky_direction(60, 30), sky_direction(5, 170)})
     EXPECT_NEAR(luminance_at(scaled, d), factor * luminance_at(plain, d), 1e-3f * factor * 1e4f);
-  // Without any level they are the same.
+  // Without given luminance they are equal.
   SkyParameters same = given({});
   same.haze = 3;
   EXPECT_FLOAT_EQ(luminance_at(same, sky_direction(20, 9)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The physical sun and sky: what is fixed by the parameters, and the look-up.
+// The physical sun and sky: values that depend on the parameters only, and the lookup.
 #include "sky/physical_sky.h"
 
 #include "base/math.h"
@@ -15,8 +15,9 @@ constexpr float kClearTurbidity = 2;  // haze 0
 
 float turbidity_of(float haze) { return clamp(2 + haze, kClearTurbidity, kMostTurbidity); }
 
-/// Direction in the model's space: z up, the horizon moved to z = 0. `horizon` is a tenth of
-/// horizon_height. A direction the shift cancels out lies on the horizon, whatever its azimuth.
+/// Direction in the space of the model: z up, with the horizon moved to z = 0. `horizon` is a tenth
+/// of horizon_height. A direction that the shift reduces to zero is on the horizon, at an arbitrary
+/// azimuth.
 Vec3 seen_direction(const Vec3& direction, bool y_is_up, float horizon) {
   Vec3 d = z_up(direction, y_is_up);
   if (horizon == 0) return d;
@@ -24,8 +25,8 @@ Vec3 seen_direction(const Vec3& direction, bool y_is_up, float horizon) {
   return normalize(d);
 }
 
-/// The user's saturation, where haze washes values below 1 out further. A value above 1 boosts as
-/// the manual says (NVIDIA's port drops it).
+/// Saturation after haze, which reduces values below 1 further. A value above 1 increases
+/// saturation as documented (NVIDIA's port ignores it).
 float effective_saturation(float saturation, float haze) {
   if (saturation <= 0) return 0;
   if (saturation > 1) return saturation;
@@ -83,8 +84,8 @@ PhysicalSky::PhysicalSky(const SkyParameters& p)
       p.as_in_manual ? sun_above_ : sun_illuminance(sun_z, kClearTurbidity) * units * daylight;
   set_up_disc(p);
 
-  // The ground is lit through clear air whatever the haze, as in NVIDIA's port. The manual says
-  // "lit by the sun and sky only" (2.6), and so is a ground under a sky whose luminance is given.
+  // The ground is lit through clear air regardless of haze, as in NVIDIA's port. The manual says
+  // "lit by the sun and sky only" (2.6); this is used if the luminance of the sky is given.
   const auto sky_over_ground = [&] {
     if (p.luminance) return horizontal_illuminance(model_);
     if (p.as_in_manual) return horizontal_illuminance(model_) * daylight;
@@ -127,7 +128,7 @@ Vec3 PhysicalSky::seen(const Vec3& direction) const {
 
 float PhysicalSky::disc_and_glow(const Vec3& seen_direction, SkyPart part) const {
   if (dot(seen_direction, to_sun_) < cos_glow_radius_) return 0;
-  // By the chord: the arc cosine has no digits left this near to the sun.
+  // Angle from the chord: the arc cosine is inaccurate this close to the sun.
   const float angle = 2 * math::asin(std::min(0.5f * length(seen_direction - to_sun_), 1.0f));
   const float f = 1 - angle / glow_radius_;
   if (f <= 0) return 0;
@@ -146,7 +147,7 @@ Rgb PhysicalSky::radiance(const Vec3& direction, SkyPart part) const {
   const Vec3 d = seen(direction);
   const bool below = d.z <= 0;
 
-  // The share of ground rises from the horizon through the width of the blur.
+  // The share of the ground grows from the horizon over the width of the blur.
   float groundness = 0;
   if (below) {
     if (inverse_blur_ == 0 || -d.z * inverse_blur_ >= 1) return ground_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun of the physical sky: colour of its light, disc and glow, aerial haze.
+// The sun of the physical sky: colour of its light, disc and glow, aerial perspective.
 #include "color/luminance.h"
 #include "sky/daylight.h"
 #include "sky/physical_sky.h"
@@ -28,13 +28,14 @@ SkyParameters sky_in_lux(float elevation_deg) {
   return p;
 }
 
-/// `angle` away from the sun, sideways from its vertical plane and up.
+/// A direction at `angle` from the sun, sideways and up.
 Vec3 away_from(const Vec3& sun, float angle) {
   const Vec3 side(0, 1, 0);
   return sun * std::cos(angle) + side * std::sin(angle);
 }
 
-/// What disc and glow add toward `d`, in units of the sun's illuminance (green channel).
+/// Contribution of disc and glow in direction `d`, in units of the sun's illuminance (green
+/// channel).
 float added(const SkyParameters& p, const Vec3& d, SkyPart part = SkyPart::Everything) {
   const PhysicalSky sky(p);
   const float sun = sun_illuminance(p.sun_direction.z, 2 + p.haze).y;
@@ -158,7 +159,7 @@ TEST(PhysicalSky, DiscSettingsLeaveTheGradientAlone) {
 
 // acceptance: S4
 TEST(PhysicalSky, HazeSoftensTheDiscsEdge) {
-  // Inside the rim the disc darkens as haze grows; the middle stays.
+  // At the rim the disc gets darker with haze; the centre is unchanged.
   float previous = 1e9f;
   for (float haze = 0; haze <= 15; haze += 3) {
     SkyParameters p = sky_in_lux(45);
@@ -174,7 +175,7 @@ TEST(PhysicalSky, DiscSinksWithTheMovedHorizon) {
   SkyParameters p = sky_in_lux(15);
   p.horizon_height = 0.5f;
   p.horizon_blur = 0;
-  // 15 degrees is z = .26, above the moved horizon .05; at 2 degrees the ground hides the sun.
+  // 15 degrees is z = .26, above the moved horizon .05; at 2 degrees the ground occludes the sun.
   const PhysicalSky up(p);
   EXPECT_GT(up.radiance(p.sun_direction).x, 10 * up.radiance(p.sun_direction, SkyPart::Gradient).x);
   p.sun_direction = sky_direction(2);
@@ -210,7 +211,7 @@ TEST(PhysicalSky, PhysicallyScaledSunCarriesTheSunsEnergy) {
             glow * factors.glow * glow_profile(f) + factors.disc * disc_profile(f, edge);
         integral += factor * kTwoPi * std::sin(t * reach) * reach / kSteps;
       }
-      // The rim counts as sharp at the nominal radius, which is good to a few per cent.
+      // The rim counts as sharp at the nominal radius; the error is a few per cent.
       EXPECT_NEAR(integral, kPi, 0.05 * kPi) << scale << " " << glow;
       EXPECT_NEAR(added(p, p.sun_direction), 100 * factors.disc + 2 * glow * factors.glow,
                   2e-3f * 100 * factors.disc);
@@ -219,7 +220,8 @@ TEST(PhysicalSky, PhysicallyScaledSunCarriesTheSunsEnergy) {
 }
 
 TEST(PhysicalSky, PhysicallyScaledSunOfTrueSizeIsNearItsLuminance) {
-  // A true disc is pi over its solid angle, 46248 times the sun's illuminance in the pi convention.
+  // A physical disc has pi over its solid angle, 46248 times the sun's illuminance in the pi
+  // convention.
   EXPECT_NEAR(physical_disc_scale(1, 1, 0).disc * 100, 46248, 5);
 }
 
@@ -249,20 +251,20 @@ TEST(AerialPerspective, GrowsWithHazeAndDistance) {
   }
 }
 
-/// Glow and sky together, without the disc, at so many degrees beside the sun, by luminance.
+/// Luminance of glow and sky, without the disc, at an angle beside the sun.
 float beside_sun(float haze, float degrees) {
   const float e = 40 * kPi / 180, a = degrees * kPi / 180;
   SkyParameters p;
   p.haze = haze;
   p.sun_direction = Vec3(std::cos(e), 0, std::sin(e));
-  // Along the horizon: the height above it, and so the rest of the sky, stays about as it is.
+  // Along the horizon: the elevation, and so the luminance of the rest of the sky, hardly changes.
   const Vec3 aside(0, 1, 0);
   return luminance(PhysicalSky(p).radiance(p.sun_direction * std::cos(a) + aside * std::sin(a),
                                            SkyPart::GradientAndGlow));
 }
 
-// "softness of the glow around the sun" (manual 2.4): what is bright there falls off more slowly.
-// acceptance: S4
+// "softness of the glow around the sun" (manual 2.4): its falloff is slower with haze. acceptance:
+// S4
 TEST(Haze, SoftensWhatIsBrightAroundTheSun) {
   for (const float degrees : {5.0f, 10.0f, 15.0f, 25.0f, 35.0f}) {
     float before = 0;
@@ -299,14 +301,13 @@ TEST(Sun, ColourOutsideTheAtmosphereIsHistoricOrOf5900Kelvin) {
   const Rgb historic = sun_illuminance_outside_atmosphere();
   EXPECT_NEAR(historic.y / historic.x, .992f, 1e-6f);
   EXPECT_GT(std::abs(chromaticity(historic).first - x), .004);
-  // Sun and sky know it by the same bit.
+  // Sun and sky use the same bit.
   const Vec3 high(0, 0, 1);
   const Rgb a = sun_colour({}, high), b = sun_colour({.as_in_manual = true}, high);
   EXPECT_NEAR(b.z / a.z * a.y / b.y, manual.z / historic.z * historic.y / manual.y, 1e-4f);
 }
 
-// A Lambertian ground "lit by the sun and sky only" (manual 2.6), of whatever haze.
-// acceptance: S7
+// A Lambertian ground "lit by the sun and sky only" (manual 2.6), for any haze. acceptance: S7
 TEST(Haze, GroundIsLitByThisSunAndSkyAsTheManualSays) {
   for (const float haze : {0.0f, 3.0f, 8.0f}) {
     SkyParameters p;
@@ -315,7 +316,7 @@ TEST(Haze, GroundIsLitByThisSunAndSkyAsTheManualSays) {
     p.ground_color = Rgb(.3f, .2f, .1f);
     p.as_in_manual = true;
     const PhysicalSky sky(p);
-    // Midpoints over the upper half sphere; pi L is what a look-up gives, and so E pi.
+    // Midpoint rule over the upper hemisphere; a lookup returns pi L, so the result is E pi.
     Rgb mean(0);
     constexpr int kRings = 64, kSectors = 128;
     for (int i = 0; i < kRings; ++i)

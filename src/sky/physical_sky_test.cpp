@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The physical sky's parameters: units, tint, horizon, ground, night, axes; and that nothing it
-// answers is negative or not a number.
+// Parameters of the physical sky: units, tint, horizon, ground, night, axes; results are finite and
+// non-negative.
 #include "sky/physical_sky.h"
 
 #include "base/frame.h"
@@ -36,7 +36,7 @@ void expect_same(const Rgb& a, const Rgb& b, float relative = 1e-5f) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "channel " << i;
 }
 
-/// Cosine-weighted mean of a look-up over the hemisphere around `n` where `counts` holds.
+/// Cosine-weighted mean of lookups over the part of the hemisphere around `n` selected by `counts`.
 template <typename Counts>
 Rgb cosine_mean(const PhysicalSky& sky, const Frame& frame, Counts counts) {
   constexpr int kRings = 60, kSectors = 120;
@@ -135,7 +135,7 @@ TEST(PhysicalSky, SaturationGrowsThroughOneToTwo) {
 
 // acceptance: S5
 TEST(PhysicalSky, HazeDeepensDesaturation) {
-  // At haze 15 the cube of the saturation counts: 0.5 acts as 0.125.
+  // At haze 15 the cube of the saturation applies: 0.5 acts as 0.125.
   SkyParameters p = in_lux(45, 15);
   const Vec3 d = sky_direction(60, 100);
   const Rgb full = gradient(p, d);
@@ -193,7 +193,7 @@ TEST(PhysicalSky, BlurFadesIntoTheGroundWithoutAStep) {
     const auto at = [](float z) { return Vec3(0, std::sqrt(1 - z * z), z); };
     const Rgb horizon = sky.radiance(at(0), SkyPart::Gradient);
     expect_same(horizon, sky.radiance(at(1e-6f), SkyPart::Gradient), 1e-3f);
-    // Half way down the smooth step is one half; at the full width there is only ground.
+    // The middle of the smooth step is one half; at its full width only the ground is visible.
     const float middle = blur / 20;
     const Rgb mixed = sky.radiance(at(-middle), SkyPart::Gradient);
     expect_same(mixed, (horizon + sky.ground_radiance()) * 0.5f, 2e-3f);
@@ -208,7 +208,7 @@ TEST(PhysicalSky, GroundSkyIlluminanceMatchesTable) {
   for (const auto& [elevation, sky_lux, sun_lux] : table) {
     const PreethamSky model(sky_direction(elevation, 0), 2);
     EXPECT_NEAR(luminance(horizontal_illuminance_25(model)), sky_lux, 1e-3f * sky_lux);
-    // A Lambert ground in the pi convention: albedo times illuminance, whatever the haze.
+    // A Lambert ground in the pi convention: albedo times illuminance, for any haze.
     for (float haze : {0.0f, 6.0f}) {
       const float expected = 0.2f * (sky_lux + sun_lux);
       const float ground = luminance(PhysicalSky(in_lux(elevation, haze)).ground_radiance());
@@ -255,7 +255,8 @@ TEST(PhysicalSky, TwilightFadesByTheFourthPower) {
   const float table[][2] = {{-2, .619181f}, {-5, .265703f}, {-10, .036825f}, {-15, .000696f}};
   for (const auto& [elevation, factor] : table) {
     EXPECT_NEAR(night_factor(std::sin(elevation * kDeg)), factor, 2e-6f);
-    // A sun below the horizon lights as one on it, dimmed. From the zenith both look alike.
+    // A sun below the horizon counts as on the horizon, with reduced brightness. At the zenith both
+    // are equal.
     const Rgb dusk = gradient(in_lux(0), Vec3(0, 0, 1));
     expect_same(gradient(in_lux(elevation), Vec3(0, 0, 1)), dusk * factor, 1e-3f);
   }
@@ -270,7 +271,7 @@ TEST(PhysicalSky, NightColourIsAFloorPerChannel) {
   const Rgb day = gradient(p, d);
   p.night_color = Rgb(0.5f * day.x, 2 * day.y, 0.5f * day.z);
   expect_same(gradient(p, d), Rgb(day.x, 2 * day.y, day.z));
-  // Deep in the night it is all there is, above the horizon only, and units do not scale it.
+  // At night it is the only light, above the horizon only, and is not scaled by units.
   p.sun_direction = sky_direction(-40, 0);
   p.rgb_unit_conversion = Rgb(0.0001f);
   expect_same(gradient(p, d), p.night_color);

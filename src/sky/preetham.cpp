@@ -13,7 +13,7 @@
 namespace oriel::sky {
 namespace {
 
-/// XYZ to linear sRGB in the three decimals of NVIDIA's port, kept so that figures agree with it.
+/// XYZ to linear sRGB with the three decimals of NVIDIA's port, so that results match.
 Rgb sky_rgb(const Vec3& xyz) {
   return Rgb(std::max(3.241f * xyz.x - 1.537f * xyz.y - 0.499f * xyz.z, 0.0f),
              std::max(-0.969f * xyz.x + 1.876f * xyz.y + 0.042f * xyz.z, 0.0f),
@@ -23,8 +23,8 @@ Rgb sky_rgb(const Vec3& xyz) {
 /// c[0] + c[1] t + c[2] t^2 + c[3] t^3
 float cubic(const float (&c)[4], float t) { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
 
-/// e^x within 2e-7 relative for -80 < x < 80, held there beyond. Branch-free, so that a loop over
-/// lanes becomes vector code; with the library's exp a look-up took 1.7 times as long.
+/// e^x with a relative error of 2e-7 for -80 < x < 80, clamped beyond. Branch-free, so that the
+/// compiler vectorises it; with the library function a lookup takes 1.7 times as long.
 inline float lane_exp(float x) {
   constexpr float kLog2E = 1.44269504089f, kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;
   constexpr float kRounder = 12582912.0f;  // 1.5 * 2^23: adding it rounds to an integer
@@ -40,7 +40,7 @@ inline float lane_exp(float x) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(p) + (exponent << 23));
 }
 
-/// Chromaticities never come near this; it only keeps the division below finite.
+/// Minimum that keeps the division below finite; real chromaticities are far above it.
 constexpr float kLeastChromaticity = 0.01f;
 
 }  // namespace
@@ -58,7 +58,7 @@ float zenith_luminance(float turbidity, float sun_zenith_angle) {
 }
 
 Vec2 zenith_chromaticity(float turbidity, float sun_zenith_angle) {
-  // Rows: T^2, T, 1; columns: powers of the sun's zenith angle.
+  // Rows: T^2, T, 1; columns: powers of the zenith angle of the sun.
   constexpr float kX[3][4] = {{0, 0.002088f, -0.003742f, 0.001650f},
                               {0.003948f, -0.032020f, 0.063773f, -0.029028f},
                               {0.258852f, 0.060523f, -0.211960f, 0.116936f}};
@@ -79,14 +79,14 @@ Rgb sun_illuminance_outside_atmosphere(bool black_body) {
     static const Rgb colour = black_body_color(kSunKelvin);
     return colour * (kSolarIlluminanceLux / luminance(colour));
   }
-  // Old pictures have this colour; 0.9878 is its Rec. 709 luminance.
+  // The colour used by mental ray; 0.9878 is its Rec. 709 luminance.
   return Rgb(1, 0.992f, 0.911f) * (kSolarIlluminanceLux / 0.9878f);
 }
 
 Rgb sun_illuminance(float sun_z, float turbidity, bool black_body) {
   if (!(sun_z > 0)) return Rgb(0.0f);
 
-  // Relative optical mass, Kasten 1966.
+  // Relative optical air mass, Kasten 1966.
   const float zenith_deg = math::acos(std::min(sun_z, 1.0f)) * (180 / kPi);
   const float mass = 1 / (sun_z + 0.15f * math::pow(93.885f - zenith_deg, -1.253f));
 
@@ -109,8 +109,8 @@ PreethamSky::PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOpti
   const float t = clamp(turbidity, 2.0f, kMostTurbidity);
   const float zenith_angle = math::acos(std::min(to_sun_.z, 1.0f));
 
-  // The paper's constant in A of x is -0.259188; the port's follows the sun's height and meets it
-  // near a zenith angle of 83 degrees.
+  // The paper has the constant -0.259188 in A of x. The port's value depends on the sun's elevation
+  // and equals the paper's near a zenith angle of 83 degrees.
   const float ax = options.paper_chromaticity ? 0.259188f : 0.29f - 0.09f * std::sqrt(to_sun_.z);
   perez_ = {{0.178721f * t - 1.463037f, -0.019257f * t - ax, -0.016698f * t - 0.260787f, 0},
             {-0.355402f * t + 0.427494f, -0.066513f * t + 0.000818f, -0.094958f * t + 0.009213f, 0},
@@ -119,7 +119,7 @@ PreethamSky::PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOpti
             {-0.066967f * t + 0.370275f, -0.003251f * t + 0.045178f, -0.010922f * t + 0.052919f, 0},
             {1, 1, 1, 1}};
 
-  // Fold the zenith's values in: at the zenith theta is 0 and gamma the sun's zenith angle.
+  // Divide by the zenith value: at the zenith theta is 0 and gamma is the zenith angle of the sun.
   const Vec2 chromaticity = zenith_chromaticity(t, zenith_angle);
   const float zenith[kLanes] = {zenith_luminance(t, zenith_angle), chromaticity.x, chromaticity.y,
                                 0};
@@ -131,7 +131,7 @@ PreethamSky::PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOpti
 void PreethamSky::distribute(const PerezCoefficients& k) {
   float before[kLanes], after[kLanes];
   evaluate(1, std::min(to_sun_.z, 1.0f), before);
-  // Far beyond any sky; here only so that products stay finite.
+  // Far beyond any real sky; only keeps products finite.
   constexpr float kMost = 1000, kMostGrowth = 5, kLeastZenith = 1e-4f;
   perez_.a[0] = clamp(k.a, -kMost, kMost), perez_.b[0] = clamp(k.b, -kMost, 0);
   perez_.c[0] = clamp(k.c, -kMost, kMost), perez_.d[0] = clamp(k.d, -kMost, kMostGrowth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Preetham sky and sun against a table computed from the paper's formulas by other means.
+// The Preetham sky and sun compared with an independently computed table.
 #include "sky/preetham.h"
 
 #include "color/luminance.h"
@@ -90,7 +90,7 @@ TEST(Preetham, ZenithMatchesTable) {
     const Vec2 chromaticity = zenith_chromaticity(row.turbidity, angle);
     EXPECT_NEAR(chromaticity.x, row.zenith_x, 2e-5f);
     EXPECT_NEAR(chromaticity.y, row.zenith_y, 2e-5f);
-    // The look-up straight up is the zenith.
+    // A lookup at the zenith returns the zenith value.
     const auto up =
         PreethamSky(sky_direction(row.elevation_deg, 20), row.turbidity).xyy(Vec3(0, 0, 1));
     expect_relative(up.luminance, row.zenith, 1e-3f, "look-up");

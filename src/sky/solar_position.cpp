@@ -15,13 +15,13 @@ constexpr double kArcsecond = 1.0 / 3600;      // degrees
 
 double sine(double degrees) { return math::sin(degrees * kDeg); }
 double cosine(double degrees) { return math::cos(degrees * kDeg); }
-/// 0 .. 360
+/// Reduces an angle to 0 .. 360.
 double turn(double degrees) {
   const double d = std::fmod(degrees, 360);
   return d < 0 ? d + 360 : d;
 }
 
-/// Reads digits; -1 where there are not `count` of them.
+/// Reads exactly `count` digits; -1 if there are fewer.
 int take_number(std::string_view& text, std::size_t count) {
   if (text.size() < count) return -1;
   int value = 0;
@@ -39,7 +39,7 @@ bool take(std::string_view& text, std::string_view any_of) {
   return true;
 }
 
-/// Hours east of Greenwich of "Z", "+02", "+02:00", "-0730"; nothing else may follow.
+/// Hours east of Greenwich of "Z", "+02", "+02:00", "-0730"; unset if anything follows.
 std::optional<double> take_zone(std::string_view text) {
   if (text == "Z" || text == "z") return 0.0;
   const bool west = !text.empty() && text[0] == '-';
@@ -54,7 +54,7 @@ std::optional<double> take_zone(std::string_view text) {
   return (west ? -1 : 1) * (hours + minutes / 60.0);
 }
 
-/// Seconds by which uniform time is ahead of the turning Earth's.
+/// Difference between terrestrial time and universal time in seconds.
 double delta_t(double julian_day) {
   const double t = (julian_day - 2451545) / 365.25;  // years from 2000
   if (t > -14 && t < 50) return 62.92 + t * (0.32217 + t * 0.005589);
@@ -62,17 +62,17 @@ double delta_t(double julian_day) {
   return -20 + 32 * u * u;
 }
 
-/// Degrees by which Venus, Jupiter and the Moon pull the Earth ahead, and the slow change of all;
-/// `days` from 2000, noon.
+/// Perturbations of the Earth's longitude by Venus, Jupiter and the Moon, and a long-period term,
+/// in degrees; `days` since 2000, noon.
 double perturbations(double days) {
-  const double t = (days + 36525) / 36525;  // centuries from 1900
+  const double t = (days + 36525) / 36525;  // centuries since 1900
   return 0.00134 * cosine(153.23 + 22518.7541 * t) + 0.00154 * cosine(216.57 + 45037.5082 * t) +
          0.00200 * cosine(312.69 + 32964.3577 * t) +
          0.00179 * sine(350.74 + 445267.1142 * t - 0.00144 * t * t) +
          0.00178 * sine(231.19 + 20.20 * t);
 }
 
-/// Degrees by which the air raises the sun.
+/// Atmospheric refraction in degrees.
 double refraction(double elevation, const Place& place) {
   constexpr double kUpperLimbSets = -0.26667 - 0.5667;
   if (elevation < kUpperLimbSets) return 0;
@@ -116,9 +116,10 @@ std::optional<double> julian_day(std::string_view text) {
 
 SolarPosition solar_position(double julian_day, const Place& place) {
   const double days = julian_day - 2451545;
-  const double t = (days + delta_t(julian_day) / 86400) / 36525;  // centuries of uniform time
+  // Julian centuries of terrestrial time
+  const double t = (days + delta_t(julian_day) / 86400) / 36525;
 
-  // Longitude as seen from the centre of the Earth.
+  // Geocentric longitude.
   const double mean_longitude = 280.46646 + t * (36000.76983 + t * 0.0003032);
   const double anomaly = 357.52911 + t * (35999.05029 - t * 0.0001537);
   const double centre = sine(anomaly) * (1.914602 - t * (0.004817 + t * 0.000014)) +

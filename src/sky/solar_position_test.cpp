@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's position against published examples.
+// The position of the sun compared with published examples.
 #include "sky/solar_position.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace oriel::sky {
 namespace solar_position_test {
 
-constexpr double kTolerance = 0.003;  // degrees, what the algorithm promises
+constexpr double kTolerance = 0.003;  // degrees; documented accuracy of the algorithm
 
 TEST(SolarPosition, MatchesTheExampleOfNrelsReport) {
   // Reda and Andreas, table A5.1: 2003-10-17 12:30:30, zone -7, 820 hPa, 11 degrees.
@@ -40,11 +40,11 @@ TEST(SolarPosition, SeasonsBeginWhenAlmanacsSay) {
 }
 
 TEST(SolarPosition, NoonIsSouthInTheNorthAndNorthInTheSouth) {
-  // The sun culminates at 90 degrees less latitude plus declination.
+  // At noon the elevation is 90 degrees minus latitude plus declination.
   const double jd = *julian_day("2026-06-21T12:00Z");
   const SolarPosition north = solar_position(jd, {.latitude = 50}),
                       south = solar_position(jd, {.latitude = -35});
-  EXPECT_NEAR(north.azimuth, 180, 1.5);  // the equation of time is half a degree that day
+  EXPECT_NEAR(north.azimuth, 180, 1.5);  // the equation of time is half a degree on that day
   EXPECT_NEAR(north.geometric_elevation, 90 - 50 + 23.436, .05);
   EXPECT_LT(std::fabs(std::remainder(south.azimuth, 360)), 1.5);
   EXPECT_NEAR(south.geometric_elevation, 90 - 35 - 23.436, .05);
@@ -54,7 +54,7 @@ TEST(SolarPosition, NoonIsSouthInTheNorthAndNorthInTheSouth) {
 }
 
 TEST(SolarPosition, AirRaisesTheSunAtTheHorizonByHalfADegree) {
-  // Of a day in steps: where the geometric elevation passes 0, refraction is about 29 minutes.
+  // Steps through a day: where the geometric elevation is 0, refraction is about 29 minutes of arc.
   const double start = *julian_day("2026-03-20T00:00Z");
   for (int i = 0; i < 24 * 60; ++i) {
     const SolarPosition sun = solar_position(start + i / 1440.0, {.latitude = 48});

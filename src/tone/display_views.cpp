@@ -12,7 +12,7 @@ namespace {
 constexpr float kGrey = 0.18f;
 constexpr float kStopsBelow = 10, kStopsAbove = 6.5f;
 
-using Matrix = Imath::M33f;  // rows times column here: out[i] = sum_j m[i][j] c[j]
+using Matrix = Imath::M33f;  // row vector convention of this file: out[i] = sum_j m[i][j] c[j]
 
 Rgb apply(const Matrix& m, const Rgb& c) {
   Rgb out(0);
@@ -25,7 +25,7 @@ struct Insets {
   Matrix inset, outset;
 };
 
-/// Primaries pulled towards white by a fifth, and back.
+/// Matrix that moves the primaries towards white by a fifth, and its inverse.
 const Insets& insets() {
   static const Insets both = [] {
     // Source: B. Wrensch, "Minimal AgX Implementation" (agx_mat).
@@ -41,8 +41,7 @@ const Insets& insets() {
   return both;
 }
 
-/// A branch of the curve: height over (or depth under) the pivot at `distance` from it, reaching
-/// `to.y` at `to.x`.
+/// A branch of the curve: difference from the pivot at `distance`, reaching `to.y` at `to.x`.
 float branch(float distance, const Vec2& to, float slope, float power) {
   const float scale = math::pow(
       math::pow(slope * to.x, -power) * (math::pow(slope * to.x / to.y, power) - 1), -1 / power);

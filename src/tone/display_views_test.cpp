@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// AgX against the published fit of its curve, PBR Neutral against numbers from its specification.
+// AgX compared with the published fit of its curve, PBR Neutral with numbers from its
+// specification.
 #include "tone/display_views.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(DisplayViews, GreyStaysGreyAndRises) {
     EXPECT_LE(n.x, 1);
     before_agx = a, before_neutral = n;
   }
-  // A grey card comes out at half the display's signal, a shade brighter than it is.
+  // A grey card maps to half of the display signal, slightly brighter than the linear value.
   EXPECT_NEAR(agx(Rgb(0.18f)).y, 0.5f, 1e-5f);
 }
 
@@ -66,7 +67,7 @@ TEST(DisplayViews, AgxTakesColourFromBrightLightAndStaysInRange) {
     }
 }
 
-// Worked by hand from the specification: x = min, f = x - x^2 / 0.16 up to 0.08, else 0.04.
+// Computed by hand from the specification: x = min, f = x - x^2 / 0.16 up to 0.08, else 0.04.
 TEST(DisplayViews, NeutralMatchesItsSpecification) {
   struct Row {
     Rgb in, out;
@@ -96,7 +97,7 @@ TEST(DisplayViews, NeutralOnlyTakesTheReflectedShareFromBaseColours) {
 }
 
 TEST(DisplayViews, NeutralKeepsHues) {
-  // The shares of the way from the least to the most component stay.
+  // The relative position of the middle component is preserved.
   for (float level : {0.1f, 0.9f, 3.0f, 60.0f}) {
     const Rgb out = pbr_neutral(Rgb(1, 0.6f, 0.2f) * level);
     EXPECT_NEAR((out.y - out.z) / (out.x - out.z), 0.5f, 2e-4f) << level;

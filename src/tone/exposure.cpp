@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photographic and simple exposure: constants worked out once, curves per colour.
+// Photographic and simple exposure: precomputed constants and per-colour curves.
 #include "tone/exposure.h"
 
 #include "base/math.h"
@@ -11,12 +11,11 @@
 namespace oriel::lens {
 namespace {
 
-/// A value the curves below can take: no negative, no infinity, no NaN (which fails the
-/// comparison).
+/// Clamps to a valid input of the curves: non-negative and finite; NaN becomes 0.
 float tame(float v) { return v > 0 ? std::min(v, std::numeric_limits<float>::max()) : 0.0f; }
 Rgb tame(const Rgb& c) { return Rgb(tame(c.x), tame(c.y), tame(c.z)); }
 
-/// v^exponent for v >= 0, skipping the exponents that most scenes ask for.
+/// v^exponent for v >= 0, with shortcuts for common exponents.
 float power(float v, float exponent) {
   if (exponent == 1) return v;
   return v > 0 ? math::pow(v, exponent) : 0.0f;
@@ -24,9 +23,9 @@ float power(float v, float exponent) {
 
 float inverse_of_gamma(float gamma) { return gamma > 0 ? 1 / gamma : 1.0f; }
 
-/// Factors that turn the white point grey and keep its luminance.
+/// Factors that map the white point to grey and preserve its luminance.
 Rgb white_balance(const Rgb& white) {
-  constexpr float kLeast = 1e-6f;  // a white point without a channel cannot be undone
+  constexpr float kLeast = 1e-6f;  // avoids a division by 0 for a white point with a zero channel
   const Rgb w(std::max(white.x, kLeast), std::max(white.y, kLeast), std::max(white.z, kLeast));
   return Rgb(luminance(w)) / w;
 }
@@ -55,7 +54,7 @@ Rgb PhotographicExposure::operator()(const Rgb& scene, float cos_to_film_plane) 
     c *= power(std::max(cos_to_film_plane, 0.0f), vignetting_);
   c = tame(c);
 
-  // Burn: c (1 + burn c) / (1 + c), written so that burn 1 is exact and nothing overflows.
+  // Burn: c (1 + burn c) / (1 + c), rewritten to be exact for burn 1 and to avoid overflow.
   if (burn_ != 1)
     for (int i = 0; i < 3; ++i) c[i] = tame(burn_ * c[i] + (1 - burn_) * (c[i] / (1 + c[i])));
 
@@ -64,7 +63,7 @@ Rgb PhotographicExposure::operator()(const Rgb& scene, float cos_to_film_plane) 
     c = tame(grey + (c - grey) * saturation_);
   }
 
-  // Crush: a toe that leaves white alone, stronger the darker the colour.
+  // Crush: a toe that keeps white unchanged and darkens dark colours most.
   const float y = luminance(c);
   if (crush_exponent_ != 1 && y < 1) {
     const float share = std::sqrt(y);
@@ -83,7 +82,7 @@ float SimpleExposure::map(float value) const {
   float v = tame((value + p_.pedestal) * p_.gain);
   const float over = v - p_.knee;
   if (over > 0) {
-    // The second form is over / (1 + compression * over) without its overflow.
+    // The second form is over / (1 + compression * over), rewritten to avoid overflow.
     v = p_.knee + (p_.curve == KneeCurve::Ratio ? over / (1 + p_.compression)
                                                 : 1 / (1 / over + p_.compression));
   }

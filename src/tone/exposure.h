@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From scene values to display values: the photographic and the simple exposure.
+// Tone mapping of scene values to display values: photographic and simple exposure.
 #pragma once
 
 #include "base/vec.h"
@@ -7,27 +7,27 @@
 namespace oriel::lens {
 
 // Conventions
-//   Input is linear and unbounded; output is meant for 0..1 but not clipped above. Negative input
-//   counts as 0 (in the simple exposure after pedestal and gain), a channel that is not a number
-//   as 0, an infinite one as the largest float. Construction does the work that no pixel changes;
-//   the call is const and may run in any number of threads.
+//   Input is linear and unbounded; output is designed for 0..1 but not clipped above. Negative
+//   input counts as 0 (in the simple exposure after pedestal and gain), NaN as 0, and infinity as
+//   the largest float. The constructor precomputes everything that is equal for all pixels; the
+//   call operator is const and thread-safe.
 
-/// Luminance that saturates the sensor over 2^EV100: 78 / (0.65 * 100), so that a white card under
-/// 96.5 klx reads 1 by the "Sunny 16" rule. mental ray's own constant was never published.
+/// Saturation luminance of the sensor divided by 2^EV100: 78 / (0.65 * 100). A white card under
+/// 96.5 klx gets the value 1 by the "Sunny 16" rule. mental ray's constant is unpublished.
 /// Source: ISO 12232:2006, saturation-based speed with lens factor q = 0.65.
 inline constexpr float kSaturationExposure = 1.2f;
-/// The constant of renderers that leave the sensor out: 0.26 EV brighter.
+/// The constant of renderers without a sensor model: 0.26 EV brighter.
 inline constexpr float kPlainExposure = 1.0f;
 
-/// mia_exposure_photographic's parameters, named and defaulted as its declaration.
+/// Parameters of mia_exposure_photographic with its names and defaults.
 struct PhotographicParameters {
-  float cm2_factor = 1;        ///< cd/m2 per unit of the input; the plain gain where film_iso is 0
-  Rgb whitepoint{1.0f};        ///< the colour shown as grey
+  float cm2_factor = 1;        ///< cd/m2 per unit of the input; a plain gain if film_iso is 0
+  Rgb whitepoint{1.0f};        ///< the colour that maps to grey
   float film_iso = 100;        ///< 0: arbitrary mode
   float camera_shutter = 100;  ///< 1 / s
   float f_number = 16;
   float vignetting = 1;        ///< exponent of the cosine
-  float burn_highlights = 0;   ///< 1 linear .. 0 never over-exposed
+  float burn_highlights = 0;   ///< 1 linear .. 0 never overexposed
   float crush_blacks = 0.25f;  ///< 0 linear ..
   float saturation = 1;
   float gamma = 2.2f;
@@ -35,22 +35,22 @@ struct PhotographicParameters {
   bool operator==(const PhotographicParameters&) const = default;
 };
 
-/// Factor from input to exposed value, 1 being saturation: without whitepoint and vignetting.
-/// 0 where shutter or f-number is not positive (no exposure is defined).
+/// Factor from input to exposed value, where 1 is saturation; without whitepoint and vignetting. 0
+/// if shutter or f-number is not positive (undefined exposure).
 /// Checked: PhotographicExposure.SunnySixteenSaturatesAt30720
 float exposure_scale(const PhotographicParameters& parameters);
 
-/// Maps scene colours as a camera and its film would.
+/// Maps scene colours like a camera with its film.
 ///
-/// Model:   exposure, white point, vignetting; highlights burnt, saturation, blacks crushed; gamma.
-/// Source:  the mental ray manual for parameters and limits; curves as published for the Iray form
+/// Model:   exposure, white point, vignetting; burn highlights, saturation, crush blacks; gamma.
+/// Source:  the mental ray manual for parameters and limits; the curves published for the Iray form
 ///          of this operator (NVIDIA, OptiX_Apps).
 /// Checked: exposure_test.cpp
 class PhotographicExposure {
  public:
   explicit PhotographicExposure(const PhotographicParameters& parameters);
 
-  /// Inputs:  cos_to_film_plane: cosine between the ray and the camera's axis; 1 for orthographic
+  /// Inputs:  cos_to_film_plane: cosine between the ray and the camera axis; 1 for orthographic
   ///          cameras, which have no vignetting.
   Rgb operator()(const Rgb& scene, float cos_to_film_plane = 1) const;
 
@@ -59,14 +59,14 @@ class PhotographicExposure {
   float vignetting_, burn_, saturation_, crush_exponent_, inverse_gamma_;
 };
 
-/// How mia_exposure_simple squashes what lies above the knee. Both readings of the manual's
-/// "compression ratio"; 0 is none.
+/// Compression above the knee in mia_exposure_simple. The manual's "compression ratio" allows two
+/// interpretations; 0 is none.
 enum class KneeCurve {
   Ratio,       ///< slope 1 / (1 + compression) above the knee
-  Asymptotic,  ///< smooth at the knee, never above knee + 1 / compression
+  Asymptotic,  ///< smooth at the knee, bounded by knee + 1 / compression
 };
 
-/// mia_exposure_simple's parameters, named and defaulted as its declaration.
+/// Parameters of mia_exposure_simple with its names and defaults.
 struct SimpleParameters {
   float pedestal = 0;
   float gain = 1;
@@ -77,8 +77,7 @@ struct SimpleParameters {
   bool operator==(const SimpleParameters&) const = default;
 };
 
-/// Pedestal is added, gain multiplies, the knee compresses, gamma corrects: in this order, per
-/// channel.
+/// Applies pedestal (added), gain (factor), knee compression and gamma, in this order, per channel.
 /// Checked: SimpleExposure.*
 class SimpleExposure {
  public:

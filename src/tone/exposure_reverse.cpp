@@ -14,11 +14,11 @@ namespace {
 float compress(float v) { return v > 0 ? std::min(v, std::numeric_limits<float>::max()) : 0.0f; }
 Rgb compress(const Rgb& c) { return Rgb(compress(c.x), compress(c.y), compress(c.z)); }
 
-/// x >= 0 where lerp(x^exponent, x, share) is `value`: by Newton's steps, which come down to it
-/// from any larger x, since the function rises and is convex for exponents from 1.
+/// Solves lerp(x^exponent, x, share) = `value` for x >= 0 by Newton's method, which converges from
+/// any larger start, since the function is increasing and convex for exponents >= 1.
 double before_toe(double value, double exponent, double share) {
   if (!(value > 0)) return 0;
-  // Neither of the two terms can be more than their sum.
+  // Neither of the two terms exceeds their sum.
   double x = math::pow(value / std::max(1 - share, 1e-12), 1 / exponent);
   if (share > 0) x = std::min(x, value / share);
   constexpr int kMostSteps = 30;
@@ -31,7 +31,7 @@ double before_toe(double value, double exponent, double share) {
   return x;
 }
 
-/// Factors from light to exposed values.
+/// Factors from scene light to exposed values.
 Rgb forward_scale(const PhotographicParameters& parameters) {
   PhotographicParameters p = parameters;
   p.vignetting = 0;
@@ -55,18 +55,18 @@ ReversePhotographicExposure::ReversePhotographicExposure(const PhotographicParam
 }
 
 Rgb ReversePhotographicExposure::uncrushed(const Rgb& c) const {
-  // Colours of luminance 1 and more are as they were: they are one that shows so.
+  // Colours with luminance 1 or more are unchanged by crush.
   const float shown = luminance(c);
   if (crush_exponent_ == 1 || !(shown > 0) || shown >= 1) return c;
-  // double: slopes are steep where the toe begins.
+  // double: slopes are steep at the start of the toe.
   const auto before = [&](double y) {
     const double share = std::sqrt(y);
     return Rgb(static_cast<float>(before_toe(double(c.x), double(crush_exponent_), share)),
                static_cast<float>(before_toe(double(c.y), double(crush_exponent_), share)),
                static_cast<float>(before_toe(double(c.z), double(crush_exponent_), share)));
   };
-  // At luminance 0 what comes out is more, at 1 it is less: between them it is the same. False
-  // position, where the end that stays twice counts half (Dowell, Jarratt 1971).
+  // The difference is positive at luminance 0 and negative at 1. False position, halving the value
+  // of an end that is retained twice (Dowell, Jarratt 1971).
   double low = 0, high = 1, over = double(luminance(before(low))), under = double(shown) - 1;
   Rgb found(0);
   constexpr int kMostSteps = 60;
@@ -102,7 +102,7 @@ float ReversePhotographicExposure::unburnt(float value) const {
     const float v = std::min(value, kBrightestShown);
     return v / (1 - v);
   }
-  // burn c^2 + (1 - value) c - value = 0, in the form that does not cancel for small values.
+  // Solves burn c^2 + (1 - value) c - value = 0 in a form without cancellation for small values.
   const double b = double(burn_), v = double(value), p = 1 - v;
   const double root = std::sqrt(p * p + 4 * b * v);
   return static_cast<float>(p > 0 ? 2 * v / (p + root) : (root - p) / (2 * b));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The photographic exposure and its reverse, one behind the other.
+// The photographic exposure composed with its inverse.
 #include "tone/exposure_reverse.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ const Rgb kShown[] = {Rgb(0),
                       Rgb(.01f, .02f, .9f),
                       Rgb(.3f, .9f, .3f)};
 
-// Colours of a display that the exposure can show come back, with every step at work.
+// Display colours that the exposure can produce survive the round trip, with all steps enabled.
 TEST(ReverseExposure, ComesBackThroughTheExposure) {
   for (const PhotographicParameters& p : table())
     for (const Rgb& shown : kShown)
@@ -76,7 +76,7 @@ TEST(ReverseExposure, BringsBackTheLight) {
   }
 }
 
-// Worked by hand: film_iso 0 and gain 1 leave gamma and burn, c = d / (1 - d).
+// Computed by hand: film_iso 0 and gain 1 leave gamma and burn, c = d / (1 - d).
 TEST(ReverseExposure, ClosedForms) {
   PhotographicParameters p;
   p.film_iso = 0;

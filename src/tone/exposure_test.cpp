@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photographic and simple exposure against closed forms and worked examples.
+// Photographic and simple exposure compared with closed forms and worked examples.
 #include "tone/exposure.h"
 
 #include "color/luminance.h"
@@ -12,7 +12,7 @@
 namespace oriel::lens {
 namespace exposure_test {
 
-/// Nothing but exposure: linear curve, no gamma.
+/// Exposure only: linear curve, no gamma.
 PhotographicParameters linear() {
   PhotographicParameters p;
   p.vignetting = 0;
@@ -22,7 +22,7 @@ PhotographicParameters linear() {
   return p;
 }
 
-/// Nothing but the curve: input is exposed already.
+/// The curve only: input is already exposed.
 PhotographicParameters curve(float burn, float crush) {
   PhotographicParameters p = linear();
   p.film_iso = 0;
@@ -73,7 +73,8 @@ TEST(PhotographicExposure, HalvingEitherWayIsEqual) {
 
 // acceptance: X3
 TEST(PhotographicExposure, EqualExposureGivesEqualPixels) {
-  // f/16 1/100 ISO 100, opened by two stops and shortened by two, or slowed film: with all curves.
+  // f/16 1/100 ISO 100; opening by two stops equals a shorter time or slower film by two stops,
+  // with all curves.
   PhotographicParameters a, b, c;
   b.f_number = 8;
   b.camera_shutter = 400;
@@ -115,7 +116,7 @@ TEST(PhotographicExposure, WhitepointBecomesGreyOfItsLuminance) {
       const float y = luminance(white * intensity);
       for (int i = 0; i < 3; ++i) EXPECT_NEAR(out[i], y, 1e-5f * y);
     }
-    // Only its hue counts, not its brightness.
+    // Only its hue matters, not its brightness.
     PhotographicParameters brighter = p;
     brighter.whitepoint = white * 5;
     const Rgb scene(0.3f, 0.2f, 0.6f);
@@ -164,7 +165,7 @@ TEST(PhotographicExposure, Burn0NeverExceedsWhite) {
 // acceptance: X7
 TEST(PhotographicExposure, CrushMatchesTable) {
   EXPECT_NEAR(grey(curve(1, 0.2f), 0.25f), 0.196794f, 1e-6f);
-  // White and what is brighter stay; darks are pushed down the more the darker.
+  // White and brighter values are unchanged; dark values are reduced the more the darker they are.
   EXPECT_FLOAT_EQ(grey(curve(1, 0.5f), 1), 1);
   EXPECT_FLOAT_EQ(grey(curve(1, 0.5f), 3), 3);
   EXPECT_LT(grey(curve(1, 0.6f), 0.1f), grey(curve(1, 0.2f), 0.1f));

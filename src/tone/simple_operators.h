@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tone operators of one line: Reinhard's curve, and gamut clipping towards white.
+// Simple tone operators: Reinhard's curve, and gamut clipping towards white.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace oriel::tone {
 
-/// Moves all channels towards their mean until the largest is 1; white where the mean is above 1.
+/// Moves all channels towards their mean until the maximum is 1; white if the mean is above 1.
 /// Checked: SimpleOperators.*
 inline Rgb desaturate_to_one(const Rgb& c) {
   const float largest = std::max({c.x, c.y, c.z});
@@ -20,8 +20,8 @@ inline Rgb desaturate_to_one(const Rgb& c) {
   return Rgb(mean + (c.x - mean) * keep, mean + (c.y - mean) * keep, mean + (c.z - mean) * keep);
 }
 
-/// A value to 0...1: x / (1 + x) after a factor, then 1 / gamma as exponent (1 where gamma <= 0).
-/// Values that are negative or not a number are 0.
+/// Maps a value to 0...1: x / (1 + x) after a factor, then exponent 1 / gamma (1 if gamma <= 0).
+/// Negative values and NaN become 0.
 /// Source:  E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002,
 ///          equation 3.
 /// Checked: SimpleOperators.*

@@ -114,9 +114,9 @@ TEST(CameraOutput, WhatAFileCannotHoldIsTold) {
   EXPECT_NE(told("output \"rgba_16\" \"jpg\" \"a.jpg\"").find("8 bits"), std::string::npos);
   EXPECT_EQ(told("output \"rgba_16\" \"png\" \"a.png\""), "");
   // Formats of the language that nobody writes name the nearest one.
-  EXPECT_NE(told("output \"rgba\" \"pic\" \"a.pic\"").find("nearest that can is png"),
+  EXPECT_NE(told("output \"rgba\" \"pic\" \"a.pic\"").find("nearest supported format is png"),
             std::string::npos);
-  EXPECT_NE(told("output \"z\" \"zt\" \"a.zt\"").find("nearest that can is exr"),
+  EXPECT_NE(told("output \"z\" \"zt\" \"a.zt\"").find("nearest supported format is exr"),
             std::string::npos);
   EXPECT_EQ(told("output \"m\" \"exr\" \"a.exr\""), "");
 }
@@ -266,8 +266,8 @@ TEST(CameraOutput, FrameBuffersStayInTheSceneFolderAndInKnownFormats) {
   const Diagnostic* outside = o.prepared.only("OR-RN-050");
   ASSERT_NE(outside, nullptr) << o.prepared.messages();
   EXPECT_NE(outside->message.find("framebuffer \"../a.exr\""), std::string::npos);
-  EXPECT_NE(o.prepared.messages().find("no file of format \"ps\""), std::string::npos);
-  EXPECT_NE(o.prepared.messages().find("no picture of type \"vts\""), std::string::npos);
+  EXPECT_NE(o.prepared.messages().find("unsupported file format \"ps\""), std::string::npos);
+  EXPECT_NE(o.prepared.messages().find("unsupported picture type \"vts\""), std::string::npos);
 }
 
 TEST(CameraOutput, NumberedBuffersAreLeftOutWithOneMessage) {

@@ -91,7 +91,7 @@ TEST(UserFrameBuffers, OutputsOfAnyBufferAreFilesOfIt) {
   EXPECT_FLOAT_EQ(*b.at(5, 2), .1f);
   EXPECT_NE(find_layer(read("c.exr").layers, "fb0"), nullptr);
   EXPECT_NE(scene.messages().find("OR-RN-054"), std::string::npos);
-  EXPECT_NE(scene.messages().find("\"fb9\" is no buffer of the options"), std::string::npos);
+  EXPECT_NE(scene.messages().find("\"fb9\" is not a buffer of the options"), std::string::npos);
 }
 
 // acceptance: U6

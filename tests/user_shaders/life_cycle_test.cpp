@@ -188,7 +188,7 @@ TEST(LifeCycle, LibrariesForOtherMachinesAreRefused) {
   std::ofstream(library) << "MZ, as libraries of another system begin";
   UserScene windows(folder, flat_scene("flat.so"), "\"square_i\"");
   EXPECT_TRUE(windows.diagnostics.has("OR-SDK-002"));
-  EXPECT_NE(windows.messages().find("no shared library of this system"), std::string::npos);
+  EXPECT_NE(windows.messages().find("not a shared library of this system"), std::string::npos);
 }
 
 class CrashingShader : public ProgramTest {};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a geometry shader make objects? Other elements: shader/elements.h, shader/declare.h.
+// Objects made by geometry shaders. Other elements: shader/elements.h, shader/declare.h.
 #ifndef ORIEL_SDK_GEOSHADER_H
 #define ORIEL_SDK_GEOSHADER_H
 
 // Conventions
-//   Names are made with mi_mem_strdup; the API takes them over and frees them. An object: begin,
-//   basis_list_clear, group begin, all vectors, then vertices as indices of vectors, then polygons
-//   as indices of vertices, group end, end. Indices count from 0. Only geometry shaders (and
-//   callbacks of placeholders) may call these.
+//   Names are allocated with mi_mem_strdup; the API takes ownership and frees them. An object:
+//   begin, basis_list_clear, group begin, all vectors, then vertices as indices of vectors, then
+//   polygons as indices of vertices, group end, end. Indices count from 0. Only geometry shaders
+//   (and callbacks of placeholders) may call these.
 
 #include "geoshader/approx.h"
 #include "geoshader/freeform.h"
@@ -28,33 +28,33 @@ extern "C" {
 /// Adds an object, instance, group or light to what the geometry shader returns.
 miBoolean mi_geoshader_add_result(miTag* result, miTag tag);
 
-/// How mi_geoshader_echo_tag writes an element.
+/// Options of mi_geoshader_echo_tag.
 typedef struct miEchoOptions {
   miBoolean ascii_output;       ///< numbers as text
   miBoolean compressed_output;  ///< numbers as hexadecimal bytes
   miBoolean dont_echo;          ///< nothing is written
 } miEchoOptions;
 
-/// Writes an element and all elements below it as scene text. Not supported: warns, miFALSE.
+/// Writes an element and all elements below it as scene text. Unsupported: warns, returns miFALSE.
 miBoolean mi_geoshader_echo_tag(FILE* file, miTag tag, miEchoOptions* options);
 
-/// Forgets the bases of curves and surfaces.
+/// Removes the bases of curves and surfaces.
 miBoolean mi_api_basis_list_clear(void);
-/// Begins the geometry of an object; merge: distance in which surfaces join, 0 = none.
+/// Begins the geometry of an object; merge: distance within which surfaces are joined, 0 = none.
 miBoolean mi_api_object_group_begin(double merge);
 /// Ends the geometry of an object.
 miBoolean mi_api_object_group_end(void);
-/// Adds a vector: point, normal, motion or texture coordinate, object space.
+/// Adds a vector in object space: point, normal, motion or texture coordinate.
 miBoolean mi_api_vector_xyz_add(const miVector* v);
 /// Adds a vertex at a point.
 miBoolean mi_api_vertex_add(int point);
-/// Gives the last vertex a normal.
+/// Sets the normal of the last vertex.
 miBoolean mi_api_vertex_normal_add(int normal);
-/// Gives the last vertex a texture coordinate and a bump basis; -1 = none.
+/// Sets a texture coordinate and a bump basis of the last vertex; -1 = none.
 miBoolean mi_api_vertex_tex_add(int coordinate, int bump_x, int bump_y);
-/// Gives the last vertex a motion vector.
+/// Sets the motion vector of the last vertex.
 miBoolean mi_api_vertex_motion_add(int motion);
-/// Begins a polygon; convex: 1 if it is so for sure. material: 0 = of the instance.
+/// Begins a polygon; convex: 1 if it is known to be convex. material: 0 = that of the instance.
 miBoolean mi_api_poly_begin_tag(int convex, miTag material);
 /// Adds a vertex to the polygon.
 miBoolean mi_api_poly_index_add(int vertex);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shaders written for Maya ask of its translator.
+// Functions of Maya's translator for shaders.
 #ifndef ORIEL_SDK_MAYAAPI_H
 #define ORIEL_SDK_MAYAAPI_H
 
 // Conventions
-//   Only mayabase_stateitem_get has answers. All other functions return miFALSE, and shaders then
+//   Only mayabase_stateitem_get is supported. All other functions return miFALSE, and shaders then
 //   use their own defaults.
 
 #include "shader.h"
@@ -13,25 +13,25 @@
 extern "C" {
 #endif
 
-/// State items, each a miBoolean of the thread. The light items are set to miTRUE before a light
-/// shader runs, which may change them; after a light sample they tell whether that light lights
-/// diffusely and makes highlights.
+/// State items, each a miBoolean per thread. The light items are set to miTRUE before a light
+/// shader runs and may be changed by it. After a light sample they state whether the light affects
+/// diffuse reflection and highlights.
 typedef enum MbStateItem {
-  MBSI_NULL = 0,  ///< ends the list
+  MBSI_NULL = 0,  ///< terminates the list
   MBSI_LIGHTDIFFUSE,
   MBSI_LIGHTSPECULAR
 } MbStateItem;
 
-/// Items and addresses of pointers in turn, MBSI_NULL at the end: each pointer is set to its item.
-/// miFALSE, and the pointers from there on as they were, at an item that is not known.
+/// Alternating items and addresses of pointers, terminated by MBSI_NULL: each pointer is set to its
+/// item. At an unknown item it returns miFALSE and leaves the remaining pointers unchanged.
 miBoolean mayabase_stateitem_get(miState* state, ...);
-/// Lights linked to the object; none are known.
+/// Lights linked to the object; unsupported.
 miBoolean mayabase_lightlink_get(miState* state, ...);
 /// Whether a light is linked to the object.
 miBoolean mayabase_lightlink_check(miState* state, ...);
-/// Whether texture coordinates were given.
+/// Whether texture coordinates are given.
 miBoolean mayabase_texcoords_check(miState* state, ...);
-/// What a parameter is connected to.
+/// Connection of a parameter.
 miBoolean mayabase_parm_connection(miState* state, ...);
 
 #ifdef __cplusplus

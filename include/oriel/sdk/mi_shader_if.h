@@ -64,13 +64,13 @@ class LightList {
   miColor color_;
 };
 
-/// Goes through the lights of a list; without a list, those of the instance or of the scene.
+/// Iterates over the lights of a list; without a list, those of the instance or of the scene.
 class LightIterator {
  public:
   explicit LightIterator(miState* state, const miTag* list = 0, int n = 0) {
     start(state, list, n);
   }
-  /// Light from around a unit axis, up to the cosine of an angle.
+  /// Light from directions around a unit axis, up to the cosine of an angle.
   LightIterator(miState* state, const miVector& axis, miScalar cos_spread, const miTag* list = 0,
                 int n = 0) {
     current_.has_axis_ = true;
@@ -142,7 +142,7 @@ class Options {
     return oriel_options_set_string(options_, name, value) != miFALSE;
   }
 
-  /// False, and the value as it was, when there is no such option of that type.
+  /// Returns false and leaves the value unchanged if there is no such option of that type.
   bool get(const char* name, bool* value) const {
     miBoolean found = miFALSE;
     if (!oriel_options_get_boolean(options_, name, &found)) return false;
@@ -168,7 +168,7 @@ class Options {
   bool get(const char* name, const char** value) const {
     return oriel_options_get_string(options_, name, value) != miFALSE;
   }
-  /// The same into variables.
+  /// Same for references.
   bool get(const char* name, bool& value) const { return get(name, &value); }
   bool get(const char* name, int& value) const { return get(name, &value); }
   bool get(const char* name, float& value) const { return get(name, &value); }
@@ -179,7 +179,7 @@ class Options {
   }
 
   bool remove(const char* name) { return oriel_options_remove(options_, name) != miFALSE; }
-  /// Ends the use of this object.
+  /// Deletes this object.
   void release() { delete this; }
 
  private:
@@ -199,7 +199,7 @@ class Options {
   oriel_string_options* options_;
 };
 
-/// Named frame buffers, reached by Access_fb and Edit_fb.
+/// Named frame buffers, obtained by Access_fb and Edit_fb.
 class Framebuffer {
  public:
   Framebuffer(miTag tag, bool edit)
@@ -219,7 +219,7 @@ class Framebuffer {
   bool set(const char* buffer, const char* param, const char* value) {
     return oriel_framebuffers_set_string(buffers_, buffer, param, value) != miFALSE;
   }
-  /// False, and the value as it was, when there is none of that type.
+  /// Returns false and leaves the value unchanged if there is none of that type.
   bool get(const char* buffer, const char* param, bool& value) const {
     miBoolean found = miFALSE;
     if (!oriel_framebuffers_get_boolean(buffers_, buffer, param, &found)) return false;
@@ -235,7 +235,7 @@ class Framebuffer {
   bool get(const char* buffer, const char* param, const char*& value) const {
     return oriel_framebuffers_get_string(buffers_, buffer, param, &value) != miFALSE;
   }
-  /// Number for mi_fb_put; false when there is no buffer of that name.
+  /// Number for mi_fb_put; false if there is no buffer of that name.
   bool get_index(const char* name, size_t& index) const {
     return oriel_framebuffers_index(buffers_, name, &index) != miFALSE;
   }
@@ -249,7 +249,7 @@ class Framebuffer {
   oriel_framebuffers* buffers_;
 };
 
-/// Reads the named frame buffers of a tag.
+/// Read access to the named frame buffers of a tag.
 class Access_fb {
  public:
   explicit Access_fb(miTag tag) : buffers_(tag, false) {}
@@ -259,7 +259,7 @@ class Access_fb {
   Framebuffer buffers_;
 };
 
-/// Changes the named frame buffers of a tag.
+/// Write access to the named frame buffers of a tag.
 class Edit_fb {
  public:
   explicit Edit_fb(miTag tag) : buffers_(tag, true) {}
@@ -269,15 +269,15 @@ class Edit_fb {
   Framebuffer buffers_;
 };
 
-/// Where the other classes come from.
+/// Factory of the other classes.
 class Interface {
  public:
-  /// Null when the renderer has no such version.
+  /// Null if the renderer does not support the version.
   static Interface* get(int version = ORIEL_SHADER_INTERFACE_VERSION) {
     oriel_shader_interface* const found = mi_get_shader_interface(version);
     return found != 0 ? new Interface() : 0;
   }
-  /// The caller releases it.
+  /// The caller has to release the result.
   Options* getOptions(miTag tag) { return new Options(tag); }
   miTag createFramebuffer() { return oriel_framebuffers_create(); }
   miTag copyFramebuffer(miTag tag) { return oriel_framebuffers_copy(tag); }
@@ -292,7 +292,7 @@ class Interface {
 
 }  // namespace shader
 
-/// The name of later levels.
+/// Namespace name of later levels.
 namespace shader_v3 = shader;
 
 }  // namespace mi

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// How do shaders exchange results and light data with mia_material?
+// Exchange of results and light data between shaders and mia_material.
 #ifndef ORIEL_SDK_MIA_MATERIAL_API_H
 #define ORIEL_SDK_MIA_MATERIAL_API_H
 
 // Conventions
-//   Results: set struct_size and in_use = miFALSE, leave the struct in the shader state under
+//   Results: set struct_size and in_use = miFALSE, store the struct in the shader state under
 //   miA_MATERIAL_API_STORAGE with lifetime 0, call the material, get the struct back: in_use tells
-//   whether it was filled. struct_size distinguishes the two structs. Light data: a material
-//   leaves it before each light; a light shader that finds it may change the last four members.
-//   _raw: light without the surface's colour, _level: the colour, _result: their product.
+//   whether it was filled. struct_size distinguishes the two structs. Light data: a material stores
+//   it before each light sample; a light shader that finds it may change the last four members.
+//   _raw: light without the surface colour, _level: the colour, _result: their product.
 
 #include "shader.h"
 
@@ -34,7 +34,7 @@ typedef struct mia_material_api_storage {
   miRay_type type;
 } mia_material_api_storage;
 
-/// What mia_material_x returns.
+/// Outputs of mia_material_x.
 typedef struct mia_material_x_return {
   miColor result;
   miColor diffuse_result, diffuse_raw, diffuse_level;
@@ -60,11 +60,11 @@ typedef struct mia_material_x_api_storage {
 typedef struct mia_material_api_lightdata {
   miUint struct_size;
   miScalar glossiness;       ///< of the surface; read only
-  miScalar importance;       ///< of the light there; read only
-  miScalar affect_diffuse;   ///< share of the light that diffuse reflection sees, 1 at first
-  miScalar affect_specular;  ///< share that highlights see, 1 at first
-  miBoolean is_mr_sun;       ///< set only by mia_physicalsun
-  miBoolean force_specular;  ///< highlights even though the light itself is seen
+  miScalar importance;       ///< of the light sample; read only
+  miScalar affect_diffuse;   ///< share of the light for diffuse reflection, initially 1
+  miScalar affect_specular;  ///< share of the light for highlights, initially 1
+  miBoolean is_mr_sun;       ///< only set by mia_physicalsun
+  miBoolean force_specular;  ///< highlights even if the light itself is visible
 } mia_material_api_lightdata;
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface for shaders in C and C++, at the level of mental ray 3.6.
+// The shader interface for C and C++, at the level of mental ray 3.6.
 #ifndef ORIEL_SDK_SHADER_H
 #define ORIEL_SDK_SHADER_H
 
 // Conventions
-//   Spaces, units and what miFALSE means stand at the head of each header below. Priorities and who
-//   may call what: functions.txt beside this file.
+//   Spaces, units and the meaning of miFALSE are documented at the top of each header below.
+//   Priorities and permitted callers: functions.txt beside this file.
 
 #include "mi_shader_if.h"
 #include "shader/blackbody.h"

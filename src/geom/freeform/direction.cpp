@@ -27,7 +27,7 @@ void bernstein(int n, double t, double* out) {
 
 void bezier(int n, double t, Blend& b) {
   bernstein(n, t, b.weight[0].data());
-  // A derivative is n times the difference of polynomials one degree lower.
+  // The derivative is n times the difference of polynomials of one degree less.
   std::array<double, kMostDegree + 3> lower{};
   const auto differences = [&](int order, double factor, double* out) {
     lower.fill(0);
@@ -44,12 +44,12 @@ void bezier(int n, double t, Blend& b) {
   differences(2, n * (n - 1.0), b.weight[2].data());
 }
 
-/// Powers of t and their derivatives times the coefficients of row i.
+/// Evaluates sums of powers of t with the given coefficients, and their derivatives.
 template <typename Coefficient>
 void from_powers(int n, double t, Coefficient coefficient, Blend& b) {
   for (int i = 0; i <= n; ++i) {
     double value = 0, first = 0, second = 0;
-    for (int j = n; j >= 0; --j) {  // Horner, for all three at once
+    for (int j = n; j >= 0; --j) {  // Horner's scheme for all three at once
       second = second * t + 2 * first;
       first = first * t + value;
       value = value * t + coefficient(i, j);
@@ -65,7 +65,7 @@ constexpr double kCardinal[4][4] = {
     {0, -.5, 1, -.5}, {1, 0, -2.5, 1.5}, {0, .5, 2, -1.5}, {0, 0, -.5, .5}};
 
 std::string find_fault(const scene::Basis* basis, const scene::BasisUse& use) {
-  if (!basis) return fmt::format("there is no basis \"{}\"", use.basis);
+  if (!basis) return fmt::format("unknown basis \"{}\"", use.basis);
   if (basis->degree < 1 || basis->degree > kMostDegree)
     return fmt::format("basis \"{}\" has degree {}, which must be in 1...{}", basis->name,
                        basis->degree, kMostDegree);
@@ -77,11 +77,11 @@ std::string find_fault(const scene::Basis* basis, const scene::BasisUse& use) {
     return fmt::format("basis \"{}\" has step {}", basis->name, basis->step);
   const bool spline = basis->kind == Kind::BSpline;
   if (use.parameters.size() < (spline ? 2 * order : 2))
-    return fmt::format("{} parameters are too few", use.parameters.size());
+    return fmt::format("it has too few parameters ({})", use.parameters.size());
   for (std::size_t i = 1; i < use.parameters.size(); ++i)
     if (!(spline ? use.parameters[i] >= use.parameters[i - 1]
                  : use.parameters[i] > use.parameters[i - 1]))
-      return "its parameters do not ascend";
+      return "its parameters are not ascending";
   return {};
 }
 
@@ -102,14 +102,14 @@ std::optional<Direction> Direction::make(const scene::Basis* basis, const scene:
   const std::size_t margin = spline ? static_cast<std::size_t>(d.degree_) : 0;
   for (std::size_t i = margin; i + margin < d.parameters_.size(); ++i) {
     if (!d.breaks_.empty() && d.parameters_[i] == d.breaks_.back()) {
-      d.span_of_break_.back() = i;  // a span without length: the next one begins here too
+      d.span_of_break_.back() = i;  // an empty span; the next span begins at the same break
       continue;
     }
     d.breaks_.push_back(d.parameters_[i]);
     d.span_of_break_.push_back(i);
   }
   if (d.breaks_.size() < 2) {
-    fault = "its knots leave no range";
+    fault = "its knots define an empty range";
     return std::nullopt;
   }
   return d;
@@ -163,7 +163,7 @@ void Direction::blend_spline(std::size_t span, double t, Blend& result) const {
   const int p = degree_;
   const double* const knot = parameters_.data() + span;  // knot[0] <= t < knot[1]
   result.first = span - static_cast<std::size_t>(p);
-  // Values of degree p - 2, p - 1 and p on the way: a derivative needs those below.
+  // Basis functions of degree p - 2, p - 1 and p; the derivatives need the lower degrees.
   std::array<std::array<double, kMostDegree + 1>, 3> level{};
   std::array<double, kMostDegree + 1> n{};
   n[0] = 1;
@@ -181,8 +181,8 @@ void Direction::blend_spline(std::size_t span, double t, Blend& result) const {
     if (p - d <= 2) level[p - d] = n;
   }
   result.weight[0] = level[0];
-  // N'_i,d = d (N_i,d-1 / (k_i+d - k_i) - N_i+1,d-1 / (k_i+d+1 - k_i+1)); index i counts from the
-  // first function that is not zero, whose support begins at knot[-d].
+  // N'_i,d = d (N_i,d-1 / (k_i+d - k_i) - N_i+1,d-1 / (k_i+d+1 - k_i+1)); index i starts at the
+  // first nonzero function, whose support begins at knot[-d].
   const auto derive = [knot](const auto& below, int d, auto& out) {
     for (int i = 0; i <= d; ++i) {
       const double a = i > 0 ? below[i - 1] / (knot[i] - knot[i - d]) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One parameter direction of a curve or surface: which control points count at t, and how much.
+// Basis functions of one parameter direction: weights of the control points at t.
 #pragma once
 
 #include <array>
@@ -11,30 +11,30 @@
 
 namespace oriel::geom::freeform {
 
-/// The language's own limit.
+/// Limit of the .mi language.
 inline constexpr int kMostDegree = 21;
 
-/// Weights of the degree + 1 control points from `first` on, and their first two derivatives by the
-/// parameter. Double: degree 21 leaves float no digits.
+/// Weights of the degree + 1 control points from `first` on, with their first two derivatives.
+/// Double, because float has too few digits for degree 21.
 struct Blend {
   std::size_t first = 0;
   int count = 0;
   std::array<std::array<double, kMostDegree + 1>, 3> weight;
 };
 
-/// A checked basis with its parameters.
+/// A validated basis with its parameters.
 ///
-/// Model:   piecewise polynomials. A B-spline's knots are its parameters and each span is of
-///          Cox-de Boor form. All others map each span between two parameters to t = 0...1:
-///          Bernstein polynomials, powers of t (Taylor), the cubic with tangents half as long as
-///          the chord of the neighbours (cardinal), or the matrix's rows.
+/// Model:   piecewise polynomials. The knots of a B-spline are its parameters, and each span has
+///          the Cox-de Boor form. All other bases map each span between two parameters to t =
+///          0...1: Bernstein polynomials, powers of t (Taylor), the cubic whose tangents are half
+///          the chord of the neighbours (cardinal), or the rows of a matrix.
 /// Source:  "Object Files (.obj)", Wavefront 1991-1995, section "Mathematics for free-form
-///          curves/surfaces", written with mental images, whose bases are those of the language;
-///          L. Piegl, W. Tiller, "The NURBS Book", 2nd ed., algorithm A2.3.
+///          curves/surfaces", written with mental images and defining the same bases as the .mi
+///          language; L. Piegl, W. Tiller, "The NURBS Book", 2nd ed., algorithm A2.3.
 /// Checked: FreeFormDirection.*
 class Direction {
  public:
-  /// Nothing, and `fault` says why, when basis and parameters do not fit.
+  /// Returns nullopt and sets `fault` to the reason if basis and parameters do not match.
   static std::optional<Direction> make(const scene::Basis* basis, const scene::BasisUse& use,
                                        std::string& fault);
 
@@ -42,9 +42,9 @@ class Direction {
   int degree() const { return degree_; }
   double begin() const { return breaks_.front(); }
   double end() const { return breaks_.back(); }
-  /// Where spans that have a length meet, ascending, ends included.
+  /// Ends of the non-empty spans, ascending.
   const std::vector<double>& breaks() const { return breaks_; }
-  /// t outside of the range counts as its end.
+  /// t is clamped to the range.
   void blend(double t, Blend& result) const;
 
  private:
@@ -55,7 +55,8 @@ class Direction {
   int degree_ = 0;
   std::size_t step_ = 1, control_points_ = 0;
   std::vector<double> parameters_, breaks_;
-  std::vector<std::size_t> span_of_break_;  // index in parameters_ at which a break's span begins
+  // index in parameters_ where the span of each break begins
+  std::vector<std::size_t> span_of_break_;
   std::vector<float> matrix_;
 };
 

@@ -27,7 +27,7 @@ double value(const Direction& d, const std::vector<double>& points, double t, in
   return sum;
 }
 
-/// The definition, by recursion: C. de Boor, "A Practical Guide to Splines", 1978, X(5).
+/// The recursive definition: C. de Boor, "A Practical Guide to Splines", 1978, X(5).
 double de_boor(const std::vector<float>& knots, std::size_t i, int p, double t) {
   if (p == 0) return knots[i] <= t && t < knots[i + 1] ? 1 : 0;
   const double left = knots[i + p] - knots[i], right = knots[i + p + 1] - knots[i + 1];
@@ -75,7 +75,7 @@ TEST(FreeFormDirection, DerivativesAreThoseOfTheValues) {
   }
 }
 
-// The specification's own example: cubic Bezier as a matrix with step 3.
+// Example of the specification: cubic Bezier as a matrix with step 3.
 TEST(FreeFormDirection, AMatrixCanSayBezier) {
   const Direction matrix =
       make({"m", Kind::Matrix, false, 3, 3, {1, -3, 3, -1, 0, 3, -6, 3, 0, 0, 3, -3, 0, 0, 0, 1}},

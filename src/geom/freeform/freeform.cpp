@@ -19,7 +19,7 @@ namespace {
 using namespace freeform;
 using Kind = scene::Approximation::Kind;
 
-/// What the surfaces of a group share while they are made.
+/// Data shared by the surfaces of a group during tessellation.
 struct GroupWork {
   const scene::Object& object;
   const scene::PolygonGroup& group;
@@ -28,9 +28,9 @@ struct GroupWork {
   scene::ApproximationRules rules;
   scene::Approximation standard;
   NamedCurves curves;
-  std::map<std::string, std::size_t, std::less<>> number;  // of usable surfaces by name
+  std::map<std::string, std::size_t, std::less<>> number;  // usable surfaces by name
   std::vector<std::optional<SurfaceNet>> nets;             // per surface
-  std::vector<std::map<std::string, Seam>> seams;          // likewise
+  std::vector<std::map<std::string, Seam>> seams;          // per surface
 
   const scene::Approximation& of_surface(const scene::FreeSurface& surface) const {
     const scene::Approximation* a = rules.find(Kind::Surface, surface.name);
@@ -61,18 +61,18 @@ void make_nets(GroupWork& work) {
       work.curves.insert_or_assign(curve.name, std::move(*net));
     else
       work.diagnostics.warning("OR-GEOM-031", curve.where,
-                               fmt::format("curve \"{}\" is left out: {}", curve.name, fault));
+                               fmt::format("curve \"{}\" is skipped: {}", curve.name, fault));
   }
   for (const scene::FreeSurface& surface : work.group.freeform.surfaces) {
     auto net = SurfaceNet::make(surface.u, surface.v, surface.points, work.object.bases, work.group,
                                 fault);
     if (net && !is_range(range_of(surface, *net))) {
-      fault = "the range of its parameters is empty";
+      fault = "its parameter range is empty";
       net.reset();
     }
     if (!net)
       work.diagnostics.warning("OR-GEOM-030", surface.where,
-                               fmt::format("surface \"{}\" is left out: {}", surface.name, fault));
+                               fmt::format("surface \"{}\" is skipped: {}", surface.name, fault));
     else
       work.number.try_emplace(surface.name, work.nets.size());
     work.nets.push_back(std::move(net));
@@ -95,9 +95,10 @@ void make_seams(GroupWork& work, Budget& budget) {
     if (!fits || !curve[0] || !curve[1]) {
       work.diagnostics.warning(
           "OR-GEOM-032", connection.where,
-          fmt::format("a connection of surfaces \"{}\" and \"{}\" names a surface or curve that "
-                      "is not there",
-                      connection.surface[0], connection.surface[1]));
+          fmt::format(
+              "a connection of surfaces \"{}\" and \"{}\" refers to a surface or curve that "
+              "does not exist",
+              connection.surface[0], connection.surface[1]));
       continue;
     }
     const SeamSide a{work.input(surface[0]), *curve[0], connection.part[0]};
@@ -117,7 +118,8 @@ MaterialSlot slot_of(const GroupWork& work, const scene::FreeSurface& surface) {
   return slot;
 }
 
-/// Memory that all surfaces of a group together may take, whoever asks for how much.
+/// Point limit of each surface, such that all surfaces of a group together stay within the memory
+/// limit.
 std::size_t points_per_surface(std::size_t surfaces) {
   constexpr std::size_t kAll = 32'000'000, kLeast = 20'000, kMost = 4'000'000;
   return std::clamp(kAll / std::max<std::size_t>(surfaces, 1), kLeast, kMost);

@@ -6,8 +6,8 @@
 namespace oriel::geom::testing {
 namespace freeform_test {
 
-// A rational Bezier patch of degree 2 x 2 that is an octant of the unit sphere; its last row is one
-// place, the pole. G. Farin, "Curves and Surfaces for CAGD", 5th ed., section 18.4.
+// A rational Bezier patch of degree 2 x 2 for an octant of the unit sphere; its last row is a
+// single point, the pole. G. Farin, "Curves and Surfaces for CAGD", 5th ed., section 18.4.
 void add_octant(Model& model) {
   const float s = std::sqrt(.5f);
   model.surface(
@@ -64,7 +64,7 @@ TEST(FreeForm, ATorusHasItsEquationAndIsClosed) {
   EXPECT_NEAR(area(mesh), 4 * kPi * kPi * 3, 1.5);
 }
 
-/// The largest distance from the torus of radii 3 and 1 over many places of all triangles.
+/// Maximum distance of many points on all triangles from the torus with radii 3 and 1.
 float distance_from_torus(const Mesh& mesh) {
   float worst = 0;
   for (const Triangle& t : mesh.triangles)
@@ -100,13 +100,14 @@ TEST(FreeForm, CurvatureKeepsItsDistance) {
     model.approximate(criteria(0, distance, 0));
     const Mesh mesh = model.mesh();
     EXPECT_LT(distance_from_torus(mesh), distance);
-    EXPECT_GT(distance_from_torus(mesh), distance / 20);  // and is not wasteful
+    EXPECT_GT(distance_from_torus(mesh), distance / 20);  // and not much finer than necessary
     EXPECT_GT(mesh.triangles.size(), before);
     before = mesh.triangles.size();
   }
 }
 
-// A plane with one bump: few triangles do only if they go where it is.
+// A plane with one bump: a low triangle count is sufficient only if triangles are concentrated
+// there.
 TEST(FreeForm, MaxSpendsItsTrianglesWhereTheyAreMissedMost) {
   Model model;
   std::vector<scene::ControlPoint> points;
@@ -120,7 +121,7 @@ TEST(FreeForm, MaxSpendsItsTrianglesWhereTheyAreMissedMost) {
   const Mesh mesh = model.mesh();
   EXPECT_TRUE(model.diagnostics.all().empty());
   std::size_t at_the_bump = 0;
-  // The border is sampled by its curves; what is not at it are the cells.
+  // Vertices on the border are samples of curves; the others are corners of cells.
   for (const Triangle& t : mesh.triangles) {
     const Vec3 p = (mesh.positions[t.a] + mesh.positions[t.b] + mesh.positions[t.c]) / 3;
     at_the_bump += p.x < 1.5f && p.y < 1.5f;
@@ -137,7 +138,8 @@ TEST(FreeForm, CurvatureKeepsItsAngleAndLengthItsLength) {
   Model angle;
   angle.torus(3, 1);
   angle.approximate(criteria(0, 0, .35f));
-  // Along an edge normals turn by no more than along both ways of its cell.
+  // The angle between normals along an edge is at most the sum of those in both directions of its
+  // cell.
   EXPECT_LT(largest_turn_of_normals(angle.mesh()), .35f * std::sqrt(2.0f));
   Model length;
   length.torus(3, 1);
@@ -203,7 +205,7 @@ TEST(FreeForm, HolesLieWithinTrimsAndPartsOfCurvesMakeOneLoop) {
   model.circle("inner", {.5f, .5f}, .2f);
   model.line("back", {.1f, .5f}, {.9f, .5f});
   scene::FreeSurface& s = model.square();
-  // The upper half of the disc without the inner one: the circle's half, and the line back.
+  // The upper half of the disc without the inner one: the half circle and its diameter.
   s.loops.push_back({scene::SurfaceLoop::Kind::Trim, {{"outer", 0, 2}, {"back", 0, 1}}, {}});
   s.loops.push_back({scene::SurfaceLoop::Kind::Hole,
                      {{"inner", 0, 2}},  // closed by its chord
@@ -230,7 +232,7 @@ TEST(FreeForm, LengthsInPixelsFallWithDistance) {
   }
 }
 
-/// A patch over [0, 1] x [x0, x0 + 1], bent; the rows at x = 1 are the same in both.
+/// A curved patch over [0, 1] x [x0, x0 + 1]; both patches have the same rows at x = 1.
 void add_bent(Model& model, float x0, bool swapped) {
   std::vector<scene::ControlPoint> points;
   for (int j = 0; j < 4; ++j)
@@ -241,7 +243,7 @@ void add_bent(Model& model, float x0, bool swapped) {
   model.surface({false, "bez3", {0, 1}}, {false, "bez3", {0, 1}}, std::move(points));
 }
 
-/// Edges on the plane x = 1 that are not shared by two triangles.
+/// Edges in the plane x = 1 that are not shared by two triangles.
 std::size_t gaps(const Mesh& mesh) {
   std::size_t open = 0, seen = 0;
   for (const auto& [ends, use] : edges(mesh)) {

@@ -17,7 +17,7 @@ const scene::Basis* find_basis(const std::vector<scene::Basis>& bases, const std
 
 V3d xyz(const V4d& a) { return {a.x, a.y, a.z}; }
 
-/// A weight of 0 is a place at infinity: nothing sensible can be shown there.
+/// A weight of 0 is a point at infinity, which cannot be represented; it counts as weight 1.
 double divisor(double w) { return w != 0 ? w : 1; }
 
 }  // namespace
@@ -30,11 +30,11 @@ std::vector<V4d> control_net(const scene::PolygonGroup& group,
   for (const scene::ControlPoint& p : points) {
     const std::uint32_t i = p.vertex < column.size() ? column[p.vertex] : scene::kNone;
     if (i >= group.vectors.size()) {
-      fault = fmt::format("it names vertex {}, which does not exist", p.vertex);
+      fault = fmt::format("it refers to vertex {}, which does not exist", p.vertex);
       return {};
     }
     const V3d place(group.vectors[i]);
-    constexpr double kFarthest = 1e18;  // as of polygons
+    constexpr double kFarthest = 1e18;  // same limit as for polygons
     if (!(place.length2() < kFarthest * kFarthest) || !std::isfinite(p.weight)) {
       fault = fmt::format("vertex {} or its weight is not finite", p.vertex);
       return {};
@@ -77,7 +77,7 @@ std::optional<SurfaceNet> SurfaceNet::make(const scene::BasisUse& u, const scene
   if (!du) return std::nullopt;
   auto dv = Direction::make(find_basis(bases, v.basis), v, fault);
   if (!dv) return std::nullopt;
-  // Bounded by the file: a list as long as the product must stand there.
+  // Compare without multiplying: the product could overflow.
   if (points.size() / du->control_points() != dv->control_points() ||
       points.size() % du->control_points() != 0) {
     fault = fmt::format("it has {} control points, not {} x {}", points.size(),
@@ -139,7 +139,7 @@ V3d SurfaceNet::point(double u, double v) const {
 }
 
 V3d SurfaceNet::normal(const Jet& jet, double u, double v) const {
-  // Below this sine (or share of the other's length) a cross product is rounding.
+  // Cross products with a smaller sine (or relative length) are rounding errors.
   constexpr double kLittle = 1e-7;
   const double to_u = u < (u_.begin() + u_.end()) / 2 ? 1 : -1;
   const double to_v = v < (v_.begin() + v_.end()) / 2 ? 1 : -1;
@@ -154,7 +154,8 @@ V3d SurfaceNet::normal(const Jet& jet, double u, double v) const {
     const V3d n = unit(jet.u.cross(jet.v), jet.u.length() * jet.v.length());
     if (n != V3d(0)) return n;
   }
-  // Close to a pole in v, dS/du is about its derivative by v times the way into the surface.
+  // Near a pole in v, dS/du is approximately its derivative by v times the distance into the
+  // surface.
   if (pole_u && !pole_v) {
     const V3d n = unit((jet.uv * to_v).cross(jet.v), jet.uv.length() * jet.v.length());
     if (n != V3d(0)) return n;
@@ -163,7 +164,7 @@ V3d SurfaceNet::normal(const Jet& jet, double u, double v) const {
     const V3d n = unit(jet.u.cross(jet.uv * to_u), jet.u.length() * jet.uv.length());
     if (n != V3d(0)) return n;
   }
-  // Both vanish, or are parallel: ask a little way inside, further the first time it fails.
+  // Both vanish or are parallel: evaluate a small distance inside, and a larger one if that fails.
   for (const double step : {1e-4, 1e-2}) {
     const Jet inside = this->jet(u + to_u * step * width, v + to_v * step * height);
     const V3d n = unit(inside.u.cross(inside.v), inside.u.length() * inside.v.length());

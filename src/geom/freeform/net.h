@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves and surfaces over their control points: places, derivatives, normals.
+// Curves and surfaces defined by control points: positions, derivatives, normals.
 #pragma once
 
 #include <ImathVec.h>
@@ -10,14 +10,14 @@
 
 namespace oriel::geom::freeform {
 
-// Double inside: neighbouring surfaces shall meet in the same float, and second differences of
-// close points still mean something.
+// Double precision, so that adjacent surfaces meet at the same float and second differences of
+// close points are meaningful.
 using V3d = Imath::V3d;
 using V4d = Imath::V4d;
 
-/// Control points as vectors of the group; a rational one stands as (w x, w y, w z, w).
-/// Returns nothing, and `fault` says why, when one does not exist or is not finite.
-/// `column`: which index of a vertex counts (points, a motion step).
+/// Control points as vectors of the group; rational ones are stored as (w x, w y, w z, w). Returns
+/// nullopt and sets `fault` to the reason if a point does not exist or is not finite. `column`
+/// selects an index of the vertex (point or motion step).
 std::vector<V4d> control_net(const scene::PolygonGroup& group,
                              const std::vector<scene::ControlPoint>& points,
                              const std::vector<std::uint32_t>& column, std::string& fault);
@@ -38,7 +38,7 @@ class CurveNet {
   std::vector<V4d> points_;
 };
 
-/// A place on a surface with its derivatives by u and v.
+/// A position on a surface with its derivatives by u and v.
 struct Jet {
   V3d p, u, v, uu, uv, vv;
 };
@@ -47,18 +47,18 @@ class SurfaceNet {
  public:
   SurfaceNet(Direction u, Direction v, std::vector<V4d> points)
       : u_(std::move(u)), v_(std::move(v)), points_(std::move(points)) {}
-  /// Of `surface`, or of a texture surface: both have u, v and points.
+  /// Makes a net of a surface or of a texture surface; both have u, v and points.
   static std::optional<SurfaceNet> make(const scene::BasisUse& u, const scene::BasisUse& v,
                                         const std::vector<scene::ControlPoint>& points,
                                         const std::vector<scene::Basis>& bases,
                                         const scene::PolygonGroup& group, std::string& fault);
-  /// Another quantity over the same bases and weights: motion vectors.
+  /// A net of another quantity (motion vectors) over the same bases and weights.
   SurfaceNet with(std::vector<V4d> points) const { return {u_, v_, std::move(points)}; }
 
   Jet jet(double u, double v) const;
   V3d point(double u, double v) const;
-  /// Unit normal, the direction of dS/du x dS/dv. Where one of the two vanishes (a pole) the limit
-  /// from inside the surface; null only where the surface has no area around the place either.
+  /// Unit normal in the direction of dS/du x dS/dv. If one of the two vanishes (a pole), the limit
+  /// from inside the surface; null only if the surface has no area around the point.
   V3d normal(double u, double v) const { return normal(jet(u, v), u, v); }
   V3d normal(const Jet& jet, double u, double v) const;
   const Direction& u() const { return u_; }

@@ -15,7 +15,7 @@ EdgePoint in_range(const OutlineInput& input, const V3d& uv) {
           {}};
 }
 
-/// Replaces the samples that a seam covers by those of the seam.
+/// Replaces the samples in the range of a seam by those of the seam.
 std::vector<std::pair<double, std::optional<V3d>>> with_seam(const std::vector<double>& samples,
                                                              const Seam* seam) {
   std::vector<std::pair<double, std::optional<V3d>>> result;
@@ -63,7 +63,7 @@ Polyline flatten(const scene::SurfaceLoop& loop, const OutlineInput& input, Budg
   for (const scene::CurvePart& part : loop.parts) {
     const auto found = input.curves.find(part.curve);
     if (found == input.curves.end()) {
-      fault = fmt::format("there is no usable curve \"{}\"", part.curve);
+      fault = fmt::format("curve \"{}\" does not exist or is invalid", part.curve);
       continue;
     }
     const auto seam = input.seams.find(part.curve);
@@ -73,7 +73,7 @@ Polyline flatten(const scene::SurfaceLoop& loop, const OutlineInput& input, Budg
     for (const auto& [t, place] : samples) {
       EdgePoint p = in_range(input, found->second.at(t));
       p.place = place;
-      // Where parts meet, the one that was connected has the say.
+      // Where parts meet, the point of a connected part has priority.
       const bool again =
           !line.points.empty() && line.points.back().u == p.u && line.points.back().v == p.v;
       if (!again)
@@ -103,7 +103,7 @@ Polyline border(const OutlineInput& input, Budget& budget) {
         d.breaks(), d.degree(), along_u ? r.u0 : r.v0, along_u ? r.u1 : r.v1, a,
         along_u ? a.u : a.v, criteria, budget);
     if (!forward) std::reverse(t.begin(), t.end());
-    t.pop_back();  // the next side begins there
+    t.pop_back();  // the next side begins at this point
     for (const double s : t)
       line.points.push_back(along_u ? EdgePoint{s, across, {}} : EdgePoint{across, s, {}});
   };

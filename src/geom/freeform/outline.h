@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edges of a surface in its parameter plane: its own border, trims, holes, special curves.
+// The edges of a surface in its parameter plane: border, trims, holes, special curves.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace oriel::geom::freeform {
 
-/// A place on an edge. Where surfaces are connected both have the same `place` there.
+/// A point on an edge. Connected surfaces have the same `place` there.
 struct EdgePoint {
   double u, v;
   std::optional<V3d> place;
@@ -19,48 +19,47 @@ struct EdgePoint {
 
 struct Polyline {
   scene::SurfaceLoop::Kind kind = scene::SurfaceLoop::Kind::Trim;
-  std::vector<EdgePoint> points;  ///< trims and holes are closed, without repeating the first
+  std::vector<EdgePoint> points;  ///< trims and holes are closed; the first point is not repeated
 };
 
-/// Where a connection asks a trimming curve for points: parameters of the curve, ascending, and the
-/// places they have. Between the first and the last the curve has no others.
+/// Sample points that a connection prescribes for a trimming curve: ascending parameters and their
+/// positions. The curve has no other samples between the first and the last.
 struct Seam {
   std::vector<double> t;
   std::vector<V3d> place;
 };
 
-/// NamedCurves of a group by name.
+/// The curves of a group by name.
 using NamedCurves = std::map<std::string, CurveNet, std::less<>>;
 
-/// How a trimming curve is approximated: by its own statement, by `trim` of its surface, or as the
-/// surface is.
+/// The approximation of a trimming curve: its own, else that of `trim` of its surface, else that of
+/// the surface.
 using CurveApproximation = std::function<const scene::Approximation&(const std::string& curve)>;
 
-/// What a surface's edges are made from.
+/// Input for the edges of a surface.
 struct OutlineInput {
   const SurfaceNet& net;
   Range range;
   const NamedCurves& curves;
-  const std::map<std::string, Seam>& seams;  ///< of this surface, by curve
+  const std::map<std::string, Seam>& seams;  ///< seams of this surface, by curve
   CurveApproximation approximation;
   const scene::Approximation& of_surface;
   const scene::TessellationView& view;
 };
 
-/// The surface's own border, counter-clockwise.
+/// The border of the surface, counter-clockwise.
 Polyline border(const OutlineInput& input, Budget& budget);
 
-/// One trim, hole or special statement. `fault` names a curve that does not exist; parts of it are
-/// left out.
+/// Samples one trim, hole or special curve. Parts whose curve does not exist are skipped and named
+/// in `fault`.
 Polyline flatten(const scene::SurfaceLoop& loop, const OutlineInput& input, Budget& budget,
                  std::string& fault);
 
-/// Parameters at which a part of a curve on the surface is sampled, from its smaller to its larger
-/// end.
+/// Parameters of the samples of a curve part on the surface, in ascending order.
 std::vector<double> sample_part(const CurveNet& curve, const scene::CurvePart& part,
                                 const OutlineInput& input, Budget& budget);
 
-/// The surface at a point of the parameter plane, which is moved into its range.
+/// The surface at a point of the parameter plane, clamped to its range.
 V3d on_surface(const OutlineInput& input, const V3d& uv);
 
 }  // namespace oriel::geom::freeform

@@ -14,13 +14,13 @@ __extension__ using Wide = __int128;
 int next(int i) { return i == 2 ? 0 : i + 1; }
 int prev(int i) { return i == 0 ? 2 : i - 1; }
 
-/// Twice the area of a b c, positive when they run counter-clockwise. Below 2^62.
+/// Twice the signed area of a b c, positive if counter-clockwise. The magnitude is below 2^62.
 std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether d lies inside the circle through a b c (counter-clockwise). Differences stay below 2^30,
-/// so all stays below 2^126.
+/// Whether d lies inside the circumcircle of a b c (counter-clockwise). Differences are below 2^30,
+/// so all terms are below 2^126.
 bool in_circle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   const auto lift = [d](GridPoint p) {
     return Wide{(p.x - d.x) * (p.x - d.x) + (p.y - d.y) * (p.y - d.y)};
@@ -47,7 +47,7 @@ PlanarDelaunay::Found PlanarDelaunay::locate(GridPoint p) const {
     const Face& f = faces_[face];
     std::int64_t side[3] = {};
     int leave = -1;
-    // Begin at another edge each time: around fixed edges a walk could turn in circles.
+    // Start with a varying edge: with constraint edges a walk in fixed order could cycle.
     for (int k = 0, i = static_cast<int>((face * 7 + steps * 5) / 4 % 3); k < 3; ++k, i = next(i)) {
       side[i] = turn(points_[f.vertex[next(i)]], points_[f.vertex[prev(i)]], p);
       if (side[i] < 0) {
@@ -107,7 +107,7 @@ void PlanarDelaunay::set_face(std::uint32_t face, const Face& value) {
   for (const std::uint32_t v : value.vertex) face_of_[v] = face;
 }
 
-/// What was beyond `from` is now beyond `to`, as `face` sees it.
+/// Updates the neighbour of `face`: replaces `from` by `to`.
 void PlanarDelaunay::relink(std::uint32_t face, std::uint32_t from, std::uint32_t to) {
   if (face == kNothing) return;
   for (std::uint32_t& across : faces_[face].across)
@@ -123,7 +123,7 @@ void PlanarDelaunay::split_face(std::uint32_t face, std::uint32_t p) {
   faces_.resize(faces_.size() + 2);
   const std::uint32_t part[3] = {face, b, c};
   for (int i = 0; i < 3; ++i) {
-    // Over the edge opposite to vertex i.
+    // The edge opposite to vertex i.
     set_face(part[i], {{p, f.vertex[next(i)], f.vertex[prev(i)]},
                        {f.across[i], part[next(i)], part[prev(i)]},
                        {f.fixed[i], false, false},
@@ -174,8 +174,7 @@ void PlanarDelaunay::legalize() {
     if (!should_flip(face, edge)) continue;
     const std::uint32_t other = faces_[face].across[edge];
     flip(face, edge);
-    // After a flip both faces begin with what was opposite to the edge; all outer edges are
-    // suspect.
+    // After a flip, all outer edges of both faces have to be tested.
     for (const std::uint32_t part : {face, other})
       for (int i = 0; i < 3; ++i)
         if (faces_[part].across[i] != face && faces_[part].across[i] != other)
@@ -183,7 +182,7 @@ void PlanarDelaunay::legalize() {
   }
 }
 
-/// The edge becomes the other diagonal of its two faces.
+/// Replaces the edge by the other diagonal of its two faces.
 void PlanarDelaunay::flip(std::uint32_t face, int edge) {
   const std::uint32_t other = faces_[face].across[edge];
   const Face f = faces_[face], g = faces_[other];
@@ -234,7 +233,7 @@ void PlanarDelaunay::fix(std::uint32_t face, int edge) {
 
 bool PlanarDelaunay::fix_edge(std::uint32_t a, std::uint32_t b) {
   while (a != b) {
-    // Which face at a does the way begin with?
+    // Find the face at a that contains the start of the segment.
     const std::uint32_t start = face_of_[a];
     std::uint32_t face = start, reached = kNothing;
     do {
@@ -260,8 +259,9 @@ bool PlanarDelaunay::fix_edge(std::uint32_t a, std::uint32_t b) {
   return true;
 }
 
-/// Flips the edges between a and b away, beginning with that of `face` opposite to a, up to the
-/// first vertex on the way, which is `reached`; fixes the edge to it.
+/// Flips all edges that cross the segment from a to b, starting with the edge of `face` opposite to
+/// a, until a vertex on the segment is reached (`reached`). Then marks the edge to that vertex as
+/// fixed.
 bool PlanarDelaunay::clear_way(std::uint32_t a, std::uint32_t b, std::uint32_t first_face,
                                int first_edge, std::uint32_t& reached) {
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -283,7 +283,7 @@ bool PlanarDelaunay::clear_way(std::uint32_t a, std::uint32_t b, std::uint32_t f
       reached = apex;
       break;
     }
-    // Beyond: the edge from right to the apex, or from the apex to left, is crossed next.
+    // The next crossed edge is either right-apex or apex-left.
     edge = at > 0 ? index_of(other, left) : index_of(other, right);
     face = other;
   }

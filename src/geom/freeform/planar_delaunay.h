@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constrained Delaunay triangulation of points on an integer grid, grown point by point.
+// Constrained Delaunay triangulation of points on an integer grid, with incremental insertion.
 #pragma once
 
 #include <array>
@@ -8,22 +8,23 @@
 
 namespace oriel::geom::freeform {
 
-/// A place of the grid; x and y in [0, PlanarDelaunay::kSize].
+/// A point of the grid; x and y in [0, PlanarDelaunay::kSize].
 struct GridPoint {
   std::int64_t x = 0, y = 0;
   bool operator==(const GridPoint&) const = default;
 };
 
-/// Model:   a triangle around the whole grid is split as points come, and edges are flipped until
-///          no point lies in a triangle's circumcircle unless a fixed edge stands between. All
-///          decisions are exact: coordinates are integers small enough for 128 bits.
+/// Model:   a triangle around the whole grid is split as points are inserted. Edges are flipped
+///          until no circumcircle contains a vertex, except where fixed edges prevent it. All
+///          predicates are exact: coordinates are integers that are small enough for 128-bit
+///          arithmetic.
 /// Source:  C. Lawson, "Software for C1 surface interpolation", 1977 (insertion by flips);
 ///          S. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993.
 /// Checked: PlanarDelaunay.*
 class PlanarDelaunay {
  public:
   static constexpr std::int64_t kSize = std::int64_t{1} << 26;
-  /// The first vertices are the corners of the triangle around all.
+  /// The first vertices are the corners of the enclosing triangle.
   static constexpr std::uint32_t kCorners = 3;
   static constexpr std::uint32_t kNothing = 0xffffffffu;
 
@@ -31,17 +32,17 @@ class PlanarDelaunay {
     std::array<std::uint32_t, 3> vertex;  ///< counter-clockwise
     std::array<std::uint32_t, 3> across;  ///< the face beyond the edge opposite to vertex i
     std::array<bool, 3> fixed;            ///< that edge is a constraint
-    std::uint8_t region = 0;              ///< the caller's; new faces have that of the old ones
+    std::uint8_t region = 0;              ///< set by the caller; new faces inherit it
   };
 
   PlanarDelaunay();
-  /// The vertex there, new or not.
+  /// The vertex at the point; inserts it if it does not exist.
   std::uint32_t insert(GridPoint p);
-  /// As insert(), but only in faces of that region, and nowhere closer to a vertex or to a fixed
-  /// edge of its face than `distance`; otherwise kNothing.
+  /// Like insert(), but only in faces of the region and at least `distance` from each vertex and
+  /// fixed edge of its face; otherwise returns kNothing.
   std::uint32_t insert_clear(GridPoint p, double distance, std::uint8_t region);
-  /// Makes the straight way from a to b edges that stay, through the vertices that lie on it.
-  /// False: it crosses another fixed edge and was left out from there on.
+  /// Makes the segment from a to b fixed edges, split at vertices that lie on it. Returns false if
+  /// the segment crosses another fixed edge; the rest of the segment is then skipped.
   bool fix_edge(std::uint32_t a, std::uint32_t b);
 
   const std::vector<GridPoint>& points() const { return points_; }
@@ -50,8 +51,8 @@ class PlanarDelaunay {
  private:
   struct Found {
     std::uint32_t face;
-    int vertex = -1;  ///< it is this one of the face
-    int edge = -1;    ///< or on the edge opposite to this one
+    int vertex = -1;  ///< vertex of the face that equals the point
+    int edge = -1;    ///< or the edge opposite to this vertex that contains it
   };
   Found locate(GridPoint p) const;
   std::uint32_t insert_at(const Found& found, GridPoint p);
@@ -72,7 +73,7 @@ class PlanarDelaunay {
   std::vector<std::uint32_t> face_of_;  // one face at each vertex
   std::vector<Face> faces_;
   mutable std::uint32_t last_ = 0;
-  std::vector<std::pair<std::uint32_t, int>> suspects_;  // edges that may have to be flipped
+  std::vector<std::pair<std::uint32_t, int>> suspects_;  // edges to test for a flip
 };
 
 }  // namespace oriel::geom::freeform

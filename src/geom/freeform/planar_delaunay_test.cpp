@@ -9,7 +9,7 @@
 namespace oriel::geom::freeform {
 namespace planar_delaunay_test {
 
-/// Twice the area of all faces without corners of the triangle around all.
+/// Twice the area of all faces without vertices of the enclosing triangle.
 std::int64_t area_of_hull(PlanarDelaunay& mesh) {
   std::int64_t sum = 0;
   for (const PlanarDelaunay::Face& f : mesh.faces()) {
@@ -41,7 +41,8 @@ TEST(PlanarDelaunay, FacesCoverTheSquareOnceAndTheirCirclesAreEmpty) {
     mesh.insert({static_cast<std::int64_t>(random() % (n + 1)),
                  static_cast<std::int64_t>(random() % (n + 1))});
   EXPECT_EQ(area_of_hull(mesh), 2 * n * n);
-  // A published property: the circle around a face holds no point. All points against some faces.
+  // Delaunay property: the circumcircle of a face contains no point. Tests all points with some
+  // faces.
   for (std::size_t k = 0; k < mesh.faces().size(); k += 97) {
     const auto& f = mesh.faces()[k];
     if (*std::min_element(f.vertex.begin(), f.vertex.end()) < PlanarDelaunay::kCorners) continue;
@@ -74,7 +75,7 @@ TEST(PlanarDelaunay, FixedEdgesAppearAndStayWhateverComesAfter) {
   };
   scatter(500);
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(mesh.fix_edge(corners[i], corners[(i + 1) % 4]));
-  // Star-like, no two cross.
+  // Star-shaped; no two of them cross.
   const std::uint32_t a = mesh.insert({n / 2, n / 2 + 1}), b = mesh.insert({n - 3, n / 2 + 70}),
                       c = mesh.insert({7, n / 3});
   EXPECT_TRUE(mesh.fix_edge(a, b));

@@ -14,7 +14,7 @@ using LoopKind = scene::SurfaceLoop::Kind;
 using Technique = scene::Approximation::Technique;
 constexpr std::uint8_t kInside = 1;
 
-/// Lines of a parametric or regular approximation.
+/// Grid lines of a parametric or regular approximation.
 std::vector<double> lines_of(const OutlineInput& input, bool along_u, Budget& budget) {
   const scene::Approximation& a = input.of_surface;
   const Criteria criteria(a, input.view);
@@ -25,7 +25,7 @@ std::vector<double> lines_of(const OutlineInput& input, bool along_u, Budget& bu
                       budget);
 }
 
-/// As many lines that a grid of them stays within the budget.
+/// Reduces the number of lines until their grid fits the budget.
 void thin_out(std::vector<double>& us, std::vector<double>& vs, Budget& budget) {
   while (us.size() * vs.size() > budget.points && us.size() + vs.size() > 4) {
     std::vector<double>& more = us.size() > vs.size() ? us : vs;
@@ -37,7 +37,8 @@ void thin_out(std::vector<double>& us, std::vector<double>& vs, Budget& budget) 
   }
 }
 
-/// The parameter plane on the grid of the triangulation, stretched as the surface is.
+/// Maps the parameter plane to the grid of the triangulation, scaled by the average size of the
+/// surface.
 class Plane {
  public:
   explicit Plane(const OutlineInput& input) : range_(input.range) {
@@ -53,7 +54,7 @@ class Plane {
         length[1] += (at(j, i + 1) - at(j, i)).length();
       }
     const double longest = std::max(length[0], length[1]);
-    // No side so short that its places could not be told apart.
+    // No side may be so short that its points coincide on the grid.
     const auto cells = [longest](double l) {
       return double{PlanarDelaunay::kSize} * (longest > 0 ? std::max(l / longest, 1.0 / 256) : 1);
     };
@@ -70,7 +71,7 @@ class Plane {
   double scale_u_, scale_v_;
 };
 
-/// Whether a ray from p to the right meets the loop an odd number of times.
+/// Whether a ray from the point in +x crosses the loop an odd number of times.
 bool surrounds(const std::vector<GridPoint>& loop, double x, double y) {
   bool odd = false;
   for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
@@ -101,11 +102,11 @@ class Trimmer {
     edge_.insert(edge_.end(), ids.begin(), ids.end());
   }
 
-  /// Marks the faces that are inside; lines after this do not change that.
+  /// Marks the faces that are inside; lines added later do not change that.
   void classify() {
     auto& faces = delaunay_.faces();
-    // All that no fixed edge parts has one answer; where edges are missing each face is asked
-    // alone, unless a scene made that too long a work.
+    // Faces that are not separated by a fixed edge get a common result. If edges are missing, each
+    // face is tested individually, up to a work limit.
     constexpr std::size_t kMostQuestions = 1'000'000'000;
     std::size_t corners = 1;
     for (const Loop& loop : loops_) corners += loop.points.size();
@@ -130,7 +131,8 @@ class Trimmer {
 
   void add_point(const EdgePoint& p) { add(p); }
   void add_cells() {
-    // First all corners, then the sides: each triangle lies within one cell, as was measured.
+    // Insert all corners first, then the sides: each triangle then lies within one cell, as its
+    // error was measured.
     std::vector<std::array<std::uint32_t, 4>> cells;
     const auto add_cell = [&](const Range& c) {
       cells.push_back({add_corner(c, c.u0, c.v0), add_corner(c, c.u1, c.v0),
@@ -146,7 +148,7 @@ class Trimmer {
       for (std::size_t j = 1; j < vs.size(); ++j)
         for (std::size_t i = 1; i < us.size(); ++i) add_cell({us[i - 1], us[i], vs[j - 1], vs[j]});
     }
-    // A side that a trim crosses stays open.
+    // The side of a cell that a trim crosses is not fixed.
     for (const auto& cell : cells)
       for (std::size_t i = 0; i < 4; ++i) {
         const std::uint32_t a = cell[i], b = cell[(i + 1) % 4];
@@ -184,7 +186,7 @@ class Trimmer {
     std::vector<GridPoint> points;
   };
 
-  /// A third of a cell from any edge at least: closer ones would only make splinters.
+  /// At least a third of a cell from any edge, to avoid thin triangles.
   std::uint32_t add_corner(const Range& cell, double u, double v) {
     const double least = .3 * plane_.smaller(cell.u1 - cell.u0, cell.v1 - cell.v0);
     const std::uint32_t id = delaunay_.insert_clear(plane_.place(u, v), least, kInside);
@@ -203,7 +205,7 @@ class Trimmer {
 
   bool is_inside(const std::vector<std::uint32_t>& part) {
     const auto& points = delaunay_.points();
-    // The largest face: its middle is surely on the right side of everything.
+    // The centre of the largest face is the most reliable point for the inside test.
     double largest = -1, x = 0, y = 0;
     for (const std::uint32_t face : part) {
       const auto& v = delaunay_.faces()[face].vertex;
@@ -228,7 +230,7 @@ class Trimmer {
   Budget& budget_;
   Plane plane_;
   PlanarDelaunay delaunay_;
-  // The corners around all come first; nobody looks at where they are.
+  // The first entries belong to the corners of the enclosing triangle and are unused.
   std::vector<EdgePoint> vertices_ = std::vector<EdgePoint>(PlanarDelaunay::kCorners);
   std::vector<std::uint32_t> edge_;
   std::vector<Loop> loops_;

@@ -23,14 +23,14 @@ int ceiled(double pieces) {
   return static_cast<int>(std::clamp(std::ceil(pieces - 1e-4), 1.0, double{kMostPieces}));
 }
 
-/// Halves one piece of a curve until the criteria are met; appends all but its begin.
+/// Bisects a piece of a curve until the criteria are met; appends all samples except the first.
 class CurveSplitter {
  public:
   CurveSplitter(const std::function<V3d(double)>& at, const scene::Approximation& approximation,
                 const Criteria& criteria, Budget& budget, std::vector<double>& out)
       : at_(at), a_(approximation), criteria_(criteria), budget_(budget), out_(out) {}
 
-  // Recursion is as deep as kMostSubdivisions allows.
+  // The recursion depth is limited by kMostSubdivisions.
   void split(double t0, const V3d& p0, double t1, const V3d& p1, int depth) {
     const double t = (t0 + t1) / 2;
     const V3d p = at_(t);
@@ -46,7 +46,7 @@ class CurveSplitter {
 
  private:
   double criteria_excess(double t0, const V3d& p0, const V3d& p, double t1, const V3d& p1) const {
-    // The quarters too: an S has its middle on the chord.
+    // Also test the quarter points: the middle of an S-shaped piece lies on the chord.
     double distance = 0;
     const V3d places[3] = {at_(t0 + (t1 - t0) / 4), p, at_(t1 - (t1 - t0) / 4)};
     const V3d chord = p1 - p0;
@@ -54,7 +54,7 @@ class CurveSplitter {
       const double along = chord.length2() > 0 ? (q - p0).dot(chord) / chord.length2() : 0;
       distance = std::max(distance, criteria_.length(p0 + chord * std::clamp(along, 0.0, 1.0), q));
     }
-    // Half the turn of the tangent lies between the chords of the halves.
+    // The angle between the chords of the halves is about half the tangent angle of the piece.
     return criteria_.excess(criteria_.length(p0, p1), distance, 2 * angle_between(p - p0, p1 - p));
   }
 
@@ -71,16 +71,16 @@ void add_pieces(double t0, double t1, int pieces, Budget& budget, std::vector<do
   out.push_back(t1);
 }
 
-/// A rectangle of parameters, with how often each side was halved and how much it needs that.
+/// A rectangle of parameters with the number of bisections per side and the largest relative error.
 struct Cell {
   double u0, u1, v0, v1;
   int depth_u = 0, depth_v = 0;
-  double excess = 0;  ///< above 1: to be halved, along u or else v
+  double excess = 0;  ///< to be bisected along u or v if above 1
   bool along_u = true;
   bool operator<(const Cell& other) const { return excess < other.excess; }
 };
 
-/// How much a cell misses the approximation, and along which side it should be halved.
+/// Error of a cell relative to the approximation, and the side to bisect.
 struct Verdict {
   double excess = 0;
   bool split_u = true;
@@ -111,8 +111,8 @@ Verdict judge(const SurfaceNet& surface, const Criteria& criteria, const Cell& c
     row(0, p[0][k], p[1][k], p[2][k], n[0][k], n[1][k], n[2][k]);
     row(1, p[k][0], p[k][1], p[k][2], n[k][0], n[k][1], n[k][2]);
   }
-  // Bilinear interpolation misses the surface by at most the sum of both ways, its triangles the
-  // bilinear patch by a quarter of the twist.
+  // Bilinear interpolation deviates from the surface by at most the sum of both directions; the
+  // triangles deviate from the bilinear patch by a quarter of the twist.
   const V3d twist = (p[0][0] - p[2][0] - p[0][2] + p[2][2]) / 4;
   const double distance = away[0] + away[1] + criteria.length(p[1][1], p[1][1] + twist);
   const double diagonal =
@@ -125,7 +125,7 @@ Verdict judge(const SurfaceNet& surface, const Criteria& criteria, const Cell& c
   return verdict;
 }
 
-/// Whether a cell is to be halved, how urgently and along which side.
+/// Computes the error of a cell and the side to bisect.
 void weigh(const SurfaceNet& surface, const scene::Approximation& a, const Criteria& criteria,
            Cell& c) {
   const bool room_u = c.depth_u < a.max_subdivisions, room_v = c.depth_v < a.max_subdivisions;

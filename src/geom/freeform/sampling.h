@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where curves and surfaces are sampled so that an approximation's promise holds.
+// Samples curves and surfaces such that an approximation is satisfied.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace oriel::geom::freeform {
 
-/// How many more points may be made; a scene cannot ask for more memory than that.
+/// Remaining number of points; limits the memory that a scene can request.
 struct Budget {
   std::size_t points = 4'000'000;
   bool spent = false;
@@ -21,16 +21,16 @@ struct Budget {
   }
 };
 
-/// An approximation's lengths and angles against its limits.
+/// Compares lengths and angles with the limits of an approximation.
 class Criteria {
  public:
   Criteria(const scene::Approximation& approximation, const scene::TessellationView& view)
       : a_(approximation), view_(view) {}
 
-  /// In the units of the limits: object space or pixels.
+  /// Length in the units of the limits: object space or pixels.
   double length(const V3d& a, const V3d& b) const;
-  /// The largest quotient of a measure and its limit, of those that were asked for; with `any` the
-  /// smallest. At most 1: all is well. 0 when nothing was asked for.
+  /// The largest quotient of a measure and its limit, over the criteria in use; with `any` the
+  /// smallest. At most 1 if the criteria are met; 0 without criteria.
   double excess(double length, double distance, double angle) const;
   bool wants_angle() const { return a_.angle > 0; }
 
@@ -41,29 +41,29 @@ class Criteria {
 
 /// Parameters from t0 to t1 (t0 < t1), both included, ascending.
 ///
-/// Model:   by pieces as parametric and regular say; by criteria, each span (cut at `breaks`) is
-///          halved until its chord, the curve's distance from it and the turn of the tangent are
-///          within limits. Only the curve itself decides, so that two surfaces with a common curve
-///          and approximation have the same points on it.
-/// Inputs:  factor: the pieces' number that counts here, u or v of the approximation.
+/// Model:   parametric and regular give the number of pieces. With criteria, each span (bounded by
+///          `breaks`) is bisected until its chord length, the distance from the chord and the
+///          tangent angle are within limits. The result depends only on the curve and its
+///          approximation, so two surfaces that share both have the same points.
+/// Inputs:  factor: number of pieces of the approximation, for u or v.
 std::vector<double> sample_curve(const std::function<V3d(double)>& at,
                                  const std::vector<double>& breaks, int degree, double t0,
                                  double t1, const scene::Approximation& approximation, float factor,
                                  const Criteria& criteria, Budget& budget);
 
-/// The part of a surface that counts, in its parameters.
+/// A rectangle in the parameter plane of a surface.
 struct Range {
   double u0, u1, v0, v1;
 };
 
-/// Calls back with each cell the surface is cut into, in no order. Cells are halved along u or v,
-/// where the approximation is missed most. The cell that misses it most goes first, until the cells
-/// make as many triangles as `max` allows, two each; what edges and trims add comes on top.
+/// Calls back with each cell of the surface, in any order. Cells are bisected along u or v, in the
+/// direction of the larger error. The cell with the largest error is bisected first, until the
+/// cells (two triangles each) reach the maximum of `max`; edges and trims add further triangles.
 void sample_surface(const SurfaceNet& surface, const Range& range,
                     const scene::Approximation& approximation, const Criteria& criteria,
                     Budget& budget, const std::function<void(const Range&)>& cell);
 
-/// `breaks` inside of (t0, t1), with both ends.
+/// The values of `breaks` inside (t0, t1), with both ends.
 std::vector<double> breaks_between(const std::vector<double>& breaks, double t0, double t1);
 
 }  // namespace oriel::geom::freeform

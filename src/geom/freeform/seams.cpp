@@ -13,7 +13,8 @@ double parameter(const SeamSide& side, double share) {
   return side.part.min + (double{side.part.max} - side.part.min) * share;
 }
 
-/// Where in [lo, hi] the second side comes closest to a place: golden section, as it does so once.
+/// The parameter in [lo, hi] where the second side is closest to a point. Golden section search;
+/// assumes one minimum.
 double nearest(const SeamSide& side, const V3d& target, double lo, double hi) {
   constexpr double kGolden = 0.618033988749895;
   constexpr int kSteps = 32;
@@ -44,7 +45,7 @@ std::pair<Seam, Seam> make_seam(const SeamSide& a, const SeamSide& b, Budget& bu
       shares.push_back(length != 0 ? std::clamp((t - side->part.min) / length, 0.0, 1.0) : 0);
   }
   std::sort(shares.begin(), shares.end());
-  // Two that are nearly the same would make a splinter.
+  // Skip nearly equal samples, which would make degenerate triangles.
   std::vector<double> different = {0};
   for (const double s : shares) {
     constexpr double kClose = 1e-3;
@@ -56,7 +57,7 @@ std::pair<Seam, Seam> make_seam(const SeamSide& a, const SeamSide& b, Budget& bu
   for (std::size_t i = 0; i < different.size(); ++i) {
     const V3d at = place(a, parameter(a, different[i]));
     double share = different[i];
-    // Not beyond the middle of the way to its neighbours, so that the order stays.
+    // Search no further than halfway to the neighbours, so that the order is kept.
     if (i > 0 && i + 1 < different.size())
       share = nearest(b, at, parameter(b, (different[i - 1] + share) / 2),
                       parameter(b, (different[i + 1] + share) / 2));

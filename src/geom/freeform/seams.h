@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connections: the points two surfaces share along their trimming curves.
+// Connections: the points that two surfaces share along their trimming curves.
 #pragma once
 
 #include <utility>
@@ -14,11 +14,11 @@ struct SeamSide {
   const scene::CurvePart& part;
 };
 
-/// The seam as each of the two sees it: as many points, at the same places.
+/// The seam for each of the two surfaces, with the same number of points at the same positions.
 ///
-/// Model:   the samples either side asks for, by the share of the way along its part; the places
-/// are
-///          those of the first surface, the second's parameters are the nearest to them.
+/// Model:   the union of the samples of both sides, by the relative position along the part.
+///          Positions are those of the first surface; the parameters of the second are the nearest
+///          ones.
 /// Checked: FreeForm.ConnectedSurfacesShareTheirEdge
 std::pair<Seam, Seam> make_seam(const SeamSide& a, const SeamSide& b, Budget& budget);
 

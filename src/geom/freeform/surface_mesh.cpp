@@ -10,8 +10,8 @@
 namespace oriel::geom::freeform {
 namespace {
 
-/// Values of another surface over the same parameters; one whose bases cover another range is
-/// stretched over it.
+/// Values of another surface over the same parameters; if its bases cover a different range, the
+/// range is scaled.
 class Lookup {
  public:
   Lookup(SurfaceNet net, const Range& range) : net_(std::move(net)) {
@@ -49,11 +49,11 @@ void add_textures(const SurfaceInput& input, const std::vector<EdgePoint>& verti
     if (!net) {
       diagnostics.warning(
           "OR-GEOM-030", input.surface.where,
-          fmt::format("a texture of surface \"{}\" is left out: {}", input.surface.name, fault));
+          fmt::format("a texture of surface \"{}\" is skipped: {}", input.surface.name, fault));
       continue;
     }
     const Lookup lookup(std::move(*net), input.outline.range);
-    // Vectors belong to the texture space before them: the first along u, the second along v.
+    // Vectors belong to the preceding texture space: the first along u, the second along v.
     const bool own_space = !texture.vector || mesh.textures.empty();
     if (own_space && mesh.textures.size() >= kMaxTextureSpaces) continue;
     TextureSpace& space = own_space ? mesh.textures.emplace_back() : mesh.textures.back();
@@ -65,7 +65,7 @@ void add_textures(const SurfaceInput& input, const std::vector<EdgePoint>& verti
   }
 }
 
-/// Motion vectors of the control points, blended as the points are.
+/// Motion vectors are interpolated with the same basis functions as the points.
 void add_motion(const SurfaceInput& input, const std::vector<EdgePoint>& vertices, Mesh& mesh) {
   for (const auto& step : input.group.vertices.motion) {
     std::string fault;
@@ -76,7 +76,7 @@ void add_motion(const SurfaceInput& input, const std::vector<EdgePoint>& vertice
   }
 }
 
-/// Shading vectors and places of the vertices; triangles without area are left out.
+/// Positions and shading data of the vertices; triangles without area are dropped.
 Mesh lift(const SurfaceInput& input, const PlaneMesh& plane, Diagnostics& diagnostics) {
   Mesh mesh;
   const SurfaceNet& net = input.outline.net;
@@ -132,7 +132,7 @@ SurfacePart make_surface(const SurfaceInput& input, Budget& budget, Diagnostics&
       if (!fault.empty())
         diagnostics.warning("OR-GEOM-031", surface.where,
                             fmt::format("a trim of surface \"{}\": {}", surface.name, fault));
-      // A loop that lost all its curves would trim everything away.
+      // A loop without usable curves would trim everything away.
       if (lines.back().points.size() < (loop.kind == scene::SurfaceLoop::Kind::Special ? 2u : 3u))
         lines.pop_back();
       for (const std::uint32_t vertex : loop.points)
@@ -147,15 +147,15 @@ SurfacePart make_surface(const SurfaceInput& input, Budget& budget, Diagnostics&
     plane = trimmed_mesh(outline, lines, points, budget, crossing);
     if (crossing > 0)
       diagnostics.warning("OR-GEOM-033", surface.where,
-                          fmt::format("trimming curves of surface \"{}\" cross in {} places",
+                          fmt::format("trimming curves of surface \"{}\" cross at {} points",
                                       surface.name, crossing),
-                          "its edge is ragged there");
+                          "the edge of the surface is ragged there");
   }
   if (budget.spent)
     diagnostics.warning(
         "OR-GEOM-034", surface.where,
-        fmt::format("surface \"{}\" asks for more triangles than there is room for", surface.name),
-        "it is coarser than its approximation says");
+        fmt::format("the approximation of surface \"{}\" exceeds the triangle limit", surface.name),
+        "the surface is tessellated more coarsely");
   SurfacePart part;
   part.mesh = lift(input, plane, diagnostics);
   part.edge = std::move(plane.edge);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One free-form surface to triangles with all that a shading point reads.
+// Tessellates one free-form surface, with all data of a shading point.
 #pragma once
 
 #include "base/diagnostic.h"
@@ -19,7 +19,7 @@ struct SurfaceInput {
   OutlineInput outline;
 };
 
-/// The surface's range within what its bases cover.
+/// The parameter range of the surface, clipped to the range of its bases.
 Range range_of(const scene::FreeSurface& surface, const SurfaceNet& net);
 bool is_range(const Range& range);
 

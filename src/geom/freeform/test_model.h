@@ -16,7 +16,7 @@ namespace oriel::geom::testing {
 
 using Kind = scene::Approximation::Kind;
 
-/// An object with one group that is filled step by step.
+/// An object with one group under construction.
 struct Model {
   scene::Object object;
   scene::ApproximationContext context;
@@ -44,7 +44,7 @@ struct Model {
     s.name = "s" + std::to_string(group().freeform.surfaces.size());
     s.u = std::move(u);
     s.v = std::move(v);
-    s.u_min = s.v_min = -1e9f;  // all that the bases cover
+    s.u_min = s.v_min = -1e9f;  // the full range of the bases
     s.u_max = s.v_max = 1e9f;
     s.points = std::move(points);
     return s;
@@ -75,7 +75,7 @@ struct Model {
     curve(std::move(name), {true, "spline2", kFullCircle}, std::move(points));
   }
   void approximate(scene::Approximation a) {
-    // Through the statement, so that what a file says is what is tested.
+    // Parses the statement, so that the tests cover the file syntax.
     scene::Statement s;
     s.keyword = "approximate";
     const auto word = [&](const char* text) {
@@ -166,7 +166,7 @@ inline scene::Approximation criteria(float length, float distance, float angle, 
   return a;
 }
 
-/// What one reads off a mesh.
+/// Measures of a mesh.
 inline double area(const Mesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles)
@@ -183,7 +183,7 @@ inline double volume(const Mesh& mesh) {
 }
 using Place = std::tuple<float, float, float>;
 inline Place place(const Vec3& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }
-/// How many triangles have each edge, by the places of its ends; directed edges count +1 and -1.
+/// Number of triangles per edge by vertex positions; directed edges count +1 and -1.
 struct EdgeUse {
   int triangles = 0, direction = 0;
 };
@@ -202,7 +202,7 @@ inline std::map<std::pair<Place, Place>, EdgeUse> edges(const Mesh& mesh) {
   }
   return result;
 }
-/// Edges with anything but two triangles of one orientation.
+/// Edges without exactly two triangles of opposite direction.
 inline std::size_t open_edges(const Mesh& mesh) {
   std::size_t open = 0;
   for (const auto& [ends, use] : edges(mesh)) open += use.triangles != 2 || use.direction != 0;

@@ -8,12 +8,12 @@
 namespace oriel::geom::freeform {
 namespace {
 
-/// Places by the cells of a grid as wide as the distance.
+/// Hash grid of points with the weld distance as cell size.
 class PlaceTable {
  public:
   explicit PlaceTable(double distance) : distance_(distance) {}
 
-  /// A place that is there already and close enough, or p, which is there from now on.
+  /// A stored point within the distance, or p, which is then stored.
   Vec3 find(const Vec3& p) {
     const auto cell = [this](float x) {
       return static_cast<std::int64_t>(std::floor(x / distance_));
@@ -32,7 +32,7 @@ class PlaceTable {
 
  private:
   static std::uint64_t key(std::int64_t i, std::int64_t j, std::int64_t k) {
-    // Primes as of M. Teschner et al., "Optimized spatial hashing for collision detection", 2003.
+    // Primes of M. Teschner et al., "Optimized spatial hashing for collision detection", 2003.
     return static_cast<std::uint64_t>(i) * 73856093u ^ static_cast<std::uint64_t>(j) * 19349663u ^
            static_cast<std::uint64_t>(k) * 83492791u;
   }

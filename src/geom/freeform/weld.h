@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges of surfaces that come together meet in exactly the same places.
+// Welds the edges of adjacent surfaces.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace oriel::geom::freeform {
 
-/// Moves vertices on edges that are closer than `distance` to one that came before to its place; no
-/// vertices are joined, each surface keeps its normals. At least what rounding can part is joined.
+/// Moves each edge vertex to an earlier edge vertex that is closer than `distance`. Vertices are
+/// not merged, so each surface keeps its normals. The distance is at least the rounding error.
 void weld_edges(std::vector<SurfacePart>& parts, float distance);
 
 }  // namespace oriel::geom::freeform

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files module: everything that needs OpenImageIO, behind one exported function.
+// The files module: all code that requires OpenImageIO, behind one exported function.
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ OIIO::TypeDesc type_of(SampleFormat format) {
   throw std::runtime_error(why.empty() ? "the image library gives no reason" : why);
 }
 
-/// The channels a file type without alpha takes: grey or RGB.
+/// The picture for a file type without alpha: grey or RGB.
 Image without_alpha(const Image& image) {
   const int n = image.channels < 3 ? 1 : 3;
   Image out(image.width, image.height, n);
@@ -72,7 +72,7 @@ class Module final : public FilesModule {
     if (options.dither && options.format == SampleFormat::U8) from = &(changed = dithered(*from));
 
     OIIO::ImageSpec spec(from->width, from->height, from->channels, type_of(options.format));
-    // Values are stored as given: without this the writer would divide colour by alpha.
+    // Without this attribute the writer would divide colour by alpha.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("CompressionQuality", std::clamp(options.jpeg_quality, 1, 100));
     if (!output->open(path, spec)) fail(output->geterror());
@@ -95,11 +95,11 @@ class Module final : public FilesModule {
 extern "C" __attribute__((visibility("default"))) oriel::FilesModule* oriel_image_files_module(
     int version) {
   if (version != oriel::kFilesModuleVersion) return nullptr;
-  // Rendering has its own threads; the library's pools would only compete with them.
+  // The renderer has its own threads; the thread pools of the library would compete with them.
   OIIO::attribute("threads", 1);
   OIIO::attribute("exr_threads", -1);
   OIIO::attribute("limits:imagesize_MB", 4096);
-  // Lives for ever, like the textures' cache: nothing orders our end after the last lookup.
+  // Never destroyed, because texture lookups may run until the end of the process.
   static oriel::FilesModule* const module = new oriel::Module;
   return module;
 }

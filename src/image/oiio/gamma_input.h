@@ -6,11 +6,12 @@
 
 namespace oriel::oiio {
 
-// Decoding has to come before filtering (the mean of black and white is half the light, not half
-// the code), so it sits below the tile cache as a reader of its own. Tiles are kept as half floats
-// for 8-bit pictures (relative error 2^-11, the step of 8 bits is coarser) and as floats otherwise.
+// Decoding has to precede filtering: the mean of black and white is half the light, not half the
+// code value. It is therefore done in an image reader below the tile cache. Tiles are stored as
+// half floats for 8-bit pictures (relative error 2^-11, less than a step of 8 bits) and as floats
+// otherwise.
 
-/// For ImageCache::add_file; the configuration carries "oriel:path" and "oriel:gamma".
+/// For ImageCache::add_file; the configuration contains "oriel:path" and "oriel:gamma".
 OIIO::ImageInput* make_gamma_input();
 
 }  // namespace oriel::oiio

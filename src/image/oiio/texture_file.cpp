@@ -21,8 +21,7 @@ namespace {
 
 using System = OIIO::TextureSystem;
 
-/// How many files may be open at once: as many as the system lets this process have, less some for
-/// everything else.
+/// Maximum number of open texture files: the limit of the process minus a reserve for other files.
 int most_open_files() {
   constexpr rlim_t kOthers = 256, kMost = 1 << 20;
   rlimit limit{};
@@ -34,20 +33,20 @@ int most_open_files() {
   return static_cast<int>(open - std::min(kOthers, open / 2));
 }
 
-/// OpenImageIO 2.4 closes files beyond its limit while it holds locks that another thread, which is
-/// about to open one, takes the other way round (ImageCacheImpl::check_max_files,
-/// ImageCacheFile::open): both wait for ever. So the limit is as high as it can be, and look-ups
-/// take turns once there are more files.
+/// Works around a deadlock in OpenImageIO 2.4: to close files beyond its limit, it takes two locks
+/// in the opposite order of a thread that opens a file (ImageCacheImpl::check_max_files,
+/// ImageCacheFile::open). The limit is therefore as high as possible, and lookups are serialised
+/// once more files are in use.
 class OpenFiles {
  public:
   int limit() const { return limit_; }
-  /// The texture system knows that file from now on.
+  /// Counts a file that was added to the texture system.
   void add(OIIO::ustring name) {
     const std::lock_guard lock(mutex_);
     names_.insert(name);
     if (static_cast<int>(names_.size()) >= limit_) crowded_.store(true, std::memory_order_relaxed);
   }
-  /// To be held while the texture system may open files.
+  /// A lock to hold while the texture system may open files.
   std::unique_lock<std::mutex> turn() {
     return crowded_.load(std::memory_order_relaxed) ? std::unique_lock(mutex_)
                                                     : std::unique_lock<std::mutex>();
@@ -55,18 +54,18 @@ class OpenFiles {
 
  private:
   const int limit_ = most_open_files();
-  std::set<OIIO::ustring> names_;  // frames open the same ones again
+  std::set<OIIO::ustring> names_;  // a set, because later frames open the same files
   std::atomic<bool> crowded_{false};
   std::mutex mutex_;
 };
 
 OpenFiles& open_files() {
-  static OpenFiles* const one = new OpenFiles;  // outlives threads, as the texture system does
+  static OpenFiles* const one = new OpenFiles;  // never destroyed, like the texture system
   return *one;
 }
 
-/// The process's one texture system. It is never destroyed: threads keep pointers into it, and
-/// nothing orders their end before ours.
+/// The only texture system of the process. It is never destroyed, because threads store pointers
+/// into it and may end after static destruction.
 System& system() {
   static System* const one = [] {
     System* s = System::create(false);
@@ -75,7 +74,7 @@ System& system() {
     s->attribute("accept_untiled", 1);
     s->attribute("accept_unmipped", 1);
     s->attribute("unassociatedalpha", 1);  // values as stored
-    s->attribute("deduplicate", 0);        // a decoded file must not be taken for the plain one
+    s->attribute("deduplicate", 0);  // do not share tiles of a decoded file with the undecoded one
     s->attribute("max_memory_MB", 1024.0f);
     s->attribute("max_open_files", open_files().limit());
     return s;
@@ -84,7 +83,7 @@ System& system() {
 }
 
 System::Perthread* perthread() {
-  // The system hands out one per thread; asking again costs a lookup each time.
+  // The per-thread data is cached, because each query costs a lookup.
   static thread_local System::Perthread* const mine = system().get_perthread_info();
   return mine;
 }
@@ -95,7 +94,7 @@ OIIO::TextureOpt::Wrap wrap_of(Wrap mode) {
       return OIIO::TextureOpt::WrapPeriodic;
     case Wrap::Mirror:
       return OIIO::TextureOpt::WrapMirror;
-    case Wrap::Black:  // the border is cut before the lookup, so the filter sees no black rim
+    case Wrap::Black:  // lookups outside are black already, so the filter must not blend in black
     case Wrap::Clamp:
       break;
   }
@@ -135,7 +134,7 @@ class TextureFile final : public Texture {
     if (how.interpolation == Interpolation::Nearest)
       options.mipmode = OIIO::TextureOpt::MipModeNoMIP;
 
-    // Its t runs down from the top row.
+    // The t axis of OpenImageIO starts at the top row.
     float c[4] = {0, 0, 0, 0};
     const auto turn = open_files().turn();
     const bool good = system().texture(
@@ -162,7 +161,7 @@ class TextureFile final : public Texture {
 
  private:
   Rgba failed() const {
-    // Taking the message also frees it; otherwise each lookup would add to a growing text.
+    // geterror() also clears the message; otherwise each lookup would append to it.
     std::string message = system().geterror();
     if (!failed_.exchange(true, std::memory_order_relaxed)) {
       const std::lock_guard lock(mutex_);
@@ -194,11 +193,11 @@ void check_size(long long width, long long height, long long channels) {
 }
 
 std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma) {
-  // Look at the header before the cache does: it says more about what is wrong.
+  // Read the header before the cache does: the error messages of ImageInput are more specific.
   const auto input = OIIO::ImageInput::open(path);
   if (!input) {
     const std::string why = OIIO::geterror();
-    throw std::runtime_error(why.empty() ? "it is no image file" : why);
+    throw std::runtime_error(why.empty() ? "it is not a supported image file" : why);
   }
   const OIIO::ImageSpec spec = input->spec();
   check_size(spec.width, spec.height, spec.nchannels);
@@ -209,19 +208,20 @@ std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma)
     OIIO::ImageSpec config;
     config.attribute("oriel:path", path);
     config.attribute("oriel:gamma", gamma);
-    // The time stamp in the name makes a changed file another texture.
+    // The time stamp in the name makes a modified file a different texture.
     name = OIIO::ustring::fmtformat("{}?oriel_gamma={}&time={}", path, gamma,
                                     OIIO::Filesystem::last_write_time(path));
     system().imagecache()->add_file(name, make_gamma_input, &config);
   } else {
-    system().invalidate(name, false);  // only where the file is newer than what is cached
+    // has an effect only if the file is newer than its cached tiles
+    system().invalidate(name, false);
   }
   open_files().add(name);
   const auto turn = open_files().turn();
   System::TextureHandle* handle = system().get_texture_handle(name, perthread());
   if (!handle || !system().good(handle)) {
     const std::string why = system().geterror();
-    throw std::runtime_error(why.empty() ? "it cannot serve as a texture" : why);
+    throw std::runtime_error(why.empty() ? "the image library cannot use it as a texture" : why);
   }
   return std::make_unique<TextureFile>(handle, spec);
 }
@@ -231,7 +231,7 @@ void set_cache_megabytes(float megabytes) {
 }
 
 TextureStatistics texture_statistics() {
-  // Some are 64 bits wide, some 32, and each answers to its own width alone.
+  // Attributes are 32 or 64 bits wide, and a query succeeds only with the right width.
   const auto number = [](const char* name) {
     long long wide = 0;
     if (system().getattribute(name, OIIO::TypeDesc::INT64, &wide)) return std::int64_t{wide};

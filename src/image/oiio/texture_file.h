@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// File textures over OpenImageIO's texture system; lives inside the files module.
+// File textures based on OpenImageIO's texture system; part of the files module.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace oriel::oiio {
 
-/// Refuses what no sound picture has; throws std::runtime_error with the bare reason.
+/// Throws std::runtime_error with the reason if the size is invalid or too large.
 void check_size(long long width, long long height, long long channels);
 
-/// Opens a file anew when it has changed since it was last opened (by its time stamp).
-/// Throws std::runtime_error with the bare reason.
+/// Reloads the file if its time stamp has changed since it was last opened. Throws
+/// std::runtime_error with the reason only.
 std::unique_ptr<Texture> open_texture_file(const std::string& path, float gamma);
 
 void set_cache_megabytes(float megabytes);

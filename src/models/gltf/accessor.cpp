@@ -47,7 +47,7 @@ double stored_at(const char* bytes, int component_type) {
   }
 }
 
-/// Numbers of a buffer view, read in place.
+/// Elements of a buffer view, read in place.
 struct Cells {
   std::string_view bytes;  ///< from the first element on
   std::size_t stride = 0;
@@ -59,11 +59,11 @@ struct Cells {
   }
 };
 
-/// `place`: an object that names a view and an offset in it.
+/// `place`: an object with a buffer view and an offset.
 Cells cells(const json& root, Buffers& buffers, const json& place, const NumberFormat& format,
             const std::string& what) {
   const auto view = whole(member(place, "bufferView"));
-  if (!view) throw Unreadable(what + " names no buffer view");
+  if (!view) throw Unreadable(what + " has no buffer view");
   const std::string_view bytes = buffers.view(*view);
   const std::size_t offset = whole(member(place, "byteOffset"), 0);
   const std::size_t size = format.component_size() * format.components;
@@ -73,12 +73,12 @@ Cells cells(const json& root, Buffers& buffers, const json& place, const NumberF
   if (format.count == 0) return made;
   if (offset > bytes.size() || size > bytes.size() - offset ||
       format.count - 1 > (bytes.size() - offset - size) / made.stride)
-    throw Unreadable(fmt::format("{} reaches past the end of buffer view {}", what, *view));
+    throw Unreadable(fmt::format("{} exceeds buffer view {}", what, *view));
   made.bytes = bytes.substr(offset);
   return made;
 }
 
-/// All numbers of an accessor; `meaning` of what is stored.
+/// All values of an accessor, converted by `meaning`.
 template <class T, class F>
 std::vector<T> read(const json& root, Buffers& buffers, std::size_t index, F&& meaning) {
   const NumberFormat format = number_format(root, index);
@@ -86,7 +86,7 @@ std::vector<T> read(const json& root, Buffers& buffers, std::size_t index, F&& m
   const json& accessor = at(member(root, "accessors"), index);
   const std::size_t width = format.components;
   const bool stored = !member(accessor, "bufferView").is_null();
-  // Before anything is as large as the file says.
+  // Validate against the buffer view before allocating memory of the declared size.
   const Cells all = stored ? cells(root, buffers, accessor, format, what) : Cells();
   constexpr std::size_t kMostCount = std::size_t{1} << 32;
   if (format.count > kMostCount) throw Unreadable(what + " is too large");
@@ -101,7 +101,8 @@ std::vector<T> read(const json& root, Buffers& buffers, std::size_t index, F&& m
   NumberFormat place;
   place.component_type = static_cast<int>(whole(member(where, "componentType"), 0));
   place.count = whole(member(sparse, "count"), 0);
-  if (place.component_size() == 0) throw Unreadable(what + " is sparse in a way that has no name");
+  if (place.component_size() == 0)
+    throw Unreadable(what + " has an invalid type of sparse indices");
   NumberFormat given = format;
   given.count = place.count;
   const Cells places = cells(root, buffers, where, place, what);
@@ -109,7 +110,7 @@ std::vector<T> read(const json& root, Buffers& buffers, std::size_t index, F&& m
   for (std::size_t i = 0; i < place.count; ++i) {
     const double to = places.stored(i, 0);
     if (!(to >= 0 && to < static_cast<double>(format.count)))
-      throw Unreadable(what + " replaces an element that it does not have");
+      throw Unreadable(what + " has a sparse index out of range");
     for (std::size_t k = 0; k < width; ++k)
       values[static_cast<std::size_t>(to) * width + k] = meaning(replaced.stored(i, k));
   }
@@ -146,7 +147,7 @@ float NumberFormat::meaning(double stored) const {
 
 NumberFormat number_format(const json& root, std::size_t index) {
   const json& accessor = at(member(root, "accessors"), index);
-  if (!accessor.is_object()) throw Unreadable(fmt::format("there is no accessor {}", index));
+  if (!accessor.is_object()) throw Unreadable(fmt::format("accessor {} does not exist", index));
   NumberFormat format;
   format.component_type =
       static_cast<int>(std::min<std::size_t>(whole(member(accessor, "componentType"), 0), kFloat));
@@ -154,7 +155,7 @@ NumberFormat number_format(const json& root, std::size_t index) {
   format.components = components_of(words(member(accessor, "type")));
   const auto count = whole(member(accessor, "count"));
   if (format.component_size() == 0 || format.components == 0 || !count)
-    throw Unreadable(fmt::format("accessor {} has a kind of numbers that has no name", index));
+    throw Unreadable(fmt::format("accessor {} has an unknown type", index));
   format.count = *count;
   return format;
 }
@@ -169,7 +170,7 @@ std::vector<std::uint32_t> read_indices(const json& root, Buffers& buffers, std:
   const NumberFormat format = number_format(root, accessor);
   if (format.components != 1 || format.component_type == kFloat || format.component_type == kByte ||
       format.component_type == kShort)
-    throw Unreadable(fmt::format("accessor {} has no whole numbers, as corners are", accessor));
+    throw Unreadable(fmt::format("accessor {} does not contain integer indices", accessor));
   return read<std::uint32_t>(root, buffers, accessor,
                              [](double stored) { return static_cast<std::uint32_t>(stored); });
 }

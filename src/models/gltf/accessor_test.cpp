@@ -116,7 +116,7 @@ TEST(GltfAccessor, FewBytesAreNotGigabytes) {
   Read read(file);
   EXPECT_EQ(read.numbers(0).values, std::vector<float>(4000, 0));
   EXPECT_THROW(read.numbers(1), Unreadable);
-  // Nor by reading the same again and again.
+  // Also not by reading the same data repeatedly.
   EXPECT_THROW(while (true) read.buffers.spend(std::size_t{1} << 26), Unreadable);
 }
 

@@ -14,34 +14,35 @@ namespace oriel::models::gltf {
 namespace fs = std::filesystem;
 
 std::size_t Buffers::most_bytes(std::size_t content_size) {
-  // A guess: meshoptimizer's codec makes at most about 64 bytes of one.
+  // Limits of the decompressed size. The factor is a guess: meshoptimizer's codec expands at most
+  // 64 times.
   constexpr std::size_t kAnyFile = std::size_t{256} << 20, kTimes = 100;
-  constexpr std::size_t kBinaryForm = 0xf0000000;  // what is made of it has sizes of 32 bits
+  constexpr std::size_t kBinaryForm = 0xf0000000;  // sizes in the result have 32 bits
   return std::min(kAnyFile + kTimes * content_size, kBinaryForm);
 }
 
 void Buffers::spend(std::size_t bytes) {
-  if (bytes > left_) throw Unreadable("it would unfold to more than is reasonable");
+  if (bytes > left_) throw Unreadable("its decompressed size exceeds the limit");
   left_ -= bytes;
 }
 
 std::string Buffers::load(std::size_t index) {
   const json& written = at(member(document_.root, "buffers"), index);
-  if (!written.is_object()) throw Unreadable(fmt::format("there is no buffer {}", index));
+  if (!written.is_object()) throw Unreadable(fmt::format("buffer {} does not exist", index));
   const std::string uri = words(member(written, "uri"));
   if (uri.empty()) throw Unreadable(fmt::format("buffer {} has no data", index));
   if (uri.substr(0, 5) == "data:") {
     auto data = data_of(uri);
-    if (!data) throw Unreadable(fmt::format("the data of buffer {} is no base64", index));
+    if (!data) throw Unreadable(fmt::format("the data of buffer {} is not valid base64", index));
     return std::move(data->bytes);
   }
   const std::string name = file_name(uri, folder_);
   if (!stays_below(name))
-    throw Unreadable(fmt::format("buffer \"{}\" does not lie beside the model", name));
+    throw Unreadable(fmt::format("buffer \"{}\" is outside of the folder of the model", name));
   const fs::path path = fs::path(folder_) / name;
   std::error_code error;
   if (!fs::is_regular_file(path, error))
-    throw Unreadable(fmt::format("there is no file \"{}\" beside the model", name));
+    throw Unreadable(fmt::format("file \"{}\" does not exist in the folder of the model", name));
   const std::size_t length =
       std::min<std::size_t>(fs::file_size(path, error), whole(member(written, "byteLength"), 0));
   if (error) throw Unreadable(fmt::format("\"{}\" cannot be read", name));
@@ -64,18 +65,18 @@ std::string_view Buffers::buffer(std::size_t index) {
 
 std::string_view Buffers::part(const json& view, const std::string& what) {
   const auto index = whole(member(view, "buffer")), length = whole(member(view, "byteLength"));
-  if (!index || !length) throw Unreadable(what + " names no part of a buffer");
+  if (!index || !length) throw Unreadable(what + " has no buffer or length");
   const std::size_t offset = whole(member(view, "byteOffset"), 0);
   const std::string_view all = buffer(*index);
   if (offset > all.size() || *length > all.size() - offset)
-    throw Unreadable(fmt::format("{} reaches past the end of buffer {}", what, *index));
+    throw Unreadable(fmt::format("{} exceeds buffer {}", what, *index));
   return all.substr(offset, *length);
 }
 
 std::string_view Buffers::view(std::size_t index) {
   const std::string what = fmt::format("buffer view {}", index);
   const json& written = at(member(document_.root, "bufferViews"), index);
-  if (!written.is_object()) throw Unreadable("there is no " + what);
+  if (!written.is_object()) throw Unreadable(what + " does not exist");
   for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     const json& packed = extension(written, name);
     if (!packed.is_object()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes that a glTF file's buffers and buffer views stand for.
+// Data of the buffers and buffer views of a glTF file.
 #pragma once
 
 #include <map>
@@ -10,27 +10,27 @@
 
 namespace oriel::models::gltf {
 
-/// Reads each buffer and view once, when it is asked for.
+/// Reads each buffer and buffer view once, at its first use.
 class Buffers {
  public:
-  /// Inputs:  folder: of the model's file, which the names of buffers are relative to; what lies
-  ///          elsewhere is not read. content_size: of that file, bytes.
+  /// Inputs:  folder: folder of the model, which file names of buffers are relative to; files
+  ///          outside are not read. content_size: of the model file, in bytes.
   Buffers(const Document& document, std::string folder, std::size_t content_size)
       : document_(document), folder_(std::move(folder)), left_(most_bytes(content_size)) {}
 
-  /// Content of a buffer view, decompressed; valid as long as this is.
+  /// Content of a buffer view, decompressed; valid as long as this object.
   /// Errors:  Unreadable.
   std::string_view view(std::size_t index);
 
-  /// Takes so many bytes from what the whole file may unfold to.
-  /// Errors:  Unreadable, where that is too much: few bytes can claim to be many.
+  /// Subtracts from the total decompressed size that the file may have.
+  /// Errors:  Unreadable if the limit is exceeded: a small file may declare huge sizes.
   void spend(std::size_t bytes);
 
  private:
   static std::size_t most_bytes(std::size_t content_size);
   std::string_view buffer(std::size_t index);
   std::string load(std::size_t index);
-  /// So many bytes of a buffer from there on.
+  /// The byte range of a buffer that a buffer view describes.
   std::string_view part(const json& view, const std::string& what);
 
   const Document& document_;

@@ -13,12 +13,13 @@ constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;  // little-endian in the file, as on all machines this runs on
+  std::uint32_t word = 0;  // little-endian in the file and on all supported machines
   std::memcpy(&word, bytes.data() + at, sizeof word);
   return word;
 }
 
-/// The first chunk's content, which `rest` is then behind; what reaches past the end stops there.
+/// Returns the content of the first chunk, clipped to the end of the file, and removes it from
+/// `rest`.
 std::string_view take_chunk(std::string_view& rest, std::uint32_t& type) {
   if (rest.size() < kChunkHeader) return {};
   const std::uint32_t length = word_at(rest, 0);
@@ -28,8 +29,8 @@ std::string_view take_chunk(std::string_view& rest, std::uint32_t& type) {
   return chunk;
 }
 
-/// Whether brackets are nested no deeper than is allowed. A callback of the parser could count
-/// them, but takes a time that grows with the square of a list's length.
+/// Whether the nesting depth is within the limit. A parser callback could count it, but takes time
+/// quadratic in the length of lists.
 bool is_shallow(std::string_view text) {
   constexpr int kDeepest = 100;
   int depth = 0;
@@ -63,10 +64,10 @@ std::optional<Document> parse(std::string_view content) {
       if (const std::string_view chunk = take_chunk(rest, type); type == kBinaryChunk)
         document.binary = chunk;
   }
-  if (!is_shallow(text)) throw Unreadable("its text is nested too deep");
+  if (!is_shallow(text)) throw Unreadable("its JSON is nested too deeply");
   document.root = json::parse(text.begin(), text.end(), nullptr, false);
   if (!document.root.is_object()) return std::nullopt;
-  // glTF 1.0 has its parts by name.
+  // In glTF 1.0 these are objects instead of arrays.
   for (const char* name : {"meshes", "nodes", "accessors"})
     if (member(document.root, name).is_object()) return std::nullopt;
   return document;

@@ -7,7 +7,7 @@ namespace oriel::models::gltf {
 namespace document_test {
 
 TEST(GltfDocument, BinaryFilesHaveTextAndBytes) {
-  // Glued by hand from the specification's figure: header, JSON chunk, BIN chunk.
+  // Built by hand from the figure of the specification: header, JSON chunk, BIN chunk.
   const std::string text = R"({"asset":{"version":"2.0"}} )";
   ASSERT_EQ(text.size() % 4, 0u);
   std::string file("glTF\2\0\0\0....", 12);
@@ -17,7 +17,7 @@ TEST(GltfDocument, BinaryFilesHaveTextAndBytes) {
   ASSERT_TRUE(document);
   EXPECT_EQ(words(member(member(document->root, "asset"), "version")), "2.0");
   EXPECT_EQ(document->binary, "abcd");
-  // Cut anywhere there is either no document or one with fewer bytes.
+  // A truncated file has either no document or one with fewer bytes.
   for (std::size_t size = 0; size < file.size(); ++size)
     if (const auto cut = parse(std::string_view(file).substr(0, size))) {
       EXPECT_LT(cut->binary.size(), 4u);

@@ -24,8 +24,9 @@ Column column_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute
     const draco::AttributeValueIndex at = attribute.mapped_index(i);
     if (at.value() >= attribute.size() ||
         !attribute.ConvertValue<float>(at, static_cast<std::int8_t>(width), value.data()))
-      throw Unreadable("a packed mesh has numbers that cannot be read");
-    // Draco divides where it was told that they are normalized; where it was not, the file says it.
+      throw Unreadable("a Draco mesh has attributes that cannot be read");
+    // Draco scales attributes that it marks as normalized; for others the accessor defines the
+    // scale.
     for (int k = 0; k < width; ++k)
       column.values.push_back(attribute.normalized()
                                   ? value[static_cast<std::size_t>(k)]
@@ -35,14 +36,14 @@ Column column_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute
 }
 
 std::unique_ptr<draco::Mesh> decode(draco::DecoderBuffer& source) {
-  const std::string what = "a packed mesh cannot be unpacked";
+  const std::string what = "a Draco mesh cannot be decompressed";
   try {
     draco::Decoder decoder;
     auto decoded = decoder.DecodeMeshFromBuffer(&source);
     if (decoded.ok()) return std::move(decoded).value();
     throw Unreadable(what + ": " + decoded.status().error_msg());
   } catch (const std::bad_alloc&) {
-    // It believes what the data says about sizes.
+    // Draco allocates whatever size the data declares.
     throw Unreadable(what);
   } catch (const std::length_error&) {
     throw Unreadable(what);
@@ -54,7 +55,7 @@ std::unique_ptr<draco::Mesh> decode(draco::DecoderBuffer& source) {
 UnpackedMesh unpack_draco(const json& root, Buffers& buffers, const json& primitive) {
   const json& packed = extension(primitive, "KHR_draco_mesh_compression");
   const auto view = whole(member(packed, "bufferView"));
-  if (!view) throw Unreadable("a packed mesh names no buffer view");
+  if (!view) throw Unreadable("a Draco mesh has no buffer view");
   const std::string_view bytes = buffers.view(*view);
   draco::DecoderBuffer source;
   source.Init(bytes.data(), bytes.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that Draco has packed.
+// Decompresses Draco meshes.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 namespace oriel::models::gltf {
 
 struct UnpackedMesh {
-  std::map<std::string, Column> attributes;  ///< by their names, POSITION and so on
-  std::vector<std::uint32_t> corners;        ///< of triangles
+  std::map<std::string, Column> attributes;  ///< by name (POSITION and so on)
+  std::vector<std::uint32_t> corners;        ///< vertex indices of triangles
 };
 
-/// A primitive with KHR_draco_mesh_compression; numbers mean what its accessors say.
+/// A primitive with KHR_draco_mesh_compression; its accessors define how values are interpreted.
 ///
 /// Errors:  Unreadable.
-/// Source:  KHR_draco_mesh_compression; Draco 1.5 decodes.
+/// Source:  KHR_draco_mesh_compression; decoded with Draco 1.5.
 /// Checked: GltfDraco.*
 UnpackedMesh unpack_draco(const json& root, Buffers& buffers, const json& primitive);
 

@@ -29,7 +29,7 @@ TextureSpace space_of(const json& texture) {
   const float turn = number(member(moved, "rotation"), 0);
   const float c = math::cos(turn), s = math::sin(turn);
   const float sx = number_at(scale, 0, 1), sy = number_at(scale, 1, 1);
-  // With v = 1 - v of the file, before and after.
+  // Includes v = 1 - v of the file, before and after the transform.
   space.move = {c * sx, -s * sy, s * sy + number_at(offset, 0, 0),
                 s * sx, c * sy,  1 - c * sy - number_at(offset, 1, 0)};
   return space;

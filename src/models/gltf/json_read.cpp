@@ -40,7 +40,7 @@ float number_at(const json& list, std::size_t index, float fallback) {
 }
 
 std::optional<std::size_t> whole(const json& value) {
-  // Beyond it, numbers with a point are no longer whole ones apart.
+  // Larger doubles are not exact integers.
   constexpr std::uint64_t kMost = std::uint64_t{1} << 53;
   if (value.is_number_integer()) {
     if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return std::nullopt;

@@ -11,21 +11,21 @@ namespace oriel::models::gltf {
 
 using nlohmann::json;
 
-/// Null where there is none.
+/// The member, or null if it does not exist.
 const json& member(const json& object, const char* name);
 const json& at(const json& list, std::size_t index);
-/// Of the object's "extensions".
+/// A member of "extensions" of the object.
 const json& extension(const json& object, const char* name);
 
-/// Finite; else the fallback.
+/// The number if it is finite; else the fallback.
 float number(const json& value, float fallback);
 float number_at(const json& list, std::size_t index, float fallback);
 
-/// A whole number that is not below 0, as sizes and indices are.
+/// A non-negative integer.
 std::optional<std::size_t> whole(const json& value);
 std::size_t whole(const json& value, std::size_t fallback);
 
-/// Empty where it is no text.
+/// The string, or empty if the value is not a string.
 std::string words(const json& value);
 
 }  // namespace oriel::models::gltf

@@ -11,7 +11,7 @@ namespace {
 using Mode = MeshoptStream::Mode;
 using Filter = MeshoptStream::Filter;
 
-/// What the decoder asserts, and does not look after itself.
+/// Conditions that the decoder asserts without checking.
 bool is_allowed(const MeshoptStream& s) {
   constexpr std::size_t kMostCount = std::size_t{1} << 31, kMostStride = 256;
   if (s.count > kMostCount) return false;
@@ -44,7 +44,7 @@ MeshoptStream meshopt_stream(const json& packed, const std::string& what) {
     stream.filter = Filter::Exponential;
   else if (!filter.empty() && filter != "NONE")
     throw Unreadable(what + " has an unsupported compression filter");
-  if (!is_allowed(stream)) throw Unreadable(what + " is packed in sizes that do not fit together");
+  if (!is_allowed(stream)) throw Unreadable(what + " has inconsistent compression sizes");
   return stream;
 }
 
@@ -62,7 +62,7 @@ std::string unpacked(const MeshoptStream& stream, std::string_view data, const s
   else
     failed =
         meshopt_decodeVertexBuffer(bytes.data(), stream.count, stream.stride, source, data.size());
-  if (failed != 0) throw Unreadable(what + " cannot be unpacked");
+  if (failed != 0) throw Unreadable(what + " cannot be decompressed");
   if (stream.filter == Filter::Octahedral)
     meshopt_decodeFilterOct(bytes.data(), stream.count, stream.stride);
   else if (stream.filter == Filter::Quaternion)

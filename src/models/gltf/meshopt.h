@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffer views that meshoptimizer's codecs have packed.
+// Decompresses buffer views of meshoptimizer.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace oriel::models::gltf {
 
-/// What EXT_meshopt_compression says of a view; within the limits of the extension.
+/// Parameters of EXT_meshopt_compression, within the limits of the extension.
 struct MeshoptStream {
-  std::size_t count = 0, stride = 0;  ///< elements, and bytes of one
+  std::size_t count = 0, stride = 0;  ///< number of elements, and bytes per element
   enum class Mode { Attributes, Triangles, Indices } mode = Mode::Attributes;
   enum class Filter { None, Octahedral, Quaternion, Exponential } filter = Filter::None;
   std::size_t size() const { return count * stride; }
 };
 
-/// Errors:  Unreadable; `what` names the view.
+/// Errors:  Unreadable; `what` names the buffer view.
 MeshoptStream meshopt_stream(const json& packed, const std::string& what);
 
-/// The view's content.
-/// Errors:  Unreadable where the data is not of that kind.
-/// Source:  EXT_meshopt_compression; meshoptimizer 0.18 decodes.
+/// The decompressed content of the buffer view.
+/// Errors:  Unreadable if the data is invalid.
+/// Source:  EXT_meshopt_compression; decoded with meshoptimizer 0.18.
 /// Checked: GltfMeshopt.*
 std::string unpacked(const MeshoptStream& stream, std::string_view data, const std::string& what);
 

@@ -19,8 +19,8 @@
 namespace oriel::models::gltf {
 namespace {
 
-/// Extensions without which a file can be read as it is meant, as far as materials allow: those
-/// that are skipped are reported there.
+/// Supported extensions, and extensions of materials, which are reported with the materials if they
+/// are unsupported.
 bool is_known(const std::string& name) {
   static constexpr std::string_view kKnown[] = {
       "KHR_mesh_quantization",   "EXT_meshopt_compression", "KHR_meshopt_compression",
@@ -40,14 +40,15 @@ void tell_unknown(const json& root, Diagnostics& diagnostics) {
     diagnostics.warning("OR-MD-021", {},
                         fmt::format("unsupported required extensions: {}; their data is skipped",
                                     fmt::join(unknown, ", ")),
-                        "export it without");
+                        "export the model without them");
 }
 
-/// Materials are found by their names later: each gets one of its own.
+/// Materials are later found by name, so each gets a unique name.
 json named_materials(const json& written) {
   json materials = json::array();
   std::set<std::string> taken;
-  std::map<std::string, int> next;  // number to try; or many of one name would take long
+  // next number to try, since many equal names would take quadratic time
+  std::map<std::string, int> next;
   for (const json& material : written) {
     json made = material.is_object() ? material : json::object();
     const std::string wish = words(member(made, "name"));
@@ -81,21 +82,21 @@ Plain plain_of(const Document& document, std::size_t content_size, const std::st
   PlainMeshes meshes = plain_meshes(root, buffers, file);
   PlainNodes nodes = plain_nodes(root, buffers);
   Plain plain;
-  if (nodes.roots.empty()) plain.error = "there is nothing in its scene";
+  if (nodes.roots.empty()) plain.error = "its scene is empty";
   if (meshes.read == 0 && meshes.left_out > 0) plain.error = meshes.why;
   if (!plain.error.empty()) return plain;
   if (meshes.left_out > 0)
     diagnostics.warning(
         "OR-MD-020", {},
-        fmt::format("{} parts of meshes are left out: {}", meshes.left_out, meshes.why),
+        fmt::format("{} mesh primitives are skipped: {}", meshes.left_out, meshes.why),
         "export the model again");
   if (meshes.lost_triangles > 0)
     diagnostics.warning(
         "OR-MD-020", {},
-        fmt::format("{} triangles name corners that do not exist; they are left out",
+        fmt::format("{} triangles have vertex indices out of range; they are skipped",
                     meshes.lost_triangles));
   if (!nodes.left_out.empty())
-    diagnostics.warning("OR-MD-020", {}, "instances are left out: " + nodes.left_out);
+    diagnostics.warning("OR-MD-020", {}, "instances are skipped: " + nodes.left_out);
   for (const std::string& words : plain_pictures(root, buffers, folder, file))
     diagnostics.warning("OR-MD-022", {}, words, "export the model with PNG or JPEG pictures");
   file.root["meshes"] = std::move(meshes.meshes);

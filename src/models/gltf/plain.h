@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any glTF 2.0 file as one that says the same without extensions of storage.
+// Converts any glTF 2.0 file to an equivalent one without storage extensions.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,19 @@
 namespace oriel::models::gltf {
 
 struct Plain {
-  json root;           ///< cameras, lights and materials, these with names of their own
-  std::string binary;  ///< the whole as a .glb file, whose only buffer is its own
-  std::string error;   ///< why there is nothing to be seen; empty: there is
+  json root;           ///< cameras, lights and materials, the latter with unique names
+  std::string binary;  ///< the converted file in .glb form with a single buffer
+  std::string error;   ///< why nothing can be imported; empty on success
 };
 
-/// assimp 5.2 takes quantized numbers for others, knows no packing but Draco's and no instances,
-/// and finds no files by escaped names; of what this makes it reads everything.
+/// assimp 5.2 misinterprets quantized values, supports no compression except Draco and no
+/// instances, and does not resolve escaped file names. It reads the result of this conversion
+/// correctly.
 ///
-/// Inputs:  content: of a .gltf or .glb file in `folder`, where its buffers are.
-/// Returns: unset where it is no glTF 2.
-/// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required
-///          extensions, OR-MD-022 pictures that cannot be read.
+/// Inputs:  content: of a .gltf or .glb file; folder: location of its buffers.
+/// Returns: unset if the file is not glTF 2.0.
+/// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required extensions,
+///          OR-MD-022 images that cannot be read.
 /// Checked: GltfPlain.*
 std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
                                 Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF file in the making whose buffer holds nothing but floats, corners and pictures.
+// Builds a glTF file whose buffer contains only floats, vertex indices and images.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ class PlainFile {
  public:
   json root = json::object();
 
-  /// Each returns the index of what it adds.
+  /// Each function returns the index of the added object.
   std::size_t add_view(std::string_view content);
   std::size_t add_numbers(const std::vector<float>& values, std::size_t components);
   std::size_t add_indices(const std::vector<std::uint32_t>& indices);
 
-  /// The whole as a binary file.
+  /// The complete binary file.
   std::string binary() const;
 
  private:

@@ -18,7 +18,7 @@ constexpr std::size_t kTriangles = 4, kFan = 6;  // modes of primitives
 
 std::string texcoord(std::size_t index) { return fmt::format("TEXCOORD_{}", index); }
 
-/// How many numbers an attribute has; 0 for those that nothing here asks for.
+/// Number of components of an attribute; 0 if the attribute is ignored.
 std::size_t width_of(const std::string& name) {
   if (name == "POSITION" || name == "NORMAL") return 3;
   if (name == "TANGENT" || name == "COLOR_0") return 4;
@@ -27,7 +27,7 @@ std::size_t width_of(const std::string& name) {
   return 0;
 }
 
-/// Colours get an alpha of 1 where they have none.
+/// Adds an alpha of 1 to colours without alpha. Returns whether the column has the right width.
 bool fit(Column& column, const std::string& name) {
   const std::size_t width = width_of(name);
   if (name == "COLOR_0" && column.components == 3) {
@@ -42,8 +42,7 @@ bool fit(Column& column, const std::string& name) {
   return column.components == width;
 }
 
-/// Sets of coordinates are counted from 0 without gaps; where one is missing the next stands for
-/// it.
+/// Texture coordinate sets are numbered without gaps; a missing set is replaced by the next one.
 void fill_gaps(json& attributes) {
   for (std::size_t i = kTexcoords - 1; i > 0; --i)
     if (attributes.contains(texcoord(i)) && !attributes.contains(texcoord(i - 1)))
@@ -92,7 +91,8 @@ class MeshMaker {
                              : shared(name, *whole(index), count);
       if (added) attributes[name] = *added;
     }
-    if (!attributes.contains("POSITION")) throw Unreadable("a mesh's positions are no points");
+    if (!attributes.contains("POSITION"))
+      throw Unreadable("the positions of a mesh are not 3D points");
     fill_gaps(attributes);
     if (const json& corners = member(primitive, "indices"); !corners.is_null())
       made["indices"] = shared_corners(whole(corners, static_cast<std::size_t>(-1)), count,
@@ -104,7 +104,7 @@ class MeshMaker {
     json made = json::object();
     made["mode"] = whole(member(primitive, "mode"), kTriangles);
     if (made["mode"].get<std::size_t>() > kFan)
-      throw Unreadable("a mesh is made of something that has no name");
+      throw Unreadable("a mesh has an unknown primitive mode");
     if (const auto material = whole(member(primitive, "material"));
         material && !at(member(root_, "materials"), *material).is_null())
       made["material"] = *material;
@@ -118,10 +118,10 @@ class MeshMaker {
     for (auto& [name, column] : mesh.attributes)
       if (width_of(name) > 0 && fit(column, name))
         attributes[name] = file_.add_numbers(column.values, column.components);
-    if (!attributes.contains("POSITION")) throw Unreadable("a packed mesh has no positions");
+    if (!attributes.contains("POSITION")) throw Unreadable("a Draco mesh has no positions");
     for (const std::uint32_t corner : mesh.corners)
       if (corner >= mesh.attributes["POSITION"].count())
-        throw Unreadable("a packed mesh names corners that do not exist");
+        throw Unreadable("a Draco mesh has vertex indices out of range");
     fill_gaps(attributes);
     made["mode"] = kTriangles;
     made["indices"] = file_.add_indices(mesh.corners);
@@ -134,7 +134,7 @@ class MeshMaker {
     return column;
   }
 
-  /// The accessor in the new file; unset where it does not fit the mesh.
+  /// Index of the accessor in the new file; unset if its size does not match the mesh.
   std::optional<std::size_t> shared(const std::string& name, std::size_t accessor,
                                     std::size_t count) {
     const auto [known, is_new] = numbers_.try_emplace({accessor, width_of(name)});
@@ -155,7 +155,7 @@ class MeshMaker {
     return known->second.count <= count ? known->second.index : rest_of(accessor, count, triangles);
   }
 
-  /// The triangles whose corners exist, where there are some.
+  /// The triangles with valid vertex indices, if there are any.
   std::size_t rest_of(std::size_t accessor, std::size_t count, bool triangles) {
     const std::vector<std::uint32_t> all = read_indices(root_, buffers_, accessor);
     std::vector<std::uint32_t> left;
@@ -164,7 +164,7 @@ class MeshMaker {
       if (*std::max_element(first, first + 3) < count) left.insert(left.end(), first, first + 3);
     }
     if (left.empty())
-      throw Unreadable(fmt::format("accessor {} names corners that do not exist", accessor));
+      throw Unreadable(fmt::format("accessor {} has vertex indices out of range", accessor));
     result_.lost_triangles += (all.size() - left.size()) / 3;
     return file_.add_indices(left);
   }
@@ -177,7 +177,7 @@ class MeshMaker {
     return false;
   }
 
-  /// As the mesh's own weights blend it.
+  /// Applies the morph weights of the mesh.
   std::optional<std::size_t> morphed(const json& primitive, const json& weights,
                                      const std::string& name, std::size_t accessor,
                                      std::size_t count) {
@@ -188,7 +188,7 @@ class MeshMaker {
       const auto target = whole(member(at(targets, i), name.c_str()));
       if (weight == 0 || !target) continue;
       const Column moved = read_numbers(root_, buffers_, *target);
-      // Tangents move without their sign.
+      // Morph targets of tangents have no handedness.
       if (moved.count() != sum.count() || moved.components > sum.components) continue;
       for (std::size_t v = 0; v < sum.count(); ++v)
         for (std::size_t k = 0; k < moved.components; ++k)
@@ -199,7 +199,7 @@ class MeshMaker {
   }
 
   struct Added {
-    std::size_t index = 0, count = 0;  ///< of corners: one more than the largest
+    std::size_t index = 0, count = 0;  ///< 1 + largest vertex index
   };
   const json& root_;
   Buffers& buffers_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meshes of a glTF file with their numbers as floats.
+// Converts the meshes of a glTF file to float data.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace oriel::models::gltf {
 
-/// What became of them.
+/// Result of the conversion.
 struct PlainMeshes {
   json meshes = json::array();
-  std::size_t read = 0, left_out = 0;  ///< primitives
-  std::string why;                     ///< the first reason, in words
-  std::size_t lost_triangles = 0;      ///< that name corners which do not exist
+  std::size_t read = 0, left_out = 0;  ///< number of primitives
+  std::string why;                     ///< the first reason
+  std::size_t lost_triangles = 0;      ///< triangles with vertex indices out of range
 };
 
-/// Adds what all meshes need to the file; each keeps its index.
+/// Adds all meshes to the file; each keeps its index.
 ///
-/// Model:   positions, normals, tangents, texture coordinates and the first set of colours, which
-///          get an alpha; blended by the mesh's own morph weights; corners as whole numbers.
-///          Primitives that cannot be read are left out, and so are attributes that do not fit.
+/// Model:   converts positions, normals, tangents, texture coordinates, the first set of colours
+///          (with alpha), and integer vertex indices. The morph weights of the mesh are applied.
+///          Primitives that cannot be read and attributes of the wrong size are skipped.
 /// Source:  glTF 2.0, 3.7.2; KHR_mesh_quantization; KHR_draco_mesh_compression.
 /// Checked: GltfPlain.*
 PlainMeshes plain_meshes(const json& root, Buffers& buffers, PlainFile& file);

@@ -11,12 +11,13 @@
 namespace oriel::models::gltf {
 namespace {
 
-/// Deeper than what is imported, so that it is said there, and not too deep for what reads it.
+/// Above the limit of the importer, which reports deep nesting, and low enough for recursive
+/// functions.
 constexpr int kDeepest = 600;
-/// Of all instances; a guess: each takes about a kilobyte while it is read.
+/// Limit of all instances. A guess: each takes about a kilobyte during the import.
 constexpr std::size_t kMostInstances = 200'000;
 
-/// A list of exactly so many numbers; null for all else.
+/// A list of exactly `count` numbers; null otherwise.
 json numbers_of(const json& list, std::size_t count) {
   if (!list.is_array() || list.size() != count) return {};
   json made = json::array();
@@ -24,7 +25,7 @@ json numbers_of(const json& list, std::size_t count) {
   return made;
 }
 
-/// What places it, and what it has of its own.
+/// The transform and the objects of a node.
 json plain_node(const json& written) {
   json made = json::object();
   for (const auto& [name, count] :
@@ -71,7 +72,7 @@ class NodeMaker {
     return found;
   }
 
-  /// Whether the node is reached by this for the first time.
+  /// Returns true when the node is visited for the first time.
   bool visit(std::size_t index, int depth) {
     if (index >= reached_.size() || reached_[index] || depth > kDeepest) return false;
     reached_[index] = true;
@@ -104,16 +105,16 @@ class NodeMaker {
         if (!accessor) continue;
         const std::size_t size = number_format(root_, *accessor).count;
         if (size > kMostInstances - count_)
-          throw Unreadable(fmt::format("there are more than {} instances", kMostInstances));
+          throw Unreadable(fmt::format("it has more than {} instances", kMostInstances));
         place.column = read_numbers(root_, buffers_, *accessor);
         if (place.column.components != place.components || (count > 0 && count != size))
-          throw Unreadable("the places of instances do not fit together");
+          throw Unreadable("the instance attributes have different sizes or wrong types");
         count = size;
       }
       count_ += count;
       for (std::size_t i = 0; i < count; ++i) {
         json instance = {{"mesh", node["mesh"]}};
-        if (node.contains("name"))  // its own: to look for a free one takes ever longer
+        if (node.contains("name"))  // a unique name here avoids a slow search for a free name later
           instance["name"] = fmt::format("{}_{}", node["name"].get<std::string>(), i);
         for (const Place& place : places) {
           if (place.column.components == 0) continue;
@@ -135,7 +136,7 @@ class NodeMaker {
   const json& written_;
   PlainNodes made_;
   std::vector<bool> reached_;
-  std::size_t count_ = 0;  ///< of instances
+  std::size_t count_ = 0;  ///< number of instances
 };
 
 }  // namespace

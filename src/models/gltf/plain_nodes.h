@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes of a glTF file's scene, with an own node for each instance of EXT_mesh_gpu_instancing.
+// Converts the nodes of a glTF scene, with one node per instance of EXT_mesh_gpu_instancing.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 namespace oriel::models::gltf {
 
 struct PlainNodes {
-  json nodes = json::array();  ///< at the indices of the file, instances behind them
-  json roots = json::array();  ///< of the scene that is shown
-  std::string left_out;        ///< why instances are missing, in words; empty: none is
+  json nodes = json::array();  ///< nodes of the file at their indices, followed by instances
+  json roots = json::array();  ///< roots of the selected scene
+  std::string left_out;        ///< why instances were skipped; empty if none was
 };
 
-/// Model:   the file's own scene, its first where it says none, all trees where it has no scene.
-///          Nodes are reached once: what closes a circle or stands below two is left out there.
-///          Instances stand below their node: first scaled, then turned, then moved.
+/// Model:   uses the default scene of the file, else its first scene, else all trees. Each node is
+///          visited once: a second reference (a cycle or a shared child) is dropped. Instances
+///          become children of their node; the order is scale, rotation, translation.
 /// Source:  glTF 2.0, 3.5; EXT_mesh_gpu_instancing.
 /// Checked: GltfNodes.*
 PlainNodes plain_nodes(const json& root, Buffers& buffers);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes of glTF files: instances, circles, chains, cameras.
+// Nodes of glTF files: instances, cycles, chains, cameras.
 #include "models/gltf/plain_nodes.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(GltfNodes, InstancesThatCannotBeAreLeftOutAndTheMeshStays) {
     Made made;
     made.import(file.text());
     ASSERT_TRUE(made.scene);
-    EXPECT_TRUE(made.said("instances are left out")) << type;
+    EXPECT_TRUE(made.said("instances are skipped")) << type;
     EXPECT_EQ(world_points(*made.scene).size(), 3u);
   }
 }

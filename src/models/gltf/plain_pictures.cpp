@@ -16,7 +16,7 @@ json plain_image(const json& written, Buffers& buffers, const std::string& folde
   std::string type = words(member(written, "mimeType"));
   if (uri.substr(0, 5) == "data:") {
     const auto data = data_of(uri);
-    if (!data) throw Unreadable("a picture's data is no base64");
+    if (!data) throw Unreadable("the data of an image is not valid base64");
     made["bufferView"] = file.add_view(data->bytes);
     if (type.empty()) type = data->media_type;
   } else if (!uri.empty()) {
@@ -28,7 +28,7 @@ json plain_image(const json& written, Buffers& buffers, const std::string& folde
     buffers.spend(content.size());
     made["bufferView"] = file.add_view(content);
   } else {
-    throw Unreadable("a picture has neither a file nor data");
+    throw Unreadable("an image has neither a file nor data");
   }
   made["mimeType"] = type.empty() ? "image/png" : type;
   return made;
@@ -65,8 +65,8 @@ Complaints plain_pictures(const json& root, Buffers& buffers, const std::string&
   }
   if (basis + bare > 0)
     complaints.push_back(
-        fmt::format("{} textures are of Basis Universal (KHR_texture_basisu), which cannot be read;"
-                    " {} have another picture that is taken",
+        fmt::format("{} textures use Basis Universal (KHR_texture_basisu), which is unsupported;"
+                    " {} of them have a fallback image, which is used",
                     basis + bare, basis));
   file.root["images"] = std::move(images);
   file.root["textures"] = std::move(textures);

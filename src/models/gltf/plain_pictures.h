@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The textures of a glTF file with pictures that can be read.
+// Converts the textures of a glTF file.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace oriel::models::gltf {
 
-/// Why some pictures are missing, in words, each once.
+/// Reasons why images are missing, without duplicates.
 using Complaints = std::vector<std::string>;
 
 /// Adds images, textures and samplers to the file; each keeps its index.
 ///
-/// Model:   WebP (EXT_texture_webp) goes before the picture for programs without it; of Basis
-///          Universal (KHR_texture_basisu) that other picture is taken, where there is one. URIs
-///          become names of files or, where they hold data, parts of the buffer.
+/// Model:   WebP (EXT_texture_webp) has priority over its fallback image. For Basis Universal
+///          (KHR_texture_basisu) the fallback image is used if there is one. URIs become file names
+///          or, for data URIs, parts of the buffer.
 /// Checked: GltfPictures.*
 Complaints plain_pictures(const json& root, Buffers& buffers, const std::string& folder,
                           PlainFile& file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF files from their text to scenes: what is stored in unusual ways is there as it is meant.
+// Import of glTF files with unusual storage.
 #include "models/gltf/plain.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::json;
 using testing::Made;
 using testing::world_points;
 
-/// The unit sphere: strips of quads between circles of latitude, which share their points.
+/// The unit sphere: strips of quads between circles of latitude with shared points.
 void add_sphere(GltfFile& file, bool quantized) {
   constexpr int kRings = 12, kSides = 24;
   std::vector<float> points;
@@ -59,7 +59,7 @@ TEST(GltfPlain, AQuantizedSphereIsOne) {
     ASSERT_TRUE(made.scene);
     EXPECT_TRUE(made.diagnostics.all().empty());
     EXPECT_EQ(made.group().polygons.size(), 11u * 24 * 2);
-    // Half a step of each coordinate, times two.
+    // Half a quantisation step per coordinate, times two.
     for (const Vec3& p : world_points(*made.scene)) EXPECT_NEAR(length(p), 2, 2e-4 / 3);
   }
 }
@@ -113,7 +113,7 @@ TEST(GltfPlain, NamesInCapitalsAreGltf) {
     Made made;
     made.import(name[2] == 'G' && name[4] == 'B' ? file.binary() : file.text(), name);
     ASSERT_TRUE(made.scene) << name;
-    // No smooth normals, and the colours of corners: as of glTF alone.
+    // As for glTF: no smooth normals, and linear vertex colours.
     EXPECT_TRUE(made.group().vertices.normal.empty());
     EXPECT_EQ(made.uv(0, 0), Vec3(1, 0, 0));
   }
@@ -147,14 +147,14 @@ TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
   made.import(file.text());
   ASSERT_TRUE(made.scene);
   EXPECT_EQ(world_points(*made.scene).size(), 3u);
-  EXPECT_TRUE(made.said("2 parts of meshes are left out: there is no accessor 99"));
+  EXPECT_TRUE(made.said("2 mesh primitives are skipped: accessor 99 does not exist"));
   EXPECT_EQ(made.diagnostics.all().size(), 1u);
-  // Where nothing is left there is no model.
+  // If nothing can be read, there is no model.
   file.root["meshes"][0]["primitives"].erase(0);
   Made none;
   none.import(file.text());
   EXPECT_FALSE(none.scene);
-  EXPECT_TRUE(none.said("there is no accessor 99"));
+  EXPECT_TRUE(none.said("accessor 99 does not exist"));
 }
 
 TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
@@ -165,7 +165,7 @@ TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
   Made made;
   made.import(file.text());
   EXPECT_EQ(made.group().polygons.size(), 2u);
-  EXPECT_TRUE(made.said("1 triangles name corners that do not exist"));
+  EXPECT_TRUE(made.said("1 triangles have vertex indices out of range"));
 }
 
 TEST(GltfPlain, CoordinatesThatDoNotFitAreReplacedByTheNextSet) {
@@ -185,7 +185,7 @@ TEST(GltfPlain, TextThatIsNestedTooDeepIsNoModel) {
   Made made;
   made.import(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300'000, '['));
   EXPECT_FALSE(made.scene);
-  EXPECT_TRUE(made.said("its text is nested too deep"));
+  EXPECT_TRUE(made.said("its JSON is nested too deeply"));
 }
 
 TEST(GltfPlain, RequiredExtensionsThatNobodyKnowsAreNamedOnce) {
@@ -218,7 +218,7 @@ TEST(GltfPictures, WebPGoesFirstAndBasisUniversalIsNotRead) {
     Made made;
     for (const char* name : {"a.ppm", "b.webp", "c.ktx2", "d.webp"}) made.folder.write(name, "P6");
     made.import(file.text());
-    EXPECT_TRUE(made.said("2 textures are of Basis Universal"));
+    EXPECT_TRUE(made.said("2 textures use Basis Universal"));
     EXPECT_EQ(made.diagnostics.all().size(), 1u);
     for (const scene::Element& e : made.scene->elements())
       if (const auto* found = std::get_if<scene::Texture>(&e)) return found->file;

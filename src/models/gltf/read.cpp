@@ -19,7 +19,7 @@ GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigne
   const std::string content = fs::is_regular_file(path, error) ? file_text(path) : std::string();
   const auto plain = gltf::make_plain(content, fs::path(path).parent_path().string(), diagnostics);
   if (!plain) {
-    // glTF 1.0, or damaged in a way that assimp has words for.
+    // glTF 1.0 or an invalid file: let assimp report the error.
     model.scene = importer.ReadFile(path, steps);
   } else if (!plain->error.empty()) {
     model.error = plain->error;

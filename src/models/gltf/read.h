@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glTF files as assimp's scenes.
+// Reads glTF files as assimp scenes.
 #pragma once
 
 #include <assimp/Importer.hpp>
@@ -12,12 +12,12 @@
 namespace oriel::models {
 
 struct GltfModel {
-  const aiScene* scene = nullptr;  ///< the importer's; null: not readable
-  std::string error;               ///< then, why
+  const aiScene* scene = nullptr;  ///< owned by the importer; null if the file cannot be read
+  std::string error;               ///< the reason if scene is null
   std::map<std::string, GltfExtras> extras;
 };
 
-/// Inputs:  steps: of assimp's post-processing.
+/// Inputs:  steps: post-processing flags of assimp.
 /// Errors:  as gltf::make_plain.
 GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigned steps,
                     Diagnostics& diagnostics);

@@ -14,7 +14,7 @@ int hex_digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/// 0..63, -1 for none.
+/// Value 0..63; -1 if the character is not a base64 digit.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -47,7 +47,7 @@ std::string unescaped(std::string_view uri) {
   for (std::size_t i = 0; i < uri.size(); ++i) {
     const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
     const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
-    // No name has a zero byte.
+    // File names cannot contain zero bytes.
     if (low < 0 || high + low == 0) {
       name += uri[i];
       continue;

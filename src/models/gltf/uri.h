@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the URIs of a model file mean: names of files beside it, or the data itself.
+// URIs of a model file: file names or data.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace oriel::models::gltf {
 
-/// The name that a URI spells, "%20" as a space; a percent sign that begins nothing stays.
+/// Decodes percent escapes; an invalid escape is copied.
 /// Source:  RFC 3986, 2.1.
 std::string unescaped(std::string_view uri);
 
@@ -16,15 +16,15 @@ struct DataUri {
   std::string media_type;  ///< "image/png"
   std::string bytes;
 };
-/// Unset where it is no data URI or its base64 is none.
+/// Unset if this is not a data URI or its base64 is invalid.
 /// Source:  RFC 2397; RFC 4648, 4.
 std::optional<DataUri> data_of(std::string_view uri);
 
-/// The name of a picture or buffer that is there in `folder`: as the URI spells it, or, for files
-/// that were never escaped, as it is written. As it spells where neither is.
+/// Name of an existing file in `folder`: the decoded URI or, for files with unescaped names, the
+/// URI as written. If neither exists, the decoded URI.
 std::string file_name(const std::string& uri, const std::string& folder);
 
-/// Whether the name leads nowhere but to the folder or below it.
+/// Whether the path is inside the folder or a subfolder.
 bool stays_below(const std::string& name);
 
 }  // namespace oriel::models::gltf

@@ -11,7 +11,7 @@ namespace uri_test {
 TEST(GltfUri, EscapesAreBytes) {
   EXPECT_EQ(unescaped("my%20model.bin"), "my model.bin");
   EXPECT_EQ(unescaped("%E2%9D%a4"), "\xE2\x9D\xA4");
-  // What is no escape stays; no name has a zero byte.
+  // Invalid escapes are kept; names contain no zero byte.
   for (const char* plain : {"100%", "%", "%2", "%zz", "a%00b", ""})
     EXPECT_EQ(unescaped(plain), plain);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: glTF files put together number by number.
+// Test support: builds glTF files.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ struct GltfFile {
     primitive()["attributes"]["POSITION"] =
         add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, kFloat, "VEC3", 3);
   }
-  /// As text, with its buffer in it.
+  /// The JSON with its buffer embedded.
   std::string text() {
     root["buffers"][0] = {{"byteLength", bytes.size()},
                           {"uri", "data:application/octet-stream;base64," + base64(bytes)}};
@@ -74,7 +74,7 @@ struct GltfFile {
   }
 };
 
-/// A scene made of a file, the folder it lies in, and what was said.
+/// An imported file with its folder and diagnostics.
 struct Made {
   Folder folder;
   Diagnostics diagnostics;
@@ -105,7 +105,7 @@ struct Made {
   }
 };
 
-/// Where the points of all placed objects are.
+/// World positions of the points of all instances.
 inline std::vector<Vec3> world_points(const scene::Scene& scene) {
   std::vector<Vec3> points;
   Diagnostics ignored;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: small model files, and what became of them.
+// Test support: small model files and their import.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace oriel::models::testing {
 
-/// A folder of its own that goes with the test.
+/// A temporary folder that is deleted with the test.
 class Folder : public TemporaryFolder {
  public:
   std::string write(const std::string& name, const std::string& content) const {
@@ -35,7 +35,7 @@ inline std::string base64(const std::string& bytes) {
   return text;
 }
 
-/// A glTF file of one triangle (0,0,0) (1,0,0) (0,1,0) under a node, with a material and more.
+/// A glTF file with one triangle (0,0,0) (1,0,0) (0,1,0) under a node, with a material and more.
 inline std::string gltf(const std::string& material, const std::string& node = "",
                         const std::string& more = "") {
   const float points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};

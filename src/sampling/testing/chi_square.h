@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: does a sampler draw what its density says? Pearson's chi-square with tail pooling.
+// Test support: Pearson's chi-square test of samplers, with pooling of small cells.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace oriel::testing {
 //   Chance comes from Sampler with a different pixel for every draw, which makes draws independent
 //   (a stratified stream would pass too easily).
 
-/// Upper tail of the chi-square distribution: the chance of a statistic at least this large.
+/// Upper tail probability of the chi-square distribution.
 /// Source: the series and the continued fraction of the incomplete gamma function, Abramowitz,
 ///         Stegun 6.5.29 and 6.5.31.
 inline double chi_square_tail(double statistic, int degrees) {
@@ -46,7 +46,7 @@ inline double chi_square_tail(double statistic, int degrees) {
   return front * h;
 }
 
-/// Significance for each of `tests` independent tests so that all together err with `overall`.
+/// Significance of each of `tests` independent tests with the joint significance `overall`.
 /// Source: Sidak 1967.
 inline double sidak(double overall, int tests) { return 1 - std::pow(1 - overall, 1.0 / tests); }
 
@@ -56,9 +56,9 @@ struct ChiSquareResult {
   int degrees = 0;
 };
 
-/// Compares counts with expectations of equal total. Cells expecting fewer than 5 are pooled, those
-/// expecting nothing among them (a quadrature may miss a sliver); hits with no expectation in the
-/// whole pool make the p-value 0.
+/// Compares counts with expectations of equal total. Cells with an expectation below 5 are pooled,
+/// including empty ones (a quadrature may miss a narrow region). Counts in a pool without
+/// expectation give a p-value of 0.
 inline ChiSquareResult chi_square(const std::vector<double>& observed,
                                   const std::vector<double>& expected) {
   std::vector<std::size_t> order(expected.size());
@@ -88,7 +88,7 @@ inline ChiSquareResult chi_square(const std::vector<double>& observed,
   return r;
 }
 
-/// Integral of f over a box by Gauss-Legendre 4x4, halved where halving still changes it.
+/// Integral of f over a box by adaptive 4x4 Gauss-Legendre quadrature.
 inline double integrate(const std::function<double(double, double)>& f, double x0, double x1,
                         double y0, double y1, double tolerance, int depth = 6) {
   constexpr double kNode[4] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
@@ -112,7 +112,7 @@ inline double integrate(const std::function<double(double, double)>& f, double x
          integrate(f, x0, mx, my, y1, t, depth - 1) + integrate(f, mx, x1, my, y1, t, depth - 1);
 }
 
-/// How a sampler of directions compares with its density.
+/// Comparison of a direction sampler with its density.
 struct DirectionTest {
   ChiSquareResult chi;
   double pdf_integral = 0;  ///< over the whole sphere
@@ -121,7 +121,7 @@ struct DirectionTest {
 
 /// Draws `count` directions and compares them with the density over cells of (cos theta, phi).
 ///
-/// Model: draws that return nothing are a cell of their own with the expectation 1 - integral.
+/// Model:   lost draws form a cell with the expectation 1 - integral.
 inline DirectionTest test_directions(
     const std::function<std::optional<Vec3>(const Vec2& u2, float u1)>& sample,
     const std::function<double(const Vec3&)>& pdf, int count, std::uint32_t seed,
@@ -161,7 +161,7 @@ inline DirectionTest test_directions(
     const int cell = i * phi_cells + j;
     observed[static_cast<std::size_t>(cell)] += 1;
   }
-  // A rest within the quadrature's own error means that every draw returns a direction.
+  // A remainder within the error of the quadrature means that no draw is lost.
   const bool complete = observed[cells] == 0 && rest < 1e-3;
   expected[cells] = complete ? 0 : std::max(0.0, rest) * count;
   result.chi = chi_square(observed, expected);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a state of a small scene, for functions that shaders call.
+// Test support: a shader state of a small scene.
 #pragma once
 
 #include <limits>
@@ -12,11 +12,11 @@
 
 namespace oriel::testing {
 
-/// Numbers as a path draws them; no ray hits anything, and irradiance is as the test sets it.
+/// Random numbers like those of a path; rays hit nothing, and irradiance is set by the test.
 class NumbersOnly final : public Tracer {
  public:
   explicit NumbersOnly(std::uint32_t seed = 1) : seed_(seed) { start(0); }
-  /// Begins the sample of another pixel: samples of a test are independent.
+  /// Starts the sample of another pixel, so that samples of a test are independent.
   void start(int pixel) { sampler_.start(pixel, 0, 0, seed_); }
 
   Vec2 next() override { return sampler_.next_2d(); }
@@ -39,8 +39,8 @@ class NumbersOnly final : public Tracer {
   sampling::Sampler sampler_;
 };
 
-/// The scene of scene_text() with a point light, its camera and its square moved and turned, and
-/// the state of an eye ray that met the square.
+/// The scene of scene_text() with a point light, its camera and square moved and rotated, and the
+/// state of an eye ray that hit the square.
 class BareState {
  public:
   explicit BareState(std::string_view options = {})
@@ -59,7 +59,7 @@ class BareState {
   const World& world() const { return *prepared_.world; }
   Diagnostics& diagnostics() { return prepared_.diagnostics; }
 
-  /// A ray that comes down with this sine and cosine to the normal +z, along +x.
+  /// A ray along +x and down, with the given sine and cosine to the normal +z.
   void look_down(float sine, float cosine) {
     state().dir = {sine, 0, -cosine};
     state().normal = state().normal_geom = {0, 0, 1};
@@ -80,7 +80,7 @@ class BareState {
       const std::size_t at = t.find(instance);
       t.insert(at + instance.size(), transform);
     };
-    // Both are inverses: they take the parent's space to the instance's.
+    // Both are inverses: from the space of the parent to that of the instance.
     place("instance \"cam_inst\" \"cam\"", " transform 0 0 -1 0  0 1 0 0  1 0 0 0  -1 -2 -5 1");
     place("instance \"square_inst\" \"square\"", " transform 2 0 0 0  0 .5 0 0  0 .5 1 0  1 2 3 1");
     return t;

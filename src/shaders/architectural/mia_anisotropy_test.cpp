@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the architectural material's highlights stretch: measured from samples of its lobes.
+// Direction of highlight stretching of the architectural material, measured from samples of its
+// lobes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,21 +37,21 @@ P brushed(float anisotropy, float rotation) {
   return p;
 }
 
-/// Seen from straight above: slopes of half vectors are then those of the microfacets.
+/// View along the normal: slopes of half vectors are then those of the microfacets.
 ShadingPoint from_above() {
   ShadingPoint point;
   point.ray_direction = Vec3(0, 0, -1);
   return point;
 }
 
-/// An ellipse fitted to directions around the normal: width along the longer axis over that across
-/// it, and the longer axis' angle from world x in turns, 0...0.5.
+/// Ellipse fitted to directions around the normal: ratio of its axes, and angle of the longer axis
+/// from world x in turns, 0...0.5.
 struct Fit {
   float ratio = 0, turns = 0;
 };
 
 Fit fit(const std::vector<Vec2>& slopes) {
-  // Doubled angles average to the axis whatever the tails of the distribution do.
+  // The mean of doubled angles is the axis for any tail of the distribution.
   double c = 0, s = 0;  // double: sums of 1e5 terms
   for (const Vec2& v : slopes) {
     const double angle = 2 * std::atan2(v.y, v.x);
@@ -70,7 +71,7 @@ Fit fit(const std::vector<Vec2>& slopes) {
   return {width(axis) / width(axis + kPi / 2), turns < 0 ? turns + 0.5f : turns};
 }
 
-/// Slopes of `count` samples of a lobe as the material set it up.
+/// Slopes of `count` samples of the lobe of the material.
 Fit fit_lobe(const P& p, LobeKind kind, ShadingPoint point = from_above()) {
   Closure closure;
   kMiaMaterialX.material.fill(Call{&p, nullptr, point}, closure);
@@ -90,7 +91,7 @@ Fit fit_lobe(const P& p, LobeKind kind, ShadingPoint point = from_above()) {
     if (!s) continue;
     const Vec3 w = lobe->frame.to_world(s->wi);
     if (kind == LobeKind::GlossyRefraction && s->wi.z >= 0) continue;
-    // Small slopes: a direction's offset is proportional to its facet's slope, in either case.
+    // Small slopes: the deviation of a direction is proportional to the facet slope in both cases.
     const Vec3 h = kind == LobeKind::GlossyReflection ? normalize(point.wo() + w) : w;
     slopes.emplace_back(h.x / h.z, h.y / h.z);
   }
@@ -151,12 +152,12 @@ TEST(MiaAnisotropy, TheChannelChoosesTheBaseDirection) {
   point.bump_u[0] = unit(0.10f) * 0.5f;
   point.bump_u[1] = unit(0.15f);
   point.tex_vector = unit(0.20f);
-  // The object's x axis lies 0.3 of a turn from world x.
+  // The x axis of the object is 0.3 turns from world x.
   const float c = std::cos(0.3f * kTwoPi), s = std::sin(0.3f * kTwoPi);
   const Mat4 to_world(c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   point.to_world = &to_world;
-  // Without a scene there is no texture space but that of the derivatives; TextureDirection tests
-  // the others.
+  // Without a scene the only texture space is that of the derivatives; TextureDirection tests the
+  // others.
   const std::pair<int, float> kCases[] = {{0, 0.05f},  {1, 0.3f},   {-1, 0.3f},
                                           {-2, 0.10f}, {-3, 0.05f}, {-4, 0.20f}};
   for (const auto& [channel, turns] : kCases) {

@@ -70,7 +70,7 @@ const ShaderSpec kMiaCieSky = {
     .value =
         [](const Call& call, void* result) {
           const auto& state = *static_cast<const CieSkyState*>(call.state);
-          // Connected parameters are of the direction.
+          // Connected parameters are evaluated for the lookup direction.
           sky::CieParameters now = state.parameters;
           if (call.point.world) now = cie_parameters(call.as<MiaCieskyParams>(), *call.point.world);
           const Vec3& d = call.point.ray_direction;

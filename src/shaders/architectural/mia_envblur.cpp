@@ -34,7 +34,7 @@ constexpr ParamSpec kMiaEnvblurRows[] = {
      .doc = "Resolution of the blurred map in each direction."},
 };
 
-/// The pyramid, and how lobes are mixed from it.
+/// The blurred levels, and the mixture weights of lobes.
 struct BlurState final : ShaderState {
   BlurState(NodeList shaders, int resolution, const World& world)
       : source(std::move(shaders)),
@@ -42,7 +42,8 @@ struct BlurState final : ShaderState {
             [&](const Vec3& d) {
               return environment_radiance(source, world, Vec3(0), d, RayKind::Reflect, true);
             }),
-        // A lobe is as wide as a kernel of the map where 1.29 alpha is 1.18 widths: half maxima.
+        // A lobe and a kernel of the map have equal half widths if 1.29 alpha is 1.18 kernel
+        // widths.
         least(0.91f * map.width(0)) {
     for (std::size_t i = 0; i < kMixtures; ++i) {
       const float alpha =
@@ -74,7 +75,7 @@ struct BlurState final : ShaderState {
 };
 
 Rgba sharp(const BlurState& state, ShadingPoint& point) {
-  // An inner blur must not add the same lobe's.
+  // A nested blur shader must not apply the same roughness again.
   const float roughness = std::exchange(point.roughness, 0.0f);
   Rgba c(0);
   for (const ShaderNode* node : state.source)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_envblur: an environment that is looked up blurred.
+// mia_envblur: blurred environment lookups.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -7,18 +7,20 @@
 namespace oriel {
 
 // Use
-//   As the camera's or a material's environment, around another one that does not depend on place.
-//   With mia_material_blur (the default) and single_env_sample in materials, one look-up stands for
-//   a whole glossy reflection; `blur` then stays 0.
-// What it does
-//   Before rendering, `resolution` squared samples all around go into a pyramid (image/
-//   sphere_blur.h). `blur` b blurs as a surface of glossiness 1 - b reflects when seen straight on;
-//   0 asks the environment itself. mia_material_blur takes the roughness of the lobe that looks up
-//   (isotropic); of many rays each takes its share of the lobe, so that nothing is blurred twice.
-//   Both together add up. Lobes narrower than the samples fade to the environment itself.
-//   Rays of diffuse surfaces see the environment itself: its light is the same, and its importance
-//   is known. A sun's disc is left out of the pyramid as it is of glossy rays, since the sun's
-//   light has a highlight of its own. Without `environment` the camera's is taken.
+//   An environment of the camera or of a material; wraps another one that does not depend on
+//   position.
+//   With mia_material_blur (the default) and single_env_sample in materials, one lookup replaces a
+//   whole glossy reflection; `blur` is then 0.
+// Model
+//   Before rendering, `resolution` squared samples over the sphere are stored in a pyramid (image/
+//   sphere_blur.h). `blur` b blurs like the reflection of glossiness 1 - b at normal incidence; 0
+//   evaluates the environment itself. mia_material_blur applies the (isotropic) roughness of the
+//   lobe of the lookup; each of several rays applies its share of the lobe, so nothing is blurred
+//   twice.
+//   Both add up. Lobes narrower than the samples blend to the environment itself. Diffuse rays
+//   evaluate the environment itself: the irradiance is the same, and it is importance sampled. As
+//   for glossy rays, the disc of a sun is excluded from the pyramid, because the sun light has its
+//   own highlight. Without `environment` that of the camera is used.
 extern const ShaderSpec kMiaEnvBlur;
 
 }  // namespace oriel

@@ -78,11 +78,11 @@ lens::SimpleParameters simple_parameters(const Simple& p) {
           .gamma = p.gamma};
 }
 
-/// An exposure by the constant parameters.
+/// An exposure with the constant parameters.
 template <class Exposure, class Parameters>
 struct ExposureState final : ShaderState {
   explicit ExposureState(const Parameters& p) : parameters(p), exposure(p) {}
-  /// By those of a call, which differ where something is connected.
+  /// With the parameters of a call, which differ if any is connected.
   template <class F>
   auto with(const Parameters& now, F&& f) const {
     return now == parameters ? f(exposure) : f(Exposure(now));

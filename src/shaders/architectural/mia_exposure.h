@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_exposure_photographic and mia_exposure_simple: from scene colours to the display, as lens
-// shaders (per sample) or output shaders (per pixel); and the photographic one undone.
+// mia_exposure_photographic and mia_exposure_simple: tone mapping as lens shaders (per sample) or
+// output shaders (per pixel); and the inverse of the photographic exposure.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -12,7 +12,7 @@ extern const ShaderSpec kMiaExposurePhotographic;
 extern const ShaderSpec kMiaExposurePhotographicRev;
 extern const ShaderSpec kMiaExposureSimple;
 
-/// Of shaders whose parameters are named as those of the photographic exposure.
+/// Parameters of shaders that use the parameter names of the photographic exposure.
 template <class P>
 lens::PhotographicParameters photographic_parameters(const P& p) {
   return {.cm2_factor = p.cm2_factor,

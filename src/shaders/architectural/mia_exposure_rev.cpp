@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_exposure_photographic_rev: which light the photographic exposure shows as a given colour, so
-// that a photograph behind the scene comes out as it was.
+// mia_exposure_photographic_rev: inverse of the photographic exposure, so that a photograph in the
+// background is unchanged by the exposure.
 #include <algorithm>
 
 #include "runtime/world.h"
@@ -50,8 +50,8 @@ struct State final : ShaderState {
   lens::ReversePhotographicExposure reverse;
 };
 
-/// Of the ray to the optical axis. Beyond the film's corner it is that of the corner: the picture
-/// has no more vignetting than it shows.
+/// Cosine between the ray and the optical axis, limited to that of the film corner, where
+/// vignetting is strongest.
 float cos_to_film(const Camera& camera, const Vec3& direction) {
   if (camera.orthographic || !(camera.focal > 0)) return 1;
   const float width = camera.aperture / (2 * camera.focal);

@@ -41,7 +41,7 @@ constexpr ParamSpec kMiaLensBokehRows[] = {
     {ORIEL_PARAM(Bokeh, bokeh), .doc = "Image of the aperture.", .declared_default = false},
 };
 
-/// Larger pictures are looked up at so many places a side, procedural ones at kProcedural.
+/// Maximum lookups per side for pictures, and the number for procedural textures.
 constexpr int kMostTexels = 1024, kProcedural = 256;
 
 lens::Aperture kernel_of(const TextureNode& texture) {
@@ -70,14 +70,15 @@ struct BokehState final : ShaderState {
   lens::Aperture aperture;
 };
 
-/// Moves the ray to a point of the lens (unit disc) and turns it to what it meets at the plane.
+/// Moves the ray origin to a point of the lens (unit disc) and aims at its intersection with the
+/// focal plane.
 void bend(const Camera& camera, float plane, float radius, const Vec2& point, Camera::Ray& ray) {
   const auto axis = [&](float x, float y, float z) {
     return normalize(transform_vector(Vec3(x, y, z), camera.to_world));
   };
   const Vec3 ahead = axis(0, 0, -1);
   const float cosine = dot(ray.direction, ahead);
-  // Hosts write the distance with either sign.
+  // Exporters write the distance with either sign.
   plane = std::abs(plane), radius = std::max(radius, 0.0f);
   if (!(cosine > 0) || !(plane > 0) || !std::isfinite(plane) || !std::isfinite(radius)) return;
   const Vec3 focus = ray.origin + ray.direction * (plane / cosine);
@@ -97,7 +98,7 @@ constexpr ParamSpec kDofRows[] = {
      .declared_default = false},
 };
 
-/// What the manual compares mia_lens_bokeh's defaults with.
+/// The default ray count mentioned in the manual of mia_lens_bokeh.
 constexpr int kDofRays = 4;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_lens_bokeh, and physical_lens_dof before it: depth of field by rays from all over a lens.
+// mia_lens_bokeh and its predecessor physical_lens_dof: depth of field.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -7,20 +7,20 @@
 namespace oriel {
 
 // Use
-//   As a lens shader of the camera, before or after exposures. Reflections in mirrors and what is
-//   seen through glass are blurred as well; final gathering places its points through the lens'
-//   middle, which changes where they lie but not what is seen.
-// What it does
-//   Each camera sample becomes `samples` rays from points of a disc of `radius` (scene units)
-//   across the camera's place, towards where its own ray meets the plane at distance `plane` in
-//   front of the camera. A point at distance z blurs to radius * |plane - z| / z on that plane.
-//   The first corner of a bladed lens lies to the right at blade_angle 0 and turns to the left.
-//   A `bokeh` picture spans the square around the disc; lights behind the plane show it upright,
-//   lights before it upside down. Its brightness says where light passes, its colours tint; what is
-//   sharp keeps its brightness in the channel that the picture has most of.
+//   A lens shader of the camera, before or after exposures. Reflections in mirrors and refracted
+//   views are blurred, too. Final gather points are computed through the centre of the lens, which
+//   affects their positions only.
+// Model
+//   Each camera sample becomes `samples` rays from points on a disc of `radius` (scene units)
+//   around the camera position to the intersection of its own ray with the plane at distance
+//   `plane` from the camera. A point at distance z blurs to radius * |plane - z| / z on that plane.
+//   The first corner of a bladed lens is to the right for blade_angle 0 and turns to the left. A
+//   `bokeh` picture covers the square around the disc. Lights behind the plane show it upright,
+//   lights in front upside down. Its brightness is the transmission, its colours tint; objects in
+//   focus keep their brightness in the dominant channel of the picture.
 extern const ShaderSpec kMiaLensBokeh;
 
-/// The same with an even, round opening and 4 rays.
+/// Same with a round, uniform aperture and 4 rays.
 extern const ShaderSpec kPhysicalLensDof;
 
 }  // namespace oriel

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_light_surface: what a lamp's bulb or tube looks like while a light does the lighting.
+// mia_light_surface: visible surface of a light source whose illumination comes from a light.
 //
-// Model:  color * (sum of the lights * lights_multiplier + intensity). The lights are those that a
-//         white surface facing each of them would show, without shadows: at the point itself, or,
-//         where lights_eval_point is not 0, at that place of each light's own space, whatever the
-//         surface is. So a bulb within a light by a profile glows evenly.
+// Model:   color * (sum of the lights * lights_multiplier + intensity). The lights are evaluated as
+//          the radiance of a facing white surface without shadows: at the shading point or, if
+//          lights_eval_point is not 0, at that position in the space of each light, independent of
+//          the surface. A bulb inside a light with a profile is thus uniform.
 #include "shaders/architectural/mia_light_surface.h"
 
 #include "runtime/world.h"
@@ -40,7 +40,7 @@ constexpr ParamSpec kMiaLightSurfaceRows[] = {
      .declared_default = false},
 };
 
-/// What the lights bring, per colour of a light (runtime/light.h).
+/// Sum of the lights in units of light colour (runtime/light.h).
 Rgb light_sum(const MiaLightSurfaceParams& p, const ShadingPoint& point) {
   Rgb sum(0);
   for (const LightRef ref : p.lights) {
@@ -51,14 +51,14 @@ Rgb light_sum(const MiaLightSurfaceParams& p, const ShadingPoint& point) {
     at.ray_kind = RayKind::Light;
     const bool fixed = p.lights_eval_point != Vec3(0);
     at.position = fixed ? transform_point(p.lights_eval_point, light.to_world) : point.position;
-    // The middle of a shape stands for all of it: a glow without noise.
+    // The centre of a shape represents all of it, which avoids noise.
     if (const auto s = at.world->sample_light(light, at, Vec2(0.5f), RayKind::Light))
       sum += s->irradiance * kInvPi;
   }
   return sum;
 }
 
-/// How much of it a ray of that kind sees.
+/// The share that a ray of this type sees.
 float share_seen(const MiaLightSurfaceParams& p, RayKind kind) {
   if (kind == RayKind::FinalGather) return p.fg_contrib;
   if (kind == RayKind::Reflect) return p.refl_contrib;

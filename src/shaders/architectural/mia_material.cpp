@@ -21,15 +21,15 @@ Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)
 
 Rgb saturate(const Rgba& c, bool conserve) { return conserve ? clamped(c) : rgb(c); }
 
-/// Object x, or y where the surface faces along x.
+/// The object's x axis, or y if the surface faces along x.
 Vec3 object_direction(const ShadingPoint& point) {
   const Vec3 x = point.to_world ? transform_vector(Vec3(1, 0, 0), *point.to_world) : Vec3(1, 0, 0);
   const Vec3 y = point.to_world ? transform_vector(Vec3(0, 1, 0), *point.to_world) : Vec3(0, 1, 0);
   return std::abs(dot(normalize(x), point.normal)) < 0.95f ? x : y;
 }
 
-/// The direction along which highlights stretch before rotation. Where a space has no direction,
-/// the object's stands in.
+/// Direction of highlight stretching before rotation; the object direction if the selected space
+/// has none.
 Vec3 stretch_direction(const MiaMaterialParams& p, const ShadingPoint& point) {
   const int space = p.anisotropy_channel;
   Vec3 along(0);
@@ -61,8 +61,8 @@ struct Normals {
   Vec3 diffuse, specular, base;
 };
 
-/// The normal after one bump input. A shader there finds the normal as the bumps before left it; it
-/// may return nothing and move it itself.
+/// The normal after one bump input. The connected shader gets the normal of the previous bump
+/// inputs, and may modify the normal instead of returning a vector.
 Vec3 after_bump(const Call& call, std::size_t offset, Vec3 v, const Vec3& normal) {
   ShadingPoint moved = call.point;
   moved.normal = normal;
@@ -154,7 +154,7 @@ void add_reflection(const MiaMaterialParams& p, const ReflectingLayer& layer, co
     lobe.controls.highlights_only = p.refl_hl_only;
   }
   if (!mirror) {
-    // With mirror rays the highlight still follows the gloss.
+    // With mirror rays the highlight still uses the glossiness.
     Lobe& lobe = closure.add(LobeKind::GlossyReflection, LobeType::Reflection, layer.level, frame);
     set_roughness(lobe, roughness);
     lobe.controls = controls;
@@ -189,7 +189,7 @@ Medium inside_of(const MiaMaterialParams& p) {
     medium.black_distance = p.refr_falloff_dist;
     return medium;
   }
-  // falloff_color^(d / dist) = exp(-absorption d); a channel of 0 is opaque within the distance.
+  // falloff_color^(d / dist) = exp(-absorption d); a channel of 0 is opaque at that distance.
   constexpr float kDarkest = 1e-6f;
   for (int i = 0; i < 3; ++i) {
     const float c = (&p.refr_falloff_color.r)[i];
@@ -198,7 +198,7 @@ Medium inside_of(const MiaMaterialParams& p) {
   return medium;
 }
 
-/// Diffuse rays for one of the scene's (manual 1.6.8.3).
+/// Multiplier of the scene's number of diffuse rays (manual 1.6.8.3).
 float gather_quality(const MiaMaterialParams& p) {
   return p.fg_quality_w == 0 ? std::max(0.0f, p.fg_quality)
                              : std::max(1.0f, p.fg_quality * p.fg_quality_w);
@@ -208,7 +208,7 @@ void add_diffuse(const MiaMaterialParams& p, const Rgb& level, const Vec3& norma
                  Closure& closure) {
   if (is_black(level)) return;
   Lobe& lobe = closure.add(LobeKind::Diffuse, LobeType::Diffuse, level, Frame(normal));
-  // Beyond this nothing changes but the square overflows.
+  // Larger values have no effect, but their square would overflow.
   lobe.roughness = clamp(p.diffuse_roughness, 0, 1e3f);
   lobe.controls.samples = gather_quality(p);
   if (!p.ao_on || p.ao_samples <= 0) return;
@@ -236,13 +236,13 @@ void shade_mia(const Call& call, Closure& closure, bool extended) {
   closure.indirect_scale = std::max(0.0f, p.indirect_multiplier);
   const Normals n = bumped_normals(call, extended);
   const float cos_view = clamp01(dot(n.specular, point.wo()));
-  // Opaque surfaces have no inside, whichever way their normals point (manual 1.6.3).
+  // Opaque surfaces have no inside, regardless of the orientation of normals (manual 1.6.3).
   const bool inside = point.back_side && !p.thin_walled && p.transparency > 0;
   const MiaLevels levels = mia_levels(p, cos_view, inside);
 
   add_diffuse(p, levels.diffuse, n.diffuse, closure);
-  /// What glass reflects on its inside where it does not reflect totally, but for the last degrees
-  /// before that; a guess of what the manual calls weak.
+  /// Upper limit of a "weak" inner reflection: that of glass except close to total internal
+  /// reflection. A guess; the manual gives no number.
   constexpr float kWeak = 0.1f;
   const bool weak_inner = inside && p.skip_inside_refl && !levels.total_reflection &&
                           max_component(levels.reflection) < kWeak;
@@ -291,7 +291,7 @@ unsigned mia_grids(const ShaderNode& node) {
 
 int mia_most_lobes(const ShaderNode& node) {
   const MiaMaterialParams& p = node.constants<MiaMaterialParams>();
-  // A highlight stands beside mirror rays.
+  // Mirror rays have a separate lobe for the highlight.
   const auto reflects = [&](int samples, std::size_t offset) {
     return samples == 0 || node.connected(offset) ? 2 : 1;
   };
@@ -306,7 +306,7 @@ int mia_most_lobes(const ShaderNode& node) {
   return lobes;
 }
 
-/// Colours one behind the other, at last one number.
+/// Colours, followed by one scalar.
 constexpr auto kResults = [] {
   std::array<ParamSpec, kMaterialResults> rows{};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -328,7 +328,7 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
   const float ior = std::max(p.refr_ior, 0.1f);
 
   if (p.reflectivity <= 0 && p.transparency <= 0) {
-    // Nothing asks for the curve.
+    // The curve is unused.
   } else if (p.brdf_fresnel) {
     out.curve = bsdf::fresnel_dielectric(cos_view, back_side ? 1 / ior : ior);
     out.total_reflection = out.curve >= 1;
@@ -340,8 +340,8 @@ MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side)
     out.total_reflection = !p.thin_walled && ratio * ratio * (1 - cos_view * cos_view) >= 1;
   }
 
-  // Reflection first: what it takes is untinted by a metal's own colour, so that a red metal does
-  // not leave its complement to the diffuse component.
+  // Reflection first. The part it removes is not tinted by the metal colour; otherwise a red metal
+  // would leave its complement to the diffuse component.
   Rgb left(1);
   if (p.reflectivity > 0) {
     const Rgb taken =

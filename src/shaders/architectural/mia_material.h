@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // mia_material, mia_material_x, mia_material_x_passes: the architectural material.
 //
-// Diffuse (Oren-Nayar), glossy anisotropic reflection and refraction, translucency, with energy
-// taken in the manual's order: reflection first, then transparency, the rest is diffuse. The shader
-// turns parameters into a Closure; it traces nothing.
+// Diffuse (Oren-Nayar), glossy anisotropic reflection and refraction, translucency. Energy is
+// distributed in the order of the manual: reflection first, then transparency, the rest is diffuse.
+// The shader converts parameters to a Closure; it traces no rays.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -78,12 +78,12 @@ struct MiaMaterialParams {
   bool no_diffuse_bump;
   int mode;
   ArrayView<LightRef> lights;
-  // The extended interface.
+  // Parameters of the extended interface.
   int bump_mode;
   Vec3 overall_bump;
   Vec3 standard_bump;
   bool multiple_outputs;
-  // Later editions.
+  // Parameters of later editions.
   float refl_base;
   Rgba refl_base_color;
   float refl_base_gloss;
@@ -91,14 +91,14 @@ struct MiaMaterialParams {
   Vec3 refl_base_bump;
 };
 
-/// All rows, in the order of declaration; mia_material has the first kMiaMaterialRows of them.
+/// All rows in the order of declaration; mia_material has the first kMiaMaterialRows of them.
 std::span<const ParamSpec> mia_material_rows();
 inline constexpr std::size_t kMiaMaterialRows = 67;
 
-/// How the material divides light at one angle, per colour channel.
+/// Weights of the components at one angle, per colour channel.
 struct MiaLevels {
   Rgb reflection{0}, base_reflection{0}, refraction{0}, translucency{0}, diffuse{0};
-  float curve = 0;  ///< reflectivity of the angle curve alone
+  float curve = 0;  ///< reflectivity of the angle curve only
   bool total_reflection = false;
   Rgb sum() const { return reflection + base_reflection + refraction + translucency + diffuse; }
 };
@@ -106,11 +106,11 @@ struct MiaLevels {
 /// The energy rules of the manual's sections 1.4.2 and 1.4.3.
 ///
 /// Inputs:  cos_view: cosine between shading normal and view, 0..1; back_side: seen from inside.
-/// Returns: the levels of all components; their sum never exceeds 1 when brdf_conserve_energy is
-///          on. The base layer reflects what the first lets through, before transparency.
-/// Source:  manual 1.4.2 as equations; thin walls in Fresnel mode reflect as the pane of two faces,
-///          R = 2r/(1+r), since one sheet stands for both. The base layer's place is a guess: its
-///          parameters came without a description.
+/// Returns: the weights of all components; their sum is at most 1 if brdf_conserve_energy is on.
+///          The base layer reflects light that passes the first layer, before transparency.
+/// Source:  manual 1.4.2, written as equations. Thin walls in Fresnel mode reflect like a pane with
+///          two faces, R = 2r/(1+r), because one sheet represents both. The position of the base
+///          layer is a guess, since its parameters are undocumented.
 /// Checked: MiaLevels.*, MaterialContract.NeverReturnsMoreThanArrives.
 MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side);
 

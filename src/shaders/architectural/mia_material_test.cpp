@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the architectural material divides light: levels, angle curves, lobes and their controls.
+// Energy distribution of the architectural material: weights, angle curves, lobes and their
+// controls.
 #include "shaders/architectural/mia_material.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace mia_material_test {
 
 using P = MiaMaterialParams;
 
-/// Parameters as a scene that writes none of them gets them.
+/// Default parameters.
 P declared_defaults() {
   P p{};
   for (const ParamSpec& row : mia_material_rows()) {
@@ -88,7 +89,7 @@ class RandomMaterial {
   bool coin() { return unit() < 0.5f; }
   Rgba color() { return Rgba(unit(), unit(), unit(), 1); }
 
-  /// Every parameter that levels depend on, anywhere within its range; the ends are hit often.
+  /// All parameters that affect weights, random within their range and often at its ends.
   P next() {
     P p = declared_defaults();
     p.diffuse_weight = end_or_inside();
@@ -182,7 +183,7 @@ TEST(MiaLevels, SumToAtMostOneWhateverTheParameters) {
   RandomMaterial random(5);
   for (int n = 0; n < 50000; ++n) {
     P p = random.next();
-    // Parameters beyond their range, as textures bring them.
+    // Parameters beyond their range, for example from textures.
     if (n % 3 == 0) {
       p.diffuse *= 4;
       p.reflectivity *= 3;
@@ -214,7 +215,7 @@ TEST(MiaLevels, FresnelModeReflectsByTheIndexAlone) {
   p.brdf_fresnel = true;
   p.refr_ior = 1.5f;
   p.reflectivity = 1;
-  // Neither end of the custom curve nor its exponent has a say.
+  // Neither end of the custom curve nor its exponent has an effect.
   p.brdf_0_degree_refl = 0.9f;
   p.brdf_90_degree_refl = 0.3f;
   p.brdf_curve = 1;
@@ -469,7 +470,7 @@ TEST(MiaMaterial, StandardBumpComesOnTopAndMaySpareTheDiffuseComponent) {
     EXPECT_LT(length(find(c, LobeKind::Mirror)->frame.n - both), 1e-6f);
     EXPECT_LT(length(find(c, LobeKind::Diffuse)->frame.n - (spared ? overall : both)), 1e-6f);
   }
-  // The old interface does not have them.
+  // The old interface lacks them.
   const Closure old = shade(p, point, kMiaMaterial);
   EXPECT_EQ(find(old, LobeKind::Mirror)->frame.n, Vec3(0, 0, 1));
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_photometric_light: a light of so many candela or lumen, evenly, as a spot, or as measured.
+// mia_photometric_light: a light with a given intensity or flux; isotropic, spot, or measured
+// distribution.
 //
-// Model:  a distribution of known flux and peak is scaled to the intensity asked for:
-//         isotropic  1 everywhere; flat shapes: the cosine, that is the same luminance
-//         spot       cos^bias within the light's spread, a half sphere without one
+// Model:  a distribution with known flux and peak is scaled to the requested intensity:
+//         isotropic  1 everywhere; flat shapes: the cosine, which is constant luminance
+//         spot       cos^bias within the spread of the light, the hemisphere without one
 //         profile    as measured
-//         Lumen are those of the whole distribution, also where a spread or a flat shape keeps part
-//         of it back. How the original shapes a spot by its bias was never published.
-// Units:  with factors of 1, I cd bring I / d^2 lux in scenes of metres, and pixels are cd/m2.
+//         Lumens refer to the whole distribution, even if a spread or a flat shape emits only a
+//         part of it. The original effect of bias on a spot is unpublished.
+// Units:  with factors of 1, I cd produce I / d^2 lux in scenes in metres, and pixels are cd/m2.
 #include "shaders/architectural/mia_photometric_light.h"
 
 #include "base/math.h"
@@ -58,7 +59,7 @@ constexpr ParamSpec kMiaPhotometricLightRows[] = {
      .doc = "Factor from photometric units to pixel values; 1 = pixels in cd/m2."},
 };
 
-/// Intensity in a direction, beside the flux and peak of all directions in the same unit.
+/// Intensity in a direction, with the total flux and the peak in the same unit.
 struct Distribution {
   float here, flux, peak;
 };
@@ -83,14 +84,14 @@ Distribution distribution(const MiaPhotometricLightParams& p, const LightCall& l
   return {inside ? (flat ? l.emitter_cos : 1) : 0, flat ? kPi : 4 * kPi, 1};
 }
 
-/// Candela in the call's direction.
+/// Intensity in the direction of the call, in candela.
 float intensity(const MiaPhotometricLightParams& p, const LightCall& l) {
   const Distribution d = distribution(p, l);
   const photometry::LightProfile* profile = p.profile.profile;
   if (p.intensity_mode == kFlux) return d.flux > 0 ? d.here * p.manual_flux_lm / d.flux : 0;
   if (p.intensity_mode == kFromProfile) {
     if (p.distribution_mode == kProfile && l.light.profile_placement) return d.here;
-    // Spread otherwise, a profile still says how much.
+    // With another distribution, a profile still defines the flux.
     if (profile) return d.flux > 0 ? d.here * profile->flux() / d.flux : 0;
   }
   return d.peak > 0 ? d.here * p.manual_peak_intensity_cd / d.peak : 0;
@@ -127,7 +128,7 @@ const ShaderSpec kMiaPhotometricLight = {
         {
             .evaluate = value,
             .profile = profile,
-            // Its photons are as strong as its light, whatever energy the element writes.
+            // The photon flux follows from the intensity; the energy of the element is ignored.
             .photons =
                 [](const void*, const Light&, LightPhotons& photons) {
                   photons.emission.energy.reset();

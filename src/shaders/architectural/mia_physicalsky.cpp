@@ -31,7 +31,7 @@ struct MiaPhysicalskyParams {
   bool physically_scaled_sun;
 };
 
-// Bits of `flags`. 0 is the sky as it always was; the manual gives bits no meaning.
+// Bits of `flags`. 0 is compatible with mental ray; the manual defines no bits.
 constexpr int kAsInManual = 1;         ///< SkyParameters::as_in_manual
 constexpr int kPaperChromaticity = 2;  ///< the paper's constant in the chromaticity x
 constexpr int kClampAntisolar = 4;     ///< PreethamOptions::clamp_antisolar
@@ -128,9 +128,9 @@ sky::SkyParameters parameters_of(const MiaPhysicalskyParams& p, const World& wor
   return s;
 }
 
-/// Whether a light of the scene shines from where the sky shows its sun.
+/// Whether a light of the scene is at the position of the sun in the sky.
 bool has_light(const World& world, const sky::SkyParameters& p) {
-  // Directions are typed with a few digits, and a light may be turned by hand to the disc.
+  // Tolerance for rounded directions, and for lights that were aimed at the disc by hand.
   constexpr float kCosNear = 0.9998f;  // 1.1 degrees
   const Vec3 to_sun = normalize(p.sun_direction);
   return std::any_of(world.lights.begin(), world.lights.end(), [&](const Light& light) {
@@ -150,15 +150,16 @@ struct PhysicalSkyState final : ShaderState {
   bool sun_is_light;
 };
 
-/// Calls f(sky, parameters) with the sky of a call's parameters: connected ones are of its
-/// direction, so that a night may have stars and one side of the sky another haze.
+/// Calls f(sky, parameters) with the sky for the parameters of a call. Connected parameters are
+/// evaluated for the lookup direction, for example stars in the night colour, or haze that varies
+/// with the direction.
 template <class F>
 auto with_sky(const Call& call, F&& f) {
   const auto& state = *static_cast<const PhysicalSkyState*>(call.state);
   if (!call.point.world) return f(state.sky, state.parameters);
   sky::SkyParameters now = parameters_of(call.as<MiaPhysicalskyParams>(), *call.point.world);
   if (now == state.parameters) return f(state.sky, state.parameters);
-  // A night alone changes nothing that takes time to work out.
+  // A different night colour alone requires no new precomputation.
   const Rgb night = std::exchange(now.night_color, state.parameters.night_color);
   sky::PhysicalSky sky = now == state.parameters ? state.sky : sky::PhysicalSky(now);
   sky.set_night_color(night);
@@ -170,7 +171,7 @@ sky::SkyPart visible_part(const ShadingPoint& point, bool sun_is_light) {
     case RayKind::FinalGather:
     case RayKind::Light:
       return sky::SkyPart::Gradient;
-    // The highlight of the sun's own light already stands where a glossy bundle meets the disc.
+    // The sun light already contributes the highlight where a blurred lookup overlaps the disc.
     default:
       return point.blurred && sun_is_light ? sky::SkyPart::GradientAndGlow
                                            : sky::SkyPart::Everything;
@@ -193,8 +194,8 @@ void sky_value(const Call& call, void* result) {
   out = Rgba(c.x, c.y, c.z, 1);
 }
 
-/// Aerial perspective: what is far fades to the horizon behind it.
-VolumeValue air(const Call& call) {
+/// Aerial perspective: distant objects fade to the colour of the horizon behind them.
+VolumeValue aerial_perspective(const Call& call) {
   const MiaPhysicalskyParams& p = call.as<MiaPhysicalskyParams>();
   return with_sky(
       call, [&](const sky::PhysicalSky& sky, const sky::SkyParameters& now) -> VolumeValue {
@@ -210,7 +211,7 @@ VolumeValue air(const Call& call) {
 Vec3 direction_to_sun(LightRef sun, const Vec3& direction, bool y_is_up, const World& world) {
   if (sun.index >= 0) return -world.lights[static_cast<std::size_t>(sun.index)].direction;
   if (direction != Vec3(0)) return normalize(direction);
-  // Neither is given: the zenith, where a sky without a sun is at its most even.
+  // Without both, the zenith: a sky without a sun is most uniform there.
   return y_is_up ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
 }
 
@@ -223,7 +224,7 @@ const ShaderSpec kMiaPhysicalSky = {
     .params = kMiaPhysicalskyRows,
     .params_size = sizeof(MiaPhysicalskyParams),
     .value = sky_value,
-    .volume = {.evaluate = air},
+    .volume = {.evaluate = aerial_perspective},
     .binding =
         {
             .prepare = [](const void* params, const World& world) -> std::unique_ptr<ShaderState> {

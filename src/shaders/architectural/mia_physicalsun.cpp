@@ -66,7 +66,7 @@ struct SunState final : ShaderState {
 };
 
 Rgb colour_of(const MiaPhysicalsunParams& p, const Light& light) {
-  // Directional lights only, as the manual says.
+  // Directional lights only, according to the manual.
   if (light.shape != LightShape::Directional) return Rgb(0);
   return sky::sun_colour(
       {.on = p.on,
@@ -83,8 +83,8 @@ Rgb colour_of(const MiaPhysicalsunParams& p, const Light& light) {
       -light.direction);
 }
 
-/// What is connected is asked at the lit point, as seen toward the sun: a sky that is connected to
-/// the same shows its disc in that direction.
+/// Connected shaders are evaluated at the lit point with the direction to the sun: a connected sky
+/// returns its disc in that direction.
 LightValue sunlight(const Call& call, const LightCall& light) {
   LightValue value;
   value.is_sun = true;
@@ -104,7 +104,7 @@ LightValue sunlight(const Call& call, const LightCall& light) {
   return value;
 }
 
-/// Energy and aim of the sun's photons. A sun that is off or has set sends none.
+/// Energy and target of the sun's photons. A sun that is off or below the horizon emits none.
 void photons_of(const void* params, const Light& light, LightPhotons& photons) {
   const MiaPhysicalsunParams& p = *static_cast<const MiaPhysicalsunParams*>(params);
   const auto* state = static_cast<const SunState*>(light.state.get());

@@ -41,28 +41,29 @@ constexpr ParamSpec kMiaRoundcornersRows[] = {
      .declared_default = false},
 };
 
-/// Rays run this far below and above the surface, in radii: what stands out less is no edge.
+/// Distance of rays below and above the surface, in radii; smaller steps do not count as edges.
 constexpr float kDepth = 0.002f;
-/// Faces that turn away by a smaller angle than 2.6 degrees are taken for one: 1 - cosine.
+/// 1 - cosine of 2.6 degrees; faces with a smaller angle count as coplanar.
 constexpr float kFlat = 1e-3f;
-/// Those that turn back further than 170 degrees have no edge to round: 1 + cosine.
+/// 1 + cosine of 170 degrees; faces with a larger angle have no edge to round.
 constexpr float kFolded = 0.015f;
-/// Edges whose directions differ by less than 30 degrees are one that is met several times.
+/// Cosine of 30 degrees; edges with a smaller angle between their directions count as one edge.
 constexpr float kSameEdge = 0.866f;
-/// Cosines less than this from 1 are those of a flat face's interpolated normal.
+/// Tolerance of cosines for interpolated normals of flat faces.
 constexpr float kRounding = 1e-5f;
 
-/// Share of the way to an edge at which the surface is looked at again: facets may end early.
+/// Position on the way to an edge at which the surface is tested again: smaller facets may end
+/// before.
 constexpr float kBefore = 0.9f;
 
 /// An edge near the point.
 struct Edge {
-  Vec3 move;           ///< of the normal
-  Vec3 across{0};      ///< unit: the way the normal moves
+  Vec3 move;           ///< displacement of the normal
+  Vec3 across{0};      ///< unit direction of move
   float strength = 0;  ///< length of move
 };
 
-/// Looks for edges around one point.
+/// Searches for edges around one point.
 class EdgeSearch {
  public:
   EdgeSearch(const ShadingPoint& point, float radius, bool any_material, Edges edges)
@@ -71,16 +72,16 @@ class EdgeSearch {
         depth_(std::max(kDepth * radius, 4 * point.ray_offset)),
         any_material_(any_material),
         wanted_(edges),
-        // Along the object's axes, where most edges are.
+        // Along the object axes, where most edges are.
         frame_(Frame::along(point.geometric_normal, object_axis(point))) {}
 
   Vec3 move() {
-    // Edges that turn away lie on a way below the surface, those that turn in on one above.
+    // Probes below the surface find convex edges, probes above find concave ones.
     for (const float side : {-1.0f, 1.0f}) {
       if (wanted_ == (side < 0 ? Edges::TurningIn : Edges::StandingOut)) continue;
       bool any = false;
       for (int i = 0; i < 4; ++i) any |= look(side, i * 2);
-      // Between the axes, only where there is something.
+      // Diagonal directions only if there was a hit.
       for (int i = 0; any && i < 4; ++i) look(side, i * 2 + 1);
     }
     Vec3 sum(0);
@@ -97,12 +98,12 @@ class EdgeSearch {
     return Vec3(0, 0, 1);
   }
 
-  /// Looks along an eighth of the turn; whether it met anything.
+  /// Probes one of eight directions; returns whether there was a hit.
   bool look(float side, int eighth) {
     constexpr float kDiagonal = 0.70710678f;
     constexpr float kCos[] = {1, kDiagonal, 0, -kDiagonal, -1, -kDiagonal, 0, kDiagonal};
     const Vec3 way = frame_.s * kCos[eighth] + frame_.t * kCos[(eighth + 6) % 8];
-    // An edge in between two directions is still met.
+    // Extended reach, to hit edges between two probe directions.
     const float reach = radius_ * (eighth % 2 == 0 ? 1.4143f : 1.0824f);
     const auto met = point_.tracer->probe(
         point_.position + point_.geometric_normal * (side * depth_), way, reach);
@@ -112,7 +113,7 @@ class EdgeSearch {
 
   void take(float side, const Tracer::Met& met) {
     if (!any_material_ && met.material != point_.material) return;
-    // From below another object's face must be met from its inside to join this one's.
+    // From below, a face of another object joins this one only if it is hit from inside.
     if (met.instance != point_.instance && (met.back_side == point_.back_side) != (side > 0))
       return;
     const Vec3 m = met.normal * side;
@@ -130,13 +131,13 @@ class EdgeSearch {
     if (edge.strength > 0) keep(edge);
   }
 
-  /// Share of a crease in what lies between the point and the face: 0 where it turns smoothly.
+  /// Share of a crease in the angle between point and face: 0 if the surface bends smoothly.
   float crease(float side, const Vec3& across, float distance, float cosine,
                const Tracer::Met& met) const {
     const bool flat = dot(point_.normal, point_.geometric_normal) > 1 - kRounding &&
                       dot(met.normal, met.geometric_normal) > 1 - kRounding;
     if (flat || distance < 4 * depth_) return 1;
-    // Just before the edge the surface must still face as it does at the point.
+    // Just before the edge, the surface must still have the orientation of the point.
     const float before = kBefore * distance;
     const Vec3 above =
         point_.position - across * (side * before) + point_.geometric_normal * depth_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What light shaders share: how light falls off with distance, and the cone of a spot.
+// Functions shared by light shaders: distance falloff and spot cones.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline float distance_decay(const Light& light, float distance) {
   return light.exponent == 2 ? 1 / sqr(d) : math::pow(d, -light.exponent);
 }
 
-/// False outside of the outer cone of a spot.
+/// Whether the direction is within the outer cone of a spot.
 inline bool in_spread(const Light& light, const Vec3& direction) {
   return light.spread < -1 || dot(direction, light.direction) > light.spread;
 }

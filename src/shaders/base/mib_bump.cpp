@@ -68,7 +68,7 @@ constexpr ParamSpec kMap2Rows[] = {
 
 constexpr float kStep = 0.01f;
 
-/// Unit directions of a texture space; null where it has none.
+/// Unit directions of a texture space; null if it is missing.
 BasisOut of_texture_space(const ShadingPoint& point, int space) {
   if (space >= 0 && space < point.texture_spaces && point.bump_u[space] != Vec3(0))
     return {normalize(point.bump_u[space]), normalize(point.bump_v[space])};
@@ -102,7 +102,7 @@ BasisOut basis_of(const Basis& p, const ShadingPoint& point) {
   }
 }
 
-/// What is looked up around a place.
+/// Texture values around a position.
 struct Heights {
   const TextureNode& texture;
   ShadingPoint& point;
@@ -115,7 +115,7 @@ struct Heights {
   }
 };
 
-/// The normal turned by the changes along u and v.
+/// The normal displaced by the differences along u and v.
 Vec3 turned(const Vec3& normal, const BasisOut& basis, const Vec2& at, const Vec2& step,
             float factor, const Heights& heights) {
   const float strength = factor != 0 ? factor : 1;
@@ -148,7 +148,7 @@ void move_normal(const Map2& p, ShadingPoint& point) {
                         p.factor, {*p.tex.texture, point, {}, false});
 }
 
-/// In a list before a material.
+/// As a shader in the list before a material.
 void move_for_list(const Call& call, Closure&) { move_normal(call.as<Map>(), call.point); }
 
 }  // namespace

@@ -246,8 +246,8 @@ void mix(const Call& call, void* result) {
   *static_cast<Rgba*>(result) = c;
 }
 
-/// The same where some layers are materials; those are opaque. Closures cannot be multiplied with
-/// each other or bounded: modes 3 and 5 are 2 and 4, and multiplying by a material does nothing.
+/// Same if some layers are materials, which are opaque. Closures cannot be multiplied with each
+/// other or clamped: modes 3 and 5 act as 2 and 4, and multiplying by a material has no effect.
 void mix_materials(const Call& call, Closure& closure) {
   const auto& p = call.as<Mix>();
   if (!call.node || call.node->material_inputs().empty()) {
@@ -303,13 +303,13 @@ void cie_d(const Call& call, void* result) {
 }
 
 Rgb body_color(float kelvin) {
-  // Below this no body is seen to glow, and the sums underflow.
+  // Below this temperature there is no visible emission, and the sums underflow.
   constexpr float kColdest = 500;
   const Rgb c = black_body_color(std::max(kelvin, kColdest));
   return c * (1 / luminance(c));
 }
 
-/// The colour at a temperature that does not change: it takes a sum over the whole spectrum.
+/// Precomputed colour of a constant temperature: an integral over the spectrum.
 struct BodyState final : ShaderState {
   explicit BodyState(float t) : temperature(t), color(body_color(t)) {}
   float temperature;

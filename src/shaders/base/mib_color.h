@@ -9,10 +9,10 @@ namespace oriel {
 extern const ShaderSpec kMibColorAlpha;
 extern const ShaderSpec kMibColorAverage;
 extern const ShaderSpec kMibColorIntensity;
-/// Source: the vendor's page "Data Conversion": weights are places of the inner colours.
+/// Source:  the vendor's page "Data Conversion": weights are positions of the inner colours.
 extern const ShaderSpec kMibColorInterpolate;
-/// Source: the same page; its "blend" is printed as A (1 - Ba) w + B w, which fades what lies
-///         below a layer that is off. A (1 - Ba w) + B w is taken.
+/// Source:  same page. Its formula for "blend" is A (1 - Ba) w + B w, by which a layer with weight
+///          0 hides lower layers. A (1 - Ba w) + B w is used instead.
 extern const ShaderSpec kMibColorMix;
 extern const ShaderSpec kMibColorSpread;
 /// Daylight and black bodies at luminance 1, times intensity.

@@ -128,7 +128,7 @@ Frame blurred_frame(const P& p, const Vec3& normal) {
   return p.v_axis != Vec3(0) ? Frame::along(normal, cross(p.v_axis, normal)) : Frame(normal);
 }
 
-/// False: it is not blurred.
+/// Returns false if the lobe is not blurred.
 template <class P>
 bool blur(const P& p, Lobe& lobe) {
   lobe.controls.samples = static_cast<float>(std::max(1, p.samples));

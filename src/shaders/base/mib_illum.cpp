@@ -127,7 +127,7 @@ constexpr ParamSpec kWardDerivRows[] = {
     {ORIEL_PARAM(WardDeriv, lights), .doc = kList, .declared_default = false},
 };
 
-/// Limits of the slopes of facets and of the widths of lobes.
+/// Limits for facet slopes and lobe widths.
 constexpr float kMostSlope = 10;
 
 template <class P>
@@ -174,7 +174,7 @@ void cooktorr(const Call& call, Closure& closure) {
   }
 }
 
-/// Slopes of Ward's lobe; a shininess of 0 is as wide as they get.
+/// Slopes of Ward's lobe; shininess 0 has the maximum width.
 template <class P>
 void ward(const P& p, const Vec3& along, const ShadingPoint& point, Closure& closure) {
   const Frame frame = shade_diffuse(p, point, closure);
@@ -186,7 +186,7 @@ void ward(const P& p, const Vec3& along, const ShadingPoint& point, Closure& clo
   lobe.alpha_y = bsdf::ward_slope(p.shiny_v);
 }
 
-/// The direction u, by v where only that is given, or of the texture.
+/// The direction u, computed from v if only v is given, else from the texture space.
 Vec3 brushed(const Ward& p, const ShadingPoint& point) {
   if (p.u != Vec3(0)) return p.u;
   return p.v != Vec3(0) ? cross(p.v, point.normal) : point.dpdu;

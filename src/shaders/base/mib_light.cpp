@@ -95,7 +95,7 @@ LightValue physical_value(const Call& call, const LightCall& l) {
   LightValue value;
   Rgb c = rgb(p.color);
   if (l.light.shape != LightShape::Directional) {
-    // Energy spreads over the sphere: divided by its 4 pi steradians, or by a profile.
+    // The energy is divided by the 4 pi steradians of the sphere, or distributed by a profile.
     const ProfilePlacement& measured = l.light.profile_placement;
     const float spread =
         measured ? measured.candela(l.direction) / measured.profile->flux() : 1 / (4 * kPi);
@@ -174,7 +174,7 @@ const ShaderSpec kPhysicalLight = {
     .light =
         {
             .evaluate = physical_value,
-            // That of the light's element: it tells where the energy goes, not how much it is.
+            // Profile of the light element: it defines the distribution, not the total energy.
             .profile = [](const void*,
                           const Light& light) { return light.profile_placement.profile; },
         },

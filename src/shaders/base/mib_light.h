@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // mib_light_point, mib_light_spot, mib_light_infinite and physical_light.
 //
-// The mib lights do not weaken with distance unless `atten` is on (then linearly from start to
-// stop); physical_light follows the exponent of the light element, 2 = inverse square.
+// The mib lights have no distance falloff unless `atten` is on (linear from start to stop);
+// physical_light uses the exponent of the light element, 2 = inverse square.
 #pragma once
 
 #include "runtime/shader_spec.h"

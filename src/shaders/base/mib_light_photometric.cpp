@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// mib_light_photometric: a light whose intensity in each direction was measured.
+// mib_light_photometric: a light with a measured intensity distribution.
 //
-// Units: with a colour of 1 a profile of I cd brings I / d^2 lux in scenes of metres, and pixels
-// are cd/m2 (a light of colour c brings pi * c, see runtime/light.h).
+// Units: with a colour of 1, a profile of I cd produces I / d^2 lux in scenes in metres, and pixels
+// are cd/m2 (a light of colour c has irradiance pi * c, see runtime/light.h).
 #include "shaders/base/mib_light_photometric.h"
 
 #include "shaders/base/light_falloff.h"

@@ -45,7 +45,7 @@ void spherical(const Call& call, void* result) {
   out = Rgba(0);
   if (!p.tex.texture) return;
   const Vec3 d = normalize(p.dir == Vec3(0) ? call.point.ray_direction : p.dir);
-  // The middle of the picture lies along -z, u grows to the right as seen from inside, y is up.
+  // The centre of the picture is at -z, u increases to the right seen from inside, y is up.
   const float u = 0.5f + (math::atan2(d.x, -d.z) + p.rotate) / kTwoPi;
   const float v = 0.5f + math::asin(clamp(d.y, -1, 1)) / kPi;
   out = p.tex.texture->lookup(Vec2(u - std::floor(u), v), call.point,

@@ -59,13 +59,13 @@ constexpr ParamSpec kCylinderRows[] = {
      .declared_default = false},
 };
 
-/// A place on the faces -x, x, -y, y, -z, z of a cube.
+/// A position on the faces -x, x, -y, y, -z, z of a cube.
 struct FacePlace {
   int face = 0;
   Vec2 uv{0.5f};
 };
 
-/// Where the ray leaves a box around the middle; the direction itself where it has no size.
+/// Exit point of the ray from a box around the centre; the direction itself if the box has no size.
 template <class P>
 Vec3 on_box(const P& p, const ShadingPoint& point) {
   const Vec3 d = p.dir == Vec3(0) ? point.ray_direction : p.dir;
@@ -74,7 +74,7 @@ Vec3 on_box(const P& p, const ShadingPoint& point) {
   float t = std::numeric_limits<float>::infinity();
   for (int k = 0; k < 3; ++k)
     if (way[k] != 0) t = std::min(t, (std::copysign(1.0f, way[k]) - o[k]) / way[k]);
-  // From outside of the box, behind it: as if it were far.
+  // Outside of the box and pointing away: treat the box as infinitely large.
   return t > 0 && std::isfinite(t) ? o + way * t : d;
 }
 
@@ -110,7 +110,7 @@ void cube1(const Call& call, void* result) {
   out = Rgba(0);
   if (!p.tex.texture) return;
   const FacePlace at = face_of(on_box(p, call.point));
-  // Half a texel inside of its strip, so that faces do not run into each other.
+  // Clamp to half a texel inside the strip, so that faces do not blend.
   const int rows = p.tex.texture->height() / 6;
   const float edge = rows > 0 ? 0.5f / static_cast<float>(rows) : 0;
   const float v = (static_cast<float>(5 - at.face) + clamp(at.uv.y, edge, 1 - edge)) / 6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mib_lookup_cube1, mib_lookup_cube6, mib_lookup_cylindrical: pictures on boxes and cylinders
+// mib_lookup_cube1, mib_lookup_cube6, mib_lookup_cylindrical: textures on boxes and cylinders
 // around the scene.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace oriel {
 
-/// Model:   faces are seen from inside, right side up when one looks level and turns; top and
-///          bottom as one tilts the head from -z. With a size the box is finite, centred on
-///          `point`, and seen from the ray's origin.
-/// Source:  the vendor's pages for order and names; how faces are turned is inferred.
+/// Model:   faces are seen from inside: the sides upright, top and bottom as seen when tilting the
+///          view from -z. With a size the box is finite, centred at `point`, and intersected from
+///          the ray origin.
+/// Source:  the vendor's pages for order and names; the orientation of faces is inferred.
 extern const ShaderSpec kMibLookupCube1;
 extern const ShaderSpec kMibLookupCube6;
 /// A cylinder of radius 1 about z, from z = -1 to 1 after `xform`, without caps.

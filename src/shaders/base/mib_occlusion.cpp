@@ -114,27 +114,27 @@ constexpr ParamSpec kBentEnvRows[] = {
     {ORIEL_PARAM(BentEnv, matrix), .doc = "Matrix from the space of bent_normals to world space."},
 };
 
-/// Rays or look-ups of one evaluation: the samples of the pixel share the rest.
+/// Rays or lookups per evaluation; the samples of the pixel provide the rest.
 constexpr int kMostAtOnce = 4;
 
-/// What is asked, in the terms both shaders share.
+/// Common settings of the occlusion shaders.
 struct Cone {
   int samples;
-  float one_minus_cos;  ///< of its half angle
-  float exponent;       ///< of the cosine the rays are narrowed by, beside the first
+  float one_minus_cos;  ///< 1 - cosine of the half angle
+  float exponent;       ///< additional exponent of the cosine distribution of rays
   float reach;
   float falloff;
   bool reflective;
 };
 struct Around {
   float open = 1;
-  Vec3 direction{0};  ///< mean open direction, not normalised
+  Vec3 direction{0};  ///< mean unoccluded direction, not normalised
 };
 
-/// A ray of the cone, the nearer to its axis the higher the exponent.
+/// A ray in the cone; a higher exponent concentrates rays at the axis.
 Vec3 sample(const Cone& cone, const Vec2& u) {
   const float least = 1 - cone.one_minus_cos, n = cone.exponent + 2;
-  // Density in proportion to cosine^(n - 1) from `least` to 1.
+  // Density proportional to cosine^(n - 1) from `least` to 1.
   const float c = math::pow(lerp(math::pow(least, n), 1, u.x), 1 / n);
   const float s = std::sqrt(std::max(0.0f, 1 - c * c));
   return Vec3(s * math::cos(kTwoPi * u.y), s * math::sin(kTwoPi * u.y), c);
@@ -158,7 +158,7 @@ Around look_around(const Cone& cone, ShadingPoint& point) {
     const Vec3 way = frame.to_world(sample(cone, point.tracer->next()));
     float open = 1;
     if (dot(way, point.geometric_normal) <= 0) {
-      open = 0;  // into the surface
+      open = 0;  // below the surface
     } else if (const auto met = point.tracer->probe_from(point, way, reach)) {
       open = 0;
       if (cone.reach > 0)
@@ -177,7 +177,7 @@ Rgb environment(const ShaderNode* shader, const Vec3& direction, const ShadingPo
                                   point.position, direction, RayKind::FinalGather));
 }
 
-/// A unit direction in a space of output modes 2..4, as a colour.
+/// A unit direction as a colour, in the space of output modes 2..4.
 Rgb encoded(const Vec3& direction, int mode, const ShadingPoint& point) {
   Vec3 d = normalize(direction);
   if (mode == 3 && point.world) d = transform_vector(d, point.world->camera.to_camera);
@@ -197,7 +197,7 @@ Rgba answer(const P& p, const Around& around, const ShadingPoint& point) {
 
 void amb(const Call& call, void* result) {
   const auto& p = call.as<Amb>();
-  // The cone's half angle is this share of a right angle.
+  // The half angle of the cone, as a share of a right angle.
   const float half = clamp01(p.spread) * kPi / 2;
   const Cone cone{p.samples, 1 - math::cos(half), 0, p.max_distance, p.falloff, p.reflective};
   *static_cast<Rgba*>(result) = answer(p, look_around(cone, call.point), call.point);
@@ -224,7 +224,7 @@ void bent_env(const Call& call, void* result) {
   ShadingPoint& point = call.point;
   Vec3 d = Vec3(p.bent_normals.r, p.bent_normals.g, p.bent_normals.b) * 2.0f - Vec3(1);
   if (p.coordinate_space == 0) d = transform_vector(d, p.matrix);
-  // World to camera and to object are turned round by their transposes, lengths apart.
+  // World-to-camera and world-to-object matrices are inverted by their transpose, up to scale.
   if (p.coordinate_space == 3 && point.world)
     d = transform_normal(d, point.world->camera.to_camera);
   if (p.coordinate_space == 4 && point.to_world) d = transform_vector(d, *point.to_world);

@@ -103,7 +103,7 @@ void reflect(const Call& call, Closure& closure) {
   Lobe& lobe = closure.add(LobeKind::Mirror, LobeType::Reflection, k,
                            Frame(reflecting_outward(normal, call.point)));
   if (p.notrace) {
-    // A reflection that ends at once and fades to the environment.
+    // A reflection with an immediate falloff to the environment.
     constexpr float kAtOnce = 1e-20f;
     lobe.controls.falloff_distance = kAtOnce;
   }
@@ -116,9 +116,9 @@ void add_transmission(const Call& call, const Rgb& k, Closure& closure) {
   closure.albedo += k;
 }
 
-/// Bent by the index, or straight on where that is 1.
+/// Refracts by the index, or continues straight if it is 1.
 void add_refraction(const Call& call, const Rgb& k, float ior, Closure& closure) {
-  /// Farthest from 1 that an index may be: beyond, directions round to nothing.
+  /// Limits of the index: beyond, refracted directions degenerate.
   constexpr float kLeast = 0.1f, kMost = 10;
   const float eta = clamp(ior != 0 ? ior : 1, kLeast, kMost);
   if (eta == 1 || is_black(k)) return add_transmission(call, k, closure);
@@ -142,7 +142,7 @@ void transparency(const Call& call, Closure& closure) {
   add_transmission(call, k, closure);
 }
 
-/// What exists of the surface, by channel, over the input.
+/// Opacity per channel, over the input.
 void exist(const Call& call, std::size_t offset, const Rgba& input, const Rgb& opacity,
            Closure& closure) {
   const Rgb there(clamp01(opacity.x), clamp01(opacity.y), clamp01(opacity.z));
@@ -179,7 +179,7 @@ void dielectric(const Call& call, Closure& closure) {
   if (!closure.thin_walled) closure.inside.absorption = level_of(p.absorb);
 }
 
-/// Whether light may pass: by a share that is not fixed to none, or by the material below.
+/// Whether light may pass: the share is not the constant 0, or the material below lets light pass.
 template <class P, Rgba P::*kShare>
 bool passes(const ShaderNode& node) {
   const P& p = node.constants<P>();

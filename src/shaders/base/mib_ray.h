@@ -8,22 +8,22 @@
 namespace oriel {
 
 // Conventions
-//   input x (1 - k) + traced x k, by channel; alpha is left out. `input` is a colour that is seen,
-//   or another material. What is above 1 in k leaves nothing of the input.
-// Source:  the vendor's pages of the shaders.
+//   input x (1 - k) + traced x k per channel; alpha is ignored. `input` is a visible colour or
+//   another material. Where k exceeds 1 the input has no weight.
+// Source:  the vendor's pages on the shaders.
 // Checked: RayNodes.* in tests/analytic.
 
 extern const ShaderSpec kMibReflect;
-/// `ior` is that of the side entered over that of the side left.
+/// `ior` is the index of the entered side divided by that of the other side.
 extern const ShaderSpec kMibRefract;
 extern const ShaderSpec kMibTransparency;
-/// Continues as if there were no surface: what all channels let pass is a cut-out, the rest goes
-/// through as through a thin wall.
+/// Continues as if there were no surface: the opacity that all channels share is a cut-out, the
+/// rest is transmitted like through a thin wall.
 extern const ShaderSpec kMibOpacity;
 extern const ShaderSpec kMibContinue;
 extern const ShaderSpec kMibTwosided;
-/// The refracting part of a dielectric alone, as the vendor's page has it; another source gives it
-/// Fresnel reflection. `absorb` is taken for what the solid behind the surface absorbs.
+/// Only the refraction of a dielectric, as on the vendor's page; another source adds Fresnel
+/// reflection. `absorb` is interpreted as the absorption of the solid behind the surface.
 extern const ShaderSpec kMibDielectric;
 extern const ShaderSpec kMibRefractionIndex;
 

@@ -17,10 +17,10 @@ struct MibRayMarcherParams {
 };
 
 constexpr int kPlacesUnsaid = 4;
-/// Places before any are added: a scene must not make a ray endless.
+/// Maximum number of initial points, to limit the time per ray.
 constexpr int kMostPlaces = 4096;
 constexpr int kMostSubdivisions = 16;
-/// Places of one ray in all.
+/// Maximum number of points of one ray.
 constexpr int kMostAsked = 1 << 16;
 
 constexpr ParamSpec kMibRayMarcherRows[] = {

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// mib_ray_marcher: what a shader says along a ray, added up.
+// mib_ray_marcher: integrates a shader along a ray.
 #pragma once
 
 #include "runtime/shader_spec.h"
 
 namespace oriel {
 
-/// The integral of another shader's colour over the way of a ray to the surface it meets, by the
-/// trapezoid rule between places that are the closer the more their colours differ.
+/// Integral of another shader's colour along the ray up to its hit, by the trapezoid rule with
+/// adaptive subdivision where colours differ.
 ///
-/// Model:   `num` places to begin with, both ends among them, and none farther from the next than
-///          `distance`; four where neither is given. Where neighbours differ by more than
-///          `contrast` in a channel the middle is asked as well, `subdiv` times over, at most 16.
-///          As a volume it adds to what is behind; as a texture it is the sum alone. The shader is
-///          asked at a point of the air, with the ray's direction and no surface: textures that go
-///          by the point and lights know it, texture coordinates do not.
-/// Source:  parameters and procedure by the vendor's page. That the weights are lengths (scene
-///          units), so that a ray cut in two has the same sum, is a reading of its "weighted sum".
+/// Model:   starts with `num` points including both ends and with a spacing of at most `distance`;
+///          four points if neither is given. If neighbours differ by more than `contrast` in a
+///          channel, the middle is evaluated, recursively up to `subdiv` levels (at most 16). As a
+///          volume shader the integral is added to the colour behind it; as a texture it is the
+///          result. The shader is evaluated at a point in space, with the ray direction and without
+///          a surface: textures based on position and lights work, texture coordinates do not.
+/// Source:  parameters and procedure of the vendor's page. Its "weighted sum" is interpreted as
+///          weights by length (scene units), so that splitting a ray does not change the sum.
 /// Checked: RayMarcher.* in tests/analytic.
 extern const ShaderSpec kMibRayMarcher;
 

@@ -26,7 +26,7 @@ constexpr ParamSpec kShadowTransparencyRows[] = {
     {ORIEL_PARAM(ShadowTransparency, lights), .doc = "Light list.", .declared_default = false},
 };
 
-/// Whether the light's shadows are filtered; -1 is on no list.
+/// Whether shadows of the light are filtered; -1 is a light on no list.
 bool applies(const ShadowTransparency& p, int light) {
   const bool listed = std::any_of(p.lights.begin(), p.lights.end(),
                                   [&](LightRef l) { return l.index == light && light >= 0; });

@@ -6,14 +6,14 @@
 
 namespace oriel {
 
-/// Light behind a blocker = light x colour x (1 - a (1 - transp)), a the colour's alpha.
+/// Light behind an occluder = light x colour x (1 - a (1 - transp)), with a the alpha of the
+/// colour.
 ///
-/// Model:   light lists as materials have them: mode 1 and 0 with a list: its lights alone are
-///          filtered, 2: all but those, 4 and 0 without a list: all. Light that is not filtered
-///          passes as it is. The environment, and rays that do not know their light, count as a
-///          light on no list.
-/// Source:  reference of the base shaders; the vendor's page of the shader for the alpha ("a
-/// nonzero
+/// Model:   light lists as in materials: mode 1, and 0 with a list: only lights in the list are
+///          filtered; 2: only lights not in the list; 4, and 0 without a list: all lights.
+///          Unfiltered light passes unchanged. The environment and rays without a known light count
+///          as a light on no list.
+/// Source:  reference of the base shaders; the vendor's page on the shader for alpha ("a nonzero
 ///          transparency or an alpha < 1 let shadow rays pass"). That unlisted lights pass
 ///          unfiltered is inferred.
 /// Checked: ShadowShader.* in tests/analytic.

@@ -124,7 +124,7 @@ Vec3 projected(int project, const Vec3& v) {
   }
 }
 
-/// Whether the shader makes another coordinate of a texture space than it is.
+/// Whether the shader modifies the coordinate of a texture space.
 bool changes_coordinate(const ShaderNode& node) {
   if (&node.spec() != &kMibTextureVector) return node.spec().result == ParamType::Vector;
   const auto& p = node.constants<VectorParams>();
@@ -160,7 +160,7 @@ const ShaderSpec kMibTextureVector = {
     .value =
         [](const Call& call, void* result) {
           const auto& p = call.as<VectorParams>();
-          // Places on the picture and directions of environments are not projected.
+          // Raster positions and environment directions are not projected.
           const bool as_it_is = p.selspace == 4 || p.select == -10;
           *static_cast<Vec3*>(result) =
               projected(as_it_is ? 0 : p.project, selected(p, call.point));

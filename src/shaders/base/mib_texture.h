@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mib_texture_vector, mib_texture_remap, mib_texture_lookup: coordinates and image look-ups.
+// mib_texture_vector, mib_texture_remap, mib_texture_lookup: coordinates and texture lookups.
 #pragma once
 
 #include "runtime/shader_spec.h"

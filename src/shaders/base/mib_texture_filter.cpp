@@ -81,7 +81,7 @@ void lookup2(const Call& call, void* result) {
   out = p.tex.texture->lookup(Vec2(uv.x, uv.y), {own.dx * factor, own.dy * factor}, call.point, {});
 }
 
-/// Whether there is nothing to filter.
+/// Whether no filtering is necessary.
 bool within_a_texel(const TextureFootprint& footprint, const TextureNode& texture) {
   const auto texels = [&](const Vec2& d) {
     return std::max(std::abs(d.x) * static_cast<float>(texture.width()),
@@ -101,7 +101,7 @@ void filter_lookup(const Call& call, void* result) {
   TextureFootprint footprint =
       remap ? coordinate_footprint(*remap, remap->vector(call.point), call.point)
             : texture_footprint(call.point);
-  // The footprint's half axes are half a pixel.
+  // The semi-axes of the footprint are half a pixel.
   const float wider = (p.disc_r > 0 ? p.disc_r : 0.3f) / 0.5f;
   footprint.dx *= wider;
   footprint.dy *= wider;

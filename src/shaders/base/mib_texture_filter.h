@@ -6,18 +6,18 @@
 
 namespace oriel {
 
-/// The first texture space times a factor, repeated; a factor of 0 is 1 (inferred).
+/// The first texture space times a factor, repeated; a factor of 0 means 1 (inferred).
 extern const ShaderSpec kMibTextureLookup2;
-/// An elliptical filter over the footprint of the ray.
+/// An elliptical filter over the ray footprint.
 ///
-/// Model:   the footprint is measured in texture space 0; with a remap shader, what it does to the
-///          footprint's two axes is measured by asking it beside the point.
-/// Source:  the vendor's page; disc_r is the radius, in pixels, of the disc that is projected.
+/// Model:   the footprint is computed in texture space 0. With a remap shader, its effect on the
+///          two axes is measured by evaluating it next to the point.
+/// Source:  the vendor's page; disc_r is the radius of the projected disc in pixels.
 extern const ShaderSpec kMibTextureFilterLookup;
-/// Two unit vectors across the normal, turned about it: for highlights that stretch.
+/// Two unit vectors perpendicular to the normal, rotated about it: for anisotropic highlights.
 ///
-/// Model:   turn = angle (max - min) + min, in whole turns, anticlockwise seen from outside; min
-///          and max both 0 stand for 0 and 0.25.
+/// Model:   rotation = angle (max - min) + min in full turns, counter-clockwise seen from outside;
+///          min and max both 0 mean 0 and 0.25.
 /// Source:  the vendor's page.
 extern const ShaderSpec kMibTextureRotate;
 

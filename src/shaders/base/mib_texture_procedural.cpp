@@ -122,7 +122,7 @@ void turbulence(const Call& call, void* result) {
 
 void wave(const Call& call, void* result) {
   const auto& p = call.as<Wave>();
-  // Whole turns are taken out first, so that far coordinates keep their digits.
+  // Remove whole turns first, to keep precision for distant coordinates.
   const Vec3 c = in_cell(p.coord) * kTwoPi;
   *static_cast<Rgba*>(result) =
       Rgba(p.offset + p.amplitude_x * math::cos(c.x) + p.amplitude_y * math::cos(c.y) +

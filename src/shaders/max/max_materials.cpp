@@ -31,7 +31,7 @@ struct Standard {
   ArrayView<ShaderRef> Maps;
   ArrayView<float> MapAmounts;
 };
-/// Places of a standard material's maps.
+/// Indices of the maps of a standard material.
 enum Map { kDiffuseMap = 1, kSpecularMap = 2, kSelfIllumMap = 5, kOpacityMap = 6, kReflectMap = 9 };
 
 constexpr auto kDefaultRows = about({
@@ -66,7 +66,7 @@ constexpr auto kStandardRows = about({
     {ORIEL_PARAM(Standard, MapAmounts), .doc = "Map weights."},
 });
 
-/// Percentages become shares.
+/// Converts percentages to 0..1.
 float share(float x) { return clamp01(x > 1 ? x / 100 : x); }
 
 Rgb mix(const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; }
@@ -93,7 +93,7 @@ void default_material(const Call& call, Closure& closure) {
   highlight(rgb(p.specular), exponent_of(p.shinyness), frame, closure);
 }
 
-/// `solid`: what a mirror and what is seen through leave.
+/// `solid`: share that mirror and transparency leave.
 void illuminate(const Illumination& p, const Frame& frame, const Rgb& solid, Closure& closure) {
   const float own = p.UseSelfIllumColor ? 0 : share(p.SelfIllumAmount);
   if (p.UseSelfIllumColor) closure.emission += rgb(p.SelfIllumColor) * solid;

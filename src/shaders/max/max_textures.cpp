@@ -24,7 +24,7 @@ struct Bitmap {
   ColorTextureRef Bitmap;
   ShaderRef Coords, Output;
 };
-/// Of those that join two colours or maps.
+/// Parameters of shaders that combine two colours or maps.
 struct Pair {
   Rgba Color1, Color2;
   ShaderRef Map1, Map2, Mask, Coords;
@@ -117,7 +117,7 @@ Rgba adjusted(const Output& p, const Rgba& from) {
   return Rgba(c.x, c.y, c.z, from.a);
 }
 
-/// A shader that only holds numbers for others.
+/// A shader that only stores parameters for other shaders.
 constexpr ShaderSpec kOutput = {
     .name = "max_base_Output",
     .library = "hosts",
@@ -214,7 +214,7 @@ constexpr ShaderSpec kBuffer = {
     .apply = kApplyLens,
     .doc = "Frame buffer shader of 3ds Max; no effect.",
     .lens = {
-        // A lens of no rays is off.
+        // A lens shader without rays is disabled.
         .bend_ray = [](const Call&, const Camera&, const Vec2&, Camera::Ray&) { return Rgb(1); },
         .ray_count = [](const ShaderNode&) { return 0; },
     },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the stand-ins for other programs' shaders share: tables whose every row is approximated,
+// Helpers of the fallback shaders for other programs: parameter tables marked as approximated,
 // specs under a second name, angles.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace oriel {
 
-/// Rows of a stand-in: all approximated, but those that say themselves that they are ignored.
+/// Marks all rows as approximated, except those that are marked as ignored.
 template <std::size_t N>
 constexpr std::array<ParamSpec, N> about(const ParamSpec (&rows)[N]) {
   std::array<ParamSpec, N> all{};
@@ -36,12 +36,12 @@ constexpr ShaderSpec renamed(ShaderSpec spec, const char* name) {
   return spec;
 }
 
-/// Translators write angles in radians; more than a turn was meant in degrees.
+/// Exporters write angles in radians; values above a full turn are assumed to be degrees.
 inline float angle_of(float x) { return std::abs(x) > kTwoPi ? x * kPi / 180 : x; }
 
 inline Rgb clamped(const Rgba& c) { return Rgb(clamp01(c.r), clamp01(c.g), clamp01(c.b)); }
 
-/// The coordinate of a texture: what is connected, else the surface's own.
+/// The texture coordinate: the connected one, else that of the surface.
 inline Vec3 coordinate(const Call& call, std::size_t offset, const Vec3& connected) {
   if (call.node && call.node->connected(offset)) return connected;
   return call.point.texture_spaces > 0 ? call.point.tex[0] : Vec3(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All stand-ins for other programs' shaders.
+// All fallback shaders for other programs.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace oriel {
 
-/// In the order of their names; all of library "hosts".
+/// Sorted by name; the complete library "hosts".
 std::vector<const ShaderSpec*> host_shaders();
 
 }  // namespace oriel

@@ -80,7 +80,7 @@ constexpr auto kLayerRows = about({
 });
 #undef ORIEL_LAYER
 
-/// Takes back the lobes from `first` on that light passes through.
+/// Removes the transmitting lobes from index `first` on.
 void close(int first, Closure& closure) {
   int kept = first;
   for (int i = first; i < closure.count; ++i) {

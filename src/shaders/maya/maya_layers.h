@@ -8,18 +8,18 @@ namespace oriel {
 
 // Conventions: as maya_surface.h.
 
-/// Hands on the surface it is connected to.
+/// Returns the connected surface.
 extern const ShaderSpec kMayaShadingengine;
-/// Layers, the first on top: the sum of their colours, each times what the ones above let through.
-/// A surface that is connected keeps its lobes; how far it is seen through is the layer's own.
+/// Layers, the first on top: the sum of their colours, each weighted by the transparency of the
+/// layers above. A connected surface keeps its lobes; the layer defines its transparency.
 extern const ShaderSpec kMayaLayeredshader;
-/// Seen through, under a mirror: shadows on it do not show.
+/// Transparent with a mirror reflection: shadows on it are not visible.
 extern const ShaderSpec kMayaUsebackground;
-/// Light passes by transparency.
+/// Transmits light in proportion to transparency.
 extern const ShaderSpec kMayaShadow;
-/// Light passes.
+/// Transmits all light.
 extern const ShaderSpec kMayaTransparent;
-/// Photons are scattered by the surface itself.
+/// Photons are scattered by the surface shader.
 extern const ShaderSpec kMayaPhotonsurface;
 
 }  // namespace oriel

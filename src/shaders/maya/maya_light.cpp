@@ -75,7 +75,7 @@ LightValue point_light(const Lamp& p, float distance) {
   return value;
 }
 
-/// 1 within the cone, fading over the penumbra, 0 past it and past the element's own cone.
+/// 1 inside the cone, 0 outside of it and of the cone of the element, with a penumbra in between.
 float cone_share(const Lamp& p, const LightCall& l) {
   if (!in_spread(l.light, l.direction)) return 0;
   if (!l.light.has_direction && l.light.spread < -1) return 1;
@@ -95,9 +95,9 @@ LightValue spot_light(const Lamp& p, const LightCall& l) {
   return value;
 }
 
-/// What transport takes away by the cosine is given back to the part without a direction.
+/// Divides the undirected part by the cosine that transport multiplies by.
 LightValue ambient_light(const Call& call, const LightCall& l) {
-  /// Below this cosine light fades all the same, that samples stay bounded.
+  /// Minimum cosine of the division, which bounds the samples.
   constexpr float kLeastCosine = 0.05f;
   const auto& p = call.as<Lamp>();
   LightValue value = lamp(p);

@@ -7,20 +7,21 @@
 namespace oriel {
 
 // Conventions
-//   As maya_surface.h. Light is color x intensity, weaker with distance^decayRate; opaque blockers
-//   leave shadowColor.
+//   As in maya_surface.h. Light is color x intensity, divided by distance^decayRate; opaque
+//   occluders transmit shadowColor.
 
-/// lightAngle is the whole cone the light comes from.
+/// lightAngle is the full cone angle of the light source.
 extern const ShaderSpec kMayaDirectionallight;
 extern const ShaderSpec kMayaPointlight;
-/// coneAngle is the whole cone; past it, or before it, light fades over penumbraAngle.
+/// coneAngle is the full cone angle; the penumbra of penumbraAngle is outside of the cone, or
+/// inside if negative.
 extern const ShaderSpec kMayaSpotlight;
-/// Times the cosine to the shape's normal.
+/// Multiplied by the cosine to the normal of the shape.
 extern const ShaderSpec kMayaArealight, kMayaShapelight;
-/// Its colour ramp and its volume are not known to Oriel.
+/// Its colour ramp and its volume are unsupported.
 extern const ShaderSpec kMayaVolumelight;
-/// Only what faces its place is lit: Oriel has no light without a direction. Of that, ambientShade
-/// is light of a point and the rest is as bright whatever the angle.
+/// Only surfaces that face its position are lit, because Oriel has no light without a direction.
+/// ambientShade is the share of a point light; the rest does not depend on the angle.
 extern const ShaderSpec kMayaAmbientlight;
 
 }  // namespace oriel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where Maya's textures lie: the placement that its place node and its file node share.
+// Maya's texture placement, shared by the place node and the file node.
 #pragma once
 
 #include "shaders/maya/host_rows.h"
@@ -38,10 +38,10 @@ inline constexpr auto kMayaPlaceRows = about({
 inline const Vec3 kMayaNowhere(-1e6f, -1e6f, 0);
 inline bool is_nowhere(const Vec3& uv) { return uv.x < -1e5f; }
 
-/// uv within the placed texture; kMayaNowhere outside of the frame. Checked: MayaTextures.*
+/// uv in the placed texture; kMayaNowhere outside of the frame. Checked: MayaTextures.*
 Vec3 placed(const MayaPlace& p, const Vec3& uv);
 
-/// How much faster uv runs once it is placed, along u and v.
+/// Scale factors of uv by the placement, along u and v.
 inline Vec2 tiles_of(const MayaPlace& p) {
   const auto ratio = [](float repeat, float coverage) {
     return coverage > 0 ? std::abs(repeat) / coverage : 1;

@@ -80,7 +80,7 @@ constexpr ParamSpec kResults[] = {
     {ORIEL_PARAM(Textured, outAlpha), .doc = "Alpha: the luminance of the colour."},
 };
 
-/// 0..1 within each tile; the end of the first tile is 1.
+/// 0..1 in each tile; the end of the first tile is 1.
 float in_tile(float x) {
   const float whole = std::floor(x);
   return x == whole && x > 0 ? 1 : x - whole;
@@ -119,7 +119,7 @@ float eased(int interpolation, float t) {
   }
 }
 
-/// Entries stand in any order.
+/// Entries may be unsorted.
 Rgb colour_at(const Ramp& p, float t) {
   const Entry *below = nullptr, *above = nullptr;
   for (int i = 0; i < std::min(p.count, kMostEntries); ++i) {

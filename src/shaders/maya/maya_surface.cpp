@@ -24,7 +24,7 @@ struct Surface {
   Rgba whiteness;
   float angle, spreadX, spreadY, fresnelRefractiveIndex;
 };
-/// What a surface gives where a value is asked for.
+/// Result of a surface that is used as a value.
 struct Shown {
   Rgba outColor, outTransparency;
 };
@@ -47,7 +47,7 @@ constexpr auto kRows = about({
     {ORIEL_PARAM(Surface, refractiveIndex), .fallback = {1}, .min = 0,
      .doc = "Index of refraction."},
 });
-/// Of those that mirror.
+/// Parameters of surfaces with mirror reflection.
 constexpr auto kMirrorRows = joined(
     kRows, about({
                {ORIEL_PARAM(Surface, specularColor), .fallback = {.5f, .5f, .5f},
@@ -102,7 +102,7 @@ void add(LobeKind kind, LobeType type, const Rgb& level, const Vec3& normal, Clo
   closure.albedo += level;
 }
 
-/// Exporters write 1 1 1 where no bump node is connected, so only a connection moves the normal.
+/// Exporters write 1 1 1 without a bump node, so only a connection modifies the normal.
 Vec3 normal_of(const Call& call) {
   constexpr int kSetInCameraSpace = 8;
   const Vec3& normal = call.point.normal;
@@ -110,7 +110,7 @@ Vec3 normal_of(const Call& call) {
   return bump_normal(call.point, normal, call.as<Surface>().normalCamera, kSetInCameraSpace);
 }
 
-/// What all of them share; `left` is what a mirror leaves.
+/// Common part of all surfaces; `left` is the share that the mirror leaves.
 Vec3 body(const Call& call, const Rgb& left, Closure& closure) {
   const auto& p = call.as<Surface>();
   const ShadingPoint& point = call.point;
@@ -139,7 +139,7 @@ Lobe& shine(LobeKind kind, const Rgb& level, const Frame& frame, Closure& closur
   return lobe;
 }
 
-/// Body under a mirror of reflectivity x specularColor.
+/// The common part below a mirror of reflectivity x specularColor.
 Vec3 coated(const Call& call, Closure& closure) {
   const auto& p = call.as<Surface>();
   const Rgb mirror = clamped(p.specularColor) * clamp01(p.reflectivity);
@@ -168,7 +168,7 @@ void blinn(const Call& call, Closure& closure) {
   const Frame frame(coated(call, closure));
   Lobe& lobe = shine(LobeKind::TorranceHighlight, rgb(p.specularColor), frame, closure);
   lobe.roughness = std::max(0.01f, p.eccentricity);
-  // A strength of 0.7 is about the index of plastic.
+  // With a strength of 0.7 the index is about that of plastic.
   lobe.eta = 1 + 0.7f * clamp01(p.specularRollOff);
 }
 

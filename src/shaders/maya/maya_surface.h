@@ -7,24 +7,24 @@
 namespace oriel {
 
 // Conventions
-//   Scenes declare these shaders themselves, by files that come with the host. Names are those the
-//   translator gives them, parameters the public attributes of the host's nodes; those not listed
-//   are noted and skipped (runtime/binder_fallbacks.cpp). All is approximated, as
-//   `oriel check` reports: the models are ours. Connected to a value, a surface gives its colour
-//   without light.
+//   Scenes declare these shaders themselves with files of the host. Shader names are those of the
+//   exporter, parameters the public attributes of the host nodes; unknown parameters are reported
+//   and skipped (runtime/binder_fallbacks.cpp). All parameters are approximated, as `oriel check`
+//   reports: the shading models are Oriel's. A surface that is connected to a value returns its
+//   colour without illumination.
 //   Checked: HostShaders.* in tests/shader_binding, tests/effects/maya_surface_cases.cpp.
 
-/// Diffuse colour x diffuse, seen through by transparency; incandescence and ambient light glow.
+/// Diffuse colour x diffuse, with transparency, incandescence and ambient light.
 extern const ShaderSpec kMayaLambert;
-/// With a mirror of reflectivity x specularColor, and the cosine's highlight.
+/// With a mirror of reflectivity x specularColor and a Phong highlight.
 extern const ShaderSpec kMayaPhong;
-/// The same; the exponent is 1 / (roughness x highlightSize)^2.
+/// Same with the exponent 1 / (roughness x highlightSize)^2.
 extern const ShaderSpec kMayaPhongE;
-/// The same with a highlight of facets.
+/// Same with a microfacet highlight.
 extern const ShaderSpec kMayaBlinn;
-/// The same with Ward's highlight: slopes are roughness / spread.
+/// Same with Ward's highlight: slopes are roughness / spread.
 extern const ShaderSpec kMayaAnisotropic;
-/// A colour as it stands.
+/// A constant colour.
 extern const ShaderSpec kMayaSurfaceshader;
 
 }  // namespace oriel

@@ -64,8 +64,7 @@ constexpr ShaderSpec displacing(const char* name) {
           .fallback = {.is_fallback = true}};
 }
 
-/// What has no part in a picture of Oriel's: passed over. As a lens it is one of no rays, which is
-/// off.
+/// A shader without effect in Oriel. As a lens shader it has no rays, which disables it.
 constexpr ShaderSpec passed_over(const char* name, unsigned apply, const char* doc) {
   return {
       .name = name,

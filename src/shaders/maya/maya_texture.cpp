@@ -18,7 +18,7 @@ struct Placed {
   Vec3 outUV, outUvFilterSize;
   MayaPlace place;
 };
-/// How every texture's values are adjusted.
+/// Colour adjustment common to all textures.
 struct Balance {
   bool invert, alphaIsLuminance;
   Rgba colorGain, colorOffset;
@@ -26,7 +26,7 @@ struct Balance {
   Rgba defaultColor;
 };
 struct File {
-  MayaPlace place;  // first: its rows hold as they are
+  MayaPlace place;  // first, because its rows are shared
   ColorTextureRef fileTextureName;
   Balance balance;
 };
@@ -76,7 +76,7 @@ constexpr ParamSpec kPlacedResults[] = {
     {ORIEL_PARAM(Placed, outUvFilterSize),
      .doc = "Filter size; ignored, textures compute their footprint."},
 };
-/// Results by the names of the parameters.
+/// Results with the names of the parameters.
 constexpr auto kAllPlacedResults = [] {
   auto own = kMayaPlaceRows;
   for (ParamSpec& row : own) row.offset += offsetof(Placed, place);
@@ -188,11 +188,11 @@ void checker(const Call& call, void* result) {
   const bool first = (fraction(uv.x) < .5f) == (fraction(uv.y) < .5f);
   const float share = .5f + (first ? .5f : -.5f) * clamp01(p.contrast);
   const Rgb c = rgb(p.color1) * share + rgb(p.color2) * (1 - share);
-  // Its alpha tells the fields apart.
+  // Alpha is the mask of the fields.
   out = balanced(p.balance, Rgba(c.x, c.y, c.z, share));
 }
 
-/// `about_mean`: the amplitude scales the noise about its mean, else all of it.
+/// `about_mean`: the amplitude scales the deviation from the mean instead of the value.
 void noise(const Call& call, void* result, int sizes, bool about_mean) {
   const auto& p = call.as<Pattern>();
   const Vec3 uv = coordinate(call, offsetof(Pattern, uvCoord), p.uvCoord);
@@ -214,7 +214,7 @@ void noise(const Call& call, void* result, int sizes, bool about_mean) {
   out = balanced(p.balance, Rgba(value, value, value, value));
 }
 
-/// How much the height changes over a step of uv, and of the point with it.
+/// Height difference per step of uv; the point moves with uv.
 float slope(const Call& call, const Vec2& step) {
   const auto height = [&](float way) {
     ShadingPoint at = call.point;
@@ -226,7 +226,7 @@ float slope(const Call& call, const Vec2& step) {
 }
 
 void bump(const Call& call, void* result) {
-  /// Narrowest and widest difference in uv: finer than a texel, coarser than rounding.
+  /// Limits of the uv step: finer than a texel, coarser than rounding errors.
   constexpr float kLeastStep = 5e-4f, kMostStep = 1e-2f;
   constexpr int kSetInCameraSpace = 8;
   const auto& p = call.as<Bump>();
@@ -274,7 +274,7 @@ constexpr ShaderSpec texture(const char* name, const char* doc, std::span<const 
 Vec3 placed(const MayaPlace& p, const Vec3& surface) {
   Vec3 uv = surface;
   if (p.noiseUV.x != 0 || p.noiseUV.y != 0) {
-    /// Wobbles along the texture: a guess.
+    /// Periods of the wobble along the texture: a guess.
     constexpr float kWobbles = 18;
     const Vec3 at(surface.x * kWobbles, surface.y * kWobbles, 0);
     uv.x += p.noiseUV.x * sampling::gradient_noise(at + Vec3(0, 0, .5f));
@@ -283,7 +283,7 @@ Vec3 placed(const MayaPlace& p, const Vec3& surface) {
   if (p.rotateFrame != 0) uv = turned(uv, angle_of(p.rotateFrame));
   uv = uv - p.translateFrame;
   const auto in_frame = [](float& x, float coverage, bool wrap) {
-    // The last place of the frame belongs to it.
+    // Includes the border of the frame in spite of rounding.
     constexpr float kRim = 1e-5f;
     if (!wrap) return x >= -kRim && x <= coverage + kRim;
     if (coverage >= 1) return true;

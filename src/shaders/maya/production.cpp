@@ -78,7 +78,7 @@ Rgb gamma_gain(const GammaGain& p, const Rgb& c) {
   return Rgb(channel(c.x), channel(c.y), channel(c.z));
 }
 
-/// The parameter for rays of that kind.
+/// The parameter for rays of that type.
 std::size_t chosen(RayKind kind) {
   if (is_photon(kind)) return offsetof(RaySwitch, photon);
   switch (kind) {

@@ -61,7 +61,7 @@ constexpr ParamSpec kShiftRows[] = {
 };
 
 constexpr float kDegree = kPi / 180;
-/// A stereographic fisheye cannot reach what lies behind, a cylinder not the zenith.
+/// A stereographic fisheye cannot show the direction behind the camera, a cylinder not the zenith.
 constexpr float kMostStereographic = 179 * kDegree, kMostCylindrical = 179 * kDegree;
 
 Vec2 place_in_picture(const Call& call, const Camera& camera) {
@@ -69,7 +69,7 @@ Vec2 place_in_picture(const Call& call, const Camera& camera) {
           call.point.raster.y / static_cast<float>(camera.height)};
 }
 
-/// A ray from the camera's place in a direction of its space.
+/// A ray from the camera position in a direction in camera space.
 void look(const Camera& camera, const Vec3& direction, float spread, Camera::Ray& ray) {
   ray.origin = transform_point(Vec3(0), camera.to_world);
   ray.direction = normalize(transform_vector(direction, camera.to_world));
@@ -127,7 +127,7 @@ Rgb shift(const Call& call, const Camera& camera, const Vec2&, Camera::Ray& ray)
   ray = camera.ray(raster);
   const Vec3 forward = normalize(transform_vector(Vec3(0, 0, -1), camera.to_world));
   const Vec3 up = normalize(p.up);
-  constexpr float kSteepest = 0.999f;  // straight down there is no level direction
+  constexpr float kSteepest = 0.999f;  // no horizontal direction exists when looking straight down
   if (!p.keep_verticals || camera.orthographic || std::abs(dot(forward, up)) > kSteepest ||
       !(length(up) > 0))
     return Rgb(1);

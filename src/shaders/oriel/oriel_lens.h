@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lens shaders of Oriel's own: panoramas, fisheyes, cubes, and a camera's upright back.
+// Oriel's lens shaders: panoramas, fisheyes, cube maps, and lens shift.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -7,17 +7,18 @@
 namespace oriel {
 
 // Use
-//   As lens shaders of the camera, before lenses with depth of field and exposures. The camera's
-//   place and direction count, its focal length and aperture do not (but for oriel_lens_shift).
-//   Scenes declare them by `$include "oriel.mi"`.
-// What they do
+//   Lens shaders of the camera, before lens shaders for depth of field and exposure. They use the
+//   position and direction of the camera; focal length and aperture are ignored (except by
+//   oriel_lens_shift). Declared by `$include "oriel.mi"`.
+// Model
 //   oriel_lens_panorama unrolls a sphere or a cylinder around the camera. With `vertical` 0 the
-//   picture's height shows as many degrees as makes its middle square. oriel_lens_fisheye shows
-//   `angle` across the circle that fits into the picture, or, `full_frame`, around it; outside is
-//   black and empty. oriel_lens_cube shows six faces as mib_lookup_cube1 reads them back.
-//   oriel_lens_shift moves the film without turning the camera; with `keep_verticals` the tilt of
-//   the camera is taken as such a shift, so that what runs along `up` stays parallel (two-point
-//   perspective) and the middle of the picture stays where it was.
+//   picture height covers the angle for which the centre has square pixels. oriel_lens_fisheye
+//   covers `angle` across the inscribed circle of the picture or, with `full_frame`, the
+//   circumscribed one; pixels outside are black and empty. oriel_lens_cube shows six faces in the
+//   layout of mib_lookup_cube1.
+//   oriel_lens_shift shifts the film without rotating the camera. With `keep_verticals` the tilt of
+//   the camera is converted to a shift, so lines along `up` stay parallel (two-point perspective)
+//   and the centre of the picture is unchanged.
 // Checked: LensProjections.* in tests/camera/lens_projection_test.cpp; the forms themselves in
 // lens/projection_test.cpp
 extern const ShaderSpec kOrielLensPanorama;

@@ -22,7 +22,7 @@ constexpr ParamSpec kOrielNormalMapRows[] = {
             "normal and returns nothing."},
 };
 
-/// The normal that the picture tells, facing the viewer as the point's own does.
+/// The normal from the picture, on the viewer's side like that of the point.
 Vec3 mapped_normal(const NormalMap& p, ShadingPoint& point) {
   if (!p.tex.texture || p.tex.texture->missing() || point.texture_spaces == 0) return point.normal;
   const bool given = point.bump_u[0] != Vec3(0);

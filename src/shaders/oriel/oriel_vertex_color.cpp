@@ -19,7 +19,7 @@ constexpr ParamSpec kOrielVertexColorRows[] = {
      .doc = "Texture space whose first coordinate stores alpha; -1 = none."},
 };
 
-/// 1 where the surface has no such space.
+/// Coordinates of a texture space; 1 if the surface lacks it.
 Vec3 coordinates(const ShadingPoint& point, int space) {
   return space >= 0 && space < point.texture_spaces ? point.tex[space] : Vec3(1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel_vertex_color: colours that the corners of a mesh have.
+// oriel_vertex_color: vertex colours of a mesh.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -7,11 +7,11 @@
 namespace oriel {
 
 // Use
-//   "diffuse" = "colours" of a material whose objects carry colours as a texture space: u, v and w
-//   are red, green and blue, as light. Declared by `$include "oriel.mi"`.
+//   "diffuse" = "colours" of a material whose objects store colours as a texture space: u, v and w
+//   are linear red, green and blue. Declared by `$include "oriel.mi"`.
 // Model
-//   `color` times the space's coordinates, straight between corners; alpha times the first
-//   coordinate of `alpha_space`. What a surface has no space for is taken as 1.
+//   `color` times the coordinates of the space, interpolated linearly; alpha times the first
+//   coordinate of `alpha_space`. Missing texture spaces count as 1.
 // Source:  glTF 2.0, 3.9.2 (COLOR_0 multiplies the base colour).
 // Checked: VertexColor.* in tests/shader_binding, ColoursOfModels.* in tests/imported
 extern const ShaderSpec kOrielVertexColor;

@@ -82,7 +82,7 @@ constexpr ParamSpec kDielectricRows[] = {
     {ORIEL_PARAM(Dielectric, lights), .doc = "Light list.", .declared_default = false},
     {ORIEL_PARAM(Dielectric, mode), .doc = kMode, .declared_default = false},
 };
-/// The rows of a surface that photons meet: lights, and what only they make, are not theirs.
+/// The rows of a photon shader; parameters that do not affect photons are ignored.
 template <std::size_t N>
 constexpr std::array<ParamSpec, N> photon_rows(const ParamSpec (&rows)[N]) {
   auto all = std::to_array(rows);
@@ -108,8 +108,8 @@ constexpr ParamSpec kPhotonBasicRows[] = {
 
 float or_one(float index) { return index > 0 ? index : 1; }
 
-/// Far side over viewer's side, of a solid of index `inside` in `outside`; bounded, since beyond
-/// directions round to nothing.
+/// Index of the far side divided by that of the viewer's side, for a solid of index `inside` in
+/// `outside`; clamped, because refracted directions degenerate beyond.
 float ratio(const ShadingPoint& point, float inside, float outside = 1) {
   const float eta = or_one(inside) / or_one(outside);
   return clamp(point.back_side ? 1 / eta : eta, 0.1f, 10);
@@ -189,7 +189,7 @@ void dielectric(const Call& call, Closure& closure) {
     lobe.roughness = p.phong_coef;
     lobe.controls.highlights_only = true;
   }
-  // col^d = exp(-absorption d); what is black is so within a hundredth of a unit.
+  // col^d = exp(-absorption d); black becomes opaque within a hundredth of a unit.
   constexpr float kDarkest = 1e-30f;
   const Rgb col = rgb(p.col);
   for (int k = 0; k < 3; ++k) closure.inside.absorption[k] = -math::log(clamp(col[k], kDarkest, 1));

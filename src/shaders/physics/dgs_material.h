@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// dgs_material, path_material, dielectric_material, transmat, mib_photon_basic and their forms for
-// the slot photon.
+// dgs_material, path_material, dielectric_material, transmat, mib_photon_basic and their photon
+// shaders.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -8,29 +8,29 @@
 namespace oriel {
 
 // Conventions
-//   What a *_photon shader says of photons is in the surface's closure already, from which
-//   transport takes photons as well; the shaders are there to be accepted in their slot.
+//   Transport scatters photons by the closure of the surface shader, which already describes the
+//   behaviour of the *_photon shaders. These are only declared, so that scenes can use them.
 
-/// Diffuse, glossy and mirroring parts; of each the share `transp` goes through the surface.
+/// Diffuse, glossy and mirror components; the share `transp` of each is transmitted.
 ///
-/// Model:   levels are added without conserving energy. `shiny` is like Phong's
-///          exponent about the mirrored ray (vendor's page); as GGX roughness it is
-///          sqrt(2 / (4 n + 2)), by the width of the lobe at its peak: about the normal Phong's
-///          lobe has four times the exponent. The lobe's shape is a guess.
+/// Model:   weights are added without energy conservation. `shiny` is like Phong's exponent about
+///          the mirror direction (vendor's page). The equivalent GGX roughness is sqrt(2 / (4 n +
+///          2)), by the width of the lobe at its peak: a Phong lobe about the normal has four times
+///          the exponent. The shape of the lobe is a guess.
 /// Source:  the vendor's page; Walter et al., EGSR 2007, section 5.2, for exponent and roughness.
 /// Checked: Physics.* in tests/analytic.
 extern const ShaderSpec kDgsMaterial;
 extern const ShaderSpec kDgsMaterialPhoton;
-/// The same: how rays are chosen is transport's.
+/// Same; the selection of rays is part of transport.
 extern const ShaderSpec kPathMaterial;
-/// Fresnel's reflection and refraction, and Beer's absorption: `col` is what is left after a unit
-/// of length.
+/// Fresnel reflection and refraction, and Beer-Lambert absorption: `col` is the transmission of a
+/// unit of length.
 ///
-/// Model:   `col_out` is left to the surface that bounds what is outside; inside and outside are
-///          determined by the normal alone.
+/// Model:   `col_out` is ignored, since the surface that bounds the outer medium defines its
+///          absorption; inside and outside are determined by the normal.
 extern const ShaderSpec kDielectricMaterial;
 extern const ShaderSpec kDielectricMaterialPhoton;
-/// Lets everything through: hulls of volumes.
+/// Transmits everything: boundaries of volumes.
 extern const ShaderSpec kTransmat;
 extern const ShaderSpec kTransmatPhoton;
 extern const ShaderSpec kMibPhotonBasic;

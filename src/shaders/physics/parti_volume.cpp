@@ -73,13 +73,13 @@ constexpr auto kPhotonRows = [] {
 }();
 
 float lobe(float cosine, float g) {
-  /// Narrower lobes are needles that no sample finds.
+  /// Narrower lobes cannot be sampled reliably.
   constexpr float kMost = 0.99f;
   const float a = clamp(g, -kMost, kMost);
   return (1 - a * a) / (4 * kPi * math::pow(1 + a * a - 2 * a * cosine, 1.5f));
 }
 
-/// The stretch of a ray that runs through the air.
+/// The part of a ray inside the medium.
 struct Stretch {
   float begin = 0, end = 0;
   float length() const { return std::max(0.0f, end - begin); }
@@ -87,7 +87,7 @@ struct Stretch {
 
 Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) {
   Stretch s{0, length};
-  if (std::isinf(length) && p.mode != 1) return {};  // air without end would leave nothing
+  if (std::isinf(length) && p.mode != 1) return {};  // an infinite medium would be opaque
   if (p.mode != 1) return s;
   const float below = p.height - origin.y;
   if (way.y == 0) return below > 0 ? s : Stretch{};
@@ -99,29 +99,30 @@ Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) 
   return s;
 }
 
-/// Share of a light's colour that is left at a place, where light on its way does not ask.
+/// Transmittance from a point to the light, if the medium is not a volume shader of light rays.
 float dimmed(const Air& p, float way, const Vec3& place, const Vec3& wi) {
   if (std::isfinite(way)) return math::exp(-p.extinction * within(p, place, wi, way).length());
-  if (p.mode != 1) return 1;  // air without end would leave nothing
+  if (p.mode != 1) return 1;  // an infinite medium would be opaque
   if (!(wi.y > 0)) return 0;
   return math::exp(-p.extinction * std::max(0.0f, (p.height - place.y) / wi.y));
 }
 
-/// Light of one source scattered toward the eye at a place, per unit of scattering.
+/// Light of one source scattered towards the viewer at a point, per unit of scattering.
 Rgb scattered(const Air& p, int index, bool dims, ShadingPoint& point) {
   const auto arriving = point.tracer->light(index, point);
   if (!arriving) return Rgb(0);
-  // Forward is on along the light's way, which is toward the eye where that is behind.
+  // Forward scattering continues the direction of the light, so the cosine is 1 if the light is
+  // behind the point.
   const float cosine = dot(arriving->wi, point.ray_direction);
   const float share = clamp01(p.r);
   const float phase = share * lobe(cosine, p.g1) + (1 - share) * lobe(cosine, p.g2);
-  // A colour is irradiance over pi.
+  // Light colour is irradiance over pi.
   const Rgb irradiance = arriving->colour * kPi;
   if (!dims) return irradiance * phase;
   return irradiance * (phase * dimmed(p, arriving->distance, point.position, arriving->wi));
 }
 
-/// A direction about `forward`, as likely as light from there is turned to it.
+/// Samples the phase functions: a direction about `forward`.
 Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
   constexpr float kMost = 0.99f;
   const float g = clamp(u_lobe < clamp01(p.r) ? p.g1 : p.g2, -kMost, kMost);
@@ -136,11 +137,11 @@ Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
   return Frame(forward).to_world(Vec3(sine * math::cos(phi), sine * math::sin(phi), cosine));
 }
 
-VolumeValue air(const Call& call) {
+VolumeValue evaluate_medium(const Call& call) {
   const auto& p = call.as<Air>();
   const ShadingPoint& eye = call.point;
   const bool light = eye.ray_kind == RayKind::Light;
-  // Rays of light have no beginning where the light is endlessly far.
+  // Light rays of infinite lights have no origin, so start at the point.
   const Stretch s = light ? within(p, eye.position, -eye.ray_direction, eye.ray_length)
                           : within(p, eye.ray_origin, eye.ray_direction, eye.ray_length);
   const float depth = p.extinction * s.length();
@@ -148,7 +149,7 @@ VolumeValue air(const Call& call) {
   VolumeValue out;
   out.kept = Rgb(math::exp(-depth));
   if (light || !eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
-  // A place on the stretch, as likely as light from there gets through.
+  // Samples a point in proportion to transmittance.
   const float taken = -math::expm1(-depth);
   const float t = -math::log1p(-eye.tracer->next().x * taken) / p.extinction;
   ShadingPoint place = eye;
@@ -181,7 +182,7 @@ const ShaderSpec kPartiVolume = {
     .doc = "Absorbing and scattering medium.",
     .params = kPartiVolumeRows,
     .params_size = sizeof(Air),
-    .volume = {.evaluate = air,
+    .volume = {.evaluate = evaluate_medium,
                .dims_light = [](const ShaderNode&) { return true; },
                .acts_on_endless_rays = true},
 };
@@ -194,7 +195,7 @@ const ShaderSpec kPartiVolumePhoton = {
     .doc = "Accepted and ignored; photons are scattered by the camera's volume shader.",
     .params = kPhotonRows,
     .params_size = sizeof(Air),
-    .volume = {.evaluate = air},
+    .volume = {.evaluate = evaluate_medium},
 };
 
 }  // namespace oriel

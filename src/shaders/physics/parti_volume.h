@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// parti_volume and parti_volume_photon: air that scatters light.
+// parti_volume and parti_volume_photon: participating medium.
 #pragma once
 
 #include "runtime/shader_spec.h"
 
 namespace oriel {
 
-/// Even air: it dims all rays and light on its way by exp(-extinction d), and scatters light as
-/// often as diffuse light is followed, photons too; else once, to the ray.
+/// A homogeneous medium: attenuates all rays and light by exp(-extinction d). Light and photons are
+/// scattered as often as diffuse bounces are traced; without them, once towards the ray.
 ///
-/// Model:   of what a stretch takes away the share `scatter` is scattered, by a phase function of
-///          two Henyey-Greenstein lobes: r of g1, 1 - r of g2. Light sources are asked at one place
-///          of each stretch; what is left goes on from there or to the surface, by chance. Mode 1:
-///          the air ends at y = height. Mode 0 has no end: light from endlessly far, and rays that
-///          meet nothing, are left alone, for nothing would be left of them. No photons are stored
-///          in the air. Behind it as a lens, light on its way is dimmed where it is scattered
-///          alone.
-/// Source:  parameters by the vendor's declaration; that `scatter` is a share, and that y is up,
-/// are
-///          guesses. Henyey, Greenstein, Astrophysical Journal 93, 1941.
+/// Model:   the share `scatter` of the attenuated light is scattered, by a phase function of two
+///          Henyey-Greenstein lobes: r of g1, 1 - r of g2. Each ray segment samples one point for
+///          light sources; the path continues from that point or at the surface, selected randomly.
+///          Mode 1: the medium ends at y = height. Mode 0 is infinite: light of infinite lights and
+///          rays without a hit are not attenuated, because nothing would be left of them. No
+///          photons are stored in the medium. As a lens shader, light is attenuated only on its way
+///          to scattering points.
+/// Source:  parameters of the vendor's declaration. Interpreting `scatter` as a share, and y as up,
+///          are guesses. Henyey, Greenstein, Astrophysical Journal 93, 1941.
 /// Checked: PartiVolume.*, ScatteringAir.* in tests/analytic (Chandrasekhar's H, slabs by photons).
 extern const ShaderSpec kPartiVolume;
-/// Accepted; photons are scattered as the camera's own volume says.
+/// Accepted without effect; photons are scattered by the volume shader of the camera.
 extern const ShaderSpec kPartiVolumePhoton;
 
 }  // namespace oriel

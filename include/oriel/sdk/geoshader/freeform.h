@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a geometry shader make free-form surfaces?
+// Free-form surfaces made by geometry shaders.
 #ifndef ORIEL_SDK_FREEFORM_H
 #define ORIEL_SDK_FREEFORM_H
 
 // Conventions
-//   Bases stand between mi_api_object_begin and the group; surfaces stand in the group behind its
+//   Bases are defined between mi_api_object_begin and the group, surfaces in the group after its
 //   vertices. A surface: begin, params of u and of v, a vertex_ref_add for each control point (u
-//   runs fastest), textures with their control points, end. Lists of numbers are copied.
+//   varies fastest), textures with their control points, end. Lists of numbers are copied.
 
 #include "approx.h"
 
@@ -28,22 +28,22 @@ typedef enum miBasis_type {
 
 typedef enum miDlist_type { miDLIST_GEOSCALAR = 0, miDLIST_TAG, miDLIST_POINTER } miDlist_type;
 
-/// A list that grows; opaque.
+/// A growable list; opaque.
 typedef struct miDlist miDlist;
 
-/// An empty list.
+/// Creates an empty list.
 miDlist* mi_api_dlist_create(miDlist_type type);
 /// Appends a copy of a miGeoScalar or miTag, or a pointer itself.
 miBoolean mi_api_dlist_add(miDlist* list, void* value);
-/// Ends mi_api_dlist_create; NULL is ignored.
+/// Deletes a list; NULL is ignored.
 void mi_api_dlist_delete(miDlist* list);
 
 /// As mi_api_vector_xyz_add, from doubles.
 miBoolean mi_api_geovector_xyz_add(const miGeoVector* v);
-/// Adds a basis to the open object. step and matrix (numbers) are those of miBASIS_MATRIX.
+/// Adds a basis to the open object. step and matrix (numbers) apply to miBASIS_MATRIX.
 miBoolean mi_api_basis_add(const char* name, miBoolean rational, miBasis_type type, int degree,
                            int step, miDlist* matrix);
-/// Begins a surface; material: NULL = of the instance.
+/// Begins a surface; material: NULL = that of the instance.
 miBoolean mi_api_surface_begin(const char* name, const char* material);
 /// Basis, range and knots of the open surface in a direction, miU or miV.
 miBoolean mi_api_surface_params(int direction, const char* basis, double min, double max,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a geometry shader make hair?
+// Hair made by geometry shaders.
 #ifndef ORIEL_SDK_HAIR_H
 #define ORIEL_SDK_HAIR_H
 
@@ -12,7 +12,7 @@
 
 #include "approx.h"
 
-/// Type of miHair_list::approx: a number of pieces. In C++ an miApprox may be assigned as well.
+/// Type of miHair_list::approx: a number of pieces. In C++ an miApprox can be assigned, too.
 #ifdef __cplusplus
 struct miHair_approx {
   int pieces;
@@ -31,8 +31,8 @@ typedef int miHair_approx;
 #endif
 
 typedef struct miHair_list {
-  miTag material;       ///< 0 = of the instance
-  miScalar radius;      ///< of hairs without one of their own
+  miTag material;       ///< 0 = that of the instance
+  miScalar radius;      ///< default radius
   int degree;           ///< 1 lines, 2 and 3 Bezier curves
   miHair_approx approx; /* hairs are smooth whatever it says */
   int space_max_size;   ///< ignored
@@ -43,18 +43,18 @@ typedef struct miHair_list {
 extern "C" {
 #endif
 
-/// Begins hair of the open object; what it returns may be written until mi_api_hair_end.
+/// Begins hair of the open object; the returned struct may be written until mi_api_hair_end.
 miHair_list* mi_api_hair_begin(void);
 /// Declares n scalars of each hair (where 0) or vertex (where 1): what is 'n' normal, 'm' motion,
 /// 't' texture, 'r' radius or 'u' user.
 miBoolean mi_api_hair_info(int where, char what, int n);
-/// Room for n scalars.
+/// Allocates n scalars.
 miScalar* mi_api_hair_scalars_begin(int n);
-/// Ends the scalars; n of them were written.
+/// Ends the scalars, of which n were written.
 miBoolean mi_api_hair_scalars_end(int n);
-/// Room for n entries, one more than there are hairs.
+/// Allocates n entries, one more than the number of hairs.
 miGeoIndex* mi_api_hair_hairs_begin(int n);
-/// Writes the next entry, instead of writing into the room.
+/// Appends an entry, instead of writing to the allocated memory.
 miBoolean mi_api_hair_hairs_add(int offset);
 /// Ends the entries.
 miBoolean mi_api_hair_hairs_end(void);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a geometry shader make objects, at once or when their content is needed?
+// Objects made by geometry shaders, immediately or on demand.
 #ifndef ORIEL_SDK_OBJECT_H
 #define ORIEL_SDK_OBJECT_H
 
@@ -27,8 +27,8 @@ typedef enum miObject_type {
   miOBJECT_INTERSECT_FUNC
 } miObject_type;
 
-/// An object while it is made. Set its members between begin and end, or between mi_scene_edit and
-/// mi_scene_edit_end in the same geometry shader.
+/// An object under construction. Set its members between begin and end, or between mi_scene_edit
+/// and mi_scene_edit_end in the same geometry shader.
 typedef struct miObject {
   miObject_type type;
   miUchar visible, shadow;
@@ -52,25 +52,25 @@ typedef struct miObject {
       miTag group;
     } polygon_list, face_list;
     struct {
-      miObject_type type;  ///< of the content; the content itself decides
+      miObject_type type;  ///< expected type; the actual content decides
     } placeholder_list;
     miHair_list hair_list;
   } geo;
 } miObject;
 
-/// Makes the content of a placeholder; `args` is what was given with it.
+/// Callback that makes the content of a placeholder; `args` as given to mi_api_object_callback.
 typedef miBoolean (*miApi_object_callback)(miTag tag, void* args);
 
-/// Begins an object. The name of one made before replaces its geometry in incremental mode and
-/// keeps its tag and flags. NULL: without a name.
+/// Begins an object. In incremental mode the name of an existing object replaces its geometry and
+/// keeps its tag and flags. NULL: unnamed.
 miObject* mi_api_object_begin(const char* name);
-/// Ends an object; its tag.
+/// Ends an object and returns its tag.
 miTag mi_api_object_end(void);
-/// Makes the open object a placeholder whose content a callback makes.
+/// Makes the open object a placeholder with content from a callback.
 miBoolean mi_api_object_callback(miApi_object_callback callback, void* args);
-/// Makes the open object a placeholder whose content is the object in a .mi file.
+/// Makes the open object a placeholder with content from an object in a .mi file.
 miBoolean mi_api_object_file(const char* filename);
-/// Whether elements of a known name replace it from here on.
+/// Sets whether elements with an existing name replace it.
 miBoolean mi_api_incremental(miBoolean on);
 
 #ifdef __cplusplus

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a hot body glow, and how does the eye weigh wavelengths?
+// Black-body radiation and colour matching functions.
 #ifndef ORIEL_SDK_BLACKBODY_H
 #define ORIEL_SDK_BLACKBODY_H
 
 // Conventions
 //   Temperatures in kelvin, wavelengths in nanometres.
-//   The arguments are Oriel's choice: no description of them was available.
+//   The signatures are specific to Oriel, because no description of them was available.
 
 #include "types.h"
 
@@ -15,7 +15,7 @@ extern "C" {
 
 /// Spectral radiance of a black body at a wavelength, W / (m^2 sr nm).
 miScalar mi_blackbody_spectral_radiance(miScalar kelvin, miScalar nm);
-/// Radiance of a black body over all wavelengths, W / (m^2 sr).
+/// Radiance of a black body integrated over all wavelengths, W / (m^2 sr).
 miScalar mi_blackbody_radiance(miScalar kelvin);
 /// CIE 1931 colour matching functions at a wavelength: x, y, z in r, g, b.
 void mi_ciexyz_weights(miScalar nm, miColor* weights);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which kinds of things are there: rays, shaders, scene elements, parameters, lights.
+// Enumerations: rays, shaders, scene elements, parameters, lights.
 #ifndef ORIEL_SDK_ENUMS_H
 #define ORIEL_SDK_ENUMS_H
 
-/// What a ray is for. Shaders compare the values (`type <= miRAY_LIGHT`), so they never change.
+/// Ray types. The values are fixed, because shaders compare them (`type <= miRAY_LIGHT`).
 typedef enum miRay_type {
   miRAY_EYE = 0,
   miRAY_TRANSPARENT,
@@ -36,18 +36,18 @@ typedef enum miRay_type {
   miRAY_NO_TYPES
 } miRay_type;
 
-/// A ray from the camera itself.
+/// A camera ray.
 #define miRAY_PRIMARY(t) ((t) == miRAY_EYE)
-/// A ray that some shader cast.
+/// A ray cast by a shader.
 #define miRAY_SECONDARY(t) \
   (((t) >= miRAY_TRANSPARENT && (t) <= miRAY_NONE) || (t) == miRAY_FINALGATHER || (t) == miRAY_HULL)
-/// A photon on its way.
+/// A photon.
 #define miRAY_PHOTON(t)                                             \
   (((t) >= miPHOTON_ABSORB && (t) <= miPHOTON_TRANSMIT_DIFFUSE) ||  \
    (t) == miPHOTON_SCATTER_VOLUME || (t) == miPHOTON_TRANSPARENT || \
    (t) == miPHOTON_EMIT_GLOBILLUM || (t) == miPHOTON_EMIT_CAUSTIC || (t) == miPHOTON_HULL)
 
-/// What a shader is called as.
+/// Roles in which a shader is called.
 typedef enum miShader_type {
   miSHADER_LENS = 0,
   miSHADER_MATERIAL,
@@ -69,7 +69,7 @@ typedef enum miShader_type {
   miSHADER_NO_TYPES
 } miShader_type;
 
-/// What a declaration says a shader may be used as (`apply`), as bits.
+/// Roles for which a declaration permits a shader (`apply`), as bits.
 #define miAPPLY_LENS (1 << miSHADER_LENS)
 #define miAPPLY_MATERIAL (1 << miSHADER_MATERIAL)
 #define miAPPLY_LIGHT (1 << miSHADER_LIGHT)
@@ -88,7 +88,7 @@ typedef enum miShader_type {
 #define miAPPLY_STATE (1 << miSHADER_STATE)
 #define miAPPLY_CONTOUR (1 << miSHADER_CONTOUR)
 
-/// What mi_db_type says an element is.
+/// Element types returned by mi_db_type.
 typedef enum miScene_types {
   miSCENE_NONE = 0,
   miSCENE_FUNCTION_DECL,
@@ -210,7 +210,7 @@ typedef enum miFinalgather_store_mode {
   miFG_STORE_SET = 2
 } miFinalgather_store_mode;
 
-/// What the renderer is doing (query miQ_STAGE), as bits.
+/// Rendering stages (query miQ_STAGE), as bits.
 typedef enum miStage {
   miSTAGE_UNKNOWN = 0,
   miSTAGE_TILE = 1,

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a shader read its parameters, and which functions does the renderer call in it?
+// Parameter evaluation, and the functions of a shader that the renderer calls.
 #ifndef ORIEL_SDK_EVAL_H
 #define ORIEL_SDK_EVAL_H
 
 // Conventions
-//   A shader NAME is `miBoolean NAME(T* result, miState* state, struct NAME* paras)`, may take a
-//   fourth argument void*, and is found by name: extern "C" in C++. NAME_version(void) gives the
-//   version of its declaration. NAME_init(state, NULL, &req) runs once before its first call and,
-//   if it sets req, NAME_init(state, paras, &req) once for each instance; NAME_exit(state, paras)
-//   and at last NAME_exit(state, NULL) end it. miFALSE means: no light, nothing found.
+//   A shader NAME is `miBoolean NAME(T* result, miState* state, struct NAME* paras)` with an
+//   optional fourth argument void*. It is found by name: extern "C" in C++. NAME_version(void)
+//   returns the version of its declaration. NAME_init(state, NULL, &req) runs once before its first
+//   call and, if it sets req, NAME_init(state, paras, &req) once for each instance;
+//   NAME_exit(state, paras) and finally NAME_exit(state, NULL) end it. miFALSE means: no light,
+//   nothing found.
 
 #include "state.h"
 #include "types.h"
@@ -19,7 +20,7 @@ extern "C" {
 
 typedef struct miShader_state_arg {
   miShader_state_op op;
-  miBoolean shader_return;  ///< what the shader of the sample returned
+  miBoolean shader_return;  ///< return value of the shader of the sample
 } miShader_state_arg;
 
 /// Mesh that a lightmap shader is called for; opaque.
@@ -33,16 +34,15 @@ typedef int (*miShader_version)(void);
 typedef miBoolean (*miShader_state)(void* result, miState* state, void* paras,
                                     miShader_state_arg* arg);
 
-/// Value of the parameter at `parm`: its own address, or the result of what it is connected to.
+/// Value of the parameter at `parm`: its address, or the result of the connected shader.
 void* mi_phen_eval(miState* state, void* parm);
-/// As mi_phen_eval, but runs the connected shader again at each call.
+/// Like mi_phen_eval, but runs the connected shader at each call.
 void* mi_phen_call(miState* state, void* parm);
 
-/// Address of the value of the parameter at `p` of the running shader; runs what is connected.
+/// Address of the value of the parameter at `p` of the running shader; runs a connected shader.
 #define mi_eval(s, p) mi_phen_eval((s), (void*)(p))
 
-// The typed forms use the variable `state` of the scope they stand in.
-/// Value of a boolean parameter.
+// The typed macros use the variable `state` of the enclosing scope. Value of a boolean parameter.
 #define mi_eval_boolean(p) ((miBoolean*)mi_eval(state, p))
 /// Value of an integer parameter.
 #define mi_eval_integer(p) ((miInteger*)mi_eval(state, p))
@@ -59,19 +59,19 @@ void* mi_phen_call(miState* state, void* parm);
 /// Value of a spectrum parameter.
 #define mi_eval_spectrum(p) ((miSpectrum*)mi_eval(state, p))
 
-/// As mi_eval_boolean, never from the cache.
+/// Like mi_eval_boolean, without cache.
 #define mi_call_boolean(p) ((miBoolean*)mi_phen_call(state, (void*)(p)))
-/// As mi_eval_integer, never from the cache.
+/// Like mi_eval_integer, without cache.
 #define mi_call_integer(p) ((miInteger*)mi_phen_call(state, (void*)(p)))
-/// As mi_eval_scalar, never from the cache.
+/// Like mi_eval_scalar, without cache.
 #define mi_call_scalar(p) ((miScalar*)mi_phen_call(state, (void*)(p)))
-/// As mi_eval_vector, never from the cache.
+/// Like mi_eval_vector, without cache.
 #define mi_call_vector(p) ((miVector*)mi_phen_call(state, (void*)(p)))
-/// As mi_eval_transform, never from the cache.
+/// Like mi_eval_transform, without cache.
 #define mi_call_transform(p) ((miScalar*)mi_phen_call(state, (void*)(p)))
-/// As mi_eval_color, never from the cache.
+/// Like mi_eval_color, without cache.
 #define mi_call_color(p) ((miColor*)mi_phen_call(state, (void*)(p)))
-/// As mi_eval_tag, never from the cache.
+/// Like mi_eval_tag, without cache.
 #define mi_call_tag(p) ((miTag*)mi_phen_call(state, (void*)(p)))
 
 #ifdef __cplusplus

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How are image files read and written, and pixels reached?
+// Image files and pixel access.
 #ifndef ORIEL_SDK_IMAGE_H
 #define ORIEL_SDK_IMAGE_H
 
 // Conventions
-//   Pixel (0,0) is the lower left. miFALSE: miImg_file::error says why.
+//   Pixel (0,0) is the lower left one. miFALSE: miImg_file::error has the reason.
 
 #include "types.h"
 
@@ -43,7 +43,7 @@ typedef enum miImg_type {
   miIMG_TYPE_USER_FIRST = 31
 } miImg_type;
 
-/// File formats that shaders name.
+/// File formats.
 typedef enum miImg_format {
   miIMG_FORMAT_RLA = 0,
   miIMG_FORMAT_PIC = 2,
@@ -51,7 +51,7 @@ typedef enum miImg_format {
   miIMG_FORMAT_RGB = 4,
   miIMG_FORMAT_CT = 5,
   miIMG_FORMAT_TIFF = 14,
-  miIMG_FORMAT_TIFF_U = 15,  ///< not compressed
+  miIMG_FORMAT_TIFF_U = 15,  ///< uncompressed
   miIMG_FORMAT_TARGA = 22,
   miIMG_FORMAT_BMP = 23,
   miIMG_FORMAT_TIFF_16 = 30,
@@ -112,7 +112,7 @@ typedef enum miImg_error {
 #define miIMG_T 0
 #define miIMG_E 3
 
-// Numbers of the frame buffers that always exist, for mi_output_image_open.
+// Indices of the frame buffers that always exist, for mi_output_image_open.
 #define miRC_IMAGE_RGBA 0
 #define miRC_IMAGE_Z 1
 #define miRC_IMAGE_N 2
@@ -122,7 +122,7 @@ typedef enum miImg_error {
 #define miRC_IMAGE_PPREV 7
 #define miRC_IMAGE_USER 12
 
-/// An image file while it is open.
+/// An open image file.
 typedef struct miImg_file {
   int width, height;
   int bits, comp;
@@ -138,7 +138,7 @@ typedef struct miImg_file {
   int os_error;
 } miImg_file;
 
-/// An image in memory; pixels are reached by the functions below only.
+/// An image in memory; its pixels are accessed by the functions below only.
 typedef struct miImg_image {
   miBoolean filter;
   int dirsize;
@@ -151,64 +151,64 @@ typedef struct miImg_image {
   int c[4];
 } miImg_image;
 
-/// Opens an image file to read; type: the type of its elements, or miIMG_TYPE_ANY.
+/// Opens an image file for reading; type: the type of its elements, or miIMG_TYPE_ANY.
 miBoolean mi_img_open(miImg_file* file, const char* name, miImg_type type);
-/// Creates an image file to write.
+/// Creates an image file for writing.
 miBoolean mi_img_create(miImg_file* file, const char* name, miImg_type type, miImg_format format,
                         int width, int height);
 /// Closes a file after reading or writing.
 miBoolean mi_img_close(miImg_file* file);
-/// Reads the whole picture into an image made for this file.
+/// Reads the whole picture into an image allocated for this file.
 miBoolean mi_img_image_read(miImg_file* file, miImg_image* image);
 /// Writes the whole picture.
 miBoolean mi_img_image_write(miImg_file* file, miImg_image* image);
-/// An image with room for this file's picture.
+/// Allocates an image for the picture of this file.
 miImg_image* mi_img_image_alloc(miImg_file* file);
-/// Gives an image of mi_img_image_alloc back.
+/// Frees an image of mi_img_image_alloc.
 void mi_img_image_release(miImg_image* image);
 /// Sets a pixel to a colour.
 void mi_img_put_color(miImg_image* image, const miColor* value, int x, int y);
-/// A pixel's colour.
+/// Returns the colour of a pixel.
 void mi_img_get_color(miImg_image* image, miColor* value, int x, int y);
 /// Sets a pixel to a scalar.
 void mi_img_put_scalar(miImg_image* image, miScalar value, int x, int y);
-/// A pixel's scalar.
+/// Returns the scalar of a pixel.
 void mi_img_get_scalar(miImg_image* image, miScalar* value, int x, int y);
 /// Sets a pixel to a vector.
 void mi_img_put_vector(miImg_image* image, const miVector* value, int x, int y);
-/// A pixel's vector.
+/// Returns the vector of a pixel.
 void mi_img_get_vector(miImg_image* image, miVector* value, int x, int y);
 /// Sets a pixel to a depth, scene units.
 void mi_img_put_depth(miImg_image* image, miScalar value, int x, int y);
-/// A pixel's depth, scene units.
+/// Returns the depth of a pixel, scene units.
 void mi_img_get_depth(miImg_image* image, miScalar* value, int x, int y);
-/// Sets a pixel's covered share.
+/// Sets the coverage of a pixel.
 void mi_img_put_coverage(miImg_image* image, miScalar value, int x, int y);
-/// A pixel's covered share.
+/// Returns the coverage of a pixel.
 void mi_img_get_coverage(miImg_image* image, miScalar* value, int x, int y);
 /// Sets a pixel to a normal, camera space.
 void mi_img_put_normal(miImg_image* image, const miVector* value, int x, int y);
-/// A pixel's normal, camera space.
+/// Returns the normal of a pixel, camera space.
 void mi_img_get_normal(miImg_image* image, miVector* value, int x, int y);
 /// Sets a pixel to an object label.
 void mi_img_put_label(miImg_image* image, miUint value, int x, int y);
-/// A pixel's object label.
+/// Returns the object label of a pixel.
 void mi_img_get_label(miImg_image* image, miUint* value, int x, int y);
 /// Start of row y of a component.
 miUchar* mi_img_access(miImg_image* image, int y, int comp);
 /// Pixels in a row.
 int mi_img_get_width(const miImg_image* image);
-/// Rows.
+/// Number of rows.
 int mi_img_get_height(const miImg_image* image);
-/// Type named so in scenes ("rgba_fp"); miIMG_NTYPES when there is none.
+/// Type by its name in scenes ("rgba_fp"); miIMG_NTYPES if unknown.
 miImg_type mi_img_type_identify(const char* name);
-/// Format named so in scenes ("exr").
+/// Format by its name in scenes ("exr").
 miImg_format mi_img_format_identify(const char* name);
 /// Name of a type in scenes.
 char* mi_img_type_name(miImg_type type);
 /// Name of a format in scenes.
 char* mi_img_format_name(miImg_format format);
-/// Opens a light map to write; its image, or NULL.
+/// Opens a light map for writing; returns its image, or NULL.
 void* mi_lightmap_edit(void** handle, miTag tag);
 /// Ends mi_lightmap_edit.
 void mi_lightmap_edit_end(void* handle);

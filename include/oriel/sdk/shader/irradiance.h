@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much indirect light arrives, and how much of the sky is open?
+// Irradiance and ambient occlusion.
 #ifndef ORIEL_SDK_IRRADIANCE_H
 #define ORIEL_SDK_IRRADIANCE_H
 
 // Conventions
-//   Irradiance is that of final gathering, global illumination and caustics together; a Lambert
-//   surface of albedo a shows a * irradiance / pi.
+//   Irradiance is the sum of final gathering, global illumination and caustics; a Lambert surface
+//   of albedo a has the radiance a * irradiance / pi.
 
 #include "state.h"
 
@@ -15,7 +15,7 @@ extern "C" {
 
 /// Settings of one call; see miIRRAD_DEFAULT.
 typedef struct miIrrad_options {
-  int size;  ///< bytes of this struct
+  int size;  ///< size of this struct in bytes
   int finalgather_rays;
   float finalgather_maxradius, finalgather_minradius;
   miCBoolean finalgather_view;
@@ -28,7 +28,7 @@ typedef struct miIrrad_options {
   float importance;        ///< -1 = default
 } miIrrad_options;
 
-/// Fills the options at ptr from state->options.
+/// Initialises the options at ptr from state->options.
 #define miIRRAD_DEFAULT(ptr, s)                                         \
   do {                                                                  \
     (ptr)->size = (int)sizeof(miIrrad_options);                         \
@@ -47,16 +47,16 @@ typedef struct miIrrad_options {
 
 /// Settings of mi_ambient_occlusion; lengths in scene units, -1 = default.
 typedef struct miAmboccl_options {
-  int size;  ///< bytes of this struct
+  int size;  ///< size of this struct in bytes
   int rays;
-  miVector axis;  ///< unit, internal space
-  float spread;   ///< cosine of the cone; -2 = all around the axis' side
+  miVector axis;  ///< unit vector, internal space
+  float spread;   ///< cosine of the cone; -2 = hemisphere around the axis
   float spread_exp;
   float mindist, maxdist;
   int cache_points;
 } miAmboccl_options;
 
-/// Fills the options at ptr: around state->normal.
+/// Initialises the options at ptr for state->normal.
 #define miAMBOCCL_DEFAULT(ptr, s)                 \
   do {                                            \
     (ptr)->size = (int)sizeof(miAmboccl_options); \
@@ -76,14 +76,14 @@ miBoolean mi_compute_irradiance_backside(miColor* result, miState* state);
 /// Irradiance / pi of side 'f' or 'b'; options may be NULL.
 miBoolean mi_compute_avg_radiance(miColor* result, miState* state, miUchar face,
                                   struct miIrrad_options* options);
-/// Fluence of photons in a volume, scattering evenly.
+/// Fluence of photons in a volume with isotropic scattering.
 miBoolean mi_compute_volume_irradiance(miColor* result, miState* state);
-/// As above with two lobes of directionality g1 and g2, the first with weight r.
+/// Same with two lobes of directionality g1 and g2, the first with weight r.
 miBoolean mi_compute_directional_irradiance(miColor* result, miState* state, miScalar r,
                                             miScalar g1, miScalar g2);
-/// Places a final gather point here; mode: miFinalgather_store_mode.
+/// Computes a final gather point here; mode: miFinalgather_store_mode.
 miBoolean mi_finalgather_store(miColor* result, miState* state, int mode);
-/// Covered part of the half-space, 0 open to 1 covered; `bent`, if not NULL: mean open direction.
+/// Occlusion of the hemisphere, 0 open to 1 occluded; `bent`, if not NULL: mean open direction.
 miScalar mi_ambient_occlusion(miState* state, struct miAmboccl_options* options, miVector* bent);
 
 #ifdef __cplusplus

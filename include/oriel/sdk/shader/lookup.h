@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a shader find elements by name, and parameters of a declaration?
+// Lookup of elements by name, and of parameters of a declaration.
 #ifndef ORIEL_SDK_LOOKUP_H
 #define ORIEL_SDK_LOOKUP_H
 
@@ -10,14 +10,14 @@
 extern "C" {
 #endif
 
-/// Name of an element, for the life of the program; NULL when it has none.
+/// Name of an element, valid until the end of the program; NULL if it has none.
 const char* mi_api_tag_lookup(miTag tag);
-/// Tag of the element, or declaration, of that name; 0 when there is none. Takes over the string,
-/// which mi_mem_strdup made.
+/// Tag of a named element or declaration; 0 if there is none. Takes ownership of the string, which
+/// has to be allocated with mi_mem_strdup.
 miTag mi_api_name_lookup(const char* name);
-/// Finds a parameter (out miTRUE: a result) of a declaration by name: its type, or the type of its
-/// elements where it is an array, and its place in the block of miQ_FUNC_PARAM, bytes. miFALSE, and
-/// the outputs as they were, when there is none.
+/// Finds a parameter (out miTRUE: a result) of a declaration by name: its type (for arrays, that of
+/// the elements) and its offset in the block of miQ_FUNC_PARAM in bytes. Returns miFALSE and leaves
+/// the outputs unchanged if there is none.
 miBoolean mi_api_parameter_lookup(miParam_type* type, miBoolean* is_array, int* offs, miTag decl,
                                   miBoolean out, const char* name);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ classes that read particle maps while a picture is rendered.
+// C++ classes for read access to particle maps during rendering.
 #ifndef ORIEL_SDK_MAP_ACCESS_H
 #define ORIEL_SDK_MAP_ACCESS_H
 
 // Conventions
-//   Particle maps are turned into spheres and tubes before rendering, and their fields are not
-//   kept. Every question is therefore answered with a status whose is_ok() is false; other results
-//   are 0.
+//   Particle maps are converted to spheres and tubes before rendering, and their fields are not
+//   stored. Every query therefore returns a status whose is_ok() is false; other results are 0.
 
 #include "types.h"
 
@@ -17,7 +16,7 @@ namespace shader {
 
 typedef miUint Map_field_id;
 
-/// Whether a question was answered; always false.
+/// Status of a query; always false.
 class Map_status {
  public:
   bool is_ok() const { return false; }
@@ -41,12 +40,12 @@ class Map_declaration {
  public:
   explicit Map_declaration(const Access_map&, Map_status* status = 0) { fail(status); }
   const Map_declaration* operator->() const { return this; }
-  /// Number of the field of that name.
+  /// Index of a named field.
   Map_field_id get_field_id(const char*, Map_status* status = 0) const {
     fail(status);
     return 0;
   }
-  /// Type, dimension and scope of a field; the arguments keep their values.
+  /// Type, dimension and scope of a field; the arguments are unchanged.
   template <class Type, class Dimension, class Global>
   Map_status get_field_info(Map_field_id, Type&, Dimension&, Global&) const {
     return Map_status();

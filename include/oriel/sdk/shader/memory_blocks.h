@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a shader keep many blocks of one size, and what does it learn about memory?
+// Arenas of equally sized blocks, and memory statistics.
 #ifndef ORIEL_SDK_MEMORY_BLOCKS_H
 #define ORIEL_SDK_MEMORY_BLOCKS_H
 
 // Conventions
-//   Blocks are filled with zeros. An arena may be used by several threads at once.
+//   Blocks are zeroed. Arenas are thread-safe.
 
 #include "types.h"
 
@@ -12,28 +12,29 @@
 extern "C" {
 #endif
 
-/// Blocks of one size; opaque.
+/// An arena; opaque.
 typedef struct miMemblk miMemblk;
 
-/// A new arena of blocks of so many bytes, 1 to 1048576; NULL: not possible.
+/// Creates an arena of blocks with a size of 1 to 1048576 bytes; NULL on failure.
 miMemblk* mi_mem_blkcreate(int size);
-/// Ends an arena and all its blocks.
+/// Deletes an arena and all of its blocks.
 void mi_mem_blkdelete(miMemblk* arena);
-/// A block; never NULL, the rendering ends instead.
+/// Allocates a block; never NULL, on failure the rendering ends.
 void* mi_mem_blkallocate(miMemblk* arena);
-/// Gives a block back; what is no block of the arena is ignored.
+/// Frees a block; pointers that are not blocks of the arena are ignored.
 void mi_mem_blkrelease(miMemblk* arena, void* block);
-/// Gives all blocks back; the arena stays.
+/// Frees all blocks; the arena can be used again.
 void mi_mem_blkclear(miMemblk* arena);
-/// Calls back for each block that is in use, in no certain order.
+/// Calls back for each allocated block, in any order.
 void mi_mem_blkenumerate(miMemblk* arena, void (*callback)(void* block, void* arg), void* arg);
-/// Whether memory is in order, as far as Oriel can know: miTRUE.
+/// Checks the heap, as far as possible: always miTRUE.
 miBoolean mi_mem_check(void);
-/// Tells how much memory the program uses.
+/// Reports the memory usage of the program.
 void mi_mem_summary(void);
-/// As mi_mem_summary; memory is not counted by module.
+/// Like mi_mem_summary; memory is not counted per module.
 void mi_mem_dump(int module);
-/// Bytes of memory from mi_mem_allocate or its kin, at least those asked for; 0 for NULL.
+/// Size of memory from mi_mem_allocate and similar functions, at least the requested size; 0 for
+/// NULL.
 size_t mi_mem_getsize(const void* memory);
 
 #ifdef __cplusplus

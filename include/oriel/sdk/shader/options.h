@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What does the scene ask for, and how does its camera look: miOptions and miCamera.
+// Rendering options and camera: miOptions and miCamera.
 #ifndef ORIEL_SDK_OPTIONS_H
 #define ORIEL_SDK_OPTIONS_H
 
@@ -12,19 +12,19 @@ typedef struct miOptions {
   int scanline;     ///< miRENDER_FH_*
   miUint motion;    ///< motion blur bits, 0 = none
   int reflection_depth, refraction_depth, trace_depth;
-  int min_samples, max_samples;  ///< levels: 4^n samples a pixel
+  int min_samples, max_samples;  ///< levels: 4^n samples per pixel
   miColor contrast, time_contrast;
   miBoolean caustic, globillum;
-  int caustic_accuracy, globillum_accuracy, photonvol_accuracy;      ///< photons a look-up
-  float caustic_radius, globillum_radius, photonvol_radius;          ///< 0 = the renderer's own
+  int caustic_accuracy, globillum_accuracy, photonvol_accuracy;  ///< photons per lookup
+  float caustic_radius, globillum_radius, photonvol_radius;      ///< 0 = default of the renderer
   float caustic_filter_const, filter_size_x, filter_size_y, jitter;  ///< sizes in pixels
   float shutter, shutter_delay;
-  int no_images;      ///< frame buffers, with the miRC_IMAGE_USER standard ones
+  int no_images;      ///< number of frame buffers, including the miRC_IMAGE_USER standard ones
   miTag images_info;  ///< their list
-  int finalgather;    ///< 0 off, 1 on, 'f' fast look-up
+  int finalgather;    ///< 0 off, 1 on, 'f' fast lookup
   int finalgather_rays;
   float finalgather_maxradius, finalgather_minradius;
-  miCBoolean finalgather_view;  ///< the radii are in pixels
+  miCBoolean finalgather_view;  ///< radii are in pixels
   miUchar finalgather_filter;
   miUint1 fg_reflection_depth, fg_refraction_depth, fg_trace_depth, fg_diffuse_depth;
   float fg_falloff_start, fg_falloff_stop;
@@ -51,13 +51,13 @@ typedef struct miOptions {
 
 typedef miOptions miRc_options;
 
-/// The camera element. Read only. It looks down -z with y up; raster (0,0) is the lower left.
+/// The camera element. Read only. It looks along -z with y up; raster (0,0) is the lower left.
 typedef struct miCamera {
   miBoolean orthographic;
   float focal;     ///< distance of the film
-  float aperture;  ///< width of the film; at distance focal the half width of view is aperture / 2
+  float aperture;  ///< width of the film; at distance focal, half the visible width is aperture / 2
   float aspect;    ///< width / height
-  miRange clip;    ///< depths, scene units
+  miRange clip;    ///< depth range, scene units
   int x_resolution, y_resolution;
   struct {
     int xl, yl, xh, yh;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where does a photon go on?
+// Photon tracing.
 #ifndef ORIEL_SDK_PHOTON_H
 #define ORIEL_SDK_PHOTON_H
 
 // Conventions
-//   Energy is a colour. Only photon shaders call these; they must not call mi_trace_*. miFALSE: the
-//   photon ends, since the object makes no such light in this pass or the depth is used up.
+//   Energy is a colour. Only photon shaders call these functions; they must not call mi_trace_*.
+//   miFALSE: the photon ends, because the object does not scatter it in this pass or at this depth.
 
 #include "state.h"
 
@@ -13,32 +13,33 @@
 extern "C" {
 #endif
 
-/// Photon emitters: sends a photon along state->dir from state->org.
+/// Photon emitters: emits a photon along state->dir from state->org.
 miBoolean mi_photon_light(miColor* energy, miState* state);
-/// Goes on along dir as a mirrored photon.
+/// Continues along dir as a mirrored photon.
 miBoolean mi_photon_reflection_specular(miColor* energy, miState* state, const miVector* dir);
-/// Goes on along dir as a glossily reflected photon.
+/// Continues along dir as a glossily reflected photon.
 miBoolean mi_photon_reflection_glossy(miColor* energy, miState* state, const miVector* dir);
-/// Goes on along dir as a diffusely reflected photon.
+/// Continues along dir as a diffusely reflected photon.
 miBoolean mi_photon_reflection_diffuse(miColor* energy, miState* state, const miVector* dir);
-/// Goes on along dir as a refracted photon.
+/// Continues along dir as a refracted photon.
 miBoolean mi_photon_transmission_specular(miColor* energy, miState* state, const miVector* dir);
-/// Goes on along dir as a glossily transmitted photon.
+/// Continues along dir as a glossily transmitted photon.
 miBoolean mi_photon_transmission_glossy(miColor* energy, miState* state, const miVector* dir);
-/// Goes on along dir as a diffusely transmitted photon.
+/// Continues along dir as a diffusely transmitted photon.
 miBoolean mi_photon_transmission_diffuse(miColor* energy, miState* state, const miVector* dir);
-/// Goes straight on.
+/// Continues in the same direction.
 miBoolean mi_photon_transparent(miColor* energy, miState* state);
-/// Photon volume shaders: goes on along dir after scattering in the volume.
+/// Photon volume shaders: continues along dir after scattering in the volume.
 miBoolean mi_photon_volume_scattering(miColor* energy, miState* state, const miVector* dir);
 /// Stores a photon at the hit point.
 miBoolean mi_store_photon(miColor* energy, miState* state);
 /// Stores a photon in the volume.
 miBoolean mi_store_volume_photon(miColor* energy, miState* state);
-/// Russian roulette among kinds; the colour chosen is rescaled in place, miPHOTON_ABSORB: none.
+/// Russian roulette over scattering types; the selected colour is rescaled in place,
+/// miPHOTON_ABSORB: none.
 miRay_type mi_choose_scatter_type(miState* state, miScalar transp, miColor* diffuse,
                                   miColor* glossy, miColor* specular);
-/// The same among diffuse and mirror, reflected and transmitted.
+/// Same for diffuse and mirror scattering, reflected and transmitted.
 miRay_type mi_choose_simple_scatter_type(miState* state, miColor* rdiff, miColor* rspec,
                                          miColor* tdiff, miColor* tspec);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does a ray hit something within a distance, and where do rays start?
+// Probe rays of limited length, and the origin of rays.
 #ifndef ORIEL_SDK_PROBE_H
 #define ORIEL_SDK_PROBE_H
 
 // Conventions
 //   As in trace.h.
-//   The arguments are Oriel's choice: no description of them was available.
+//   The signatures are specific to Oriel, because no description of them was available.
 
 #include "state.h"
 
@@ -13,10 +13,10 @@
 extern "C" {
 #endif
 
-/// As mi_trace_probe, for hits up to a distance; 0 = any.
+/// Like mi_trace_probe, for hits up to a distance; 0 = unlimited.
 miBoolean mi_trace_probe_x(miState* state, const miVector* direction, const miVector* origin,
                            double distance);
-/// Sets state->pri: what rays from here start on; NULL = empty space.
+/// Sets state->pri, the primitive that rays start from; NULL = empty space.
 void mi_state_set_pri(miState* state, void* pri);
 
 #ifdef __cplusplus

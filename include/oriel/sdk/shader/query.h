@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What else can a shader ask?
+// Queries: mi_query.
 #ifndef ORIEL_SDK_QUERY_H
 #define ORIEL_SDK_QUERY_H
 
@@ -9,9 +9,9 @@
 extern "C" {
 #endif
 
-/// What mi_query can tell; behind each the type of the variable whose address is `result`.
+/// Queries of mi_query; each comment is the type of the variable that `result` points to.
 typedef enum miQ_type {
-  // Shader calls and declarations: of the running shader, or of the tag.
+  // Shader calls and declarations: of the running shader, or by tag.
   miQ_FUNC_USERPTR = 100,  ///< void **, address of the instance's user pointer
   miQ_FUNC_LOCK,           ///< miLock *
   miQ_FUNC_TAG,            ///< miTag
@@ -101,7 +101,7 @@ typedef enum miQ_type {
   miQ_MTL_PHOTONVOL,     ///< miTag
   miQ_MTL_LIGHTMAP,      ///< miTag
   miQ_MTL_OPAQUE,        ///< miBoolean
-  // The scene's lights, and what the hit carries.
+  // Lights of the scene, and data of the hit.
   miQ_NUM_GLOBAL_LIGHTS = 500,  ///< int
   miQ_GLOBAL_LIGHTS,            ///< miTag *
   miQ_NUM_TEXTURES,             ///< int, texture spaces
@@ -153,7 +153,7 @@ typedef enum miQ_type {
   miQ_DATE                      ///< char *
 } miQ_type;
 
-/// Writes the answer to `result`; miFALSE, and result as it was, where there is none.
+/// Writes the result of a query; returns miFALSE and leaves result unchanged if there is none.
 miBoolean mi_query(miQ_type query, const miState* state, miUint tag, void* result, ...);
 
 #ifdef __cplusplus

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which random number is it, and what does noise look like?
+// Random numbers and noise.
 #ifndef ORIEL_SDK_SAMPLE_H
 #define ORIEL_SDK_SAMPLE_H
 
 // Conventions
-//   Random numbers lie in [0,1). Noise lies in 0..1: mi_noise_* around 0.5, mi_unoise_* about
-//   evenly spread. Gradients are not unit.
+//   Random numbers are in [0,1). Noise is in 0..1: mi_noise_* is concentrated around 0.5,
+//   mi_unoise_* is about uniformly distributed. Gradients are not normalised.
 
 #include "state.h"
 
@@ -13,41 +13,41 @@
 extern "C" {
 #endif
 
-/// A point of dim dimensions. instance and n NULL: one; n NULL: endless; else miTRUE n times.
+/// A point of dim dimensions. instance and n NULL: one; n NULL: infinite loop; else miTRUE n times.
 miBoolean mi_sample(double* sample, int* instance, miState* state, miUshort dim, const miUint* n);
-/// A number of this sample: the same in each rendering.
+/// A random number of this sample, reproducible.
 double mi_par_random(miState* state);
-/// A number that no sample decides.
+/// A random number that does not depend on the sample.
 miScalar mi_random(void);
-/// A number from a seed, which moves on.
+/// A random number from a seed, which is advanced.
 miScalar mi_erandom(unsigned short seed[3]);
-/// Starts mi_random anew.
+/// Seeds mi_random.
 void mi_srandom(long seed);
-/// Noise along a line.
+/// 1D noise.
 miScalar mi_noise_1d(miScalar x);
-/// Noise in a plane.
+/// 2D noise.
 miScalar mi_noise_2d(miScalar x, miScalar y);
-/// Noise in space.
+/// 3D noise.
 miScalar mi_noise_3d(const miVector* p);
-/// Even noise along a line.
+/// Uniformly distributed 1D noise.
 miScalar mi_unoise_1d(miScalar x);
-/// Even noise in a plane.
+/// Uniformly distributed 2D noise.
 miScalar mi_unoise_2d(miScalar x, miScalar y);
-/// Even noise in space.
+/// Uniformly distributed 3D noise.
 miScalar mi_unoise_3d(const miVector* p);
-/// Noise along a line and its slope.
+/// 1D noise and its derivative.
 miScalar mi_noise_1d_grad(miScalar x, miScalar* g);
-/// Noise in a plane and its gradient.
+/// 2D noise and its gradient.
 miScalar mi_noise_2d_grad(miScalar x, miScalar y, miScalar* gx, miScalar* gy);
-/// Noise in space and its gradient.
+/// 3D noise and its gradient.
 miScalar mi_noise_3d_grad(const miVector* p, miVector* g);
-/// Even noise along a line and its slope.
+/// Uniformly distributed 1D noise and its derivative.
 miScalar mi_unoise_1d_grad(miScalar x, miScalar* g);
-/// Even noise in a plane and its gradient.
+/// Uniformly distributed 2D noise and its gradient.
 miScalar mi_unoise_2d_grad(miScalar x, miScalar y, miScalar* gx, miScalar* gy);
-/// Even noise in space and its gradient.
+/// Uniformly distributed 3D noise and its gradient.
 miScalar mi_unoise_3d_grad(const miVector* p, miVector* g);
-/// Cardinal spline through n control points, 2 or more; t from 0 to 1.
+/// Cardinal spline through n >= 2 control points; t from 0 to 1.
 miScalar mi_spline(miScalar t, int n, const miScalar* ctl);
 
 #ifdef __cplusplus

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What does mi_db_access give: lights, instances, groups, materials, shader calls, user data.
+// Structures returned by mi_db_access: lights, instances, groups, materials, shader calls, user
+// data.
 #ifndef ORIEL_SDK_SCENE_H
 #define ORIEL_SDK_SCENE_H
 
 // Conventions
-//   The parameters of a shader stand in a struct in the order of the declaration. Each basic type
-//   is made of 4-byte units, so there is no padding: boolean, integer, scalar and every kind of
+//   The parameters of a shader form a struct in the order of the declaration. Each basic type
+//   consists of 4-byte units, so there is no padding: boolean, integer, scalar and every kind of
 //   tag (string, shader, texture, light, material, geometry, light profile, data) take 4 bytes,
 //   vector 12, color 16, transform 64, spectrum 296. `array T "x"` is `int i_x; int n_x; T x[1];`
 //   where element k is x[i_x + k]. Parameters are read only and shared by all threads.
@@ -29,14 +30,14 @@ typedef struct miFunction {
   miTag parameter_indirect;  ///< the call whose parameters are used instead
   miTag interfacephen;
   int parameter_size, result_size;  ///< bytes
-  /// Bytes from a parameter to a miTag that says what it is connected to; 0 = no connections.
+  /// Offset in bytes from a parameter to the tag of its connected shader; 0 = no connections.
   int ghost_offs;
   char parameters[8];
 } miFunction;
 
 /// The `parameters` of a call of type miFUNCTION_OUTFILE.
 typedef struct miDecl_fileparm {
-  char filename[8];  ///< ends with a zero byte; longer than declared
+  char filename[8];  ///< zero-terminated; longer than declared
 } miDecl_fileparm;
 
 /// A data element. `parameters` are its bytes.
@@ -55,12 +56,12 @@ typedef struct miUserdata {
 #define miSHADOWMAP_WINDOW 8
 #define miSHADOWMAP_CAMERA 16
 
-/// A light element, in the light's own space. Shadows are always traced: members that describe
-/// shadow maps tell what the scene says and have no effect.
+/// A light element, in its own space. Shadows are always ray traced: shadow map members contain the
+/// settings of the scene and have no effect.
 typedef struct miLight {
   miLight_type type;
   miLight_area area;
-  miScalar exponent;  ///< of the distance by which photons' energy decays
+  miScalar exponent;  ///< exponent of the distance falloff of photon energy
   int caustic_store_photons, global_store_photons;
   miColor energy;  ///< of photons
   miTag shader;
@@ -115,12 +116,12 @@ typedef struct miLight {
   miCBoolean photons_only;
 } miLight;
 
-/// How an instance stands in its parent; "global" is the side of the parent.
+/// Transform of an instance; "global" is the space of the parent.
 typedef struct miTransform {
   miTag function;
   float time;
   miMatrix global_to_local;
-  miMatrix local_to_global;  ///< object to world where the parent is the root
+  miMatrix local_to_global;  ///< object to world if the parent is the root
   miBoolean identity;
   miUint id;
 } miTransform;
@@ -128,7 +129,7 @@ typedef struct miTransform {
 typedef struct miInstance {
   miTransform tf;
   miMatrix motion_transform;
-  miTag item;  ///< what is placed
+  miTag item;  ///< the element of the instance
   miTag material;
   miTag parent;
   miTag boxes;
@@ -148,15 +149,15 @@ typedef struct miInstance {
   miCBoolean approx_override;
   miTag hardware;
   miCBoolean shadowmap;
-  miCBoolean exclusive;  ///< light_list lights all but this instance
+  miCBoolean exclusive;  ///< light_list excludes this instance
   miTag light_list;
-  miBoolean shadow_excl;  ///< shadow_list takes shadows from all but this instance
+  miBoolean shadow_excl;  ///< shadow_list excludes this instance
   miTag shadow_list;
 } miInstance;
 
 /// A group of instances.
 typedef struct miGroup {
-  miGeoScalar merge;  ///< distance in which surfaces join
+  miGeoScalar merge;  ///< distance within which surfaces are joined
   miBoolean placeholder, merge_group;
   int max_kids, no_kids;
   int max_connections, no_connections;
@@ -179,7 +180,7 @@ typedef struct miMaterial {
   miTag hardware;
 } miMaterial;
 
-/// Answer of miQ_PRI_DATA.
+/// Result of miQ_PRI_DATA.
 typedef struct miPri_data {
   int info_size;
   void* info;

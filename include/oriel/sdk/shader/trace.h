@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How does a shader send rays?
+// Ray tracing functions.
 #ifndef ORIEL_SDK_TRACE_H
 #define ORIEL_SDK_TRACE_H
 
 // Conventions
 //   Directions are unit vectors in internal space; rays start at state->point. Results are colours.
-//   After a call state->child is the state of the ray. miFALSE: nothing was found or the depth is
-//   used up; the result is then black or the environment.
+//   After a call state->child is the state of the ray. miFALSE: nothing was hit or the trace depth
+//   is exceeded; the result is then black or the environment.
 
 #include "state.h"
 
@@ -14,34 +14,34 @@
 extern "C" {
 #endif
 
-/// Lens shaders: the next lens, at last the eye ray; origin and direction are put into state.
+/// Lens shaders: runs the next lens, finally the eye ray; origin and direction are stored in state.
 miBoolean mi_trace_eye(miColor* result, miState* state, const miVector* origin,
                        const miVector* direction);
-/// Light from the mirrored direction; a ray that misses gets the environment.
+/// Radiance from the mirror direction; a ray that misses returns the environment.
 miBoolean mi_trace_reflection(miColor* result, miState* state, const miVector* direction);
-/// Light from the refracted direction; refraction_volume becomes the volume of the ray.
+/// Radiance from the refracted direction; refraction_volume becomes the volume of the ray.
 miBoolean mi_trace_refraction(miColor* result, miState* state, const miVector* direction);
-/// Light from straight behind, also when the options forbid tracing.
+/// Radiance in the direction of the ray behind the surface, also if the options disable tracing.
 miBoolean mi_trace_transparent(miColor* result, miState* state);
-/// What the environment shader shows in a direction; counts as no level.
+/// Radiance of the environment in a direction; does not increase the trace depth.
 miBoolean mi_trace_environment(miColor* result, miState* state, const miVector* direction);
-/// Whether a ray hits something; runs no shader, state->child holds the hit.
+/// Whether a ray hits something; runs no shader, state->child is the hit.
 miBoolean mi_trace_probe(miState* state, const miVector* direction, const miVector* origin);
-/// What the ray would show if this hit were not there; counts as no level.
+/// Radiance of the ray as if this hit did not exist; does not increase the trace depth.
 miBoolean mi_trace_continue(miColor* result, miState* state);
-/// Light shaders: multiplies result with what lets light pass; miFALSE when nothing is left.
+/// Light shaders: multiplies result by the transmittance to the light; miFALSE if nothing is left.
 miBoolean mi_trace_shadow(miColor* result, miState* state);
-/// Shadow shaders in segment mode: goes on to the next occluder towards the lit point.
+/// Shadow shaders in segment mode: continues to the next occluder towards the lit point.
 miBoolean mi_trace_shadow_seg(miColor* result, miState* state);
-/// Shadow shaders in segment mode: goes on as if this occluder were not there.
+/// Shadow shaders in segment mode: continues as if this occluder did not exist.
 miBoolean mi_continue_shadow_seg(miColor* result, miState* state);
-/// Least length of further rays of this call; the former value comes back in `offset`.
+/// Minimum length of subsequent rays of this call; the previous value is returned in `offset`.
 void mi_ray_offset(const miState* state, double* offset);
-/// Range in which further rays fade to the environment; the former values come back.
+/// Range in which subsequent rays fade to the environment; the previous values are returned.
 void mi_ray_falloff(const miState* state, double* start, double* stop);
-/// Tells the opacity of this sample, where it matters apart from the colour.
+/// Sets the opacity of this sample, if it differs from the alpha of the colour.
 miBoolean mi_opacity_set(miState* state, const miColor* opacity);
-/// The opacity told before; miFALSE when there is none.
+/// The opacity that was set; miFALSE if there is none.
 miBoolean mi_opacity_get(miState* state, miColor* opacity);
 /// Runs the material shader of state->material.
 miBoolean mi_call_material(miColor* result, miState* state);
@@ -55,9 +55,9 @@ miBoolean mi_call_environment_material(miColor* result, miState* state);
 miBoolean mi_call_volume_material(miColor* result, miState* state);
 /// Runs the photon volume shader of state->material.
 miBoolean mi_call_photonvol_material(miColor* result, miState* state);
-/// Forgets results of connected shaders, so that mi_eval runs them again.
+/// Discards cached results of connected shaders, so that mi_eval runs them again.
 void mi_flush_cache(miState* state);
-/// Accepted for sources of later levels; rays carry no differentials that a shader could change.
+/// Accepted for sources of later levels; rays have no differentials that a shader could change.
 void mi_ray_differential_transform(const miState* state, ...);
 
 #ifdef __cplusplus

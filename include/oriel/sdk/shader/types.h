@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which types and constants does a shader see: numbers, vectors, colours, tags.
+// Types and constants for shaders: numbers, vectors, colours, tags.
 #ifndef ORIEL_SDK_TYPES_H
 #define ORIEL_SDK_TYPES_H
 
 // Conventions
-//   Valid as C99 and as C++98 and later. Nothing but mi*, MI*, RAY*, DLL* (and oriel_*, ORIEL_*)
-//   enters the global namespace, besides the constants that shaders expect here.
-//   Every basic parameter type is made of 4-byte units, see shader/scene.h.
+//   Valid as C99 and as C++98 and later. Only mi*, MI*, RAY*, DLL* (and oriel_*, ORIEL_*) enter the
+//   global namespace, in addition to constants that shaders expect here.
+//   Every basic parameter type consists of 4-byte units, see shader/scene.h.
 
 #include <math.h>
 #include <stddef.h>
@@ -24,7 +24,7 @@
 #define RAY35 1
 #define RAY36 1
 
-/// Shaders are found by name in their shared library; nothing has to be said on this system.
+/// Shaders are found by name in their shared library; no export declaration is required.
 #ifndef DLLEXPORT
 #define DLLEXPORT
 #endif
@@ -45,7 +45,7 @@
 #define ORIEL_PRINTF(format_index, first)
 #endif
 
-/// The square root of the vector macros; a shader may define its own before.
+/// The square root of the vector macros; a shader may define its own in advance.
 #ifndef MI_SQRT
 #define MI_SQRT sqrt
 #endif
@@ -116,7 +116,7 @@ typedef union miPointer {
   miUint4 padding[2];
 } miPointer;
 
-/// Opaque; mi_init_lock makes one.
+/// Opaque; created by mi_init_lock.
 typedef union miLock {
   void* p;
   miUint4 padding[2];
@@ -127,7 +127,7 @@ typedef miBoolean (*miFunction_ptr)(void);
 /// Parameter of type spectrum; the first 4 entries hold CIE XYZ.
 typedef float miSpectrum_para[74];
 
-/// For mi_spectrum_* alone.
+/// For mi_spectrum_* only.
 typedef struct miSpectrum {
   miSpectrum_para value;
 } miSpectrum;
@@ -148,9 +148,9 @@ typedef struct miSpectrum {
 #define miNULL_GEOINDEX ((miGeoIndex)0xffffffffU)
 #define miMAX_GEOINDEX ((miGeoIndex)0xfffffffeU)
 
-/// Texture spaces of an object at most.
+/// Maximum number of texture spaces of an object.
 #define MAX_TEX 64
-/// Vectors in miState::derivs.
+/// Number of vectors in miState::derivs.
 #define NO_DERIVS 5
 
 #ifndef M_PI

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How do shaders reckon with vectors and matrices?
+// Vector and matrix arithmetic.
 #ifndef ORIEL_SDK_VECTOR_H
 #define ORIEL_SDK_VECTOR_H
 
@@ -21,7 +21,7 @@
   ((r)->x = (a)->x - (b)->x, (r)->y = (a)->y - (b)->y, (r)->z = (a)->z - (b)->z)
 /// r = r * f
 #define mi_vector_mul(r, f) ((r)->x *= (f), (r)->y *= (f), (r)->z *= (f))
-/// r = r / f; f = 0 changes nothing.
+/// r = r / f; no effect if f = 0.
 #define mi_vector_div(r, f)                                  \
   do {                                                       \
     const miScalar mi_divisor_ = (miScalar)(f);              \
@@ -38,17 +38,17 @@
 #define mi_vector_dot(a, b) ((a)->x * (b)->x + (a)->y * (b)->y + (a)->z * (b)->z)
 /// Length of r.
 #define mi_vector_norm(r) ((miScalar)MI_SQRT(mi_vector_dot(r, r)))
-/// Makes r unit; a null vector stays null.
+/// Normalises r; a null vector is unchanged.
 #define mi_vector_normalize(r)                   \
   do {                                           \
     const miScalar mi_norm_ = mi_vector_norm(r); \
     mi_vector_div(r, mi_norm_);                  \
   } while (0)
-/// Smaller of each component.
+/// Minimum per component.
 #define mi_vector_min(r, a, b)                                                             \
   ((r)->x = (a)->x < (b)->x ? (a)->x : (b)->x, (r)->y = (a)->y < (b)->y ? (a)->y : (b)->y, \
    (r)->z = (a)->z < (b)->z ? (a)->z : (b)->z)
-/// Larger of each component.
+/// Maximum per component.
 #define mi_vector_max(r, a, b)                                                             \
   ((r)->x = (a)->x > (b)->x ? (a)->x : (b)->x, (r)->y = (a)->y > (b)->y ? (a)->y : (b)->y, \
    (r)->z = (a)->z > (b)->z ? (a)->z : (b)->z)
@@ -68,7 +68,7 @@
    (double)(a)->z * (double)(b)->z)
 /// Length of r in double.
 #define mi_vector_norm_d(r) (sqrt(mi_vector_dot_d(r, r)))
-/// r = r / f by way of double; f = 0 changes nothing.
+/// r = r / f computed in double; no effect if f = 0.
 #define mi_vector_div_d(r, f)                        \
   do {                                               \
     const double mi_divisor_d_ = (double)(f);        \
@@ -77,7 +77,7 @@
       mi_vector_mul(r, mi_factor_d_);                \
     }                                                \
   } while (0)
-/// Makes r unit by way of double; a null vector stays null.
+/// Normalises r in double; a null vector is unchanged.
 #define mi_vector_normalize_d(r)                   \
   do {                                             \
     const double mi_norm_d_ = mi_vector_norm_d(r); \
@@ -103,19 +103,20 @@ miBoolean mi_matrix_isident(const miMatrix m);
 miBoolean mi_matrix_isnull(const miMatrix m);
 /// Determinant of the upper left 3 x 3.
 float mi_matrix_rot_det(const miMatrix m);
-/// r = inverse of m; r may be m. miFALSE where there is none.
+/// r = inverse of m; r may be m. miFALSE if m is singular.
 miBoolean mi_matrix_invert(miMatrix r, const miMatrix m);
 /// m = rotation by x, y, z radians about the axes, in this order.
 void mi_matrix_rotate(miMatrix m, miScalar x, miScalar y, miScalar z);
-/// m = rotation by `angle` radians about `axis`, which need not be unit.
+/// m = rotation by `angle` radians about `axis`, which need not be normalised.
 void mi_matrix_rotate_axis(miMatrix m, const miVector* axis, miScalar angle);
-/// Solves a * x = b: a is 4x4, x and b are 4 rows of n columns; miFALSE where a is singular.
+/// Solves a * x = b: a is 4x4, x and b are 4 rows of n columns; miFALSE if a is singular.
 miBoolean mi_matrix_solve(miScalar* x, const miScalar* a, const miScalar* b, int n);
-/// r = point p through m; r may be p.
+/// r = point p transformed by m; r may be p.
 void mi_point_transform(miVector* r, const miVector* p, const miMatrix m);
-/// r = vector v through m, without its translation; r may be v.
+/// r = vector v transformed by m without its translation; r may be v.
 void mi_vector_transform(miVector* r, const miVector* v, const miMatrix m);
-/// r = v through the transpose of m's 3 x 3 (normals, when m is the inverse); r may be v.
+/// r = v transformed by the transpose of the upper 3 x 3 of m (for normals, with m the inverse); r
+/// may be v.
 void mi_vector_transform_T(miVector* r, const miVector* v, const miMatrix m);
 
 #ifdef __cplusplus
