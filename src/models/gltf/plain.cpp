@@ -31,7 +31,7 @@ bool is_known(const std::string& name) {
          std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
 }
 
-void tell_unknown(const json& root, Diagnostics& diagnostics) {
+void report_unsupported(const json& root, Diagnostics& diagnostics) {
   std::set<std::string> unknown;
   for (const json& required : member(root, "extensionsRequired"))
     if (const std::string name = words(required); !name.empty() && !is_known(name))
@@ -75,7 +75,7 @@ void keep_other_parts(const json& root, json& made) {
 Plain plain_of(const Document& document, std::size_t content_size, const std::string& folder,
                Diagnostics& diagnostics) {
   const json& root = document.root;
-  tell_unknown(root, diagnostics);
+  report_unsupported(root, diagnostics);
   Buffers buffers(document, folder, content_size);
   PlainFile file;
   keep_other_parts(root, file.root);
