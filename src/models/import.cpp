@@ -35,6 +35,12 @@ scene::Statement statement(std::string keyword, std::vector<scene::Value> values
   return {std::move(keyword), quoted, std::move(values), {}};
 }
 
+scene::Value word(std::string content) {
+  scene::Value value = text(std::move(content));
+  value.bare = true;
+  return value;
+}
+
 /// Puts one model into a scene.
 class Builder {
  public:
@@ -50,13 +56,13 @@ class Builder {
 
   scene::Scene build() {
     scene_.packages = {"base.mi", "physics.mi", "architectural.mi"};
-    add_options();
     for (unsigned i = 0; i < model_.mNumMaterials; ++i)
       materials_.push_back(
           add_material(model_, i, extras_, colors_, textures_, scene_, diagnostics_));
     if (std::any_of(materials_.begin(), materials_.end(),
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
+    add_options();
     for (unsigned i = 0; i < model_.mNumMeshes; ++i) add_mesh(i);
     if (model_.mRootNode) add_node(*model_.mRootNode, upright(model_, options_.up), 0);
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
@@ -77,6 +83,9 @@ class Builder {
                           statement("trace depth", {numbers({8, 8, 16}, true)}),
                           statement("gamma", {numbers({kTextureGamma})}),
                           statement("indirect", {text("path")}, true)};
+    if (std::any_of(materials_.begin(), materials_.end(),
+                    [](const ImportedMaterial& made) { return made.absorbs; }))
+      options.statements.push_back(statement("shadow", {word("segments")}));
     scene_.add(std::move(options));
   }
 
@@ -175,7 +184,7 @@ class Builder {
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  const ReadModel read = read_model(path, diagnostics);
+  const ReadModel read = read_model(path, options.aspect, diagnostics);
   if (!read.scene) return std::nullopt;
   ImportOptions known = options;
   if (!known.up && suffix_of(path) == ".stl") known.up = 'z';

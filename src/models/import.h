@@ -17,6 +17,9 @@ struct ImportOptions {
   std::string scene_folder;
   /// Axis of the file that points up, 'y' or 'z'; unset: as its format says, else z for STL, y.
   std::optional<char> up;
+  /// Width by height of the picture, for cameras that define their vertical angle (glTF, Collada);
+  /// unset: that of each camera, else kCameraAspect.
+  std::optional<float> aspect;
 };
 
 /// Names of what every imported scene has.

@@ -34,6 +34,7 @@ struct ImportedMaterial {
   std::string name;
   SurfaceSpaces surface;           ///< of the objects that have it
   bool needs_own_package = false;  ///< it uses shaders of oriel.mi
+  bool absorbs = false;            ///< light on its way inside, also in shadows
 };
 
 /// Adds material number `index` of a model, and what it needs, to the scene.
@@ -49,13 +50,15 @@ struct ImportedMaterial {
 ///          Normals and clear coats: import_layers.h.
 ///          Colours of corners: in place of the diffuse colour, times its texture (PLY, OBJ, OFF);
 ///          times base colour and coverage (glTF).
+///          A material that transmits or has cut-outs is its own shadow and photon shader: without
+///          a shadow shader it would block light.
 /// Inputs:  extras: of glTF files, by the names of materials; colors: of the format's corners.
 /// Errors:  OR-MD-003 sheen and what else nothing stands for is left out, OR-MD-004 a texture that
 ///          cannot be used.
 /// Source:  glTF 2.0, appendix B, and
 ///          KHR_materials_{ior,specular,transmission,volume,emissive_strength,anisotropy};
 ///          Walter et al. 2007 for the exponent.
-/// Checked: ModelMaterial.*, ModelTexture.*
+/// Checked: ModelMaterial.*, ModelTexture.*, ImportedPanes.* in tests/imported/panes_test.cpp
 ImportedMaterial add_material(const aiScene& model, unsigned index,
                               const std::map<std::string, GltfExtras>& extras, ColorsAre colors,
                               TextureMaker& textures, scene::Scene& scene,

@@ -57,7 +57,7 @@ const scene::ShaderUse* behind(const scene::Scene& scene, const scene::ShaderUse
 }
 
 const scene::ShaderUse& material_of(const scene::Scene& scene, const char* name = "oak") {
-  return scene.get<scene::Material>(name)->shaders[0];
+  return *models::testing::surface_of(scene, name);
 }
 
 /// Coordinates of a corner in a texture space of the only object.

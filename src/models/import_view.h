@@ -15,6 +15,9 @@ struct aiScene;
 
 namespace oriel::models {
 
+/// Width by height of cameras that do not define it, as of full-frame film.
+inline constexpr float kCameraAspect = 1.5f;
+
 /// Where the nodes of a model stand in the world, by name.
 using NodePlaces = std::map<std::string, Mat4>;
 

@@ -13,7 +13,9 @@
 
 #include "base/file_text.h"
 #include "models/gltf/read.h"
+#include "models/import_view.h"
 #include "models/mend_model.h"
+#include "models/obj_materials.h"
 #include "models/text_files.h"
 #include "models/views_3ds.h"
 
@@ -65,7 +67,8 @@ ReadModel::ReadModel() = default;
 ReadModel::ReadModel(ReadModel&&) noexcept = default;
 ReadModel::~ReadModel() = default;
 
-ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
+ReadModel read_model(const std::string& path, std::optional<float> aspect,
+                     Diagnostics& diagnostics) {
   const std::string suffix = suffix_of(path);
   const unsigned steps = steps_for(suffix);
   ReadModel result;
@@ -77,9 +80,11 @@ ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
   if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
   Assimp::Importer importer;
   set_up(importer);
-  importer.SetIOHandler(new TextFiles(false));
+  const auto collada_aspect =
+      suffix == ".dae" ? std::optional(aspect.value_or(kCameraAspect)) : std::nullopt;
+  importer.SetIOHandler(new TextFiles(false, collada_aspect));
   if (is_gltf(suffix)) {
-    GltfModel gltf = read_gltf(importer, path, steps, diagnostics);
+    GltfModel gltf = read_gltf(importer, path, steps, aspect.value_or(0), diagnostics);
     if (!gltf.scene) return unreadable(gltf.error);
     result.extras = std::move(gltf.extras);
     std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
@@ -89,7 +94,7 @@ ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
   }
   bool read = importer.ReadFile(path, steps) != nullptr;
   if (!read && suffix == ".dae") {
-    importer.SetIOHandler(new TextFiles(true));
+    importer.SetIOHandler(new TextFiles(true, collada_aspect));
     read = importer.ReadFile(path, steps) != nullptr;
   }
   if (!read) return unreadable(importer.GetErrorString());
@@ -100,6 +105,7 @@ ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
     widen_narrow_cameras(*model, diagnostics);
   }
   halve_cones(*model, suffix);
+  if (suffix == ".obj") mend_obj_materials(*model, path, diagnostics);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
   result.scene = std::move(model);
   return result;

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/diagnostic.h"
@@ -29,11 +30,13 @@ struct ReadModel {
 /// Reads a model: its polygons without lines and points, lengths in metres where the file says its
 /// unit.
 ///
+/// Inputs:  aspect: of the picture; unset: as the cameras say.
 /// Errors:  OR-MD-001 not readable; OR-MD-009, 010, 014: see mend_model.h. A damaged file
 /// can
 ///          end the program by a signal: assimp trusts what it reads in some places.
 /// Source:  assimp 5.2.
 /// Checked: ModelImport.*, ModelMend.*, ModelFbx.*
-ReadModel read_model(const std::string& path, Diagnostics& diagnostics);
+ReadModel read_model(const std::string& path, std::optional<float> aspect,
+                     Diagnostics& diagnostics);
 
 }  // namespace oriel::models

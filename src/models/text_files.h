@@ -5,6 +5,7 @@
 #include <assimp/DefaultIOSystem.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,15 +21,25 @@ std::string utf8_of(std::string_view bytes);
 /// Checked: ModelTextFiles.ColladaMayHaveBlanksAroundNumbers
 std::string without_blanks_before_numbers(std::string_view xml);
 
+/// Collada whose cameras have names and whose perspective cameras have a horizontal angle, and an
+/// aspect ratio where the vertical angle is given: assimp ignores cameras without a name and
+/// vertical angles without an aspect ratio, and divides the tangents of whole angles. Inputs:
+/// aspect: of the picture, for cameras with a vertical angle only. Source:  Collada 1.4.1,
+/// <perspective>. Checked: ModelCamera.ColladaKeepsTheAnglesThatItDefines
+std::string with_whole_cameras(std::string_view xml, float aspect);
+
 /// Opens files for assimp, which gives UTF-16 to readers that do not know it.
 class TextFiles : public Assimp::DefaultIOSystem {
  public:
-  /// Inputs:  tidy_numbers: see without_blanks_before_numbers.
-  explicit TextFiles(bool tidy_numbers) : tidy_numbers_(tidy_numbers) {}
+  /// Inputs:  tidy_numbers: see without_blanks_before_numbers; collada_aspect: see
+  ///          with_whole_cameras; unset for other formats.
+  explicit TextFiles(bool tidy_numbers, std::optional<float> collada_aspect = std::nullopt)
+      : tidy_numbers_(tidy_numbers), collada_aspect_(collada_aspect) {}
   Assimp::IOStream* Open(const char* file, const char* mode) override;
 
  private:
   bool tidy_numbers_;
+  std::optional<float> collada_aspect_;
   std::map<std::string, std::string> changed_;  ///< text by file; streams read from it
 };
 

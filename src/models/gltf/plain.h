@@ -23,8 +23,9 @@ struct Plain {
 /// Returns: unset where it is no glTF 2.
 /// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required
 ///          extensions, OR-MD-022 pictures that cannot be read.
+/// Inputs:  aspect: of the picture for cameras, 0: as the file has it; see plain_views.h.
 /// Checked: GltfPlain.*
-std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder, float aspect,
                                 Diagnostics& diagnostics);
 
 }  // namespace oriel::models::gltf

@@ -26,7 +26,9 @@ struct FbxFile {
   std::array<int, 6> axes{1, 1, 2, 1, 0, 1};  ///< up, front, right: axis and sign of each
   std::string triangle;                       ///< properties of its node "chair"
   const char* light = "P: \"LightType\", \"enum\", \"\", \"\",1\n";  ///< what the sun is
+  std::string lens = "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40\n";
   std::string camera, sun;  ///< of "eye" and "sun", none where empty
+  std::string layers;       ///< of the triangle
   std::string more;         ///< further objects
   std::string links;        ///< and their connections
 
@@ -50,12 +52,11 @@ struct FbxFile {
       settings += fmt::format("P: \"{}\", \"int\", \"Integer\", \"\",{}\n", names[i], axes[i]);
     objects =
         "Geometry: 10, \"Geometry::seat\", \"Mesh\" {\nVertices: *9 { a: 0,0,0,100,0,0,0,100,0 }\n"
-        "PolygonVertexIndex: *3 { a: 0,1,-3 }\nGeometryVersion: 124\n}\n" +
-        node(11, "chair", "Mesh", triangle) + more;
+        "PolygonVertexIndex: *3 { a: 0,1,-3 }\nGeometryVersion: 124\n" +
+        layers + "}\n" + node(11, "chair", "Mesh", triangle) + more;
     joined += "C: \"OO\",11,0\nC: \"OO\",10,11\n";
     if (!camera.empty()) {
-      objects += node(21, "eye", "Camera", camera) +
-                 attribute(20, "Camera", "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40\n");
+      objects += node(21, "eye", "Camera", camera) + attribute(20, "Camera", lens.c_str());
       joined += "C: \"OO\",21,0\nC: \"OO\",20,21\n";
     }
     if (!sun.empty()) {
