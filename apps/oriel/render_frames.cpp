@@ -17,6 +17,7 @@
 #include "output/output_names.h"
 #include "pictures.h"
 #include "progress_line.h"
+#include "render/indirect_plan.h"
 #include "render/unit_luminance.h"
 #include "scene_code.h"
 #include "sdk/call.h"
@@ -312,7 +313,7 @@ class FrameRenderer {
     std::map<std::string, std::string> m = {
         {"software", "Oriel " ORIEL_VERSION},
         {"oriel.scene", fs::path(a_.scene.path).filename().string()},
-        {"oriel.indirect", session_->indirect().plan().name()},
+        {"oriel.indirect", plan_indirect(session_->world().options).name()},
         {"oriel.seed", fmt::format("{}", a_.seed)},
         {"oriel.samples", fmt::format("{:.6g}", p.mean_samples)},
         {"oriel.maxSamples", fmt::format("{}", b.max_samples)},

@@ -184,7 +184,7 @@ class Builder {
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  const ReadModel read = read_model(path, options.aspect, diagnostics);
+  const ReadModel read = read_model(path, options, diagnostics);
   if (!read.scene) return std::nullopt;
   ImportOptions known = options;
   if (!known.up && suffix_of(path) == ".stl") known.up = 'z';

@@ -20,6 +20,8 @@ struct ImportOptions {
   /// Width by height of the picture, for cameras that define their vertical angle (glTF, Collada);
   /// unset: that of each camera, else kCameraAspect.
   std::optional<float> aspect;
+  /// Factor of the emission of materials; unset: that of the program that wrote the file.
+  std::optional<float> emission_scale;
 };
 
 /// Names of what every imported scene has.

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "models/import_layers.h"
+#include "models/light_units.h"
 #include "models/lobe_width.h"
 #include "models/material_source.h"
 #include "models/obj_materials.h"
@@ -254,7 +255,8 @@ class MaterialMaker {
   void emission() {
     const Vec3 emissive = m_.color(AI_MATKEY_COLOR_EMISSIVE).value_or(Vec3(0));
     const float strength =
-        m_.number(AI_MATKEY_EMISSIVE_INTENSITY).value_or(extras_.emissive_strength);
+        m_.number(AI_MATKEY_EMISSIVE_INTENSITY).value_or(extras_.emissive_strength) *
+        m_.number(ORIEL_MATKEY_EMISSION_SCALE).value_or(1);
     if (max_component(emissive) > 0)
       m_.tinted(call_, "additional_color", m_.texture(aiTextureType_EMISSIVE), emissive * strength,
                 "emission");

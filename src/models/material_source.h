@@ -53,6 +53,10 @@ class MaterialSource {
   /// space: asked before any other, the space is the one of this use.
   std::string picture_at_first_space(aiTextureType type, unsigned index = 0);
 
+  /// Whether the picture of a texture element is a tangent-space normal map: its mean is near
+  /// (.5, .5, 1). False if it cannot be read.
+  bool shows_normals(const std::string& texture) const;
+
   /// Name of a shader that multiplies a picture (empty: white) by the colours of the meshes'
   /// corners; the picture where there are none.
   std::string colored(const std::string& picture);

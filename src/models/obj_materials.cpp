@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/obj_materials.h"
 
+#include <assimp/commonMetaData.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -62,21 +63,31 @@ void read_materials(std::istream& file, std::map<std::string, ObjMaterial>& mate
   });
 }
 
-std::vector<std::string> material_files(const std::string& path) {
-  std::vector<std::string> names;
+struct ObjHead {
+  std::vector<std::string> material_files;
+  std::string generator;  ///< the first comment
+};
+
+ObjHead read_head(const std::string& path) {
+  ObjHead head;
+  std::vector<std::string>& names = head.material_files;
   std::ifstream file(path);
   each_line(file, [&](const std::string& keyword, const std::string& rest) {
     if (keyword == "mtllib" && std::find(names.begin(), names.end(), rest) == names.end())
       names.push_back(rest);
+    if (keyword == "#" && head.generator.empty()) head.generator = rest;
   });
-  return names;
+  return head;
 }
 
 }  // namespace
 
 void mend_obj_materials(aiScene& model, const std::string& path, Diagnostics& diagnostics) {
   std::map<std::string, ObjMaterial> materials;
-  for (const std::string& name : material_files(path)) {
+  const ObjHead head = read_head(path);
+  if (model.mMetaData && !head.generator.empty())
+    model.mMetaData->Add(AI_METADATA_SOURCE_GENERATOR, aiString(head.generator));
+  for (const std::string& name : head.material_files) {
     const fs::path beside = fs::path(path).parent_path() / scene::with_slashes(name);
     std::error_code error;
     if (!fs::is_regular_file(beside, error)) {

@@ -13,7 +13,8 @@ namespace oriel::models {
 /// Property of an OBJ material: the colour that it transmits (`Tf`); present only if it transmits.
 #define ORIEL_MATKEY_FILTER "$oriel.filter", 0, 0
 
-/// Corrects the materials of an OBJ file by its material files.
+/// Corrects the materials of an OBJ file by its material files. The file's first comment becomes
+/// the model's generator.
 ///
 /// Model:   `d` decides over `Tr`, in either order. `Tf` counts only with the illumination models
 ///          for glass (`illum` 4, 6, 7, 9) or beside roughness and metalness (Pr, Pm) as Blender

@@ -14,6 +14,7 @@
 #include "base/file_text.h"
 #include "models/gltf/read.h"
 #include "models/import_view.h"
+#include "models/light_units.h"
 #include "models/mend_model.h"
 #include "models/obj_materials.h"
 #include "models/text_files.h"
@@ -67,7 +68,7 @@ ReadModel::ReadModel() = default;
 ReadModel::ReadModel(ReadModel&&) noexcept = default;
 ReadModel::~ReadModel() = default;
 
-ReadModel read_model(const std::string& path, std::optional<float> aspect,
+ReadModel read_model(const std::string& path, const ImportOptions& options,
                      Diagnostics& diagnostics) {
   const std::string suffix = suffix_of(path);
   const unsigned steps = steps_for(suffix);
@@ -81,14 +82,15 @@ ReadModel read_model(const std::string& path, std::optional<float> aspect,
   Assimp::Importer importer;
   set_up(importer);
   const auto collada_aspect =
-      suffix == ".dae" ? std::optional(aspect.value_or(kCameraAspect)) : std::nullopt;
+      suffix == ".dae" ? std::optional(options.aspect.value_or(kCameraAspect)) : std::nullopt;
   importer.SetIOHandler(new TextFiles(false, collada_aspect));
   if (is_gltf(suffix)) {
-    GltfModel gltf = read_gltf(importer, path, steps, aspect.value_or(0), diagnostics);
+    GltfModel gltf = read_gltf(importer, path, steps, options.aspect.value_or(0), diagnostics);
     if (!gltf.scene) return unreadable(gltf.error);
     result.extras = std::move(gltf.extras);
     std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
     drop_polygons_without_area(*model, diagnostics);
+    mend_light_units(*model, suffix, options.emission_scale, diagnostics);
     result.scene = std::move(model);
     return result;
   }
@@ -106,6 +108,7 @@ ReadModel read_model(const std::string& path, std::optional<float> aspect,
   }
   halve_cones(*model, suffix);
   if (suffix == ".obj") mend_obj_materials(*model, path, diagnostics);
+  mend_light_units(*model, suffix, options.emission_scale, diagnostics);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
   result.scene = std::move(model);
   return result;

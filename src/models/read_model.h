@@ -4,11 +4,11 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "base/diagnostic.h"
 #include "models/gltf/extras.h"
+#include "models/import.h"
 
 struct aiScene;
 
@@ -30,13 +30,12 @@ struct ReadModel {
 /// Reads a model: its polygons without lines and points, lengths in metres where the file says its
 /// unit.
 ///
-/// Inputs:  aspect: of the picture; unset: as the cameras say.
 /// Errors:  OR-MD-001 not readable; OR-MD-009, 010, 014: see mend_model.h. A damaged file
 /// can
 ///          end the program by a signal: assimp trusts what it reads in some places.
 /// Source:  assimp 5.2.
 /// Checked: ModelImport.*, ModelMend.*, ModelFbx.*
-ReadModel read_model(const std::string& path, std::optional<float> aspect,
+ReadModel read_model(const std::string& path, const ImportOptions& options,
                      Diagnostics& diagnostics);
 
 }  // namespace oriel::models

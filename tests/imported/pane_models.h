@@ -153,10 +153,7 @@ inline std::string collada_pane(const std::string& surface, float thickness) {
 /// The triangle of FbxFile; `properties` of its material.
 inline std::string fbx_pane(const std::string& properties) {
   models::testing::FbxFile file;
-  file.layers =
-      "LayerElementMaterial: 0 {\nVersion: 101\nName: \"\"\nMappingInformationType: \"AllSame\"\n"
-      "ReferenceInformationType: \"IndexToDirect\"\nMaterials: *1 { a: 0 }\n}\nLayer: 0 {\n"
-      "Version: 100\nLayerElement:  {\nType: \"LayerElementMaterial\"\nTypedIndex: 0\n}\n}\n";
+  file.layers = models::testing::FbxFile::one_material();
   file.more = fmt::format(
       "Material: 40, \"Material::pane\", \"\" {{\nVersion: 102\nShadingModel: \"phong\"\n"
       "MultiLayer: 0\nProperties70:  {{\n{}}}\n}}\n",

@@ -63,6 +63,9 @@ json named_materials(const json& written) {
 
 void keep_other_parts(const json& root, json& made) {
   made["asset"] = {{"version", "2.0"}};
+  if (const std::string generator = words(member(member(root, "asset"), "generator"));
+      !generator.empty())
+    made["asset"]["generator"] = generator;
   made["materials"] = named_materials(member(root, "materials"));
   if (const json& cameras = member(root, "cameras"); cameras.is_array()) made["cameras"] = cameras;
   if (const json& lights = extension(root, "KHR_lights_punctual"); lights.is_object())

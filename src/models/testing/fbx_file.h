@@ -29,9 +29,17 @@ struct FbxFile {
   std::string lens = "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40\n";
   std::string camera, sun;  ///< of "eye" and "sun", none where empty
   std::string layers;       ///< of the triangle
-  std::string more;         ///< further objects
-  std::string links;        ///< and their connections
+  std::string creator, definitions;
+  std::string more;   ///< further objects
+  std::string links;  ///< and their connections
 
+  /// A layer that gives the triangle the node's first material.
+  static std::string one_material() {
+    return "LayerElementMaterial: 0 {\nVersion: 101\nName: \"\"\nMappingInformationType: "
+           "\"AllSame\"\nReferenceInformationType: \"IndexToDirect\"\nMaterials: *1 { a: 0 }\n}\n"
+           "Layer: 0 {\nVersion: 100\nLayerElement:  {\nType: \"LayerElementMaterial\"\n"
+           "TypedIndex: 0\n}\n}\n";
+  }
   std::string text() const {
     const auto node = [](int id, const char* name, const char* kind,
                          const std::string& properties) {
@@ -65,10 +73,10 @@ struct FbxFile {
     }
     return fmt::format(
         "; FBX 7.3.0 project file\nFBXHeaderExtension:  {{\nFBXHeaderVersion: 1003\nFBXVersion: "
-        "7300\n}}\nGlobalSettings:  {{\nVersion: 1000\nProperties70:  {{\n{}P: "
-        "\"UnitScaleFactor\", \"double\", \"Number\", \"\",{}\n}}\n}}\nObjects:  {{\n{}}}\n"
+        "7300\nCreator: \"{}\"\n}}\nGlobalSettings:  {{\nVersion: 1000\nProperties70:  {{\n{}P: "
+        "\"UnitScaleFactor\", \"double\", \"Number\", \"\",{}\n}}\n}}\n{}Objects:  {{\n{}}}\n"
         "Connections:  {{\n{}}}\n",
-        settings, unit, objects, joined);
+        creator, settings, unit, definitions, objects, joined);
   }
 };
 
