@@ -35,7 +35,10 @@ class MaterialMaker {
     m_.needs_own_package = add_bump(m_, call_);
     const auto metallic = m_.number(AI_MATKEY_METALLIC_FACTOR);
     const bool pbr = metallic || m_.number(AI_MATKEY_ROUGHNESS_FACTOR);
-    if (m_.choice(AI_MATKEY_SHADING_MODEL) == aiShadingMode_Unlit)
+    // IFC has the same number for methods of reflectance that are not defined.
+    const bool says_unlit =
+        !m_.words(AI_MATKEY_GLTF_ALPHAMODE).empty() || m_.choice(AI_MATKEY_OBJ_ILLUM);
+    if (says_unlit && m_.choice(AI_MATKEY_SHADING_MODEL) == aiShadingMode_Unlit)
       unlit();
     else if (const auto glossiness = m_.number(AI_MATKEY_GLOSSINESS_FACTOR))
       specular_glossiness(*glossiness);

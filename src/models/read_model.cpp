@@ -13,6 +13,7 @@
 
 #include "base/file_text.h"
 #include "models/gltf/read.h"
+#include "models/ifc_text.h"
 #include "models/import_view.h"
 #include "models/light_units.h"
 #include "models/mend_model.h"
@@ -44,6 +45,22 @@ unsigned steps_for(const std::string& suffix) {
   // ones (specification, 3.7.2.1). And assimp moves glTF's texture coordinates about another place
   // than the file says: see gltf/extras.h.
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
+}
+
+float aspect_of(const ImportOptions& options) { return options.aspect.value_or(kCameraAspect); }
+
+/// How text files of a format are written again before assimp reads them. It refers to `options`
+/// and fills `ifc`.
+TextFiles::Rewrite rewriting(const std::string& suffix, const ImportOptions& options,
+                             IfcText& ifc) {
+  if (suffix == ".dae")
+    return [&](const std::string& text) { return with_whole_cameras(text, aspect_of(options)); };
+  if (suffix == ".ifc")
+    return [&](const std::string& text) {
+      ifc = as_ifc2x3(text);
+      return ifc.text;
+    };
+  return {};
 }
 
 /// assimp looks for the end of a PLY header beyond the end of the file, without end.
@@ -81,9 +98,8 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
   if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
   Assimp::Importer importer;
   set_up(importer);
-  const auto collada_aspect =
-      suffix == ".dae" ? std::optional(options.aspect.value_or(kCameraAspect)) : std::nullopt;
-  importer.SetIOHandler(new TextFiles(false, collada_aspect));
+  IfcText ifc;
+  importer.SetIOHandler(new TextFiles(rewriting(suffix, options, ifc)));
   if (is_gltf(suffix)) {
     GltfModel gltf = read_gltf(importer, path, steps, options.aspect.value_or(0), diagnostics);
     if (!gltf.scene) return unreadable(gltf.error);
@@ -96,10 +112,16 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
   }
   bool read = importer.ReadFile(path, steps) != nullptr;
   if (!read && suffix == ".dae") {
-    importer.SetIOHandler(new TextFiles(true, collada_aspect));
+    importer.SetIOHandler(new TextFiles([&](const std::string& text) {
+      return without_blanks_before_numbers(with_whole_cameras(text, aspect_of(options)));
+    }));
     read = importer.ReadFile(path, steps) != nullptr;
   }
   if (!read) return unreadable(importer.GetErrorString());
+  if (!ifc.unread.empty())
+    diagnostics.warning("OR-MD-017", {},
+                        fmt::format("shapes that cannot be read are skipped: {}", ifc.unread),
+                        "export the model with tessellated or B-rep geometry");
   std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
   drop_polygons_without_area(*model, diagnostics);
   if (suffix == ".dae") {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
 
 #include "base/file_text.h"
 #include "base/math.h"
@@ -153,13 +154,12 @@ std::string with_whole_cameras(std::string_view xml, float aspect) {
 
 Assimp::IOStream* TextFiles::Open(const char* file, const char* mode) {
   const bool utf16 = is_utf16_file(file);
-  if (!mode || std::strchr(mode, 'w') || !(utf16 || tidy_numbers_ || collada_aspect_))
+  if (!mode || std::strchr(mode, 'w') || !(utf16 || rewrite_))
     return DefaultIOSystem::Open(file, mode);
   auto found = changed_.find(file);
   if (found == changed_.end()) {
     std::string text = utf8_of(file_text(file));
-    if (collada_aspect_) text = with_whole_cameras(text, *collada_aspect_);
-    if (tidy_numbers_) text = without_blanks_before_numbers(text);
+    if (rewrite_) text = rewrite_(text);
     if (text.empty()) return DefaultIOSystem::Open(file, mode);
     found = changed_.emplace(file, std::move(text)).first;
   }

@@ -4,10 +4,11 @@
 
 #include <assimp/DefaultIOSystem.h>
 
+#include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace oriel::models {
 
@@ -31,15 +32,14 @@ std::string with_whole_cameras(std::string_view xml, float aspect);
 /// Opens files for assimp, which gives UTF-16 to readers that do not know it.
 class TextFiles : public Assimp::DefaultIOSystem {
  public:
-  /// Inputs:  tidy_numbers: see without_blanks_before_numbers; collada_aspect: see
-  ///          with_whole_cameras; unset for other formats.
-  explicit TextFiles(bool tidy_numbers, std::optional<float> collada_aspect = std::nullopt)
-      : tidy_numbers_(tidy_numbers), collada_aspect_(collada_aspect) {}
+  using Rewrite = std::function<std::string(const std::string& text)>;
+
+  /// Inputs:  rewrite: returns what is read in place of the text of a file; null: the same.
+  explicit TextFiles(Rewrite rewrite = {}) : rewrite_(std::move(rewrite)) {}
   Assimp::IOStream* Open(const char* file, const char* mode) override;
 
  private:
-  bool tidy_numbers_;
-  std::optional<float> collada_aspect_;
+  Rewrite rewrite_;
   std::map<std::string, std::string> changed_;  ///< text by file; streams read from it
 };
 

@@ -219,9 +219,50 @@ TEST(ImportedPanes, FbxTransparencyPassesTheSun) {
 // A pane of IFC is a solid: light crosses two surfaces.
 // acceptance: M1
 TEST(ImportedPanes, IfcTransparencyPassesTheSun) {
+  for (const char* method : {".NOTDEFINED.", ".GLASS.", ".PHONG."}) {
+    Made made;
+    // The colour of its highlight is black.
+    made.import(ifc_pane(fmt::format(
+                    "IFCSURFACESTYLERENDERING(#49,0.9,$,$,$,$,IFCNORMALISEDRATIOMEASURE(0.),"
+                    "IFCSPECULAREXPONENT(10.),{})",
+                    method)),
+                "m.ifc");
+    expect_share(method, made, .81);
+  }
+}
+
+// IFC4: no owner history, the style of the item itself, transparency in its shading.
+// acceptance: M1
+TEST(ImportedPanes, Ifc4TransparencyPassesTheSun) {
+  std::string text = ifc_pane("IFCSURFACESTYLESHADING(#49,0.9)", "IFC4", "$");
+  const std::string assigned = "#53=IFCSTYLEDITEM(#33,(#52),$)";
+  text.replace(text.find(assigned), assigned.size(), "#53=IFCSTYLEDITEM(#33,(#51),$)");
+  text.erase(text.find("#52="), text.find("#53=") - text.find("#52="));
   Made made;
-  made.import(ifc_pane("IFCSURFACESTYLERENDERING(#49,0.9,$,$,$,$,$,$,.NOTDEFINED.)"), "m.ifc");
+  made.import(text, "m.ifc");
   expect_share("transparency .9", made, .81);
+  ASSERT_TRUE(made.scene);
+  const auto* storey = made.scene->get<scene::InstanceGroup>("IfcBuildingStorey_Ground_floor");
+  ASSERT_TRUE(storey);
+  EXPECT_EQ(storey->members, std::vector<std::string>{"IfcPlate_glazing_inst"});
+  EXPECT_TRUE(made.scene->get<scene::Material>("clear_glass"));
+}
+
+// A tessellated pane, of triangles and of a polygon.
+TEST(ImportedPanes, Ifc4TessellationsAreRead) {
+  for (const char* shape :
+       {"IFCTRIANGULATEDFACESET(#60,$,$,((1,2,3),(1,3,4)),$)",
+        "IFCPOLYGONALFACESET(#60,$,(#61),$);\n#61=IFCINDEXEDPOLYGONALFACE((1,2,3,4))"}) {
+    std::string text = ifc_pane("IFCSURFACESTYLESHADING(#49,0.9)", "IFC4", "$");
+    const std::string solid = "#33=IFCEXTRUDEDAREASOLID(#32,#13,#11,0.02)";
+    text.replace(text.find(solid), solid.size(),
+                 fmt::format("#60=IFCCARTESIANPOINTLIST3D(((-5.,-5.,0.),(5.,-5.,0.),(5.,5.,0.),"
+                             "(-5.,5.,0.)));\n#33={}",
+                             shape));
+    Made made;
+    made.import(text, "m.ifc");
+    expect_share(shape, made, .9);
+  }
 }
 
 /// Takes the sky away: what is left is the sun.
