@@ -63,6 +63,10 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
                   "the horizon")
       ->expected(2)
       ->delimiter(',');
+  command
+      .add_option("--emission-scale", a.emission_scale,
+                  "factor of the emission of materials (683 for Blender's files, else 1)")
+      ->check(CLI::NonNegativeNumber);
 }
 
 }  // namespace

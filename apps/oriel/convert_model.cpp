@@ -65,6 +65,9 @@ class Conversion {
     how_ = {(fs::path(folder) / (output.stem().string() + "_textures")).string(), folder,
             a_.up.empty() ? std::nullopt : std::optional(a_.up[0])};
     const models::DaylightOptions options = daylight_options(a_);
+    if (!a_.size.empty())
+      how_.aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
+    how_.emission_scale = a_.emission_scale;
     read(diagnostics_);
     const bool of_file = models::choose_camera(scene_, options, diagnostics_);
     printer_.print_new();

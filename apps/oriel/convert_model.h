@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace oriel::app {
 struct ConvertArguments {
   std::string model, output, size, up;
   std::vector<float> sun;  ///< azimuth and elevation, degrees; or empty
+  std::optional<float> emission_scale;
   bool daylight = false;
 };
 

@@ -20,7 +20,7 @@ inline constexpr float kMaxAnisotropy = 10;
 
 enum class GlossModel {
   Nvidia,  ///< the mapping of NVIDIA's successor of the material
-  Linear,  ///< roughness is 1 - gloss squared, as used by scene converters
+  Linear,  ///< roughness is (1 - gloss) squared, as used by scene converters
 };
 
 /// GGX roughness of a glossiness in [0, 1]; gloss 1 gives 0, a mirror.

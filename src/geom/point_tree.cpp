@@ -26,7 +26,7 @@ struct PointTree::Search {
   std::size_t most;
   std::vector<std::pair<double, Index>> found;
 
-  void meet(double distance2, Index i) {
+  void add(double distance2, Index i) {
     if (!(distance2 <= reach2)) return;
     found.emplace_back(distance2, i);
     std::push_heap(found.begin(), found.end());
@@ -91,7 +91,7 @@ void PointTree::visit(std::span<const Index> range, int axis, Search& search) co
     const double d = static_cast<double>(search.place[k]) - here[k];
     distance2 += d * d;
   }
-  search.meet(distance2, range[half]);
+  search.add(distance2, range[half]);
   const double across = static_cast<double>(search.place[axis]) - here[axis];
   const auto below = range.first(half), above = range.subspan(half + 1);
   const int next = (axis + 1) % static_cast<int>(dimensions_);

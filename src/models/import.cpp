@@ -35,6 +35,12 @@ scene::Statement statement(std::string keyword, std::vector<scene::Value> values
   return {std::move(keyword), quoted, std::move(values), {}};
 }
 
+scene::Value word(std::string content) {
+  scene::Value value = text(std::move(content));
+  value.bare = true;
+  return value;
+}
+
 /// Adds a model to a scene.
 class Builder {
  public:
@@ -44,19 +50,20 @@ class Builder {
       : model_(model),
         extras_(extras),
         colors_(colors_of(suffix_of(path))),
+        is_ifc_(suffix_of(path) == ".ifc"),
         options_(options),
         textures_(options_, fs::path(path).parent_path().string(), scene_, diagnostics),
         diagnostics_(diagnostics) {}
 
   scene::Scene build() {
     scene_.packages = {"base.mi", "physics.mi", "architectural.mi"};
-    add_options();
     for (unsigned i = 0; i < model_.mNumMaterials; ++i)
       materials_.push_back(
           add_material(model_, i, extras_, colors_, textures_, scene_, diagnostics_));
     if (std::any_of(materials_.begin(), materials_.end(),
                     [](const ImportedMaterial& made) { return made.needs_own_package; }))
       scene_.packages.emplace_back("oriel.mi");
+    add_options();
     for (unsigned i = 0; i < model_.mNumMeshes; ++i) add_mesh(i);
     if (model_.mRootNode) add_node(*model_.mRootNode, upright(model_, options_.up), 0);
     for (unsigned i = 0; i < model_.mNumLights; ++i) add_light(*model_.mLights[i]);
@@ -77,6 +84,9 @@ class Builder {
                           statement("trace depth", {numbers({8, 8, 16}, true)}),
                           statement("gamma", {numbers({kTextureGamma})}),
                           statement("indirect", {text("path")}, true)};
+    if (std::any_of(materials_.begin(), materials_.end(),
+                    [](const ImportedMaterial& made) { return made.absorbs; }))
+      options.statements.push_back(statement("shadow", {word("segments")}));
     scene_.add(std::move(options));
   }
 
@@ -99,19 +109,48 @@ class Builder {
       return;
     }
     const Mat4 to_world = matrix(node.mTransformation) * parent;
+    const std::string name = name_of(node);
+    if (is_ifc_ && into_ == &root_ && name.starts_with("IfcBuildingStorey_")) {
+      add_storey(node, parent, depth, name);
+      return;
+    }
     nodes_.try_emplace(node.mName.C_Str(), to_world);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       const unsigned mesh = node.mMeshes[i];
       if (mesh >= objects_.size() || objects_[mesh].empty()) continue;
       const unsigned material = model_.mMeshes[mesh]->mMaterialIndex;
-      place(node.mName.length > 0 ? node.mName.C_Str() : objects_[mesh], objects_[mesh], to_world,
+      place(!name.empty() ? name : objects_[mesh], objects_[mesh], to_world,
             material < materials_.size() ? materials_[material].name : "");
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
       add_node(*node.mChildren[i], to_world, depth + 1);
   }
 
-  /// Adds an instance to the root group; returns its name.
+  /// As written; of IFC without the global id behind the name.
+  std::string name_of(const aiNode& node) const {
+    constexpr std::size_t kGlobalId = 22;
+    std::string name = node.mName.C_Str();
+    if (is_ifc_ && name.starts_with("Ifc") && name.size() > kGlobalId + 1 &&
+        name[name.size() - kGlobalId - 1] == '_')
+      name.resize(name.size() - kGlobalId - 1);
+    return name;
+  }
+
+  /// Adds a group of all that a storey contains.
+  void add_storey(const aiNode& node, const Mat4& parent, int depth, const std::string& name) {
+    scene::InstanceGroup storey{unique_name(scene_, name), {}, {}, {}};
+    const std::string group = storey.name;
+    scene_.add(storey);  // keeps the name
+    into_ = &storey;
+    add_node(node, parent, depth);
+    into_ = &root_;
+    scene_.remove(group);
+    if (storey.members.empty()) return;
+    scene_.add(std::move(storey));  // behind its members
+    place(group, group, Mat4());
+  }
+
+  /// Adds an instance to the group; returns its name.
   std::string place(const std::string& wish, const std::string& element, const Mat4& to_world,
                     const std::string& material = {}) {
     scene::Instance instance;
@@ -127,7 +166,7 @@ class Builder {
                       instance.name));
     }
     if (!material.empty()) instance.materials = {material};
-    root_.members.push_back(instance.name);
+    into_->members.push_back(instance.name);
     std::string name = instance.name;
     scene_.add(std::move(instance));
     return name;
@@ -160,6 +199,7 @@ class Builder {
   const aiScene& model_;
   const std::map<std::string, GltfExtras>& extras_;
   const ColorsAre colors_;
+  const bool is_ifc_;
   const ImportOptions options_;
   scene::Scene scene_;
   TextureMaker textures_;
@@ -169,13 +209,14 @@ class Builder {
   std::vector<std::string> objects_;
   NodePlaces nodes_;
   std::string first_camera_;
+  scene::InstanceGroup* into_ = &root_;  ///< the group that instances join
 };
 
 }  // namespace
 
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
-  const ReadModel read = read_model(path, diagnostics);
+  const ReadModel read = read_model(path, options, diagnostics);
   if (!read.scene) return std::nullopt;
   ImportOptions known = options;
   if (!known.up && suffix_of(path) == ".stl") known.up = 'z';

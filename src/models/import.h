@@ -18,6 +18,11 @@ struct ImportOptions {
   /// Axis of the file that points up, 'y' or 'z'; unset: as the format defines, else z for STL and
   /// y for others.
   std::optional<char> up;
+  /// Width by height of the picture, for cameras that define their vertical angle (glTF, Collada);
+  /// unset: that of each camera, else kCameraAspect.
+  std::optional<float> aspect;
+  /// Factor of the emission of materials; unset: that of the program that wrote the file.
+  std::optional<float> emission_scale;
 };
 
 /// Names of elements in every imported scene.

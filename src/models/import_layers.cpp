@@ -35,7 +35,8 @@ bool add_bump(MaterialSource& source, ShaderCall& material) {
   const std::string picture = source.picture_at_first_space(type);
   if (picture.empty()) return false;
   const float factor = strength(source, type);
-  if (type == aiTextureType_HEIGHT && !is_named_normal(source.file(type))) {
+  if (type == aiTextureType_HEIGHT && !source.shows_normals(picture) &&
+      !is_named_normal(source.file(type))) {
     ShaderCall bump("mib_bump_map2");
     // The shader inverts the sign: brighter would be lower.
     bump.set("tex", picture.c_str()).set("factor", -factor);

@@ -12,8 +12,10 @@
 #include <cmath>
 
 #include "models/import_layers.h"
+#include "models/light_units.h"
 #include "models/lobe_width.h"
 #include "models/material_source.h"
+#include "models/obj_materials.h"
 
 namespace oriel::models {
 namespace {
@@ -33,7 +35,10 @@ class MaterialMaker {
     m_.needs_own_package = add_bump(m_, call_);
     const auto metallic = m_.number(AI_MATKEY_METALLIC_FACTOR);
     const bool pbr = metallic || m_.number(AI_MATKEY_ROUGHNESS_FACTOR);
-    if (m_.choice(AI_MATKEY_SHADING_MODEL) == aiShadingMode_Unlit)
+    // IFC has the same number for methods of reflectance that are not defined.
+    const bool says_unlit =
+        !m_.words(AI_MATKEY_GLTF_ALPHAMODE).empty() || m_.choice(AI_MATKEY_OBJ_ILLUM);
+    if (says_unlit && m_.choice(AI_MATKEY_SHADING_MODEL) == aiShadingMode_Unlit)
       unlit();
     else if (const auto glossiness = m_.number(AI_MATKEY_GLOSSINESS_FACTOR))
       specular_glossiness(*glossiness);
@@ -41,17 +46,22 @@ class MaterialMaker {
       metallic_roughness(metallic.value_or(0));
     else
       classic();
+    if (pbr && m_.words(AI_MATKEY_GLTF_ALPHAMODE).empty())
+      see_through(m_.number(AI_MATKEY_REFRACTI).value_or(1));
     transmission();
     emission();
     coverage();
+    transmits_ = call_.has("transparency") || call_.has("cutout_opacity");
     call_ = coated(m_, std::move(call_));
     leave_out(diagnostics);
     made.name = m_.name();
     made.needs_own_package = m_.needs_own_package;
     made.surface = std::move(m_.surface);
+    made.absorbs = absorbs_;
     return made;
   }
   const ShaderCall& call() const { return call_; }
+  bool transmits() const { return transmits_; }
 
  private:
   /// Factor of the base colour: a texture, vertex colours or both. Created once.
@@ -199,11 +209,25 @@ class MaterialMaker {
     shine(shines ? specular * (reflectance(brightest * strength, exponent) / brightest) : Vec3(0),
           std::sqrt(std::sqrt(2 / (exponent + 2))));
     if (ior > 1) call_.set("refr_ior", ior);
-    const float opacity = clamp01(m_.number(AI_MATKEY_OPACITY).value_or(1));
-    if (const std::string mask = m_.texture(aiTextureType_OPACITY); !mask.empty())
+    see_through(ior);
+  }
+
+  /// The surface as a whole, as formats other than glTF define it: its opacity, with the colour
+  /// that passes, and a picture of where it is.
+  void see_through(float ior) {
+    if (const std::string mask = m_.data(aiTextureType_OPACITY); !mask.empty())
       call_.connect("cutout_opacity", mask);
-    if (opacity >= 1) return;
-    call_.set("transparency", 1 - opacity).set("refr_color", Vec3(1));
+    const float opacity = clamp01(m_.number(AI_MATKEY_OPACITY).value_or(1));
+    Vec3 passing(1 - opacity);
+    if (const auto filter = m_.color(ORIEL_MATKEY_FILTER)) {
+      passing = opacity < 1 ? *filter * (1 - opacity) : *filter;
+    } else if (m_.number(AI_MATKEY_TRANSPARENCYFACTOR)) {  // FBX
+      const Vec3 color = m_.color(AI_MATKEY_COLOR_TRANSPARENT).value_or(Vec3(1));
+      if (max_component(color) > 0) passing *= color / max_component(color);
+    }
+    const float most = clamp01(max_component(passing));
+    if (most <= 0) return;
+    call_.set("transparency", most).set("refr_color", passing / most);
     call_.set("thin_walled", ior <= 1);
   }
 
@@ -229,12 +253,14 @@ class MaterialMaker {
     const Vec3 tint = m_.color(AI_MATKEY_VOLUME_ATTENUATION_COLOR).value_or(Vec3(1));
     call_.set("refr_falloff_on", true).set("refr_falloff_dist", distance);
     call_.set("refr_falloff_color_on", true).set("refr_falloff_color", tint);
+    absorbs_ = true;
   }
 
   void emission() {
     const Vec3 emissive = m_.color(AI_MATKEY_COLOR_EMISSIVE).value_or(Vec3(0));
     const float strength =
-        m_.number(AI_MATKEY_EMISSIVE_INTENSITY).value_or(extras_.emissive_strength);
+        m_.number(AI_MATKEY_EMISSIVE_INTENSITY).value_or(extras_.emissive_strength) *
+        m_.number(ORIEL_MATKEY_EMISSION_SCALE).value_or(1);
     if (max_component(emissive) > 0)
       m_.tinted(call_, "additional_color", m_.texture(aiTextureType_EMISSIVE), emissive * strength,
                 "emission");
@@ -244,14 +270,29 @@ class MaterialMaker {
     const std::string mode = m_.words(AI_MATKEY_GLTF_ALPHAMODE);
     if (mode.empty() || mode == "OPAQUE") return;
     const float alpha = clamp01(m_.number(AI_MATKEY_OPACITY).value_or(1));
+    const bool mask = mode == "MASK";
+    const float cutoff = m_.number(AI_MATKEY_GLTF_ALPHACUTOFF).value_or(.5f);
     const std::string map = base_map();
     if (map.empty()) {
-      if (alpha < 1) call_.set("cutout_opacity", alpha);
+      const float covered = !mask ? alpha : alpha >= cutoff ? 1.0f : 0.0f;
+      if (covered < 1) call_.set("cutout_opacity", covered);
       return;
     }
     ShaderCall coverage("mib_color_alpha");
     coverage.connect("input", map).set("factor", alpha);
-    call_.connect("cutout_opacity", m_.add("coverage", coverage));
+    std::string covered = m_.add("coverage", coverage);
+    if (mask) covered = m_.add("mask", step_at(cutoff, covered));
+    call_.connect("cutout_opacity", covered);
+  }
+
+  /// 1 from a value on, 0 below it.
+  static ShaderCall step_at(float value, const std::string& shader) {
+    constexpr float kWidth = 1e-4f;  // below half a step of 8-bit pictures
+    ShaderCall step("mib_color_interpolate");
+    step.connect("input", shader).set("num", 4);
+    step.set("weight_1", clamp01(value - kWidth)).set("weight_2", clamp01(value));
+    step.set("color_0", Vec3(value <= 0 ? 1 : 0)).set("color_1", Vec3(value <= 0 ? 1 : 0));
+    return step.set("color_2", Vec3(1)).set("color_3", Vec3(value > 1 ? 0 : 1));
   }
 
   void leave_out(Diagnostics& diagnostics) {
@@ -269,6 +310,7 @@ class MaterialMaker {
   const GltfExtras extras_;
   std::optional<std::string> base_map_;
   ShaderCall call_{"mia_material_x"};
+  bool transmits_ = false, absorbs_ = false;
 };
 
 }  // namespace
@@ -309,9 +351,16 @@ ImportedMaterial add_material(const aiScene& model, unsigned index,
   MaterialMaker maker({model, source, more == extras.end() ? nullptr : &more->second,
                        vertex_colors(model, index, colors), name, textures, scene});
   ImportedMaterial made = maker.make(diagnostics);
-  material.shaders = {maker.call().use()};
   // A shader has to follow the shaders that it refers to.
   scene.remove(name);
+  if (maker.transmits()) {
+    scene::ShaderUse surface;
+    surface.reference = add_shader(scene, name + "_surface", maker.call());
+    material.shaders = {surface};
+    material.slots = {{"shadow", {surface}}, {"photon", {surface}}};
+  } else {
+    material.shaders = {maker.call().use()};
+  }
   scene.add(std::move(material));
   return made;
 }

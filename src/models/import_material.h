@@ -33,6 +33,7 @@ struct ImportedMaterial {
   std::string name;
   SurfaceSpaces surface;           ///< texture spaces of the objects with this material
   bool needs_own_package = false;  ///< it uses shaders of oriel.mi
+  bool absorbs = false;            ///< light on its way inside, also in shadows
 };
 
 /// Adds material `index` of a model and the shaders that it refers to.
@@ -43,17 +44,20 @@ struct ImportedMaterial {
 ///          becomes transparency, solid if a volume is given, else thin-walled; attenuation becomes
 ///          refr_falloff. Emission becomes additional_color, coverage cutout_opacity. Materials
 ///          without these properties (OBJ, Collada, FBX, IFC): diffuse and specular colour, gloss
-///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), F0 from the brightness of the
-///          highlight, opacity as transparency. Specular-glossiness: F0 is the specular colour.
-///          Normal maps and clear coats: import_layers.h. Vertex colours replace the diffuse colour
-///          and multiply its texture (PLY, OBJ, OFF), or multiply base colour and coverage (glTF).
-/// Inputs:  extras: of glTF files, by material name; colors: meaning of vertex colours.
-/// Errors:  OR-MD-003 unsupported properties such as sheen are ignored, OR-MD-004 a texture cannot
-///          be used.
+///          from the Phong exponent n by alpha = sqrt(2 / (n + 2)), F0 from the brightness of its
+///          highlight, opacity as transparency. Specular-glossiness: that colour as F0.
+///          Normals and clear coats: import_layers.h.
+///          Colours of corners: in place of the diffuse colour, times its texture (PLY, OBJ, OFF);
+///          times base colour and coverage (glTF).
+///          A material that transmits or has cut-outs is its own shadow and photon shader: without
+///          a shadow shader it would block light.
+/// Inputs:  extras: of glTF files, by the names of materials; colors: of the format's corners.
+/// Errors:  OR-MD-003 sheen and what else nothing stands for is left out, OR-MD-004 a texture that
+///          cannot be used.
 /// Source:  glTF 2.0, appendix B, and
 ///          KHR_materials_{ior,specular,transmission,volume,emissive_strength,anisotropy};
 ///          Walter et al. 2007 for the exponent.
-/// Checked: ModelMaterial.*, ModelTexture.*
+/// Checked: ModelMaterial.*, ModelTexture.*, ImportedPanes.* in tests/imported/panes_test.cpp
 ImportedMaterial add_material(const aiScene& model, unsigned index,
                               const std::map<std::string, GltfExtras>& extras, ColorsAre colors,
                               TextureMaker& textures, scene::Scene& scene,

@@ -57,7 +57,7 @@ const scene::ShaderUse* behind(const scene::Scene& scene, const scene::ShaderUse
 }
 
 const scene::ShaderUse& material_of(const scene::Scene& scene, const char* name = "oak") {
-  return scene.get<scene::Material>(name)->shaders[0];
+  return *models::testing::surface_of(scene, name);
 }
 
 /// Texture coordinates of a corner of the only object.
@@ -169,6 +169,50 @@ TEST(ModelBump, HeightsOfObjBecomeBumpsAndNormalsByTheirName) {
     ASSERT_TRUE(map) << line;
     EXPECT_EQ(map->type, "oriel_normal_map");
   }
+}
+
+// The picture decides, whatever its name: normals have a mean near (.5, .5, 1).
+// acceptance: M3
+TEST(ModelBump, MapsOfObjAreNormalsIfTheirPicturesShowThem) {
+  const struct {
+    std::array<unsigned char, 6> texels;
+    const char* type;
+  } kPictures[] = {{{90, 128, 240, 166, 128, 240}, "oriel_normal_map"},
+                   {{128, 128, 128, 140, 140, 140}, "mib_bump_map2"},
+                   {{60, 80, 220, 60, 80, 220}, "mib_bump_map2"}};
+  for (const auto& picture : kPictures) {
+    Folder folder;
+    folder.write("brick_n.ppm",
+                 "P6 2 1 255\n" + std::string(picture.texels.begin(), picture.texels.end()));
+    folder.write("m.mtl", "newmtl oak\nKd .8 .1 .1\nmap_Bump -bm 0.5 brick_n.ppm\n");
+    Diagnostics diagnostics;
+    const auto made = import_model(
+        folder.write("m.obj",
+                     "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                     "usemtl oak\nf 1/1 2/2 3/3\n"),
+        {folder.path() / "t", folder.path()}, diagnostics);
+    ASSERT_TRUE(made);
+    const bool normals = std::string(picture.type) == "oriel_normal_map";
+    const scene::ShaderUse* map =
+        behind(*made, material_of(*made), normals ? "overall_bump" : "bump");
+    ASSERT_TRUE(map) << picture.type;
+    EXPECT_EQ(map->type, picture.type);
+    EXPECT_EQ(argument(*map, "factor")->value.numbers[0], normals ? .5 : -.5);
+  }
+}
+
+TEST(ModelBump, MissingMaterialFilesOfObjAreReported) {
+  Folder folder;
+  Diagnostics diagnostics;
+  const auto made =
+      import_model(folder.write("m.obj", "mtllib lost.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"),
+                   {folder.path() / "t", folder.path()}, diagnostics);
+  ASSERT_TRUE(made);
+  const auto found =
+      std::count_if(diagnostics.all().begin(), diagnostics.all().end(), [](const Diagnostic& d) {
+        return d.code == "OR-MD-015" && d.message.find("lost.mtl") != std::string::npos;
+      });
+  EXPECT_EQ(found, 1);
 }
 
 TEST(ModelCoat, ItLiesOverTheMaterial) {

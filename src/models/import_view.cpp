@@ -59,7 +59,7 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
     camera.focal.reset();
     camera.aperture = 2 * source.mOrthographicWidth;
   }
-  camera.aspect = source.mAspect > 0 ? source.mAspect : 1.5f;
+  camera.aspect = source.mAspect > 0 ? source.mAspect : kCameraAspect;
   constexpr int kWidth = 960;
   camera.resolution = {
       {kWidth, std::max(1, static_cast<int>(std::lround(kWidth / *camera.aspect)))}};

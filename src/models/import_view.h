@@ -15,7 +15,10 @@ struct aiScene;
 
 namespace oriel::models {
 
-/// World transforms of the nodes of a model by name.
+/// Width by height of cameras that do not define it, as of full-frame film.
+inline constexpr float kCameraAspect = 1.5f;
+
+/// Where the nodes of a model stand in the world, by name.
 using NodePlaces = std::map<std::string, Mat4>;
 
 /// An element without a name, and its world transform.

@@ -53,8 +53,12 @@ class MaterialSource {
   /// be called before other texture functions, so that the first space is that of this texture.
   std::string picture_at_first_space(aiTextureType type, unsigned index = 0);
 
-  /// Name of a shader that multiplies a texture (empty: white) by the vertex colours; the texture
-  /// itself if the meshes have none.
+  /// Whether the picture of a texture element is a tangent-space normal map: its mean is near
+  /// (.5, .5, 1). False if it cannot be read.
+  bool shows_normals(const std::string& texture) const;
+
+  /// Name of a shader that multiplies a picture (empty: white) by the colours of the meshes'
+  /// corners; the picture where there are none.
   std::string colored(const std::string& picture);
   /// Creates the texture space of the first coordinates if there is none yet.
   void need_a_space() {

@@ -13,7 +13,11 @@
 
 #include "base/file_text.h"
 #include "models/gltf/read.h"
+#include "models/ifc_text.h"
+#include "models/import_view.h"
+#include "models/light_units.h"
 #include "models/mend_model.h"
+#include "models/obj_materials.h"
 #include "models/text_files.h"
 #include "models/views_3ds.h"
 
@@ -44,7 +48,23 @@ unsigned steps_for(const std::string& suffix) {
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
 }
 
-/// Works around an endless loop in assimp's reader of PLY headers.
+float aspect_of(const ImportOptions& options) { return options.aspect.value_or(kCameraAspect); }
+
+/// How text files of a format are written again before assimp reads them. It refers to `options`
+/// and fills `ifc`.
+TextFiles::Rewrite rewriting(const std::string& suffix, const ImportOptions& options,
+                             IfcText& ifc) {
+  if (suffix == ".dae")
+    return [&](const std::string& text) { return with_whole_cameras(text, aspect_of(options)); };
+  if (suffix == ".ifc")
+    return [&](const std::string& text) {
+      ifc = as_ifc2x3(text);
+      return ifc.text;
+    };
+  return {};
+}
+
+/// assimp looks for the end of a PLY header beyond the end of the file, without end.
 bool has_header(const std::string& ply) {
   constexpr std::size_t kLongest = 1 << 20;  // far more than any valid header
   std::string start(kLongest, '\0');
@@ -66,7 +86,8 @@ ReadModel::ReadModel() = default;
 ReadModel::ReadModel(ReadModel&&) noexcept = default;
 ReadModel::~ReadModel() = default;
 
-ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
+ReadModel read_model(const std::string& path, const ImportOptions& options,
+                     Diagnostics& diagnostics) {
   const std::string suffix = suffix_of(path);
   const unsigned steps = steps_for(suffix);
   ReadModel result;
@@ -77,22 +98,30 @@ ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
   if (suffix == ".ply" && !has_header(path)) return unreadable("its header is incomplete");
   Assimp::Importer importer;
   set_up(importer);
-  importer.SetIOHandler(new TextFiles(false));
+  IfcText ifc;
+  importer.SetIOHandler(new TextFiles(rewriting(suffix, options, ifc)));
   if (is_gltf(suffix)) {
-    GltfModel gltf = read_gltf(importer, path, steps, diagnostics);
+    GltfModel gltf = read_gltf(importer, path, steps, options.aspect.value_or(0), diagnostics);
     if (!gltf.scene) return unreadable(gltf.error);
     result.extras = std::move(gltf.extras);
     std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
     drop_polygons_without_area(*model, diagnostics);
+    mend_light_units(*model, suffix, options.emission_scale, diagnostics);
     result.scene = std::move(model);
     return result;
   }
   bool read = importer.ReadFile(path, steps) != nullptr;
   if (!read && suffix == ".dae") {
-    importer.SetIOHandler(new TextFiles(true));
+    importer.SetIOHandler(new TextFiles([&](const std::string& text) {
+      return without_blanks_before_numbers(with_whole_cameras(text, aspect_of(options)));
+    }));
     read = importer.ReadFile(path, steps) != nullptr;
   }
   if (!read) return unreadable(importer.GetErrorString());
+  if (!ifc.unread.empty())
+    diagnostics.warning("OR-MD-017", {},
+                        fmt::format("shapes that cannot be read are skipped: {}", ifc.unread),
+                        "export the model with tessellated or B-rep geometry");
   std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
   drop_polygons_without_area(*model, diagnostics);
   if (suffix == ".dae") {
@@ -100,6 +129,8 @@ ReadModel read_model(const std::string& path, Diagnostics& diagnostics) {
     widen_narrow_cameras(*model, diagnostics);
   }
   halve_cones(*model, suffix);
+  if (suffix == ".obj") mend_obj_materials(*model, path, diagnostics);
+  mend_light_units(*model, suffix, options.emission_scale, diagnostics);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
   result.scene = std::move(model);
   return result;

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "models/gltf/extras.h"
+#include "models/import.h"
 
 struct aiScene;
 
@@ -33,6 +34,7 @@ struct ReadModel {
 ///          the process, because assimp does not validate all of its input.
 /// Source:  assimp 5.2.
 /// Checked: ModelImport.*, ModelMend.*, ModelFbx.*
-ReadModel read_model(const std::string& path, Diagnostics& diagnostics);
+ReadModel read_model(const std::string& path, const ImportOptions& options,
+                     Diagnostics& diagnostics);
 
 }  // namespace oriel::models

@@ -2,8 +2,10 @@
 // Builds shader calls for generated scenes.
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/vec.h"
@@ -50,6 +52,10 @@ class ShaderCall {
   ShaderCall& set(const std::string& name, const char* content) { return set(name, text(content)); }
   ShaderCall& connect(const std::string& name, const std::string& shader) {
     return set(name, text(shader, scene::Value::Kind::Connection));
+  }
+  bool has(std::string_view name) const {
+    return std::any_of(use_.arguments.begin(), use_.arguments.end(),
+                       [&](const scene::Argument& argument) { return argument.name == name; });
   }
   const scene::ShaderUse& use() const { return use_; }
 

@@ -2,12 +2,17 @@
 #include "models/text_files.h"
 
 #include <assimp/MemoryIOWrapper.h>
+#include <fmt/format.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
 
 #include "base/file_text.h"
+#include "base/math.h"
+#include "base/vec.h"
 
 namespace oriel::models {
 namespace {
@@ -39,6 +44,51 @@ bool is_utf16_file(const char* file) {
   char mark[2] = {};
   std::ifstream(file, std::ios::binary).read(mark, sizeof mark);
   return is_utf16({mark, sizeof mark});
+}
+
+/// An element <name ...>number</name>: where it is and its number.
+struct NumberElement {
+  std::size_t start = 0, size = 0;
+  float value = 0;
+};
+
+std::optional<NumberElement> number_element(const std::string& xml, const std::string& name) {
+  const std::size_t start = xml.find("<" + name), content = xml.find('>', start);
+  const std::string closing = "</" + name + ">";
+  const std::size_t end = xml.find(closing, content);
+  if (end == xml.npos) return std::nullopt;
+  const std::string text = xml.substr(content + 1, end - content - 1);
+  char* rest = nullptr;
+  const float value = std::strtof(text.c_str(), &rest);
+  if (rest == text.c_str() || !(value > 0)) return std::nullopt;
+  return NumberElement{start, end + closing.size() - start, value};
+}
+
+/// The beginning of one <perspective>, up to its closing tag.
+std::string with_horizontal_angle(std::string_view perspective, float aspect) {
+  std::string text(perspective);
+  // Angles below that are radians: see widen_narrow_cameras.
+  constexpr float kNarrow = 1.5f;
+  const auto tangent = [](float angle) {
+    return math::tan((angle < kNarrow ? angle : angle * kPi / 180) / 2);
+  };
+  const auto x = number_element(text, "xfov"), y = number_element(text, "yfov");
+  if (!y) return text;
+  const auto written = number_element(text, "aspect_ratio");
+  if (x) {
+    if (!written)
+      text.replace(
+          y->start, y->size,
+          fmt::format("<aspect_ratio>{}</aspect_ratio>", tangent(x->value) / tangent(y->value)));
+    return text;
+  }
+  const float shape = written ? written->value : aspect;
+  const float radians = 2 * math::atan(tangent(y->value) * shape);
+  const float angle = y->value < kNarrow ? radians : radians * 180 / kPi;
+  text.replace(y->start, y->size,
+               fmt::format("<xfov>{}</xfov>{}", angle,
+                           written ? "" : fmt::format("<aspect_ratio>{}</aspect_ratio>", shape)));
+  return text;
 }
 
 }  // namespace
@@ -83,14 +133,33 @@ std::string without_blanks_before_numbers(std::string_view xml) {
   return tidy;
 }
 
+std::string with_whole_cameras(std::string_view xml, float aspect) {
+  constexpr std::string_view kCamera = "<camera ", kStart = "<perspective", kEnd = "</perspective>";
+  std::string made;
+  made.reserve(xml.size());
+  for (std::size_t at = 0;;) {
+    const std::size_t camera = xml.find(kCamera, at), tag = xml.find('>', camera);
+    if (tag == xml.npos) return made.append(xml.substr(at));
+    made += xml.substr(at, camera + kCamera.size() - at);
+    at = camera + kCamera.size();
+    if (xml.substr(at, tag - at).find("name=") == xml.npos) made += "name=\"camera\" ";
+    const std::size_t next = xml.find(kCamera, at), start = xml.find(kStart, at),
+                      end = xml.find(kEnd, start);
+    if (end == xml.npos || start > next) continue;
+    made += xml.substr(at, start - at);
+    made += with_horizontal_angle(xml.substr(start, end - start), aspect);
+    at = end;
+  }
+}
+
 Assimp::IOStream* TextFiles::Open(const char* file, const char* mode) {
   const bool utf16 = is_utf16_file(file);
-  if (!mode || std::strchr(mode, 'w') || !(utf16 || tidy_numbers_))
+  if (!mode || std::strchr(mode, 'w') || !(utf16 || rewrite_))
     return DefaultIOSystem::Open(file, mode);
   auto found = changed_.find(file);
   if (found == changed_.end()) {
     std::string text = utf8_of(file_text(file));
-    if (tidy_numbers_) text = without_blanks_before_numbers(text);
+    if (rewrite_) text = rewrite_(text);
     if (text.empty()) return DefaultIOSystem::Open(file, mode);
     found = changed_.emplace(file, std::move(text)).first;
   }

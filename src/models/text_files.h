@@ -4,9 +4,11 @@
 
 #include <assimp/DefaultIOSystem.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace oriel::models {
 
@@ -20,16 +22,25 @@ std::string utf8_of(std::string_view bytes);
 /// Checked: ModelTextFiles.ColladaMayHaveBlanksAroundNumbers
 std::string without_blanks_before_numbers(std::string_view xml);
 
-/// File system for assimp that converts UTF-16 for readers without support for it.
+/// Collada whose cameras have names and whose perspective cameras have a horizontal angle, and an
+/// aspect ratio where the vertical angle is given: assimp ignores cameras without a name and
+/// vertical angles without an aspect ratio, and divides the tangents of whole angles. Inputs:
+/// aspect: of the picture, for cameras with a vertical angle only. Source:  Collada 1.4.1,
+/// <perspective>. Checked: ModelCamera.ColladaKeepsTheAnglesThatItDefines
+std::string with_whole_cameras(std::string_view xml, float aspect);
+
+/// Opens files for assimp, which gives UTF-16 to readers that do not know it.
 class TextFiles : public Assimp::DefaultIOSystem {
  public:
-  /// Inputs:  tidy_numbers: apply without_blanks_before_numbers.
-  explicit TextFiles(bool tidy_numbers) : tidy_numbers_(tidy_numbers) {}
+  using Rewrite = std::function<std::string(const std::string& text)>;
+
+  /// Inputs:  rewrite: returns what is read in place of the text of a file; null: the same.
+  explicit TextFiles(Rewrite rewrite = {}) : rewrite_(std::move(rewrite)) {}
   Assimp::IOStream* Open(const char* file, const char* mode) override;
 
  private:
-  bool tidy_numbers_;
-  std::map<std::string, std::string> changed_;  ///< converted text by file; streams read from it
+  Rewrite rewrite_;
+  std::map<std::string, std::string> changed_;  ///< text by file; streams read from it
 };
 
 }  // namespace oriel::models

@@ -83,6 +83,7 @@ TEST(Model3ds, ViewsAreWhereTheFileHasThem) {
   expect_views(scene);
   expect_near(transform_vector(Vec3(0, 1, 0), testing::to_world(scene, "eye_inst")), Vec3(0, 1, 0));
   // 2400 / 60 = 40 degrees across.
+  // acceptance: M2
   const auto* camera = scene.get<scene::Camera>("eye");
   ASSERT_TRUE(camera);
   EXPECT_NEAR(*camera->aperture / 2 / *camera->focal, std::tan(20 * kPi / 180), 1e-4f);

@@ -170,7 +170,7 @@ class RequestReader {
 
  private:
   /// Reports precision that the file type loses.
-  void tell_loss(const std::string& word, const Type& type, const PictureFile& file) {
+  void report_loss(const std::string& word, const Type& type, const PictureFile& file) {
     const SampleFormat most = finest(file.format);
     const bool is_data = type.view == PixelView::Depth || type.view == PixelView::Normal ||
                          type.view == PixelView::Tag;
@@ -275,7 +275,7 @@ class RequestReader {
     const bool is_integer = type.samples == SampleFormat::U8 || type.samples == SampleFormat::U16;
     if (file.float_pixels && is_integer) file.samples = SampleFormat::Float;
     if (!is_integer) file.float_pixels = true;
-    tell_loss(words.empty() ? std::string{} : words.front(), type, file);
+    report_loss(words.empty() ? std::string{} : words.front(), type, file);
     return true;
   }
 

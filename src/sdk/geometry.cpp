@@ -115,8 +115,7 @@ miBoolean mi_geoshader_add_result(miTag* result, miTag tag) {
 
 miBoolean mi_geoshader_echo_tag(FILE*, miTag, miEchoOptions*) {
   if (Host* host = current_host())
-    host->warn_once("OR-SDK-040",
-                    "mi_geoshader_echo_tag has no effect: elements are not written as text");
+    host->warn_once("OR-SDK-040", "mi_geoshader_echo_tag: elements are not written as text");
   return miFALSE;
 }
 

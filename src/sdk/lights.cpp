@@ -32,7 +32,7 @@ void give(const std::vector<miTag>& tags, int* n, miTag** lights) {
 
 /// Stores the attributes of a light sample in the struct of the calling material, and in Maya's
 /// state items.
-void tell(const Tracer::Arriving& arriving) {
+void store_light_data(const Tracer::Arriving& arriving) {
   light_items() = {arriving.affects_diffuse > 0, arriving.affects_specular > 0};
   int size = 0;
   auto* data =
@@ -58,7 +58,7 @@ bool sample(miColor* result, miVector* dir, float* dot_nl, miState* state, miTag
   const CallerScope caller(Caller::of_light(state, &light_answer));
   const auto arriving = c.tracer()->light(light, point);
   if (!arriving) return false;
-  tell(*arriving);
+  store_light_data(*arriving);
   const float cosine = dot(point.normal, arriving->wi);
   if (axis) {
     if (dot(vec(*axis), arriving->wi) < cos_spread) return false;

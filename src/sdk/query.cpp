@@ -15,13 +15,13 @@
 namespace oriel::sdk {
 namespace {
 
-bool tell_thread_pointers(ThreadPointers& pointers, void* result, int* count) {
+bool list_thread_pointers(ThreadPointers& pointers, void* result, int* count) {
   thread_local std::vector<void*> list;
   const std::lock_guard lock(pointers.mutex);
   list.clear();
   for (const auto& [thread, value] : pointers.of) list.push_back(value);
   if (count) *count = static_cast<int>(list.size());
-  return tell(result, list.data());
+  return write_result(result, list.data());
 }
 
 /// The queried call: that of the tag, or the running one.
@@ -35,41 +35,41 @@ const UserInstance* call_of(Host& host, const miState* state, miTag tag) {
   return state && state->cache ? context(state).shader : nullptr;
 }
 
-bool ask_function(miQ_type query, Host& host, const miState* state, miTag tag, void* result,
-                  int* count) {
+bool query_function(miQ_type query, Host& host, const miState* state, miTag tag, void* result,
+                    int* count) {
   const UserInstance* shader = call_of(host, state, tag);
   if (!shader) return false;
   auto* own = const_cast<UserInstance*>(shader);
   switch (query) {
     case miQ_FUNC_USERPTR:
-      return tell(result, &own->user);
+      return write_result(result, &own->user);
     case miQ_FUNC_LOCK:
     case miQ_DECL_LOCK:
-      return tell(result, &own->lock);
+      return write_result(result, &own->lock);
     case miQ_FUNC_TAG:
-      return tell(result, host.tag_of(shader->node));
+      return write_result(result, host.tag_of(shader->node));
     case miQ_FUNC_DECL:
-      return tell(result, host.tag_of(*shader->spec));
+      return write_result(result, host.tag_of(*shader->spec));
     case miQ_FUNC_NEXT:
     case miQ_FUNC_INDIRECT:
-      return tell(result, miNULLTAG);
+      return write_result(result, miNULLTAG);
     case miQ_FUNC_TYPE:
-      return tell(result, 0);
+      return write_result(result, 0);
     case miQ_FUNC_PARAM:
-      return tell(result, shader->parameters);
+      return write_result(result, shader->parameters);
     case miQ_FUNC_PARAM_SIZE:
-      return tell(result, static_cast<int>(shader->spec->c_params_size));
+      return write_result(result, static_cast<int>(shader->spec->c_params_size));
     case miQ_FUNC_RESULT_SIZE:
-      return tell(result, static_cast<int>(shader->spec->c_result_size));
+      return write_result(result, static_cast<int>(shader->spec->c_result_size));
     case miQ_FUNC_CALLTYPE:
-      return state && tell(result, static_cast<int>(context(state).call_type));
+      return state && write_result(result, static_cast<int>(context(state).call_type));
     case miQ_FUNC_IS_ROOT:
-      return tell(result, miTRUE);
+      return write_result(result, miTRUE);
     case miQ_FUNC_TLS_GET: {
       ThreadPointers& pointers = own->thread_pointers;
       const std::lock_guard lock(pointers.mutex);
       const auto found = pointers.of.find(std::this_thread::get_id());
-      return tell(result, found == pointers.of.end() ? nullptr : found->second);
+      return write_result(result, found == pointers.of.end() ? nullptr : found->second);
     }
     case miQ_FUNC_TLS_SET: {
       ThreadPointers& pointers = own->thread_pointers;
@@ -78,155 +78,156 @@ bool ask_function(miQ_type query, Host& host, const miState* state, miTag tag, v
       return true;
     }
     case miQ_FUNC_TLS_GETALL:
-      return tell_thread_pointers(own->thread_pointers, result, count);
+      return list_thread_pointers(own->thread_pointers, result, count);
     default:
       return false;
   }
 }
 
-bool ask_declaration(miQ_type query, Host& host, const miState* state, miTag tag, void* result) {
+bool query_declaration(miQ_type query, Host& host, const miState* state, miTag tag, void* result) {
   const UserSpec* spec = host.declaration(tag);
   if (!spec)
     if (const UserInstance* shader = call_of(host, state, tag)) spec = shader->spec;
   if (!spec) return false;
   switch (query) {
     case miQ_DECL_NAME:
-      return tell(result, spec->name);
+      return write_result(result, spec->name);
     case miQ_DECL_PARAM:
-      return tell(result, spec->parameter_text.c_str());
+      return write_result(result, spec->parameter_text.c_str());
     case miQ_DECL_RESULT_SIZE:
-      return tell(result, static_cast<int>(spec->c_result_size));
+      return write_result(result, static_cast<int>(spec->c_result_size));
     case miQ_DECL_VERSION:
-      return tell(result, spec->version);
+      return write_result(result, spec->version);
     case miQ_DECL_TYPE:
-      return tell(result, static_cast<int>(c_type(spec->result)));
+      return write_result(result, static_cast<int>(c_type(spec->result)));
     default:
       return false;
   }
 }
 
-bool ask_instance(miQ_type query, Host& host, miTag tag, void* result) {
+bool query_instance(miQ_type query, Host& host, miTag tag, void* result) {
   auto* instance = static_cast<miInstance*>(host.access(tag));
   if (!instance || host.type_of(tag) != miSCENE_INSTANCE) return false;
   switch (query) {
     case miQ_INST_ITEM:
-      return tell(result, instance->item);
+      return write_result(result, instance->item);
     case miQ_INST_PARENT:
-      return tell(result, instance->parent);
+      return write_result(result, instance->parent);
     case miQ_INST_MATERIAL:
-      return tell(result, instance->material);
+      return write_result(result, instance->material);
     case miQ_INST_GLOBAL_TO_LOCAL:
-      return tell(result, &instance->tf.global_to_local);
+      return write_result(result, &instance->tf.global_to_local);
     case miQ_INST_LOCAL_TO_GLOBAL:
-      return tell(result, &instance->tf.local_to_global);
+      return write_result(result, &instance->tf.local_to_global);
     case miQ_INST_IDENTITY:
-      return tell(result, instance->tf.identity);
+      return write_result(result, instance->tf.identity);
     case miQ_INST_HIDE:
-      return tell(result, static_cast<miBoolean>(instance->off));
+      return write_result(result, static_cast<miBoolean>(instance->off));
     case miQ_INST_VISIBLE:
-      return tell(result, static_cast<miUint>(instance->visible));
+      return write_result(result, static_cast<miUint>(instance->visible));
     case miQ_INST_SHADOW:
-      return tell(result, static_cast<miUint>(instance->shadow));
+      return write_result(result, static_cast<miUint>(instance->shadow));
     case miQ_INST_TRACE:
-      return tell(result, static_cast<miUint>(instance->reflection));
+      return write_result(result, static_cast<miUint>(instance->reflection));
     case miQ_INST_CAUSTIC:
-      return tell(result, static_cast<miUint>(instance->caustic));
+      return write_result(result, static_cast<miUint>(instance->caustic));
     case miQ_INST_GLOBILLUM:
-      return tell(result, static_cast<miUint>(instance->globillum));
+      return write_result(result, static_cast<miUint>(instance->globillum));
     case miQ_INST_FINALGATHER:
-      return tell(result, static_cast<miUint>(instance->finalgather));
+      return write_result(result, static_cast<miUint>(instance->finalgather));
     case miQ_INST_LABEL:
-      return tell(result, instance->label);
+      return write_result(result, instance->label);
     case miQ_INST_DATA:
-      return tell(result, instance->userdata);
+      return write_result(result, instance->userdata);
     case miQ_INST_AREA: {
       const int light = host.light(tag);
-      return light >= 0 && tell(result, host.world()->lights[static_cast<std::size_t>(light)].area);
+      return light >= 0 &&
+             write_result(result, host.world()->lights[static_cast<std::size_t>(light)].area);
     }
     default:
       return false;
   }
 }
 
-bool ask_light(miQ_type query, Host& host, miTag tag, void* result) {
+bool query_light(miQ_type query, Host& host, miTag tag, void* result) {
   const auto* light = static_cast<miLight*>(host.access(tag));
   if (!light || host.type_of(tag) != miSCENE_LIGHT) return false;
   const auto& shape = light->primitive;
   switch (query) {
     case miQ_LIGHT_TYPE:
-      return tell(result, static_cast<int>(light->type));
+      return write_result(result, static_cast<int>(light->type));
     case miQ_LIGHT_AREA:
-      return tell(result, static_cast<int>(light->area));
+      return write_result(result, static_cast<int>(light->area));
     case miQ_LIGHT_AREA_SAMPLES_U:
-      return tell(result, static_cast<int>(light->samples_u));
+      return write_result(result, static_cast<int>(light->samples_u));
     case miQ_LIGHT_AREA_SAMPLES_V:
-      return tell(result, static_cast<int>(light->samples_v));
+      return write_result(result, static_cast<int>(light->samples_v));
     case miQ_LIGHT_ORIGIN:
-      return tell(result, light->origin);
+      return write_result(result, light->origin);
     case miQ_LIGHT_DIRECTION:
-      return tell(result, light->direction);
+      return write_result(result, light->direction);
     case miQ_LIGHT_SPREAD:
-      return tell(result, light->spread);
+      return write_result(result, light->spread);
     case miQ_LIGHT_EXPONENT:
-      return tell(result, light->exponent);
+      return write_result(result, light->exponent);
     case miQ_LIGHT_SHADER:
-      return tell(result, light->shader);
+      return write_result(result, light->shader);
     case miQ_LIGHT_EMITTER:
-      return tell(result, light->emitter);
+      return write_result(result, light->emitter);
     case miQ_LIGHT_DATA:
-      return tell(result, light->userdata);
+      return write_result(result, light->userdata);
     case miQ_LIGHT_ENERGY:
-      return tell(result, light->energy);
+      return write_result(result, light->energy);
     case miQ_LIGHT_AREA_D_RADIUS:
-      return light->area == miLIGHT_DISC && tell(result, shape.disc.radius);
+      return light->area == miLIGHT_DISC && write_result(result, shape.disc.radius);
     case miQ_LIGHT_AREA_S_RADIUS:
-      return light->area == miLIGHT_SPHERE && tell(result, shape.sphere.radius);
+      return light->area == miLIGHT_SPHERE && write_result(result, shape.sphere.radius);
     case miQ_LIGHT_AREA_C_RADIUS:
-      return light->area == miLIGHT_CYLINDER && tell(result, shape.cylinder.radius);
+      return light->area == miLIGHT_CYLINDER && write_result(result, shape.cylinder.radius);
     case miQ_LIGHT_AREA_R_EDGE_U:
-      return light->area == miLIGHT_RECTANGLE && tell(result, shape.rectangle.edge_u);
+      return light->area == miLIGHT_RECTANGLE && write_result(result, shape.rectangle.edge_u);
     case miQ_LIGHT_AREA_R_EDGE_V:
-      return light->area == miLIGHT_RECTANGLE && tell(result, shape.rectangle.edge_v);
+      return light->area == miLIGHT_RECTANGLE && write_result(result, shape.rectangle.edge_v);
     case miQ_LIGHT_AREA_D_NORMAL:
-      return light->area == miLIGHT_DISC && tell(result, shape.disc.normal);
+      return light->area == miLIGHT_DISC && write_result(result, shape.disc.normal);
     case miQ_LIGHT_AREA_C_AXIS:
-      return light->area == miLIGHT_CYLINDER && tell(result, shape.cylinder.axis);
+      return light->area == miLIGHT_CYLINDER && write_result(result, shape.cylinder.axis);
     default:
       return false;
   }
 }
 
-bool ask_material(miQ_type query, Host& host, miTag tag, void* result) {
+bool query_material(miQ_type query, Host& host, miTag tag, void* result) {
   const auto* material = static_cast<miMaterial*>(host.access(tag));
   if (!material || host.type_of(tag) != miSCENE_MATERIAL) return false;
   switch (query) {
     case miQ_MTL_SHADER:
-      return tell(result, material->shader);
+      return write_result(result, material->shader);
     case miQ_MTL_DISPLACE:
-      return tell(result, material->displace);
+      return write_result(result, material->displace);
     case miQ_MTL_SHADOW:
-      return tell(result, material->shadow);
+      return write_result(result, material->shadow);
     case miQ_MTL_VOLUME:
-      return tell(result, material->volume);
+      return write_result(result, material->volume);
     case miQ_MTL_ENVIRONMENT:
-      return tell(result, material->environment);
+      return write_result(result, material->environment);
     case miQ_MTL_CONTOUR:
-      return tell(result, material->contour);
+      return write_result(result, material->contour);
     case miQ_MTL_PHOTON:
-      return tell(result, material->photon);
+      return write_result(result, material->photon);
     case miQ_MTL_PHOTONVOL:
-      return tell(result, material->photonvol);
+      return write_result(result, material->photonvol);
     case miQ_MTL_LIGHTMAP:
-      return tell(result, material->lightmap);
+      return write_result(result, material->lightmap);
     case miQ_MTL_OPAQUE:
-      return tell(result, material->opaque);
+      return write_result(result, material->opaque);
     default:
       return false;
   }
 }
 
 /// The matrix between two spaces; internal space is world space.
-bool ask_transform(miQ_type query, const miState* state, void* result) {
+bool query_transform(miQ_type query, const miState* state, void* result) {
   if (!state) return false;
   static const Mat4 kIdentity;
   const Context& c = context(state);
@@ -242,25 +243,25 @@ bool ask_transform(miQ_type query, const miState* state, void* result) {
   switch (query) {
     case miQ_TRANS_INTERNAL_TO_WORLD:
     case miQ_TRANS_WORLD_TO_INTERNAL:
-      return tell(result, &kIdentity);
+      return write_result(result, &kIdentity);
     case miQ_TRANS_INTERNAL_TO_CAMERA:
     case miQ_TRANS_WORLD_TO_CAMERA:
-      return tell(result, &camera.to_camera);
+      return write_result(result, &camera.to_camera);
     case miQ_TRANS_CAMERA_TO_INTERNAL:
     case miQ_TRANS_CAMERA_TO_WORLD:
-      return tell(result, &camera.to_world);
+      return write_result(result, &camera.to_world);
     case miQ_TRANS_INTERNAL_TO_OBJECT:
     case miQ_TRANS_WORLD_TO_OBJECT:
-      return tell(result, to_object);
+      return write_result(result, to_object);
     case miQ_TRANS_OBJECT_TO_INTERNAL:
     case miQ_TRANS_OBJECT_TO_WORLD:
-      return tell(result, to_world);
+      return write_result(result, to_world);
     case miQ_TRANS_CAMERA_TO_OBJECT:
       product[0] = camera.to_world * *to_object;
-      return tell(result, &product[0]);
+      return write_result(result, &product[0]);
     case miQ_TRANS_OBJECT_TO_CAMERA:
       product[1] = *to_world * camera.to_camera;
-      return tell(result, &product[1]);
+      return write_result(result, &product[1]);
     default:
       return false;
   }
@@ -275,45 +276,46 @@ int bumps_of(const ShadingPoint& point) {
   return count;
 }
 
-bool ask_hit(miQ_type query, Host& host, const miState* state, void* result, int extra) {
-  if (query == miQ_NUM_GLOBAL_LIGHTS) return tell(result, static_cast<int>(host.lights().size()));
-  if (query == miQ_GLOBAL_LIGHTS) return tell(result, host.lights().data());
+bool query_hit(miQ_type query, Host& host, const miState* state, void* result, int extra) {
+  if (query == miQ_NUM_GLOBAL_LIGHTS)
+    return write_result(result, static_cast<int>(host.lights().size()));
+  if (query == miQ_GLOBAL_LIGHTS) return write_result(result, host.lights().data());
   if (!state) return false;
   const ShadingPoint& point = *context(state).point;
   switch (query) {
     case miQ_NUM_TEXTURES:
-      return tell(result, static_cast<int>(point.texture_spaces));
+      return write_result(result, static_cast<int>(point.texture_spaces));
     case miQ_NUM_BUMPS:
-      return tell(result, bumps_of(point));
+      return write_result(result, bumps_of(point));
     case miQ_TEXTURE_DIM:
-      return extra >= 0 && extra < point.texture_spaces && tell(result, miUint{3});
+      return extra >= 0 && extra < point.texture_spaces && write_result(result, miUint{3});
     case miQ_PRI_INDEX:
-      return state->pri && tell(result, static_cast<miUint>(point.primitive));
+      return state->pri && write_result(result, static_cast<miUint>(point.primitive));
     case miQ_GEO_HAS_DERIVS:
-      return tell(result, static_cast<miBoolean>(point.dpdu != Vec3(0)));
+      return write_result(result, static_cast<miBoolean>(point.dpdu != Vec3(0)));
     case miQ_GEO_HAS_DERIVS2:
-      return tell(result, static_cast<miBoolean>(miFALSE));
+      return write_result(result, static_cast<miBoolean>(miFALSE));
     case miQ_GEO_LABEL:
-      return tell(result, state->label);
+      return write_result(result, state->label);
     default:
       return false;
   }
 }
 
-bool ask_rendering(miQ_type query, Host& host, const miState* state, void* result) {
+bool query_rendering(miQ_type query, Host& host, const miState* state, void* result) {
   switch (query) {
     case miQ_FINALGATHER_STATE:
-      return tell(result, state && state->type == miRAY_FINALGATHER ? 1 : 0);
+      return write_result(result, state && state->type == miRAY_FINALGATHER ? 1 : 0);
     case miQ_SAMPLE_MOVING:
-      return tell(result, 0);
+      return write_result(result, 0);
     case miQ_PIXEL_SAMPLE: {
       if (!state) return false;
       const miScalar place[2] = {state->raster_x, state->raster_y};
-      return tell(result, place);
+      return write_result(result, place);
     }
     case miQ_TILE_PIXELS: {
       const miCamera& camera = *host.camera();
-      return tell(result, camera.window);
+      return write_result(result, camera.window);
     }
     case miQ_SCENE_BBOX_ALL:
     case miQ_SCENE_BBOX_SHADOW:
@@ -323,35 +325,35 @@ bool ask_rendering(miQ_type query, Host& host, const miState* state, void* resul
     case miQ_SCENE_BBOX_CAUSTIC_R: {
       const geom::Box3 box = host.world()->accel->bounds();
       const miVector corners[2] = {as_c(box.min), as_c(box.max)};
-      return tell(result, corners);
+      return write_result(result, corners);
     }
     case miQ_SCENE_ROOT_GROUP:
-      return tell(result, make_tag(TagKind::Root, 0));
+      return write_result(result, make_tag(TagKind::Root, 0));
     case miQ_STAGE:
-      return tell(result, miSTAGE_TILE);
+      return write_result(result, miSTAGE_TILE);
     case miQ_VERSION:
-      return tell(result, static_cast<const char*>("Oriel"));
+      return write_result(result, static_cast<const char*>("Oriel"));
     case miQ_DATE:
-      return tell(result, static_cast<const char*>(__DATE__));
+      return write_result(result, static_cast<const char*>(__DATE__));
     default:
       return false;
   }
 }
 
-bool ask_image(miQ_type query, Host& host, miTag tag, void* result) {
+bool query_image(miQ_type query, Host& host, miTag tag, void* result) {
   const TextureNode* texture = host.texture(tag);
   if (!texture || texture->width() == 0) return false;
   switch (query) {
     case miQ_IMAGE_WIDTH:
-      return tell(result, texture->width());
+      return write_result(result, texture->width());
     case miQ_IMAGE_HEIGHT:
-      return tell(result, texture->height());
+      return write_result(result, texture->height());
     case miQ_IMAGE_BITS:
-      return tell(result, 32);
+      return write_result(result, 32);
     case miQ_IMAGE_COMP:
-      return tell(result, 4);
+      return write_result(result, 4);
     case miQ_IMAGE_GAMMA:
-      return tell(result, 1.0);
+      return write_result(result, 1.0);
     default:
       return false;
   }
@@ -382,30 +384,30 @@ extern "C" miBoolean mi_query(miQ_type query, const miState* state, miUint tag, 
       !within(miQ_DECL_NAME, miQ_DECL_VERSION))
     return miFALSE;
   if (within(miQ_FUNC_USERPTR, miQ_DECL_LOCK))
-    answer = ask_function(query, *host, state, tag, result, count);
+    answer = query_function(query, *host, state, tag, result, count);
   else if (within(miQ_DECL_NAME, miQ_DECL_VERSION))
-    answer = ask_declaration(query, *host, state, tag, result);
+    answer = query_declaration(query, *host, state, tag, result);
   else if (within(miQ_INST_ITEM, miQ_INST_AREA))
-    answer = ask_instance(query, *host, tag, result);
+    answer = query_instance(query, *host, tag, result);
   else if (within(miQ_LIGHT_TYPE, miQ_LIGHT_AREA_C_AXIS))
-    answer = ask_light(query, *host, tag, result);
+    answer = query_light(query, *host, tag, result);
   else if (within(miQ_MTL_SHADER, miQ_MTL_OPAQUE))
-    answer = ask_material(query, *host, tag, result);
+    answer = query_material(query, *host, tag, result);
   else if (within(miQ_TRANS_INTERNAL_TO_WORLD, miQ_TRANS_OBJECT_TO_CAMERA))
-    answer = ask_transform(query, state, result);
+    answer = query_transform(query, state, result);
   else if (within(miQ_IMAGE_WIDTH, miQ_IMAGE_GAMMA))
-    answer = ask_image(query, *host, tag, result);
+    answer = query_image(query, *host, tag, result);
   else if (within(miQ_GROUP_NKIDS, miQ_GROUP_KID))
-    answer = ask_group(query, *host, tag, result, extra);
+    answer = query_group(query, *host, tag, result, extra);
   else if (within(miQ_OBJ_TYPE, miQ_OBJ_DATA))
-    answer = ask_object(query, *host, tag, result);
+    answer = query_object(query, *host, tag, result);
   else if (within(miQ_DATA_DECL, miQ_DATA_LABEL))
-    answer = ask_data(query, *host, tag, result);
+    answer = query_data(query, *host, tag, result);
   else if (query == miQ_PRI_BBOX_MIN || query == miQ_PRI_BBOX_MAX || query == miQ_GEO_DATA)
-    answer = ask_primitive(query, *host, state, result);
+    answer = query_primitive(query, *host, state, result);
   else if (query >= miQ_FINALGATHER_STATE)
-    answer = ask_rendering(query, *host, state, result);
+    answer = query_rendering(query, *host, state, result);
   else
-    answer = ask_hit(query, *host, state, result, extra);
+    answer = query_hit(query, *host, state, result, extra);
   return answer ? miTRUE : miFALSE;
 }

@@ -73,7 +73,7 @@ miUint Host::hit_label(std::size_t instance) {
   return instance < labels_.size() ? labels_[instance] : 0;
 }
 
-bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
+bool query_object(miQ_type query, Host& host, miTag tag, void* result) {
   if (kind_of(tag) != TagKind::Object || !host.instance(tag)) return false;
   const InstanceData& data = *host.instance(tag);
   const auto index = static_cast<std::uint32_t>(index_of(tag));
@@ -85,55 +85,56 @@ bool ask_object(miQ_type query, Host& host, miTag tag, void* result) {
   };
   switch (query) {
     case miQ_OBJ_VISIBLE:
-      return tell(result, meets(geom::RayMask::Camera));
+      return write_result(result, meets(geom::RayMask::Camera));
     case miQ_OBJ_TRACE:
-      return tell(result, meets(geom::RayMask::Reflection | geom::RayMask::Refraction));
+      return write_result(result, meets(geom::RayMask::Reflection | geom::RayMask::Refraction));
     case miQ_OBJ_SHADOW:
-      return tell(result, meets(geom::RayMask::Shadow | geom::RayMask::ShadowTransparent));
+      return write_result(result, meets(geom::RayMask::Shadow | geom::RayMask::ShadowTransparent));
     case miQ_OBJ_CAUSTIC:
-      return tell(result, bits(kCastsCaustics, kReceivesCaustics));
+      return write_result(result, bits(kCastsCaustics, kReceivesCaustics));
     case miQ_OBJ_GLOBILLUM:
-      return tell(result, bits(kCastsGlobillum, kReceivesGlobillum));
+      return write_result(result, bits(kCastsGlobillum, kReceivesGlobillum));
     case miQ_OBJ_LABEL:
-      return tell(result, label_of(host, tag));
+      return write_result(result, label_of(host, tag));
     case miQ_OBJ_DATA:
-      return tell(result, data_of(host, tag));
+      return write_result(result, data_of(host, tag));
     default:
       return false;  // the type of the object is not stored
   }
 }
 
-bool ask_group(miQ_type query, Host& host, miTag tag, void* result, int index) {
+bool query_group(miQ_type query, Host& host, miTag tag, void* result, int index) {
   const auto* group = static_cast<const miGroup*>(host.access(tag));
   if (!group || host.type_of(tag) != miSCENE_GROUP) return false;
-  if (query == miQ_GROUP_NKIDS) return tell(result, group->no_kids);
-  return index >= 0 && index < group->no_kids && tell(result, group->kids[index]);
+  if (query == miQ_GROUP_NKIDS) return write_result(result, group->no_kids);
+  return index >= 0 && index < group->no_kids && write_result(result, group->kids[index]);
 }
 
-bool ask_data(miQ_type query, Host& host, miTag tag, void* result) {
+bool query_data(miQ_type query, Host& host, miTag tag, void* result) {
   if (host.type_of(tag) != miSCENE_USERDATA) return false;
   auto* data = static_cast<miUserdata*>(host.access(tag));
   if (!data) return false;
   switch (query) {
     case miQ_DATA_DECL:
-      return tell(result, data->data_decl);
+      return write_result(result, data->data_decl);
     case miQ_DATA_NEXT:
-      return tell(result, data->next_data);
+      return write_result(result, data->next_data);
     case miQ_DATA_PARAM:
-      return tell(result, static_cast<char*>(data->parameters));
+      return write_result(result, static_cast<char*>(data->parameters));
     case miQ_DATA_PARAM_SIZE:
-      return tell(result, data->parameter_size);
+      return write_result(result, data->parameter_size);
     case miQ_DATA_LABEL:
-      return tell(result, data->label);
+      return write_result(result, data->label);
     default:
       return false;
   }
 }
 
-bool ask_primitive(miQ_type query, Host& host, const miState* state, void* result) {
+bool query_primitive(miQ_type query, Host& host, const miState* state, void* result) {
   if (!state || kind_of(state->instance) != TagKind::Instance) return false;
   const std::size_t index = index_of(state->instance);
-  if (query == miQ_GEO_DATA) return tell(result, data_of(host, make_tag(TagKind::Object, index)));
+  if (query == miQ_GEO_DATA)
+    return write_result(result, data_of(host, make_tag(TagKind::Object, index)));
   if (!state->pri) return false;
   // Called at every point of a surface, so the last result is cached.
   thread_local struct {
@@ -143,7 +144,7 @@ bool ask_primitive(miQ_type query, Host& host, const miState* state, void* resul
   } last;
   if (last.world != host.world() || last.index != index)
     last = {host.world(), index, object_bounds(host, index)};
-  return tell(result, as_c(query == miQ_PRI_BBOX_MIN ? last.box.min : last.box.max));
+  return write_result(result, as_c(query == miQ_PRI_BBOX_MIN ? last.box.min : last.box.max));
 }
 
 }  // namespace oriel::sdk

@@ -11,12 +11,12 @@ namespace oriel::sdk {
 class Host;
 
 // Each function writes the result of a query of its family; returns false if it is unsupported.
-bool ask_object(miQ_type query, Host& host, miTag tag, void* result);
+bool query_object(miQ_type query, Host& host, miTag tag, void* result);
 /// `index` is the index of a group member.
-bool ask_group(miQ_type query, Host& host, miTag tag, void* result, int index);
-bool ask_data(miQ_type query, Host& host, miTag tag, void* result);
+bool query_group(miQ_type query, Host& host, miTag tag, void* result, int index);
+bool query_data(miQ_type query, Host& host, miTag tag, void* result);
 /// The object at the point of the state.
-bool ask_primitive(miQ_type query, Host& host, const miState* state, void* result);
+bool query_primitive(miQ_type query, Host& host, const miState* state, void* result);
 /// User data of an instance, object or light; null if there is none.
 miTag data_of(Host& host, miTag tag);
 /// Members of a light that are only stored in the scene element.
@@ -26,7 +26,7 @@ miUint label_of(Host& host, miTag tag);
 
 /// Writes a result to the memory of the caller; arrays are copied completely.
 template <class T>
-bool tell(void* result, const T& value) {
+bool write_result(void* result, const T& value) {
   struct Whole {
     T value;
   };

@@ -88,8 +88,8 @@ Rgb shadow(const Call& call, const Rgb& light) {
 /// One call of a light shader.
 ///
 /// Inputs:  data: in and out, exchanged with the lit material; may be null.
-Rgb ask_light(UserInstance& shader, StateFrame& frame, bool black,
-              mia_material_api_lightdata* data) {
+Rgb evaluate_light(UserInstance& shader, StateFrame& frame, bool black,
+                   mia_material_api_lightdata* data) {
   if (data) leave_value(miA_MATERIAL_API_LIGHTDATA, data, sizeof *data, miSS_LIFETIME_SUBRAYS);
   frame.context.shadow_is_black = black;
   Result c(*shader.spec);
@@ -141,18 +141,18 @@ LightValue light(const Call& call, const LightCall& light) {
   state.light_instance = make_tag(TagKind::LightInstance,
                                   static_cast<std::size_t>(&light.light - world.lights.data()));
   // Materials without glossiness pass no data.
-  const bool tells = point.glossiness >= 0;
+  const bool passes_data = point.glossiness >= 0;
   const mia_material_api_lightdata asked = {sizeof asked, point.glossiness, point.importance, 1, 1,
                                             miFALSE,      miFALSE};
   mia_material_api_lightdata data = asked, behind_data = asked;
   LightValue value;
   LightItems& items = light_items();
   items = {};
-  value.colour = ask_light(shader, frame, false, tells ? &data : nullptr);
+  value.colour = evaluate_light(shader, frame, false, passes_data ? &data : nullptr);
   const LightItems answered = items;
   if (light.light.placed_by_shader) value.origin = vec(state.org);
   // A material in C that samples its lights itself sets the struct for them.
-  if (int size = 0; !tells) {
+  if (int size = 0; !passes_data) {
     const void* left = left_value(miA_MATERIAL_API_LIGHTDATA, &size);
     if (left && size == sizeof data) data = *static_cast<const mia_material_api_lightdata*>(left);
   }
@@ -163,7 +163,7 @@ LightValue light(const Call& call, const LightCall& light) {
   value.is_sun = data.is_mr_sun != miFALSE;
   if (value.shadow) {
     state.org = as_c(light.position);
-    const Rgb behind = ask_light(shader, frame, true, tells ? &behind_data : nullptr);
+    const Rgb behind = evaluate_light(shader, frame, true, passes_data ? &behind_data : nullptr);
     const float open = luminance(value.colour);
     value.shadow_factor = open > 0 ? clamp01(luminance(behind) / open) : 0;
   }

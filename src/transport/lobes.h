@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluating and sampling the lobes of a closure: the bridge from what a material says to bsdf/.
+// Evaluates and samples the lobes of a closure with the functions of bsdf/.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 namespace oriel {
 
 // Conventions
-//   wo and wi are world space, unit, away from the surface. Values include |cos wi|. A lobe that
-//   reflects answers only on the viewer's side of the geometric surface, one that transmits only on
-//   the other side, so that no shading normal leaks light.
+//   wo and wi are world space, unit, away from the surface. Values include |cos wi|. A
+//   reflecting lobe is 0 except on the viewer's side of the geometric surface, a transmitting lobe
+//   except on the other side, so that shading normals leak no light.
 
-/// Lobes whose rays meet the same things; each group is an integral of its own.
+/// Groups of lobes whose rays see the same objects; each group is a separate integral.
 enum class LobeGroup : std::uint8_t {
-  Diffuse,     ///< and translucency: rays go straight on, as shadow rays do
-  Reflection,  ///< lights may be seen as highlights instead
+  Diffuse,     ///< and translucency: rays pass transparency straight, as shadow rays do
+  Reflection,  ///< lights may show as highlights instead
   Refraction
 };
 
@@ -28,10 +28,10 @@ LobeGroup group_of(LobeKind kind);
 struct Response {
   struct Part {
     Rgb value{0};
-    float pdf = 0;  ///< density of sample_closure, per solid angle, among the group's lobes
+    float pdf = 0;  ///< of sample_closure, per solid angle, among the lobes of the group
   };
   Part diffuse, reflection, refraction;
-  Rgb highlight{0};  ///< reflecting lobes of light sources only, rays do not see them
+  Rgb highlight{0};  ///< reflecting lobes that show light sources only
   const Part& of(LobeKind kind) const {
     const LobeGroup group = group_of(kind);
     return group == LobeGroup::Diffuse      ? diffuse
@@ -45,12 +45,12 @@ inline bool is_diffuse(LobeKind kind) {
   return kind == LobeKind::Diffuse || kind == LobeKind::Translucency;
 }
 
-/// Which lobes rays may follow at this vertex: how likely each is, or how many rays it gets.
+/// The lobes that rays may follow at this vertex: their probabilities, or numbers of rays.
 struct LobeChoice {
   float rays[Closure::kMostLobes] = {};  ///< expected number
   bool any = false;
 
-  /// Makes shares of the numbers of the closure's lobes, so that one ray in all is expected.
+  /// Scales the numbers of the lobes such that their sum is 1.
   void share_one_ray(int lobes) {
     float total = 0;
     for (int i = 0; i < lobes; ++i) total += rays[i];
@@ -60,31 +60,32 @@ struct LobeChoice {
   }
 };
 
-/// A direction to go on in.
+/// A sampled direction.
 struct ClosureSample {
   Vec3 wi;
   int lobe = 0;
   bool delta = false;
   float pdf = 0;  ///< 0 for delta lobes
-  Rgb weight{0};  ///< response of the lobe's group over the density: throughput factor
+  Rgb weight{0};  ///< value of the lobe's group divided by pdf: factor of the throughput
 };
 
-/// Looks up once what the glossy lobes need for their viewer; before evaluating or sampling.
+/// Prepares the glossy lobes for the viewer; required before evaluation and sampling.
 void make_ready(Closure& closure, const Vec3& wo);
 
-/// All non-delta lobes for wi; the density counts the lobes that `choice` allows.
-/// Diffuse lobes darken softly where a shading normal faces light that the surface hardly does.
+/// Evaluates all non-delta lobes for wi; the density includes the lobes that `choice` allows.
+/// Diffuse lobes darken smoothly where the shading normal faces light that the geometric surface
+/// does not.
 ///
-/// Inputs:  seen_in_mirrors: wi leads to a light that mirror rays see; highlights that stand beside
-///          a mirror are left out.
+/// Inputs:  seen_in_mirrors: wi leads to a light that mirror rays see; highlights that
+///          accompany a mirror are omitted.
 Response evaluate_closure(const Closure& closure, const LobeChoice& choice,
                           const ShadingPoint& point, const Vec3& wo, const Vec3& wi,
                           bool seen_in_mirrors = false);
 
-/// Chooses a lobe by its share of the rays; -1 when there is none. Leaves in u what is left of it.
+/// Chooses a lobe in proportion to its rays; -1 = none. Rescales u for further use.
 int choose_lobe(const Closure& closure, const LobeChoice& choice, float& u);
 
-/// Draws a direction of a lobe; nothing where the draw is lost (below the horizon).
+/// Samples a direction of a lobe; empty if the sample is below the horizon.
 std::optional<ClosureSample> sample_lobe(const Closure& closure, const LobeChoice& choice, int lobe,
                                          const ShadingPoint& point, const Vec3& wo, float u_rest,
                                          const Vec2& u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers what shaders ask of the scene: probes, lights, random numbers.
+// Services for shaders: probe rays, lights, random numbers.
 #pragma once
 
 #include "runtime/tracer.h"
@@ -11,9 +11,9 @@ namespace oriel {
 
 class Path;
 
-/// The tracer of one vertex of a path. Draws from a stream of its own, which leaves those of the
-/// path where they are. Rays, irradiance and materials that it is asked for are paths of their own
-/// that go on from that vertex (path_for_shaders.cpp); without a path there are none.
+/// The Tracer of one vertex of a path. It has its own random stream, so that the path's stream does
+/// not change. Rays, irradiance and other materials are computed by separate paths from that vertex
+/// (path_for_shaders.cpp); without a path they are not available.
 /// Checked: RayNodes.*, RayKinds.*, OcclusionNodes.* in tests/analytic.
 class SceneTracer final : public Tracer {
  public:
@@ -39,7 +39,7 @@ class SceneTracer final : public Tracer {
 
   const World& world_;
   const sampling::Sampler& sampler_;
-  std::optional<sampling::Sampler> own_;  // made when first asked
+  std::optional<sampling::Sampler> own_;  // created at the first use
   RayCounts& counts_;
   const Path* path_;
   std::uint32_t streams_ = 0;

@@ -181,7 +181,7 @@ TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
                    {"mi_nerror", "covered: mi_nerror"},
                    {"mi_nwarning", "covered: mi_nwarning"}});
   expect_messages(render("database").err, "database.c",
-                  {{"mi_db_dump", "shaders have made 2 elements of 8000 bytes"}});
+                  {{"mi_db_dump", "shaders have created 2 elements with 8000 bytes"}});
   expect_messages(render("memory_blocks").err, "memory_blocks.c",
                   {{"mi_mem_summary", "memory in use: "}, {"mi_mem_dump", "memory in use: "}});
   expect_warnings(render("renderpass").err,

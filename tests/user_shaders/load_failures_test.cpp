@@ -48,7 +48,7 @@ TEST_F(MissingRoles, AreNamedAndThePictureIsSavedWithAnExitCode) {
     EXPECT_NE(r.err.find(std::string("the ") + c.role + " shader \"away\" is missing"),
               std::string::npos)
         << r.err;
-    EXPECT_NE(r.err.find("away.so is absent"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("away.so is missing"), std::string::npos) << r.err;
     EXPECT_EQ(count(r.err, "OR-SDK-006"), 1) << r.err;
     EXPECT_TRUE(has_picture()) << c.role;
   }

@@ -15,6 +15,7 @@
 #include "models/gltf/plain_meshes.h"
 #include "models/gltf/plain_nodes.h"
 #include "models/gltf/plain_pictures.h"
+#include "models/gltf/plain_views.h"
 
 namespace oriel::models::gltf {
 namespace {
@@ -31,7 +32,7 @@ bool is_known(const std::string& name) {
          std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
 }
 
-void tell_unknown(const json& root, Diagnostics& diagnostics) {
+void report_unsupported(const json& root, Diagnostics& diagnostics) {
   std::set<std::string> unknown;
   for (const json& required : member(root, "extensionsRequired"))
     if (const std::string name = words(required); !name.empty() && !is_known(name))
@@ -63,6 +64,9 @@ json named_materials(const json& written) {
 
 void keep_other_parts(const json& root, json& made) {
   made["asset"] = {{"version", "2.0"}};
+  if (const std::string generator = words(member(member(root, "asset"), "generator"));
+      !generator.empty())
+    made["asset"]["generator"] = generator;
   made["materials"] = named_materials(member(root, "materials"));
   if (const json& cameras = member(root, "cameras"); cameras.is_array()) made["cameras"] = cameras;
   if (const json& lights = extension(root, "KHR_lights_punctual"); lights.is_object())
@@ -70,12 +74,18 @@ void keep_other_parts(const json& root, json& made) {
   json& used = made["extensionsUsed"] = json::array();
   for (const json& name : member(root, "extensionsUsed"))
     if (name.is_string() && name != "KHR_draco_mesh_compression") used.push_back(name);
+  // Some exporters forget to list them, and assimp ignores what is not listed.
+  std::set<std::string> of_materials;
+  for (const json& material : made["materials"])
+    if (const json& extensions = member(material, "extensions"); extensions.is_object())
+      for (const auto& [name, content] : extensions.items()) of_materials.insert(name);
+  for (const std::string& name : of_materials) used.push_back(name);
 }
 
 Plain plain_of(const Document& document, std::size_t content_size, const std::string& folder,
-               Diagnostics& diagnostics) {
+               float aspect, Diagnostics& diagnostics) {
   const json& root = document.root;
-  tell_unknown(root, diagnostics);
+  report_unsupported(root, diagnostics);
   Buffers buffers(document, folder, content_size);
   PlainFile file;
   keep_other_parts(root, file.root);
@@ -101,6 +111,7 @@ Plain plain_of(const Document& document, std::size_t content_size, const std::st
     diagnostics.warning("OR-MD-022", {}, words, "export the model with PNG or JPEG pictures");
   file.root["meshes"] = std::move(meshes.meshes);
   file.root["nodes"] = std::move(nodes.nodes);
+  make_plain_views(file.root, aspect);
   file.root["scene"] = 0;
   file.root["scenes"] = json::array({{{"nodes", std::move(nodes.roots)}}});
   plain.binary = file.binary();
@@ -110,13 +121,13 @@ Plain plain_of(const Document& document, std::size_t content_size, const std::st
 
 }  // namespace
 
-std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder, float aspect,
                                 Diagnostics& diagnostics) {
   Plain plain;
   try {
     const auto document = parse(content);
     if (!document) return std::nullopt;
-    plain = plain_of(*document, content.size(), folder, diagnostics);
+    plain = plain_of(*document, content.size(), folder, aspect, diagnostics);
   } catch (const Unreadable& error) {
     plain.error = error.what();
   }

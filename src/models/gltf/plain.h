@@ -20,12 +20,14 @@ struct Plain {
 /// instances, and does not resolve escaped file names. It reads the result of this conversion
 /// correctly.
 ///
-/// Inputs:  content: of a .gltf or .glb file; folder: location of its buffers.
+/// Inputs:  content: of a .gltf or .glb file; folder: location of its buffers; aspect: of the
+/// picture
+///          for cameras, 0 = as in the file, see plain_views.h.
 /// Returns: unset if the file is not glTF 2.0.
-/// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required extensions,
-///          OR-MD-022 images that cannot be read.
+/// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required
+///          extensions, OR-MD-022 images that cannot be read.
 /// Checked: GltfPlain.*
-std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder, float aspect,
                                 Diagnostics& diagnostics);
 
 }  // namespace oriel::models::gltf

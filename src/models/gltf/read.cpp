@@ -13,11 +13,12 @@ namespace oriel::models {
 namespace fs = std::filesystem;
 
 GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigned steps,
-                    Diagnostics& diagnostics) {
+                    float aspect, Diagnostics& diagnostics) {
   GltfModel model;
   std::error_code error;
   const std::string content = fs::is_regular_file(path, error) ? file_text(path) : std::string();
-  const auto plain = gltf::make_plain(content, fs::path(path).parent_path().string(), diagnostics);
+  const auto plain =
+      gltf::make_plain(content, fs::path(path).parent_path().string(), aspect, diagnostics);
   if (!plain) {
     // glTF 1.0 or an invalid file: let assimp report the error.
     model.scene = importer.ReadFile(path, steps);

@@ -17,9 +17,9 @@ struct GltfModel {
   std::map<std::string, GltfExtras> extras;
 };
 
-/// Inputs:  steps: post-processing flags of assimp.
+/// Inputs:  steps: post-processing flags of assimp; aspect: as of gltf::make_plain.
 /// Errors:  as gltf::make_plain.
 GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigned steps,
-                    Diagnostics& diagnostics);
+                    float aspect, Diagnostics& diagnostics);
 
 }  // namespace oriel::models

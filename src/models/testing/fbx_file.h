@@ -26,10 +26,20 @@ struct FbxFile {
   std::array<int, 6> axes{1, 1, 2, 1, 0, 1};  ///< up, front, right: axis and sign of each
   std::string triangle;                       ///< properties of its node "chair"
   const char* light = "P: \"LightType\", \"enum\", \"\", \"\",1\n";  ///< what the sun is
+  std::string lens = "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40\n";
   std::string camera, sun;  ///< of "eye" and "sun", none where empty
-  std::string more;         ///< further objects
-  std::string links;        ///< and their connections
+  std::string layers;       ///< of the triangle
+  std::string creator, definitions;
+  std::string more;   ///< further objects
+  std::string links;  ///< and their connections
 
+  /// A layer that gives the triangle the node's first material.
+  static std::string one_material() {
+    return "LayerElementMaterial: 0 {\nVersion: 101\nName: \"\"\nMappingInformationType: "
+           "\"AllSame\"\nReferenceInformationType: \"IndexToDirect\"\nMaterials: *1 { a: 0 }\n}\n"
+           "Layer: 0 {\nVersion: 100\nLayerElement:  {\nType: \"LayerElementMaterial\"\n"
+           "TypedIndex: 0\n}\n}\n";
+  }
   std::string text() const {
     const auto node = [](int id, const char* name, const char* kind,
                          const std::string& properties) {
@@ -50,12 +60,11 @@ struct FbxFile {
       settings += fmt::format("P: \"{}\", \"int\", \"Integer\", \"\",{}\n", names[i], axes[i]);
     objects =
         "Geometry: 10, \"Geometry::seat\", \"Mesh\" {\nVertices: *9 { a: 0,0,0,100,0,0,0,100,0 }\n"
-        "PolygonVertexIndex: *3 { a: 0,1,-3 }\nGeometryVersion: 124\n}\n" +
-        node(11, "chair", "Mesh", triangle) + more;
+        "PolygonVertexIndex: *3 { a: 0,1,-3 }\nGeometryVersion: 124\n" +
+        layers + "}\n" + node(11, "chair", "Mesh", triangle) + more;
     joined += "C: \"OO\",11,0\nC: \"OO\",10,11\n";
     if (!camera.empty()) {
-      objects += node(21, "eye", "Camera", camera) +
-                 attribute(20, "Camera", "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40\n");
+      objects += node(21, "eye", "Camera", camera) + attribute(20, "Camera", lens.c_str());
       joined += "C: \"OO\",21,0\nC: \"OO\",20,21\n";
     }
     if (!sun.empty()) {
@@ -64,10 +73,10 @@ struct FbxFile {
     }
     return fmt::format(
         "; FBX 7.3.0 project file\nFBXHeaderExtension:  {{\nFBXHeaderVersion: 1003\nFBXVersion: "
-        "7300\n}}\nGlobalSettings:  {{\nVersion: 1000\nProperties70:  {{\n{}P: "
-        "\"UnitScaleFactor\", \"double\", \"Number\", \"\",{}\n}}\n}}\nObjects:  {{\n{}}}\n"
+        "7300\nCreator: \"{}\"\n}}\nGlobalSettings:  {{\nVersion: 1000\nProperties70:  {{\n{}P: "
+        "\"UnitScaleFactor\", \"double\", \"Number\", \"\",{}\n}}\n}}\n{}Objects:  {{\n{}}}\n"
         "Connections:  {{\n{}}}\n",
-        settings, unit, objects, joined);
+        creator, settings, unit, definitions, objects, joined);
   }
 };
 

@@ -114,12 +114,21 @@ inline scene::Scene imported(const std::string& name, const std::string& content
   return scene ? std::move(*scene) : scene::Scene();
 }
 
+/// The only call of a material's surface, also if it refers to a shader element; null: none.
+inline const scene::ShaderUse* surface_of(const scene::Scene& scene, const char* material) {
+  const auto* m = scene.get<scene::Material>(material);
+  if (!m || m->shaders.size() != 1) return nullptr;
+  if (m->shaders[0].reference.empty()) return &m->shaders[0];
+  const auto* element = scene.get<scene::ShaderElement>(m->shaders[0].reference);
+  return element && element->functions.size() == 1 ? &element->functions[0] : nullptr;
+}
+
 /// Numbers of a parameter of the only call of a material; empty: not set.
 inline std::vector<double> set_in(const scene::Scene& scene, const char* material,
                                   const char* parameter) {
-  const auto* m = scene.get<scene::Material>(material);
-  if (!m || m->shaders.size() != 1) return {};
-  for (const scene::Argument& a : m->shaders[0].arguments)
+  const scene::ShaderUse* surface = surface_of(scene, material);
+  if (!surface) return {};
+  for (const scene::Argument& a : surface->arguments)
     if (a.name == parameter)
       return a.value.kind == scene::Value::Kind::Boolean
                  ? std::vector<double>{a.value.boolean ? 1.0 : 0.0}

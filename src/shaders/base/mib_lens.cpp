@@ -71,7 +71,7 @@ float ceiling_of(const P& p) {
   return p.ceiling > p.floor ? p.ceiling : p.floor + 1;
 }
 
-/// Replaces values that are not finite or negative.
+/// Replaces NaN and negative values by 0, and bounds large ones.
 Rgb shown(const Rgb& c) {
   constexpr float kBrightest = 1e30f;
   const auto channel = [&](float x) { return x > 0 ? std::min(x, kBrightest) : 0.0f; };

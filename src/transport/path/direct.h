@@ -17,32 +17,32 @@ namespace oriel {
 
 /// Controls of direct light.
 struct DirectRequest {
-  bool environment_on_diffuse = true;  ///< false: what is gathered for them has it
-  /// False where reflection rays end early or look up the environment their own way: they find it
-  /// alone.
+  bool environment_on_diffuse = true;  ///< false: gathered light includes it
+  /// False: reflection rays have a maximum distance or their own look-up of the environment, so
+  /// only they bring it.
   bool environment_in_reflections = true;
-  /// Rays of glossy lobes are bent by glass on their way: behind it they find the environment and
-  /// visible lights, samples of these count only through holes. False after a diffuse bounce, where
-  /// all rays go straight.
+  /// Glass bends rays of glossy lobes, so behind glass only these rays bring the environment and
+  /// visible lights; light samples count only through cut-outs. False after a diffuse bounce, where
+  /// all rays pass straight.
   bool rays_bend = false;
-  bool for_the_eye = false;     ///< what glossy lobes show here is seen, not scattered on
+  bool for_the_eye = false;     ///< the camera sees the reflections of glossy lobes here
   bool portals_mapped = false;  ///< see portals_on_way
-  float falloff_distance = 0;   ///< visible lights fade out in reflections; 0 = they do not
+  float falloff_distance = 0;   ///< at which visible lights have faded out in reflections; 0 = none
   Estimator estimator = Estimator::Mis;
   PathObserver* observer = nullptr;  ///< optional observer of samples; may be null
   PathObserver::Place place = PathObserver::kEye;
 };
 
-/// Radiance toward wo, per unit throughput, by what it came through.
+/// Radiance toward wo, per unit throughput, by the lobe that it came through.
 struct DirectLight {
   Rgb diffuse{0}, translucency{0}, specular{0}, reflection{0}, refraction{0};
-  /// Of the environment: on the lit side, and through the surface.
+  /// Of the environment: on the viewer's side, and through the surface.
   Rgb environment{0}, environment_translucency{0};
 };
 
-/// The same apart by samples, each of one layer of lights.
+/// The same split by samples, each of one light layer.
 struct DirectShares {
-  /// All lights that are sampled at one vertex (LightSampler), and the environment.
+  /// Maximum number of samples at a vertex: those of LightSampler, and the environment.
   static constexpr int kMost = 16;
   struct Share {
     std::size_t layer = 0;
@@ -59,13 +59,14 @@ struct DirectShares {
   }
 };
 
-/// Everything direct at a vertex: lights and, when asked, the environment.
+/// Direct light at a vertex: lights and, if requested, the environment.
 ///
-/// Model:   each light sample weighs against the directions sample_lobe would have chosen (power
-///          heuristic), apart for the groups of lobes; lights without extent stand alone, and so do
-///          lights without shadows, since rays would be blocked, and highlights, which no ray
-///          finds.
-/// Inputs:  lights: what lights the vertex; shares: where given, samples are left there and the sum
+/// Model:   each light sample has a MIS weight against sample_lobe (power heuristic), separately
+/// for
+///          the groups of lobes. Lights without extent have weight 1, and so have lights without
+///          shadows, since rays would be blocked, and highlights, which no ray hits.
+/// Inputs:  lights: the lights of the vertex; shares: if not null, receives the samples, and the
+/// sum
 ///          is black.
 /// Checked: tests/analytic (one scene by three estimators, furnaces of rough glass).
 DirectLight direct_light(const World& world, ShadingPoint& point, const Closure& closure,
@@ -73,14 +74,14 @@ DirectLight direct_light(const World& world, ShadingPoint& point, const Closure&
                          const DirectRequest& request, sampling::Sampler& sampler,
                          RayCounts& counts, DirectShares* shares = nullptr);
 
-/// How a light shows in reflecting lobes, of which rays and highlights can both show it.
+/// Weights of a light in reflecting lobes, where both rays and highlights can show it.
 struct LightInReflection {
   float as_reflection = 0, as_highlight = 1;
   float sum() const { return as_reflection + as_highlight; }
 };
-/// `forced`: the light asks for its highlight all the same.
+/// `forced`: the light requires its highlight in any case.
 LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced = false);
-/// Of a portal that rays pass: they find the environment behind it themselves.
+/// For a portal that rays pass: they bring the environment behind it.
 LightInReflection hidden_portal_in_reflection(const Closure& closure);
 
 }  // namespace oriel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of a path: from surface to surface, through holes and media.
+// The loop of a path: from surface to surface, through cut-outs and media.
 #include "transport/path/path.h"
 
 #include <algorithm>
@@ -13,9 +13,10 @@
 namespace oriel {
 namespace {
 
-/// Vertices of any kind, cut-outs included, before a path is given up.
+/// Maximum number of vertices of a path, including cut-outs.
 constexpr int kMostVertices = 256;
-/// Draws reserved for each vertex, so that a vertex uses the same dimensions in every sample.
+/// Sample dimensions reserved for each vertex, so that a vertex uses the same dimensions in every
+/// sample.
 constexpr std::uint32_t kDrawsPerVertex = 12;
 
 }  // namespace
@@ -66,7 +67,7 @@ void Path::dim(const Rgb& factor) {
   light_.lights *= factor;
 }
 
-/// The surface that determines the outputs.
+/// Records the weights of the lobes at the surface that determines the AOVs.
 void Path::meet_first(const Closure& closure) {
   aov_.fixed = true;
   aov_.at_surface = closure.outputs;
@@ -74,7 +75,7 @@ void Path::meet_first(const Closure& closure) {
   AovValues& out = *record_->aovs;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    // The highlight beside a mirror has the mirror's level.
+    // The highlight of a mirror shares the weight of the mirror.
     if (lobe.controls.mirrored) continue;
     switch (lobe.type) {
       case LobeType::Diffuse:
@@ -94,9 +95,9 @@ void Path::meet_first(const Closure& closure) {
   }
 }
 
-/// Cut-outs, and transparency as rays behind a diffuse bounce see it. True when the ray goes on
-/// unbent, with the weights of the vertex it came from; when by chance it does not, the
-/// transmitting lobes are taken out of the closure.
+/// Cut-outs, and straight transparency behind a diffuse bounce. True: the ray continues unbent and
+/// keeps the MIS weights of its last vertex. If the random choice is against transparency, the
+/// transmitting lobes are removed from the closure.
 bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoint& point) {
   if (depth_.after_diffuse && material.may_transmit && material.filters_shadows())
     return pass_filter(closure, material, point);
@@ -118,7 +119,7 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
     aov_.fixed = true;
   } else if (depth_.after_diffuse && keeps_weights &&
              !(closure.refractive_caustics && world_.options.brings_caustics())) {
-    // Straight transmission against everything else, by their levels.
+    // The choice between straight transmission and everything else, by their weights.
     Rgb through(0), other(closure.emission);
     for (int i = 0; i < closure.count; ++i)
       (transmits(closure.lobes[i].kind) ? through : other) += closure.lobes[i].weight;
@@ -146,8 +147,8 @@ bool Path::pass_straight(Closure& closure, const Material& material, ShadingPoin
   return true;
 }
 
-/// The same behind a diffuse bounce where other shaders than the surface's filter shadows. They
-/// stand for all that passes straight; the rest of the surface is seen beside it.
+/// The same behind a diffuse bounce if shadow shaders other than the surface shader filter light.
+/// They determine the straight transmission; the other lobes of the surface remain.
 bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint& point) {
   sampler_.skip();
   Closure filter;
@@ -173,7 +174,7 @@ bool Path::pass_filter(Closure& closure, const Material& material, ShadingPoint&
   return true;
 }
 
-/// The material of a hit at its point. From here on the ray's cone is that at the surface.
+/// Shades a hit. Afterwards the ray cone is that at the surface.
 const Material& Path::shade_surface(const geom::Hit& hit, ShadingPoint& point, Closure& closure) {
   fill_point(world_, way_.ray, hit, way_.cone, way_.kind, point);
   point.raster = raster_;
@@ -187,7 +188,7 @@ const Material& Path::shade_surface(const geom::Hit& hit, ShadingPoint& point, C
   return material;
 }
 
-/// What the record and the shader that asks for the path learn of the first surface.
+/// Stores the first surface in the record, and for the shader that traces the path.
 void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
                             const Material& material) {
   eye_hit_.pending = false;
@@ -206,18 +207,19 @@ void Path::record_first_hit(const Closure& closure, const ShadingPoint& point,
   if (record_->wants(SurfaceValue::Motion)) (*record_)[SurfaceValue::Motion] = raster_motion(point);
 }
 
-/// At a surface. False: the path ends here.
+/// Handles a hit. False: the path ends here.
 bool Path::shade_hit(const geom::Hit& hit) {
   ShadingPoint point;
   Closure closure;
   const Material& material = shade_surface(hit, point, closure);
   const float distance = from_.passed + hit.t;
 
-  // Absorption on the way here: known from where the ray entered, or from the wall it ends at.
+  // Absorption up to this surface. The medium is known from the surface where the ray entered, or
+  // from this one if it is a back side.
   way_.medium.meet_surface(closure, point);
   if (!way_.medium.medium.clear() || !way_.veil.clear())
     dim(kept_over(length(point.position - way_.left)));
-  // At the boundary of a volume its part of the way ends, whether or not the ray goes on unbent.
+  // The segment in a volume ends at its boundary, even if the ray continues unbent.
   const bool in_volume = closure.volume || way_.medium.volume;
   bool turned = in_volume && pass_volume(point, distance);
   if (!turned && pass_straight(closure, material, point)) return true;
@@ -264,7 +266,7 @@ void Path::walk() {
       continue;
     }
     if (!found) {
-      // Nothing within the reach of a medium that turns black is black.
+      // A ray that ends within a medium that becomes black is black.
       if (std::isinf(way_.ray.tfar) || way_.kind == RayKind::Eye || fading_.distance > 0 ||
           !std::isinf(way_.reach))
         meet_environment();
@@ -294,7 +296,7 @@ void Path::gather_ray(const ShadingPoint& point, const Vec3& direction, float re
   aov_.fixed = true;
   eye_hit_.eye = point.position;
   way_.cone.spread = kDiffuseSpread;
-  from_.weighed = true;  // against no lights: it passes through them unseen
+  from_.weighed = true;  // with no sampled lights: lights are invisible to the ray
   depth_.vertex = 1;
   way_.reach = reach;
   follow(point, direction);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ray of a path meets beside surfaces: shapes of lights, the environment, the end of a
-// reflection that is limited.
+// Light along a ray that does not come from surfaces: lights with a shape, the environment, and the
+// end of limited reflections.
 #include "lights/portal_table.h"
 #include "runtime/environment_ray.h"
 #include "transport/path/path_walk.h"
@@ -8,31 +8,31 @@
 
 namespace oriel {
 
-/// Whether the ray ends at a portal that it meets from inside.
+/// Whether the ray ends at a portal that it hits from inside.
 bool Path::ends_at(const Portal& portal) const {
   return way_.kind == RayKind::FinalGather ? portal.blocks_diffuse_rays() : portal.visible;
 }
 
-/// Light of a lamp that the last vertex's lobe has found, where samples of it are weighed as well.
+/// Adds light of a light source that a lobe sample hit, with its MIS weight.
 void Path::add_found(const LightInReflection& in, float kept, const Rgb& arriving, const Rgb& view,
                      std::size_t layer) {
   if (from_.group == LobeGroup::Reflection) {
     add(aov_.after_vertex(Aov::Reflection), arriving * view * (in.as_reflection * kept), layer);
     add(aov_.after_vertex(Aov::Specular), arriving * in.as_highlight, layer);
   } else {
-    // Light sources on diffuse lobes are direct light, however they are found.
+    // Light sources count as direct light of diffuse lobes for both sampling methods.
     add(aov_.after_vertex(aov_.part == Aov::Indirect ? Aov::Diffuse : aov_.part), arriving * view,
         layer);
   }
 }
 
-/// Lights with a shape that the ray meets before the surface. A visible light ends rays that see it
-/// as an object (camera and mirrors); bundles only collect its weighed light and go on, since
-/// lights do not shadow each other. Portals end bundles as well: what is behind them is in their
-/// light.
+/// Adds lights with a shape that the ray hits before the surface. A visible light ends rays that
+/// see it as an object (camera and mirrors). Rays of glossy and diffuse lobes add its weighted
+/// light and continue, since lights cast no shadows on each other. Portals end those rays as well:
+/// their light includes everything behind them.
 void Path::meet_lights(float t_surface, bool& ended) {
   if (!settings_.finite_lights) {
-    // Photons bring the light of portals: what is behind them must not come a second time.
+    // Photons carry the light of portals, so light behind them must not be added again.
     if (way_.kind == RayKind::FinalGather)
       ended = portals_on_way(world_, way_.ray.org, way_.ray.dir, t_surface, way_.ray.time, true)
                   .ends_diffuse;
@@ -43,7 +43,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   float nearest = t_surface;
   Rgb seen(0);
   int seen_light = -1;
-  // What visible portals show the eye of themselves, hidden ones of what is behind them.
+  // Visible portals show their own colour to the camera, hidden portals the scene behind them.
   const bool dims = way_.kind != RayKind::FinalGather && !depth_.after_diffuse;
   const auto own_view = [&](const Light& light) {
     return dims && light.portal && light.portal->visible ? light.portal->transparency : Rgb(1);
@@ -64,7 +64,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     const Light& light = world_.lights[static_cast<std::size_t>(index)];
     if (light.shape == LightShape::Point) return;
     const Portal* portal = light.portal.get();
-    // Most of many portals are missed: asked before what a hit takes to work out.
+    // With many portals most are missed, so this test comes before the expensive ones.
     if (portal && !crosses_portal(light, way_.ray.org, way_.ray.dir, t_surface, way_.ray.time))
       return;
     if (sees || portal) {
@@ -85,7 +85,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
     auto hit = intersect_light(light, from_.point, way_.ray.dir, from_.passed + t_surface);
     if (!hit || hit->t < from_.passed) return;
     if (portal && portal->visible && way_.kind != RayKind::FinalGather && is_black(hit->radiance)) {
-      // Below the threshold samples bring nothing, and yet the surface is seen.
+      // Samples below the threshold are black, but the surface remains visible.
       hit = intersect_light(light, from_.point, way_.ray.dir, from_.passed + t_surface, way_.kind);
       alone = true;
     }
@@ -110,7 +110,7 @@ void Path::meet_lights(float t_surface, bool& ended) {
   if (kept < 1) add(aov_.on_way(), light_.throughput * faded_to() * (1 - kept), layer_of_faded());
   if (!eye_hit_.pending) return;
   record_->alpha = 1;
-  // To gather rays a portal is a black wall.
+  // Final gather rays see a black wall instead of a portal.
   if (!sees) record_->depth = nearest;
 }
 
@@ -123,7 +123,7 @@ Rgb Path::reflected_environment(const Vec3& direction) {
                                    raster_, way_.blurred, way_.roughness}));
 }
 
-/// What a limited reflection fades to.
+/// The radiance that a limited reflection fades to.
 Rgb Path::faded_to() {
   if (fading_.to_color) return fading_.color;
   if (!fading_.single_environment) return reflected_environment(way_.ray.dir);
@@ -138,14 +138,14 @@ std::size_t Path::layer_of_faded() const {
   return fading_.of_grid ? world_.light_layers.unknown() : layer_of_rest();
 }
 
-/// Diffuse rays of occlusion with colours: what is near loses a share, its light goes with it.
+/// Ambient occlusion with colours: reduces the light of nearby surfaces on diffuse rays.
 void Path::darken_near(float t) {
   if (light_.near_distance > 0)
     light_.throughput *= Rgb(1) - light_.near_dark * linear_fade(t, light_.near_distance);
   light_.near_distance = 0;
 }
 
-/// At a surface, t from where the ray began.
+/// Fades a limited reflection at a surface at distance t.
 void Path::fade(float t) {
   if (fading_.distance > 0) {
     const float kept = fading_.kept(t);
@@ -175,8 +175,8 @@ void Path::meet_environment() {
   if (shaders.empty()) return;
   Rgb radiance = rgb(c);
   if (from_.weighed && from_.lights.environment_samples > 0 && !way_.environment) {
-    // What the environment's own sampling can find is weighed; the rest (glow) stands alone.
-    // In the shadow of what this ray does not see, no sample found any of it.
+    // Radiance that light sampling can find gets a MIS weight; the rest is added in full. Nothing
+    // was sampled in the shadow of objects that this ray does not see.
     const bool alone = shadowed_by_unseen(world_, from_.point, direction, kInfinity, counts_);
     const float weight =
         alone ? 1.0f

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// At a surface: which lobes get rays, what lights bring, how the path goes on or splits.
+// A vertex of a path: direct light, the choice of lobes, splitting.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,23 +14,23 @@
 namespace oriel {
 namespace {
 
-/// The chance to go on is this power of the throughput: the throughput itself ends paths too soon
-/// that bring dark corners their light. Of 1, 1/2, 1/3, 1/5 and 1/10, with 3 vertices before, 1/3
-/// had the least relative squared error times instructions in rooms, .77 of that of 1
-/// (bench/cycles).
+/// The survival probability of Russian roulette is this power of the throughput. The throughput
+/// itself terminates too many of the paths that light dark corners. Of 1, 1/2, 1/3, 1/5 and 1/10,
+/// after 3 vertices, 1/3 had the smallest product of relative squared error and instructions in
+/// rooms: .77 of that of 1 (bench/cycles).
 constexpr float kRoulettePower = 1.0f / 3;
-/// Spread a glossy bounce adds to the ray's cone, per unit of roughness (radians); a guess that
-/// keeps textures sharper than the lobe is wide.
+/// Spread that a glossy bounce adds to the ray cone, per unit of roughness (radians). An estimate
+/// that filters textures less than the lobe would.
 constexpr float kSpreadPerRoughness = 0.5f;
-/// Stands for any distance, scene units.
+/// Larger than any distance, scene units.
 constexpr float kFarAway = 1e30f;
 
 bool has_diffuse(const Closure& closure) {
   return closure.any([](const Lobe& lobe) { return lobe.kind == LobeKind::Diffuse; });
 }
 
-/// Reflection rays that end early or look up the environment their own way are not weighed against
-/// samples of the environment.
+/// Whether reflection rays have a maximum distance or a single look-up of the environment. Such
+/// rays get no MIS weight against samples of the environment.
 bool limits_reflections(const Closure& closure) {
   return closure.any([](const Lobe& lobe) {
     return lobe.type == LobeType::Reflection &&
@@ -45,14 +45,14 @@ float falloff_distance(const Closure& closure) {
   return 0;
 }
 
-/// The part of the first surface's light that a lobe's ray brings.
+/// The AOV of the first surface for light along a ray of the lobe.
 Aov part_of(LobeKind kind) {
   if (kind == LobeKind::Diffuse) return Aov::Indirect;
   if (kind == LobeKind::Translucency) return Aov::Translucency;
   return group_of(kind) == LobeGroup::Reflection ? Aov::Reflection : Aov::Refraction;
 }
 
-/// What an instance must do for rays of a lobe that is not diffuse to leave it.
+/// The visibility flag that an instance needs to send rays of a lobe that is not diffuse.
 unsigned sending(const Lobe& lobe) {
   if (lobe.type == LobeType::Reflection) return kSendsReflections;
   const bool thin = lobe.kind == LobeKind::ThinTransmission || lobe.kind == LobeKind::GlossyThin;
@@ -70,11 +70,11 @@ bool Path::depth_reached(LobeKind kind) const {
                          : depth_.reflections >= depth.reflection;
 }
 
-/// Shares of the lobes that rays may follow. Reflections that may not become highlights,
-/// refractions black.
+/// Selection weights of the lobes. Reflections that may not send rays keep only their highlights;
+/// such refractions become black.
 void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint& point,
                         bool diffuse) const {
-  // Light sources on the far side of a translucent solid are no indirect light.
+  // Lights that shine through a translucent solid count as direct light.
   const bool looks_through =
       !settings_.indirect && !closure.thin_walled && !point.back_side && !depth_.after_diffuse;
   for (int i = 0; i < closure.count; ++i) {
@@ -88,12 +88,13 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
       const bool reflection = lobe.type == LobeType::Reflection;
       const bool cut = !depth_.after_diffuse &&
                        depth_.importance * max_component(lobe.weight) < lobe.controls.cutoff;
-      // The material's own refraction depth ends in black, the scene's depth in the environment.
+      // Beyond the material's refraction depth rays are black; beyond the scene's trace depth they
+      // see the environment.
       const bool deep =
           lobe.controls.depth > 0 &&
           (reflection ? depth_.reflections : depth_.refractions) >= lobe.controls.depth;
       if (cut || deep || !allows(sending(lobe))) {
-        // At its depth a reflection is as with highlights only, gathered light included.
+        // A reflection beyond its depth behaves as with highlights only, including gathered light.
         if (reflection)
           lobe.controls.highlights_only = true,
           lobe.controls.emulated = deep && allows(kSendsReflections);
@@ -102,9 +103,9 @@ void Path::choose_lobes(Closure& closure, LobeChoice& choice, const ShadingPoint
         continue;
       }
     }
-    // By all channels alike: luminance would starve what is seen through blue.
+    // The sum of channels: with luminance, few rays would pass blue glass.
     choice.rays[i] = std::max(0.0f, lobe.weight.x + lobe.weight.y + lobe.weight.z);
-    // Less than one ray for diffuse lobes is a smaller share, more is a split.
+    // Less than one ray reduces the selection weight of diffuse lobes; more rays split the path.
     if (lobe.kind == LobeKind::Diffuse) choice.rays[i] *= clamp(lobe.controls.samples, 0.05f, 1);
   }
   choice.share_one_ray(closure.count);
@@ -116,13 +117,14 @@ float Path::environment_samples(const Material& material) const {
   return world_.light_sampler->environment_samples(depth_.after_diffuse);
 }
 
-/// Rays of one path at the first surface, of the `samples` that the pixel may get.
+/// Number of rays of one path at the first surface, if the pixel gets `samples` in all.
 int Path::rays_at_first(float samples, float importance) const {
   const float wanted = samples * std::min(importance, 1.0f) / settings_.paths_of_pixel;
   return std::max(1, static_cast<int>(std::ceil(wanted - 1e-3f)));
 }
 
-/// At the first surface each lobe gets rays of its own when one of them is worth more than one.
+/// Whether the path splits: at the first surface, if one lobe needs more than one ray, each lobe
+/// gets its own rays.
 bool Path::split(const Closure& closure, LobeChoice& choice) const {
   if (!at_eye_surface() || !choice.any) return false;
   float rays[Closure::kMostLobes] = {};
@@ -142,7 +144,7 @@ bool Path::split(const Closure& closure, LobeChoice& choice) const {
   return splits;
 }
 
-/// Occlusion at this vertex: factor of indirect light, ambient light.
+/// Computes ambient occlusion at this vertex, and adds ambient light.
 void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   light_.occlusion = Rgb(1);
   light_.near_distance = 0;
@@ -173,7 +175,7 @@ void Path::occlude(const Closure& closure, const ShadingPoint& point) {
   if (dims) record_->aovs->dimming = record_->aovs->occlusion;
 }
 
-/// What lights and environment bring to this vertex.
+/// Adds direct light of lights and environment at this vertex.
 void Path::take_direct(const Closure& closure, const LobeChoice& choice, ShadingPoint& point,
                        bool diffuse) {
   std::optional<DirectShares> shares;
@@ -251,7 +253,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       ++depth_.refractions;
       break;
     default:
-      // Total reflection on the inside stays a refraction of the material, as its level is.
+      // Total internal reflection counts as refraction of the material, as its weight does.
       way_.kind = crosses ? RayKind::Refract : RayKind::Reflect;
       ++depth_.refractions;
       break;
@@ -270,7 +272,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
   way_.environment = material.environment.empty() ? nullptr : &material.environment;
   const bool glossy = lobe.kind == LobeKind::GlossyReflection;
   const float alpha = glossy ? std::sqrt(lobe.alpha_x * lobe.alpha_y) : 0;
-  // Seen from aside a lobe gets narrower across: a round one of the same area stands for it.
+  // At grazing angles a lobe is narrower in one direction; a round lobe of the same area is used.
   way_.roughness = alpha * std::sqrt(std::abs(dot(point.wo(), lobe.frame.n)));
   from_.weighed = !sample.delta;
   from_.pdf = sample.pdf;
@@ -298,8 +300,8 @@ bool Path::russian_roulette() {
   return true;
 }
 
-/// Follows a lobe; without weights the ray sees lights and environment as a mirror's would. False:
-/// the path ends here.
+/// Samples a lobe and continues. Without MIS weights the ray sees lights and environment as a
+/// mirror ray does. False: the path ends here.
 bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const Material& material,
                          ShadingPoint& point, int index, float u_rest, bool weighed) {
   const auto sample =
@@ -311,7 +313,8 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
     from_.lights.environment_samples = 0;
   scatter(closure, material, point, *sample);
   from_.weighed &= weighed;
-  // One look-up stands for the lobe; of many rays each stands for its share of the solid angle.
+  // A single look-up represents the whole lobe; each of many rays represents its share of the solid
+  // angle.
   if (!fading_.single_environment)
     way_.roughness /= std::sqrt(std::max(1.0f, choice.rays[index]) * settings_.paths_of_pixel);
   if (too_deep) {
@@ -324,13 +327,13 @@ bool Path::continue_path(const Closure& closure, const LobeChoice& choice, const
   return russian_roulette();
 }
 
-/// Light at a vertex and the ways on from it. False: the path ends here.
+/// Adds the light at a vertex and continues the path. False: the path ends here.
 bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
   make_ready(closure, point.wo());
   occlude(closure, point);
   const bool mapped = reads_maps();
-  // One look-up serves the diffuse lobe and reflections that are emulated.
+  // The diffuse lobe and emulated reflections share one look-up.
   looked_up_ = {};
   looked_up_.directional = mapped && closure.any([](const Lobe& lobe) {
     return lobe.controls.emulated && lobe.controls.highlights_only;
@@ -342,7 +345,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   const bool splits = split(closure, choice);
   point.glossiness = closure.glossiness;
   point.importance = std::min(1.0f, depth_.importance);
-  // In place: it is large.
+  // Constructed in place, since the object is large.
   if (settings_.finite_lights)
     std::construct_at(&from_.lights, world_, point, closure);
   else
@@ -370,7 +373,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   if (!splits) {
     float u = 0;
     if (closure.count == 1 && is_diffuse(closure.lobes[0].kind))
-      sampler_.skip();  // there is nothing to choose
+      sampler_.skip();  // only one choice
     else
       u = sampler_.next_1d();
     const int lobe = choose_lobe(closure, choice, u);
@@ -378,7 +381,7 @@ bool Path::shade_vertex(Closure& closure, const Material& material, ShadingPoint
   }
   for (int i = 0; i < closure.count; ++i) {
     const auto rays = static_cast<std::uint32_t>(choice.rays[i]);
-    std::optional<Rgb> looked_up;  // the one look-up of all rays that find nothing
+    std::optional<Rgb> looked_up;  // shared by all rays that hit nothing
     for (std::uint32_t j = 0; j < rays; ++j) {
       Path branch = *this;
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the air on the way of a ray does to its light, and paths that are scattered there.
+// Volume shaders along a ray: absorption, added light, scattering.
 #include <utility>
 
 #include "transport/path/path_walk.h"
@@ -7,11 +7,12 @@
 
 namespace oriel {
 
-/// Air of some shaders. True: the path goes on from a place in the air and not to where it went.
-/// Both ways on are weighed by their chance; what light sources bring to the place is in `added`.
+/// Evaluates volume shaders on a segment. True: the path was scattered and continues from a point
+/// in the volume. Scattering and transmission are chosen at random and divided by their
+/// probability. `added` contains the light of light sources at the point.
 bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
   const bool scatters = settings_.indirect && depth_.diffuse_bounces < settings_.diffuse_bounces;
-  // The last shader of a list takes what the ones before it left: it is the nearest to the eye.
+  // The last shader of a list acts on the result of the others, so it is nearest to the camera.
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
     const ShaderSpec& spec = (*node)->spec();
     if (endless && !spec.volume.acts_on_endless_rays) continue;
@@ -43,7 +44,7 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
     way_.environment = nullptr;
     fading_ = {};
     way_.reach = kInfinity;
-    // Against no lights: it passes through them unseen.
+    // No lights were sampled here, so lights are invisible to the ray.
     from_.weighed = true;
     std::construct_at(&from_.lights);
     from_.group = LobeGroup::Diffuse;
@@ -54,8 +55,8 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
   return false;
 }
 
-/// At a surface, t from where the ray began. Rays in a medium are left alone. In an object with
-/// volume shaders these are its air.
+/// The segment up to a surface at distance t: by the volume shaders of the object that the ray is
+/// in, else by those of the camera. Rays in an absorbing medium are not affected.
 bool Path::pass_volume(const ShadingPoint& end, float t) {
   const NodeList& volume = way_.medium.volume ? *way_.medium.volume : world_.camera_volume;
   const float length = t - std::exchange(way_.volume_passed, t);
@@ -71,7 +72,8 @@ bool Path::pass_volume(const ShadingPoint& end, float t) {
          pass_volume(volume, way, false);
 }
 
-/// Before what lies beyond all surfaces. An environment knows its own air, but for what has an end.
+/// The segment to infinity. Only volume shaders that act on infinite rays apply; environments
+/// include their own haze.
 bool Path::pass_volume_to_infinity() {
   if (world_.camera_volume.empty() && world_.eye_volume.empty()) return false;
   if (!way_.medium.medium.clear() || fading_.distance > 0 || !std::isinf(way_.reach)) return false;

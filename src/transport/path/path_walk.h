@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a path under way. Private to path*.cpp: the walk and surfaces in path.cpp, lights
-// and environment in path_light.cpp, vertices and lobes in path_scatter.cpp, volumes in
-// path_volume.cpp.
+// The state of a path that is being traced. Private to path*.cpp: the walk and surfaces in
+// path.cpp, lights and environment in path_light.cpp, vertices and lobes in path_scatter.cpp,
+// volumes in path_volume.cpp.
 #pragma once
 
 #include <limits>
@@ -20,18 +20,20 @@
 
 namespace oriel {
 
-/// Spread after a diffuse bounce (radians): textures seen by final gather rays need no detail.
+/// Cone spread after a diffuse bounce (radians). Large, since final gather rays need no texture
+/// detail.
 inline constexpr float kDiffuseSpread = 0.2f;
-/// Diffuse and glossy vertices before a path may be ended by chance.
+/// Number of diffuse and glossy vertices before Russian roulette.
 inline constexpr int kRouletteDepth = 3;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct GridPoint;
 struct GatherPoint;
 
-/// One path, or one branch of it; copied where it splits. Its state is in the structs below. The
-/// functions are steps on all of that state (walk, surfaces, media, lights, lobes, maps, grids), so
-/// they are members, one file per subject; what shaders ask for is PathForShaders.
+/// One path, or one branch of it; a path that splits is copied. The structs below contain its
+/// state. The functions are the steps of the integrator (walk, surfaces, media, lights, lobes,
+/// maps, grids). Each reads most of the state, so they are members, with one file per subject.
+/// PathForShaders traces the rays of shaders.
 class Path {
   friend class PathForShaders;
 
@@ -48,112 +50,112 @@ class Path {
 
   void run(const Camera::Ray& eye);
   void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
-  /// Follows the eye ray as far as nothing diffuse comes before, and notes what it meets.
+  /// Follows the eye ray up to the first diffuse surface and appends the points for gathering.
   void visit(const Camera::Ray& eye, std::vector<GatherPoint>& points);
-  /// The same behind a diffuse surface.
+  /// The same for a ray that leaves a diffuse surface.
   void visit_behind(const ShadingPoint& point, const Vec3& direction,
                     std::vector<GatherPoint>& points);
-  /// Follows the eye ray to the first surface and fills a point of the grid of that density.
+  /// Follows the eye ray to the first surface and fills a point of the grid with that density.
   void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
-  /// Begins at a white Lambert surface, seen from straight above, in place of what is at the point.
-  /// `mapped`: maps of indirect light know the place; others gather by rays.
+  /// Starts at the point, with a white Lambert surface seen along its normal instead of the actual
+  /// material. `mapped`: indirect light comes from caches; otherwise it is traced.
   void receive(ShadingPoint& point, bool mapped);
 
  private:
-  /// Where the ray came from, to weigh lights and environment it meets.
+  /// The vertex that the ray left, for the MIS weights of lights and environment that it hits.
   struct Vertex {
     bool weighed = false;  ///< a non-delta vertex that sampled lights
     ShadingPoint point;
     LitVertex lights;
     float pdf = 0;
     LobeGroup group = LobeGroup::Diffuse;
-    LightInReflection invisible, visible, hidden_portal;  ///< lights, in reflecting lobes
+    LightInReflection invisible, visible, hidden_portal;  ///< how reflections show lights
     LightInReflection shown(const Light& light, const LightHit& hit) const {
       if (light.portal && !light.portal->visible) return hidden_portal;
       if (!light.visible) return invisible;
       if (!hit.force_specular) return visible;
       return {visible.as_reflection, invisible.as_highlight};
     }
-    /// Share of the light that the lobe takes.
+    /// Factor of the light for this kind of lobe.
     float affected(const LightHit& hit) const {
       return group == LobeGroup::Diffuse ? hit.affects_diffuse : hit.affects_specular;
     }
     bool shadows = true;
-    // Surfaces that glow were sampled for rays of diffuse lobes, of glossy reflections.
+    // Emissive triangles were sampled for diffuse lobes, and for glossy reflections.
     bool emission_on_diffuse = false, emission_in_reflections = false;
-    LitPoint lit;      ///< for what was sampled of them
-    float passed = 0;  ///< way of the ray since, through what let it pass straight
+    LitPoint lit;      ///< the point that emissive triangles were sampled for
+    float passed = 0;  ///< distance since then, through surfaces that did not bend the ray
   };
-  /// The ray under way and what is known of its way since the last surface.
+  /// The current ray, with its state since the last surface.
   struct RayWay : RayWalk {
     RayCone cone;
     bool blurred = false;
-    float roughness = 0;  ///< of the part of a reflecting lobe that the ray stands for
-    const NodeList* environment = nullptr;  ///< of the material it left; null = the scene's
-    float volume_passed = 0;                ///< of `from_.passed`, what volumes have acted on
-    float reach = kInfinity;  ///< of a gather ray; beyond it there is only the environment
-    Medium veil;  ///< what a thin wall does to the ray behind it, up to the next surface
-    bool to_far_side = false;  ///< only the inner side of the solid's other wall counts
+    float roughness = 0;  ///< of the part of a reflecting lobe that the ray represents
+    const NodeList* environment = nullptr;  ///< of the last material; null = the scene's
+    float volume_passed = 0;   ///< part of `from_.passed` that volumes have been applied to
+    float reach = kInfinity;   ///< of a gather ray; beyond it only the environment is visible
+    Medium veil;               ///< absorption behind a thin wall, up to the next surface
+    bool to_far_side = false;  ///< only hits of back sides count: the far wall of the solid
   };
-  /// By which AOV of the first surface with AOVs light is recorded: at that surface and on the way
-  /// from it by its own kind, behind it by the part that it is seen through.
+  /// The AOV of the first surface that light is recorded in. Light at that surface, and on the ray
+  /// that leaves it, is recorded by its own kind; light behind it by the lobe that shows it.
   struct AovState {
-    bool fixed = false;       ///< that surface has been met
-    bool at_surface = false;  ///< the path is at it
-    bool leaving = false;     ///< on the way from it to the next
+    bool fixed = false;       ///< that surface has been hit
+    bool at_surface = false;  ///< the path is at that surface
+    bool leaving = false;     ///< the ray goes from it to the next surface
     Aov part = Aov::Other;
     LightPart at_vertex(Aov c) const { return {at_surface ? c : part, c}; }
     LightPart after_vertex(Aov c) const { return {leaving ? c : part, c}; }
-    /// Of what the ray meets that is no surface.
+    /// For light that does not come from a surface.
     LightPart on_way() const { return {part, part}; }
   };
-  /// What the record still has to learn of the first surfaces.
+  /// Values of the first surfaces that the record still lacks.
   struct EyeHit {
     Vec3 eye{0};
-    bool pending = true;         ///< no surface has been seen yet
-    bool features_seen = false;  ///< normal and albedo are those of a surface that scatters
-    bool alpha_open = false;     ///< what lies behind shows in alpha
-    std::optional<Tracer::Met>* met = nullptr;  ///< set: a shader asks for the first surface
+    bool pending = true;         ///< no surface has been hit yet
+    bool features_seen = false;  ///< normal and albedo come from a surface that scatters
+    bool alpha_open = false;     ///< alpha still depends on surfaces behind
+    std::optional<Tracer::Met>* met = nullptr;  ///< receives the first surface, for a shader
   };
   struct PathDepth {
     int vertex = 0;
-    int nested = 0;                        ///< paths of shaders that this one was asked from
+    int nested = 0;                        ///< number of shader paths that this one is nested in
     int reflections = 0, refractions = 0;  ///< since the last diffuse bounce
     int bounces = 0;                       ///< diffuse and glossy
     int diffuse_bounces = 0;
     bool after_diffuse = false;
-    float importance = 1;  ///< product of levels on the way, not divided by chances
+    float importance = 1;  ///< product of lobe weights, not divided by probabilities
   };
-  /// Factors of light that is still to be found.
+  /// Factors of light that is found later.
   struct LightState {
     Rgb throughput{1};
-    Rgb lights{1};            ///< the same for lights that the last vertex sampled as well
+    Rgb lights{1};            ///< the same for lights that the last vertex also sampled
     Rgb occlusion{1};         ///< of indirect light at this vertex
-    Rgb near_dark{0};         ///< what a surface loses that a diffuse ray meets at once
-    float near_distance = 0;  ///< from where on it loses nothing; 0 = nowhere
+    Rgb near_dark{0};         ///< share of light lost from surfaces at distance 0
+    float near_distance = 0;  ///< distance from which nothing is lost; 0 = not used
   };
-  /// What the path is here for instead of light; null = light.
+  /// A purpose other than light; null = light.
   struct Task {
-    GridPoint* grid_point = nullptr;  ///< to fill it
+    GridPoint* grid_point = nullptr;  ///< the path fills this grid point
     int grid_density = 0;
-    std::vector<GatherPoint>* visited = nullptr;  ///< to note points
+    std::vector<GatherPoint>* visited = nullptr;  ///< the path appends gather points
   };
-  /// The last look-up of gathered light at this vertex: reflections that stand on it ask for the
-  /// same place again.
+  /// The last look-up of gathered light at this vertex. Reflections that are emulated by it look up
+  /// the same point again.
   struct LookedUp {
     bool valid = false, directional = false;
     Vec3 position{0}, normal{0};
     std::optional<Gathered> found;
   };
-  /// How the ray's way ends where its lobe limits it.
+  /// How a ray ends that its lobe limits.
   struct Fading {
     float distance = 0;  ///< 0 = not limited
     bool to_color = false;
     bool single_environment = false;
-    bool of_grid = false;  ///< the colour is what a grid of interpolated reflections shows
+    bool of_grid = false;  ///< the colour comes from a grid of interpolated reflections
     Rgb color{0};
-    Vec3 mirrored{0};                         ///< the direction looked up for all rays of the lobe
-    std::optional<Rgb>* looked_up = nullptr;  ///< found there once for all rays of the lobe
+    Vec3 mirrored{0};                         ///< direction of the look-up for all rays of the lobe
+    std::optional<Rgb>* looked_up = nullptr;  ///< result of that look-up, shared by the rays
     float kept(float t) const { return linear_fade(t, distance); }
   };
 
@@ -173,11 +175,11 @@ class Path {
   void add(const LightPart& part, const Rgb& radiance, std::size_t layer) {
     record_->add(place_, part, layer, radiance);
   }
-  /// The same of light that is known by layers.
+  /// The same for light that is split by light layers.
   void add(const LightPart& part, const Rgb& factor, const Rgb& light, const LightParts& parts) {
     record_->add(place_, part, factor, light, parts);
   }
-  // Layers of lights; any number if not requested.
+  // Indices of light layers; arbitrary if layers were not requested.
   std::size_t layer_of_light(int light) const {
     return record_->has_layers() ? world_.light_layers.of_light[static_cast<std::size_t>(light)]
                                  : 0;
@@ -237,35 +239,37 @@ class Path {
   bool russian_roulette();
 
   bool allows(unsigned bits) const { return (visibility_ & bits) == bits; }
-  /// Whether this vertex may be lit by surfaces and environment.
+  /// Whether this vertex receives indirect light from surfaces and environment.
   bool indirect() const {
     return settings_.indirect && allows(kSendsGatherRays) &&
            depth_.diffuse_bounces < settings_.diffuse_bounces;
   }
   bool reads_maps() const { return settings_.maps && (depth_.after_diffuse || !off_maps_); }
-  /// Whether the global map stands for diffuse rays here. It holds no first hits of the sky.
+  /// Whether the global photon map replaces diffuse rays here. It does not contain direct light of
+  /// the sky.
   bool reads_photons() const {
     return reads_maps() && settings_.maps->global &&
            (depth_.after_diffuse || !settings_.maps->gather);
   }
-  /// Whether coarse records stand for just the diffuse bounces that are still to come.
+  /// Whether coarse records contain exactly the remaining diffuse bounces.
   bool reads_bounces() const {
     if (!settings_.maps || !settings_.maps->bounces || !depth_.after_diffuse) return false;
     const int held = settings_.maps->bounces_held;
     return held >= PathSettings::kAllBounces ||
            settings_.diffuse_bounces - depth_.diffuse_bounces == held;
   }
-  /// Whether light that comes to a diffuse surface by mirrors and glass is in the caustic map, so
-  /// that rays behind that surface must not find it again.
+  /// Whether light that reaches diffuse surfaces through mirrors and glass is in the caustic map.
+  /// Rays that leave such a surface must then not add it again.
   bool caustics_are_mapped() const {
     return settings_.maps && settings_.maps->caustic && depth_.after_diffuse;
   }
-  /// Factor of the options on indirect light that comes to this vertex by rays.
+  /// Factor of the options on indirect light that rays bring to this vertex.
   Rgb indirect_factor() const {
     if (depth_.after_diffuse) return settings_.further_bounces;
     return settings_.maps && settings_.maps->gather ? settings_.maps->gather_scale : Rgb(1);
   }
-  /// After a diffuse bounce an environment shows all rays what light of it is sampled by.
+  /// The kind of ray for environment shaders. After a diffuse bounce all rays must see the same
+  /// environment as the light samples.
   RayKind environment_kind(RayKind kind) const {
     return depth_.after_diffuse ? RayKind::FinalGather : kind;
   }
@@ -279,7 +283,7 @@ class Path {
   void with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
                        LightParts& parts);
   bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);
-  /// What the media on the way leave of light over a distance.
+  /// Transmittance of the current media over a distance.
   Rgb kept_over(float distance) const {
     const Rgb kept = transmittance(way_.medium.medium, distance);
     return way_.veil.clear() ? kept : kept * transmittance(way_.veil, distance);
@@ -292,8 +296,8 @@ class Path {
   void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                    LobeChoice& choice);
 
-  /// Where the ray left is asked again by what it meets: lights with a shape, shadows of the
-  /// unseen.
+  /// Whether the point that the ray left is needed at its next hit: for lights with a shape, and
+  /// for shadows of objects that rays do not see.
   bool needs_origin() const { return world_.has_area_lights || world_.has_unseen_blockers; }
 
   const World& world_;
@@ -302,7 +306,7 @@ class Path {
   sampling::Sampler sampler_;
   RayCounts& counts_;
   PathRecord* record_;
-  const GlossyGrid* grid_;  ///< rays of shaders read none
+  const GlossyGrid* grid_;  ///< null for rays of shaders
 
   PathObserver::Place place_ = PathObserver::kEye;
   Task task_;
@@ -315,7 +319,7 @@ class Path {
   mutable LookedUp looked_up_;
   Fading fading_;
   unsigned visibility_ = kAllVisibility;  ///< of the surface's instance
-  bool off_maps_ = false;                 ///< begins where maps contain no data
+  bool off_maps_ = false;                 ///< starts where maps contain no data
 };
 
 }  // namespace oriel

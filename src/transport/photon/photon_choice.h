@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the photon shaders of a material ask for.
+// The results of the photon shaders of a material.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 
 namespace oriel {
 
-/// What a photon shader asks for: stores at once, and of the ways on one by even chance.
+/// Collects the requests of photon shaders: the photon to store, and one of the requested
+/// directions, chosen with equal probability.
 class PhotonChoice final : public PhotonNext {
  public:
   PhotonChoice(sampling::Sampler& sampler, bool globillum)
       : sampler_(sampler), globillum_(globillum) {}
   void store(const Rgb& energy) override { stored = energy; }
   bool send(RayKind kind, const Rgb& energy, const Vec3& direction) override {
-    // In the caustic pass nothing is scattered diffusely.
+    // Caustic photons are not scattered diffusely.
     const bool diffuse =
         kind == RayKind::PhotonReflectDiffuse || kind == RayKind::PhotonTransmitDiffuse;
     if ((diffuse && !globillum_) || max_component(energy) <= 0) return false;

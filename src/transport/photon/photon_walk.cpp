@@ -17,18 +17,20 @@
 namespace oriel {
 namespace {
 
-/// Surfaces of any kind, cut-outs included, before a photon is given up.
+/// Maximum number of surfaces of a photon, including cut-outs.
 constexpr int kMostPhotonVertices = 256;
-/// Draws reserved for each vertex, so that a vertex uses the same dimensions in every photon.
+/// Sample dimensions reserved for each vertex, so that a vertex uses the same dimensions in every
+/// photon.
 constexpr std::uint32_t kDrawsPerPhotonVertex = 8;
-/// Photons are asked for by other numbers than pixels are.
+/// Row number of photon streams, which no pixel has.
 constexpr int kStreamRow = 0x70686f74;
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
-/// Photons that graze a surface whose shading normal faces them would gain without bound.
+/// Lower bound of cosines, since photons at grazing angles would otherwise gain without bound where
+/// the shading normal faces them.
 constexpr float kLeastPhotonCosine = 1e-3f;
 
-/// What a photon is after it was scattered.
+/// The ray kind of a scattered photon.
 RayKind scattered_as(LobeKind kind, bool crosses) {
   if (is_diffuse(kind))
     return crosses ? RayKind::PhotonTransmitDiffuse : RayKind::PhotonReflectDiffuse;
@@ -78,7 +80,7 @@ class PhotonWalk {
   Rgb as_paths_see(const Material& material, const ShadingPoint& point, const ClosureSample& sample,
                    LobeKind kind) const;
   void absorb() { lose(Rgb(0)); }
-  /// What is left of the factor; the rest is absorbed.
+  /// Sets the factor; the difference is absorbed.
   void lose(const Rgb& left) {
     log_.balance.absorbed += precise(emitted_) * precise(factor_ - left);
     factor_ = left;
@@ -94,14 +96,14 @@ class PhotonWalk {
 
   EmittedPhoton photon_;
   RayWalk way_{.kind = RayKind::PhotonLight};
-  Rgb emitted_{0};  // as of the last surface, until the photon has scattered
+  Rgb emitted_{0};  // depends on the surface until the photon was scattered
   Rgb factor_{1};
   Vec3 start_{0};
   bool scattered_ = false, specular_ = false, diffuse_ = false;
   int reflections_ = 0, refractions_ = 0;
 };
 
-/// Dims, and ends the photon by chance instead where it would become weak.
+/// Absorbs in a medium. Instead of weakening, the photon is terminated at random.
 void PhotonWalk::pass_medium(const Medium& medium, float distance) {
   const Rgb before = power(), t = transmittance(medium, distance);
   const float most = max_component(before);
@@ -112,8 +114,8 @@ void PhotonWalk::pass_medium(const Medium& medium, float distance) {
     lose(factor_ * t / kept);
 }
 
-/// The air on the way to `end`. True: the photon goes on from there, scattered; else what is left
-/// of it arrives. Photons and light of kind Light are dimmed by the same.
+/// Evaluates volume shaders on the segment to `end`. True: the photon was scattered and continues
+/// from a point in the volume. The same volumes act on photons and on light rays.
 bool PhotonWalk::pass_volume(const Vec3& end, float length) {
   const NodeList& volume = way_.medium.volume ? *way_.medium.volume : world_.light_volume;
   if (volume.empty() || !way_.medium.medium.clear()) return false;
@@ -121,7 +123,8 @@ bool PhotonWalk::pass_volume(const Vec3& end, float length) {
   ShadingPoint way = way_.volume_segment(world_, way_.left, end, length);
   SceneTracer tracer(world_, sampler_, log_.counts);
   way.tracer = &tracer;
-  // Where light from endlessly far is left alone by air without end, so are its photons.
+  // If an infinite volume does not act on light of infinite lights, it does not act on their
+  // photons.
   if (!way_.medium.volume && !scattered_ && source_.is_endless() && !endless &&
       volume_transmittance_to_light(world_, way, -way_.ray.dir, kEndless) == Rgb(1))
     return false;
@@ -168,7 +171,7 @@ void PhotonWalk::store(const ShadingPoint& point, const Rgb& power) {
       .push_back({{place.position, way_.ray.dir, power, place.normal}, index_});
 }
 
-/// Chances of the lobes: the share of the power each would keep. Returns their sum, at most 1.
+/// Probability of each lobe: the share of power that it keeps. Returns their sum, at most 1.
 float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const {
   const Rgb now = power();
   const float most = max_component(now);
@@ -180,7 +183,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
     total += choice.rays[i];
   }
   if (total > 1) {
-    // Materials may be told not to conserve energy.
+    // Energy conservation of materials can be disabled.
     for (float& chance : choice.rays) chance /= total;
     total = 1;
   }
@@ -188,7 +191,7 @@ float PhotonWalk::choose_lobes(const Closure& closure, LobeChoice& choice) const
   return total;
 }
 
-/// False when the trace depth allows no more.
+/// False: the trace depth is reached.
 bool PhotonWalk::count_bounce(bool refracts) {
   const scene::TraceDepth& depth = settings_.depth;
   if (reflections_ + refractions_ >= depth.sum) return false;
@@ -201,8 +204,8 @@ void PhotonWalk::follow(const ShadingPoint& point, const Vec3& direction) {
   way_.leave_surface(point, direction, way_.medium.reach(), mask);
 }
 
-/// Weight of a sample as a path that comes the other way has it: levels and shading normals go by
-/// what looks at the surface, and a photon is seen from where it goes to.
+/// Weight of a sample as seen by a path in the opposite direction. Lobe weights and shading normals
+/// depend on the viewer, and the viewer of a photon is where it goes.
 /// Source: Veach, "Non-symmetric Scattering in Light Transport Algorithms", 1997, eq. 7 and 18.
 Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point,
                              const ClosureSample& sample, LobeKind kind) const {
@@ -224,7 +227,7 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   return value * (out / (std::max(in, kLeastPhotonCosine) * sample.pdf));
 }
 
-/// Scatters, passes straight, or ends. False: it ends.
+/// Scatters, transmits straight, or absorbs. False: the photon ends.
 bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
                                const ShadingPoint& point, bool seen) {
   LobeChoice choice;
@@ -262,7 +265,7 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   }
   const auto sample = sample_lobe(closure, choice, index, point, point.wo(), u, u2);
   if (!sample) return absorb(), false;
-  // Refraction keeps the power: the factor of radiance between media is left out, as paths do.
+  // Refraction keeps the power: the radiance factor between media is omitted, as in paths.
   const bool turns = !sample->delta && group_of(kind) != LobeGroup::Refraction;
   const Rgb weight = turns ? as_paths_see(material, point, *sample, kind) : sample->weight;
   if (!is_finite(weight)) return absorb(), false;
@@ -280,9 +283,9 @@ bool PhotonWalk::continue_path(const Closure& closure, const Material& material,
   return max_component(factor_) > 0;
 }
 
-/// Where other shaders than the surface's filter shadows, they stand for all that passes straight,
-/// as paths have it. True: the photon goes on so; else by chance it does not, and the transmitting
-/// lobes are taken out.
+/// If shadow shaders other than the surface shader filter light, they determine the straight
+/// transmission, as for paths. True: the photon is transmitted. False: the random choice was
+/// against it, and the transmitting lobes are removed.
 bool PhotonWalk::pass_filter(Closure& closure, const Material& material, ShadingPoint& point) {
   Closure filter;
   const Rgb through = straight_through(material, point, world_.options, filter);
@@ -306,7 +309,7 @@ bool PhotonWalk::pass_filter(Closure& closure, const Material& material, Shading
   return true;
 }
 
-/// Where the material has photon shaders they decide. False: the photon ends here.
+/// Evaluates the photon shaders of the material. False: the photon ends here.
 bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, ShadingPoint& point,
                              bool seen) {
   const Rgb arriving = power();
@@ -338,20 +341,20 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
   const bool diffuse =
       way_.kind == RayKind::PhotonReflectDiffuse || way_.kind == RayKind::PhotonTransmitDiffuse;
   (diffuse ? diffuse_ : specular_) = true;
-  way_.medium.ignore();  // shaders dim what passes their solids themselves
+  way_.medium.ignore();  // photon shaders compute absorption themselves
   way_.medium.leave_volume(closure, point, chosen.direction);
   follow(point, chosen.direction);
   return max_component(factor_) > 0;
 }
 
-/// At a surface. False: the photon ends here.
+/// Handles a hit. False: the photon ends here.
 bool PhotonWalk::shade_hit(const geom::Hit& hit) {
   ShadingPoint point;
   fill_point(world_, way_.ray, hit, {}, way_.kind, point);
   if (!(visibility(point) & kMeetsCaustics)) {
     const Vec3 left = way_.left;
     follow(point, way_.ray.dir);
-    way_.left = left;  // a medium goes on
+    way_.left = left;  // the medium continues
     return true;
   }
   const Material& material = material_of(world_, hit);
@@ -383,7 +386,7 @@ bool PhotonWalk::shade_hit(const geom::Hit& hit) {
     return true;
   }
 
-  // What only casts shadows neither keeps nor scatters light.
+  // Objects that only cast shadows neither store nor scatter light.
   const bool seen = world_.accel->instance(hit.instance).mask & geom::RayMask::FinalGather;
   make_ready(closure, point.wo());
   const bool receives = seen && visibility(point) & kReceivesCaustics;
@@ -416,7 +419,7 @@ void PhotonWalk::run() {
         if (max_component(factor_) <= 0) break;
         if (turned) continue;
       }
-      // Nothing within the reach of a medium that turns black is black.
+      // A ray that ends within a medium that becomes black is absorbed.
       if (std::isinf(way_.ray.tfar))
         log_.balance.escaped += precise(power());
       else
@@ -438,7 +441,7 @@ void walk_photon(const World& world, const PhotonSettings& settings, const Photo
     PhotonWalk(world, settings, source, stream, index, log).run();
     return;
   }
-  // Photons of the two maps go different ways: each alone, and those of the global map count.
+  // The flags of the two maps differ: each map gets its own photons. The global ones are counted.
   PhotonSettings alone = settings;
   alone.caustics = false;
   PhotonWalk(world, alone, source, stream, index, log).run();

@@ -42,7 +42,8 @@ void* mi_phen_call(miState* state, void* parm);
 /// Address of the value of the parameter at `p` of the running shader; runs a connected shader.
 #define mi_eval(s, p) mi_phen_eval((s), (void*)(p))
 
-// The typed macros use the variable `state` of the enclosing scope. Value of a boolean parameter.
+// The typed macros use the variable `state` of the enclosing scope.
+/// Value of a boolean parameter.
 #define mi_eval_boolean(p) ((miBoolean*)mi_eval(state, p))
 /// Value of an integer parameter.
 #define mi_eval_integer(p) ((miInteger*)mi_eval(state, p))
