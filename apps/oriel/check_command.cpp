@@ -296,14 +296,14 @@ int run_check(const CheckArguments& a) {
 
 Command add_check_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "check", "Says what a scene uses and what of it is missing, approximated or ignored");
+      "check", "List what a scene uses, and what is missing, approximated or ignored");
   auto a = std::make_shared<CheckArguments>();
   add_scene_arguments(*app, a->scene);
   app->add_option("--report", a->report,
-                  "Page to read and to print: summary, a quick picture, each shader with each "
-                  "parameter, missing files, messages")
+                  "HTML report: summary, preview, every shader with its "
+                  "parameters, missing files, messages")
       ->type_name("FILE.html");
-  app->add_flag("--json", a->as_json, "One line of JSON");
+  app->add_flag("--json", a->as_json, "Print one line of JSON");
   return {app, [a] { return run_check(*a); }};
 }
 

@@ -51,13 +51,12 @@ int run_denoise(const DenoiseArguments& a) {
 }  // namespace
 
 Command add_denoise_command(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("denoise", "Takes the noise out of a render, from its EXR layers");
+  CLI::App* app = program.add_subcommand("denoise", "Denoise a render from its EXR layers");
   auto a = std::make_shared<DenoiseArguments>();
   app->add_option("IN", a->input, "EXR file of oriel render, with its layers")->required();
   app->add_option("-o,--output", a->output, "Linear picture to write: .exr or .hdr")->required();
   app->add_option("--strength", a->strength,
-                  "Less than 1 leaves more noise, more than 1 blurs more")
+                  "Strength of denoising (default 1); larger values blur more")
       ->check(CLI::Range(0.1f, 10.0f))
       ->capture_default_str();
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));

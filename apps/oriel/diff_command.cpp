@@ -111,18 +111,18 @@ int run_diff(const DiffArguments& a) {
 }  // namespace
 
 Command add_diff_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("diff", "Compares two pictures");
+  CLI::App* app = program.add_subcommand("diff", "Compare two pictures");
   auto a = std::make_shared<DiffArguments>();
-  app->add_option("A", a->test, "The picture in question")->required();
+  app->add_option("A", a->test, "Picture to compare")->required();
   app->add_option("B", a->reference, "The reference")->required();
   app->add_option("--threshold", a->thresholds,
-                  "Exit code 1 when the metric (rmse, relmse, mean, max, flip) is larger")
+                  "Exit with code 1 if the metric (rmse, relmse, mean, max, flip) is larger")
       ->allow_extra_args(false)
       ->type_name("METRIC=VALUE");
   app->add_option("--flip", a->flip_map,
-                  "Writes the FLIP error of each pixel as a grey picture, 0 same to 1 other")
+                  "Grey picture to write: FLIP error per pixel, 0 (equal) to 1")
       ->type_name("FILE");
-  app->add_flag("--json", a->json, "One line of JSON");
+  app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_diff(*a); }};
 }
 

@@ -98,26 +98,25 @@ int run_explain(ExplainArguments& a) {
 }  // namespace
 
 Command add_explain_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "explain",
-      "Says in words how the colour of a pixel came about: what is seen there, which light it "
-      "has, what shadows it, what its noise is made of");
+  CLI::App* app =
+      program.add_subcommand("explain",
+                             "Explain the colour of a pixel: the surface, the light on it, "
+                             "shadows, and the sources of noise");
   auto a = std::make_shared<ExplainArguments>();
   RenderArguments& r = a->render;
   add_scene_arguments(*app, r.scene);
   app->add_option("--pixel", a->pixel, "The pixel, from the upper left, 0,0")
       ->required()
       ->type_name("X,Y");
-  app->add_option("--samples", r.samples,
-                  fmt::format("Samples of the pixel (default {})", kSamples));
-  app->add_option("--gi", r.gi, "Indirect light, as of oriel render");
-  app->add_option("--size", r.size, "Size of the picture, as of oriel render")->type_name("WxH");
-  app->add_option("--sun", r.sun, "As of oriel render")->type_name("LAT,LON,TIME");
-  app->add_option("--north", r.north, "As of oriel render");
+  app->add_option("--samples", r.samples, fmt::format("Number of samples (default {})", kSamples));
+  app->add_option("--gi", r.gi, "Method of indirect light, as in oriel render");
+  app->add_option("--size", r.size, "Size of the picture, as in oriel render")->type_name("WxH");
+  app->add_option("--sun", r.sun, "As in oriel render")->type_name("LAT,LON,TIME");
+  app->add_option("--north", r.north, "As in oriel render");
   app->add_option("--camera", r.camera, "Camera instance to use");
-  app->add_option("--seed", r.seed, "Another pattern of noise");
+  app->add_option("--seed", r.seed, "Random seed (default 0)");
   app->add_option("--threads", r.threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
-  app->add_flag("--json", r.json, "One line of JSON on stdout");
+  app->add_flag("--json", r.json, "Print one line of JSON");
   app->add_flag("-q,--quiet", r.quiet, "No progress");
   return {app, [a] { return run_explain(*a); }};
 }

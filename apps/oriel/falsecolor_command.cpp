@@ -84,13 +84,12 @@ int run_falsecolor(const FalseColorArguments& a) {
 
 Command add_falsecolor_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "falsecolor", "Shows lux or cd/m2 of a rendered EXR file as colours, with a legend");
+      "falsecolor", "Show lux or cd/m2 of a rendered EXR file as colours with a legend");
   auto a = std::make_shared<FalseColorArguments>();
   app->add_option("IN", a->input, "EXR file of oriel render --layers illuminance,luminance")
       ->required();
   app->add_option("-o,--output", a->output, "The picture to write, type by suffix")->required();
-  app->add_option("--layer", a->layer,
-                  "illuminance, luminance or any other; else the first of these it has");
+  app->add_option("--layer", a->layer, "Layer (default: illuminance, else luminance)");
   app->add_option("--range", a->range, "Values of the darkest and the brightest colour")
       ->type_name("LOW,HIGH");
   app->add_flag("--log", a->logarithmic, "Equal steps of colour are equal factors");

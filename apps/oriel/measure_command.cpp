@@ -347,7 +347,7 @@ int run_measure(MeasureArguments& a) {
 Command add_measure_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "measure",
-      "Measures light: lux of sensors on a grid or at points, cd/m2 through pixels, each with its "
+      "Measure light: lux of sensors on a grid or at points, cd/m2 through pixels, each with a "
       "95 % interval");
   auto a = std::make_shared<MeasureArguments>();
   add_scene_arguments(*app, a->scene);
@@ -356,46 +356,49 @@ Command add_measure_command(CLI::App& program) {
       app->add_option("--grid", p.grid,
                       "Rectangle of sensors: corner, two edges, numbers; 0,0,.85:4,0,0:0,3,0:8x6")
           ->type_name("ORIGIN:U:V[:NUxNV]");
-  CLI::Option* plane = app->add_option("--plane", p.plane, "Plane through the scene's box: z=0.85")
-                           ->type_name("AXIS=VALUE")
-                           ->excludes(grid);
+  CLI::Option* plane =
+      app->add_option(
+             "--plane", p.plane,
+             "Horizontal or vertical grid of sensors through the bounding box, e.g. z=0.85")
+          ->type_name("AXIS=VALUE")
+          ->excludes(grid);
   app->add_option("--spacing", p.spacing, "Distance of sensors, of --plane and --grid");
-  app->add_option("--inset", p.inset, "Distance from the box's sides, of --plane");
+  app->add_option("--inset", p.inset, "Distance of --plane from the sides of the bounding box");
   app->add_option("--at", p.points, "One sensor; repeat for more")
       ->allow_extra_args(false)
       ->type_name("X,Y,Z")
       ->excludes(grid)
       ->excludes(plane);
   app->add_option("--normal", p.normal,
-                  "Where sensors look: else up from the plane or grid, 0,0,1 for --at")
+                  "Direction of the sensors (default: normal of the plane or grid; 0,0,1 for --at)")
       ->type_name("X,Y,Z");
   app->add_option("--pixel", a->pixels,
-                  "Spot reading through a pixel, from the upper left, 0,0; repeat for more")
+                  "Luminance through a pixel, counted from the upper left, 0,0; repeatable")
       ->allow_extra_args(false)
       ->type_name("X,Y");
-  app->add_option("--precision", a->precision,
-                  "Until each reading is known to this share, 95 times of 100")
+  app->add_option("--precision", a->precision, "Relative error of each reading at 95 % confidence")
       ->capture_default_str();
   app->add_option("--floor", a->request.floor, "Lux (cd/m2) that are precise enough anywhere")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app->add_option("--max-samples", a->request.max_samples, "Paths of a reading at most")
+  app->add_option("--max-samples", a->request.max_samples, "Maximum number of paths per reading")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app->add_option("--time", a->request.seconds, "Seconds for all sensors, and for all pixels");
-  app->add_option("--unit-luminance", a->unit_luminance,
-                  "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
+  app->add_option(
+      "--unit-luminance", a->unit_luminance,
+      "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
   app->add_option(
       "--meters-per-unit", p.meters_per_unit,
-      "Metres per scene unit: positions are printed in metres, lengths may be given as 0.5m. "
-      "Light does not change: lamps of the language shine by scene units");
-  app->add_option("--sun", a->sun, "As of oriel render")->type_name("LAT,LON,TIME");
-  app->add_option("--north", a->north, "As of oriel render");
+      "Metres per scene unit. Positions are printed in metres, and lengths may be given as 0.5m. "
+      "Does not change the light: the falloff of lights uses scene units");
+  app->add_option("--sun", a->sun, "As in oriel render")->type_name("LAT,LON,TIME");
+  app->add_option("--north", a->north, "As in oriel render");
   app->add_option("--camera", a->camera, "Camera instance to use");
-  app->add_option("--csv", a->csv, "File for a line of each sensor");
+  app->add_option("--csv", a->csv, "CSV file to write: one line per sensor");
   app->add_option("--seed", a->request.seed, "Other random numbers");
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
-  app->add_flag("--json", a->json, "One line of JSON on stdout");
+  app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_measure(*a); }};
 }
 

@@ -136,11 +136,11 @@ int run_profile(const ProfileArguments& a) {
 
 Command add_profile_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "profile", "Tells what a photometric file (IES, EULUMDAT) holds, and draws it");
+      "profile", "Print and plot the content of a photometric file (IES, EULUMDAT)");
   auto a = std::make_shared<ProfileArguments>();
   app->add_option("file", a->file, "Photometric file")->required()->type_name("FILE");
   app->add_option("-o,--output", a->plot, "Polar plot (.svg)")->type_name("FILE");
-  app->add_flag("--json", a->json, "One line of JSON on stdout");
+  app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_profile(*a); }};
 }
 

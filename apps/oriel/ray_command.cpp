@@ -269,7 +269,7 @@ int run_ray(const std::vector<std::string>& words) {
 
 Command add_ray_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "ray", "Renders with the flags of mental ray's stand-alone program (oriel ray -help)");
+      "ray", "Render with the options of mental ray's stand-alone program (oriel ray -help)");
   // Its flags have one dash and whole words.
   app->set_help_flag();
   app->prefix_command();

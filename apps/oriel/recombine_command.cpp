@@ -198,7 +198,7 @@ int run_recombine(const RecombineArguments& a) {
 Command add_recombine_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "recombine",
-      "Rebuilds a render from its layers and compares: from the outputs of its materials, or, "
+      "Rebuild a render from its layers and compare: from material outputs, or, "
       "where "
       "these are not there, from its light groups. With --light: the picture under other strengths "
       "of its light groups");
@@ -208,17 +208,18 @@ Command add_recombine_command(CLI::App& program) {
   app->add_option("-o,--output", a->output,
                   "EXR file to write: layers simple, complex and difference (relative); with "
                   "--light the new picture and its light groups");
-  app->add_option("--light", a->lights,
-                  "Multiplies a light group: by a factor; by a factor and warmer (1: red against "
-                  "blue by 4 for 1, of the same luminance; negative: cooler); or by red, green and "
-                  "blue. Repeat for more groups; rest is what no group has")
+  app->add_option(
+         "--light", a->lights,
+         "Factor of a light group: a number; a number and a colour temperature shift (1: red to "
+         "blue 4:1 at equal luminance; negative: cooler); or red, green and "
+         "blue. Repeatable; `rest` is the light of no group")
       ->allow_extra_args(false)
       ->type_name("NAME=FACTOR[,WARMTH]|R,G,B");
   app->add_option("--threshold", a->threshold,
-                  "Exit code 1 when a pixel differs by more than this share")
+                  "Exit with code 1 if a pixel differs by more than this share")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app->add_flag("--json", a->json, "One line of JSON");
+  app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_recombine(*a); }};
 }
 

@@ -43,56 +43,64 @@ std::vector<std::string> layer_names_beside_outputs() {
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("render", "Renders a scene");
+  CLI::App* app = program.add_subcommand("render", "Render a scene");
   auto a = std::make_shared<RenderArguments>();
   add_scene_arguments(*app, a->scene);
-  app->add_option("-o,--output", a->outputs,
-                  "File to write in place of the camera's outputs, type by suffix; repeat for "
-                  "more. In a file with several render statements # stands for digits of the "
-                  "frame's number: out.####.exr; without, the second frame is out.0002.exr")
+  app->add_option(
+         "-o,--output", a->outputs,
+         "Output file instead of those of the camera; the suffix sets the type; repeatable. "
+         "With several render statements, # is replaced by digits of the "
+         "frame number: out.####.exr; without #, the second frame is out.0002.exr")
       ->allow_extra_args(false)
       ->type_name("FILE");
   app->add_option("--samples", a->samples, "Samples of every pixel");
   app->add_option("--noise", a->noise,
                   "Stop when the estimated noise of the picture is below this, e.g. 0.02");
-  app->add_option("--time", a->time, "Seconds to render for");
+  app->add_option("--time", a->time, "Time limit in seconds");
   app->add_option("--frames", a->frames,
-                  "Render statements to render, counted from 1: 1..20, or 3,7,12..15, or 8..")
+                  "Render statements to render, counted from 1: 1..20, 3,7,12..15 or 8..")
       ->type_name("A..B");
   app->add_flag("--skip-existing", a->skip_existing,
-                "Leaves out frames whose files are all there, finished or not");
+                "Skip frames whose files all exist, complete or not");
   app->add_option("--gi", a->gi, "Indirect light: path, fg, photons, fg+photons or scene");
   app->add_option("--size", a->size, "Size of the picture")->type_name("WxH");
-  app->add_option("--crop", a->crop, "Only this window: XL,YL,XH,YH from the lower left");
-  app->add_option("--sun", a->sun,
-                  "Turns sun and sky to where they stand, as 48.14,11.58,2026-06-21T12:00+02:00")
+  app->add_option("--crop", a->crop,
+                  "Window to render, in pixels from the lower left, ends included")
+      ->type_name("XL,YL,XH,YH");
+  app->add_option(
+         "--sun", a->sun,
+         "Position of sun and sky by place and time, e.g. 48.14,11.58,2026-06-21T12:00+02:00")
       ->type_name("LAT,LON,TIME");
-  app->add_option("--north", a->north,
-                  "For --sun: degrees of north clockwise from above, from +Y, or -Z with y up");
+  app->add_option(
+      "--north", a->north,
+      "North for --sun: degrees clockwise from +Y, seen from above (from -Z if y is up)");
   app->add_option("--camera", a->camera, "Camera instance to use");
   app->add_option(
       "--layers", a->layers,
-      fmt::format("Layers of EXR files, comma between: beauty, {}, outputs (of materials) or all",
-                  fmt::join(layer_names_beside_outputs(), ", ")));
-  app->add_option("--light-group", a->light_groups,
-                  "Lights of such names (* and ? stand for others, comma between; instances, "
-                  "instgroups, glowing objects, or environment) become layer light.NAME of EXR "
-                  "files: all their light, bounces included. The rest is light.rest, and the "
-                  "layers sum to the beauty; light.indirect is there where maps from files, "
-                  "interpolated reflections or users' shaders do not know. Repeat for more; the "
-                  "first that matches "
-                  "has the light. In scenes: option \"light group NAME\" \"PATTERN,...\"")
+      fmt::format(
+          "Layers of EXR files, separated by commas: beauty, {}, outputs (of materials) or all",
+          fmt::join(layer_names_beside_outputs(), ", ")));
+  app->add_option(
+         "--light-group", a->light_groups,
+         "Light group: names of lights (wildcards * and ?, separated by commas; instances, "
+         "instgroups, emissive objects or environment). Layer light.NAME of EXR "
+         "files contains all their light with its bounces, light.rest the remaining light; the "
+         "layers sum to the beauty; light.indirect is there where maps from files, "
+         "interpolated reflections or users' shaders do not know. Repeat for more; the "
+         "first that matches "
+         "has the light. In scenes: option \"light group NAME\" \"PATTERN,...\"")
       ->allow_extra_args(false)
       ->type_name("NAME=PATTERN,...");
-  app->add_option("--unit-luminance", a->unit_luminance,
-                  "cd/m2 of one unit of a pixel; else as the scene's exposure or sky says, or 1");
+  app->add_option(
+      "--unit-luminance", a->unit_luminance,
+      "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
   app->add_flag("--cryptomatte{6}", a->cryptomatte,
-                "Mattes of objects, materials and assets by Cryptomatte layers of EXR files; "
-                "--cryptomatte=N for N names a pixel in place of 6. In scenes: option "
+                "Cryptomatte layers of objects, materials and assets in EXR files; "
+                "--cryptomatte=N stores N names per pixel (default 6). In scenes: option "
                 "\"cryptomatte\" on");
   app->add_flag("--linear", a->linear,
-                "Leaves lens and output shaders out of all files: linear light. Without, files "
-                "hold what these make of it, and EXR files have linear light as layer \"linear\"");
+                "Skip lens and output shaders: all files contain linear light. By default files "
+                "show their result, and EXR files contain linear light as layer \"linear\"");
   app->add_flag("--keep-outliers", a->keep_outliers,
                 "Show pixels that single rare samples make far too bright. By default pictures for "
                 "display spread their light over the neighbourhood; EXR files always keep them");
@@ -102,13 +110,13 @@ Command add_render_command(CLI::App& program) {
          "light")
       ->check(CLI::PositiveNumber);
   app->add_flag("--denoise", a->denoise,
-                "Takes the noise out of finished pictures; EXR gets it as a layer of its own");
-  app->add_option("--seed", a->seed, "Another pattern of noise");
+                "Denoise the finished pictures; in EXR files as a separate layer");
+  app->add_option("--seed", a->seed, "Random seed (default 0)");
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")
       ->type_name("MB");
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
-  app->add_flag("--json", a->json, "Lines of JSON on stdout");
+  app->add_flag("--json", a->json, "Print lines of JSON");
   app->add_flag("-q,--quiet", a->quiet, "Only warnings and errors");
   return {app, [a] { return run_render(*a); }};
 }

@@ -124,22 +124,25 @@ void set_option(scene::Options& options, const Edit& edit) {
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
   command.add_option("SCENE", arguments.path, "The .mi file")->required();
-  command.add_option("-I,--include", arguments.include_paths, "Folder to look for includes in")
+  command
+      .add_option("-I,--include", arguments.include_paths,
+                  "Search folder for include files; repeatable")
       ->allow_extra_args(false)
       ->type_name("DIR");
   command
       .add_option("--set", arguments.edits,
-                  "Changes a parameter of a shader, material, light or options block")
+                  "Set a parameter of a shader, material, light or options block; repeatable")
       ->allow_extra_args(false)
       ->type_name("ELEMENT.PARAM=VALUE");
   command
-      .add_option("--shader-path", arguments.shader_path,
-                  "Folders of shader libraries that `link` may load, separated by colons; those of "
-                  "ORIEL_SHADER_PATH follow")
+      .add_option(
+          "--shader-path", arguments.shader_path,
+          "Folders from which `link` may load shader libraries, separated by colons; those of "
+          "ORIEL_SHADER_PATH are searched as well")
       ->type_name("DIRS");
   command.add_flag("--trust-code", arguments.trust_code,
-                   "Compiles and runs C sources in the scene ($code and `code` statements); only "
-                   "for scenes whose author you trust as yourself");
+                   "Compile and run C sources in the scene ($code and `code` statements); only "
+                   "for scenes from trusted authors");
 }
 
 mi::ReadOptions read_options(const SceneArguments& arguments, const Registry& registry) {

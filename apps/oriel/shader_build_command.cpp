@@ -109,8 +109,8 @@ void add_words(CLI::App* app, const char* name, std::vector<std::string>& words,
 }  // namespace
 
 Command add_shader_build_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "shader-build", "Compiles shaders written in C and C++ into a library that scenes link");
+  CLI::App* app =
+      program.add_subcommand("shader-build", "Compile C and C++ shaders into a library for scenes");
   auto a = std::make_shared<ShaderBuildArguments>();
   app->add_option("paths", a->paths, "Folder of sources, or the sources themselves")
       ->required()
@@ -119,8 +119,8 @@ Command add_shader_build_command(CLI::App& program) {
                   "Library (default: name of the folder with .so); with --each the folder of "
                   "libraries (default: the current one)")
       ->type_name("FILE");
-  app->add_flag("-r,--recursive", a->recursive, "Sources in folders of the folder as well");
-  app->add_flag("--each", a->each, "One library for each source, named after it");
+  app->add_flag("-r,--recursive", a->recursive, "Include sources in subfolders");
+  app->add_flag("--each", a->each, "One library per source, named after it");
   add_words(app, "-I", a->include_folders, "Folder of headers; may be repeated", "FOLDER");
   add_words(app, "-D", a->defines, "Macro; may be repeated", "NAME[=VALUE]");
   add_words(app, "--std", a->standards,
@@ -133,19 +133,20 @@ Command add_shader_build_command(CLI::App& program) {
             "Source, folder or archive (.a) linked to each library; sources are compiled once; may "
             "be repeated",
             "PATH");
-  app->add_option("--manifest", a->manifest,
-                  "Flags of single sources (default: oriel-shaders.txt in the folder)")
+  app->add_option(
+         "--manifest", a->manifest,
+         "Manifest with flags of single sources (default: oriel-shaders.txt in the folder)")
       ->type_name("FILE");
-  app->add_option("-j,--jobs", a->jobs, "Compilers at the same time (default: one per processor)")
+  app->add_option("-j,--jobs", a->jobs,
+                  "Number of parallel compilers (default: number of processors)")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  app->add_option("--cc", a->cc, "C compiler (else $CC, cc, gcc, clang)")->type_name("PROGRAM");
-  app->add_option("--cxx", a->cxx, "C++ compiler (else $CXX, c++, g++, clang++)")
+  app->add_option("--cc", a->cc, "C compiler (default: $CC, cc, gcc, clang)")->type_name("PROGRAM");
+  app->add_option("--cxx", a->cxx, "C++ compiler (default: $CXX, c++, g++, clang++)")
       ->type_name("PROGRAM");
   app->add_option("--include", a->include, "Folder of shader.h (else $ORIEL_SDK, else Oriel's own)")
       ->type_name("FOLDER");
-  app->add_option("--flag", a->flags,
-                  "Further word for the compiler, as --flag=-DDEBUG; may be repeated")
+  app->add_option("--flag", a->flags, "Additional compiler flag, e.g. --flag=-DDEBUG; repeatable")
       ->type_name("WORD")
       ->allow_extra_args(false);
   return {app, [a] { return run_shader_build(*a); }};

@@ -133,19 +133,18 @@ int run_shaders(const ShadersArguments& a) {
 }  // namespace
 
 Command add_shaders_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("shaders", "Manual pages of the built-in shaders");
+  CLI::App* app = program.add_subcommand("shaders", "Print manual pages of the built-in shaders");
   auto a = std::make_shared<ShadersArguments>();
-  CLI::Option* name = app->add_option("NAME", a->name, "The shader; none: a list of all");
+  CLI::Option* name = app->add_option("NAME", a->name, "Shader name (default: list all shaders)");
   CLI::Option* mi = app->add_option("--mi", a->library, "Print the .mi declarations of a library")
                         ->type_name("LIBRARY")
                         ->excludes(name);
-  CLI::Option* templates =
-      app->add_option("--templates", a->template_name,
-                      "List the ready materials of templates.mi, or print one to paste")
-          ->type_name("TEMPLATE")
-          ->expected(0, 1)
-          ->excludes(name)
-          ->excludes(mi);
+  CLI::Option* templates = app->add_option("--templates", a->template_name,
+                                           "List the materials of templates.mi, or print one")
+                               ->type_name("TEMPLATE")
+                               ->expected(0, 1)
+                               ->excludes(name)
+                               ->excludes(mi);
   app->add_flag("--json", a->as_json, "JSON, one line for each shader or template");
   return {app, [a, templates] {
             a->templates = templates->count() > 0;

@@ -85,21 +85,21 @@ int run_sun(const SunArguments& a) {
 
 Command add_sun_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "sun", "Tells where the sun stands for a place and time, and the light of sun and sky");
+      "sun", "Print the position of the sun for a place and time, and the light of sun and sky");
   auto a = std::make_shared<SunArguments>();
   app->add_option("--at", a->place, "Place, in degrees north and east")
       ->required()
       ->type_name("LAT,LON");
-  app->add_option("--time", a->time, "Date and time with zone, as 2026-06-21T12:00+02:00")
+  app->add_option("--time", a->time, "Date and time with zone, e.g. 2026-06-21T12:00+02:00")
       ->required()
       ->type_name("TIME");
-  app->add_option("--haze", a->haze, "As of mia_physicalsun and mia_physicalsky")
+  app->add_option("--haze", a->haze, "As in mia_physicalsun and mia_physicalsky")
       ->check(CLI::Range(0.0f, 15.0f))
       ->capture_default_str();
   app->add_option("--north", a->north,
-                  "Where north is: degrees clockwise from above, from +Y, or -Z with y up")
+                  "North: degrees clockwise from +Y, seen from above (from -Z if y is up)")
       ->capture_default_str();
-  app->add_flag("--json", a->json, "One line of JSON on stdout");
+  app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_sun(*a); }};
 }
 

@@ -143,11 +143,12 @@ int run_tonemap(TonemapArguments& a) {
 
 Command add_tonemap_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "tonemap", "Exposes a linear picture as mia_exposure_photographic (or _simple) would");
+      "tonemap", "Tone-map a linear picture by mia_exposure_photographic (or _simple)");
   auto a = std::make_shared<TonemapArguments>();
   app->add_option("IN", a->input, "Linear picture, usually EXR")->required();
   app->add_option("-o,--output", a->output, "The picture to write, type by suffix")->required();
-  app->add_option("--layer", a->layer, "Layer of an EXR file, as \"denoised\"; else the beauty");
+  app->add_option("--layer", a->layer,
+                  "Layer of an EXR file, as \"denoised\"; default: the beauty");
   CLI::Option* gamma = app->add_option("--gamma", a->gamma, "Display gamma")->capture_default_str();
 
   auto& p = a->photographic;
@@ -159,29 +160,32 @@ Command add_tonemap_command(CLI::App& program) {
       app->add_option("--f-number", p.f_number, "Aperture"),
       app->add_option("--cm2", p.cm2_factor, "cd/m2 per pixel unit"),
       app->add_option("--vignetting", p.vignetting,
-                      "Exponent of the cosine, 0 none, 3 as a camera"),
-      app->add_option("--fov", a->field_of_view,
-                      "Degrees that the width spans; EXR files of oriel render say it")
+                      "Exponent of the cosine (0 = none; 3 = like a camera)"),
+      app->add_option(
+             "--fov", a->field_of_view,
+             "Horizontal field of view in degrees (default: from EXR files of oriel render)")
           ->type_name("DEGREES"),
       app->add_option("--burn", p.burn_highlights, "1 linear ... 0 never over-exposed"),
       app->add_option("--crush", p.crush_blacks, "0 linear ... darker shadows"),
-      app->add_option("--saturation", p.saturation, "0 grey, 1 as it is"),
-      app->add_option("--whitepoint", a->whitepoint, "Colour that becomes grey, r,g,b")};
+      app->add_option("--saturation", p.saturation, "0 = grey, 1 = unchanged"),
+      app->add_option("--whitepoint", a->whitepoint, "Colour that becomes neutral, r,g,b")};
   CLI::Option* simple = app->add_flag("--simple", a->simple, "Simple exposure instead");
   auto& s = a->plain;
   const std::vector<CLI::Option*> of_simple = {
       app->add_option("--pedestal", s.pedestal, "Added first"),
       app->add_option("--gain", s.gain, "Multiplies"),
-      app->add_option("--knee", s.knee, "Where compression begins"),
+      app->add_option("--knee", s.knee, "Luminance at which compression begins"),
       app->add_option("--compression", s.compression, "Ratio above the knee"),
-      app->add_option("--knee-curve", a->curve, "ratio, or asymptotic: smooth and never above 1")
+      app->add_option("--knee-curve", a->curve,
+                      "`ratio`, or `asymptotic`: smooth and never above 1")
           ->check(CLI::IsMember({"ratio", "asymptotic"}))
           ->type_name("CURVE")};
   for (CLI::Option* option : of_simple)
     option->group("Simple exposure")->needs(simple)->capture_default_str();
   CLI::Option* view =
-      app->add_option("--view", a->view,
-                      "Exposes by the options above, then shows by agx or neutral (PBR Neutral)")
+      app->add_option(
+             "--view", a->view,
+             "Apply the exposure above, then the display transform agx or neutral (PBR Neutral)")
           ->check(CLI::IsMember({"agx", "neutral"}))
           ->type_name("VIEW")
           ->excludes(simple)
