@@ -396,7 +396,7 @@ Command add_measure_command(CLI::App& program) {
   app->add_option("--north", a->north, "As in oriel render");
   app->add_option("--camera", a->camera, "Camera instance to use");
   app->add_option("--csv", a->csv, "CSV file to write: one line per sensor");
-  app->add_option("--seed", a->request.seed, "Other random numbers");
+  app->add_option("--seed", a->request.seed, "Random seed (default 0)");
   app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_measure(*a); }};
