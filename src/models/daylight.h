@@ -2,6 +2,8 @@
 // What makes a picture of a model: a camera that shows all of it, ground, sun, sky, exposure.
 #pragma once
 
+#include <string>
+
 #include "scene/scene.h"
 
 namespace oriel::models {
@@ -31,5 +33,11 @@ void add_exposure(scene::Scene& scene, float f_number, float shutter);
 /// Adds grey ground under the model and its camera, a physical sun and sky, and an exposure for a
 /// sunny day to the camera that the scene renders. Pixels are cd/m2 over pi.
 void add_daylight(scene::Scene& scene, const DaylightOptions& options);
+
+/// Adds a picture of the surroundings as environment to the camera that the scene renders, and grey
+/// ground.
+/// Inputs:  rotation: about y, degrees.
+/// Checked: ConvertTest.ASkyLightsTheModel
+void add_sky(scene::Scene& scene, const std::string& picture, float rotation);
 
 }  // namespace oriel::models

@@ -28,6 +28,9 @@ struct ImportOptions {
 inline constexpr const char* kRootGroup = "model_root";
 inline constexpr const char* kOptions = "model_options";
 
+/// The suffix of a path in lower case, with its dot.
+std::string lower_suffix(const std::string& path);
+
 /// Reads a model file as a scene: an object for each of its meshes, an instance for each place
 /// where one stands, a mia_material_x for each material, its lights and cameras, options that ask
 /// for path tracing, and a render command for its first camera, if there is one.
