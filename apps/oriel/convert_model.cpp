@@ -173,8 +173,9 @@ bool is_mi(const fs::path& path) {
 }
 
 bool is_model(const fs::path& path) {
-  static constexpr std::array kSuffixes = {".glb", ".gltf", ".obj", ".fbx", ".dae",
-                                           ".ifc", ".3ds",  ".ply", ".stl"};
+  static constexpr std::array kSuffixes = {".glb",  ".gltf", ".obj", ".fbx", ".dae",
+                                           ".ifc",  ".3ds",  ".ply", ".stl", ".usd",
+                                           ".usda", ".usdc", ".usdz"};
   const std::string suffix = models::lower_suffix(path.string());
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }

@@ -107,6 +107,12 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
                       fmt::format("'{}' is no model that can be read: {}", path, why));
     return std::move(result);
   };
+  if (suffix.starts_with(".usd")) {
+    diagnostics.error("OR-MD-018", {}, fmt::format("'{}': USD files are not supported", path),
+                      "convert it in Blender: File > Import > Universal Scene Description, then "
+                      "File > Export > glTF 2.0 with cameras and punctual lights");
+    return result;
+  }
   if (suffix == ".ply" && !has_header(path)) return unreadable("its header has no end");
   if (suffix == ".ifc" && is_cut_off(path))
     return unreadable("the file is truncated: it has no end");

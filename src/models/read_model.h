@@ -30,8 +30,8 @@ struct ReadModel {
 /// Reads a model: its polygons without lines and points, lengths in metres where the file says its
 /// unit.
 ///
-/// Errors:  OR-MD-001 not readable; OR-MD-009, 010, 014: see mend_model.h. A damaged file
-/// can
+/// Errors:  OR-MD-001 not readable; OR-MD-018 USD; OR-MD-009, 010, 014: see mend_model.h. A damaged
+/// file can
 ///          end the program by a signal: assimp trusts what it reads in some places.
 /// Source:  assimp 5.2.
 /// Checked: ModelImport.*, ModelMend.*, ModelFbx.*

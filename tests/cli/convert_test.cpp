@@ -191,6 +191,16 @@ TEST_F(ConvertTest, TruncatedFilesSayThatTheyAre) {
   }
 }
 
+TEST_F(ConvertTest, UsdFilesNameAWayToConvertThem) {
+  write("house.usda", "#usda 1.0\n");
+  for (const char* command : {"quick", "render"}) {
+    const RunResult r = run({command, "house.usda"});
+    EXPECT_EQ(r.exit_code, 1);
+    EXPECT_NE(r.err.find("OR-MD-018"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("Blender"), std::string::npos) << r.err;
+  }
+}
+
 // A sky whose picture is bright on one side lights the model from there.
 TEST_F(ConvertTest, ASkyLightsTheModel) {
   Image sky(64, 32, 3, .1f);
