@@ -2,14 +2,17 @@
 // Scenes written as glTF and read back.
 #include "models/gltf/write.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "models/testing/gltf_file.h"
+#include "support/expect_near.h"
 
 namespace oriel::models {
 namespace gltf_write_test {
 
-using testing::expect_near;
+using oriel::testing::expect_near;
 using testing::GltfFile;
 using testing::json;
 using testing::Made;
