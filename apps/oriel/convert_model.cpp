@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <optional>
 
 #include "command.h"
@@ -11,6 +14,7 @@
 #include "mi/writer.h"
 #include "models/camera_view.h"
 #include "models/daylight.h"
+#include "models/gltf/write.h"
 #include "models/import.h"
 #include "numbers.h"
 #include "reader_guard.h"
@@ -24,10 +28,13 @@ namespace fs = std::filesystem;
 
 /// For the light of the model itself.
 constexpr float kFNumber = 8;
-/// What the light meter has to say, in parts of a sunny day, for a camera of the file to take the
-/// picture in daylight: as outside, and as in a room with windows. Guesses: rooms have a
-/// thousandth of the light outside, cupboards none.
-constexpr float kOutside = 1 / 8.0f, kRoom = 1 / 20000.0f;
+/// A meter puts the mean at a tenth of the brightness that is white, and the curve of the exposure
+/// (burn_highlights .3, crush_blacks .15) shows that at .066. With this factor the log mean is
+/// shown at .18, middle grey.
+constexpr float kMiddleGrey = 2.2f;
+/// Share of a sunny day's exposure below which a camera of the file sees next to no daylight. A
+/// guess: rooms have a thousandth of the light outside, cupboards none.
+constexpr float kRoom = 1 / 20000.0f;
 
 models::DaylightOptions daylight_options(const ConvertArguments& a) {
   models::DaylightOptions options;
@@ -45,6 +52,20 @@ scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
   mi::Reader reader(path, read_options(arguments, builtin_shaders()), diagnostics);
   if (!reader.opened()) throw UserError(fmt::format("cannot read '{}'", path));
   return mi::read_all(reader);
+}
+
+/// Whether all of it was written; beside the target and renamed over it.
+bool write_file(const std::string& path, const std::string& bytes) {
+  const std::string part = path + ".part";
+  {
+    std::ofstream file(part, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) return false;
+  }
+  std::error_code error;
+  fs::rename(part, path, error);
+  return !error;
 }
 
 /// One conversion, with what it says.
@@ -73,7 +94,9 @@ class Conversion {
     printer_.print_new();
     if (!a_.size.empty()) models::set_picture_size(scene_, options.width, options.height);
     if (a_.daylight) models::add_daylight(scene_, options);
+    if (!a_.sky.empty()) models::add_sky(scene_, a_.sky, a_.sky_rotation);
     write();
+    if (fs::path(to_).extension() == ".glb") return;  // glTF has no exposure
     if (!a_.daylight)
       expose();
     else if (of_file)
@@ -93,7 +116,9 @@ class Conversion {
   }
 
   void write() {
-    const bool written = mi::write_scene(scene_, to_, diagnostics_);
+    const bool written = fs::path(to_).extension() == ".glb"
+                             ? write_file(to_, models::gltf::write_glb(scene_, diagnostics_))
+                             : mi::write_scene(scene_, to_, diagnostics_);
     printer_.print_new();
     if (!written) throw UserError(fmt::format("cannot write '{}'", to_));
   }
@@ -101,7 +126,7 @@ class Conversion {
   /// As it will be read: pictures are found from where the scene is.
   float metered(float f_number) {
     scene::Scene written = read_mi(to_, diagnostics_);
-    return metered_shutter(written, f_number);
+    return metered_shutter(written, f_number) / kMiddleGrey;
   }
 
   void expose() {
@@ -117,7 +142,6 @@ class Conversion {
 
   void expose_in_daylight(const models::DaylightOptions& options) {
     const float shutter = metered(models::kSunnyFNumber);
-    if (shutter > models::kSunnyShutter * kOutside) return;
     if (shutter > models::kSunnyShutter * kRoom) {
       models::add_exposure(scene_, models::kSunnyFNumber, shutter);
     } else {
@@ -137,7 +161,7 @@ class Conversion {
   const std::string to_;
   models::ImportOptions how_;
   Diagnostics diagnostics_;
-  DiagnosticPrinter printer_{diagnostics_, false, true};
+  DiagnosticPrinter printer_{diagnostics_, false, !a_.quiet};
   scene::Scene scene_;
 };
 
@@ -146,6 +170,14 @@ class Conversion {
 bool is_mi(const fs::path& path) {
   return path.extension() == ".mi" ||
          (path.extension() == ".gz" && path.stem().extension() == ".mi");
+}
+
+bool is_model(const fs::path& path) {
+  static constexpr std::array kSuffixes = {".glb",  ".gltf", ".obj", ".fbx", ".dae",
+                                           ".ifc",  ".3ds",  ".ply", ".stl", ".usd",
+                                           ".usda", ".usdc", ".usdz"};
+  const std::string suffix = models::lower_suffix(path.string());
+  return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
 void convert_model(const ConvertArguments& a, const std::string& to) { Conversion(a, to).run(); }

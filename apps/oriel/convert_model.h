@@ -14,16 +14,20 @@ struct ConvertArguments {
   std::string model, output, size, up;
   std::vector<float> sun;  ///< azimuth and elevation, degrees; or empty
   std::optional<float> emission_scale;
-  bool daylight = false;
+  std::string sky;         ///< picture of the environment; empty: none
+  float sky_rotation = 0;  ///< degrees
+  bool daylight = false, quiet = false;
 };
 
 bool is_mi(const std::filesystem::path& path);
+/// Whether the name is that of a model, by its suffix.
+bool is_model(const std::filesystem::path& path);
 
 /// Reads the model, adds what a picture needs and writes the scene to `to`.
 ///
 /// Model:   A camera of the file that sees the model takes the picture, else one of our own. For
 ///          the model's own lights a light meter exposes. In daylight the exposure is that of a
-///          sunny day; where a camera of the file stands in the dark, that of the meter, and where
+///          sunny day; for a camera of the file that of the meter, and where
 ///          next to no light comes, as inside of what is closed, the camera is one of our own.
 /// Errors:  UserError where something cannot be read or written; OR-MD-007, OR-MD-013.
 /// Checked: ConvertTest.*

@@ -2,11 +2,14 @@
 // The program `oriel`: subcommands, and the one place where errors become exit codes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <vector>
 
 #include "command.h"
+#include "convert_model.h"
 
 namespace {
 
@@ -38,7 +41,13 @@ int main(int argc, char** argv) {
 
   std::string chosen;
   try {
-    program.parse(argc, argv);
+    // A model is rendered as oriel quick does.
+    std::vector<char*> words(argv, argv + argc);
+    char quick[] = "quick";
+    if (argc > 2 && std::string_view(argv[1]) == "render" &&
+        std::any_of(argv + 2, argv + argc, is_model))
+      words[1] = quick;
+    program.parse(argc, words.data());
     for (const Command& command : commands) {
       if (!command.app->parsed()) continue;
       chosen = command.app->get_name();

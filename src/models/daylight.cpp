@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "base/math.h"
 #include "models/import.h"
@@ -168,6 +169,20 @@ void add_exposure(scene::Scene& scene, float f_number, float shutter) {
   for (const scene::ShaderUse& use : before) scene.remove(use.reference);
   const std::string exposure = add_shader(scene, "exposure", photographic);
   rendering_camera(scene)->lens = reference(exposure);
+}
+
+void add_sky(scene::Scene& scene, const std::string& picture, float rotation) {
+  const auto* placed = scene.get<scene::Instance>(scene.renders.back().camera);
+  const Vec3 eye = placed->transform.value_or(Mat4()).inverse().translation();
+  add_ground(scene, bounds_of(points_of(scene)), eye);
+  scene::Texture texture;
+  texture.name = unique_name(scene, "sky_picture");
+  texture.file = std::filesystem::absolute(picture).string();
+  ShaderCall lookup("mib_lookup_spherical");
+  lookup.set("rotate", rotation * kPi / 180).set("tex", texture.name.c_str());
+  scene.add(std::move(texture));
+  const std::string sky = add_shader(scene, "sky", lookup);
+  rendering_camera(scene)->environment = reference(sky);
 }
 
 void add_daylight(scene::Scene& scene, const DaylightOptions& options) {

@@ -2,6 +2,8 @@
 // Default setup for rendering a model: camera, ground, sun, sky, exposure.
 #pragma once
 
+#include <string>
+
 #include "scene/scene.h"
 
 namespace oriel::models {
@@ -30,5 +32,11 @@ void add_exposure(scene::Scene& scene, float f_number, float shutter);
 /// Adds grey ground under the model and the camera, a physical sun and sky, and an exposure for a
 /// sunny day to the rendering camera. Pixels are cd/m2 over pi.
 void add_daylight(scene::Scene& scene, const DaylightOptions& options);
+
+/// Adds a picture of the surroundings as environment to the camera that the scene renders, and grey
+/// ground.
+/// Inputs:  rotation: about y, degrees.
+/// Checked: ConvertTest.ASkyLightsTheModel
+void add_sky(scene::Scene& scene, const std::string& picture, float rotation);
 
 }  // namespace oriel::models

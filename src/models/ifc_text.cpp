@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/math.h"
+#include "base/vec.h"
 #include "models/step_text.h"
 
 namespace oriel::models {

@@ -214,6 +214,8 @@ class Builder {
 
 }  // namespace
 
+std::string lower_suffix(const std::string& path) { return suffix_of(path); }
+
 std::optional<scene::Scene> import_model(const std::string& path, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
   const ReadModel read = read_model(path, options, diagnostics);

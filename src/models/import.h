@@ -29,6 +29,9 @@ struct ImportOptions {
 inline constexpr const char* kRootGroup = "model_root";
 inline constexpr const char* kOptions = "model_options";
 
+/// The suffix of a path in lower case, with its dot.
+std::string lower_suffix(const std::string& path);
+
 /// Imports a model file as a scene: an object for each mesh, an instance for each node with a mesh,
 /// a mia_material_x for each material, lights and cameras, options for path tracing, and a render
 /// command for the first camera, if there is one.

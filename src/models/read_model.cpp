@@ -48,6 +48,18 @@ unsigned steps_for(const std::string& suffix) {
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
 }
 
+/// Whether a STEP file lacks its last line.
+bool is_cut_off(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  constexpr std::streamoff kTail = 4096;  // blanks and comments may follow
+  const std::streamoff size = file.tellg();
+  if (size <= 0) return false;
+  std::string tail(static_cast<std::size_t>(std::min(size, kTail)), '\0');
+  file.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  return tail.find("END-ISO-10303-21") == tail.npos;
+}
+
 float aspect_of(const ImportOptions& options) { return options.aspect.value_or(kCameraAspect); }
 
 /// How text files of a format are written again before assimp reads them. It refers to `options`
@@ -95,7 +107,15 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
     diagnostics.error("OR-MD-001", {}, fmt::format("cannot read model '{}': {}", path, why));
     return std::move(result);
   };
+  if (suffix.starts_with(".usd")) {
+    diagnostics.error("OR-MD-018", {}, fmt::format("'{}': USD files are not supported", path),
+                      "convert it in Blender: File > Import > Universal Scene Description, then "
+                      "File > Export > glTF 2.0 with cameras and punctual lights");
+    return result;
+  }
   if (suffix == ".ply" && !has_header(path)) return unreadable("its header is incomplete");
+  if (suffix == ".ifc" && is_cut_off(path))
+    return unreadable("the file is truncated: it has no end");
   Assimp::Importer importer;
   set_up(importer);
   IfcText ifc;

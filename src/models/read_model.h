@@ -30,8 +30,8 @@ struct ReadModel {
 /// Reads the polygons of a model, without lines and points. Lengths are metres if the file states
 /// its unit.
 ///
-/// Errors:  OR-MD-001 not readable; OR-MD-009, 010, 014: see mend_model.h. A damaged file may crash
-///          the process, because assimp does not validate all of its input.
+/// Errors:  OR-MD-001 not readable; OR-MD-018 USD; OR-MD-009, 010, 014: see mend_model.h. A damaged
+///          file may crash the process, because assimp does not validate all of its input.
 /// Source:  assimp 5.2.
 /// Checked: ModelImport.*, ModelMend.*, ModelFbx.*
 ReadModel read_model(const std::string& path, const ImportOptions& options,

@@ -147,6 +147,80 @@ TEST_F(ConvertTest, InsideOfWhatIsClosedTheFilesCameraIsPassedOver) {
   EXPECT_NE(text_of(file("box.mi")).find("eye_inst"), std::string::npos);
 }
 
+/// Mean of green of a picture, in linear light.
+double mean_light(const Image& image) {
+  double sum = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) sum += std::pow(image.at(x, y)[1], 2.2);
+  return sum / image.width / image.height;
+}
+
+TEST_F(ConvertTest, RoomsOfAllBrightnessesAreExposedForTheirMean) {
+  for (const float wall : {.2f, .6f, .95f}) {
+    write_room("room.gltf", wall);
+    const RunResult r =
+        run({"quick", "room.gltf", "--size", "48x32", "--samples", "64", "--no-denoise"});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    // A reflected-light meter makes the mean a middle grey.
+    const double mean = mean_light(read_image(file("room.png")));
+    EXPECT_GT(mean, .12) << wall;
+    EXPECT_LT(mean, .35) << wall;
+  }
+}
+
+TEST_F(ConvertTest, RenderTakesModelsAsQuickDoes) {
+  write_square("square.gltf", 1000);
+  const RunResult r = run({"render", "square.gltf", "--size", "16x8", "--samples", "1", "-q"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(read_image(file("square.png")).width, 16);
+  const RunResult json = run({"quick", "square.gltf", "--size", "16x8", "--noise", ".5", "--json",
+                              "-o", "square.exr", "--cryptomatte", "--layers", "depth"});
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  EXPECT_EQ(json.out.substr(0, 1), "{");
+}
+
+TEST_F(ConvertTest, TruncatedFilesSayThatTheyAre) {
+  // The header of a file of 1000 bytes.
+  write("m.glb", std::string("glTF\2\0\0\0\xe8\3\0\0\x60\0\0\0JSON{\"asset\":", 29));
+  write("m.ifc", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n#1=IFCPRO");
+  for (const char* name : {"m.glb", "m.ifc"}) {
+    const RunResult r = run({"quick", name});
+    EXPECT_EQ(r.exit_code, 1) << name;
+    EXPECT_NE(r.err.find("truncated"), std::string::npos) << r.err;
+  }
+}
+
+TEST_F(ConvertTest, UsdFilesNameAWayToConvertThem) {
+  write("house.usda", "#usda 1.0\n");
+  for (const char* command : {"quick", "render"}) {
+    const RunResult r = run({command, "house.usda"});
+    EXPECT_EQ(r.exit_code, 1);
+    EXPECT_NE(r.err.find("OR-MD-018"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("Blender"), std::string::npos) << r.err;
+  }
+}
+
+// A sky whose picture is bright on one side lights the model from there.
+TEST_F(ConvertTest, ASkyLightsTheModel) {
+  Image sky(64, 32, 3, .1f);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x)
+      for (int k = 0; k < 3; ++k) sky.at(x, y)[k] = 100;
+  write_image(file("sky.hdr"), sky);
+  write_square("square.gltf", 0);
+  std::string scenes[2];
+  for (const int turned : {0, 1}) {
+    const RunResult r = run({"quick", "square.gltf", "--sky", "sky.hdr", "--sky-rotation",
+                             turned ? "180" : "0", "--size", "24x16", "--samples", "16"});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_GT(mean_light(read_image(file("square.png"))), .03);
+    scenes[turned] = text_of(file("square.mi"));
+  }
+  EXPECT_NE(shutter_of("square.mi"), 0);
+  EXPECT_NE(scenes[0], scenes[1]);
+}
+
 TEST_F(ConvertTest, QuickUsesAsManyThreadsAsAllowed) {
   write_square("square.gltf", 1);
   const auto quick = [&](const char* threads) {

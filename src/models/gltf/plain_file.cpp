@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/gltf/plain_file.h"
 
+#include <algorithm>
+
 #include "models/gltf/document.h"
 
 namespace oriel::models::gltf {
@@ -34,6 +36,23 @@ std::size_t PlainFile::add_accessor(std::string_view content, int component_type
 std::size_t PlainFile::add_numbers(const std::vector<float>& values, std::size_t components) {
   static constexpr const char* kTypes[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
   return add_accessor(bytes_of(values), kFloatType, values.size() / components, kTypes[components]);
+}
+
+std::size_t PlainFile::add_points(const std::vector<float>& values) {
+  constexpr std::size_t kComponents = 3;
+  const std::size_t index = add_numbers(values, kComponents);
+  json low = json::array(), high = json::array();
+  for (std::size_t k = 0; k < kComponents && k < values.size(); ++k) {
+    float least = values[k], most = values[k];
+    for (std::size_t i = k; i < values.size(); i += kComponents) {
+      least = std::min(least, values[i]);
+      most = std::max(most, values[i]);
+    }
+    low.push_back(least), high.push_back(most);
+  }
+  accessors_[index]["min"] = std::move(low);
+  accessors_[index]["max"] = std::move(high);
+  return index;
 }
 
 std::size_t PlainFile::add_indices(const std::vector<std::uint32_t>& indices) {

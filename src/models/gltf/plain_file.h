@@ -18,6 +18,8 @@ class PlainFile {
   /// Each function returns the index of the added object.
   std::size_t add_view(std::string_view content);
   std::size_t add_numbers(const std::vector<float>& values, std::size_t components);
+  /// Of three components, with their bounds, as positions must have them.
+  std::size_t add_points(const std::vector<float>& values);
   std::size_t add_indices(const std::vector<std::uint32_t>& indices);
 
   /// The complete binary file.
