@@ -50,7 +50,8 @@ bool eliminate(Rows& a, double* b, int columns) {
 
 void load(Rows& rows, std::span<const float, 16> m) {
   for (int i = 0; i < kSide; ++i)
-    for (int j = 0; j < kSide; ++j) rows[i][j] = m[static_cast<std::size_t>(i * kSide + j)];
+    for (int j = 0; j < kSide; ++j)
+      rows[i][j] = m[static_cast<std::size_t>(i) * kSide + static_cast<std::size_t>(j)];
 }
 
 /// Maximum number of columns that are solved together.
