@@ -79,7 +79,8 @@ constexpr ParamSpec kMiaPhysicalskyRows[] = {
      .declared_default = false},
     {ORIEL_PARAM(MiaPhysicalskyParams, flags),
      .doc = "Bits: 1 sun of 5900 K and ground lit by this sky, 2 colours of the published "
-            "model, 4 luminance more than 90 degrees from the sun as at 90 degrees; default 0."},
+            "model, 4 luminance more than 90 degrees from the sun as at 90 degrees; default 0.",
+     .declared_default = false},
     {ORIEL_PARAM(MiaPhysicalskyParams, sky_luminance_mode),
      .doc = "Whether luminance is set by the following seven parameters."},
     {ORIEL_PARAM(MiaPhysicalskyParams, zenith_luminance), .unit = "cd/m2",
