@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much work a picture is worth: from the scene's sampling options and what the user asks.
+// Stop criteria of a render, from the scene's sampling options and the user's request.
 #pragma once
 
 #include <optional>
@@ -9,27 +9,26 @@
 
 namespace oriel {
 
-/// Paths per pixel that one sample of the scene's options stands for. Options were written for
-/// renderers that spend many gather, shadow and reflection rays in each sample; a path has one of
-/// each. A guess: `samples 0 2` gives at most 256 paths, of which the noise target leaves out what
-/// a pixel does not need.
+/// Paths per sample of the scene's options. These options were made for renderers that trace many
+/// gather, shadow and reflection rays per sample; a path has one of each. An estimate: `samples 0
+/// 2` gives at most 256 paths, which the noise target reduces.
 inline constexpr std::uint32_t kPathSamplesPerSceneSample = 16;
 
-/// Least number of samples a scene's own options are read as.
+/// Minimum number of samples from a scene's own options.
 inline constexpr std::uint32_t kFewestSceneSamples = 64;
 
 /// Maximum number of samples of a pixel.
 inline constexpr std::uint32_t kMostSamples = 1u << 20;
 
-/// The same where a noise target and nothing else was given: it ends renders whose noise falls too
-/// slowly. A diffuse interior needs some hundred samples for a target of .02.
+/// The same if only a noise target is requested; ends renders whose noise decreases too slowly. A
+/// diffuse interior needs a few hundred samples for a target of .02.
 inline constexpr std::uint32_t kMostSamplesForNoise = 4096;
 
 /// Noise per unit of `contrast`: two neighbouring pixels whose noise is this share of the contrast
 /// differ by less than the contrast in 95 of 100 cases, 1 / (1.96 sqrt(2)).
 inline constexpr float kNoisePerContrast = 0.3608f;
 
-/// What the user asks for in place of the scene's options.
+/// The user's request, which replaces the scene's options.
 struct BudgetRequest {
   std::optional<std::uint32_t> samples = {};  ///< of each pixel; with `noise`, the maximum
   std::optional<float> noise = {};            ///< target of picture_noise()
@@ -38,7 +37,8 @@ struct BudgetRequest {
 
 /// The budget of a render.
 ///
-/// Model:   nothing asked: `samples min max` gives at most 4^max x kPathSamplesPerSceneSample and
+/// Model:   without a request `samples min max` gives at most 4^max x kPathSamplesPerSceneSample
+/// and
 ///          at least 4^min samples; the lowest channel of `contrast` is the noise target of every
 ///          pixel. Any request replaces all of it; of several, the first that is met ends the
 ///          render.

@@ -13,10 +13,11 @@
 namespace oriel {
 namespace {
 
-/// Largest error of a record that may speak for a point (GatherQuery::accuracy) when points are
-/// placed. At 1, a room lit through a window is some percent too bright beside it; a guess.
+/// Maximum error of a record for it to cover a point (GatherQuery::accuracy) when points are
+/// placed. With 1, a room lit through a window is a few percent too bright near the window; an
+/// estimate.
 constexpr float kGatherError = 0.5f;
-/// Photons kept of each light, and most that are sent for them.
+/// Number of stored photons per light, and maximum number of emitted ones.
 constexpr std::uint64_t kPhotonsPerLight = 100000, kMostSent = 2000000;
 
 PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std::uint32_t seed) {
@@ -28,7 +29,7 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   const bool none_says = std::none_of(world.lights.begin(), world.lights.end(),
                                       [](const Light& l) { return l.photons.any(); });
   if (plan.by_name || none_says) settings.each.global = settings.each.caustic = usual;
-  // Gathering brings the light of the sky with all its bounces.
+  // Final gathering includes the light of the sky with all its bounces.
   if (plan.by_name && !plan.gather) settings.environment.global = usual;
   if (plan.by_name) settings.environment.caustic = usual;
   settings.depth = options.photon_depth;
@@ -39,7 +40,7 @@ PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std
   return settings;
 }
 
-/// Lights that shine and send no photons, since their elements say no energy.
+/// Reports lights that emit no photons because their elements have no energy statement.
 void note_lights_without_energy(const World& world, const PhotonSettings& settings,
                                 Diagnostics& diagnostics) {
   if (!settings.by_energy || diagnostics.has("OR-RN-067")) return;
@@ -60,7 +61,7 @@ void note_lights_without_energy(const World& world, const PhotonSettings& settin
       "give it an energy statement; --gi photons sends photons as strong as the light");
 }
 
-/// Whether that went well; else a warning says why it did not.
+/// Calls `what`; false and a warning if it fails.
 bool tried(const std::function<void()>& what, Diagnostics& diagnostics) try {
   what();
   return true;
@@ -83,10 +84,10 @@ bool CachedIntegrator::caches_only() const {
 PathSettings CachedIntegrator::path_settings() const {
   PathSettings settings = paths_;
   settings.indirect = plan_.indirect;
-  // Where no record speaks, rays from the surface find what gather rays would have found.
+  // Points without records are lit by rays, with the bounces that gather rays would have had.
   if (plan_.gather && settings.diffuse_bounces < PathSettings::kAllBounces)
     ++settings.diffuse_bounces;
-  // A sky that sends no photons lights nothing without gathering.
+  // Without photons of the sky and without gathering, the sky gives no indirect light.
   if (plan_.global && !plan_.gather && !plan_.by_name) settings.diffuse_bounces = 0;
   settings.maps = plan_.maps() ? &maps_ : nullptr;
   return settings;
@@ -133,8 +134,8 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   passes.records = gather_settings(world_.options, world_.accel->bounds());
   passes.density = options.presample_density;
   passes.seed = p.seed;
-  // Photons bring all further bounces of lamps. Those of the sky and of what glows are gathered,
-  // but in a scene that asks for both itself, where they are left out as the manual has it.
+  // Photons bring all further bounces of finite lights. Those of the sky and of emissive surfaces
+  // are gathered, except in scenes whose own statements enable both, where the manual omits them.
   if (plan_.global)
     passes.records.path.diffuse_bounces = plan_.by_name ? PathSettings::kAllBounces : 0;
   paths_ = passes.records.path;

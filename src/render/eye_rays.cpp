@@ -12,11 +12,11 @@
 namespace oriel {
 namespace {
 
-/// The lens shaders from `lens` on, and behind the last of them the scene. Lenses that ask for rays
-/// themselves may ask for several: the first path of a sample brings what is no colour.
+/// The lens shaders from index `lens` on, followed by the scene. A lens shader that traces rays may
+/// trace several; values other than colour come from the first path of a sample.
 class LensChain final : public LensNext {
  public:
-  /// What all lenses of a sample share.
+  /// Data shared by all lenses of a sample.
   struct Shared {
     const World& world;
     const Camera& camera;  ///< at that time
@@ -70,7 +70,7 @@ class LensChain final : public LensNext {
   }
 
   Seen trace_scene(const Camera::Ray& ray) {
-    // Every path of a sample needs numbers of its own.
+    // Each path of a sample needs its own random numbers.
     constexpr std::uint32_t kBranch = 5000;
     sampling::Sampler own = s_.sampler.split(0, 1, kBranch + s_.sampler.dimension());
     s_.sampler.skip();
@@ -89,7 +89,7 @@ class LensChain final : public LensNext {
 
 bool asks_for_rays(const ShaderNode* node) { return node->spec().lens.trace != nullptr; }
 
-/// A sample through lenses some of which make its colour themselves.
+/// Traces a sample through lenses, some of which compute its colour.
 void trace_chain(const World& world, const Integrator& integrator, const Camera& camera, float time,
                  Vec2 raster, float paths_of_pixel, PathRecord& record, sampling::Sampler& sampler,
                  RayCounts& counts) {
@@ -100,7 +100,7 @@ void trace_chain(const World& world, const Integrator& integrator, const Camera&
   record.alpha = clamp01(seen.colour.a);
 }
 
-/// A path through the lens, one of many. Returns its weight.
+/// Traces one of several paths through the lens. Returns its weight.
 Rgb trace_through_lens(const World& world, const Integrator& integrator, const Camera& camera,
                        float time, Vec2 raster, float paths_of_pixel, float share,
                        PathRecord& record, sampling::Sampler& sampler, RayCounts& counts) {
@@ -116,7 +116,7 @@ Rgb trace_through_lens(const World& world, const Integrator& integrator, const C
     weight *= node->with_params(
         point, [&](const Call& call) { return node->spec().lens.bend_ray(call, camera, u, ray); });
   }
-  if (is_black(weight)) return weight;  // no light comes this way
+  if (is_black(weight)) return weight;  // no light passes
   if (record.observer) record.observer->set_weight(weight * share);
   integrator.trace(ray, raster, paths_of_pixel, record, sampler, counts);
   return weight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has been seen so far of every pixel: means, variances and the number of samples.
+// The pixels of a render in progress: means, variances and numbers of samples.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,13 @@ namespace oriel {
 
 inline constexpr int kSubPixels = 16;  ///< parts of a pixel
 
-/// The part of a pixel that a place falls into, by x and y of 0 to 1 over the reach of its filter.
+/// The part of a pixel that contains a point, given by x and y in 0..1 over the extent of its
+/// filter.
 ///
-/// Model:   a square grid turned by atan(1/3), cut at the pixel's sides: ten whole cells fit into
-///          it, the rest are corners. No two cells begin at the same x or y, so that upright and
-///          level edges pass them one by one.
+/// Model:   a square grid rotated by atan(1/3) and clipped to the pixel: ten whole cells, the
+/// others
+///          are corners. No two cells start at the same x or y, so vertical and horizontal edges
+///          cross them one by one.
 /// Checked: Film.MappedEdgesHaveManyLevels
 inline std::uint8_t sub_pixel_of(const Vec2& place) {
   const int across = std::clamp(static_cast<int>(std::floor(3 * place.x + place.y)), 0, 3);
@@ -34,39 +36,39 @@ inline std::uint8_t sub_pixel_of(const Vec2& place) {
   return static_cast<std::uint8_t>(4 * across + up);
 }
 
-/// What one sample brings to its pixel.
+/// The values of one sample.
 struct FilmSample {
   Rgb beauty{0};
   float alpha = 0;
-  float depth = 0;  ///< scene units; 0 = nothing was hit, which does not count
+  float depth = 0;  ///< scene units; 0 = no hit, not part of the mean
   Vec3 normal{0};
   Rgb albedo{0};
-  float irradiance = 0;                ///< of what was hit, by luminance; pixel units times pi
+  float irradiance = 0;                ///< of the first surface, luminance; pixel units times pi
   std::uint8_t sub_pixel = 0;          ///< see sub_pixel_of()
-  bool negative = false;               ///< fell where the pixel filter is negative
+  bool negative = false;               ///< the pixel filter is negative there
   const PathRecord* record = nullptr;  ///< values of the planes; null = an empty record
 };
 
-/// Running means of one pixel's samples. Means, because a float sum of 65536 equal values drifts
-/// by up to .2 %, while their mean stays what they are.
+/// Running means of one pixel's samples. A float sum of 65536 equal values drifts by up to .2 %;
+/// their running mean is exact.
 struct PixelMeans {
   std::uint32_t samples = 0, hits = 0;
   Rgb beauty{0};
   Rgb beauty_m2{0};  ///< summed squared distances from the mean
-  Rgb second{0};     ///< mean of every other four samples: a half that has seen none of the rest
+  Rgb second{0};     ///< mean of every other block of four samples, independent of the others
   float alpha = 0, depth = 0, irradiance = 0;
   Vec3 normal{0};
   Rgb albedo{0};
 
-  /// Adds a sample; not a number and infinite colours count as black.
+  /// Adds a sample; colours that are not finite count as black.
   /// Source: B. Welford, "Note on a Method for Calculating Corrected Sums of Squares and
   ///         Products", Technometrics 4(3), 1962.
   void add(const FilmSample& sample);
 };
 
-/// Mean colours of the parts of a pixel, kept where colours are mapped for display.
+/// Mean colours of the parts of a pixel; stored if colours are mapped for display.
 struct SubPixelMeans {
-  std::array<std::uint16_t, kSubPixels> samples{};  ///< no more than fit are counted
+  std::array<std::uint16_t, kSubPixels> samples{};  ///< saturated
   std::array<Rgb, kSubPixels> beauty = [] {
     std::array<Rgb, kSubPixels> black;
     black.fill(Rgb(0));
@@ -81,27 +83,26 @@ struct FilmRequest {
   bool aovs = false;
   SurfaceValues surface_values = {};
   std::size_t light_layers = 0;
-  std::vector<PlaneRule> user_buffers = {};  ///< one for each buffer that shaders write
+  std::vector<PlaneRule> user_buffers = {};  ///< one per user buffer
 };
 
-/// Maps a linear colour of pixel (x, y) for display, as lens shaders do.
+/// Maps a linear colour of pixel (x, y) for display by the lens shaders.
 using DisplayMap = std::function<Rgb(int x, int y, const Rgb& color)>;
 
 /// The pixels of a render in progress.
 ///
 /// Model:   pixels are independent; different pixels may be written by different threads at once.
-///          Mapping for display acts on the mean colours of four quarters of a pixel, or of sixteen
-///          parts where these differ by more than noise makes them, as at edges; the pixel is the
-///          mean of that. Mapping every sample, as renderers do whose samples are smooth,
-///          would darken a path-traced picture for good: most paths find no light, few find much,
-///          and a curve that compresses takes it from the few. Mapping whole pixels would leave
-///          edges of bright things jagged (ADR 6).
+///          The display map is applied to the mean colours of four quarters of a pixel, or of
+///          sixteen parts if these differ by more than noise, as at edges; the pixel is the mean of
+///          the results. Mapping every sample would darken a path-traced picture permanently: few
+///          paths carry most of the light, and a compressive curve reduces these. Mapping whole
+///          pixels would alias the edges of bright objects (ADR 6).
 /// Source:  the test for differences: R. Fisher, "Statistical Methods for Research Workers", 1925
 ///          (analysis of variance).
 /// Checked: Film.* in film_test.cpp
 class Film {
  public:
-  /// Inputs:  filter: its shares weigh the samples; map: empty = colours are shown as they are.
+  /// Inputs:  filter: weights of positive and negative samples; map: empty = no mapping.
   Film(int width, int height, const FilterSampler& filter, DisplayMap map = {},
        FilmRequest request = {});
 
@@ -128,45 +129,44 @@ class Film {
   /// Mean number of samples of a pixel.
   double mean_samples() const;
 
-  /// One pixel, filtered. The normal is not normalised (0 where there is none).
+  /// One pixel, filtered. The normal is not normalised; 0 = none.
   struct Pixel {
     Rgba beauty{0, 0, 0, 0};
     Rgb variance{0};          ///< of the beauty's mean; 0 below two samples
     Rgb split_difference{0};  ///< half of (mean of one half of the samples - mean of the other)
-    float depth = 0;          ///< mean over samples that hit something; 0 = none did
-    float irradiance = 0;     ///< likewise
+    float depth = 0;          ///< mean over samples with a hit; 0 = none
+    float irradiance = 0;     ///< the same
     Vec3 normal{0};
     Rgb albedo{0};
   };
   Pixel pixel(int x, int y) const;
-  /// Its parts, filtered as the beauty is; their results sum to it.
+  /// The AOVs of a pixel, filtered like the beauty; their results sum to it.
   AovValues outputs(int x, int y) const;
-  /// The beauty by a layer of lights, filtered as the beauty is; all layers sum to it.
+  /// The beauty of a light layer, filtered like the beauty; all layers sum to it.
   Rgb light(int x, int y, std::size_t layer) const;
-  /// A user's buffer: filtered as the beauty is, though never clipped; or what the first sample
-  /// left there.
+  /// A user buffer: filtered like the beauty but not clipped, or the value of the first sample.
   Rgba user_buffer(int x, int y, std::size_t buffer) const;
-  /// Of the first sample's first surface; 0 where it is not stored.
+  /// A value of the first surface of the first sample; 0 if not stored.
   Vec3 surface_value(int x, int y, SurfaceValue value) const;
-  /// Whether any pixel of it holds anything but 0.
+  /// Whether any pixel of the buffer is not 0.
   bool is_written(std::size_t buffer) const;
 
-  /// The colour that is looked at: mapped, where there is a map; else the beauty.
+  /// The colour for display: mapped if there is a map, else the beauty.
   Rgb shown(int x, int y) const;
 
-  /// What is shown of a pixel whose noise has been taken out of `color`: where quadrants differ by
-  /// more than noise does, as at edges, they do so around the new colour.
+  /// The colour for display of a pixel with the denoised mean `color`. Quarters that differ by more
+  /// than noise, as at edges, keep their differences from the mean.
   Rgb shown(int x, int y, const Rgb& color) const;
 
   using Shares = FilterShares;
   Shares shares_of(int x, int y) const { return shares(index(x, y)); }
 
-  /// Whether every pixel has two halves of samples, of four at least.
+  /// Whether every pixel has two halves of at least four samples.
   bool has_split_samples() const;
 
-  /// Brightness of what is shown (mean of three channels) and the standard error of it, which for
-  /// mapped colours is how far the map moves when the colour moves by its error. The error is
-  /// infinite below two samples.
+  /// Brightness for display (mean of three channels) and its standard error; for mapped colours the
+  /// change of the mapped colour if the colour changes by its error. The error is infinite below
+  /// two samples.
   struct Estimate {
     float mean, error;
   };
@@ -184,22 +184,22 @@ class Film {
   Shares shares(std::size_t pixel) const;
   Rgb color(std::size_t pixel) const;
   Rgb color_error(std::size_t pixel) const;
-  /// A mean and how many samples it is of; 0 = none.
+  /// A mean and its number of samples; 0 = none.
   struct Part {
     Rgb color{0};
     float samples = 0;
   };
   Part part(std::size_t pixel, std::size_t cell) const;
-  /// All parts, the quarters that they form, and how parts spread.
+  /// All parts, the quarters that they form, and the variance between parts.
   struct Parts {
     std::array<Part, kSubPixels> all;
     std::array<Part, 4> quarters;
     Rgb mean{0};
     float samples = 0;
     float spread = 0;  ///< mean squared distance of brightness from the mean
-    float noise = 0;   ///< what that would be if the parts were alike
-    /// How far parts are mapped separately: 0 where they spread `alike` times as much
-    /// as noise makes them, 1 from `apart` times on.
+    float noise = 0;   ///< its expected value if the parts were equal
+    /// Weight of mapping the parts separately: 0 if the spread is `alike` times the noise, 1 from
+    /// `apart` times on.
     float kept(float alike, float apart) const;
   };
   Parts parts(std::size_t pixel) const;

@@ -9,11 +9,11 @@
 namespace oriel {
 namespace {
 
-/// Pixels a side of the unit of work: small enough that two hundred of them fill a small picture,
-/// large enough that rays of a tile stay near each other.
+/// Tile size in pixels: small enough for two hundred tiles in a small picture, large enough for
+/// coherent rays.
 constexpr int kTile = 16;
 
-/// Noise is judged as if no pixel were darker than this share of the picture's brightness.
+/// Minimum brightness of pixels in noise estimates, as a share of the picture's brightness.
 constexpr float kDarkestJudged = 0.01f;
 
 constexpr double kSecondsBetweenReports = 0.2;
@@ -57,8 +57,8 @@ float picture_noise(const std::vector<Film::Estimate>& estimates, float picture)
 std::uint32_t next_pass_target(std::uint32_t samples) {
   if (samples == 0) return 1;
   if (samples < kFewestJudgedSamples) return std::bit_floor(samples) * 2;
-  // Half of the power of two below: at most half as many again, in aligned blocks, which is what
-  // the samplers spread most evenly.
+  // Steps of half the power of two below: at most 1.5 times the samples, in aligned blocks, for
+  // which the sample sequences are most uniform.
   const std::uint32_t step = std::max(std::bit_floor(samples) / 2, kFewestJudgedSamples);
   return (samples / step + 1) * step;
 }
@@ -221,7 +221,7 @@ StopReason Progressive::run_rows(const std::function<std::uint64_t(const Row&)>&
   last_report_ = elapsed();
   estimate(0, 0);
 
-  // A pass that was interrupted is finished first: its pixels and target were chosen already.
+  // An interrupted pass is completed first, with its active pixels and target.
   bool chosen = state_.target > 0 &&
                 std::any_of(state_.active.begin(), state_.active.end(), [&](const auto& a) {
                   return a && film_.samples(static_cast<std::size_t>(&a - state_.active.data())) <

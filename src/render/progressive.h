@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passes over the film: who still needs samples, how many, and when the picture is done.
+// Passes over the film: which pixels need more samples, how many, and when the render ends.
 #pragma once
 
 #include <atomic>
@@ -14,10 +14,10 @@
 
 namespace oriel {
 
-/// No pixel is judged by fewer samples than these: below, variances are guesses.
+/// Minimum number of samples before the noise of a pixel is estimated.
 inline constexpr std::uint32_t kFewestJudgedSamples = 16;
 
-/// When to stop; whichever comes first.
+/// Stop criteria; the first that is met ends the render.
 struct RenderBudget {
   std::uint32_t max_samples = 64;  ///< per pixel
   std::uint32_t min_samples = kFewestJudgedSamples;
@@ -28,12 +28,12 @@ struct RenderBudget {
   bool operator==(const RenderBudget&) const = default;
 };
 
-/// MapsOnly: there is no picture, the options ask for maps of indirect light alone.
+/// MapsOnly: there is no picture, since the options request caches of indirect light only.
 enum class StopReason : std::uint8_t { Samples, Noise, Time, Cancelled, MapsOnly };
 
 /// Progress of a render.
 struct Progress {
-  const char* stage = nullptr;  ///< of the work before the picture ("photons"); null = the picture
+  const char* stage = nullptr;  ///< work before the picture, e.g. "photons"; null = the picture
   int pass = 0;                 ///< complete passes
   double mean_samples = 0;
   double active = 1;                ///< fraction of pixels that the running pass still samples
@@ -43,7 +43,7 @@ struct Progress {
   double done = 0;                  ///< share of the work, 0 to 1; never decreases
 };
 
-/// Samples pixels pass by pass until the budget says stop.
+/// Samples the pixels in passes until a stop criterion is met.
 ///
 /// Model:   pass k takes every active pixel from the samples it has to n_k: 1, 2, 4, 8, 16, 32,
 ///          48, 64, 96, 128, 192... From min_samples on, the next pass leaves out pixels whose
@@ -52,22 +52,22 @@ struct Progress {
 ///          pixel. Both are decided between passes from the film alone, so the picture is the same
 ///          for any number of threads.
 ///          Noise of a pixel: standard error of its brightness over sqrt(L M), L its brightness
-///          and M the picture's; so dark regions may be noisier than bright ones as the eye
-///          tolerates it, and the unit of the scene does not matter.
+///          and M the picture's. Dark regions may thus be noisier than bright ones, which is less
+///          visible there, and the noise does not depend on the unit of the scene.
 /// Source:  H. Dammertz et al., "A Hierarchical Automatic Stopping Condition for Monte Carlo Global
 ///          Illumination", WSCG 2010 (error over the square root of brightness).
 /// Checked: Progressive.* in progressive_test.cpp
 class Progressive {
  public:
-  /// Where a render stands; with the film it is all that has to be kept to go on later.
+  /// The state of a render; with the film it is sufficient to continue later.
   struct State {
     std::int32_t pass = 0;
     std::uint32_t target = 0;  ///< samples that active pixels reach in the running pass
     std::vector<std::uint8_t> active;
     double elapsed = 0;
   };
-  /// `progress` a few times a second, one call at a time, from any thread; `pass` after each pass,
-  /// when the film is at rest.
+  /// `progress` is called a few times per second from any thread, never concurrently; `pass` after
+  /// each pass, while the film does not change.
   struct Callbacks {
     std::function<void(const Progress&)> progress, pass;
   };
@@ -75,7 +75,7 @@ class Progressive {
   Progressive(Film& film, const RenderBudget& budget);
   Progressive(Film& film, const RenderBudget& budget, State state);
 
-  /// Calls sample(x, y, index, FilmSample&) for each sample, from many threads.
+  /// Calls sample(x, y, index, FilmSample&) for each sample, concurrently.
   /// Inputs:  cancel: ends the render soon after it becomes true; may be null.
   template <class Sample>
   StopReason run(const Sample& sample, const Callbacks& callbacks = {},
@@ -115,7 +115,7 @@ class Progressive {
   double last_report_ = 0;
 };
 
-/// Noise of a pixel as Progressive defines it.
+/// Noise of a pixel, see Progressive.
 float relative_noise(const Film::Estimate& estimate, float picture_brightness);
 
 /// The largest noise that a pixel contributes to the noise of the picture: a pixel that is wrong as
@@ -129,11 +129,11 @@ float picture_noise(const std::vector<Film::Estimate>& estimates, float picture_
 /// Estimates of all pixels.
 std::vector<Film::Estimate> film_estimates(const Film& film);
 
-/// Brightness of the picture as noise is judged by: square of the mean root of the pixels'
-/// brightness, which a few lamps in view hardly move.
+/// Brightness of the picture for noise estimates: the square of the mean root of the pixels'
+/// brightness, which a few visible lights hardly change.
 float picture_brightness(const std::vector<Film::Estimate>& estimates);
 
-/// The number of samples that follows `samples` in the order of passes.
+/// The target of the pass after the one with the target `samples`.
 std::uint32_t next_pass_target(std::uint32_t samples);
 
 template <class Sample>

@@ -16,10 +16,10 @@
 namespace oriel {
 namespace {
 
-/// How often the work before the picture tells how far it is, and shows what it knows.
+/// Intervals of progress reports and of preview pictures before the first pass.
 constexpr double kSecondsBetweenPassReports = 0.2, kSecondsBetweenPreviews = 10;
 
-/// The one that is asked for, cut to the picture, else the camera's.
+/// The requested window, clipped to the picture; else that of the camera.
 Window window_of(const World& world, const std::optional<Window>& asked) {
   const Camera& camera = world.camera;
   const Window whole{0, 0, camera.width, camera.height};
@@ -122,7 +122,7 @@ StopReason RenderSession::draw(Progressive& passes, const Progressive::Callbacks
         : buffers(user_buffers, Rgba(0)), record(request, buffers, observer) {}
     RayCounts counts;
     std::vector<Rgba> buffers;
-    PathRecord record;  // of the sample under way, until the film has it
+    PathRecord record;  // of the current sample
   };
   tbb::enumerable_thread_specific<PerThread> threads(request, film_.user_buffers(), observer_);
   const auto draw_one = [&](int x, int y, std::uint32_t index, FilmSample& s) {
