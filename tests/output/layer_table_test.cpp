@@ -24,7 +24,8 @@ TEST(LayerTable, NamesAndFileNamesAreUnique) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_TRUE(row.expand || files.insert(row.exr).second) << row.exr;
     EXPECT_EQ(row.channels.empty(), row.expand != nullptr) << row.name;
-    EXPECT_NE(bool{row.value}, row.expand != nullptr) << row.name;
+    EXPECT_EQ(int{bool{row.value}} + (row.expand != nullptr) + row.surface_value.has_value(), 1)
+        << row.name;
   }
   EXPECT_LE(names.size(), 64u) << "LayerSet holds no more";
 }
