@@ -113,7 +113,7 @@ std::vector<EmissionKind> emissive_materials(const World& world) {
       const auto m = static_cast<std::size_t>(worn[mesh.slot_of(t)]);
       if (left[m] <= 0) continue;
       for (const bool behind : {false, true})
-        // Some show the eye what they do not light the scene by.
+        // Some materials show the camera an emission that does not light the scene.
         for (const RayKind kind : {RayKind::FinalGather, RayKind::Eye}) {
           ShadingPoint point = point_of_triangle(world, i, t, 1 / 3.0f, 1 / 3.0f, behind, kind);
           const SurfaceEmission emission = emission_at(world.materials[m], point);

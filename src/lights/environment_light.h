@@ -28,14 +28,14 @@ class EnvironmentLight {
     Vec3 wi;
     float pdf;  ///< per solid angle
   };
-  /// For light that rays of lobes may find as well: what stands out from the mean is chosen more
-  /// often than by its share, since those rays find the rest about as well.
+  /// For use with MIS: directions brighter than the mean are sampled more often than in proportion,
+  /// since BSDF samples find the rest about as well.
   /// Source:  Karlik et al., "MIS Compensation: Optimizing Sampling Techniques in Multiple
   ///          Importance Sampling", ACM TOG 38(6), 2019.
   /// Checked: Sky.IrradianceOfTheSkyIsFoundWithFewSamples
   Sample sample(Vec2 u) const { return sample_from(*standing_out_, u); }
   float pdf(const Vec3& direction) const;
-  /// In proportion to radiance alone, where no ray of a lobe helps: photons.
+  /// In proportion to radiance, without MIS: for photons.
   Sample sample_alone(Vec2 u) const { return sample_from(*table_, u); }
 
  private:

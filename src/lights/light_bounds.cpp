@@ -16,9 +16,10 @@
 namespace oriel {
 namespace {
 
-/// Shares of the scene's radius at which a light is asked; a guess.
+/// Distances at which a light shader is evaluated, as shares of the scene's radius; an estimate.
 constexpr float kNear = 1 / 30.0f, kFar = 1 / 3.0f;
-/// Cosine of what is asked beyond a cone's rim, as share of the rim's: a few degrees.
+/// Cosine of the directions outside a cone that are tested, as a share of that of its rim: a few
+/// degrees.
 constexpr float kBeyondRim = 0.05f;
 
 constexpr std::array<Vec3, 6> kAllSides = {Vec3(1, 0, 0),  Vec3(-1, 0, 0), Vec3(0, 1, 0),
@@ -35,7 +36,7 @@ float brightness(const Light& light, const World& world, const Vec3& direction, 
   return std::isfinite(l) ? std::max(0.0f, l) : 0;
 }
 
-/// Whether a spot keeps within its cone, as far as a few questions tell.
+/// Whether a spot light is black outside its cone, tested in a few directions.
 bool keeps_to_cone(const Light& light, const World& world, float distance) {
   const float cosine = light.spread - kBeyondRim * (1 - light.spread) - kBeyondRim;
   if (cosine <= -1) return false;
@@ -68,7 +69,7 @@ LightBounds bounds_of(const Light& light, const World& world, float reach, float
   const Vec3 half = half_size(light);
   bounds.box = {light.position - half, light.position + half};
   if (!light.path.empty()) {
-    // Wherever it goes, and turned any way.
+    // At all positions and rotations of a moving light.
     const geom::Box3 rest = std::exchange(bounds.box, {});
     for (const Mat4& m : light.path)
       for (int corner = 0; corner < 8; ++corner)
@@ -93,7 +94,7 @@ LightBounds bounds_of(const Light& light, const World& world, float reach, float
   const float near = reach * kNear, far = reach * kFar;
   float at_near = 0, at_far = 0;
   if (light.profile_placement) {
-    // Seldom does an axis meet the beam: the mean over all directions by the profile's own.
+    // The axes rarely hit the beam, so the profile's mean over all directions is used.
     const photometry::LightProfile& profile = *light.profile_placement.profile;
     const Vec3 beam = light.profile_placement.to_world(profile.peak_direction());
     const float mean = profile.flux() / (4 * kPi * std::max(profile.peak(), 1e-20f));
@@ -108,7 +109,7 @@ LightBounds bounds_of(const Light& light, const World& world, float reach, float
     at_near = brightness(light, world, light.direction, near);
     at_far = brightness(light, world, light.direction, far);
   }
-  // even + falling / d^2 through both; what falls off faster is taken by what it is nearby.
+  // even + falling / d^2 through both values; lights with faster falloff use the value nearby.
   bounds.falling = std::max(0.0f, (at_near - at_far) / (1 / sqr(near) - 1 / sqr(far)));
   bounds.even = std::max(0.0f, at_far - bounds.falling / sqr(far));
   return bounds;

@@ -9,8 +9,8 @@ namespace oriel {
 struct Light;
 struct World;
 
-/// The bounds of a light; its shader is evaluated at a few points. Portals: the mean of what is
-/// behind them.
+/// The bounds of a light; its shader is evaluated at a few points. Portals: the mean of the
+/// environment behind them.
 /// Inputs:  reach: about the radius of the scene. environment: mean luminance of the environment.
 /// Errors:  lights that are black there have strengths 0.
 LightBounds bounds_of(const Light& light, const World& world, float reach, float environment);

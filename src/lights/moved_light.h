@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a light that moves is at a time.
+// The placement of a moving light at a time.
 #pragma once
 
 #include <cmath>
@@ -10,16 +10,15 @@
 
 namespace oriel {
 
-/// Whether a light stands at that time as it is written.
+/// Whether a light is at its written placement at that time.
 inline bool is_at_rest(const Light& light, float time) {
   return light.path.empty() || time == kAsWritten;
 }
 
-/// A light that moves, at a time: what it lights is taken to where the light stands as written, and
-/// what is found there back.
+/// A moving light at a time: transforms points to the frame of its written placement, and results
+/// back.
 ///
-/// Model:   any matrix: shapes that are stretched keep their radiance. Turned lights have their
-///          shader's answer as it is.
+/// Model:   any matrix; scaled shapes keep their radiance. The shader's result is not transformed.
 /// Checked: MotionBlur.*, MovingLights.*, MovingPortals.* in tests/analytic
 class MovedLight {
  public:
@@ -28,7 +27,7 @@ class MovedLight {
 
   Vec3 place_at_rest(const Vec3& place) const { return transform_point(place, back_); }
   Vec3 place(const Vec3& at_rest) const { return transform_point(at_rest, there_); }
-  /// As long as they then are.
+  /// With the transformed length.
   Vec3 way_at_rest(const Vec3& way) const { return transform_vector(way, back_); }
   Vec3 way(const Vec3& at_rest) const { return transform_vector(at_rest, there_); }
   /// Unit.
@@ -38,15 +37,15 @@ class MovedLight {
     return normalize(transform_normal(normal, there_));
   }
 
-  /// Factor of a length along that unit direction at rest.
+  /// Factor of lengths along that unit direction of the written placement.
   float stretch(const Vec3& at_rest) const { return length(way(at_rest)); }
-  /// Factor of a density per solid angle around it.
+  /// Factor of densities per solid angle around it.
   float crowding(const Vec3& at_rest) const {
     const float s = stretch(at_rest);
     return s * s * s / volume();
   }
-  /// Factor of the flux around it through the shape, at the same radiance: of the area as
-  /// seen from there times the solid angle.
+  /// Factor of the flux through the shape around it at equal radiance: of projected area times
+  /// solid angle.
   float flux(const Vec3& at_rest) const {
     const float s = stretch(at_rest);
     return volume() / s / crowding(at_rest);

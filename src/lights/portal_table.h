@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sampling of portals, and what portals do to rays.
+// Sampling of portals, and their effect on rays.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,12 @@ namespace oriel {
 
 struct World;
 
-/// What lies behind windows of one orientation, by two angles in which a rectangle seen from
-/// anywhere keeps its sides upright.
+/// The environment behind portals of one orientation, over two angles in which every rectangle of
+/// that orientation, seen from any point, is an axis-aligned rectangle.
 ///
 /// Model:   luminance times solid angle over (atan x/z, atan y/z); z points outside, x and y along
-///          the edges. A share of the mean is spread evenly over directions, so that what the table
-///          smoothed away is still found.
+///          the edges. A share of the mean is spread evenly over directions, so that details
+///          below the resolution of the table have a density above 0.
 /// Source:  Bitterli, Novak, Jarosz, "Portal-Masked Environment Map Sampling", EGSR 2015.
 /// Checked: Portal.* in tests/analytic/portals/portal_test.cpp.
 class PortalTable {
@@ -42,7 +42,7 @@ class PortalTable {
   float pdf(const Vec3& local, const sampling::Window& window) const;
   /// Mean luminance over the half sphere.
   float mean_luminance() const { return mean_luminance_; }
-  /// Whether some of it is so bright that it matters through which of many portals it is seen.
+  /// Whether the environment is so uneven that the choice among portals should depend on it.
   bool uneven() const { return uneven_; }
   /// Luminance times solid angle within a rectangle at z = 1 by x, y, z; blurred over a few
   /// degrees.
@@ -59,45 +59,45 @@ class PortalTable {
 
 /// A point of the portal, by its table.
 std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, Vec2 u);
-/// Density with which sample_through finds a direction that meets the portal.
+/// Density of sample_through for a direction that hits the portal.
 float pdf_through(const Light& light, const Vec3& from, const Vec3& wi);
-/// Radiance toward a point, wi from there to the portal, both where they are in truth. `kind`: the
-/// threshold acts on Light and FinalGather; eyes, mirrors and glass see the surface as it is.
+/// Radiance toward a point; wi: from the point to the portal; both at the current time. `kind`: the
+/// threshold applies to Light and FinalGather; other rays see the unmodified surface.
 /// Checked: PortalSeen.* in tests/analytic/portals/portal_seen_test.cpp
 Rgb portal_radiance(const Light& light, const Vec3& from, const Vec3& wi, float distance,
                     float cosine, RayKind kind = RayKind::Light);
-/// Mean luminance of all that is behind it. `environment`: of the camera's environment.
+/// Mean luminance behind the portal. `environment`: of the camera's environment.
 float mean_luminance(const Portal& portal, float environment);
-/// A direction out of which the environment shines through the portal, by the table: where photons
-/// come from. World space, with its density.
+/// A direction from the environment through the portal, by the table, for photons. World space,
+/// with its density.
 struct PortalDirection {
   Vec3 outward{0};
   float pdf = 0;
 };
 PortalDirection sample_portal_direction(const Light& light, Vec2 u);
 
-/// Whether a ray of that time meets the portal from inside within (0, t_most).
+/// Whether a ray at that time hits the portal from inside within (0, t_most).
 bool crosses_portal(const Light& light, const Vec3& from, const Vec3& direction, float t_most,
                     float time);
 
-/// What portals do to a ray on its way.
+/// The effect of the portals on a ray.
 struct PortalsOnWay {
-  bool ends_diffuse = false;  ///< diffuse rays find a portal's light here and nothing behind
-  bool ends_view = false;     ///< so do other rays, at a visible portal
-  Rgb view{1};                ///< what is left for the eye of what lies behind
+  bool ends_diffuse = false;  ///< diffuse rays see the portal's light and nothing behind
+  bool ends_view = false;     ///< other rays do so as well, at a visible portal
+  Rgb view{1};                ///< factor of radiance from behind
 };
-/// A portal is not on the way to itself: ways end at this share of the distance.
+/// Rays toward a portal end at this share of the distance, so that it does not block itself.
 inline constexpr float kShortOfPortal = 1 - 1e-4f;
-/// `mapped`: light of portals that only send photons is in a map that diffuse rays stand back for.
+/// `mapped`: the light of portals that only emit photons is in a map that replaces diffuse rays.
 PortalsOnWay portals_on_way(const World& world, const Vec3& from, const Vec3& direction,
                             float t_most, float time, bool mapped = false);
 
-/// Whether a portal lies on the way to a point, so that its photons stand for those of the
-/// environment that come along here.
+/// Whether a portal lies between the environment and a point, so that photons of the portal replace
+/// those of the environment.
 bool is_behind_portal(const World& world, const Vec3& point, const Vec3& to_source, float t_most,
                       float time);
 
-/// Orients and completes the portals among the lights; the environment is bound before.
+/// Orients and completes the portals among the lights; requires the bound environment.
 void open_portals(World& world);
 
 }  // namespace oriel
