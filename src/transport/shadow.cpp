@@ -13,13 +13,13 @@
 namespace oriel {
 namespace {
 
-/// Transparent blockers on one shadow ray before the rest counts as dark.
+/// Maximum number of transparent blockers on a shadow ray; beyond it the light is lost.
 constexpr int kMostShadowBlockers = 128;
-/// Light samples are approached to this share of their distance, so that a light's own housing at
-/// the sample does not block it.
+/// Shadow rays end at this share of the distance, so that a light's housing at the sample does not
+/// block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
 
-/// Takes from what is open what a blocker keeps.
+/// Multiplies by the transmittance of a blocker.
 void pass(const Material& material, const Closure& closure, ShadingPoint& blocker,
           const scene::RenderOptions& options, Transmittance& open) {
   if (!material.shadow.empty()) {
@@ -33,7 +33,7 @@ void pass(const Material& material, const Closure& closure, ShadingPoint& blocke
     open.clear *= here.clear;
     open.cut_outs *= here.cut_outs;
   }
-  // Rays that see the surface itself ignore its replacement.
+  // Rays that see the surface ignore its shadow replacement.
   if (material.filters_shadows()) open.cut_outs = Rgb(0);
 }
 
@@ -99,7 +99,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
   if (world.accel->occluded(ray)) return kClosed;
   if (!world.has_transparent_blockers) return {};
 
-  // Walk the transparent ones from the point to the light.
+  // Transparent blockers from the point to the light.
   const bool segments = world.options.shadow == scene::ShadowMode::Segments;
   ray.mask = geom::RayMask::ShadowTransparent;
   Transmittance open;
@@ -115,7 +115,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
     geom::Hit hit;
     ++counts.shadow;
     if (!world.accel->intersect(ray, hit)) {
-      // A light inside of glass.
+      // The light is inside glass.
       if (segments && !way.medium.clear() && !std::isinf(ray.tfar))
         dim(transmittance(way.medium, ray.tfar));
       if (way.volume && !std::isinf(ray.tfar))
@@ -133,7 +133,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
     if (way.volume)
       dim(volume_transmittance(world, *way.volume, left, wi, length(blocker.position - left)));
     if (segments) {
-      // From where the ray left: its origin is a little off the surface, and glass may be thin.
+      // Measured from the surface, not from the offset origin, since glass may be thin.
       dim(transmittance(way.medium, length(blocker.position - left)));
     }
     pass(material, closure, blocker, world.options, open);

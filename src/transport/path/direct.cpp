@@ -8,7 +8,7 @@
 namespace oriel {
 LightInReflection light_in_reflection(const Closure& closure, bool visible, bool forced) {
   if (!visible) return {0, closure.highlight_scale};
-  // A visible light is reflected; its highlight comes on top only when the material asks.
+  // Rays reflect visible lights; a highlight is added only if the material requests it.
   return {1, forced || closure.highlights_of_visible_lights ? closure.highlight_scale : 0};
 }
 
@@ -18,7 +18,7 @@ LightInReflection hidden_portal_in_reflection(const Closure& closure) {
 
 namespace {
 
-/// What the samples of one vertex bring, added up.
+/// Sums the samples of one vertex.
 class DirectSum {
  public:
   DirectSum(const World& world, ShadingPoint& point, const Closure& closure,
@@ -38,7 +38,7 @@ class DirectSum {
 
   /// One sample of a light.
   void add_light(const LightPick& pick, const Vec2& u);
-  /// One sample of the environment, or by chance none.
+  /// One sample of the environment, or none at random.
   void add_environment(const Vec2& u);
   const DirectLight& sum() const { return sum_; }
 
@@ -71,7 +71,7 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
   const bool mirrored =
       light.visible && !closure_.highlights_of_visible_lights && !s->force_specular;
   Response r = evaluate_closure(closure_, lobes_, point_, wo_, s->wi, mirrored);
-  // What the light's shader keeps from either kind of lobe.
+  // The light's factors for diffuse and specular lobes.
   r.diffuse.value *= s->affects_diffuse;
   for (Rgb* specular : {&r.reflection.value, &r.refraction.value, &r.highlight})
     *specular *= s->affects_specular;
@@ -88,14 +88,14 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
   DirectLight& sum =
       shares_ ? shares_->next(world_.light_layers.of_light[static_cast<std::size_t>(index)]) : sum_;
   const Rgb& arriving = s->irradiance;
-  // What portals on the way, and its own, leave of it for the eye.
+  // Factor of tinted portals between the light and the point.
   Rgb view(1);
   if (request_.for_the_eye && world_.has_tinted_portals)
     view = portals_on_way(world_, point_.position, s->wi, s->distance * kShortOfPortal, point_.time)
                .view;
   if (request_.for_the_eye && light.portal && light.portal->visible)
     view *= light.portal->transparency;
-  // Factors of what rays could have found and of what they could not, after shadows.
+  // Factors after shadows of light that rays could also find, and of light that they could not.
   const auto add = [&](const Rgb& diffuse, const Rgb& reflection, const Rgb& refraction,
                        const Rgb& highlights) {
     const bool behind = dot(s->wi, point_.geometric_normal) < 0;
@@ -112,16 +112,16 @@ void DirectSum::add_light(const LightPick& pick, const Vec2& u) {
 
   const Transmittance open = shadow_transmittance(world_, point_, s->wi, s->reach, counts_, index);
   tell(index, s->wi, s->reach, shown * arriving, open.all);
-  // What rays of the lobe cannot find, samples of the light bring alone.
+  // Light that rays of the lobe cannot find has weight 1.
   const auto weight = [&](const Response::Part& part, std::uint32_t shadowless) {
     if (!(s->pdf > 0) || is_black(part.value)) return 1.0f;
     if (hidden_from_rays(world_, point_, s->wi, s->reach, shadowless, counts_)) return 1.0f;
     return light_sample_weight(request_.estimator, s->pdf, part.pdf);
   };
-  // What the light lets pass opaque blockers, no ray would find.
+  // Light that passes opaque objects cannot be found by rays.
   const Rgb leak = (Rgb(1) - open.all) * s->shadow_factor;
   const Rgb straight = request_.rays_bend ? open.cut_outs : open.all;
-  // Behind glass a ray of a glossy lobe meets only lights that are seen.
+  // Behind glass, rays of glossy lobes hit visible lights only.
   const bool bent_rays_find = light.visible && s->pdf > 0;
   const Rgb glass = request_.rays_bend ? open.clear - open.cut_outs : Rgb(0);
   const Rgb missed = (bent_rays_find ? Rgb(0) : glass) + leak;
@@ -161,7 +161,7 @@ void DirectSum::add_environment(const Vec2& u) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   tell(-1, s->wi, kFar,
        (r.diffuse.value + reflection + r.refraction.value) * radiance * (1 / s->pdf), open.all);
-  // The environment is what rays see: behind what they see it is not, shadow or none.
+  // Rays find the environment unless an object that they see occludes it, with or without shadow.
   const auto found = [&](const Rgb& value, float pdf, const Rgb& passes, std::uint32_t shadowless) {
     if (is_black(value) || hidden_from_rays(world_, point_, s->wi, kFar, shadowless, counts_))
       return Rgb(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that glow, sampled as lights: what rays of lobes may find of them as well.
+// Emissive triangles sampled as lights, with MIS against rays of lobes.
 #include <cmath>
 
 #include "transport/path/path_walk.h"
@@ -9,14 +9,14 @@
 namespace oriel {
 namespace {
 
-/// Tells this stream from those of lobes, which number from 0.
+/// Stream number; those of lobes start at 0.
 constexpr std::uint32_t kBranch = 4000;
-/// Surfaces on the way that let light pass, before the rest counts as dark.
+/// Maximum number of transparent surfaces on a shadow ray; beyond it the light is lost.
 constexpr int kMostBlockers = 128;
-/// A surface of the same instance at this share of the distance is the place that was meant.
+/// A hit of the same instance beyond this share of the distance counts as the sampled triangle.
 constexpr float kSamePlace = 1e-4f;
 
-/// Whether lobes answer for light from behind the surface.
+/// Whether lobes scatter light from behind the surface.
 bool is_translucent(const Closure& closure) {
   return closure.any([](const Lobe& lobe) { return lobe.kind == LobeKind::Translucency; });
 }
@@ -33,11 +33,11 @@ float brightness(const Rgb& c) { return c.x + c.y + c.z; }
 
 }  // namespace
 
-/// One sample of all that glows, for the lobes whose rays find it too: it stands for what such a
-/// ray would bring, so it counts wherever and as much as the ray would.
+/// Adds one sample of the emissive triangles, for the lobes whose rays also find them. The sample
+/// has the value that such a ray would return.
 void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
                            const ShadingPoint& point, bool on_diffuse, bool in_reflections) {
-  // Rays through air are left alone: its shaders answer for whole rays.
+  // Not in volumes: their shaders act on whole rays.
   if (!settings_.mesh_lights || settings_.estimator == Estimator::BsdfOnly ||
       !world_.camera_volume.empty())
     return;
@@ -61,7 +61,7 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
   const float diffuse = on_diffuse ? brightness(r.diffuse.value) : 0;
   const float reflection = in_reflections ? brightness(r.reflection.value) : 0;
   if (!(diffuse + reflection > 0)) return;
-  // One ray, for one of the two.
+  // One ray, for one of the two groups.
   const float share = diffuse / (diffuse + reflection);
   const bool of_diffuse = u_group < share;
   const Response::Part& part = of_diffuse ? r.diffuse : r.reflection;
@@ -85,8 +85,8 @@ void Path::sample_emission(const Closure& closure, const LobeChoice& choice,
   add(aov_.at_vertex(component), light_.throughput * radiance, layer_of_instance(instance));
 }
 
-/// What a ray of that kind brings of a triangle's emission: as walk() and pass_straight() have it,
-/// with means in place of chances.
+/// The emission of a triangle that a ray of that kind would return: as walk() and pass_straight(),
+/// with expected values instead of random choices.
 Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
                         const TriangleSample& target, RayKind kind) {
   const Vec3& wi = target.wi;
@@ -99,7 +99,7 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
   RayCone cone = way_.cone;
   if (gathers) cone.spread = std::max(cone.spread, kDiffuseSpread);
   const std::uint32_t mask = gathers ? geom::RayMask::FinalGather : geom::RayMask::Reflection;
-  // Beyond the target there is nothing to find.
+  // Surfaces beyond the target are not needed.
   const float reach = distance * 1.001f + 2 * point.ray_offset;
   geom::Ray ray = leave(point, wi, std::min(reach, way.reach()), mask);
   Vec3 left = point.position;
@@ -109,7 +109,7 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
     geom::Hit hit;
     ++counts_.shadow;
     if (!world_.accel->intersect(ray, hit)) return Rgb(0);
-    // At the rim of a triangle rounding may find its neighbour.
+    // At the edge of a triangle rounding may hit its neighbour.
     const bool arrived =
         hit.instance == target.instance &&
         (hit.primitive == target.primitive ||
@@ -151,7 +151,7 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
   return Rgb(0);
 }
 
-/// Of emission that a ray has found: its share beside the samples of it.
+/// MIS weight of emission that a ray hit.
 float Path::emission_weight(const geom::Hit& hit, const ShadingPoint& point) const {
   const bool sampled = from_.group == LobeGroup::Diffuse
                            ? from_.emission_on_diffuse

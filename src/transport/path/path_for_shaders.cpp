@@ -11,11 +11,11 @@
 namespace oriel {
 namespace {
 
-/// Paths of shaders within paths of shaders; what lies deeper is black. Trace depths end most.
+/// Maximum nesting of shader paths; deeper ones are black. Trace depths usually end them earlier.
 constexpr int kMostNested = 48;
-/// Irradiance behind kRouletteDepth bounces is evaluated by chance: shaders do not say how much of
-/// it they reflect, so that nothing else would end the recursion.
-constexpr float kSurvival = 0.5f;  ///< a guess between the depth of white and of dark rooms
+/// Probability of evaluating irradiance after kRouletteDepth bounces. The reflectance of shaders is
+/// unknown, so nothing else would end the recursion.
+constexpr float kSurvival = 0.5f;  ///< an estimate between white and dark rooms
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::span<Rgba> PathForShaders::user_buffers() const {
   return path_.depth_.after_diffuse ? std::span<Rgba>() : path_.record_->user_buffers;
 }
 
-/// A path that goes on from this vertex for itself: its radiance is what it sees, unweighed.
+/// A separate path that starts at this vertex; its radiance has no weight.
 Path PathForShaders::sub_path(const sampling::Sampler& stream, PathRecord& record) const {
   sampling::Sampler own = stream;
   Path sub(path_.world_, path_.raster_, path_.settings_, record, own, path_.counts_);
@@ -110,7 +110,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
   ++sub.depth_.bounces;
   ++sub.depth_.diffuse_bounces;
   sub.way_.cone.spread = kDiffuseSpread;
-  sub.from_.weighed = true;  // against no lights: it passes through them unseen
+  sub.from_.weighed = true;  // no lights were sampled: they are invisible to the ray
   sub.eye_hit_.eye = at.position;
   sub.follow(at, w);
   sub.way_.medium.begin_in(volume_around(path_.world_, sub.way_.ray));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths and the grids of interpolated reflection: filling their points, and using them.
+// Grids of interpolated reflections: computing their points, and looking them up.
 #include "transport/path/glossy_grid.h"
 #include "transport/path/path_walk.h"
 #include "transport/shadow.h"
@@ -12,7 +12,7 @@ void Path::tabulate(const Camera::Ray& eye, int density, GridPoint& point) {
   run(eye);
 }
 
-/// The first surface of a grid point's ray: what its interpolated lobes see at full strength.
+/// At the first surface of a grid point's ray: traces its interpolated lobes with weight 1.
 void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point) {
   GridPoint& out = *task_.grid_point;
   LobeChoice choice;
@@ -22,7 +22,7 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
     if (choice.rays[i] <= 0 || !closure.lobes[i].controls.interpolate ||
         closure.lobes[i].controls.grid_density != task_.grid_density)
       continue;
-    // The lobe alone and white.
+    // Only this lobe, with weight 1.
     Closure alone = closure;
     for (int k = 0; k < alone.count; ++k) alone.lobes[k].weight = Rgb(k == i ? 1.0f : 0.0f);
     const Lobe& lobe = alone.lobes[i];
@@ -40,8 +40,8 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
       branch.eye_hit_.alpha_open = true;
       branch.record_ = &seen;
       branch.sampler_ = sampler_.split(j, rays, static_cast<std::uint32_t>(i));
-      // Lights without a visible shape show as highlights of reflecting lobes, and are left to
-      // them; through refracting ones they are part of the picture.
+      // Reflecting lobes show lights without a visible shape by their highlights; refracting lobes
+      // include them here.
       branch.from_.lights.environment_samples = 0;
       if (refracts) {
         std::construct_at(&branch.from_.lights, world_, point, alone);
@@ -67,8 +67,8 @@ void Path::fill_grid_point(Closure& closure, const Material& material, ShadingPo
   }
 }
 
-/// Lobes whose rays the grid stands for: their light is added, and they keep highlights, and rays
-/// within the detail distance.
+/// Adds the light of the grid for interpolated lobes. They keep their highlights, and rays within
+/// the detail distance.
 void Path::interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                        LobeChoice& choice) {
   if (!grid_ || !at_eye_surface()) return;
@@ -92,7 +92,7 @@ void Path::interpolate(Closure& closure, const Material& material, const Shading
         if (refracts && eye_hit_.alpha_open && closure.propagate_alpha)
           record_->alpha -= (1 - smooth->alpha) * mean_of(light_.throughput * lobe.weight);
         choice.rays[i] = 0;
-        // Visible lights are in the grid.
+        // The grid includes visible lights.
         controls.highlights_only = controls.mirrored = true;
         if (refracts) lobe.weight = Rgb(0);
       }

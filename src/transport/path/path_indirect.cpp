@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths and indirect light that is there before them: gather points, photons.
+// Indirect light from caches: gather points and photons.
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +12,12 @@
 namespace oriel {
 namespace {
 
-/// Where a lobe looks for its light: its own side of the surface, or the other.
+/// The normal of the side of the surface that a lobe receives light on.
 Vec3 lit_side(const Lobe& lobe) {
   return lobe.kind == LobeKind::Translucency ? -lobe.frame.n : lobe.frame.n;
 }
 
-/// Share of even light that the lobe returns to the viewer.
+/// Directional albedo of the lobe.
 Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
   if (lobe.kind != LobeKind::Diffuse || lobe.roughness == 0) return lobe.weight;
   return lobe.weight * bsdf::OrenNayar(lobe.roughness).albedo(dot(wo, lobe.frame.n));
@@ -25,7 +25,7 @@ Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
 
 }  // namespace
 
-/// What was gathered about a point, where the eye sees it.
+/// Gathered irradiance at a point that the camera sees.
 std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& normal,
                                        bool directional, Rgb* by_light) const {
   const IndirectCaches& maps = *settings_.maps;
@@ -42,7 +42,7 @@ std::optional<Gathered> Path::gathered(const ShadingPoint& point, const Vec3& no
   return found;
 }
 
-/// Irradiance of one side as the maps know it; nothing where they do not.
+/// Irradiance on one side from the caches; empty if they have none.
 std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3& normal,
                                            LightParts& parts) const {
   const IndirectCaches& maps = *settings_.maps;
@@ -77,7 +77,7 @@ std::optional<Rgb> Path::mapped_irradiance(const ShadingPoint& point, const Vec3
   return sum;
 }
 
-/// Soft reflections without rays: gathered light blurred about the mirrored view.
+/// Glossy reflections without rays: gathered light around the mirror direction.
 void Path::emulate(const Closure& closure, const ShadingPoint& point) {
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
@@ -91,7 +91,7 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
     const Vec3 mirrored = bsdf::reflect(point.wo(), lobe.frame.n);
     const float roughness = std::sqrt(lobe.alpha_x * lobe.alpha_y);
     const Rgb blurred = blurred_radiance(found->incoming, mirrored, roughness);
-    // From which direction a layer's light comes is not kept: each has its share of the whole.
+    // Directions are not stored by light layer: each layer gets its share of the total.
     for (int c = 0; c < 3; ++c) {
       const float whole = found->irradiance[c];
       for (std::size_t k = 0; k < layers; ++k)
@@ -103,11 +103,11 @@ void Path::emulate(const Closure& closure, const ShadingPoint& point) {
   }
 }
 
-/// Light of the maps on diffuse lobes. True: no diffuse rays are needed.
+/// Adds light of the caches on diffuse lobes. True: no diffuse rays are needed.
 bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
   const IndirectCaches& maps = *settings_.maps;
   Rgb on_side(0), through(0), caustic(0), caustic_through(0);
-  // Their layers, where somebody asks.
+  // Light layers, if requested.
   LightParts parts, on_side_parts, through_parts, caustic_parts, caustic_through_parts;
   const std::size_t layers = record_->requested.light_layers;
   for (LightParts* p : {&on_side_parts, &through_parts, &caustic_parts, &caustic_through_parts})
@@ -147,10 +147,10 @@ bool Path::take_mapped(const Closure& closure, ShadingPoint& point) {
   return true;
 }
 
-/// Occlusion with colours on smoothed light: what is near hides its share of it and shows itself.
+/// Ambient occlusion with colours on gathered light: nearby surfaces occlude it and add their own.
 void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
                            LightParts& parts) {
-  /// Tells this stream from those of lobes, which number from 0.
+  /// Stream number; those of lobes start at 0.
   constexpr std::uint32_t kBranch = 2000;
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
@@ -182,7 +182,7 @@ void Path::visit_behind(const ShadingPoint& point, const Vec3& direction,
   gather_ray(point, direction, kInfinity);
 }
 
-/// Notes a surface that gathered light falls on, and goes on through what mirrors or transmits.
+/// Appends a gather point at a diffuse surface, and continues by mirrors and transparency.
 bool Path::note_gather_point(Closure& closure, const Material& material, ShadingPoint& point) {
   LobeChoice choice;
   make_ready(closure, point.wo());
@@ -196,7 +196,7 @@ bool Path::note_gather_point(Closure& closure, const Material& material, Shading
       if (!allows(kSendsGatherRays)) continue;
       const Vec3 side = lit_side(lobe);
       const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
-      // One record serves all lobes of a side.
+      // All lobes of a side share a record.
       const auto same =
           std::find_if(task_.visited->begin() + before, task_.visited->end(),
                        [&](const GatherPoint& p) { return dot(p.normal, side) > 1 - 1e-4f; });
