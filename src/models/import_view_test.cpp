@@ -8,11 +8,12 @@
 
 #include "models/testing/fbx_file.h"
 #include "models/testing/model_file.h"
+#include "support/expect_near.h"
 
 namespace oriel::models {
 namespace import_view_test {
 
-using testing::expect_near;
+using oriel::testing::expect_near;
 using testing::FbxFile;
 using testing::imported;
 using testing::property;

@@ -10,11 +10,12 @@
 
 #include "models/testing/fbx_file.h"
 #include "models/testing/model_file.h"
+#include "support/expect_near.h"
 
 namespace oriel::models {
 namespace views_3ds_test {
 
-using testing::expect_near;
+using oriel::testing::expect_near;
 using testing::imported;
 
 template <class T>

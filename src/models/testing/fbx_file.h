@@ -10,7 +10,6 @@
 
 #include "models/import.h"
 #include "scene/scene.h"
-#include "support/expect_near.h"
 
 namespace oriel::models::testing {
 
@@ -91,7 +90,5 @@ inline Mat4 to_world(const scene::Scene& scene, const char* instance) {
 inline Vec3 view_of(const scene::Scene& scene, const char* instance) {
   return transform_vector(Vec3(0, 0, -1), to_world(scene, instance));
 }
-
-using oriel::testing::expect_near;
 
 }  // namespace oriel::models::testing
