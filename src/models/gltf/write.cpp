@@ -218,6 +218,7 @@ class Writer {
           i < polygons.material.size() ? polygons.material[i] : scene::kNone;
       if (!overrides && label < group.materials.size()) material = group.materials[label];
       std::vector<Vec3> places;
+      places.reserve(loop.size());
       for (const std::uint32_t corner : loop) places.push_back(group.vectors[points[corner]]);
       for (const auto& triangle : triangles_of(std::move(loop), places))
         by_material[material].insert(by_material[material].end(), triangle.begin(), triangle.end());
