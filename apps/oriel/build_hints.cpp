@@ -40,11 +40,11 @@ bool is_path_end(const std::string& path, const std::string& end) {
 
 /// The folder below `root` from which `name` is found; empty where there is none.
 std::string folder_of(const fs::path& root, const std::string& name) {
-  constexpr int kMostFiles = 20000;  // a source may lie in somebody's home
+  constexpr int kMaxFiles = 20000;  // a source may lie in somebody's home
   std::error_code error;
   fs::recursive_directory_iterator at(root.empty() ? "." : root, error);
   const fs::recursive_directory_iterator end;
-  for (int i = 0; !error && at != end && i < kMostFiles; ++i, at.increment(error)) {
+  for (int i = 0; !error && at != end && i < kMaxFiles; ++i, at.increment(error)) {
     const std::string path = at->path().string();
     if (is_path_end(path, name)) return path.substr(0, path.size() - name.size() - 1);
   }

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 /// Rows of a table before the rest is only counted: a broken scene may hold millions.
-constexpr std::size_t kMostRows = 2000;
+constexpr std::size_t kMaxRows = 2000;
 
 constexpr std::string_view kStyle = R"(
 body { font: 15px/1.5 system-ui, sans-serif; color: #222; background: #fff; margin: 2em auto;
@@ -58,15 +58,15 @@ struct Table {
   }
   /// Cells are HTML.
   void row(const std::vector<std::string>& cells) {
-    if (++rows > kMostRows) return;
+    if (++rows > kMaxRows) return;
     html += "<tr>";
     for (const std::string& cell : cells) html += "<td>" + cell + "</td>";
     html += "</tr>\n";
   }
   std::string end() const {
     const std::string more =
-        rows > kMostRows ? fmt::format("<p class=\"muted\">and {} more</p>\n", rows - kMostRows)
-                         : std::string();
+        rows > kMaxRows ? fmt::format("<p class=\"muted\">and {} more</p>\n", rows - kMaxRows)
+                        : std::string();
     return html + "</table>\n" + more;
   }
 };

@@ -18,7 +18,7 @@ using nlohmann::json;
 using scene::Value;
 
 /// Longer values are cut: a report is read by people.
-constexpr std::size_t kMostValueText = 80;
+constexpr std::size_t kMaxValueText = 80;
 
 struct Use {
   int count = 0;
@@ -43,7 +43,7 @@ std::string value_text(const Value& value) {
       return value.boolean ? "on" : "off";
     case Value::Kind::Numbers:
       for (const double n : value.numbers)
-        if (text.size() < kMostValueText) text += fmt::format("{}{:g}", text.empty() ? "" : " ", n);
+        if (text.size() < kMaxValueText) text += fmt::format("{}{:g}", text.empty() ? "" : " ", n);
       break;
     case Value::Kind::Text:
       text = fmt::format("\"{}\"", value.text);
@@ -59,7 +59,7 @@ std::string value_text(const Value& value) {
     case Value::Kind::Array:
       return fmt::format("[ {} values ]", value.items.size());
   }
-  if (text.size() > kMostValueText) text = text.substr(0, kMostValueText) + "...";
+  if (text.size() > kMaxValueText) text = text.substr(0, kMaxValueText) + "...";
   return text;
 }
 

@@ -174,9 +174,9 @@ class Writer {
       std::vector<std::string> dark = lost_lights(r_, s);
       if (dark.empty()) continue;
       line("\nLights that bring {} nothing:", instance_name(r_.world, s.instance));
-      constexpr std::size_t kMost = 12;
-      for (std::size_t i = 0; i < std::min(kMost, dark.size()); ++i) line("  {}", dark[i]);
-      if (dark.size() > kMost) line("  and {} more", dark.size() - kMost);
+      constexpr std::size_t kMax = 12;
+      for (std::size_t i = 0; i < std::min(kMax, dark.size()); ++i) line("  {}", dark[i]);
+      if (dark.size() > kMax) line("  and {} more", dark.size() - kMax);
     }
   }
 

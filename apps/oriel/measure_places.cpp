@@ -12,7 +12,7 @@ namespace oriel::app {
 namespace {
 
 /// More than these are a slip of the spacing, not a plan.
-constexpr double kMostSensors = 1e6;
+constexpr double kMaxSensors = 1e6;
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -61,7 +61,7 @@ int cells(double length, float spacing) {
 }
 
 Places lay_out(const Rectangle& r, const Vec3& normal) {
-  if (double(r.nu) * double(r.nv) > kMostSensors)
+  if (double(r.nu) * double(r.nv) > kMaxSensors)
     throw UsageError(fmt::format("{} x {} sensors: more than a million", r.nu, r.nv));
   Places places;
   places.columns = r.nu, places.rows = r.nv;

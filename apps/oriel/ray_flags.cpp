@@ -262,9 +262,9 @@ class LineReader {
 
   /// As many values as fit.
   bool take(RayCall& call, const std::string& form) {
-    constexpr std::size_t kMostValues = 8;
+    constexpr std::size_t kMaxValues = 8;
     std::vector<Value> values;
-    for (const std::string& word : rest_.first(std::min(rest_.size(), kMostValues))) {
+    for (const std::string& word : rest_.first(std::min(rest_.size(), kMaxValues))) {
       if (is_flag(word)) break;
       values.push_back(typed(word));
     }

@@ -270,7 +270,7 @@ class FrameRenderer {
     if (plan_.matte_ranks) return *plan_.matte_ranks;
     const int ranks = world_->options.matte_ranks;
     return ranks == scene::RenderOptions::kDefaultMatteRanks ? kMatteRanks
-                                                             : std::min(ranks, kMostMatteRanks);
+                                                             : std::min(ranks, kMaxMatteRanks);
   }
 
   std::optional<MatteNames> keeps_mattes() {

@@ -72,8 +72,8 @@ RenderPlan render_plan(const RenderArguments& a) {
   }
   for (const std::string& text : a.light_groups)
     scene::set_light_group(plan.prepare.light_groups, parse_light_group(text));
-  if (plan.prepare.light_groups.size() > scene::kMostLightGroups)
-    throw UsageError(fmt::format("--light-group: at most {} groups", scene::kMostLightGroups));
+  if (plan.prepare.light_groups.size() > scene::kMaxLightGroups)
+    throw UsageError(fmt::format("--light-group: at most {} groups", scene::kMaxLightGroups));
   if (!a.frames.empty()) plan.frames = FrameList(a.frames);
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
   if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
@@ -85,8 +85,8 @@ RenderPlan render_plan(const RenderArguments& a) {
   if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
   if (!a.cryptomatte.empty()) {
     const std::vector<int> ranks = parse_integers(a.cryptomatte, ',');
-    if (ranks.size() != 1 || ranks[0] > kMostMatteRanks)
-      throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMostMatteRanks));
+    if (ranks.size() != 1 || ranks[0] > kMaxMatteRanks)
+      throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMaxMatteRanks));
     plan.matte_ranks = ranks[0];
   }
   if (a.texture_cache && !(*a.texture_cache >= 16))

@@ -87,11 +87,11 @@ std::vector<std::string> parameters_of(const scene::Scene& scene, const std::str
 /// Sets it in the first call of the list that has such a parameter.
 bool set_in_list(scene::Scene& scene, scene::ShaderList& list, const Edit& edit,
                  const Registry& registry, std::vector<std::string>& candidates, int depth = 0) {
-  constexpr int kMostReferences = 16;  // named shaders may refer to each other in a circle
+  constexpr int kMaxReferences = 16;  // named shaders may refer to each other in a circle
   for (scene::ShaderUse& use : list) {
     if (!use.reference.empty()) {
       auto* named = scene.get<scene::ShaderElement>(use.reference);
-      if (named && depth < kMostReferences &&
+      if (named && depth < kMaxReferences &&
           set_in_list(scene, named->functions, edit, registry, candidates, depth + 1))
         return true;
       continue;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kSun = "mia_physicalsun";
 /// References from shader to shader that are followed; they may run in a circle.
-constexpr int kMostReferences = 16;
+constexpr int kMaxReferences = 16;
 
 bool is_sky(const std::string& type) { return type == "mia_physicalsky" || type == "mia_ciesky"; }
 
@@ -34,7 +34,7 @@ const scene::ShaderUse* sun_of(const scene::Scene& scene, const scene::ShaderLis
   for (const scene::ShaderUse& use : list) {
     if (use.type == kSun) return &use;
     const auto* named = scene.get<scene::ShaderElement>(use.reference);
-    if (!named || depth >= kMostReferences) continue;
+    if (!named || depth >= kMaxReferences) continue;
     if (const scene::ShaderUse* found = sun_of(scene, named->functions, depth + 1)) return found;
   }
   return nullptr;

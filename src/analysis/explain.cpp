@@ -75,7 +75,7 @@ void separate_light_layers(World& world) {
     if (emission[i] == EmissionKind::Source) names.push_back(world.instances[i].name);
   bool families = false;
   LightLayers layers;
-  layers.names = layer_names(names, scene::kMostLightGroups - 1, families);
+  layers.names = layer_names(names, scene::kMaxLightGroups - 1, families);
   layers.environment = static_cast<std::uint8_t>(layers.names.size());
   layers.names.emplace_back(scene::kEnvironmentName);
   const auto layer_of = [&](const std::string& name) {

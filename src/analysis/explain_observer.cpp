@@ -138,7 +138,7 @@ std::size_t ExplainObserver::child(std::size_t from, PathSegment way, const Shad
     const ExplainedSurface& s = surfaces_[c].facts;
     if (s.way == way && s.instance == point.instance && s.material == &material) return c;
   }
-  if (surfaces_.size() >= kMostSurfaces || depth_of(from) >= kMostDepth) return from;
+  if (surfaces_.size() >= kMaxSurfaces || depth_of(from) >= kMaxDepth) return from;
   const std::size_t made = surfaces_.size();
   surfaces_[from].children.push_back(made);
   Surface& s = surfaces_.emplace_back();

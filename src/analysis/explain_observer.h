@@ -53,7 +53,7 @@ class ExplainObserver final : public PathObserver {
     std::uint64_t met = 0, look_ups = 0, occlusions = 0;
     std::vector<std::size_t> lights, children;
   };
-  static constexpr std::size_t kMostSurfaces = 1 << 14, kMostDepth = 24;
+  static constexpr std::size_t kMaxSurfaces = 1 << 14, kMaxDepth = 24;
 
   static std::size_t surface_of(Place p) { return p >> 3; }
   static PathSegment way_of(Place p) { return static_cast<PathSegment>(p & 7); }

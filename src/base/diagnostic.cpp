@@ -41,8 +41,8 @@ void Diagnostics::report(Severity severity, std::string_view code, SourceLocatio
   const std::scoped_lock lock(mutex_);
   const auto same =
       std::count_if(all_.begin(), all_.end(), [&](const Diagnostic& d) { return d.code == code; });
-  if (static_cast<std::size_t>(same) > kMostPerCode) return;
-  if (static_cast<std::size_t>(same) == kMostPerCode) {
+  if (static_cast<std::size_t>(same) > kMaxPerCode) return;
+  if (static_cast<std::size_t>(same) == kMaxPerCode) {
     message = "further messages of this kind are suppressed";
     hint.clear();
   }

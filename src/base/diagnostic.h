@@ -61,7 +61,7 @@ class Diagnostics {
 
   /// Maximum number of stored messages per code; further ones are only counted, since an invalid
   /// file may cause millions.
-  static constexpr std::size_t kMostPerCode = 50;
+  static constexpr std::size_t kMaxPerCode = 50;
 
  private:
   struct File {

@@ -20,7 +20,7 @@ TEST(Diagnostics, NamesThePlaceThroughIncludes) {
 TEST(Diagnostics, FloodOfOneKindIsCutAndSaid) {
   Diagnostics d;
   for (int i = 0; i < 1000; ++i) d.warning("OR-MI-002", {}, "again");
-  EXPECT_EQ(d.all().size(), Diagnostics::kMostPerCode + 1);
+  EXPECT_EQ(d.all().size(), Diagnostics::kMaxPerCode + 1);
 }
 
 TEST(NearestName, FindsASlipAndRefusesAStranger) {

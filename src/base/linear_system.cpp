@@ -55,15 +55,15 @@ void load(Rows& rows, std::span<const float, 16> m) {
 }
 
 /// Maximum number of columns that are solved together.
-constexpr int kMostColumns = 16;
+constexpr int kMaxColumns = 16;
 
 }  // namespace
 
 bool solve_linear_system(std::span<const float, 16> rows, const float* right, int columns,
                          float* x) {
-  for (int first = 0; first < columns; first += kMostColumns) {
-    const int count = std::min(kMostColumns, columns - first);
-    double part[kSide * kMostColumns];
+  for (int first = 0; first < columns; first += kMaxColumns) {
+    const int count = std::min(kMaxColumns, columns - first);
+    double part[kSide * kMaxColumns];
     for (int i = 0; i < kSide; ++i)
       for (int j = 0; j < count; ++j) part[i * count + j] = right[i * columns + first + j];
     Rows work;

@@ -11,14 +11,14 @@ namespace oriel::bsdf {
 namespace {
 
 /// Minimum slope; smaller highlights are below any pixel size.
-constexpr float kLeastSlope = 1e-3f;
+constexpr float kMinSlope = 1e-3f;
 
 }  // namespace
 
 float TorranceHighlight::eval(const Vec3& wo, const Vec3& wi) const {
   if (wo.z <= 0 || wi.z <= 0) return 0;
   const Vec3 h = normalize(wo + wi);
-  const float m2 = sqr(std::max(slope, kLeastSlope)), cos2 = h.z * h.z;
+  const float m2 = sqr(std::max(slope, kMinSlope)), cos2 = h.z * h.z;
   const float facets = math::exp((cos2 - 1) / (cos2 * m2)) / (kPi * m2 * cos2 * cos2);
   const float oh = dot(wo, h);
   const float seen = std::min(1.0f, 2 * h.z * std::min(wo.z, wi.z) / oh);
@@ -28,7 +28,7 @@ float TorranceHighlight::eval(const Vec3& wo, const Vec3& wi) const {
 float WardHighlight::eval(const Vec3& wo, const Vec3& wi) const {
   if (wo.z <= 0 || wi.z <= 0) return 0;
   const Vec3 h = normalize(wo + wi);
-  const float ax = std::max(alpha_x, kLeastSlope), ay = std::max(alpha_y, kLeastSlope);
+  const float ax = std::max(alpha_x, kMinSlope), ay = std::max(alpha_y, kMinSlope);
   const float slope2 = (sqr(h.x / ax) + sqr(h.y / ay)) / sqr(h.z);
   return math::exp(-slope2) * std::sqrt(wi.z / wo.z) / (4 * kPi * ax * ay);
 }

@@ -12,14 +12,14 @@ namespace oriel::bsdf {
 namespace {
 
 /// Maximum mean slope, for shininess 0.
-constexpr float kMostWardSlope = 10;
+constexpr float kMaxWardSlope = 10;
 /// Minimum slope; smaller highlights are below any pixel size.
-constexpr float kLeastWardSlope = 1e-4f;
+constexpr float kMinWardSlope = 1e-4f;
 
 }  // namespace
 
 float ward_slope(float shininess) {
-  return std::max(kLeastWardSlope, 1 / std::max(shininess, 1 / kMostWardSlope));
+  return std::max(kMinWardSlope, 1 / std::max(shininess, 1 / kMaxWardSlope));
 }
 
 WardLobe::WardLobe(float shiny_u, float shiny_v)

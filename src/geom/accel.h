@@ -60,7 +60,7 @@ struct InstanceDesc {
   Mat4 local_to_world, world_to_local;
   std::uint32_t mask = RayMask::All;
   std::uint32_t user = 0;  ///< user data of the caller
-  /// local_to_world at equal steps of ray time from 0 to 1, at most kMostKeys; empty if the
+  /// local_to_world at equal steps of ray time from 0 to 1, at most kMaxKeys; empty if the
   /// instance does not move.
   std::vector<Mat4> path = {};
   bool operator==(const InstanceDesc&) const = default;

@@ -201,12 +201,12 @@ void PolygonTriangulator::build_grid(std::uint32_t start) {
   grid_y_ = low_y;
   // About one node per cell; small outlines need no grid.
   constexpr std::size_t kSmall = 32;
-  constexpr double kMostCells = 2048;
+  constexpr double kMaxCells = 2048;
   columns_ = rows_ = 1;
   if (count > kSmall && width > 0 && height > 0) {
     const double cell = std::sqrt(width * height / static_cast<double>(count));
-    columns_ = static_cast<int>(std::clamp(width / cell, 1.0, kMostCells));
-    rows_ = static_cast<int>(std::clamp(height / cell, 1.0, kMostCells));
+    columns_ = static_cast<int>(std::clamp(width / cell, 1.0, kMaxCells));
+    rows_ = static_cast<int>(std::clamp(height / cell, 1.0, kMaxCells));
   }
   cell_width_ = width > 0 ? width / columns_ : 1;
   cell_height_ = height > 0 ? height / rows_ : 1;

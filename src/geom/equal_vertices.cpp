@@ -10,7 +10,7 @@ namespace {
 using IndexColumn = std::vector<std::uint32_t>;
 
 /// Maximum number of distinct vertices at one point that a vertex is compared with.
-constexpr int kMostCompared = 16;
+constexpr int kMaxCompared = 16;
 
 /// The index columns other than the point.
 std::vector<const IndexColumn*> columns_of(const scene::VertexList& list) {
@@ -47,7 +47,7 @@ DifferentVertices find_equal_vertices(const scene::VertexList& list, std::size_t
     const std::uint32_t point = list.point[vertex];
     std::uint32_t kind = point < vectors ? latest[point] : scene::kNone;
     for (int i = 0; kind != scene::kNone && !equal(out.kept[kind], vertex); ++i)
-      kind = i + 1 < kMostCompared ? earlier[kind] : scene::kNone;
+      kind = i + 1 < kMaxCompared ? earlier[kind] : scene::kNone;
     if (kind == scene::kNone) {
       kind = static_cast<std::uint32_t>(out.kept.size());
       out.kept.push_back(vertex);

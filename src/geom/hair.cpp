@@ -20,7 +20,7 @@ using FieldKind = Field::Kind;
 
 constexpr float kFarthest = 1e18f;
 /// Maximum number of motion vectors per point; the vectors of a hair apply to all of its points.
-constexpr std::size_t kMostSteps = scene::kMostMotionSteps;
+constexpr std::size_t kMaxSteps = scene::kMaxMotionSteps;
 
 std::size_t width_of(const std::vector<Field>& fields) {
   std::size_t width = 0;
@@ -150,7 +150,7 @@ class HairMaker {
 
   void add_point(const Vertex& v) {
     const std::size_t before = curves_.points.size();
-    const std::size_t asked = std::min(v.more.motion.size(), kMostSteps);
+    const std::size_t asked = std::min(v.more.motion.size(), kMaxSteps);
     if (curves_.motion.size() < asked) set_steps(curves_, asked);
     const auto steps = static_cast<float>(curves_.motion.size());
     for (std::size_t m = 0; m < curves_.motion.size(); ++m)

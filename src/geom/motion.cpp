@@ -31,7 +31,7 @@ void for_each_key(Columns& motion, int first, int last, F&& add_key) {
   });
   if (!moves) return;
   // A long time range leaves fewer motion vectors per interval.
-  const auto most = (kMostKeys - 1) / static_cast<std::size_t>(last - first);
+  const auto most = (kMaxKeys - 1) / static_cast<std::size_t>(last - first);
   if (motion.size() > most) motion.resize(most);
   const int steps = static_cast<int>(motion.size());
   for (int i = first * steps; i <= last * steps; ++i) add_key(i);

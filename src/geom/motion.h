@@ -11,7 +11,7 @@
 namespace oriel::geom {
 
 /// Maximum number of motion keys, a limit of Embree.
-inline constexpr std::size_t kMostKeys = 129;
+inline constexpr std::size_t kMaxKeys = 129;
 
 /// The key before a time and the interpolation weight of the next, for at least two keys; computed
 /// like in Embree.
@@ -24,7 +24,7 @@ struct KeysAt {
 
 /// Fills Mesh::keys and Curves::keys from the motion vectors: vector i of n is the displacement of
 /// a vertex at (i + 1) / n of the motion interval. `first`, `last`: the intervals that ray time 0
-/// to 1 covers, at most kMostKeys steps; outside of 0 to 1 the motion is extrapolated. Does nothing
+/// to 1 covers, at most kMaxKeys steps; outside of 0 to 1 the motion is extrapolated. Does nothing
 /// for a mesh without motion vectors. Checked: Motion.*, Hair.*
 void add_keys(Mesh& mesh, int first, int last);
 

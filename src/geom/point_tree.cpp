@@ -38,8 +38,8 @@ struct PointTree::Search {
 };
 
 PointTree::PointTree(int dimensions, std::size_t data_size)
-    : dimensions_(static_cast<std::size_t>(std::clamp(dimensions, 1, kMostDimensions))),
-      data_size_(std::min(data_size, kMostData)),
+    : dimensions_(static_cast<std::size_t>(std::clamp(dimensions, 1, kMaxDimensions))),
+      data_size_(std::min(data_size, kMaxData)),
       stride_(begin_of_data(dimensions_) + data_size_) {}
 
 PointTree::Point PointTree::point(Index i) const {

@@ -20,10 +20,10 @@ namespace oriel::geom {
 /// Checked: PointTree.FindsWhatASearchOfAllPointsFinds
 class PointTree {
  public:
-  static constexpr int kMostDimensions = 64;
-  static constexpr std::size_t kMostData = 65536;  ///< bytes of a point's data
+  static constexpr int kMaxDimensions = 64;
+  static constexpr std::size_t kMaxData = 65536;  ///< bytes of a point's data
 
-  /// Inputs: dimensions: 1 to kMostDimensions; data_size: 0 to kMostData.
+  /// Inputs: dimensions: 1 to kMaxDimensions; data_size: 0 to kMaxData.
   PointTree(int dimensions, std::size_t data_size);
   PointTree(const PointTree&) = delete;
   PointTree& operator=(const PointTree&) = delete;

@@ -133,7 +133,7 @@ Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface
     diagnostics.warning("OR-GEOM-021", surface.where,
                         fmt::format("surface \"{}\" exceeds {} faces; it is refined "
                                     "{} times instead of {}",
-                                    surface.name, kMostFaces, level, wanted),
+                                    surface.name, kMaxFaces, level, wanted),
                         "use a coarser approximation");
   const std::unique_ptr<RefinedSurface> refined = RefinedSurface::make(cage, level);
   const std::size_t left_out = refined ? cage.dropped : surface.faces.size();

@@ -34,7 +34,7 @@ int subdivision_level(const SubdivisionCage& cage, const scene::Approximation* a
 ///          changing the shape of the rest. `detail`, hierarchies of faces and second derivatives
 ///          are ignored; motion vectors are refined like points.
 /// Inputs:  group: for material names; tagged: faces have labels instead of materials.
-/// Errors:  OR-GEOM-020 details ignored, OR-GEOM-021 level reduced because of kMostFaces,
+/// Errors:  OR-GEOM-020 details ignored, OR-GEOM-021 level reduced because of kMaxFaces,
 ///          OR-GEOM-022 faces skipped.
 /// Source:  E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological
 ///          meshes", CAD 1978; C. Loop, "Smooth subdivision surfaces based on triangles", 1987;
@@ -46,9 +46,9 @@ Mesh subdivide(const scene::PolygonGroup& group, const scene::SubdivisionSurface
                const scene::TessellationView& view, Diagnostics& diagnostics);
 
 /// Maximum number of faces of one refined surface: 8 M triangles, less than 2 GB in total.
-inline constexpr std::size_t kMostFaces = std::size_t{4} << 20;
+inline constexpr std::size_t kMaxFaces = std::size_t{4} << 20;
 
 /// Reduces the number of refinements until the surface has at most `most` faces.
-int affordable_level(const SubdivisionCage& cage, int level, std::size_t most = kMostFaces);
+int affordable_level(const SubdivisionCage& cage, int level, std::size_t most = kMaxFaces);
 
 }  // namespace oriel::geom

@@ -332,8 +332,8 @@ TEST(SubdivisionLevel, IsLoweredUntilTheFacesCanBeAfforded) {
   const scene::Approximation a = levels(12);
   EXPECT_EQ(subdivision_level(cage, &a, {}), 12);
   const int level = affordable_level(cage, 12);
-  EXPECT_LE(6 * std::pow(4.0, level), kMostFaces);
-  EXPECT_GT(6 * std::pow(4.0, level + 1), kMostFaces);
+  EXPECT_LE(6 * std::pow(4.0, level), kMaxFaces);
+  EXPECT_GT(6 * std::pow(4.0, level + 1), kMaxFaces);
   EXPECT_EQ(affordable_level(cage, 2), 2);
   EXPECT_EQ(affordable_level(cage, 0), 0);
 }

@@ -69,8 +69,8 @@ Extent measure(const SubdivisionCage& cage, const Approximation& approximation,
 /// Number of refinements until `extent` is at most `wanted`, if each divides it by `by`.
 int refinements(float extent, float wanted, float by) {
   if (!(extent > wanted)) return 0;
-  constexpr float kMost = 16;
-  return static_cast<int>(std::min(kMost, std::ceil(math::log(extent / wanted) / math::log(by))));
+  constexpr float kMax = 16;
+  return static_cast<int>(std::min(kMax, std::ceil(math::log(extent / wanted) / math::log(by))));
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ int subdivision_level(const SubdivisionCage& cage, const Approximation* approxim
   if (!approximation) return kSubdivisionLevel;
   const Approximation& a = *approximation;
   if (a.technique != Approximation::Technique::Criteria)
-    return std::min(static_cast<int>(a.u), scene::kMostSubdivisions);
+    return std::min(static_cast<int>(a.u), scene::kMaxSubdivisions);
   const Extent extent = measure(cage, a, view);
   std::vector<int> levels;
   if (a.length > 0) levels.push_back(refinements(extent.length, a.length, 2));

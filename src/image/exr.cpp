@@ -28,8 +28,8 @@ namespace {
 // Memory that any file may request regardless of its length, and the maximum expansion of longer
 // files: ZIP reaches about 1000 : 1, lossy codecs of constant pictures somewhat more.
 constexpr std::size_t kFreeBytes = std::size_t(256) << 20;
-constexpr std::size_t kMostExpansion = 4096;
-constexpr std::size_t kMostChannels = 4096;
+constexpr std::size_t kMaxExpansion = 4096;
+constexpr std::size_t kMaxChannels = 4096;
 constexpr float kLargestHalf = HALF_MAX;
 
 [[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& why) {
@@ -164,7 +164,7 @@ void read_part(const std::string& path, Imf::MultiPartInputFile& file, int index
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i, ++channels)
     if (i.channel().xSampling != 1 || i.channel().ySampling != 1)
       fail("read", path, "its channel '" + std::string(i.name()) + "' is subsampled");
-  if (channels > kMostChannels)
+  if (channels > kMaxChannels)
     fail("read", path, "its header lists more channels than are supported");
   const std::size_t area =
       std::size_t(std::max(d.width, shown.width)) * std::size_t(std::max(d.height, shown.height));
@@ -240,7 +240,7 @@ ExrFile read_exr(const std::string& path, const ExrLimits& limits) {
   try {
     const std::size_t length = std::filesystem::file_size(path);
     std::size_t bytes_left =
-        std::min(limits.most_bytes, std::max(kFreeBytes, kMostExpansion * length));
+        std::min(limits.most_bytes, std::max(kFreeBytes, kMaxExpansion * length));
     Imf::MultiPartInputFile file(path.c_str(), 0);
     ExrFile out;
     for (int p = 0; p < file.parts(); ++p) {

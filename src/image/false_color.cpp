@@ -84,7 +84,7 @@ struct Legend {
     top = gap + (unit.empty() ? 0 : line + gap) + line / 2;
     bottom = height - gap - line / 2;
   }
-  static constexpr int kLeastHeight = 60;
+  static constexpr int kMinHeight = 60;
 };
 
 void draw_legend(Image& out, int left, const FalseColorOptions& o, const std::vector<float>& ticks,
@@ -158,7 +158,7 @@ std::string tick_text(float value) {
 
 Image false_color(const Image& values, const FalseColorOptions& o) {
   const std::vector<float> ticks = scale_ticks(o.scale);
-  const int height = std::max(values.height, Legend::kLeastHeight);
+  const int height = std::max(values.height, Legend::kMinHeight);
   const Legend legend(height, ticks, o.unit);
   Image out(values.width + legend.width, height, 3);
   const auto band = [&](int x, int y) {

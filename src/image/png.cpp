@@ -19,7 +19,7 @@ namespace oriel {
 namespace {
 
 constexpr png_uint_32 kLargestPngSide = 1 << 16;
-constexpr std::size_t kMostBytes = std::size_t(1) << 30;
+constexpr std::size_t kMaxBytes = std::size_t(1) << 30;
 
 struct CloseFile {
   void operator()(std::FILE* f) const { std::fclose(f); }
@@ -159,7 +159,7 @@ Image read_file(const std::string& path) {
   Shape shape{};
   if (!decode_header(s, file.get(), shape)) throw std::runtime_error(s.message);
   const std::size_t count = std::size_t(shape.width) * shape.height * shape.channels;
-  if (count * sizeof(float) > kMostBytes) throw std::runtime_error("its picture is too large");
+  if (count * sizeof(float) > kMaxBytes) throw std::runtime_error("its picture is too large");
 
   std::vector<png_byte> data(shape.row_bytes * shape.height);
   std::vector<png_bytep> rows(shape.height);

@@ -18,9 +18,9 @@ constexpr float kFourPointVariance = 1 / 16.0f, kBoxVariance = 1 / 12.0f;
 /// Kernel width of level 0 in texels.
 const float kFirstWidth = std::sqrt(kSplineVariance + kFourPointVariance);
 /// Minimum side of a cube face in texels.
-constexpr int kLeastSide = 6;
+constexpr int kMinSide = 6;
 /// Sample points of a kernel per square texel of its variance, and their minimum number.
-constexpr float kPointsPerTexel = 16, kLeastPoints = 48;
+constexpr float kPointsPerTexel = 16, kMinPoints = 48;
 
 float texel_width(int side) { return std::sqrt(4 * kPi / 6) / static_cast<float>(side); }
 
@@ -35,7 +35,7 @@ CubeMap blurred(const CubeMap& map, float variance) {
   // The effective area of the kernel is 2 pi times the variance, at most the whole sphere.
   constexpr float kWhole = 2;
   const auto points = static_cast<int>(std::max(
-      kLeastPoints, kPointsPerTexel * std::min(variance, kWhole) / sqr(texel_width(map.side()))));
+      kMinPoints, kPointsPerTexel * std::min(variance, kWhole) / sqr(texel_width(map.side()))));
   std::vector<Vec3> offsets;
   for (int i = 0; i < points; ++i) {
     const float z = cosine_at((static_cast<float>(i) + 0.5f) / static_cast<float>(points), k);
@@ -170,7 +170,7 @@ SphereBlur::SphereBlur(int samples, const std::function<Rgba(const Vec3&)>& sour
     levels_[static_cast<std::size_t>(j)] = blurred(map, sqr(width(j)) - own * texel);
     // Halve the resolution while the kernel is at least twice as wide as a texel; the spline error
     // stays small.
-    if (j > 1 && map.side() % 2 == 0 && map.side() / 2 >= kLeastSide) map = map.halved();
+    if (j > 1 && map.side() % 2 == 0 && map.side() / 2 >= kMinSide) map = map.halved();
   }
 }
 

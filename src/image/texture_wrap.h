@@ -33,8 +33,8 @@ inline std::optional<float> wrapped(float x, Wrap mode) {
 
 /// Limits a derivative for filtering: NaN becomes 0, the magnitude is bounded.
 inline float bounded_derivative(float d) {
-  constexpr float kMost = 64;  // a footprint of 64 copies of the texture already yields its mean
-  return std::isnan(d) ? 0.0f : std::clamp(d, -kMost, kMost);
+  constexpr float kMax = 64;  // a footprint of 64 copies of the texture already yields its mean
+  return std::isnan(d) ? 0.0f : std::clamp(d, -kMax, kMax);
 }
 
 }  // namespace oriel

@@ -9,8 +9,8 @@ namespace oriel::lens {
 namespace {
 
 /// With a smaller bias all samples are at the centre; keeps the exponent finite.
-constexpr float kLeastBias = 1e-4f;
-constexpr int kMostBlades = 1 << 16;
+constexpr float kMinBias = 1e-4f;
+constexpr int kMaxBlades = 1 << 16;
 
 float usable(float v) { return v > 0 && std::isfinite(v) ? v : 0.0f; }
 
@@ -19,9 +19,9 @@ Vec2 on_circle(float turns) { return Vec2(math::cos(kTwoPi * turns), math::sin(k
 }  // namespace
 
 Aperture::Aperture(int blade_count, float blade_angle, float bias)
-    : blades_(blade_count < 3 ? 0 : std::min(blade_count, kMostBlades)),
+    : blades_(blade_count < 3 ? 0 : std::min(blade_count, kMaxBlades)),
       angle_(std::isfinite(blade_angle) ? blade_angle - std::floor(blade_angle) : 0.0f),
-      exponent_(0.5f / (bias > kLeastBias ? bias : kLeastBias)) {}
+      exponent_(0.5f / (bias > kMinBias ? bias : kMinBias)) {}
 
 Aperture::Aperture(std::span<const Rgb> texels, std::size_t width, std::size_t height) {
   std::vector<float> brightness(texels.size());

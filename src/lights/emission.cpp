@@ -260,7 +260,7 @@ MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& m
   std::vector<std::uint32_t> of_instance(world.accel->instance_count());
   double power = 0, power_times_radiance = 0;
   for (EmissiveInstance& g : found) {
-    if (triangles.size() + g.triangles.size() > kMostEmissiveTriangles) continue;
+    if (triangles.size() + g.triangles.size() > kMaxEmissiveTriangles) continue;
     of_instance[g.instance] = static_cast<std::uint32_t>(
         world.accel->mesh(world.accel->instance(g.instance).mesh).triangles.size());
     triangles.insert(triangles.end(), g.triangles.begin(), g.triangles.end());

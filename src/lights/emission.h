@@ -52,12 +52,12 @@ std::vector<EmissionKind> emissive_instances(const World& world,
 /// Model:   the emission that diffuse rays see is evaluated at a few fixed points of both sides of
 ///          each triangle. A triangle that is black at all of them is not sampled; rays find its
 ///          emission. A triangle with one black side does not light points on that side. Of more
-///          than kMostEmissiveTriangles triangles the brightest instances are sampled. None is
+///          than kMaxEmissiveTriangles triangles the brightest instances are sampled. None is
 ///          sampled where emissive surfaces are as large as the scene (the participation ratio of
 ///          their power exceeds kWideShare of the surface of the scene's box): rays find those
 ///          better.
 /// Checked: Emission.* in tests/analytic/lights/emission_test.cpp
-inline constexpr std::size_t kMostEmissiveTriangles = std::size_t{1} << 22;
+inline constexpr std::size_t kMaxEmissiveTriangles = std::size_t{1} << 22;
 inline constexpr float kWideShare = 0.25f;
 MeshLights mesh_lights_of(const World& world, const std::vector<EmissionKind>& materials);
 

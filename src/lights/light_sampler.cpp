@@ -15,9 +15,9 @@ namespace {
 
 /// Lights are weighed as if each had at least this share of the mean: shaders may shine where they
 /// were not evaluated.
-constexpr float kLeastShare = 0.02f;
+constexpr float kMinShare = 0.02f;
 /// Triangles seen nearly edge-on are left to rays.
-constexpr float kLeastTriangleCosine = 1e-5f;
+constexpr float kMinTriangleCosine = 1e-5f;
 
 /// Portals know the openings through which the environment shines, so a vertex after a diffuse
 /// bounce samples other directions less often: most of them are blocked. A guess.
@@ -34,7 +34,7 @@ void raise_to_least(std::span<LightBounds> bounds, const auto& is_skipped) {
   const auto least = [&](float LightBounds::*part) {
     double sum = 0;  // double: many lights
     for (const LightBounds& b : bounds) sum += static_cast<double>(b.*part);
-    return kLeastShare * static_cast<float>(sum / static_cast<double>(bounds.size()));
+    return kMinShare * static_cast<float>(sum / static_cast<double>(bounds.size()));
   };
   const float even = least(&LightBounds::even), falling = least(&LightBounds::falling);
   const bool none = even + falling == 0;
@@ -145,7 +145,7 @@ std::optional<TriangleSample> LightSampler::sample_triangle(const LitPoint& at, 
   sample.distance = std::sqrt(d2);
   sample.wi = to / sample.distance;
   const float projected = std::abs(dot(sample.wi, triangle.normal_times_area()));
-  if (!(projected > kLeastTriangleCosine * triangle.area())) return std::nullopt;
+  if (!(projected > kMinTriangleCosine * triangle.area())) return std::nullopt;
   sample.pdf = chosen->probability * d2 / projected;
   sample.instance = chosen->instance;
   sample.primitive = chosen->primitive;
@@ -162,7 +162,7 @@ float LightSampler::triangle_pdf(const LitPoint& at, float time, std::uint32_t i
   if (!(chosen > 0)) return 0;
   const TriangleCorners triangle = corners_of(world_, instance, primitive, time);
   const float projected = std::abs(dot(direction, triangle.normal_times_area()));
-  if (!(projected > kLeastTriangleCosine * triangle.area())) return 0;
+  if (!(projected > kMinTriangleCosine * triangle.area())) return 0;
   return chosen * (found - at.position).length2() / projected;
 }
 

@@ -16,7 +16,7 @@ namespace oriel {
 namespace {
 
 /// Flat and round surfaces seen more nearly edge-on than this emit nothing.
-constexpr float kLeastFacing = 1e-6f;
+constexpr float kMinFacing = 1e-6f;
 
 Vec3 corner_of(const Light& light) {
   return light.position - light.edge_u * 0.5f - light.edge_v * 0.5f;
@@ -37,7 +37,7 @@ std::optional<ShapeSample> sample_flat(const Light& light, const Vec3& from, Vec
     s.cosine = -dot(s.wi, light.direction);
     s.pdf = s.cosine > 0 ? sqr(s.distance) / (light.area * s.cosine) : 0;
   }
-  if (!(s.cosine > kLeastFacing) || !(s.pdf > 0) || !std::isfinite(s.pdf)) return std::nullopt;
+  if (!(s.cosine > kMinFacing) || !(s.pdf > 0) || !std::isfinite(s.pdf)) return std::nullopt;
   return s;
 }
 
@@ -67,7 +67,7 @@ std::optional<ShapeSample> sample_cylinder(const Light& light, const Vec3& from,
   s.distance = length(to);
   s.wi = normalize(to);
   const float facing = -dot(s.wi, radial);
-  if (!(facing > kLeastFacing)) return std::nullopt;
+  if (!(facing > kMinFacing)) return std::nullopt;
   s.pdf = sqr(s.distance) / (kTwoPi * light.radius * 2 * half * facing);
   s.cosine = 1;
   return s;
@@ -92,7 +92,7 @@ std::optional<LightShapeHit> intersect_shape(const Light& light, const Vec3& fro
     case LightShape::Rectangle:
     case LightShape::Disc:
       facing = -dot(direction, light.direction);
-      if (!(facing > kLeastFacing)) return std::nullopt;
+      if (!(facing > kMinFacing)) return std::nullopt;
       if (light.shape == LightShape::Rectangle)
         hit = geom::intersect(
             geom::Rectangle{light.position, light.edge_u * 0.5f, light.edge_v * 0.5f}, from,
@@ -111,7 +111,7 @@ std::optional<LightShapeHit> intersect_shape(const Light& light, const Vec3& fro
                             direction, 0.0f, t_most);
       if (!hit) return std::nullopt;
       facing = -dot(direction, hit->n);
-      if (!(facing > kLeastFacing)) return std::nullopt;
+      if (!(facing > kMinFacing)) return std::nullopt;
       break;
   }
   if (!hit) return std::nullopt;

@@ -14,7 +14,7 @@
 namespace oriel {
 namespace {
 
-constexpr float kMost = std::numeric_limits<float>::infinity();
+constexpr float kMax = std::numeric_limits<float>::infinity();
 /// Places at which a split is tried. Source: as LightTree; a round number.
 constexpr int kBuckets = 12;
 
@@ -135,7 +135,7 @@ struct LightTree::Build {
     for (std::size_t i = begin; i < end; ++i) centres.extendBy(at(i).box.center());
     const Vec3 low = centres.min, extent = centres.size(), size = whole.box.size();
     const float longest = std::max({size.x, size.y, size.z});
-    float best = kMost;
+    float best = kMax;
     int best_axis = -1, best_bucket = 0;
     const auto bucket_of = [&](int light, int axis) {
       const float c = bounds[static_cast<std::size_t>(light)].box.center()[axis];
@@ -154,7 +154,7 @@ struct LightTree::Build {
           for (int j = from; j < to; ++j)
             if (const auto& b = buckets[static_cast<std::size_t>(j)])
               all = all ? joined(*all, *b) : *b;
-          if (!all) return kMost;
+          if (!all) return kMax;
           return (all->even * sqr(longest) + all->falling) * orientation_of(*all) *
                  (area_of(*all) + 1e-6f * sqr(longest));
         };

@@ -59,7 +59,7 @@ MeshLights::MeshLights(std::vector<EmissiveTriangle> triangles, std::span<const 
   if (triangles.empty()) return;
   // Halving fills clusters by a half and more.
   const std::size_t most =
-      triangles.size() <= kMostClusters ? 1 : 2 * triangles.size() / kMostClusters + 1;
+      triangles.size() <= kMaxClusters ? 1 : 2 * triangles.size() / kMaxClusters + 1;
   Clustering clusters(bounds, most);
   starts_ = std::move(clusters.starts);
   first_.assign(triangles_of_instance.size(), kNone);

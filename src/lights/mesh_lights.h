@@ -21,11 +21,11 @@ struct EmissiveTriangle {
 /// cluster. Few triangles have clusters of their own.
 ///
 /// Model:   12 bytes for each triangle, 4 more for each triangle of an instance with emission, and
-///          about 230 for each of at most kMostClusters clusters.
+///          about 230 for each of at most kMaxClusters clusters.
 /// Checked: MeshLights.* in mesh_lights_test.cpp; tests/analytic/lights/emission_test.cpp
 class MeshLights {
  public:
-  static constexpr std::size_t kMostClusters = 16384;
+  static constexpr std::size_t kMaxClusters = 16384;
 
   MeshLights() = default;
   /// Inputs:  bounds: of each triangle; instances: how many the accel has, and for those with

@@ -46,7 +46,7 @@ TEST(MeshLights, ChancesSumToNearlyOneAndAreThoseOfTheChoices) {
     const Triangles t = random_triangles(n, n);
     const MeshLights lights = lights_of(t);
     ASSERT_EQ(lights.size(), n);
-    EXPECT_LE(lights.clusters(), MeshLights::kMostClusters);
+    EXPECT_LE(lights.clusters(), MeshLights::kMaxClusters);
     std::mt19937 engine(7);
     std::uniform_real_distribution<float> u;
     for (int place = 0; place < 3; ++place) {

@@ -28,7 +28,7 @@ constexpr float kUneven = 4;
 /// Share of the mean radiance added everywhere.
 constexpr float kEvenShare = 0.05f;
 /// Grazing light that is given up, as for other flat lights.
-constexpr float kLeastCosine = 1e-6f;
+constexpr float kMinCosine = 1e-6f;
 
 /// Solid angle for each unit of the two angles: a, b are their tangents.
 float solid_angle_of(float a, float b) {
@@ -133,7 +133,7 @@ std::optional<ShapeSample> sample_through(const Light& light, const Vec3& from, 
   if (!(seen.depth > 0)) return std::nullopt;
   const PortalTable& table = *light.portal->table;
   const auto s = table.sample(u, seen.window());
-  if (!(s.pdf > 0) || !std::isfinite(s.pdf) || !(s.local.z > kLeastCosine)) return std::nullopt;
+  if (!(s.pdf > 0) || !std::isfinite(s.pdf) || !(s.local.z > kMinCosine)) return std::nullopt;
   ShapeSample sample;
   sample.wi = table.x() * s.local.x + table.y() * s.local.y + table.z() * s.local.z;
   sample.distance = seen.depth / s.local.z;
@@ -183,7 +183,7 @@ namespace {
 
 bool crosses_at_rest(const Light& light, const Vec3& from, const Vec3& direction, float t_most) {
   const float facing = -dot(direction, light.direction);
-  if (!(facing > kLeastCosine)) return false;
+  if (!(facing > kMinCosine)) return false;
   const Vec3 to = light.position - from;
   const float t = -dot(to, light.direction) / facing;
   if (!(t > 0 && t < t_most)) return false;

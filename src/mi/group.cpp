@@ -67,7 +67,7 @@ void add_field(VertexRecord& vertex, char field, const std::uint32_t* index, int
   }
 }
 
-constexpr int kMostFieldIndices = 8;
+constexpr int kMaxFieldIndices = 8;
 
 /// Whether a mark of a subdivision surface's vertex begins here: cusp, conic, corner, dart.
 bool is_mark(const char* q) {
@@ -77,13 +77,13 @@ bool is_mark(const char* q) {
 
 bool is_field(char c) { return c == 'n' || c == 't' || c == 'd' || c == 'm' || c == 'u'; }
 int most_indices(char field) {
-  return field == 'n' ? 1 : field == 't' ? 3 : field == 'd' ? 5 : kMostFieldIndices;
+  return field == 'n' ? 1 : field == 't' ? 3 : field == 'd' ? 5 : kMaxFieldIndices;
 }
 
 // Reads a vertex of the usual form behind its `v`. Null: not of that form, nothing is lost.
 const char* scan_vertex(const char* p, VertexRecord& vertex) {
   vertex.clear();
-  std::uint32_t index[kMostFieldIndices];
+  std::uint32_t index[kMaxFieldIndices];
   if (scan_indices(p, &vertex.point, 1) != 1) return nullptr;
   for (;;) {
     const char* const q = skip_blanks(p);
@@ -125,7 +125,7 @@ void read_vertex(Parse& parse, VertexRecord& vertex) {
     if (word.size() != 1 || !is_field(word[0])) return;
     const char field = word[0];
     parse.in.next();
-    std::uint32_t index[kMostFieldIndices] = {index_of(parse)};
+    std::uint32_t index[kMaxFieldIndices] = {index_of(parse)};
     int count = 1;
     while (count < most_indices(field) && parse.at_number()) index[count++] = index_of(parse);
     add_field(vertex, field, index, count);

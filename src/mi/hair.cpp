@@ -15,7 +15,7 @@ using scene::Hair;
 using Kind = Hair::Field::Kind;
 
 // A vertex of a few bytes may announce any number of fields; it has at most so many numbers.
-constexpr int kMostNumbers = 256;
+constexpr int kMaxNumbers = 256;
 
 class HairReader {
  public:
@@ -76,10 +76,10 @@ class HairReader {
           hair_.radius = std::max(0.0f, parse_.real("a radius"));
           continue;
         }
-        field.count = std::clamp(parse_.integer("a number"), 0, kMostNumbers);
+        field.count = std::clamp(parse_.integer("a number"), 0, kMaxNumbers);
       }
       fields.push_back(field);
-      if (fields.size() > kMostNumbers) parse_.unexpected("fewer fields");
+      if (fields.size() > kMaxNumbers) parse_.unexpected("fewer fields");
     }
   }
 

@@ -16,8 +16,8 @@ namespace {
 constexpr double kExactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-constexpr int kMostExactPower = 22;
-constexpr int kMostExactDigits = 15;
+constexpr int kMaxExactPower = 22;
+constexpr int kMaxExactDigits = 15;
 
 bool is_decimal_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 bool continues_word(char c) {
@@ -28,7 +28,7 @@ bool continues_word(char c) {
 // What the first pass over the characters finds.
 struct Decimal {
   std::uint64_t mantissa = 0;
-  int digits = 0;  // significant digits; more than kMostExactDigits: mantissa is not used
+  int digits = 0;  // significant digits; more than kMaxExactDigits: mantissa is not used
   int exponent = 0;
   bool negative = false, integral = true;
   const char* digits_begin = nullptr;  // after the sign
@@ -71,7 +71,7 @@ inline bool scan_decimal(const char* p, Decimal& d) {
 }
 
 inline bool exact_double(const Decimal& d, double& out) {
-  if (d.digits > kMostExactDigits || d.exponent > kMostExactPower || d.exponent < -kMostExactPower)
+  if (d.digits > kMaxExactDigits || d.exponent > kMaxExactPower || d.exponent < -kMaxExactPower)
     return false;
   const double m = static_cast<double>(d.mantissa);
   out = d.exponent < 0 ? m / kExactPowers[-d.exponent] : m * kExactPowers[d.exponent];

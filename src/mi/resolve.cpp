@@ -65,7 +65,7 @@ void Resolver::name(std::string_view what, const std::string& wanted, SourceLoca
   if (wanted.empty() || exists(wanted)) return;
   if (!parse_.reported.insert(fmt::format("{} {}", what, wanted)).second) return;
   // Searching for a similar name among all elements is worth it only while messages are shown.
-  const bool shown = parse_.reported.size() <= Diagnostics::kMostPerCode;
+  const bool shown = parse_.reported.size() <= Diagnostics::kMaxPerCode;
   std::vector<std::string> known;
   if (shown)
     for (const scene::Element& e : scene_.elements()) known.push_back(scene::name_of(e));
@@ -74,11 +74,10 @@ void Resolver::name(std::string_view what, const std::string& wanted, SourceLoca
   const auto& missing = parse_.in.missing_includes();
   if (near.empty() && !missing.empty()) {
     hint = "perhaps an include that was not found should define it: ";
-    constexpr std::size_t kMostNamed = 3;
-    for (std::size_t i = 0; i < missing.size() && i < kMostNamed; ++i)
+    constexpr std::size_t kMaxNamed = 3;
+    for (std::size_t i = 0; i < missing.size() && i < kMaxNamed; ++i)
       hint += (i ? ", " : "") + missing[i];
-    if (missing.size() > kMostNamed)
-      hint += fmt::format(" and {} more", missing.size() - kMostNamed);
+    if (missing.size() > kMaxNamed) hint += fmt::format(" and {} more", missing.size() - kMaxNamed);
   }
   parse_.diagnostics.report(fatal ? Severity::Error : Severity::Warning, code::kUnresolved, at,
                             fmt::format("{} \"{}\" is defined nowhere", what, wanted),

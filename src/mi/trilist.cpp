@@ -25,7 +25,7 @@ struct Part {
 };
 
 // A file of a few bytes may announce any number of parts; a vertex has at most so many.
-constexpr std::size_t kMostParts = 256;
+constexpr std::size_t kMaxParts = 256;
 
 void store(VertexRecord& vertex, char field, std::uint32_t index, bool second_basis) {
   const auto without_basis = [&]() -> VertexRecord::Texture& {
@@ -122,7 +122,7 @@ void TrilistReader::read_fields(bool indexed) {
       parse_.warn(code::kUnknownStatement, parse_.in.locate(token),
                   fmt::format("unknown vertex field {}", parse_.shown(token)));
     }
-    if (parts_.size() > kMostParts) parse_.unexpected("fewer fields per vertex");
+    if (parts_.size() > kMaxParts) parse_.unexpected("fewer fields per vertex");
   }
 }
 

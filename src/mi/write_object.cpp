@@ -30,9 +30,9 @@ void write_fields(TextSink& out, std::string_view field, const std::vector<Colum
 }
 
 void write_derivative(TextSink& out, const std::vector<Column>& columns, std::size_t vertex) {
-  constexpr std::size_t kMostInOneField = 5;
+  constexpr std::size_t kMaxInOneField = 5;
   for (std::size_t i = 0; i < columns.size() && at(columns[i], vertex) != kNone; ++i)
-    write_field(out, i % kMostInOneField == 0 ? " d " : " ", columns[i][vertex]);
+    write_field(out, i % kMaxInOneField == 0 ? " d " : " ", columns[i][vertex]);
 }
 
 void write_mark(TextSink& out, const scene::VertexMark& mark) {

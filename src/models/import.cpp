@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Maximum nesting depth of nodes.
-constexpr int kMostDepth = 500;
+constexpr int kMaxDepth = 500;
 
 /// Scenes use row vectors, assimp column vectors.
 Mat4 matrix(const aiMatrix4x4& m) {
@@ -103,9 +103,9 @@ class Builder {
   }
 
   void add_node(const aiNode& node, const Mat4& parent, int depth) {
-    if (depth > kMostDepth) {
+    if (depth > kMaxDepth) {
       diagnostics_.warning("OR-MD-002", {},
-                           fmt::format("nodes nested deeper than {} are skipped", kMostDepth));
+                           fmt::format("nodes nested deeper than {} are skipped", kMaxDepth));
       return;
     }
     const Mat4 to_world = matrix(node.mTransformation) * parent;

@@ -77,7 +77,7 @@ void add_texture_spaces(const aiMesh& mesh, const SurfaceSpaces& surface,
                        [&](const TextureSpace& space) { return space.channel == channel; });
   };
   if (channels == 0 && !asks_for(kColorChannel)) return;
-  for (unsigned i = 0; i < channels && spaces.size() < kMostTextureSpaces; ++i)
+  for (unsigned i = 0; i < channels && spaces.size() < kMaxTextureSpaces; ++i)
     if (!asks_for(i)) spaces.push_back({.channel = i});
   for (const TextureSpace& space : spaces)
     group.vertices.textures.push_back(

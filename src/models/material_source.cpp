@@ -60,7 +60,7 @@ unsigned MaterialSource::space(aiTextureType type, unsigned index) {
 std::optional<unsigned> MaterialSource::space(const TextureSpace& wanted) {
   std::vector<TextureSpace>& spaces = surface.spaces;
   auto at = std::find(spaces.begin(), spaces.end(), wanted);
-  if (at == spaces.end() && spaces.size() >= kMostTextureSpaces) return std::nullopt;
+  if (at == spaces.end() && spaces.size() >= kMaxTextureSpaces) return std::nullopt;
   if (at == spaces.end()) at = spaces.insert(at, wanted);
   return static_cast<unsigned>(at - spaces.begin());
 }

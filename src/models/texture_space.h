@@ -10,7 +10,7 @@
 namespace oriel::models {
 
 /// Maximum number of texture spaces that shaders can access.
-inline constexpr std::size_t kMostTextureSpaces = 8;
+inline constexpr std::size_t kMaxTextureSpaces = 8;
 
 /// Channel numbers for vertex colours and their alpha.
 inline constexpr unsigned kColorChannel = 1000, kAlphaChannel = 1001;

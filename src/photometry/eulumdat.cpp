@@ -125,9 +125,9 @@ ProfileData parse_eulumdat(std::string_view text) {
   report.manufacturer = in.text("the company");
   in.number("the type of luminaire (Ityp)");
   int symmetry = in.whole("the symmetry (Isym)", 0, 4);
-  const int planes = in.whole("the number of C planes (Mc)", 0, kMostAngles);
+  const int planes = in.whole("the number of C planes (Mc)", 0, kMaxAngles);
   in.text("the distance of C planes");
-  const int cones = in.whole("the number of angles of a plane (Ng)", 2, kMostAngles);
+  const int cones = in.whole("the number of angles of a plane (Ng)", 2, kMaxAngles);
   in.text("the distance of angles");
   in.text("the report number");
   report.luminaire = in.text("the luminaire's name");
@@ -153,9 +153,9 @@ ProfileData parse_eulumdat(std::string_view text) {
   expect_ascending(gamma, g_lines, "gamma", 0, 180);
   if (symmetry != 1) expect_ascending(c, c_lines, "C", 0, 360);
   const int stored = stored_planes(symmetry, planes);
-  if (std::int64_t{stored} * cones > kMostIntensities)
+  if (std::int64_t{stored} * cones > kMaxIntensities)
     throw ProfileError(4, fmt::format("the file declares {} x {} intensities", stored, cones),
-                       fmt::format("the maximum is {}", kMostIntensities));
+                       fmt::format("the maximum is {}", kMaxIntensities));
   // Isym 3 stores planes from C90 on.
   std::size_t first = 0;
   if (symmetry == 3)

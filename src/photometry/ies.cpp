@@ -139,7 +139,7 @@ std::string read_head(Reader& in, ProfileReport& report, bool& old) {
 /// Reads a TILT table (geometry, count, angles, factors); returns the factor at 0 degrees.
 double tilt_factor(Reader& in) {
   in.whole("the lamp-to-luminaire geometry of TILT", 1, 3);
-  const int count = in.whole("the number of TILT angles", 1, kMostAngles);
+  const int count = in.whole("the number of TILT angles", 1, kMaxAngles);
   std::vector<int> lines;
   const std::vector<float> angles = read_numbers(in, count, "a TILT angle", lines);
   const std::vector<float> factors = read_numbers(in, count, "a TILT factor", lines);
@@ -204,12 +204,12 @@ Header read_header(Reader& in, bool old) {
   h.lamps = in.whole("the number of lamps", 0, 1'000'000);
   h.lumens = in.number("the lumens of a lamp");
   h.multiplier = factor_of(in, "the candela multiplier");
-  h.vertical = in.whole("the number of vertical angles", 2, kMostAngles);
-  h.horizontal = in.whole("the number of horizontal angles", 1, kMostAngles);
-  if (std::int64_t{h.vertical} * h.horizontal > kMostIntensities)
+  h.vertical = in.whole("the number of vertical angles", 2, kMaxAngles);
+  h.horizontal = in.whole("the number of horizontal angles", 1, kMaxAngles);
+  if (std::int64_t{h.vertical} * h.horizontal > kMaxIntensities)
     throw ProfileError(
         in.line(), fmt::format("the file declares {} x {} intensities", h.vertical, h.horizontal),
-        fmt::format("the maximum is {}", kMostIntensities));
+        fmt::format("the maximum is {}", kMaxIntensities));
   h.type = "CBA"[in.whole("the photometric type", 1, 3) - 1];
   in.whole("the units of length", 1, 2);
   for (const char* what :

@@ -15,7 +15,7 @@ constexpr float kDegree = kPi / 180;
 /// Angles this close to the border of the table's range count as on the border, radians.
 constexpr float kOnBorder = 2e-6f;
 /// Maximum resolution of the table that replaces cubics.
-constexpr std::size_t kMostCells = 2048;
+constexpr std::size_t kMaxCells = 2048;
 
 /// The interval of ascending values that contains x: index of its lower end, and position inside.
 struct Place {
@@ -115,8 +115,8 @@ std::vector<float> refine_line(const std::vector<float>& x, const std::vector<fl
 
 std::vector<int> parts_of(const std::vector<float>& degrees, int cells) {
   const float range = degrees.back() - degrees.front();
-  const std::size_t most = std::max<std::size_t>(1, kMostCells / degrees.size());
-  const float wide = cells > 0 ? range / static_cast<float>(std::min<int>(cells, kMostCells)) : 1;
+  const std::size_t most = std::max<std::size_t>(1, kMaxCells / degrees.size());
+  const float wide = cells > 0 ? range / static_cast<float>(std::min<int>(cells, kMaxCells)) : 1;
   std::vector<int> parts;
   for (std::size_t i = 0; i + 1 < degrees.size(); ++i) {
     const float wanted = std::ceil((degrees[i + 1] - degrees[i]) / wide - 1e-3f);

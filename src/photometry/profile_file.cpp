@@ -17,7 +17,7 @@ namespace oriel::photometry {
 namespace {
 
 /// Upper bound on plausible intensities: the largest searchlights reach 1e9 cd.
-constexpr double kMostCandela = 1e12;
+constexpr double kMaxCandela = 1e12;
 /// Planes with a smaller difference in degrees are identical.
 constexpr float kSamePlane = 1e-3f;
 
@@ -29,11 +29,11 @@ std::string read_text(const std::string& path) {
   if (!file)
     throw ProfileError(0, "the file does not exist or is not readable",
                        "check the file name and folder");
-  std::string text(kMostProfileBytes + 1, '\0');
+  std::string text(kMaxProfileBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kMostProfileBytes)
-    throw ProfileError(0, fmt::format("it is larger than {} MB", kMostProfileBytes >> 20),
+  if (text.size() > kMaxProfileBytes)
+    throw ProfileError(0, fmt::format("it is larger than {} MB", kMaxProfileBytes >> 20),
                        "photometric files are much smaller; check the file");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ProfileError(0, "it is empty", "save or download it again");
@@ -105,7 +105,7 @@ void scale_candela(std::vector<float>& candela, const std::vector<int>& lines, d
     if (candela[i] < 0)
       throw ProfileError(lines[i], fmt::format("negative intensity ({} cd)", candela[i]),
                          "correct the file: intensities must not be negative");
-    if (!(value <= kMostCandela))
+    if (!(value <= kMaxCandela))
       throw ProfileError(lines[i], fmt::format("implausible intensity of {:.3g} cd", value),
                          "check the multiplier and factors");
     candela[i] = static_cast<float>(value);

@@ -45,16 +45,16 @@ enum class ProfileFormat : std::uint8_t { ByContent, Ies, Eulumdat };
 /// Orientation of azimuths around the luminaire; the scene may override that of the format.
 enum class Turn : std::uint8_t { AsFormat, Clockwise, CounterClockwise };
 
-/// Reads a file of at most kMostProfileBytes.
+/// Reads a file of at most kMaxProfileBytes.
 ///
 /// Errors:  ProfileError.
 /// Checked: IesFile.*, EulumdatFile.*, ProfileFile.*
 ProfileData read_profile(const std::string& path, ProfileFormat format = ProfileFormat::ByContent,
                          Turn turn = Turn::AsFormat);
 
-inline constexpr std::size_t kMostProfileBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kMaxProfileBytes = std::size_t{16} << 20;
 /// Maximum number of angles in one direction, and of intensities in total.
-inline constexpr int kMostAngles = 10000, kMostIntensities = 2'000'000;
+inline constexpr int kMaxAngles = 10000, kMaxIntensities = 2'000'000;
 
 // Functions for the parsers of both formats.
 

@@ -13,7 +13,7 @@ namespace oriel {
 namespace {
 
 /// Geometry shaders that make instances with geometry shaders, deeper than this, do so without end.
-constexpr int kMostDepth = 64;
+constexpr int kMaxDepth = 64;
 
 /// Names of instances with geometry shaders that are not `done`, and marks them so. By names: what
 /// is made is added to the list of elements.
@@ -39,7 +39,7 @@ void make_geometry(scene::Scene& scene, const scene::RenderOptions& options,
   const std::unordered_map<std::string, std::vector<int>> no_lights;
   Binder binder(scene, registry, world, no_lights, diagnostics);
   // What is made may have geometry shaders in turn.
-  for (int depth = 0; depth < kMostDepth && !names.empty(); ++depth) {
+  for (int depth = 0; depth < kMaxDepth && !names.empty(); ++depth) {
     for (const std::string& name : names) {
       const auto* asked = scene.get<scene::Instance>(name);
       if (!asked) continue;  // another shader removed it

@@ -26,7 +26,7 @@ constexpr float kSameNormal = 0.9999f;
 /// No vertex moves further; beyond ten times this the tracer leaves triangles out.
 constexpr float kFarthest = 1e17f;
 /// Normals at one place that a vertex is compared with.
-constexpr std::size_t kMostCompared = 16;
+constexpr std::size_t kMaxCompared = 16;
 
 /// Unit normal of a facet and the angles at its corners; null and 0 where it has no area.
 struct Facet {
@@ -248,7 +248,7 @@ class Displacer {
       const std::uint32_t v = order_[i];
       if (i == 0 || place_[v] != place_[order_[i - 1]]) here.clear();
       if (mesh_.normals[v] == Vec3(0)) continue;
-      const std::size_t compared = std::min(here.size(), kMostCompared);
+      const std::size_t compared = std::min(here.size(), kMaxCompared);
       const auto known = std::find_if(
           here.end() - static_cast<std::ptrdiff_t>(compared), here.end(), [&](std::uint32_t other) {
             return dot(mesh_.normals[v], mesh_.normals[other]) > kSameNormal;

@@ -87,12 +87,12 @@ LightLayers resolve_light_layers(const std::vector<scene::Leaf>& leaves,
   LightLayers layers;
   if (asked.empty()) return layers;
   std::vector<scene::LightGroup> groups = asked;
-  if (groups.size() > scene::kMostLightGroups) {
+  if (groups.size() > scene::kMaxLightGroups) {
     diagnostics.warning("OR-RN-058", {},
                         fmt::format("{} groups of lights are too many: those after \"{}\" are left "
                                     "out",
-                                    groups.size(), groups[scene::kMostLightGroups - 1].name));
-    groups.resize(scene::kMostLightGroups);
+                                    groups.size(), groups[scene::kMaxLightGroups - 1].name));
+    groups.resize(scene::kMaxLightGroups);
   }
   for (const scene::LightGroup& g : groups) layers.names.push_back(g.name);
   GroupFinder finder(groups);

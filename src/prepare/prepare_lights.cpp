@@ -253,9 +253,9 @@ void set_film(const scene::Camera& element, const PrepareOptions& options, Camer
   for (int& side : resolution) side = std::max(1, side);
   camera.aspect = element.aspect.value_or(static_cast<float>(resolution[0]) /
                                           static_cast<float>(resolution[1]));
-  constexpr int kMostPixels = 1 << 16;
-  camera.width = std::clamp(options.width > 0 ? options.width : resolution[0], 1, kMostPixels);
-  camera.height = std::clamp(options.height > 0 ? options.height : resolution[1], 1, kMostPixels);
+  constexpr int kMaxPixels = 1 << 16;
+  camera.width = std::clamp(options.width > 0 ? options.width : resolution[0], 1, kMaxPixels);
+  camera.height = std::clamp(options.height > 0 ? options.height : resolution[1], 1, kMaxPixels);
   if (options.width > 0 && options.height > 0 && element.resolution)
     camera.aspect *= static_cast<float>(camera.width) / static_cast<float>(camera.height) *
                      static_cast<float>(resolution[1]) / static_cast<float>(resolution[0]);

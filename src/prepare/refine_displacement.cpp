@@ -50,7 +50,7 @@ class DisplacementRefiner {
   bool run(Displaced&& displaced) {
     geom::EdgeSplitter splitter(mesh_);
     const std::size_t most = most_triangles();
-    for (int done = 0; done < scene::kMostSubdivisions; ++done) {
+    for (int done = 0; done < scene::kMaxSubdivisions; ++done) {
       if (done >= kBeforeMeasuring && measures_shape()) {
         shape_ = mesh_;
         displaced(shape_);
@@ -61,7 +61,7 @@ class DisplacementRefiner {
                            [&](const Approximation& ap) { return is_coarse(ap, done, a, b); });
       };
       // What the scene itself limits needs no word.
-      if (!splitter.pass(wants, most)) return !splitter.exceeded || most < kMostMicroTriangles;
+      if (!splitter.pass(wants, most)) return !splitter.exceeded || most < kMaxMicroTriangles;
     }
     return true;
   }
@@ -74,8 +74,8 @@ class DisplacementRefiner {
     std::size_t most = 0;
     for (const Approximation& a : approximations_)
       most = std::max(most, a.max_triangles > 0 ? static_cast<std::size_t>(a.max_triangles)
-                                                : kMostMicroTriangles);
-    return std::min(most, kMostMicroTriangles);
+                                                : kMaxMicroTriangles);
+    return std::min(most, kMaxMicroTriangles);
   }
 
   bool measures_shape() const {
@@ -147,7 +147,7 @@ void refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
         "OR-RN-032", object.where,
         fmt::format("object \"{}\": its displacement would take more than {} triangles; it stays "
                     "at {}",
-                    object.name, kMostMicroTriangles, mesh.triangles.size()),
+                    object.name, kMaxMicroTriangles, mesh.triangles.size()),
         "ask for less in `approximate displace`");
 }
 

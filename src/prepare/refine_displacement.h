@@ -8,7 +8,7 @@
 namespace oriel {
 
 /// Triangles of one displaced mesh; with all that stands beside them about 1.5 GB.
-inline constexpr std::size_t kMostMicroTriangles = std::size_t{8} << 20;
+inline constexpr std::size_t kMaxMicroTriangles = std::size_t{8} << 20;
 
 /// Splits the edges of displaced slots until the object's approximations are met, before its
 /// vertices move.
@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostMicroTriangles = std::size_t{8} << 20;
 ///          sharp; with `nosmoothing` all of it stays faceted. `max N`: no halving of edges that
 ///          would make more than N triangles of the mesh. No approximation: nothing changes.
 /// Inputs:  leaf: as for displace(). All instances of a mesh share its displacement.
-/// Errors:  OR-RN-032 when kMostMicroTriangles would be exceeded; the mesh stays as fine as it got.
+/// Errors:  OR-RN-032 when kMaxMicroTriangles would be exceeded; the mesh stays as fine as it got.
 /// Checked: DisplacementDetail.*
 void refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
                              const scene::Leaf& leaf, const scene::ApproximationContext& context,

@@ -15,14 +15,14 @@ namespace oriel {
 inline constexpr std::uint32_t kPathSamplesPerSceneSample = 16;
 
 /// Minimum number of samples from a scene's own options.
-inline constexpr std::uint32_t kFewestSceneSamples = 64;
+inline constexpr std::uint32_t kMinSceneSamples = 64;
 
 /// Maximum number of samples of a pixel.
-inline constexpr std::uint32_t kMostSamples = 1u << 20;
+inline constexpr std::uint32_t kMaxSamples = 1u << 20;
 
 /// The same if only a noise target is requested; ends renders whose noise decreases too slowly. A
 /// diffuse interior needs a few hundred samples for a target of .02.
-inline constexpr std::uint32_t kMostSamplesForNoise = 4096;
+inline constexpr std::uint32_t kMaxSamplesForNoise = 4096;
 
 /// Noise per unit of `contrast`: two neighbouring pixels whose noise is this share of the contrast
 /// differ by less than the contrast in 95 of 100 cases, 1 / (1.96 sqrt(2)).

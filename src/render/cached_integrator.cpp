@@ -18,14 +18,14 @@ namespace {
 /// estimate.
 constexpr float kGatherError = 0.5f;
 /// Number of stored photons per light, and maximum number of emitted ones.
-constexpr std::uint64_t kPhotonsPerLight = 100000, kMostSent = 2000000;
+constexpr std::uint64_t kPhotonsPerLight = 100000, kMaxPhotons = 2000000;
 
 PhotonSettings photon_settings(const World& world, const IndirectPlan& plan, std::uint32_t seed) {
   const scene::RenderOptions& options = world.options;
   PhotonSettings settings;
   settings.globillum = plan.global;
   settings.caustics = plan.caustic;
-  const PhotonCount usual{kPhotonsPerLight, kMostSent};
+  const PhotonCount usual{kPhotonsPerLight, kMaxPhotons};
   const bool none_says = std::none_of(world.lights.begin(), world.lights.end(),
                                       [](const Light& l) { return l.photons.any(); });
   if (plan.by_name || none_says) settings.each.global = settings.each.caustic = usual;

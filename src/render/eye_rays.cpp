@@ -140,8 +140,8 @@ void trace_eye_rays(const World& world, const Integrator& integrator, Vec2 raste
                        counts);
   int rays = 1;
   for (const ShaderNode* node : world.lens_rays)
-    rays = std::clamp(rays * std::clamp(node->spec().lens.ray_count(*node), 1, kMostLensRays), 1,
-                      kMostLensRays);
+    rays = std::clamp(rays * std::clamp(node->spec().lens.ray_count(*node), 1, kMaxLensRays), 1,
+                      kMaxLensRays);
   const auto n = static_cast<std::uint32_t>(rays);
   const float share = 1 / static_cast<float>(rays);
   const float paths_of_pixel = samples_of_pixel * static_cast<float>(rays);

@@ -7,7 +7,7 @@
 namespace oriel {
 
 /// Maximum number of rays per camera sample.
-inline constexpr int kMostLensRays = 65536;
+inline constexpr int kMaxLensRays = 65536;
 
 /// Traces one camera sample: one path through the centre of the lens, or, with lens shaders that
 /// generate rays, the mean of as many paths as they request.

@@ -55,7 +55,7 @@ constexpr float kSurelyApart = 12;
 constexpr float kTakenAway = 8;
 
 /// Samples of a part, below which nothing is said of noise within parts.
-constexpr float kLeastSamplesOfPart = 2;
+constexpr float kMinSamplesOfPart = 2;
 
 /// The quarter of the turned grid that a part belongs to.
 std::size_t quarter_of(std::size_t cell) { return cell / 8 * 2 + cell % 4 / 2; }
@@ -321,7 +321,7 @@ Film::Parts Film::parts(std::size_t i) const {
       p.spread += sqr(brightness(part.color - p.mean)) * (part.samples / p.samples);
   // Of few samples the noise within parts is not known.
   p.noise = std::numeric_limits<float>::infinity();
-  if (p.samples >= kLeastSamplesOfPart * kSubPixels) {
+  if (p.samples >= kMinSamplesOfPart * kSubPixels) {
     const float m2 = positive_parts_[i].m2 + (negative_parts_.empty() ? 0 : negative_parts_[i].m2);
     p.noise = m2 / (p.samples - count) * (count - 1) / p.samples;
   }

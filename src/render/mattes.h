@@ -13,7 +13,7 @@
 namespace oriel {
 
 /// Ranks of Cryptomattes when nobody says how many, and the most that may be asked for.
-inline constexpr int kMatteRanks = 6, kMostMatteRanks = 64;
+inline constexpr int kMatteRanks = 6, kMaxMatteRanks = 64;
 
 /// What distinguishes the mattes.
 enum class MatteKind : std::uint8_t { Object, Material, Asset };

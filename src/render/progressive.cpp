@@ -56,10 +56,10 @@ float picture_noise(const std::vector<Film::Estimate>& estimates, float picture)
 
 std::uint32_t next_pass_target(std::uint32_t samples) {
   if (samples == 0) return 1;
-  if (samples < kFewestJudgedSamples) return std::bit_floor(samples) * 2;
+  if (samples < kMinJudgedSamples) return std::bit_floor(samples) * 2;
   // Steps of half the power of two below: at most 1.5 times the samples, in aligned blocks, for
   // which the sample sequences are most uniform.
-  const std::uint32_t step = std::max(std::bit_floor(samples) / 2, kFewestJudgedSamples);
+  const std::uint32_t step = std::max(std::bit_floor(samples) / 2, kMinJudgedSamples);
   return (samples / step + 1) * step;
 }
 

@@ -15,12 +15,12 @@
 namespace oriel {
 
 /// Minimum number of samples before the noise of a pixel is estimated.
-inline constexpr std::uint32_t kFewestJudgedSamples = 16;
+inline constexpr std::uint32_t kMinJudgedSamples = 16;
 
 /// Stop criteria; the first that is met ends the render.
 struct RenderBudget {
   std::uint32_t max_samples = 64;  ///< per pixel
-  std::uint32_t min_samples = kFewestJudgedSamples;
+  std::uint32_t min_samples = kMinJudgedSamples;
   float noise = 0;  ///< target of picture_noise(); 0 = none
   /// The noise target applies to every pixel instead of the picture.
   bool every_pixel = false;

@@ -53,14 +53,14 @@ TEST(Progressive, OneAndTwoThreadsGiveTheSameBytes) {
 
 TEST(Progressive, QuietPixelsStopAtSixteenSamples) {
   const Film film = rendered(0, {.max_samples = 256, .noise = 0.03f});
-  EXPECT_EQ(film.samples(3, 3), kFewestJudgedSamples);
+  EXPECT_EQ(film.samples(3, 3), kMinJudgedSamples);
   EXPECT_GT(film.samples(kWidth - 3, 3), 100u);
 }
 
 TEST(Progressive, NeighboursOfNoisyPixelsGoOn) {
   const Film film = rendered(0, {.max_samples = 64, .noise = 0.001f});
   EXPECT_EQ(film.samples(kWidth / 2 - 1, 10), 64u);
-  EXPECT_EQ(film.samples(kWidth / 2 - 2, 10), kFewestJudgedSamples);
+  EXPECT_EQ(film.samples(kWidth / 2 - 2, 10), kMinJudgedSamples);
 }
 
 TEST(Progressive, NeighboursInAllDirectionsGoOn) {
@@ -72,7 +72,7 @@ TEST(Progressive, NeighboursInAllDirectionsGoOn) {
   for (int y = 28; y <= 32; ++y)
     for (int x = 18; x <= 22; ++x) {
       const bool near = std::abs(x - 20) <= 1 && std::abs(y - 30) <= 1;
-      EXPECT_EQ(film.samples(x, y), near ? 64u : kFewestJudgedSamples) << x << ' ' << y;
+      EXPECT_EQ(film.samples(x, y), near ? 64u : kMinJudgedSamples) << x << ' ' << y;
     }
 }
 
@@ -241,8 +241,8 @@ TEST(Progressive, PassesGrowByAlignedBlocks) {
 TEST(Budget, ComesFromSamplesAndContrast) {
   scene::RenderOptions options;  // samples -2 0, contrast .1
   const RenderBudget positive = render_budget(options, {});
-  EXPECT_EQ(positive.max_samples, kFewestSceneSamples);
-  EXPECT_EQ(positive.min_samples, kFewestJudgedSamples);
+  EXPECT_EQ(positive.max_samples, kMinSceneSamples);
+  EXPECT_EQ(positive.min_samples, kMinJudgedSamples);
   EXPECT_NEAR(positive.noise, 0.1 / (1.96 * std::sqrt(2.0)), 1e-4);
   options.samples_min = 3;
   options.samples_max = 4;
@@ -257,9 +257,9 @@ TEST(Budget, WhatIsAskedReplacesTheScene) {
   const scene::RenderOptions options;
   EXPECT_EQ(render_budget(options, {.samples = 7}), (RenderBudget{.max_samples = 7}));
   EXPECT_EQ(render_budget(options, {.noise = 0.01f}),
-            (RenderBudget{.max_samples = kMostSamplesForNoise, .noise = 0.01f}));
+            (RenderBudget{.max_samples = kMaxSamplesForNoise, .noise = 0.01f}));
   EXPECT_EQ(render_budget(options, {.seconds = 3}),
-            (RenderBudget{.max_samples = kMostSamples, .seconds = 3}));
+            (RenderBudget{.max_samples = kMaxSamples, .seconds = 3}));
 }
 
 }  // namespace progressive_test

@@ -12,7 +12,7 @@ namespace oriel {
 namespace {
 
 /// Nested calls and phenomena deeper than this are a mistake or an attack.
-constexpr int kMostDepth = 200;
+constexpr int kMaxDepth = 200;
 
 template <class Range, class Name>
 std::vector<std::string> names_of(const Range& range, Name name) {
@@ -156,7 +156,7 @@ const ShaderNode* Binder::fallback() {
 const ShaderNode* Binder::bind_call(const std::string& type,
                                     const std::vector<scene::Argument>& args, SourceLocation where,
                                     Scope* scope) {
-  if (depth_ >= kMostDepth) {
+  if (depth_ >= kMaxDepth) {
     diagnostics_.error("OR-RT-003", where, "shader calls are nested too deeply");
     return fallback();
   }
@@ -303,7 +303,7 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
     if (const scene::Phenomenon* phenomenon = scene_.find_phenomenon(use->type)) {
       for (const scene::Phenomenon::Root& root : phenomenon->roots)
         for (const scene::Material& inner : phenomenon->materials)
-          if (root.keyword == "root material" && inner.name == root.name && depth_ < kMostDepth) {
+          if (root.keyword == "root material" && inner.name == root.name && depth_ < kMaxDepth) {
             scopes_.push_back(
                 std::make_unique<Scope>(Scope{phenomenon, &use->arguments, scope, {}}));
             ++depth_;

@@ -122,8 +122,8 @@ void Binder::set_default(const ParamSpec& param, ParamType type, std::byte* targ
 
 void Binder::set_defaults(ShaderNode& node) {
   const ShaderSpec& spec = node.spec();
-  ORIEL_ASSERT(spec.binding.deferred || spec.params_size <= kMostParamBytes);
-  ORIEL_ASSERT(spec.result_size <= kMostParamBytes);
+  ORIEL_ASSERT(spec.binding.deferred || spec.params_size <= kMaxParamBytes);
+  ORIEL_ASSERT(spec.result_size <= kMaxParamBytes);
   node.storage_.resize(spec.params_size / sizeof(std::max_align_t) + 1);
   auto* bytes = reinterpret_cast<std::byte*>(node.storage_.data());
   std::memset(bytes, 0, node.storage_.size() * sizeof(std::max_align_t));
@@ -250,11 +250,11 @@ void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
     const ShaderNode& source = *node.material_inputs_[i].source;
     const int all = spec.material.one_material ? std::max(of_inputs, source.max_lobes_)
                                                : of_inputs + source.max_lobes_;
-    if (own + all > Closure::kMostLobes) {
+    if (own + all > Closure::kMaxLobes) {
       diagnostics_.warning(
           "OR-RT-008", where,
           fmt::format("shader \"{}\" under \"{}\" would scatter light in more than {} ways",
-                      source.spec().name, spec.name, Closure::kMostLobes),
+                      source.spec().name, spec.name, Closure::kMaxLobes),
           "it is left out");
       node.material_inputs_.erase(node.material_inputs_.begin() + static_cast<std::ptrdiff_t>(i--));
       continue;
@@ -286,11 +286,11 @@ bool Binder::reaches(const ShaderNode& node, const ShaderNode* source, SourceLoc
 
 bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
   // A graph whose layers each ask the next one twice doubles with every layer.
-  constexpr float kMostEvaluations = 1e5f;
-  if (node.cost_ + cost > kMostEvaluations) {
+  constexpr float kMaxEvaluations = 1e5f;
+  if (node.cost_ + cost > kMaxEvaluations) {
     diagnostics_.error("OR-RT-007", where,
                        fmt::format("connections of \"{}\" would run more than {} shaders",
-                                   node.spec().name, static_cast<int>(kMostEvaluations)),
+                                   node.spec().name, static_cast<int>(kMaxEvaluations)),
                        "the declared default is used here");
     return false;
   }

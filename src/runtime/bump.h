@@ -25,11 +25,11 @@ Vec3 bump_vector(const ShadingPoint& point, const Vec3& from, const Vec3& to, in
 /// normal that looks away would shade black.
 inline Vec3 facing_viewer(const Vec3& normal, const ShadingPoint& point) {
   /// Cosine below which a normal is lifted: a grazing view, not yet a division by zero.
-  constexpr float kLeastCosine = 1e-3f;
+  constexpr float kMinCosine = 1e-3f;
   const Vec3 wo = point.wo();
   const float cosine = dot(normal, wo);
-  if (cosine >= kLeastCosine) return normal;
-  return normalize(normal + wo * (kLeastCosine - cosine));
+  if (cosine >= kMinCosine) return normal;
+  return normalize(normal + wo * (kMinCosine - cosine));
 }
 
 /// Turns the normal just enough that the mirrored view does not point into the flat triangle: what

@@ -25,10 +25,10 @@ Vec3 Camera::project(const Vec3& point, float time) const {
 
 Vec3 Camera::raster_of(const Vec3& p) const {
   /// Depth below which a point counts as in the camera's own plane.
-  constexpr float kLeastDepth = 1e-30f;
+  constexpr float kMinDepth = 1e-30f;
   float x = p.x, y = p.y;
   if (!orthographic) {
-    const float depth = std::abs(p.z) > kLeastDepth ? -p.z : kLeastDepth;
+    const float depth = std::abs(p.z) > kMinDepth ? -p.z : kMinDepth;
     x *= focal / depth;
     y *= focal / depth;
   }

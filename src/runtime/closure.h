@@ -106,8 +106,8 @@ class LobeStorage {
 
 /// A material at a point. Fixed size, lives on the stack.
 struct Closure {
-  static constexpr int kMostLobes = 8;
-  LobeStorage<kMostLobes> lobes;  ///< only the first `count` exist
+  static constexpr int kMaxLobes = 8;
+  LobeStorage<kMaxLobes> lobes;  ///< only the first `count` exist
   int count = 0;
 
   Rgb emission{0};                   ///< added, whatever lights are there
@@ -140,7 +140,7 @@ struct Closure {
   }
 
   Lobe& add(LobeKind kind, LobeType type, const Rgb& weight, const Frame& frame) {
-    ORIEL_ASSERT(count < kMostLobes);
+    ORIEL_ASSERT(count < kMaxLobes);
     Lobe& lobe = *new (&lobes[count++]) Lobe{};
     lobe.kind = kind;
     lobe.type = type;

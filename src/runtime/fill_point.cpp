@@ -9,16 +9,16 @@
 namespace oriel {
 namespace {
 
-static_assert(kMostTextureSpaces == geom::kMaxTextureSpaces);
+static_assert(kMaxTextureSpaces == geom::kMaxTextureSpaces);
 
 /// Half axes of the cone's ellipse on the plane of the surface: as wide as the cone across the
 /// view, stretched by the slant along it.
 void set_footprint(float width, ShadingPoint& point) {
   /// Beyond this slant a longer footprint only costs: the texture's anisotropy is limited as well.
-  constexpr float kLeastCosine = 0.05f;
+  constexpr float kMinCosine = 0.05f;
   const Vec3& n = point.geometric_normal;
   const Vec3 along = point.ray_direction - n * dot(point.ray_direction, n);
-  const float cosine = std::max(kLeastCosine, std::abs(dot(point.ray_direction, n)));
+  const float cosine = std::max(kMinCosine, std::abs(dot(point.ray_direction, n)));
   const Vec3 major = length(along) > 1e-4f ? normalize(along) : Frame(n).s;
   point.dpdx = major * (width / cosine);
   point.dpdy = cross(n, major) * width;

@@ -30,11 +30,11 @@ struct LightLayers {
   std::size_t unknown() const { return names.size() + 1; }
   std::size_t count() const { return names.size() + 2; }
 };
-inline constexpr std::size_t kMostLightLayers = scene::kMostLightGroups + 2;
+inline constexpr std::size_t kMaxLightLayers = scene::kMaxLightGroups + 2;
 
 /// Light by layer. Not set until clear().
 struct LightParts {
-  std::array<Rgb, kMostLightLayers> of;
+  std::array<Rgb, kMaxLightLayers> of;
   void clear(std::size_t count) { std::fill_n(of.begin(), count, Rgb(0)); }
   Rgb* data() { return of.data(); }
 };

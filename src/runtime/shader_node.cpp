@@ -135,7 +135,7 @@ const ShaderNode* ShaderNode::source(std::size_t offset) const {
 bool ShaderNode::ask(std::size_t offset, ShadingPoint& point, void* target) const {
   for (const Connection& c : deferred_) {
     if (c.offset != offset) continue;
-    alignas(16) std::byte result[kMostParamBytes];
+    alignas(16) std::byte result[kMaxParamBytes];
     c.source->value(point, result);
     convert_value(c.source_type, result + c.source_offset, c.type, target);
     return true;
@@ -170,7 +170,7 @@ void ShaderNode::defer_connections() {
 
 void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) const {
   std::memcpy(scratch, constants_.data(), spec_->params_size);
-  alignas(16) std::byte result[kMostParamBytes];
+  alignas(16) std::byte result[kMaxParamBytes];
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     const Connection& c = connections_[i];
     // A shader may move the normal for those that run after it; a vector is for who asks for it.
@@ -219,7 +219,7 @@ void ShaderNode::value(ShadingPoint& point, void* result) const {
 }
 
 Rgba ShaderNode::color(ShadingPoint& point) const {
-  alignas(16) std::byte result[kMostParamBytes];
+  alignas(16) std::byte result[kMaxParamBytes];
   value(point, result);
   // A struct's first member is its main result.
   const ParamType type =

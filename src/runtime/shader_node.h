@@ -12,7 +12,7 @@
 namespace oriel {
 
 /// Most bytes a parameter struct or a result may have (they live on the stack while evaluated).
-inline constexpr std::size_t kMostParamBytes = 1536;
+inline constexpr std::size_t kMaxParamBytes = 1536;
 
 /// A parameter whose value another shader gives at each point.
 struct Connection {
@@ -63,7 +63,7 @@ class ShaderNode {
   template <class F>
   auto with_params(ShadingPoint& point, F&& f) const {
     if (connections_.empty()) return f(Call{constants_.data(), state_.get(), point, this});
-    alignas(16) std::byte scratch[kMostParamBytes];
+    alignas(16) std::byte scratch[kMaxParamBytes];
     evaluate_connections(point, scratch);
     return f(Call{scratch, state_.get(), point, this});
   }

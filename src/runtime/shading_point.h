@@ -75,7 +75,7 @@ inline constexpr bool is_photon(RayKind kind) {
          kind == RayKind::PhotonHull;
 }
 
-inline constexpr int kMostTextureSpaces = 8;
+inline constexpr int kMaxTextureSpaces = 8;
 
 // Conventions
 //   World space. `ray_direction` points from the ray's origin to the point (mental ray's sense);
@@ -99,9 +99,9 @@ struct ShadingPoint {
 
   bool other_spaces_cleared = false;  ///< tex of the spaces that the object lacks is null
   // Only the first texture_spaces of these are set.
-  Vec3 tex[kMostTextureSpaces];     ///< texture coordinates of each space
-  Vec3 bump_u[kMostTextureSpaces];  ///< bump basis, world space; null when absent
-  Vec3 bump_v[kMostTextureSpaces];
+  Vec3 tex[kMaxTextureSpaces];     ///< texture coordinates of each space
+  Vec3 bump_u[kMaxTextureSpaces];  ///< bump basis, world space; null when absent
+  Vec3 bump_v[kMaxTextureSpaces];
   Vec3 dpdu{0}, dpdv{0};  ///< of texture space 0, world units per texture unit
   Vec3 tex_vector{0};     ///< a vector a shader list may leave for the material
 

@@ -15,7 +15,7 @@ using Style = Approximation::Style;
 using Technique = Approximation::Technique;
 
 // Where the statement gives none. [K] for fine, whose triangles are meant to be small.
-constexpr int kMostByDefault = 5, kMostByDefaultFine = 7;
+constexpr int kMaxDefaultSubdivisions = 5, kMaxDefaultFineSubdivisions = 7;
 
 /// Goes through a statement's values word by word and number by number.
 class Words {
@@ -190,8 +190,8 @@ std::optional<Approximation> approximation_of(const Statement& statement) {
     } else if (words.at_number()) {
       // min max; one number alone is the maximum.
       const bool both = words.numbers() > 1;
-      if (both) a.min_subdivisions = words.count(kMostSubdivisions);
-      a.max_subdivisions = words.count(kMostSubdivisions);
+      if (both) a.min_subdivisions = words.count(kMaxSubdivisions);
+      a.max_subdivisions = words.count(kMaxSubdivisions);
       limited = true;
       while (words.numbers() > 0) words.positive();
     } else {
@@ -201,7 +201,9 @@ std::optional<Approximation> approximation_of(const Statement& statement) {
     }
   }
   if (!known) return std::nullopt;
-  if (!limited) a.max_subdivisions = a.style == Style::Fine ? kMostByDefaultFine : kMostByDefault;
+  if (!limited)
+    a.max_subdivisions =
+        a.style == Style::Fine ? kMaxDefaultFineSubdivisions : kMaxDefaultSubdivisions;
   a.max_subdivisions = std::max(a.max_subdivisions, a.min_subdivisions);
   return a;
 }

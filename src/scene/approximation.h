@@ -73,13 +73,13 @@ struct Approximation {
 /// What stands in an `approximate` statement; nothing when it is bare or names no technique.
 ///
 /// Model:   numbers that mean nothing become 0 (not asked for); subdivisions are kept in
-///          [0, kMostSubdivisions].
+///          [0, kMaxSubdivisions].
 /// Source:  the published manual's page on approximations; what it leaves open is marked.
 /// Checked: Approximation.*
 std::optional<Approximation> approximation_of(const Statement& statement);
 
 /// Halvings beyond this are a slip: 2^12 pieces along one edge of a patch.
-inline constexpr int kMostSubdivisions = 12;
+inline constexpr int kMaxSubdivisions = 12;
 
 /// Which approximation applies, from the strongest to the weakest: the options' `... all`, an
 /// instance that says `override` (the outermost such), the group's own with that name (the last

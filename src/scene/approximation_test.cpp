@@ -126,7 +126,7 @@ TEST(Approximation, NonsenseIsHarmless) {
   const Approximation a = read({word("surface"), word("length"), row({-1, -5, 1e30})});
   EXPECT_EQ(a.length, 0);
   EXPECT_EQ(a.min_subdivisions, 0);
-  EXPECT_EQ(a.max_subdivisions, kMostSubdivisions);
+  EXPECT_EQ(a.max_subdivisions, kMaxSubdivisions);
   EXPECT_EQ(read({word("surface"), word("parametric"), row({NAN, -INFINITY})}).u, 0);
   EXPECT_EQ(approximation_of(approximate({word("surface"), word("parametric"), row({1})},
                                          "shadow trace approximate"))

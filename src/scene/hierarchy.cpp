@@ -17,7 +17,7 @@ using Matrix = Imath::M44d;
 
 constexpr std::size_t kNoElement = ~std::size_t{0};
 // A search for the nearest name compares with every name there is.
-constexpr std::size_t kMostNamesSearched = 20'000;
+constexpr std::size_t kMaxNamesSearched = 20'000;
 
 Matrix matrix_of(const std::optional<Mat4>& matrix, bool singular) {
   return matrix && !singular ? Matrix(*matrix) : Matrix();
@@ -90,7 +90,7 @@ class Flattener {
   void report_missing(std::string_view code, SourceLocation where, std::string message,
                       std::string_view name) {
     std::string hint;
-    if (scene_.elements().size() <= kMostNamesSearched) {
+    if (scene_.elements().size() <= kMaxNamesSearched) {
       std::vector<std::string> names;
       for (const Element& e : scene_.elements()) names.push_back(name_of(e));
       const std::string near = nearest_name(name, names);

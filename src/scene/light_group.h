@@ -21,7 +21,7 @@ inline constexpr std::string_view kEnvironmentName = "environment";
 /// and of light that does not know where it comes from.
 inline constexpr std::string_view kRestGroup = "rest", kIndirectGroup = "indirect";
 /// Most groups of a picture.
-inline constexpr std::size_t kMostLightGroups = 62;
+inline constexpr std::size_t kMaxLightGroups = 62;
 
 /// Patterns with commas between, blanks around them left out.
 std::vector<std::string> split_patterns(std::string_view text);

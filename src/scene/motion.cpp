@@ -28,8 +28,8 @@ Linear linear_part(const Matrix& m) {
 
 /// The rotation nearest to a matrix that mirrors nothing.
 Linear rotation_of(Linear m) {
-  constexpr int kMostRounds = 50;  // converges quadratically once it is near
-  for (int i = 0; i < kMostRounds; ++i) {
+  constexpr int kMaxRounds = 50;  // converges quadratically once it is near
+  for (int i = 0; i < kMaxRounds; ++i) {
     const Linear next = (m + m.inverse().transposed()) * 0.5;
     const bool done = next.equalWithAbsError(m, 1e-14);
     m = next;
@@ -133,7 +133,7 @@ Shutter shutter_of(const MotionOptions& options) {
   };
   shutter.open = ray_time(open);
   shutter.close = ray_time(close);
-  shutter.steps = std::clamp(options.steps, 1, kMostMotionSteps);
+  shutter.steps = std::clamp(options.steps, 1, kMaxMotionSteps);
   return shutter;
 }
 

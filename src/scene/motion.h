@@ -36,7 +36,7 @@ struct Shutter {
 /// Furthest a shutter reaches, in intervals, and most pieces of a way: with these no way has more
 /// points than the ray tracer takes.
 inline constexpr float kFurthestShutter = 4;
-inline constexpr int kMostMotionSteps = 15;
+inline constexpr int kMaxMotionSteps = 15;
 
 /// Inputs:  values out of range are clamped to the limits above.
 Shutter shutter_of(const MotionOptions& options);

@@ -59,7 +59,7 @@ TEST(Shutter, OpensAndClosesWithinTheIntervalOrBeyond) {
   // Closed before it opens, not a number, too far: a picture all the same.
   EXPECT_EQ(shutter(.5f, .25f).close, .5f);
   EXPECT_EQ(shutter(NAN, 1e30f).last, 4);
-  EXPECT_EQ(shutter(0, 1, 1000).steps, kMostMotionSteps);
+  EXPECT_EQ(shutter(0, 1, 1000).steps, kMaxMotionSteps);
 }
 
 TEST(MotionPath, IsEmptyForWhatStands) {

@@ -196,9 +196,9 @@ StatementTable::Match StatementTable::match(const Statement& s,
   if (s.quoted) {
     match.row = find(fmt::format("\"{}\"", s.keyword));
   } else {
-    constexpr std::size_t kMostWords = 3;
+    constexpr std::size_t kMaxWords = 3;
     std::string keyword;
-    for (std::size_t n = 0; n < std::min(items.size(), kMostWords); ++n) {
+    for (std::size_t n = 0; n < std::min(items.size(), kMaxWords); ++n) {
       if (items[n].text.empty()) break;
       if (n) keyword += ' ';
       keyword += items[n].text;

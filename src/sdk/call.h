@@ -32,7 +32,7 @@ class StateFrame {
 
   /// Parent state if a built-in shader cast the ray.
   std::optional<miState> eye_state_;
-  miVector bump_x_[kMostTextureSpaces], bump_y_[kMostTextureSpaces], derivs_[NO_DERIVS];
+  miVector bump_x_[kMaxTextureSpaces], bump_y_[kMaxTextureSpaces], derivs_[NO_DERIVS];
 };
 
 /// Runs a user shader with a state; `result` has its C type. Returns the return value of the
@@ -62,7 +62,7 @@ struct alignas(16) Result {
   explicit Result(std::size_t used) { std::memset(bytes, 0, used); }
   explicit Result(const UserSpec& spec) : Result(spec.c_result_size) {}
   miColor& color() { return *reinterpret_cast<miColor*>(bytes); }
-  std::byte bytes[kMostParamBytes];
+  std::byte bytes[kMaxParamBytes];
 };
 
 }  // namespace oriel::sdk

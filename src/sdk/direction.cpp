@@ -24,9 +24,9 @@ using oriel::sdk::vec;
 
 /// The sample of the shader as floats below 1, since a double just below 1 rounds to 1.
 Vec2 pair(const double sample[2]) {
-  constexpr double kMost = 0x1.fffffep-1;
-  return Vec2(static_cast<float>(std::fmin(std::fmax(sample[0], 0.0), kMost)),
-              static_cast<float>(std::fmin(std::fmax(sample[1], 0.0), kMost)));
+  constexpr double kMax = 0x1.fffffep-1;
+  return Vec2(static_cast<float>(std::fmin(std::fmax(sample[0], 0.0), kMax)),
+              static_cast<float>(std::fmin(std::fmax(sample[1], 0.0), kMax)));
 }
 
 /// The normal on the side of the incoming ray.

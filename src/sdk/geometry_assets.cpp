@@ -11,7 +11,7 @@ namespace oriel::sdk {
 namespace {
 
 /// Maximum size of user data that a shader may copy.
-constexpr std::size_t kMostDataBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxDataBytes = std::size_t{1} << 30;
 
 /// The scene element with a name given by a shader; frees the string.
 template <class T>
@@ -139,7 +139,7 @@ miBoolean mi_api_data_byte_copy(int size, miUchar* bytes) {
   GeometryWork* work = GeometryWork::current();
   if (!work || !work->elements.data || size < 0 || (size > 0 && !bytes)) return miFALSE;
   std::vector<std::uint8_t>& all = work->elements.data->bytes;
-  if (all.size() + static_cast<std::size_t>(size) > kMostDataBytes) return miFALSE;
+  if (all.size() + static_cast<std::size_t>(size) > kMaxDataBytes) return miFALSE;
   all.insert(all.end(), bytes, bytes + size);
   return miTRUE;
 }

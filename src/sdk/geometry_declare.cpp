@@ -27,9 +27,9 @@ ParamType param_type_of(miParam_type type) {
 
 /// A parameter with all nested ones.
 scene::ParamDecl declared_with_children(const miParameter& parameter, int depth = 0) {
-  constexpr int kMostDepth = 64;
+  constexpr int kMaxDepth = 64;
   scene::ParamDecl whole = parameter.declared;
-  if (depth < kMostDepth)
+  if (depth < kMaxDepth)
     for (const miParameter* child : parameter.children)
       whole.members.push_back(declared_with_children(*child, depth + 1));
   return whole;

@@ -19,8 +19,8 @@ namespace {
 
 /// Converts to the precision of scene files.
 float narrow(double value) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  return value == value ? static_cast<float>(std::clamp(value, -kMost, kMost)) : 0.0f;
+  constexpr double kMax = std::numeric_limits<float>::max();
+  return value == value ? static_cast<float>(std::clamp(value, -kMax, kMax)) : 0.0f;
 }
 
 std::vector<float> numbers_of(const miDlist* list) {

@@ -14,7 +14,7 @@ using scene::Hair;
 using FieldKind = Hair::Field::Kind;
 
 /// As in scene files: larger numbers are assumed to be errors.
-constexpr int kMostHairNumbers = 256;
+constexpr int kMaxHairNumbers = 256;
 
 HairWork* open_hair() {
   GeometryWork* work = GeometryWork::current();
@@ -23,7 +23,7 @@ HairWork* open_hair() {
 
 /// A field of n numbers; false for unknown letters and invalid numbers.
 bool field_of(char what, int n, Hair::Field& field) {
-  if (n < 0 || n > kMostHairNumbers) return false;
+  if (n < 0 || n > kMaxHairNumbers) return false;
   switch (what) {
     case 'n':
       field = {FieldKind::Normal, 1};
@@ -98,7 +98,7 @@ miBoolean mi_api_hair_info(int where, char what, int n) {
   Hair::Field field;
   if (!hair || where < 0 || where > 1 || !field_of(what, n, field)) return miFALSE;
   auto& fields = where == 0 ? hair->hair.per_hair : hair->hair.per_vertex;
-  if (fields.size() >= static_cast<std::size_t>(kMostHairNumbers)) return miFALSE;
+  if (fields.size() >= static_cast<std::size_t>(kMaxHairNumbers)) return miFALSE;
   fields.push_back(field);
   return miTRUE;
 }

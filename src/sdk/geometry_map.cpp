@@ -18,7 +18,7 @@ struct miMap_decl {
 namespace oriel::sdk {
 namespace {
 
-constexpr int kMostDimensions = 6;
+constexpr int kMaxDimensions = 6;
 
 /// Declarations by name; never freed, since other shaders may use them.
 struct Declarations {
@@ -124,7 +124,7 @@ extern "C" {
 
 miBoolean mi_api_map_decl_dim(int dim) {
   GeometryWork* work = GeometryWork::current();
-  if (!work || dim < 1 || dim > kMostDimensions) return miFALSE;
+  if (!work || dim < 1 || dim > kMaxDimensions) return miFALSE;
   work->map.dimension = dim;
   return miTRUE;
 }

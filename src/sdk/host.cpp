@@ -118,10 +118,10 @@ void Host::report_missing(SourceLocation where, const TrustedFolders& folders) {
 const UserSpec* Host::declare(const scene::ShaderDeclaration& declaration, const Library& library,
                               void* function) {
   auto spec = std::make_unique<UserSpec>(declaration, *this, diagnostics_);
-  if (std::max(spec->c_result_size, spec->result_size) > kMostParamBytes) {
+  if (std::max(spec->c_result_size, spec->result_size) > kMaxParamBytes) {
     diagnostics_.error("OR-SDK-011", declaration.where,
                        fmt::format("the result of shader \"{}\" has {} bytes, more than {}",
-                                   declaration.name, spec->c_result_size, kMostParamBytes),
+                                   declaration.name, spec->c_result_size, kMaxParamBytes),
                        "the shader is treated as unknown; split its result");
     return nullptr;
   }
@@ -244,7 +244,7 @@ miTag Host::remember(TagKind kind, const T* thing, std::vector<const T*>& list) 
   }
   const std::unique_lock lock(mutex_);
   miTag& tag = known_[thing];
-  if (tag == miNULLTAG && list.size() < kMostIndex) {
+  if (tag == miNULLTAG && list.size() < kMaxIndex) {
     tag = make_tag(kind, list.size());
     list.push_back(thing);
   }

@@ -30,8 +30,8 @@ extern "C" {
 
 miTag mi_kdtree_create(int dimension, int size) {
   Host* host = current_host();
-  if (!host || dimension < 1 || dimension > PointTree::kMostDimensions || size < 0 ||
-      static_cast<std::size_t>(size) > PointTree::kMostData) {
+  if (!host || dimension < 1 || dimension > PointTree::kMaxDimensions || size < 0 ||
+      static_cast<std::size_t>(size) > PointTree::kMaxData) {
     mi_error("mi_kdtree_create: cannot create a tree of %d coordinates and %d bytes per point",
              dimension, size);
     return miNULLTAG;

@@ -11,12 +11,12 @@ namespace oriel::sdk::made {
 namespace {
 
 /// Lists nested deeper than this are cyclic.
-constexpr int kMostListDepth = 64;
+constexpr int kMaxListDepth = 64;
 
 void append_uses(const scene::Scene& scene, const std::string& name, int depth,
                  scene::ShaderList& list) {
   const auto* element = scene.get<scene::ShaderElement>(name);
-  if (!element || depth > kMostListDepth) return;
+  if (!element || depth > kMaxListDepth) return;
   // A single call is stored as a reference, so that its users share it.
   if (element->functions.size() == 1) {
     scene::ShaderUse use;

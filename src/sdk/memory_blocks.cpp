@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr std::size_t kMostBlock = std::size_t{1} << 20;
+constexpr std::size_t kMaxBlock = std::size_t{1} << 20;
 constexpr std::size_t kPage = std::size_t{1} << 16;
 
 }  // namespace
@@ -90,7 +90,7 @@ struct miMemblk {
 extern "C" {
 
 miMemblk* mi_mem_blkcreate(int size) {
-  if (size < 1 || static_cast<std::size_t>(size) > kMostBlock) {
+  if (size < 1 || static_cast<std::size_t>(size) > kMaxBlock) {
     mi_error("mi_mem_blkcreate: cannot create blocks of %d bytes", size);
     return nullptr;
   }

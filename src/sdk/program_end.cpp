@@ -28,10 +28,10 @@ struct Watched {
   std::atomic<const void*> base = nullptr;
   std::array<char, 128> name{};
 };
-constexpr std::size_t kMostWatched = 256;
+constexpr std::size_t kMaxWatched = 256;
 struct WatchedLibraries {
   std::mutex mutex;  ///< for writers
-  std::array<Watched, kMostWatched> all{};
+  std::array<Watched, kMaxWatched> all{};
 };
 WatchedLibraries& watched() {
   // never destroyed: libraries may run after static destruction

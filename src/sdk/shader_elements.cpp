@@ -15,14 +15,14 @@ void ShaderElements::Free::operator()(void* memory) const { std::free(memory); }
 
 miTag ShaderElements::add(Element element) {
   const std::lock_guard lock(mutex_);
-  if (made_ >= kMostIndex) return miNULLTAG;
+  if (made_ >= kMaxIndex) return miNULLTAG;
   const miTag tag = make_tag(TagKind::Element, made_++);
   elements_.emplace(tag, std::move(element));
   return tag;
 }
 
 miTag ShaderElements::create(int type, std::size_t bytes) {
-  if (bytes > kMostBytes) return miNULLTAG;
+  if (bytes > kMaxBytes) return miNULLTAG;
   Element element;
   element.type = type;
   element.size = bytes;
@@ -40,7 +40,7 @@ miTag ShaderElements::create(std::shared_ptr<geom::PointTree> tree) {
 bool ShaderElements::resize(miTag tag, std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   const auto found = elements_.find(tag);
-  if (found == elements_.end() || !found->second.bytes || bytes > kMostBytes) return false;
+  if (found == elements_.end() || !found->second.bytes || bytes > kMaxBytes) return false;
   Element& element = found->second;
   void* memory = std::realloc(element.bytes.get(), std::max<std::size_t>(bytes, 1));
   if (!memory) return false;

@@ -18,7 +18,7 @@ namespace oriel::sdk {
 class ShaderElements {
  public:
   /// Maximum size of an element in bytes.
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
   /// A zeroed block; 0 if out of memory.
   miTag create(int type, std::size_t bytes);

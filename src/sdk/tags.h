@@ -31,7 +31,7 @@ enum class TagKind : std::uint8_t {
 };
 
 inline constexpr unsigned kIndexBits = 26;
-inline constexpr miTag kMostIndex = (1u << kIndexBits) - 2;
+inline constexpr miTag kMaxIndex = (1u << kIndexBits) - 2;
 
 /// `index` starts at 0.
 constexpr miTag make_tag(TagKind kind, std::size_t index) {

@@ -248,8 +248,8 @@ TEST(Declarations, EveryTableIsSound) {
     EXPECT_TRUE(shaders.insert(spec->name).second) << spec->name;
     EXPECT_GT(std::strlen(spec->doc), 0u) << spec->name;
     EXPECT_NE(spec->apply, 0u) << spec->name;
-    EXPECT_LE(spec->params_size, kMostParamBytes) << spec->name;
-    EXPECT_LE(spec->result_size, kMostParamBytes) << spec->name;
+    EXPECT_LE(spec->params_size, kMaxParamBytes) << spec->name;
+    EXPECT_LE(spec->result_size, kMaxParamBytes) << spec->name;
     EXPECT_TRUE(spec->value || spec->material.fill || spec->light.evaluate || spec->light.portal ||
                 spec->lens.map_color || spec->lens.bend_ray || spec->material.shadow ||
                 spec->volume.evaluate || spec->fallback.is_fallback)

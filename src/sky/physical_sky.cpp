@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kClearTurbidity = 2;  // haze 0
 
-float turbidity_of(float haze) { return clamp(2 + haze, kClearTurbidity, kMostTurbidity); }
+float turbidity_of(float haze) { return clamp(2 + haze, kClearTurbidity, kMaxTurbidity); }
 
 /// Direction in the space of the model: z up, with the horizon moved to z = 0. `horizon` is a tenth
 /// of horizon_height. A direction that the shift reduces to zero is on the horizon, at an arbitrary

@@ -41,7 +41,7 @@ inline float lane_exp(float x) {
 }
 
 /// Minimum that keeps the division below finite; real chromaticities are far above it.
-constexpr float kLeastChromaticity = 0.01f;
+constexpr float kMinChromaticity = 0.01f;
 
 }  // namespace
 
@@ -106,7 +106,7 @@ Rgb sun_illuminance(float sun_z, float turbidity, bool black_body) {
 
 PreethamSky::PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOptions& options)
     : to_sun_(lifted_above_horizon(to_sun)), clamp_antisolar_(options.clamp_antisolar) {
-  const float t = clamp(turbidity, 2.0f, kMostTurbidity);
+  const float t = clamp(turbidity, 2.0f, kMaxTurbidity);
   const float zenith_angle = math::acos(std::min(to_sun_.z, 1.0f));
 
   // The paper has the constant -0.259188 in A of x. The port's value depends on the sun's elevation
@@ -132,12 +132,12 @@ void PreethamSky::distribute(const PerezCoefficients& k) {
   float before[kLanes], after[kLanes];
   evaluate(1, std::min(to_sun_.z, 1.0f), before);
   // Far beyond any real sky; only keeps products finite.
-  constexpr float kMost = 1000, kMostGrowth = 5, kLeastZenith = 1e-4f;
-  perez_.a[0] = clamp(k.a, -kMost, kMost), perez_.b[0] = clamp(k.b, -kMost, 0);
-  perez_.c[0] = clamp(k.c, -kMost, kMost), perez_.d[0] = clamp(k.d, -kMost, kMostGrowth);
-  perez_.e[0] = clamp(k.e, -kMost, kMost), perez_.scale[0] = 1;
+  constexpr float kMax = 1000, kMaxGrowth = 5, kMinZenith = 1e-4f;
+  perez_.a[0] = clamp(k.a, -kMax, kMax), perez_.b[0] = clamp(k.b, -kMax, 0);
+  perez_.c[0] = clamp(k.c, -kMax, kMax), perez_.d[0] = clamp(k.d, -kMax, kMaxGrowth);
+  perez_.e[0] = clamp(k.e, -kMax, kMax), perez_.scale[0] = 1;
   evaluate(1, std::min(to_sun_.z, 1.0f), after);
-  if (after[0] > kLeastZenith) perez_.scale[0] = before[0] / after[0];
+  if (after[0] > kMinZenith) perez_.scale[0] = before[0] / after[0];
 }
 
 void PreethamSky::evaluate(float cos_theta, float cos_gamma, float (&value)[kLanes]) const {
@@ -167,7 +167,7 @@ PreethamSky::Xyy PreethamSky::xyy(const Vec3& direction) const {
 
 Rgb PreethamSky::radiance(const Vec3& direction) const {
   const Xyy c = xyy(direction);
-  const float per_y = c.luminance / std::max(c.y, kLeastChromaticity);
+  const float per_y = c.luminance / std::max(c.y, kMinChromaticity);
   return sky_rgb(Vec3(c.x * per_y, c.luminance, (1 - c.x - c.y) * per_y));
 }
 

@@ -19,7 +19,7 @@ inline constexpr float kLowestSkyZ = 0.001f;
 /// Maximum turbidity. Haze 15, the end of its documented range, is turbidity 17, where the fitted
 /// chromaticities start to leave the diagram for a low sun; at 25 those of most of the sky are
 /// outside.
-inline constexpr float kMostTurbidity = 20;
+inline constexpr float kMaxTurbidity = 20;
 
 /// `direction` with z raised to at least kLowestSkyZ, normalised.
 Vec3 lifted_above_horizon(const Vec3& direction);
@@ -77,7 +77,7 @@ class PreethamSky {
     float x, y, luminance;
   };
 
-  /// Turbidity is clamped to 2..kMostTurbidity; a sun below the horizon is moved to the horizon.
+  /// Turbidity is clamped to 2..kMaxTurbidity; a sun below the horizon is moved to the horizon.
   PreethamSky(const Vec3& to_sun, float turbidity, const PreethamOptions& options = {});
 
   /// Replaces the distribution of luminance and keeps its zenith value and all chromaticities. If

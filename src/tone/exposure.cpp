@@ -25,8 +25,8 @@ float inverse_of_gamma(float gamma) { return gamma > 0 ? 1 / gamma : 1.0f; }
 
 /// Factors that map the white point to grey and preserve its luminance.
 Rgb white_balance(const Rgb& white) {
-  constexpr float kLeast = 1e-6f;  // avoids a division by 0 for a white point with a zero channel
-  const Rgb w(std::max(white.x, kLeast), std::max(white.y, kLeast), std::max(white.z, kLeast));
+  constexpr float kMin = 1e-6f;  // avoids a division by 0 for a white point with a zero channel
+  const Rgb w(std::max(white.x, kMin), std::max(white.y, kMin), std::max(white.z, kMin));
   return Rgb(luminance(w)) / w;
 }
 

@@ -21,8 +21,8 @@ double before_toe(double value, double exponent, double share) {
   // Neither of the two terms exceeds their sum.
   double x = math::pow(value / std::max(1 - share, 1e-12), 1 / exponent);
   if (share > 0) x = std::min(x, value / share);
-  constexpr int kMostSteps = 30;
-  for (int i = 0; i < kMostSteps; ++i) {
+  constexpr int kMaxSteps = 30;
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double toe = (1 - share) * math::pow(x, exponent);
     const double step = (toe + share * x - value) / (exponent * toe / x + share);
     x -= step;
@@ -69,8 +69,8 @@ Rgb ReversePhotographicExposure::uncrushed(const Rgb& c) const {
   // of an end that is retained twice (Dowell, Jarratt 1971).
   double low = 0, high = 1, over = double(luminance(before(low))), under = double(shown) - 1;
   Rgb found(0);
-  constexpr int kMostSteps = 60;
-  for (int i = 0, side = 0; i < kMostSteps; ++i) {
+  constexpr int kMaxSteps = 60;
+  for (int i = 0, side = 0; i < kMaxSteps; ++i) {
     const double y = (low * under - high * over) / (under - over);
     found = before(y);
     const double more = double(luminance(found)) - y;
@@ -114,7 +114,7 @@ Rgb ReversePhotographicExposure::operator()(const Rgb& display, float cos_to_fil
   c = unsaturated(uncrushed(compress(c)));
   for (int k = 0; k < 3; ++k) c[k] = unburnt(c[k]);
   if (vignetting_ != 0 && cos_to_film_plane < 1)
-    c /= math::pow(std::max(cos_to_film_plane, kLeastCosine), vignetting_);
+    c /= math::pow(std::max(cos_to_film_plane, kMinCosine), vignetting_);
   return compress(c * inverse_scale_);
 }
 

@@ -21,12 +21,12 @@ class ReversePhotographicExposure {
   explicit ReversePhotographicExposure(const PhotographicParameters& parameters);
 
   /// Inputs:  display: from 0; cos_to_film_plane: as in the exposure, clamped to at least
-  ///          kLeastCosine.
+  ///          kMinCosine.
   Rgb operator()(const Rgb& display, float cos_to_film_plane = 1) const;
 
   /// The linear value half an 8-bit step below white at gamma 2.2.
   static constexpr float kBrightestShown = 0.9957f;
-  static constexpr float kLeastCosine = 0.05f;
+  static constexpr float kMinCosine = 0.05f;
 
  private:
   Rgb uncrushed(const Rgb& c) const;

@@ -47,7 +47,7 @@ inline bool is_diffuse(LobeKind kind) {
 
 /// The lobes that rays may follow at this vertex: their probabilities, or numbers of rays.
 struct LobeChoice {
-  float rays[Closure::kMostLobes] = {};  ///< expected number
+  float rays[Closure::kMaxLobes] = {};  ///< expected number
   bool any = false;
 
   /// Scales the numbers of the lobes such that their sum is 1.

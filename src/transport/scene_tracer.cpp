@@ -15,7 +15,7 @@ constexpr std::uint32_t kTracerBranch = 2000;
 /// The same for the paths that shaders ask for; they number from here, vertex by vertex.
 constexpr std::uint32_t kSubPathBranch = 100000, kSubPathsOfVertex = 4096;
 /// Holes on one ray before the rest counts as free.
-constexpr int kMostHoles = 64;
+constexpr int kMaxHoles = 64;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ std::optional<Rgba> SceneTracer::read_buffer(std::size_t slot) const {
 
 std::optional<Tracer::Met> SceneTracer::follow(geom::Ray ray, float reach) {
   float passed = 0;
-  for (int i = 0; i < kMostHoles; ++i) {
+  for (int i = 0; i < kMaxHoles; ++i) {
     geom::Hit hit;
     ++counts_.probe;
     if (!world_.accel->intersect(ray, hit)) return std::nullopt;

@@ -14,7 +14,7 @@ namespace oriel {
 namespace {
 
 /// Maximum number of transparent blockers on a shadow ray; beyond it the light is lost.
-constexpr int kMostShadowBlockers = 128;
+constexpr int kMaxShadowBlockers = 128;
 /// Shadow rays end at this share of the distance, so that a light's housing at the sample does not
 /// block it.
 constexpr float kShortOfLight = 1 - 1e-4f;
@@ -111,7 +111,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
   MediumOnWay way;
   way.begin_in(volume_around(world, ray));
   Vec3 left = point.position;
-  for (int i = 0; i < kMostShadowBlockers; ++i) {
+  for (int i = 0; i < kMaxShadowBlockers; ++i) {
     geom::Hit hit;
     ++counts.shadow;
     if (!world.accel->intersect(ray, hit)) {

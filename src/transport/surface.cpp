@@ -22,12 +22,12 @@ Vec3 raster_motion(const ShadingPoint& point) {
 
 const NodeList* volume_around(const World& world, geom::Ray ray) {
   // A ray may meet things inside of the object first; so many of them are looked behind.
-  constexpr int kMostSurfaces = 256;
+  constexpr int kMaxSurfaces = 256;
   if (!world.has_object_volumes) return nullptr;
   ray.tnear = 0;
   ray.tfar = std::numeric_limits<float>::infinity();
   ray.mask = ~0u;
-  for (int i = 0; i < kMostSurfaces; ++i) {
+  for (int i = 0; i < kMaxSurfaces; ++i) {
     geom::Hit hit;
     if (!world.accel->intersect(ray, hit)) return nullptr;
     ShadingPoint point;

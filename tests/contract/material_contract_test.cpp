@@ -98,7 +98,7 @@ TEST_P(MaterialContract, LobesAreFiniteAndTheirFramesOrthonormal) {
   std::mt19937 engine(1);
   for (int n = 0; n < 4000; ++n) {
     const Case c(spec(), engine, n == 0);
-    ASSERT_LE(c.closure.count, Closure::kMostLobes);
+    ASSERT_LE(c.closure.count, Closure::kMaxLobes);
     ASSERT_TRUE(is_sound(c.closure.albedo)) << n;
     ASSERT_TRUE(is_sound(c.closure.inside.absorption)) << n;
     for (int i = 0; i < c.closure.count; ++i) {
@@ -198,18 +198,18 @@ Albedo albedo(const Case& c, int count, int stream) {
 TEST_P(MaterialContract, NeverReturnsMoreThanArrives) {
   std::mt19937 engine(5);
   constexpr int kMaterials = 10000;
-  constexpr double kMost = 1.005;
+  constexpr double kMax = 1.005;
   for (int n = 0; n < kMaterials; ++n) {
     const Case c(spec(), engine);
     Albedo a = albedo(c, 64, n);
     // Only what looks suspicious is worth a long look.
-    if (a.mean > kMost) a = albedo(c, 4000, n);
+    if (a.mean > kMax) a = albedo(c, 4000, n);
     // Many that noise brought here are cleared by a fifth of the last look.
-    if (a.mean > kMost) {
+    if (a.mean > kMax) {
       a = albedo(c, 20000, n);
-      if (a.mean + a.error > kMost) a = albedo(c, 100000, n);
+      if (a.mean + a.error > kMax) a = albedo(c, 100000, n);
     }
-    EXPECT_LE(a.mean - 3.5 * a.error, kMost) << spec().name << " material " << n;
+    EXPECT_LE(a.mean - 3.5 * a.error, kMax) << spec().name << " material " << n;
   }
 }
 

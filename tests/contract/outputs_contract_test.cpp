@@ -110,7 +110,7 @@ TEST(RandomArchitecturalMaterial, LevelsNeverExceedOneAtAnyAngle) {
       Closure closure;
       kMiaMaterialX.material.fill(Call{params.data(), nullptr, point}, closure);
       make_ready(closure, point.wo());
-      ASSERT_LE(closure.count, Closure::kMostLobes);
+      ASSERT_LE(closure.count, Closure::kMaxLobes);
       Rgb sum(0);
       for (int i = 0; i < closure.count; ++i) {
         const Lobe& lobe = closure.lobes[i];

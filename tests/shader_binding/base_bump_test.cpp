@@ -144,7 +144,7 @@ TEST(BaseBump, BasisIsOfTheTextureSpaceOrOfAProjection) {
     BumpScene s(
         fmt::format("material \"m\" \"mib_bump_basis\" ( \"project\" {} ) end material", project));
     s.point.position = at;
-    alignas(16) std::byte bytes[kMostParamBytes];
+    alignas(16) std::byte bytes[kMaxParamBytes];
     s.scene.node()->value(s.point, bytes);
     return *reinterpret_cast<const BasisOut*>(bytes);
   };
@@ -166,7 +166,7 @@ TEST(BaseBump, BasisTurnsWithTheInstance) {
   BumpScene s("material \"m\" \"mib_bump_basis\" ( \"project\" 1 ) end material");
   const Mat4 turned(0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1);
   s.point.to_world = &turned;
-  alignas(16) std::byte bytes[kMostParamBytes];
+  alignas(16) std::byte bytes[kMaxParamBytes];
   s.scene.node()->value(s.point, bytes);
   expect_vector(reinterpret_cast<const BasisOut*>(bytes)->u, Vec3(0, 1, 0));
 }

@@ -27,7 +27,7 @@ struct Node {
   Rgba color() { return scene.node()->color(point); }
   template <class T>
   T raw() {
-    alignas(16) std::byte bytes[kMostParamBytes];
+    alignas(16) std::byte bytes[kMaxParamBytes];
     scene.node()->value(point, bytes);
     return *reinterpret_cast<const T*>(bytes);
   }

@@ -171,7 +171,7 @@ TEST(MaterialChains, MoreLobesThanAClosureHoldsAreLeftOutAndSaid) {
   const Chain c(text + material(fmt::format("= \"{}\"", below)));
   EXPECT_NE(c.scene.only("OR-RT-008"), nullptr) << c.scene.messages();
   EXPECT_GE(c.closure.count, 1);
-  EXPECT_LE(c.closure.count, Closure::kMostLobes);
+  EXPECT_LE(c.closure.count, Closure::kMaxLobes);
 }
 
 TEST(MaterialChains, CyclesAreRefused) {

@@ -28,7 +28,7 @@ void bernstein(int n, double t, double* out) {
 void bezier(int n, double t, Blend& b) {
   bernstein(n, t, b.weight[0].data());
   // The derivative is n times the difference of polynomials of one degree less.
-  std::array<double, kMostDegree + 3> lower{};
+  std::array<double, kMaxDegree + 3> lower{};
   const auto differences = [&](int order, double factor, double* out) {
     lower.fill(0);
     std::fill_n(out, n + 1, 0.0);
@@ -66,14 +66,14 @@ constexpr double kCardinal[4][4] = {
 
 std::string find_fault(const scene::Basis* basis, const scene::BasisUse& use) {
   if (!basis) return fmt::format("unknown basis \"{}\"", use.basis);
-  if (basis->degree < 1 || basis->degree > kMostDegree)
+  if (basis->degree < 1 || basis->degree > kMaxDegree)
     return fmt::format("basis \"{}\" has degree {}, which must be in 1...{}", basis->name,
-                       basis->degree, kMostDegree);
+                       basis->degree, kMaxDegree);
   const auto order = static_cast<std::size_t>(basis->degree) + 1;
   if (basis->kind == Kind::Matrix && basis->matrix.size() != order * order)
     return fmt::format("the matrix of basis \"{}\" has {} numbers, not {}", basis->name,
                        basis->matrix.size(), order * order);
-  if (basis->kind == Kind::Matrix && (basis->step < 1 || basis->step > kMostDegree + 1))
+  if (basis->kind == Kind::Matrix && (basis->step < 1 || basis->step > kMaxDegree + 1))
     return fmt::format("basis \"{}\" has step {}", basis->name, basis->step);
   const bool spline = basis->kind == Kind::BSpline;
   if (use.parameters.size() < (spline ? 2 * order : 2))
@@ -164,8 +164,8 @@ void Direction::blend_spline(std::size_t span, double t, Blend& result) const {
   const double* const knot = parameters_.data() + span;  // knot[0] <= t < knot[1]
   result.first = span - static_cast<std::size_t>(p);
   // Basis functions of degree p - 2, p - 1 and p; the derivatives need the lower degrees.
-  std::array<std::array<double, kMostDegree + 1>, 3> level{};
-  std::array<double, kMostDegree + 1> n{};
+  std::array<std::array<double, kMaxDegree + 1>, 3> level{};
+  std::array<double, kMaxDegree + 1> n{};
   n[0] = 1;
   for (int d = 0; d <= p; ++d) {
     if (d > 0) {
@@ -193,7 +193,7 @@ void Direction::blend_spline(std::size_t span, double t, Blend& result) const {
   derive(level[1], p, result.weight[1]);
   result.weight[2].fill(0);
   if (p < 2) return;
-  std::array<double, kMostDegree + 1> slope{};
+  std::array<double, kMaxDegree + 1> slope{};
   derive(level[2], p - 1, slope);
   derive(slope, p, result.weight[2]);
 }

@@ -12,14 +12,14 @@
 namespace oriel::geom::freeform {
 
 /// Limit of the .mi language.
-inline constexpr int kMostDegree = 21;
+inline constexpr int kMaxDegree = 21;
 
 /// Weights of the degree + 1 control points from `first` on, with their first two derivatives.
 /// Double, because float has too few digits for degree 21.
 struct Blend {
   std::size_t first = 0;
   int count = 0;
-  std::array<std::array<double, kMostDegree + 1>, 3> weight;
+  std::array<std::array<double, kMaxDegree + 1>, 3> weight;
 };
 
 /// A validated basis with its parameters.

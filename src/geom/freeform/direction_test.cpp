@@ -104,9 +104,9 @@ TEST(FreeFormDirection, TaylorPointsAreCoefficients) {
 
 // Bernstein polynomials of any degree add up to 1, and their first moment is t.
 TEST(FreeFormDirection, TheHighestDegreeStillHasItsDigits) {
-  const Direction d = make({"b", Kind::Bezier, false, kMostDegree, 1, {}}, {0, 1});
+  const Direction d = make({"b", Kind::Bezier, false, kMaxDegree, 1, {}}, {0, 1});
   std::vector<double> ones(22, 1), ramp;
-  for (int i = 0; i <= kMostDegree; ++i) ramp.push_back(i / double{kMostDegree});
+  for (int i = 0; i <= kMaxDegree; ++i) ramp.push_back(i / double{kMaxDegree});
   for (double t = 0; t <= 1; t += .01) {
     EXPECT_NEAR(value(d, ones, t), 1, 1e-13);
     EXPECT_NEAR(value(d, ramp, t), t, 1e-13);

@@ -121,8 +121,8 @@ MaterialSlot slot_of(const GroupWork& work, const scene::FreeSurface& surface) {
 /// Point limit of each surface, such that all surfaces of a group together stay within the memory
 /// limit.
 std::size_t points_per_surface(std::size_t surfaces) {
-  constexpr std::size_t kAll = 32'000'000, kLeast = 20'000, kMost = 4'000'000;
-  return std::clamp(kAll / std::max<std::size_t>(surfaces, 1), kLeast, kMost);
+  constexpr std::size_t kAll = 32'000'000, kMin = 20'000, kMax = 4'000'000;
+  return std::clamp(kAll / std::max<std::size_t>(surfaces, 1), kMin, kMax);
 }
 
 }  // namespace

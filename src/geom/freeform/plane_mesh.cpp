@@ -107,10 +107,10 @@ class Trimmer {
     auto& faces = delaunay_.faces();
     // Faces that are not separated by a fixed edge get a common result. If edges are missing, each
     // face is tested individually, up to a work limit.
-    constexpr std::size_t kMostQuestions = 1'000'000'000;
+    constexpr std::size_t kMaxTests = 1'000'000'000;
     std::size_t corners = 1;
     for (const Loop& loop : loops_) corners += loop.points.size();
-    const bool together = crossing == 0 || faces.size() > kMostQuestions / corners;
+    const bool together = crossing == 0 || faces.size() > kMaxTests / corners;
     std::vector<bool> seen(faces.size());
     std::vector<std::uint32_t> part;
     for (std::uint32_t first = 0; first < faces.size(); ++first) {

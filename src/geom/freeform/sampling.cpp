@@ -13,14 +13,14 @@ namespace {
 
 using Technique = scene::Approximation::Technique;
 
-constexpr int kMostPieces = 1 << scene::kMostSubdivisions;
+constexpr int kMaxPieces = 1 << scene::kMaxSubdivisions;
 
 double angle_between(const V3d& a, const V3d& b) {
   return math::atan2(a.cross(b).length(), a.dot(b));
 }
 
 int ceiled(double pieces) {
-  return static_cast<int>(std::clamp(std::ceil(pieces - 1e-4), 1.0, double{kMostPieces}));
+  return static_cast<int>(std::clamp(std::ceil(pieces - 1e-4), 1.0, double{kMaxPieces}));
 }
 
 /// Bisects a piece of a curve until the criteria are met; appends all samples except the first.
@@ -30,7 +30,7 @@ class CurveSplitter {
                 const Criteria& criteria, Budget& budget, std::vector<double>& out)
       : at_(at), a_(approximation), criteria_(criteria), budget_(budget), out_(out) {}
 
-  // The recursion depth is limited by kMostSubdivisions.
+  // The recursion depth is limited by kMaxSubdivisions.
   void split(double t0, const V3d& p0, double t1, const V3d& p1, int depth) {
     const double t = (t0 + t1) / 2;
     const V3d p = at_(t);

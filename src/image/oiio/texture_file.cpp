@@ -23,13 +23,13 @@ using System = OIIO::TextureSystem;
 
 /// Maximum number of open texture files: the limit of the process minus a reserve for other files.
 int most_open_files() {
-  constexpr rlim_t kOthers = 256, kMost = 1 << 20;
+  constexpr rlim_t kOthers = 256, kMax = 1 << 20;
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return kOthers;
-  limit.rlim_cur = std::max(limit.rlim_cur, std::min(limit.rlim_max, kMost));
+  limit.rlim_cur = std::max(limit.rlim_cur, std::min(limit.rlim_max, kMax));
   setrlimit(RLIMIT_NOFILE, &limit);
   getrlimit(RLIMIT_NOFILE, &limit);
-  const rlim_t open = std::min(limit.rlim_cur, kMost);
+  const rlim_t open = std::min(limit.rlim_cur, kMax);
   return static_cast<int>(open - std::min(kOthers, open / 2));
 }
 
@@ -185,10 +185,10 @@ bool is_integer(OIIO::TypeDesc format) {
 }  // namespace
 
 void check_size(long long width, long long height, long long channels) {
-  constexpr long long kLargestSide = 1 << 16, kMostBytes = 1ll << 32;
+  constexpr long long kLargestSide = 1 << 16, kMaxBytes = 1ll << 32;
   if (width < 1 || height < 1 || channels < 1) throw std::runtime_error("its picture is empty");
   if (width > kLargestSide || height > kLargestSide ||
-      width * height * std::min(channels, 4ll) * 4 > kMostBytes)
+      width * height * std::min(channels, 4ll) * 4 > kMaxBytes)
     throw std::runtime_error("its picture is too large");
 }
 

@@ -88,8 +88,8 @@ std::vector<T> read(const json& root, Buffers& buffers, std::size_t index, F&& m
   const bool stored = !member(accessor, "bufferView").is_null();
   // Validate against the buffer view before allocating memory of the declared size.
   const Cells all = stored ? cells(root, buffers, accessor, format, what) : Cells();
-  constexpr std::size_t kMostCount = std::size_t{1} << 32;
-  if (format.count > kMostCount) throw Unreadable(what + " is too large");
+  constexpr std::size_t kMaxCount = std::size_t{1} << 32;
+  if (format.count > kMaxCount) throw Unreadable(what + " is too large");
   buffers.spend(format.count * width * sizeof(T));
   std::vector<T> values(format.count * width, T(0));
   if (stored)

@@ -14,13 +14,13 @@ namespace {
 
 Column column_of(const draco::Mesh& mesh, const draco::PointAttribute& attribute,
                  const NumberFormat& format, Buffers& buffers) {
-  constexpr int kMostComponents = 4;
-  const int width = std::min<int>(attribute.num_components(), kMostComponents);
+  constexpr int kMaxComponents = 4;
+  const int width = std::min<int>(attribute.num_components(), kMaxComponents);
   Column column{static_cast<std::size_t>(width), {}};
   buffers.spend(std::size_t{mesh.num_points()} * column.components * sizeof(float));
   column.values.reserve(std::size_t{mesh.num_points()} * column.components);
   for (draco::PointIndex i(0); i < mesh.num_points(); ++i) {
-    std::array<float, kMostComponents> value{};
+    std::array<float, kMaxComponents> value{};
     const draco::AttributeValueIndex at = attribute.mapped_index(i);
     if (at.value() >= attribute.size() ||
         !attribute.ConvertValue<float>(at, static_cast<std::int8_t>(width), value.data()))

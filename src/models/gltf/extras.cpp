@@ -22,8 +22,8 @@ TextureSpace space_of(const json& texture) {
   TextureSpace space;
   const json& moved = extension(texture, "KHR_texture_transform");
   const float channel = number(member(moved, "texCoord"), number(member(texture, "texCoord"), 0));
-  constexpr float kMostChannels = 8;
-  if (channel > 0 && channel < kMostChannels) space.channel = static_cast<unsigned>(channel);
+  constexpr float kMaxChannels = 8;
+  if (channel > 0 && channel < kMaxChannels) space.channel = static_cast<unsigned>(channel);
   if (!moved.is_object()) return space;
   const json &offset = member(moved, "offset"), &scale = member(moved, "scale");
   const float turn = number(member(moved, "rotation"), 0);

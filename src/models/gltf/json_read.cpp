@@ -41,15 +41,15 @@ float number_at(const json& list, std::size_t index, float fallback) {
 
 std::optional<std::size_t> whole(const json& value) {
   // Larger doubles are not exact integers.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 53;
+  constexpr std::uint64_t kMax = std::uint64_t{1} << 53;
   if (value.is_number_integer()) {
     if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0) return std::nullopt;
     const auto n = value.get<std::uint64_t>();
-    return n <= kMost ? std::optional<std::size_t>(n) : std::nullopt;
+    return n <= kMax ? std::optional<std::size_t>(n) : std::nullopt;
   }
   if (!value.is_number_float()) return std::nullopt;
   const auto x = value.get<double>();
-  if (!(x >= 0 && x <= static_cast<double>(kMost)) || x != std::floor(x)) return std::nullopt;
+  if (!(x >= 0 && x <= static_cast<double>(kMax)) || x != std::floor(x)) return std::nullopt;
   return static_cast<std::size_t>(x);
 }
 

@@ -13,12 +13,12 @@ using Filter = MeshoptStream::Filter;
 
 /// Conditions that the decoder asserts without checking.
 bool is_allowed(const MeshoptStream& s) {
-  constexpr std::size_t kMostCount = std::size_t{1} << 31, kMostStride = 256;
-  if (s.count > kMostCount) return false;
+  constexpr std::size_t kMaxCount = std::size_t{1} << 31, kMaxStride = 256;
+  if (s.count > kMaxCount) return false;
   if (s.mode != Mode::Attributes)
     return (s.stride == 2 || s.stride == 4) && s.filter == Filter::None &&
            (s.mode != Mode::Triangles || s.count % 3 == 0);
-  if (s.stride == 0 || s.stride > kMostStride || s.stride % 4 != 0) return false;
+  if (s.stride == 0 || s.stride > kMaxStride || s.stride % 4 != 0) return false;
   if (s.filter == Filter::Octahedral) return s.stride == 4 || s.stride == 8;
   return s.filter != Filter::Quaternion || s.stride == 8;
 }

@@ -15,7 +15,7 @@ namespace {
 /// functions.
 constexpr int kDeepest = 600;
 /// Limit of all instances. A guess: each takes about a kilobyte during the import.
-constexpr std::size_t kMostInstances = 200'000;
+constexpr std::size_t kMaxInstances = 200'000;
 
 /// A list of exactly `count` numbers; null otherwise.
 json numbers_of(const json& list, std::size_t count) {
@@ -104,8 +104,8 @@ class NodeMaker {
         const auto accessor = whole(member(member(instances, "attributes"), place.attribute));
         if (!accessor) continue;
         const std::size_t size = number_format(root_, *accessor).count;
-        if (size > kMostInstances - count_)
-          throw Unreadable(fmt::format("it has more than {} instances", kMostInstances));
+        if (size > kMaxInstances - count_)
+          throw Unreadable(fmt::format("it has more than {} instances", kMaxInstances));
         place.column = read_numbers(root_, buffers_, *accessor);
         if (place.column.components != place.components || (count > 0 && count != size))
           throw Unreadable("the instance attributes have different sizes or wrong types");

@@ -13,13 +13,13 @@
 namespace oriel::models::gltf {
 namespace {
 
-constexpr float kMostAngle = 3.1f;  // radians; at pi the tangent is infinite
+constexpr float kMaxAngle = 3.1f;  // radians; at pi the tangent is infinite
 
 json plain_camera(const json& written, float aspect) {
   json camera = written;
   const json& lens = member(written, "perspective");
   const float yfov = number(member(lens, "yfov"), 0);
-  if (words(member(written, "type")) != "perspective" || !(yfov > 0 && yfov < kMostAngle))
+  if (words(member(written, "type")) != "perspective" || !(yfov > 0 && yfov < kMaxAngle))
     return camera;
   const float own = number(member(lens, "aspectRatio"), 0);
   const float shape = aspect > 0 ? aspect : own > 0 ? own : kCameraAspect;

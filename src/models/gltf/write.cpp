@@ -166,10 +166,10 @@ class Writer {
                  {"color", {color.x / most, color.y / most, color.z / most}}};
     if (spot) {
       const float outer = math::acos(clamp(*light.spread, -1, 1));
-      constexpr float kMostCone = kPi / 2, kLeastEdge = 1e-4f;
-      made["spot"]["outerConeAngle"] = clamp(outer, kLeastEdge, kMostCone);
+      constexpr float kMaxCone = kPi / 2, kMinEdge = 1e-4f;
+      made["spot"]["outerConeAngle"] = clamp(outer, kMinEdge, kMaxCone);
       made["spot"]["innerConeAngle"] =
-          clamp(math::acos(clamp(inner, -1, 1)), 0, std::min(outer, kMostCone) - kLeastEdge);
+          clamp(math::acos(clamp(inner, -1, 1)), 0, std::min(outer, kMaxCone) - kMinEdge);
     }
     const Vec3 p = transform_point(light.origin.value_or(Vec3(0)), to_world);
     const Vec3 d = light.direction ? transform_vector(*light.direction, to_world) : Vec3(0, 0, -1);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostChain = 20;  ///< shaders between a parameter and its texture
+constexpr int kMaxChain = 20;  ///< shaders between a parameter and its texture
 
 json list_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 clamped(const Vec3& v) { return {clamp01(v.x), clamp01(v.y), clamp01(v.z)}; }
@@ -78,8 +78,8 @@ struct Look {
     if (number("transparency", 0) > 0) return 0;
     // The import writes diffuse_weight 1 - m and reflectance lerp(f0, 1, m).
     const float m = 1 - clamp01(number("diffuse_weight", 1));
-    constexpr float kLeast = .9f;
-    return facing() >= kLeast * m ? m : 0;
+    constexpr float kMin = .9f;
+    return facing() >= kMin * m ? m : 0;
   }
 };
 
@@ -163,7 +163,7 @@ json MaterialWriter::Maker::texture(const std::string& element) {
 
 json MaterialWriter::Maker::texture_behind(const std::string& shader, Vec3& factor, int depth) {
   const auto* element = scene_.get<scene::ShaderElement>(shader);
-  if (!element || element->functions.empty() || depth > kMostChain) return {};
+  if (!element || element->functions.empty() || depth > kMaxChain) return {};
   const scene::ShaderUse& use = element->functions.back();
   const Look look{use};
   for (const scene::Argument& a : use.arguments) {

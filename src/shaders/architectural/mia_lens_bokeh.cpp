@@ -42,11 +42,11 @@ constexpr ParamSpec kMiaLensBokehRows[] = {
 };
 
 /// Maximum lookups per side for pictures, and the number for procedural textures.
-constexpr int kMostTexels = 1024, kProcedural = 256;
+constexpr int kMaxTexels = 1024, kProcedural = 256;
 
 lens::Aperture kernel_of(const TextureNode& texture) {
   const auto side = [](int texels) {
-    return texels > 0 ? std::min(texels, kMostTexels) : kProcedural;
+    return texels > 0 ? std::min(texels, kMaxTexels) : kProcedural;
   };
   const int width = side(texture.width()), height = side(texture.height());
   std::vector<Rgb> texels;

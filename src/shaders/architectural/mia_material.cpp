@@ -43,8 +43,8 @@ Vec3 stretch_direction(const MiaMaterialParams& p, const ShadingPoint& point) {
   else if (space == -4)
     along = point.tex_vector;
   const Vec3 across = cross(along, point.normal);
-  constexpr float kLeastSine = 1e-4f;
-  const bool usable = dot(across, across) > kLeastSine * kLeastSine * dot(along, along);
+  constexpr float kMinSine = 1e-4f;
+  const bool usable = dot(across, across) > kMinSine * kMinSine * dot(along, along);
   return usable ? along : object_direction(point);
 }
 

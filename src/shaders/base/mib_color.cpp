@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-constexpr int kMost = 8;  ///< colours and layers
+constexpr int kMax = 8;  ///< colours and layers
 
 struct Grey {
   Rgba input;
@@ -200,7 +200,7 @@ void grey(const Call& call, void* result) {
 void interpolate(const Call& call, void* result) {
   const auto& p = call.as<Interpolate>();
   auto& out = *static_cast<Rgba*>(result);
-  const int last = std::clamp(p.num, 1, kMost) - 1;
+  const int last = std::clamp(p.num, 1, kMax) - 1;
   const float x = clamp01(p.input);
   float from = 0;
   for (int i = 1; i <= last; ++i) {
@@ -241,7 +241,7 @@ Rgba with_layer(const Rgba& a, const Rgba& b, float w, int mode) {
 void mix(const Call& call, void* result) {
   const auto& p = call.as<Mix>();
   Rgba c = p.color_base;
-  for (int i = 0; i < std::clamp(p.num, 0, kMost); ++i)
+  for (int i = 0; i < std::clamp(p.num, 0, kMax); ++i)
     c = with_layer(c, p.*kMixColors[i], p.*kMixWeights[i], p.*kMixModes[i]);
   *static_cast<Rgba*>(result) = c;
 }
@@ -257,7 +257,7 @@ void mix_materials(const Call& call, Closure& closure) {
     return;
   }
   shade_input(call, offsetof(Mix, color_base), p.color_base, Rgb(1), closure);
-  for (int i = 0; i < std::clamp(p.num, 0, kMost); ++i) {
+  for (int i = 0; i < std::clamp(p.num, 0, kMax); ++i) {
     const std::size_t offset = offsetof(Mix, color_0) + static_cast<std::size_t>(i) * sizeof(Rgba);
     const Rgba& color = p.*kMixColors[i];
     const float w = std::max(0.0f, p.*kMixWeights[i]);
@@ -290,7 +290,7 @@ Rgba converted(const Rgba& c, int mode) {
 void spread(const Call& call, void* result) {
   const auto& p = call.as<Spread>();
   auto& out = *static_cast<SpreadOut*>(result);
-  for (int i = 0; i < kMost; ++i)
+  for (int i = 0; i < kMax; ++i)
     out.*kOuts[i] =
         i < p.num ? converted(p.input, p.*kSpreadModes[i]) * (p.*kSpreadWeights[i]) : Rgba(0);
 }

@@ -128,7 +128,7 @@ constexpr ParamSpec kWardDerivRows[] = {
 };
 
 /// Limits for facet slopes and lobe widths.
-constexpr float kMostSlope = 10;
+constexpr float kMaxSlope = 10;
 
 template <class P>
 Frame shade_diffuse(const P& p, const ShadingPoint& point, Closure& closure) {
@@ -151,7 +151,7 @@ Lobe& add_highlight(LobeKind kind, const Rgb& level, const Frame& frame, Closure
 void add_facets(const Rgb& level, float slope, float ior, const Frame& frame, Closure& closure) {
   if (is_black(level)) return;
   Lobe& lobe = add_highlight(LobeKind::TorranceHighlight, level, frame, closure);
-  lobe.roughness = clamp(slope, 0, kMostSlope);
+  lobe.roughness = clamp(slope, 0, kMaxSlope);
   lobe.eta = std::max(1.0f, ior);
 }
 

@@ -115,7 +115,7 @@ constexpr ParamSpec kBentEnvRows[] = {
 };
 
 /// Rays or lookups per evaluation; the samples of the pixel provide the rest.
-constexpr int kMostAtOnce = 4;
+constexpr int kMaxAtOnce = 4;
 
 /// Common settings of the occlusion shaders.
 struct Cone {
@@ -150,7 +150,7 @@ Around look_around(const Cone& cone, ShadingPoint& point) {
   Around out;
   const Vec3 axis = axis_of(cone, point);
   if (!point.tracer || cone.samples <= 0) return {1, axis};
-  const int rays = std::min(cone.samples, kMostAtOnce);
+  const int rays = std::min(cone.samples, kMaxAtOnce);
   const Frame frame(axis);
   const float reach = cone.reach > 0 ? cone.reach : std::numeric_limits<float>::infinity();
   out.open = 0;
@@ -230,7 +230,7 @@ void bent_env(const Call& call, void* result) {
   if (p.coordinate_space == 4 && point.to_world) d = transform_vector(d, *point.to_world);
   const Vec3 axis = normalize(d);
   const bool spreads = point.tracer && p.samples_spread > 0 && axis != Vec3(0);
-  const int samples = spreads ? std::clamp(p.env_samples, 1, kMostAtOnce) : 1;
+  const int samples = spreads ? std::clamp(p.env_samples, 1, kMaxAtOnce) : 1;
   Rgb seen(0);
   for (int i = 0; i < samples; ++i) {
     Vec3 way = axis;

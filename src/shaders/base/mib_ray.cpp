@@ -119,8 +119,8 @@ void add_transmission(const Call& call, const Rgb& k, Closure& closure) {
 /// Refracts by the index, or continues straight if it is 1.
 void add_refraction(const Call& call, const Rgb& k, float ior, Closure& closure) {
   /// Limits of the index: beyond, refracted directions degenerate.
-  constexpr float kLeast = 0.1f, kMost = 10;
-  const float eta = clamp(ior != 0 ? ior : 1, kLeast, kMost);
+  constexpr float kMin = 0.1f, kMax = 10;
+  const float eta = clamp(ior != 0 ? ior : 1, kMin, kMax);
   if (eta == 1 || is_black(k)) return add_transmission(call, k, closure);
   closure.add(LobeKind::ClearRefraction, LobeType::Refraction, k, facing_frame(call.point)).eta =
       eta;

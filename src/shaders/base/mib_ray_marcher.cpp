@@ -16,12 +16,12 @@ struct MibRayMarcherParams {
   Rgba contrast;
 };
 
-constexpr int kPlacesUnsaid = 4;
+constexpr int kDefaultSteps = 4;
 /// Maximum number of initial points, to limit the time per ray.
-constexpr int kMostPlaces = 4096;
-constexpr int kMostSubdivisions = 16;
+constexpr int kMaxSteps = 4096;
+constexpr int kMaxSubdivisions = 16;
 /// Maximum number of points of one ray.
-constexpr int kMostAsked = 1 << 16;
+constexpr int kMaxEvaluations = 1 << 16;
 
 constexpr ParamSpec kMibRayMarcherRows[] = {
     {ORIEL_PARAM(MibRayMarcherParams, shader), .doc = "Shader evaluated at each sample point.",
@@ -31,7 +31,7 @@ constexpr ParamSpec kMibRayMarcherRows[] = {
     {ORIEL_PARAM(MibRayMarcherParams, num), .min = 0,
      .doc = "Initial number of sample points, including the ends; 0 = by distance, or 4.",
      .declared_default = false},
-    {ORIEL_PARAM(MibRayMarcherParams, subdiv), .min = 0, .max = kMostSubdivisions,
+    {ORIEL_PARAM(MibRayMarcherParams, subdiv), .min = 0, .max = kMaxSubdivisions,
      .doc = "Maximum number of subdivisions of an interval.", .declared_default = false},
     {ORIEL_PARAM(MibRayMarcherParams, contrast),
      .doc = "Difference of neighbours above which an interval is subdivided.",
@@ -41,7 +41,7 @@ constexpr ParamSpec kMibRayMarcherRows[] = {
 class March {
  public:
   March(const MibRayMarcherParams& p, const ShadingPoint& end)
-      : p_(p), place_(end), subdiv_(std::clamp(p.subdiv, 0, kMostSubdivisions)) {
+      : p_(p), place_(end), subdiv_(std::clamp(p.subdiv, 0, kMaxSubdivisions)) {
     place_.normal = place_.geometric_normal = -end.ray_direction;
     place_.texture_spaces = 0;
     place_.dpdx = place_.dpdy = place_.dpdu = place_.dpdv = Vec3(0);
@@ -50,12 +50,12 @@ class March {
   }
 
   Rgb sum(float length) {
-    int places = p_.num > 0 ? std::max(2, p_.num) : p_.distance > 0 ? 2 : kPlacesUnsaid;
+    int places = p_.num > 0 ? std::max(2, p_.num) : p_.distance > 0 ? 2 : kDefaultSteps;
     if (p_.distance > 0) {
-      const float steps = std::ceil(std::min(length / p_.distance, float{kMostPlaces}));
+      const float steps = std::ceil(std::min(length / p_.distance, float{kMaxSteps}));
       places = std::max(places, static_cast<int>(steps) + 1);
     }
-    places = std::min(places, kMostPlaces);
+    places = std::min(places, kMaxSteps);
     const float step = length / static_cast<float>(places - 1);
     Rgb total(0), before = at(0);
     for (int i = 1; i < places; ++i) {
@@ -81,7 +81,8 @@ class March {
     return false;
   }
   Rgb between(float t0, const Rgb& c0, float t1, const Rgb& c1, int left) {
-    if (left == 0 || asked_ >= kMostAsked || !differ(c0, c1)) return (c0 + c1) * ((t1 - t0) / 2);
+    if (left == 0 || asked_ >= kMaxEvaluations || !differ(c0, c1))
+      return (c0 + c1) * ((t1 - t0) / 2);
     const float t = (t0 + t1) / 2;
     const Rgb c = at(t);
     return between(t0, c0, t, c, left - 1) + between(t, c, t1, c1, left - 1);

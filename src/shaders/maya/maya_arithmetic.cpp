@@ -16,11 +16,11 @@ struct Binary {
   int operation;
   Vec3 input1, input2;
 };
-constexpr int kMostTerms = 16;
+constexpr int kMaxTerms = 16;
 struct Sum {
   int operation, count1, count2, count3;
-  float input1D[kMostTerms];
-  Vec3 input2D[kMostTerms], input3D[kMostTerms];
+  float input1D[kMaxTerms];
+  Vec3 input2D[kMaxTerms], input3D[kMaxTerms];
 };
 struct Sums {
   float output1D;
@@ -165,7 +165,7 @@ Vec3 multiplied(const Binary& p) {
 
 template <class T>
 T summed(int operation, const T* terms, int count) {
-  count = std::clamp(count, 0, kMostTerms);
+  count = std::clamp(count, 0, kMaxTerms);
   if (count == 0) return T(0);
   T sum = terms[0];
   for (int i = 1; i < count && operation != 0; ++i)

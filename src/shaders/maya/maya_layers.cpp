@@ -9,13 +9,13 @@
 namespace oriel {
 namespace {
 
-constexpr int kMostLayers = 8;
+constexpr int kMaxLayers = 8;
 
 struct Layer {
   Rgba color, transparency;
 };
 struct Layers {
-  Layer inputs[kMostLayers];
+  Layer inputs[kMaxLayers];
   int count;
 };
 struct Engine {
@@ -104,7 +104,7 @@ void transmit(const Call& call, const Rgb& level, Closure& closure) {
 void layered(const Call& call, Closure& closure) {
   const auto& p = call.as<Layers>();
   Rgb left(1);
-  for (int i = 0; i < std::min(p.count, kMostLayers) && !is_black(left); ++i) {
+  for (int i = 0; i < std::min(p.count, kMaxLayers) && !is_black(left); ++i) {
     const Layer& layer = p.inputs[i];
     const std::size_t at = offsetof(Layers, inputs) + static_cast<std::size_t>(i) * sizeof(Layer);
     const int first = closure.count;
@@ -118,7 +118,7 @@ void layered(const Call& call, Closure& closure) {
 
 bool layers_pass(const ShaderNode& node) {
   const auto& p = node.constants<Layers>();
-  for (int i = 0; i < std::min(p.count, kMostLayers); ++i) {
+  for (int i = 0; i < std::min(p.count, kMaxLayers); ++i) {
     const std::size_t at = offsetof(Layers, inputs) + static_cast<std::size_t>(i) * sizeof(Layer);
     if (is_black(rgb(p.inputs[i].transparency)) &&
         !node.connected(at + offsetof(Layer, transparency)))

@@ -98,10 +98,10 @@ LightValue spot_light(const Lamp& p, const LightCall& l) {
 /// Divides the undirected part by the cosine that transport multiplies by.
 LightValue ambient_light(const Call& call, const LightCall& l) {
   /// Minimum cosine of the division, which bounds the samples.
-  constexpr float kLeastCosine = 0.05f;
+  constexpr float kMinCosine = 0.05f;
   const auto& p = call.as<Lamp>();
   LightValue value = lamp(p);
-  const float cosine = std::max(kLeastCosine, -dot(call.point.normal, l.direction));
+  const float cosine = std::max(kMinCosine, -dot(call.point.normal, l.direction));
   const float shade = clamp01(p.ambientShade);
   value.colour *= shade + (1 - shade) / cosine;
   value.affects_specular = 0;

@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-constexpr int kMostEntries = 16;
+constexpr int kMaxEntries = 16;
 
 struct Entry {
   float position;
@@ -21,7 +21,7 @@ struct Ramp {
   Vec3 uvCoord;
   int type, interpolation, count;
   Rgba colorGain, colorOffset, defaultColor;
-  Entry entries[kMostEntries];
+  Entry entries[kMaxEntries];
 };
 struct Textured {
   Rgba outColor;
@@ -122,7 +122,7 @@ float eased(int interpolation, float t) {
 /// Entries may be unsorted.
 Rgb colour_at(const Ramp& p, float t) {
   const Entry *below = nullptr, *above = nullptr;
-  for (int i = 0; i < std::min(p.count, kMostEntries); ++i) {
+  for (int i = 0; i < std::min(p.count, kMaxEntries); ++i) {
     const Entry& e = p.entries[i];
     if (e.position <= t && (!below || e.position > below->position)) below = &e;
     if (e.position > t && (!above || e.position < above->position)) above = &e;

@@ -227,7 +227,7 @@ float slope(const Call& call, const Vec2& step) {
 
 void bump(const Call& call, void* result) {
   /// Limits of the uv step: finer than a texel, coarser than rounding errors.
-  constexpr float kLeastStep = 5e-4f, kMostStep = 1e-2f;
+  constexpr float kMinStep = 5e-4f, kMaxStep = 1e-2f;
   constexpr int kSetInCameraSpace = 8;
   const auto& p = call.as<Bump>();
   const ShadingPoint& point = call.point;
@@ -242,7 +242,7 @@ void bump(const Call& call, void* result) {
     const TextureFootprint print = texture_footprint(point);
     const float step =
         clamp(std::max(math::hypot(print.dx.x, print.dx.y), math::hypot(print.dy.x, print.dy.y)),
-              kLeastStep, kMostStep);
+              kMinStep, kMaxStep);
     const float u = slope(call, Vec2(step, 0)), v = slope(call, Vec2(0, step));
     const Vec3 gradient =
         (cross(point.dpdv, front) * u + cross(front, point.dpdu) * v) * (p.bumpDepth / volume);

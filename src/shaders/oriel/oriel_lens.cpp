@@ -62,7 +62,7 @@ constexpr ParamSpec kShiftRows[] = {
 
 constexpr float kDegree = kPi / 180;
 /// A stereographic fisheye cannot show the direction behind the camera, a cylinder not the zenith.
-constexpr float kMostStereographic = 179 * kDegree, kMostCylindrical = 179 * kDegree;
+constexpr float kMaxStereographic = 179 * kDegree, kMaxCylindrical = 179 * kDegree;
 
 Vec2 place_in_picture(const Call& call, const Camera& camera) {
   return {call.point.raster.x / static_cast<float>(camera.width),
@@ -90,7 +90,7 @@ Rgb unroll(const Call& call, const Camera& camera, const Vec2&, Camera::Ray& ray
     look(camera, lens::spherical(uv, horizontal, vertical), spread, ray);
   } else {
     const float vertical = p.vertical > 0 ? p.vertical * kDegree : 2 * math::atan(square / 2);
-    look(camera, lens::cylindrical(uv, horizontal, std::min(vertical, kMostCylindrical)), spread,
+    look(camera, lens::cylindrical(uv, horizontal, std::min(vertical, kMaxCylindrical)), spread,
          ray);
   }
   return Rgb(1);
@@ -101,7 +101,7 @@ Rgb bend_round(const Call& call, const Camera& camera, const Vec2&, Camera::Ray&
   const auto mapping = static_cast<lens::Fisheye>(std::clamp(p.mapping, 0, 3));
   float half = p.angle / 2 * kDegree;
   if (mapping == lens::Fisheye::Orthographic) half = std::min(half, kPi / 2);
-  if (mapping == lens::Fisheye::Stereographic) half = std::min(half, kMostStereographic);
+  if (mapping == lens::Fisheye::Stereographic) half = std::min(half, kMaxStereographic);
   const float width = 1, height = 1 / camera.aspect;
   const float rim = p.full_frame ? math::hypot(width, height) : std::min(width, height);
   const Vec2 uv = place_in_picture(call, camera);

@@ -74,8 +74,8 @@ constexpr auto kPhotonRows = [] {
 
 float lobe(float cosine, float g) {
   /// Narrower lobes cannot be sampled reliably.
-  constexpr float kMost = 0.99f;
-  const float a = clamp(g, -kMost, kMost);
+  constexpr float kMax = 0.99f;
+  const float a = clamp(g, -kMax, kMax);
   return (1 - a * a) / (4 * kPi * math::pow(1 + a * a - 2 * a * cosine, 1.5f));
 }
 
@@ -124,8 +124,8 @@ Rgb scattered(const Air& p, int index, bool dims, ShadingPoint& point) {
 
 /// Samples the phase functions: a direction about `forward`.
 Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
-  constexpr float kMost = 0.99f;
-  const float g = clamp(u_lobe < clamp01(p.r) ? p.g1 : p.g2, -kMost, kMost);
+  constexpr float kMax = 0.99f;
+  const float g = clamp(u_lobe < clamp01(p.r) ? p.g1 : p.g2, -kMax, kMax);
   float cosine = 1 - 2 * u.x;
   if (std::abs(g) > 1e-3f) {
     // Source: Pharr, Jakob, Humphreys, "Physically Based Rendering", 3rd ed., eq. 15.13.

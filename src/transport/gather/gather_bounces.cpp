@@ -17,21 +17,21 @@ namespace {
 /// Rays that look for points, from each.
 constexpr int kFeelers = 16;
 /// Points that are looked from in a generation, and that get records in all, at most.
-constexpr std::size_t kMostLookers = 1024, kMostPoints = 4096;
+constexpr std::size_t kMaxViewers = 1024, kMaxPoints = 4096;
 /// Error that a point may have before it gets a record, and at which records are no longer used.
 constexpr float kCoverError = 0.7f, kWorstBounceError = 0.8f;
 /// Records in a look-up.
 constexpr int kPoints = 4;
 /// Rays of a record, as share of the fine ones', and most of them.
 constexpr float kRays = 0.5f;
-constexpr int kMostRays = 100;
+constexpr int kMaxRays = 100;
 /// Least radius of a record, as share of the scene's diagonal.
-constexpr float kLeastRadius = 0.02f;
+constexpr float kMinRecordRadius = 0.02f;
 /// Rounds of a sum of all bounces; what the last one still changes, by which the tail is known.
-constexpr int kMostRounds = 16;
+constexpr int kMaxRounds = 16;
 constexpr double kSettled = 0.015;
 /// Longest tail, in parts of the last change: a room that keeps nine tenths of its light.
-constexpr double kMostTail = 9;
+constexpr double kMaxTail = 9;
 /// Points of the first batch; each is twice the one before, so that few are placed side by side.
 constexpr std::size_t kFirstBatch = 64;
 /// Streams that tell the kinds of rays apart.
@@ -43,11 +43,11 @@ class BounceSolver {
                RayCounts& counts, const ProgressMonitor& monitor)
       : world_(world), settings_(settings), seed_(seed), counts_(counts), monitor_(monitor) {
     settings_.rays =
-        std::clamp(static_cast<int>(static_cast<float>(settings.rays) * kRays), 16, kMostRays);
+        std::clamp(static_cast<int>(static_cast<float>(settings.rays) * kRays), 16, kMaxRays);
     settings_.path.diffuse_bounces = 0;
     const geom::Box3 box = world.accel->bounds();
     settings_.radii = default_gather_radii(box);  // not as the picture's, which may be in pixels
-    settings_.radii.min = kLeastRadius * length(box.max - box.min);
+    settings_.radii.min = kMinRecordRadius * length(box.max - box.min);
     cover_.accuracy = kCoverError;
     cover_.radii = settings_.radii;
   }
@@ -60,7 +60,7 @@ class BounceSolver {
       const std::size_t end = std::min(met.size(), begin + batch);
       std::vector<GatherPoint> wanted;
       for (std::size_t i = begin; i < end; ++i) {
-        if (points_.size() + wanted.size() >= kMostPoints) break;
+        if (points_.size() + wanted.size() >= kMaxPoints) break;
         if (!cache_.interpolate(query_at(cover_, met[i].point, met[i].normal)))
           wanted.push_back(met[i]);
       }
@@ -86,7 +86,7 @@ class BounceSolver {
     const bool all = wanted >= PathSettings::kAllBounces;
     double change_before = 0;
     std::vector<GatherRecord> before;
-    for (b.held = 1; b.held < (all ? kMostRounds : wanted) && !monitor_.cancelled(); ++b.held) {
+    for (b.held = 1; b.held < (all ? kMaxRounds : wanted) && !monitor_.cancelled(); ++b.held) {
       IndirectCaches maps;
       maps.bounces = &cache_;
       maps.bounces_query = b.query;
@@ -103,7 +103,7 @@ class BounceSolver {
       if (settled && change_before > change) {
         const double ratio = change / change_before, rounds_left = wanted - b.held - 1;
         const double tail = ratio * (1 - math::pow(ratio, rounds_left)) / (1 - ratio);
-        add_tail(before, static_cast<float>(std::min(kMostTail, tail)));
+        add_tail(before, static_cast<float>(std::min(kMaxTail, tail)));
       }
       cache_ = {};
       cache_.insert(records_);
@@ -123,7 +123,7 @@ class BounceSolver {
  private:
   /// Points met from others; of many lookers as many as are spread evenly.
   std::vector<GatherPoint> feel(const std::vector<GatherPoint>& from, int generation) {
-    const std::size_t step = from.size() / kMostLookers + 1,
+    const std::size_t step = from.size() / kMaxViewers + 1,
                       lookers = (from.size() + step - 1) / step;
     std::vector<std::vector<GatherPoint>> met(lookers);
     const PathSettings visiting{.indirect = true};

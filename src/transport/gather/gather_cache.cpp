@@ -78,7 +78,7 @@ struct GatherCache::Near {
 
 /// The best so far: a heap with the worst on top.
 struct GatherCache::Nearest {
-  std::array<Near, kMostPoints + 1> heap;
+  std::array<Near, kMaxPoints + 1> heap;
   std::size_t count = 0, most = 0;
   float bound = 0;  ///< nothing worse is wanted
 
@@ -171,7 +171,7 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
     return sum.finished(q);
   }
   Nearest found;
-  found.most = static_cast<std::size_t>(std::min(q.points, kMostPoints)) + 1;
+  found.most = static_cast<std::size_t>(std::min(q.points, kMaxPoints)) + 1;
   const float none = std::numeric_limits<float>::infinity();
   const float worst = q.by_error ? q.accuracy : q.radii.max > 0 ? q.radii.max : none;
   found.bound = worst;

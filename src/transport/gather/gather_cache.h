@@ -62,7 +62,7 @@ struct Gathered {
 /// Checked: GatherCache.*
 class GatherCache {
  public:
-  static constexpr int kMostPoints = 256;
+  static constexpr int kMaxPoints = 256;
 
   /// Adds records in order. Those that are not usable (see `usable`) are left out.
   /// Returns: how many were added.

@@ -96,8 +96,8 @@ std::string refusal(const Header& h, std::uint64_t size) {
   if (h.byte_order != kByteOrder) return "is damaged";
   if (h.version != kVersion)
     return fmt::format("has version {}, this program reads version {}", h.version, kVersion);
-  if (h.records > kMostGatherRecords)
-    return fmt::format("claims more than {} points", kMostGatherRecords);
+  if (h.records > kMaxGatherRecords)
+    return fmt::format("claims more than {} points", kMaxGatherRecords);
   const std::uint64_t record = std::uint64_t{h.floats} * sizeof(float);
   if (h.floats != numbers_of_record() || h.zero != 0 ||
       size != sizeof(Header) + h.records * record + sizeof(std::uint64_t))
@@ -153,8 +153,8 @@ bool save_gather_map(std::span<const GatherRecord> records, const std::string& p
                       fmt::format("final gather map '{}' could not be written: {}", path, why));
     return false;
   };
-  if (records.size() > kMostGatherRecords)
-    return failed(fmt::format("it has more than {} points", kMostGatherRecords));
+  if (records.size() > kMaxGatherRecords)
+    return failed(fmt::format("it has more than {} points", kMaxGatherRecords));
   try {
     write_atomically(path, [&](const std::string& part) {
       errno = 0;

@@ -17,7 +17,7 @@ namespace oriel {
 //   u32 0, u64 records; the records as floats, member by member; u64 FNV-1a of all that precedes.
 
 /// Largest map that is read or written.
-inline constexpr std::uint64_t kMostGatherRecords = 1u << 23;
+inline constexpr std::uint64_t kMaxGatherRecords = 1u << 23;
 
 /// Writes records in order, whole or not at all.
 ///

@@ -16,7 +16,7 @@ constexpr float kFinestStep = 2;
 /// Passes, each twice as fine as the one before.
 constexpr int kPasses = 5;
 /// Streams of the points of one path, and what tells them from those of its lobes.
-constexpr std::uint32_t kMostPointsOfPath = 16, kGatherBranch = 77;
+constexpr std::uint32_t kMaxPointsOfPath = 16, kGatherBranch = 77;
 /// Tells these samples from those of the picture.
 constexpr std::uint32_t kGatherSeed = 0xf9;
 
@@ -72,7 +72,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
           if (cache.interpolate(query_at(passes.covered, points[i].point, points[i].normal)))
             continue;
           const auto stream =
-              sampler.split(static_cast<std::uint32_t>(i), kMostPointsOfPath, kGatherBranch);
+              sampler.split(static_cast<std::uint32_t>(i), kMaxPointsOfPath, kGatherBranch);
           made[r].push_back(gather_at(world, points[i], passes.records, stream, mine));
         }
       }

@@ -73,7 +73,7 @@ GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherR
     q.accuracy = kWorstError;
   }
   if (options.mode == Mode::Automatic || options.mode == Mode::Multiframe)
-    q.points = std::clamp(options.points, 1, GatherCache::kMostPoints);
+    q.points = std::clamp(options.points, 1, GatherCache::kMaxPoints);
   return q;
 }
 

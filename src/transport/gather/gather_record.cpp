@@ -9,14 +9,14 @@
 namespace oriel {
 namespace {
 
-constexpr int kMostFilter = 4;
+constexpr int kMaxFilter = 4;
 /// A plane's border is taken to be at most so many times nearer than the sample on it.
-constexpr float kMostNearer = 4;
+constexpr float kMaxShrink = 4;
 /// Radius in parts of the distance to the nearest thing: beside a window most rays find nothing,
 /// and the mean distance would reach past its frame. A guess.
-constexpr float kMostNearest = 2;
+constexpr float kMaxClearance = 2;
 /// Share of the irradiance that the gradient may add or take over a radius; a guess.
-constexpr float kMostChange = 0.5f;
+constexpr float kMaxChange = 0.5f;
 /// Rays nearer to the horizon than this, sin^2(theta), tell what stands on the surface.
 constexpr float kLowRays = 2 / 3.0f;
 
@@ -31,7 +31,7 @@ float nearness(const GatherSample& s, const Vec3& direction) {
   const float facing = dot(s.normal, s.direction);
   // A plane seen at a grazing angle says little about a direction beside the sample's.
   if (!(std::abs(facing) > 1e-3f)) return inverse;
-  return inverse * clamp(dot(s.normal, direction) / facing, 0, kMostNearer);
+  return inverse * clamp(dot(s.normal, direction) / facing, 0, kMaxShrink);
 }
 
 /// E's change per length, by channel, in the local frame.
@@ -160,7 +160,7 @@ float gather_sector(const Vec3& normal, const Vec3& v) {
 }
 
 void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, int reach) {
-  reach = std::clamp(reach, 0, kMostFilter);
+  reach = std::clamp(reach, 0, kMaxFilter);
   if (reach == 0) return;
   std::vector<Rgb> before;
   before.reserve(samples.size());
@@ -172,14 +172,14 @@ void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, in
       return brightness != o.brightness ? brightness < o.brightness : index < o.index;
     }
   };
-  std::array<Ray, (2 * kMostFilter + 1) * (2 * kMostFilter + 1)> near;
+  std::array<Ray, (2 * kMaxFilter + 1) * (2 * kMaxFilter + 1)> near;
   const int width = std::min(2 * reach + 1, sectors);
   for (int j = 0; j < rings; ++j)
     for (int k = 0; k < sectors; ++k) {
       std::size_t count = 0;
       for (int ring = std::max(0, j - reach); ring <= std::min(rings - 1, j + reach); ++ring)
         for (int i = 0; i < width; ++i) {
-          const int index = ring * sectors + (k - reach + i + sectors * kMostFilter) % sectors;
+          const int index = ring * sectors + (k - reach + i + sectors * kMaxFilter) % sectors;
           near[count++] = {gather_brightness(before[static_cast<std::size_t>(index)]), index};
         }
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>((count - 1) / 2);
@@ -232,8 +232,8 @@ GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& he
     total += r.by_position[i];
   }
   const float steepness = length(total), e = gather_brightness(r.irradiance);
-  const float slope_limit = steepness > 0 ? kMostChange * e / steepness : kGatherFarthest;
-  const float reach = std::min(r.mean_distance, kMostNearest * r.min_distance);
+  const float slope_limit = steepness > 0 ? kMaxChange * e / steepness : kGatherFarthest;
+  const float reach = std::min(r.mean_distance, kMaxClearance * r.min_distance);
   r.radius = std::min(radii.clamped(std::min(reach, slope_limit)), kGatherFarthest);
   return r;
 }

@@ -8,8 +8,8 @@ namespace {
 
 /// Differences below this share of the mean brightness are not worth more rays, and most rays that
 /// one stratum gets beside its first; guesses.
-constexpr float kLeastContrast = 0.5f;
-constexpr int kMostMore = 64;
+constexpr float kMinContrast = 0.5f;
+constexpr int kMaxExtraRays = 64;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
         total += c;
         level += sum;
       }
-    const float floor = kLeastContrast * level / static_cast<float>(2 * samples.size());
+    const float floor = kMinContrast * level / static_cast<float>(2 * samples.size());
     const float budget = 0.5f * static_cast<float>(more);
     if (!(total > 0)) continue;
     // Rounded so that sums stay: each gets what the running total has come to.
@@ -50,7 +50,7 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
     for (std::size_t i = 0; i < contrast.size(); ++i) {
       if (contrast[i] <= floor) continue;
       run += contrast[i] / total * budget;
-      const int n = std::min(kMostMore, static_cast<int>(run) - given);
+      const int n = std::min(kMaxExtraRays, static_cast<int>(run) - given);
       rays[i] = n;
       given += n;
     }

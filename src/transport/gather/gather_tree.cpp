@@ -32,17 +32,17 @@ bool within(const Vec3& v, float bound) {
 }  // namespace
 
 bool GatherCache::usable(const GatherRecord& r) {
-  constexpr float kMost = 1e30f;
+  constexpr float kMax = 1e30f;
   bool good = within(r.position, kFarthestPosition) && std::abs(r.normal.length2() - 1) < 1e-3f &&
-              within(r.irradiance, kMost) && r.irradiance.x >= 0 && r.irradiance.y >= 0 &&
+              within(r.irradiance, kMax) && r.irradiance.x >= 0 && r.irradiance.y >= 0 &&
               r.irradiance.z >= 0 && r.radius > 0 && r.radius <= kGatherFarthest &&
               r.mean_distance >= 0 && r.mean_distance <= kGatherFarthest && r.min_distance >= 0 &&
-              r.min_distance <= kGatherFarthest && within(r.incoming.mean, kMost);
+              r.min_distance <= kGatherFarthest && within(r.incoming.mean, kMax);
   for (std::size_t c = 0; c < 3; ++c)
-    good = good && within(r.by_position[c], kMost) && within(r.by_normal[c], kMost) &&
-           within(r.incoming.linear[c], kMost);
+    good = good && within(r.by_position[c], kMax) && within(r.by_normal[c], kMax) &&
+           within(r.incoming.linear[c], kMax);
   for (const float f : r.free) good = good && f >= 0 && f <= kGatherFarthest;
-  for (const Rgb& q : r.incoming.quadratic) good = good && within(q, kMost);
+  for (const Rgb& q : r.incoming.quadratic) good = good && within(q, kMax);
   return good;
 }
 

@@ -43,16 +43,16 @@ struct DirectLight {
 /// The same split by samples, each of one light layer.
 struct DirectShares {
   /// Maximum number of samples at a vertex: those of LightSampler, and the environment.
-  static constexpr int kMost = 16;
+  static constexpr int kMax = 16;
   struct Share {
     std::size_t layer = 0;
     DirectLight light;
   };
-  std::array<Share, kMost> of;
+  std::array<Share, kMax> of;
   int count = 0;
 
   DirectLight& next(std::size_t layer) {
-    ORIEL_ASSERT(count < kMost);
+    ORIEL_ASSERT(count < kMax);
     Share& share = of[static_cast<std::size_t>(count++)];
     share.layer = layer;
     return share.light;

@@ -15,7 +15,7 @@ namespace {
 /// guess.
 constexpr float kSameWay = 0.9f;
 /// Most points along one side of a look-up.
-constexpr int kMostNeighbours = 64;
+constexpr int kMaxNeighbours = 64;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ std::optional<GlossyGrid::Smooth> GlossyGrid::look_up(std::optional<Rgb> GridPoi
   if (grids_.empty()) return std::nullopt;
   const int d = std::clamp(density, 0, kDensities - 1);
   const Grid& grid = grids_[static_cast<std::size_t>(d)];
-  n = std::clamp(n, 1, kMostNeighbours);
+  n = std::clamp(n, 1, kMaxNeighbours);
   // In units of grid points, whole numbers at the points.
   const float f = resolution(d);
   const Vec2 at(raster.x * f - 0.5f, raster.y * f - 0.5f);

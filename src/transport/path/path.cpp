@@ -14,7 +14,7 @@ namespace oriel {
 namespace {
 
 /// Maximum number of vertices of a path, including cut-outs.
-constexpr int kMostVertices = 256;
+constexpr int kMaxVertices = 256;
 /// Sample dimensions reserved for each vertex, so that a vertex uses the same dimensions in every
 /// sample.
 constexpr std::uint32_t kDrawsPerVertex = 12;
@@ -252,7 +252,7 @@ bool Path::shade_hit(const geom::Hit& hit) {
 }
 
 void Path::walk() {
-  for (; depth_.vertex < kMostVertices; ++depth_.vertex) {
+  for (; depth_.vertex < kMaxVertices; ++depth_.vertex) {
     sampler_.set_dimension(kDrawsPerVertex * static_cast<std::uint32_t>(depth_.vertex + 1));
     geom::Hit hit;
     count_ray();

@@ -12,7 +12,7 @@ namespace {
 /// Stream number; those of lobes start at 0.
 constexpr std::uint32_t kBranch = 4000;
 /// Maximum number of transparent surfaces on a shadow ray; beyond it the light is lost.
-constexpr int kMostBlockers = 128;
+constexpr int kMaxBlockers = 128;
 /// A hit of the same instance beyond this share of the distance counts as the sampled triangle.
 constexpr float kSamePlace = 1e-4f;
 
@@ -105,7 +105,7 @@ Rgb Path::emission_seen(const Closure& closure, const ShadingPoint& point,
   Vec3 left = point.position;
   float from_start = 0;
   Rgb kept(1);
-  for (int i = 0; i < kMostBlockers; ++i) {
+  for (int i = 0; i < kMaxBlockers; ++i) {
     geom::Hit hit;
     ++counts_.shadow;
     if (!world_.accel->intersect(ray, hit)) return Rgb(0);

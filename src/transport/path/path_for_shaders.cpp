@@ -12,7 +12,7 @@ namespace oriel {
 namespace {
 
 /// Maximum nesting of shader paths; deeper ones are black. Trace depths usually end them earlier.
-constexpr int kMostNested = 48;
+constexpr int kMaxNested = 48;
 /// Probability of evaluating irradiance after kRouletteDepth bounces. The reflectance of shaders is
 /// unknown, so nothing else would end the recursion.
 constexpr float kSurvival = 0.5f;  ///< an estimate between white and dark rooms
@@ -51,7 +51,7 @@ Path PathForShaders::sub_path(const sampling::Sampler& stream, PathRecord& recor
 Tracer::Seen PathForShaders::trace(const ShadingPoint& point, const Tracer::SubRay& ray,
                                    const sampling::Sampler& stream) const {
   Tracer::Seen seen;
-  if (path_.depth_.nested >= kMostNested) return seen;
+  if (path_.depth_.nested >= kMaxNested) return seen;
   PathRecord record({}, path_.record_->user_buffers);
   Path sub = sub_path(stream, record);
   sub.way_.kind = ray.kind;
@@ -95,7 +95,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
   }
   const bool more =
       path_.settings_.indirect && path_.depth_.diffuse_bounces < path_.settings_.diffuse_bounces;
-  if (!more || path_.depth_.nested >= kMostNested) return sum;
+  if (!more || path_.depth_.nested >= kMaxNested) return sum;
   const float chance = path_.depth_.bounces < kRouletteDepth ? 1.0f : kSurvival;
   if (stream.next_1d() >= chance) return sum;
   const Vec3 w = Frame(normal).to_world(sampling::sample_cosine_hemisphere(stream.next_2d()));
@@ -121,7 +121,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
 Rgba PathForShaders::shade(const NodeList& surface, ShadingPoint& point, AovValues* aovs,
                            const sampling::Sampler& stream) const {
   static const Material kNone;
-  if (path_.depth_.nested >= kMostNested) return Rgba(0, 0, 0, 1);
+  if (path_.depth_.nested >= kMaxNested) return Rgba(0, 0, 0, 1);
   const Material& material = point.material ? *point.material : kNone;
   PathRecord record({.aovs = aovs != nullptr}, path_.record_->user_buffers);
   Path sub = sub_path(stream, record);

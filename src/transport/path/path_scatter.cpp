@@ -127,7 +127,7 @@ int Path::rays_at_first(float samples, float importance) const {
 /// gets its own rays.
 bool Path::split(const Closure& closure, LobeChoice& choice) const {
   if (!at_eye_surface() || !choice.any) return false;
-  float rays[Closure::kMostLobes] = {};
+  float rays[Closure::kMaxLobes] = {};
   bool splits = false;
   for (int i = 0; i < closure.count; ++i) {
     if (choice.rays[i] <= 0) continue;

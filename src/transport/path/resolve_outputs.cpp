@@ -7,7 +7,7 @@ namespace oriel {
 namespace {
 
 /// Least occlusion factor written where there is light: its quotient must stay finite.
-constexpr float kLeastOcclusion = 1e-4f;
+constexpr float kMinOcclusion = 1e-4f;
 
 Rgb quotient(const Rgb& a, const Rgb& b) {
   const auto one = [](float x, float y) { return y != 0 ? x / y : 0.0f; };
@@ -33,8 +33,8 @@ MaterialOutputs resolve_outputs(const AovValues& means, const Rgb& beauty) {
   Rgb occlusion = means.occlusion, dimming = means.dimming;
   for (int i = 0; i < 3; ++i) {
     if (post[i] == 0) continue;
-    dimming[i] = std::max(dimming[i], kLeastOcclusion);
-    occlusion[i] = std::max(occlusion[i], kLeastOcclusion);
+    dimming[i] = std::max(dimming[i], kMinOcclusion);
+    occlusion[i] = std::max(occlusion[i], kMinOcclusion);
   }
   put(indirect);
   put(quotient(post, dimming));

@@ -78,7 +78,7 @@ PhotonMaps load_photon_maps(const std::string& path) {
   if (header.version != kPhotonVersion)
     refuse(path, "it has version " + std::to_string(header.version) + ", this program reads " +
                      std::to_string(kPhotonVersion));
-  if (header.global > kMostPhotonsInFile || header.caustic > kMostPhotonsInFile - header.global)
+  if (header.global > kMaxPhotonsInFile || header.caustic > kMaxPhotonsInFile - header.global)
     refuse(path, "it claims more photons than a map may hold");
   if (bytes != sizeof(PhotonHeader) + (header.global + header.caustic) * kBytesInFile)
     refuse(path, "its size does not fit the number of its photons");

@@ -20,7 +20,7 @@ struct PhotonMaps {
 //   then 12 floats for each photon: position, direction, power, normal. The tree is not stored.
 
 /// Largest number of photons a file may hold, both maps together: 6 GiB.
-inline constexpr std::uint64_t kMostPhotonsInFile = std::uint64_t{1} << 27;
+inline constexpr std::uint64_t kMaxPhotonsInFile = std::uint64_t{1} << 27;
 
 /// Writes the maps; the file appears whole or not at all.
 /// Errors:  std::runtime_error with path and reason.

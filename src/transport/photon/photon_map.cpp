@@ -95,7 +95,7 @@ class Nearest {
  private:
   int most_, count_ = 0;
   float reach2_;
-  Found heap_[PhotonMap::kMostCount + 1];  // only the first count_ are set
+  Found heap_[PhotonMap::kMaxCount + 1];  // only the first count_ are set
 };
 
 }  // namespace
@@ -118,7 +118,7 @@ PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3
 PhotonMap::PhotonMap(std::vector<Photon> photons, float merge) : photons_(std::move(photons)) {
   std::erase_if(photons_, [](const Photon& p) { return !is_sound(p); });
   std::sort(photons_.begin(), photons_.end(), precedes);
-  if (merge > 0) photons_ = merge_photons(photons_, merge, kLeastAgreement);
+  if (merge > 0) photons_ = merge_photons(photons_, merge, kMinAgreement);
   axis_.resize(photons_.size());
   balance(0, photons_.size());
 }
@@ -145,12 +145,12 @@ void PhotonMap::balance(std::size_t begin, std::size_t end) {
 Rgb PhotonMap::irradiance(const Vec3& position, const Vec3& normal, const PhotonLookup& lookup,
                           Rgb* by_light, std::size_t unknown, int* found) const {
   if (photons_.empty() || !(lookup.radius > 0)) return Rgb(0);
-  Nearest nearest(std::clamp(lookup.count, 1, kMostCount) + 1, lookup.radius);
+  Nearest nearest(std::clamp(lookup.count, 1, kMaxCount) + 1, lookup.radius);
   const auto visit = [&](std::size_t i) {
     const Photon& photon = photons_[i];
     const Vec3 d = photon.position - position;
     const float distance2 = dot(d, d) + (sqr(kFlattening) - 1) * sqr(dot(d, normal));
-    if (distance2 >= nearest.reach2() || dot(photon.normal, normal) < kLeastAgreement) return;
+    if (distance2 >= nearest.reach2() || dot(photon.normal, normal) < kMinAgreement) return;
     nearest.add(distance2, static_cast<std::uint32_t>(i));
   };
 

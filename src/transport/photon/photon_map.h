@@ -27,7 +27,7 @@ struct Photon {
 
 /// How an estimate is made.
 struct PhotonLookup {
-  int count = 64;    ///< most photons in it; above PhotonMap::kMostCount that many
+  int count = 64;    ///< most photons in it; above PhotonMap::kMaxCount that many
   float radius = 1;  ///< they lie no farther than this, scene units
   scene::PhotonOptions::Filter filter = scene::PhotonOptions::Filter::Box;
   float filter_constant = 1.1f;  ///< Cone: larger is blurrier, above 1
@@ -60,11 +60,11 @@ PhotonLookup photon_lookup(const scene::PhotonOptions& options, const geom::Box3
 /// Checked: PhotonMap.* in photon_map_test.cpp.
 class PhotonMap {
  public:
-  static constexpr int kMostCount = 4096;
+  static constexpr int kMaxCount = 4096;
   static constexpr float kFlattening = 3;
   /// Least cosine between the normals of a photon's surface and the one it may light; a guess
   /// that keeps edges of 90 degrees apart and curved surfaces whole.
-  static constexpr float kLeastAgreement = 0.5f;
+  static constexpr float kMinAgreement = 0.5f;
 
   PhotonMap() = default;
   explicit PhotonMap(std::vector<Photon> photons, float merge = 0);

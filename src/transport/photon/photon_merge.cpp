@@ -34,9 +34,9 @@ struct CellHash {
 
 /// Far out cells are the same: coordinates that large resolve no such distance anyway.
 std::int64_t cell_of(float x, float distance) {
-  constexpr double kMost = 1e15;
+  constexpr double kMax = 1e15;
   const double cell = std::floor(static_cast<double>(x) / static_cast<double>(distance));
-  return static_cast<std::int64_t>(std::fmin(std::fmax(cell, -kMost), kMost));
+  return static_cast<std::int64_t>(std::fmin(std::fmax(cell, -kMax), kMax));
 }
 
 }  // namespace

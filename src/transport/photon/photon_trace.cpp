@@ -15,9 +15,9 @@ namespace {
 /// Photons one thread takes at a time, and all together before counts are looked at.
 constexpr std::uint64_t kBatch = 1024, kRound = 64 * kBatch;
 /// Photons of one light, whatever is asked; they are numbered by 32 bits.
-constexpr std::uint64_t kMostEmitted = std::uint64_t{1} << 31;
+constexpr std::uint64_t kMaxEmitted = std::uint64_t{1} << 31;
 /// Most photons sent for each that is to be stored.
-constexpr std::uint64_t kMostForEach = 1000;
+constexpr std::uint64_t kMaxForEach = 1000;
 
 /// The photons of one light for one map, in the order they were sent.
 struct Harvest {
@@ -28,9 +28,9 @@ struct Harvest {
   /// After how many photons this map asks for no more, as far as can be told.
   std::uint64_t most() const {
     if (!wanted) return 0;
-    std::uint64_t n = kMostEmitted;
+    std::uint64_t n = kMaxEmitted;
     if (count.emit > 0) n = std::min(n, count.emit);
-    if (count.store > 0) n = std::min(n, std::max(kRound, kMostForEach * count.store));
+    if (count.store > 0) n = std::min(n, std::max(kRound, kMaxForEach * count.store));
     return n;
   }
   bool is_done(std::uint64_t sent) const {

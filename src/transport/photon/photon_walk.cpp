@@ -18,7 +18,7 @@ namespace oriel {
 namespace {
 
 /// Maximum number of surfaces of a photon, including cut-outs.
-constexpr int kMostPhotonVertices = 256;
+constexpr int kMaxPhotonVertices = 256;
 /// Sample dimensions reserved for each vertex, so that a vertex uses the same dimensions in every
 /// photon.
 constexpr std::uint32_t kDrawsPerPhotonVertex = 8;
@@ -28,7 +28,7 @@ constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// Lower bound of cosines, since photons at grazing angles would otherwise gain without bound where
 /// the shading normal faces them.
-constexpr float kLeastPhotonCosine = 1e-3f;
+constexpr float kMinPhotonCosine = 1e-3f;
 
 /// The ray kind of a scattered photon.
 RayKind scattered_as(LobeKind kind, bool crosses) {
@@ -224,7 +224,7 @@ Rgb PhotonWalk::as_paths_see(const Material& material, const ShadingPoint& point
   const Rgb value = evaluate_closure(closure, {}, seen, sample.wi, point.wo()).of(kind).value;
   const float in = std::abs(dot(point.wo(), point.geometric_normal));
   const float out = std::abs(dot(sample.wi, point.geometric_normal));
-  return value * (out / (std::max(in, kLeastPhotonCosine) * sample.pdf));
+  return value * (out / (std::max(in, kMinPhotonCosine) * sample.pdf));
 }
 
 /// Scatters, transmits straight, or absorbs. False: the photon ends.
@@ -408,7 +408,7 @@ void PhotonWalk::run() {
   way_.ray = source_.first_ray(photon_, sampler_);
   start_ = way_.ray.org;
   way_.begin(world_);
-  for (int vertex = 0; vertex < kMostPhotonVertices; ++vertex) {
+  for (int vertex = 0; vertex < kMaxPhotonVertices; ++vertex) {
     sampler_.set_dimension(kDrawsPerPhotonVertex * static_cast<std::uint32_t>(vertex + 1));
     geom::Hit hit;
     ++log_.counts.gather;
@@ -427,7 +427,7 @@ void PhotonWalk::run() {
       break;
     }
     if (!shade_hit(hit)) break;
-    if (vertex == kMostPhotonVertices - 1) log_.balance.stopped += precise(power());
+    if (vertex == kMaxPhotonVertices - 1) log_.balance.stopped += precise(power());
   }
   log_.balance.emitted += precise(emitted_);
   ++log_.balance.photons;
