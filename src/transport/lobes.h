@@ -45,6 +45,11 @@ inline bool is_diffuse(LobeKind kind) {
   return kind == LobeKind::Diffuse || kind == LobeKind::Translucency;
 }
 
+/// The normal of the side of the surface that a lobe receives light on.
+inline Vec3 lit_side(const Lobe& lobe) {
+  return lobe.kind == LobeKind::Translucency ? -lobe.frame.n : lobe.frame.n;
+}
+
 /// The lobes that rays may follow at this vertex: their probabilities, or numbers of rays.
 struct LobeChoice {
   float rays[Closure::kMaxLobes] = {};  ///< expected number

@@ -21,19 +21,67 @@ constexpr float kSpreadShare = 0.5f;
 
 }  // namespace
 
+/// Appends a gather point at each diffuse surface, and continues by mirrors and transparency.
+class GatherPointVisitor final : public SurfaceVisitor {
+ public:
+  explicit GatherPointVisitor(std::vector<GatherPoint>& points) : points_(points) {}
+
+  bool on_surface(Path& path, Closure& closure, const Material& material,
+                  ShadingPoint& point) override {
+    LobeChoice choice;
+    make_ready(closure, point.wo());
+    path.choose_lobes(closure, choice, point, path.indirect());
+    const std::size_t before = points_.size();
+    for (int i = 0; i < closure.count; ++i) {
+      const Lobe& lobe = closure.lobes[i];
+      const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
+      if (!is_diffuse(lobe.kind) && !emulates) continue;
+      choice.rays[i] = 0;
+      if (path.allows(kSendsGatherRays)) add(before, lobe, point);
+    }
+    choice.share_one_ray(closure.count);
+    if (!choice.any) return false;
+    float u = path.sampler_.next_1d();
+    const int lobe = choose_lobe(closure, choice, u);
+    return path.continue_path(closure, choice, material, point, lobe, u);
+  }
+  bool on_irradiance(const ShadingPoint& point, const Vec3& normal) override {
+    points_.push_back({point, normal});
+    return true;
+  }
+  bool visits_rays_of_shaders() const override { return true; }
+
+ private:
+  /// All lobes of a side of the surface, whose points begin at `first`, share a point.
+  void add(std::size_t first, const Lobe& lobe, const ShadingPoint& point) {
+    const Vec3 side = lit_side(lobe);
+    const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
+    for (std::size_t i = first; i < points_.size(); ++i)
+      if (dot(points_[i].normal, side) > 1 - 1e-4f) {
+        points_[i].quality = std::max(points_[i].quality, quality);
+        return;
+      }
+    points_.push_back({point, side, quality});
+  }
+
+  std::vector<GatherPoint>& points_;
+};
+
 void visit_gather_points(const World& world, Vec2 raster, const PathSettings& settings,
                          sampling::Sampler& sampler, RayCounts& counts,
                          std::vector<GatherPoint>& points) {
   PathRecord nothing;
-  Path(world, raster, settings, nothing, sampler, counts).visit(world.camera.ray(raster), points);
+  GatherPointVisitor visitor(points);
+  Path(world, raster, settings, nothing, sampler, counts, &visitor).run(world.camera.ray(raster));
 }
 
 void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& direction,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts,
                       std::vector<GatherPoint>& points) {
   PathRecord nothing;
-  Path(world, from.point.raster, settings, nothing, sampler, counts)
-      .visit_behind(from.point, direction, points);
+  GatherPointVisitor visitor(points);
+  Path(world, from.point.raster, settings, nothing, sampler, counts, &visitor)
+      .gather_ray(from.point, direction, kInfinity);
 }
 
 GatherRadii default_gather_radii(const geom::Box3& scene) {

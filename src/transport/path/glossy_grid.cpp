@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <mutex>
 
 #include "base/parallel.h"
 #include "transport/path/path_walk.h"
+#include "transport/shadow.h"
 
 namespace oriel {
 namespace {
@@ -18,6 +20,74 @@ constexpr float kSameWay = 0.9f;
 constexpr int kMaxNeighbours = 64;
 
 }  // namespace
+
+/// Fills a grid point at the first surface of its ray: traces the interpolated lobes with weight 1.
+class GridPointVisitor final : public SurfaceVisitor {
+ public:
+  GridPointVisitor(int density, GridPoint& point) : density_(density), out_(point) {}
+
+  bool on_surface(Path& path, Closure& closure, const Material& material,
+                  ShadingPoint& point) override {
+    LobeChoice choice;
+    make_ready(closure, point.wo());
+    path.choose_lobes(closure, choice, point, path.indirect());
+    for (int i = 0; i < closure.count; ++i) {
+      const LobeControls& controls = closure.lobes[i].controls;
+      if (choice.rays[i] > 0 && controls.interpolate && controls.grid_density == density_)
+        trace_lobe(path, closure, i, material, point);
+    }
+    return false;
+  }
+
+ private:
+  void trace_lobe(Path& path, const Closure& closure, int i, const Material& material,
+                  ShadingPoint& point) {
+    Closure alone = closure;
+    for (int k = 0; k < alone.count; ++k) alone.lobes[k].weight = Rgb(k == i ? 1.0f : 0.0f);
+    const Lobe& lobe = alone.lobes[i];
+    const auto rays =
+        is_delta(lobe.kind) ? 1u : std::max(1u, static_cast<std::uint32_t>(lobe.controls.samples));
+    LobeChoice only;
+    only.any = true;
+    only.rays[i] = static_cast<float>(rays);
+    const bool refracts = transmits(lobe.kind);
+    PathRecord seen({}, path.record_->user_buffers);
+    seen.alpha = 1;
+    for (std::uint32_t j = 0; j < rays; ++j) {
+      Path branch = path;
+      branch.visitor_ = nullptr;
+      branch.eye_hit_.alpha_open = true;
+      branch.record_ = &seen;
+      branch.sampler_ = path.sampler_.split(j, rays, static_cast<std::uint32_t>(i));
+      // Reflecting lobes show lights without a visible shape by their highlights; refracting lobes
+      // include them here.
+      branch.from_.lights.environment_samples = 0;
+      if (refracts) {
+        std::construct_at(&branch.from_.lights, path.world_, point, alone);
+        branch.from_.lights.environment_samples = path.environment_samples(material);
+        branch.light_.throughput = Rgb(1 / static_cast<float>(rays));
+        branch.take_direct(alone, only, point, true);
+        branch.light_.throughput = Rgb(1);
+      }
+      if (path.needs_origin()) branch.from_.point = point;
+      branch.from_.shadows = receives_shadows(path.world_, point);
+      branch.from_.visible = branch.from_.invisible = {1, 0};
+      if (branch.continue_path(alone, only, material, point, i, branch.sampler_.next_1d(),
+                               refracts)) {
+        ++branch.depth_.vertex;
+        branch.walk();
+      }
+    }
+    out_.instance = point.instance;
+    out_.material = &material;
+    out_.normal = point.normal;
+    (refracts ? out_.refraction : out_.reflection) = seen.radiance;
+    if (refracts) out_.alpha = seen.alpha;
+  }
+
+  int density_;
+  GridPoint& out_;
+};
 
 float GlossyGrid::resolution(int density) {
   constexpr std::array<float, kDensities> kResolution = {2,        1,        1 / 2.0f,
@@ -59,10 +129,10 @@ GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint3
         const Vec2 raster((static_cast<float>(x) + 0.5f) / f, (static_cast<float>(y) + 0.5f) / f);
         sampling::Sampler sampler(x, y, 0, seed + 0x9d1du + static_cast<std::uint32_t>(d));
         PathRecord nothing;
-        Path(world, raster, paths, nothing, sampler, mine)
-            .tabulate(world.camera.ray(raster), d,
-                      grid.points[row * static_cast<std::size_t>(grid.width) +
-                                  static_cast<std::size_t>(x)]);
+        const std::size_t at =
+            row * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(x);
+        GridPointVisitor visitor(d, grid.points[at]);
+        Path(world, raster, paths, nothing, sampler, mine, &visitor).run(world.camera.ray(raster));
       }
       const std::lock_guard lock(mutex);
       counts += mine;

@@ -227,8 +227,7 @@ bool Path::shade_hit(const geom::Hit& hit) {
   way_.veil = {};
   if (way_.to_far_side && !point.back_side) return false;
   visibility_ = world_.instances[static_cast<std::size_t>(point.instance)].visibility;
-  if (task_.visited) return note_gather_point(closure, material, point);
-  if (task_.grid_point) return fill_grid_point(closure, material, point), false;
+  if (visitor_) return visitor_->on_surface(*this, closure, material, point);
 
   const bool aov_was_fixed = aov_.fixed;
   turned = turned || pass_volume(point, distance);

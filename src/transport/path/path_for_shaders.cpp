@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "sampling/warp.h"
-#include "transport/gather/gather_points.h"
 #include "transport/path/path_walk.h"
 #include "transport/scene_tracer.h"
 
@@ -38,7 +37,7 @@ Path PathForShaders::sub_path(const sampling::Sampler& stream, PathRecord& recor
   sub.depth_ = path_.depth_;
   ++sub.depth_.vertex;
   ++sub.depth_.nested;
-  sub.task_.visited = path_.task_.visited;
+  if (path_.visitor_ && path_.visitor_->visits_rays_of_shaders()) sub.visitor_ = path_.visitor_;
   sub.way_.cone = path_.way_.cone;
   sub.way_.kind = path_.way_.kind;
   sub.way_.blurred = path_.way_.blurred;
@@ -81,10 +80,7 @@ Rgb PathForShaders::irradiance(const ShadingPoint& point, const Vec3& normal,
   at.geometric_normal = Path::facing(point.geometric_normal, normal);
   if (at.geometric_normal != point.geometric_normal) at.back_side = !at.back_side;
   at.normal = normal;
-  if (path_.task_.visited) {
-    path_.task_.visited->push_back({at, normal});
-    return Rgb(0);
-  }
+  if (path_.visitor_ && path_.visitor_->on_irradiance(at, normal)) return Rgb(0);
   Rgb sum(0);
   if (path_.reads_maps()) {
     if (path_.settings_.maps->caustic)
@@ -127,7 +123,7 @@ Rgba PathForShaders::shade(const NodeList& surface, ShadingPoint& point, AovValu
   Path sub = sub_path(stream, record);
   sub.grid_ = path_.grid_;
   sub.depth_.vertex = path_.depth_.vertex;
-  sub.task_ = path_.task_;
+  sub.visitor_ = path_.visitor_;
   sub.aov_.fixed = aovs == nullptr;
   sub.way_.ray = path_.way_.ray;
   sub.way_.left = path_.way_.left;
@@ -143,25 +139,23 @@ Rgba PathForShaders::shade(const NodeList& surface, ShadingPoint& point, AovValu
   Tracer* const outer = std::exchange(point.tracer, &tracer);
   oriel::shade(surface, point, closure);
   point.tracer = outer;
-  bool goes_on = false;
+  bool continues = false;
   // Through a hole the alpha is that of what lies behind.
   const bool passes = sub.pass_straight(closure, material, point);
   sub.eye_hit_.pending = passes;
   sub.eye_hit_.alpha_open = !passes;
   if (!passes) record.alpha = closure.alpha;
   if (passes) {
-    goes_on = true;
-  } else if (sub.task_.visited) {
-    goes_on = sub.note_gather_point(closure, material, point);
-  } else if (sub.task_.grid_point) {
-    sub.fill_grid_point(closure, material, point);
+    continues = true;
+  } else if (sub.visitor_) {
+    continues = sub.visitor_->on_surface(sub, closure, material, point);
   } else {
     if (aovs) sub.meet_first(closure);
     sub.add(sub.aov_.at_vertex(Aov::Added), closure.emission, sub.layer_of_rest());
-    goes_on = closure.count > 0 && sub.shade_vertex(closure, material, point);
+    continues = closure.count > 0 && sub.shade_vertex(closure, material, point);
   }
   point.glossiness = ShadingPoint{}.glossiness;  // the caller is another material
-  if (goes_on) {
+  if (continues) {
     ++sub.depth_.vertex;
     sub.walk();
   }

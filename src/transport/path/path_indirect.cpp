@@ -6,16 +6,10 @@
 #include "bsdf/ggx.h"
 #include "bsdf/oren_nayar.h"
 #include "sampling/warp.h"
-#include "transport/gather/gather_points.h"
 #include "transport/path/path_walk.h"
 
 namespace oriel {
 namespace {
-
-/// The normal of the side of the surface that a lobe receives light on.
-Vec3 lit_side(const Lobe& lobe) {
-  return lobe.kind == LobeKind::Translucency ? -lobe.frame.n : lobe.frame.n;
-}
 
 /// Directional albedo of the lobe.
 Rgb albedo_of(const Lobe& lobe, const Vec3& wo) {
@@ -169,48 +163,6 @@ void Path::with_neighbours(const Closure& closure, const ShadingPoint& point, Rg
       parts.of[k] = parts.of[k] * (1 - share) + shown * near.by_light.of[k];
     return;
   }
-}
-
-void Path::visit(const Camera::Ray& eye, std::vector<GatherPoint>& points) {
-  task_.visited = &points;
-  run(eye);
-}
-
-void Path::visit_behind(const ShadingPoint& point, const Vec3& direction,
-                        std::vector<GatherPoint>& points) {
-  task_.visited = &points;
-  gather_ray(point, direction, kInfinity);
-}
-
-/// Appends a gather point at a diffuse surface, and continues by mirrors and transparency.
-bool Path::note_gather_point(Closure& closure, const Material& material, ShadingPoint& point) {
-  LobeChoice choice;
-  make_ready(closure, point.wo());
-  choose_lobes(closure, choice, point, indirect());
-  const auto before = static_cast<std::ptrdiff_t>(task_.visited->size());
-  for (int i = 0; i < closure.count; ++i) {
-    const Lobe& lobe = closure.lobes[i];
-    const bool emulates = lobe.controls.emulated && lobe.controls.highlights_only;
-    if (is_diffuse(lobe.kind) || emulates) {
-      choice.rays[i] = 0;
-      if (!allows(kSendsGatherRays)) continue;
-      const Vec3 side = lit_side(lobe);
-      const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
-      // All lobes of a side share a record.
-      const auto same =
-          std::find_if(task_.visited->begin() + before, task_.visited->end(),
-                       [&](const GatherPoint& p) { return dot(p.normal, side) > 1 - 1e-4f; });
-      if (same != task_.visited->end())
-        same->quality = std::max(same->quality, quality);
-      else
-        task_.visited->push_back({point, side, quality});
-    }
-  }
-  choice.share_one_ray(closure.count);
-  if (!choice.any) return false;
-  float u = sampler_.next_1d();
-  const int lobe = choose_lobe(closure, choice, u);
-  return continue_path(closure, choice, material, point, lobe, u);
 }
 
 }  // namespace oriel

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "runtime/tracer.h"
 #include "transport/indirect_caches.h"
@@ -27,36 +26,48 @@ inline constexpr float kDiffuseSpread = 0.2f;
 inline constexpr int kRouletteDepth = 3;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-struct GridPoint;
-struct GatherPoint;
+class Path;
+
+/// Handles surfaces in place of the estimate of their light: gather points, points of grids.
+class SurfaceVisitor {
+ public:
+  /// Called at each surface that the ray does not pass straight. False: the path ends here.
+  virtual bool on_surface(Path& path, Closure& closure, const Material& material,
+                          ShadingPoint& point) = 0;
+  /// Called where a shader evaluates irradiance. False: it is evaluated as without a visitor.
+  virtual bool on_irradiance(const ShadingPoint& /*point*/, const Vec3& /*normal*/) {
+    return false;
+  }
+  /// Whether rays that shaders trace are visited as well; otherwise they estimate light.
+  virtual bool visits_rays_of_shaders() const { return false; }
+
+ protected:
+  ~SurfaceVisitor() = default;
+};
 
 /// One path, or one branch of it; a path that splits is copied. The structs below contain its
 /// state. The functions are the steps of the integrator (walk, surfaces, media, lights, lobes,
-/// maps, grids). Each reads most of the state, so they are members, with one file per subject.
-/// PathForShaders traces the rays of shaders.
+/// caches). Each reads most of the state, so they are members, with one file per subject.
+/// PathForShaders traces the rays of shaders; visitors use the steps for purposes other than light.
 class Path {
   friend class PathForShaders;
+  friend class GatherPointVisitor;
+  friend class GridPointVisitor;
 
  public:
   Path(const World& world, Vec2 raster, const PathSettings& settings, PathRecord& record,
-       sampling::Sampler& sampler, RayCounts& counts)
+       sampling::Sampler& sampler, RayCounts& counts, SurfaceVisitor* visitor = nullptr)
       : world_(world),
         raster_(raster),
         settings_(settings),
         sampler_(sampler),
         counts_(counts),
         record_(&record),
-        grid_(settings.grid) {}
+        grid_(settings.grid),
+        visitor_(visitor) {}
 
   void run(const Camera::Ray& eye);
   void gather_ray(const ShadingPoint& point, const Vec3& direction, float reach);
-  /// Follows the eye ray up to the first diffuse surface and appends the points for gathering.
-  void visit(const Camera::Ray& eye, std::vector<GatherPoint>& points);
-  /// The same for a ray that leaves a diffuse surface.
-  void visit_behind(const ShadingPoint& point, const Vec3& direction,
-                    std::vector<GatherPoint>& points);
-  /// Follows the eye ray to the first surface and fills a point of the grid with that density.
-  void tabulate(const Camera::Ray& eye, int density, GridPoint& point);
   /// Starts at the point, with a white Lambert surface seen along its normal instead of the actual
   /// material. `mapped`: indirect light comes from caches; otherwise it is traced.
   void receive(ShadingPoint& point, bool mapped);
@@ -133,12 +144,6 @@ class Path {
     Rgb occlusion{1};         ///< of indirect light at this vertex
     Rgb near_dark{0};         ///< share of light lost from surfaces at distance 0
     float near_distance = 0;  ///< distance from which nothing is lost; 0 = not used
-  };
-  /// A purpose other than light; null = light.
-  struct Task {
-    GridPoint* grid_point = nullptr;  ///< the path fills this grid point
-    int grid_density = 0;
-    std::vector<GatherPoint>* visited = nullptr;  ///< the path appends gather points
   };
   /// The last look-up of gathered light at this vertex. Reflections that are emulated by it look up
   /// the same point again.
@@ -282,7 +287,6 @@ class Path {
   bool take_mapped(const Closure& closure, ShadingPoint& point);
   void with_neighbours(const Closure& closure, const ShadingPoint& point, Rgb& smooth,
                        LightParts& parts);
-  bool note_gather_point(Closure& closure, const Material& material, ShadingPoint& point);
   /// Transmittance of the current media over a distance.
   Rgb kept_over(float distance) const {
     const Rgb kept = transmittance(way_.medium.medium, distance);
@@ -292,7 +296,6 @@ class Path {
   static Vec3 facing(const Vec3& n, const Vec3& side) { return dot(n, side) < 0 ? -n : n; }
 
   // path_grid.cpp
-  void fill_grid_point(Closure& closure, const Material& material, ShadingPoint& point);
   void interpolate(Closure& closure, const Material& material, const ShadingPoint& point,
                    LobeChoice& choice);
 
@@ -306,10 +309,10 @@ class Path {
   sampling::Sampler sampler_;
   RayCounts& counts_;
   PathRecord* record_;
-  const GlossyGrid* grid_;  ///< null for rays of shaders
+  const GlossyGrid* grid_;   ///< null for rays of shaders
+  SurfaceVisitor* visitor_;  ///< null = the path estimates light
 
   PathObserver::Place place_ = PathObserver::kEye;
-  Task task_;
   RayWay way_;
   AovState aov_;
   EyeHit eye_hit_;
