@@ -13,28 +13,32 @@
 namespace oriel {
 namespace {
 
-// Guesses: the next gathering averages what these coarse records get wrong.
-/// Rays that look for points, from each.
+// The values below are estimates; the fine records average the errors of these coarse ones.
+/// Rays per record that find points for further records.
 constexpr int kFeelers = 16;
-/// Points that are looked from in a generation, and that get records in all, at most.
+/// Maximum number of points per generation whose rays are traced, and of records in all.
 constexpr std::size_t kMaxViewers = 1024, kMaxPoints = 4096;
-/// Error that a point may have before it gets a record, and at which records are no longer used.
+/// Interpolation error above which a point gets its own record, and above which a record is not
+/// used.
 constexpr float kCoverError = 0.7f, kWorstBounceError = 0.8f;
-/// Records in a look-up.
+/// Maximum number of records per look-up.
 constexpr int kPoints = 4;
-/// Rays of a record, as share of the fine ones', and most of them.
+/// Rays of a coarse record as a fraction of those of a fine one, and their maximum.
 constexpr float kRays = 0.5f;
 constexpr int kMaxRays = 100;
-/// Least radius of a record, as share of the scene's diagonal.
+/// Minimum radius of a record as a fraction of the scene's diagonal.
 constexpr float kMinRecordRadius = 0.02f;
-/// Rounds of a sum of all bounces; what the last one still changes, by which the tail is known.
+/// Maximum number of rounds; relative change of a round at which the remaining bounces are
+/// extrapolated.
 constexpr int kMaxRounds = 16;
 constexpr double kSettled = 0.015;
-/// Longest tail, in parts of the last change: a room that keeps nine tenths of its light.
+/// Maximum of the extrapolated sum, relative to the last change. It corresponds to a room that
+/// reflects nine tenths of its light.
 constexpr double kMaxTail = 9;
-/// Points of the first batch; each is twice the one before, so that few are placed side by side.
+/// Points of the first batch. Each batch has twice as many as the one before, so that few points of
+/// one batch lie side by side.
 constexpr std::size_t kFirstBatch = 64;
-/// Streams that tell the kinds of rays apart.
+/// Stream numbers of the two kinds of rays.
 constexpr int kFeelerColumn = 0x66656c, kRecordColumn = 0x726563;
 
 class BounceSolver {
@@ -46,13 +50,14 @@ class BounceSolver {
         std::clamp(static_cast<int>(static_cast<float>(settings.rays) * kRays), 16, kMaxRays);
     settings_.path.diffuse_bounces = 0;
     const geom::Box3 box = world.accel->bounds();
-    settings_.radii = default_gather_radii(box);  // not as the picture's, which may be in pixels
+    // radii for the whole scene; the picture's may be in pixels
+    settings_.radii = default_gather_radii(box);
     settings_.radii.min = kMinRecordRadius * length(box.max - box.min);
     cover_.accuracy = kCoverError;
     cover_.radii = settings_.radii;
   }
 
-  /// Points that rays from `from` meet, and that no record covers yet, get one.
+  /// Adds a record at each point that rays from `from` hit and that no record covers yet.
   void place(const std::vector<GatherPoint>& from, int generation) {
     const std::vector<GatherPoint> met = feel(from, generation);
     std::size_t batch = kFirstBatch;
@@ -76,7 +81,7 @@ class BounceSolver {
   }
   const std::vector<GatherPoint>& points() const { return points_; }
 
-  /// What is placed holds one bounce; rounds add the others.
+  /// The placed records contain one bounce; each round adds another.
   Bounces solve(int wanted) {
     Bounces b;
     b.query = cover_;
@@ -121,7 +126,7 @@ class BounceSolver {
   }
 
  private:
-  /// Points met from others; of many lookers as many as are spread evenly.
+  /// Points hit by rays from other points. Of too many points, an evenly spaced subset is traced.
   std::vector<GatherPoint> feel(const std::vector<GatherPoint>& from, int generation) {
     const std::size_t step = from.size() / kMaxViewers + 1,
                       lookers = (from.size() + step - 1) / step;
@@ -146,7 +151,7 @@ class BounceSolver {
   std::vector<GatherRecord> gather(const std::vector<GatherPoint>& points, std::size_t first) {
     std::vector<GatherRecord> records(points.size());
     each(points.size(), [&](std::size_t i, RayCounts& counts) {
-      // The same rays in every round: what changes is the light, not the noise.
+      // Every round traces the same rays, so that rounds differ by light and not by noise.
       const sampling::Sampler stream(kRecordColumn, static_cast<int>(first + i), 0, seed_);
       records[i] = gather_at(world_, points[i], settings_, stream, counts);
     });
@@ -169,7 +174,7 @@ class BounceSolver {
     }
   }
 
-  /// All of them in parallel, rays counted.
+  /// Runs the work in parallel and sums the ray counts.
   template <class Work>
   void each(std::size_t count, const Work& work) {
     std::mutex mutex;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that diffuse surfaces send each other before it is gathered: coarse records behind the fine
-// ones.
+// Diffuse interreflection before final gathering: coarse irradiance records that gather rays read.
 #pragma once
 
 #include "transport/gather/gather_points.h"
@@ -8,21 +7,22 @@
 
 namespace oriel {
 
-/// What a coarse cache holds when it is ready.
+/// A coarse irradiance cache that is ready for look-ups.
 struct Bounces {
   GatherCache cache;
-  GatherQuery query;  ///< how it is asked
-  int held = 0;       ///< bounces in it; PathSettings::kAllBounces: all of them
+  GatherQuery query;  ///< settings of look-ups
+  int held = 0;       ///< number of bounces in the records; PathSettings::kAllBounces = all
 };
 
-/// Gathers at points that gather rays of `seen` meet, and that rays from there meet.
+/// Computes records at the points that gather rays from `seen` hit, and at those that rays from
+/// there hit.
 ///
-/// Model:   Jacobi iteration on fixed points: the records of a round gather what those of the round
-///          before send back, so round k holds k bounces. When a round changes little, those still
-///          wanted are taken for a geometric series with the ratio of the last two. Where there is
-///          no record, rays go on as paths.
-/// Inputs:  seen: where the picture gathers; settings: of its records; their path.diffuse_bounces
-///          says how many bounces are wanted, above 0.
+/// Model:   Jacobi iteration on fixed points: the records of a round gather the light that the
+///          records of the previous round reflect, so round k contains k bounces. Once a round
+///          changes little, the remaining bounces are extrapolated as a geometric series with the
+///          ratio of the last two rounds. Rays that hit points without a record continue as paths.
+/// Inputs:  seen: the gather points of the picture; settings: those of its records;
+///          settings.path.diffuse_bounces is the number of bounces, above 0.
 /// Checked: tests/cross_method
 Bounces gather_bounces(const World& world, const std::vector<GatherPoint>& seen,
                        const GatherSettings& settings, std::uint32_t seed, RayCounts& counts,

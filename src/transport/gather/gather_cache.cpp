@@ -8,20 +8,21 @@
 
 namespace oriel {
 
-// Choices, in parts of a record's radius: a record this far in front of the point (above the plane
-// between the normals) fades and is gone; curved and bumpy surfaces need some room.
+// Estimates, as fractions of a record's radius. A record in front of the point (above the plane
+// between the normals) fades between these distances; curved and bumpy surfaces need some
+// tolerance.
 static constexpr float kFrontFades = 0.05f, kFrontGone = 0.1f;
-// The same for a record below the point: another storey.
+// The same for a record below the point, e.g. on another floor.
 static constexpr float kBelowFades = 0.5f, kBelowGone = 1;
-// In parts of the way that is free towards the point.
+// The same, as fractions of the unoccluded distance towards the point.
 static constexpr float kWayFades = 0.8f, kWayGone = 1;
 
 namespace {
 
-/// 1 up to a, 0 from b on, smooth.
+/// Smooth step from 1 at a to 0 at b.
 float falling(float a, float b, float x) { return 1 - smoothstep(a, b, x); }
 
-/// How free the way from the record to a point is that lies off by `moved`.
+/// Factor for occlusion between the record and a point at the offset `moved`.
 float way_is_free(const GatherRecord& r, const Vec3& moved, float distance) {
   if (distance < kWayFades * r.min_distance) return 1;
   const float sector = gather_sector(r.normal, moved);
@@ -46,7 +47,7 @@ struct GatherCache::Sum {
     weight += w;
     ++result.records;
   }
-  /// The irradiance changes along the surface as a whole, its layers with it.
+  /// Splits the irradiance by light layers. All layers have the record's gradient.
   static void part(const GatherRecord& record, const GatherQuery& q, const Rgb& e) {
     if (record.shares.size() != q.layers) {
       q.by_light[q.layers - 1] += e;
@@ -76,11 +77,11 @@ struct GatherCache::Near {
   }
 };
 
-/// The best so far: a heap with the worst on top.
+/// The best records so far: a heap with the worst on top.
 struct GatherCache::Nearest {
   std::array<Near, kMaxPoints + 1> heap;
   std::size_t count = 0, most = 0;
-  float bound = 0;  ///< nothing worse is wanted
+  float bound = 0;  ///< worse records are ignored
 
   void offer(const Near& candidate) {
     if (count == most) {
@@ -96,7 +97,7 @@ struct GatherCache::Nearest {
 float GatherCache::compatibility(const Entry& e, const GatherQuery& q) const {
   const float cosine = dot(e.normal, q.normal);
   if (!(cosine > q.min_cosine)) return 0;
-  // Fades over the outer half of what is allowed.
+  // Fades over the outer half of the permitted range.
   float f = smoothstep(q.min_cosine, 0.5f * (1 + q.min_cosine), cosine);
   if (q.through_walls) return f;
   const Vec3 moved = q.position - e.position;
@@ -121,7 +122,8 @@ void GatherCache::bounded(std::uint32_t index, const GatherQuery& q, Sum& sum) c
     const float error = std::sqrt(distance2) / radius + turned;
     if (!(error < q.accuracy)) continue;
     const float fit = compatibility(e, q);
-    // At the record itself the weight would be infinite; a millionth of the radius is near enough.
+    // At the record itself the weight would be infinite; the distance is at least a millionth of
+    // the radius.
     if (fit > 0)
       sum.add(records_[e.record], q, fit * (1 / std::max(error, 1e-6f) - 1 / q.accuracy));
   }
@@ -129,7 +131,7 @@ void GatherCache::bounded(std::uint32_t index, const GatherQuery& q, Sum& sum) c
 
 void GatherCache::nearest(std::uint32_t index, const GatherQuery& q, Nearest& found) const {
   const Node& node = nodes_[index];
-  // Distance over which a record's error reaches 1.
+  // Distance over which the error of a record reaches 1.
   const auto scale = [&](float radius) { return q.by_error ? q.radii.clamped(radius) : 1.0f; };
   if (node.child == 0) {
     for (const Entry& e : node.entries) {
@@ -180,7 +182,7 @@ std::optional<Gathered> GatherCache::interpolate(const GatherQuery& q) const {
   std::sort_heap(found.heap.begin(), found.heap.begin() + static_cast<std::ptrdiff_t>(found.count));
   const std::size_t last = found.count - 1;
   const float h = found.count == found.most ? found.heap[last].error : worst;
-  // All equally far would all weigh nothing: they share alike.
+  // Records at equal distances would all get weight 0; they get equal weights instead.
   const bool alike = !(found.heap[0].error < h);
   for (std::size_t i = 0; i <= last; ++i) {
     const float w = alike ? 1 : sqr(1 - sqr(std::min(1.0f, found.heap[i].error / h)));

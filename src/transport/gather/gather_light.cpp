@@ -9,12 +9,12 @@
 namespace oriel {
 namespace {
 
-/// Weight of the mirrored lower hemisphere in the fit. A choice: at 0 the fit swings freely below
-/// the horizon, at 1 nothing in it tells up from down.
+/// Weight of the mirrored lower hemisphere in the fit; an estimate. At 0 the fit oscillates below
+/// the horizon; at 1 it is symmetric about it.
 constexpr float kMirror = 0.03f;
 
-/// Integrals over sin^2(theta) < s2, towards which each ring adds a difference, of the polar parts
-/// of the moments' functions times the sine of the solid angle.
+/// Integrals over sin^2(theta) < s2 of the polar parts of the moments' functions times the sine of
+/// the solid angle. Each ring adds a difference of two.
 struct Polar {
   float one, z, zz, s, sz, ss;
 
@@ -86,7 +86,8 @@ void IncomingLight::add(const IncomingLight& other, float weight) {
 }
 
 IncomingLight fit_incoming(const HemisphereMoments& m, const Frame& frame) {
-  // Without azimuth: 1, z, z^2 with the integrals 2 pi / (n + 1) of z^n, by Cramer's rule.
+  // Azimuthally constant part: 1, z, z^2 with the integrals 2 pi / (n + 1) of z^n, by Cramer's
+  // rule.
   constexpr float kSame = 1 + kMirror, kCross = 1 - kMirror;
   constexpr float a = kSame * 2 * kPi, b = kCross * kPi, c = kSame * 2 * kPi / 3,
                   d = kSame * 2 * kPi / 3, e = kCross * kPi / 2, f = kSame * 2 * kPi / 5;
@@ -109,7 +110,7 @@ IncomingLight fit_incoming(const HemisphereMoments& m, const Frame& frame) {
   const Rgb third = zz * (1 / 3.0f), xz = x.odd * 0.5f, yz = y.odd * 0.5f;
   const Rgb q[3][3] = {{xx_yy - third, xy, xz}, {xy, -xx_yy - third, yz}, {xz, yz, third + third}};
 
-  // To the world.
+  // Transforms to world space.
   const Vec3 axes[3] = {frame.s, frame.t, frame.n};
   const auto rotated = [&](int row, int column) {
     Rgb sum(0);

@@ -27,7 +27,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-/// Calls f for each number of a record, in the order of the file.
+/// Calls f for each number of a record, in file order.
 template <class Record, class F>
 void each_number(Record& r, const F& f) {
   const auto vector = [&](auto& v) {
@@ -56,7 +56,7 @@ std::uint32_t numbers_of_record() {
   return count;
 }
 
-/// Source: Fowler, Noll, Vo; 64 bits, offset basis and prime as published.
+/// Source:  Fowler, Noll, Vo; 64 bits, published offset basis and prime.
 class Checksum {
  public:
   void add(const void* data, std::size_t size) {
@@ -88,7 +88,7 @@ void write_records(std::span<const GatherRecord> records, std::ostream& out) {
   out.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Why the header cannot be followed; empty when it can.
+/// Returns why the header is rejected; empty if it is valid.
 std::string refusal(const Header& h, std::uint64_t size) {
   if (std::memcmp(h.magic, kMagic, sizeof kMagic) != 0)
     return "is not a final gather map of Oriel (other renderers' maps cannot be read)";
@@ -105,7 +105,7 @@ std::string refusal(const Header& h, std::uint64_t size) {
   return {};
 }
 
-/// Fills `records`, or says why not.
+/// Fills `records`; returns an error text, or empty.
 std::string read_records(const std::string& path, std::vector<GatherRecord>& records) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
@@ -126,7 +126,7 @@ std::string read_records(const std::string& path, std::vector<GatherRecord>& rec
   if (!whole) return "is damaged: it ends early";
   sum.add(&header, sizeof header);
 
-  // The count is bounded by the size of the file by now.
+  // The count is bounded by the file size here.
   records.resize(header.records);
   std::vector<float> numbers(header.floats);
   const std::size_t bytes = numbers.size() * sizeof(float);

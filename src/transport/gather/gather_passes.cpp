@@ -11,13 +11,14 @@
 namespace oriel {
 namespace {
 
-/// Pixels between gather points of the last pass at presample density 1; a guess.
+/// Distance of the gather points of the last pass at presample density 1, in pixels; an estimate.
 constexpr float kFinestStep = 2;
-/// Passes, each twice as fine as the one before.
+/// Number of passes; each halves the grid spacing.
 constexpr int kPasses = 5;
-/// Streams of the points of one path, and what tells them from those of its lobes.
+/// Maximum number of points per path, each with its own stream, and the stream number that
+/// separates them from those of lobes.
 constexpr std::uint32_t kMaxPointsOfPath = 16, kGatherBranch = 77;
-/// Tells these samples from those of the picture.
+/// Seed offset that separates these samples from those of the picture.
 constexpr std::uint32_t kGatherSeed = 0xf9;
 
 int finest_step(float density) {
@@ -25,8 +26,8 @@ int finest_step(float density) {
       static_cast<int>(std::lround(kFinestStep / std::sqrt(std::max(density, 0.01f)))), 1, 64);
 }
 
-/// Adds the points that a sample through the middle of a pixel meets; the stream goes on from
-/// there.
+/// Appends the gather points of a sample through the pixel centre. Returns the sampler in its state
+/// afterwards.
 sampling::Sampler visit_pixel(const World& world, int x, int y, int pass, std::uint32_t seed,
                               RayCounts& counts, std::vector<GatherPoint>& points) {
   sampling::Sampler sampler(x, y, static_cast<std::uint32_t>(pass), seed + kGatherSeed);
@@ -52,7 +53,7 @@ void gather_for_picture(const World& world, const Window& window, const GatherPa
                         GatherCache& cache, RayCounts& counts, const ProgressMonitor& monitor,
                         const std::function<void()>& after_pass) {
   const int finest = finest_step(passes.density);
-  // A pass has four times the points of the one before; most of them need no record.
+  // A pass has four times as many points as the one before; most of them need no record.
   double done = 0, share = math::pow(4.0, -kPasses) * 3 / (1 - math::pow(4.0, -kPasses));
   for (int pass = 0; pass < kPasses && !monitor.cancelled(); ++pass, share *= 4) {
     const int step = finest << (kPasses - 1 - pass);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Final gathering for a picture: passes that place points where the eye sees surfaces.
+// Final gathering for a picture: passes that place records on visible surfaces.
 #pragma once
 
 #include "runtime/window.h"
@@ -8,24 +8,24 @@
 
 namespace oriel {
 
-/// What the passes go by.
+/// Settings of the passes.
 struct GatherPasses {
   GatherSettings records;
-  GatherQuery covered;  ///< a point that such a look-up answers needs no record
-  float density = 1;    ///< points for each that the grid of density 1 has
+  GatherQuery covered;  ///< a point for which this look-up succeeds needs no record
+  float density = 1;    ///< number of points relative to the grid of density 1
   std::uint32_t seed = 0;
 };
 
-/// Where the coarsest pass would gather.
+/// The gather points of the coarsest pass.
 std::vector<GatherPoint> first_gather_points(const World& world, const Window& window,
                                              const GatherPasses& passes, RayCounts& counts);
 
-/// Adds records until every surface seen through the finest grid has some.
+/// Adds records until every surface that is visible through the finest grid is covered.
 ///
-/// Model:   passes over ever finer grids of the picture: a pass asks the cache as it stands,
-///          gathers where it has no record, and adds all new records in the order of pixels; so
-///          the result does not depend on threads. After each pass radii are clamped to the
-///          neighbours' and `after_pass` is called.
+/// Model:   passes over increasingly fine grids of the picture. A pass looks up the current cache,
+///          gathers where no record applies, and inserts all new records in the order of pixels, so
+///          the result does not depend on the number of threads. After each pass radii are clamped
+///          to those of neighbours and `after_pass` is called.
 /// Checked: tests/cross_method, GatherOptions.* in tests/analytic
 void gather_for_picture(const World& world, const Window& window, const GatherPasses& passes,
                         GatherCache& cache, RayCounts& counts, const ProgressMonitor& monitor,

@@ -11,17 +11,17 @@
 namespace oriel {
 namespace {
 
-/// Share of the scene's diagonal that a record may reach, and of that what it reaches at least,
-/// where the scene does not say.
+/// Default maximum radius as a fraction of the scene's diagonal, and default minimum radius as a
+/// fraction of the maximum.
 constexpr float kMaxRadius = 0.1f, kMinRadius = 0.03f;
-/// Records of a larger error say nothing about a point (GatherQuery::accuracy); a guess.
+/// Records with a larger error are not used (GatherQuery::accuracy); an estimate.
 constexpr float kWorstError = 1;
-/// Share of a point's rays that is spread evenly; the others go where those found contrast.
+/// Fraction of a point's rays that is distributed evenly; the others go to strata with contrast.
 constexpr float kSpreadShare = 0.5f;
 
 }  // namespace
 
-/// Appends a gather point at each diffuse surface, and continues by mirrors and transparency.
+/// Appends a gather point at each diffuse surface, and continues through mirrors and transparency.
 class GatherPointVisitor final : public SurfaceVisitor {
  public:
   explicit GatherPointVisitor(std::vector<GatherPoint>& points) : points_(points) {}
@@ -52,7 +52,8 @@ class GatherPointVisitor final : public SurfaceVisitor {
   bool visits_rays_of_shaders() const override { return true; }
 
  private:
-  /// All lobes of a side of the surface, whose points begin at `first`, share a point.
+  /// Adds a point for the lobe's side of the surface. Lobes of the same side share a point; the
+  /// points of this surface begin at index `first`.
   void add(std::size_t first, const Lobe& lobe, const ShadingPoint& point) {
     const Vec3 side = lit_side(lobe);
     const float quality = lobe.kind == LobeKind::Diffuse ? lobe.controls.samples : 1.0f;
@@ -127,7 +128,7 @@ GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherR
 
 namespace {
 
-/// What a ray of limited reach keeps of what it met; the rest is the environment's.
+/// Weight of the surface that a gather ray of limited reach hit; the remainder is environment.
 float kept_of(const GatherSettings& settings, const PathResult& found) {
   if (!(settings.reach > 0) || found.depth <= settings.fades_from) return 1;
   return linear_fade(found.depth - settings.fades_from, settings.reach - settings.fades_from);
@@ -155,7 +156,7 @@ GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSe
   const int spread = std::max(4, static_cast<int>(static_cast<float>(rays) * kSpreadShare));
   const auto hemisphere = GatherHemisphere::for_rays(at.normal, spread, turn.next_1d());
   const float side = dot(at.normal, at.point.geometric_normal) < 0 ? -1.0f : 1.0f;
-  // By layers of lights: of the ray under way, and of each stratum.
+  // By light layer: of the current ray, and of each stratum.
   PathRecord r({.light_layers = layers});
   LightParts& by_light = r.by_light;
   const auto trace = [&](int stratum, sampling::Sampler& stream) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Final gathering before the picture: where light is gathered, and gathering it.
+// Final gather points and the computation of their records.
 #pragma once
 
 #include <vector>
@@ -10,48 +10,48 @@
 
 namespace oriel {
 
-/// A surface seen by the eye, directly or by mirrors and glass.
+/// A surface point that is visible to the camera, directly or through mirrors and glass.
 struct GatherPoint {
   ShadingPoint point;
-  Vec3 normal{0, 0, 1};  ///< unit, on the side that is lit
-  float quality = 1;     ///< of the rays that the options ask for
+  Vec3 normal{0, 0, 1};  ///< unit, on the lit side
+  float quality = 1;     ///< factor of the number of rays
 };
 
-/// The surfaces that the path of one sample meets before anything diffuse.
+/// Appends the diffuse surfaces on the path of one camera sample.
 void visit_gather_points(const World& world, Vec2 raster, const PathSettings& settings,
                          sampling::Sampler& sampler, RayCounts& counts,
                          std::vector<GatherPoint>& points);
 
-/// The surfaces that a gather ray meets before anything diffuse.
+/// Appends the diffuse surfaces on the path of a gather ray.
 void visit_gather_ray(const World& world, const GatherPoint& from, const Vec3& direction,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts,
                       std::vector<GatherPoint>& points);
 
-/// How records are made.
+/// Settings of records.
 struct GatherSettings {
   int rays = 400;
   int filter = 0;
-  /// What rays meet from here on fades to the environment, which alone is there from `reach` on;
-  /// scene units. Reach 0 = any.
+  /// Surfaces fade to the environment from distance `fades_from` on; beyond `reach` only the
+  /// environment is visible. Scene units; reach 0 = unlimited.
   float fades_from = 0, reach = 0;
   GatherRadii radii;  ///< in scene units or pixels
   PathSettings path;  ///< of the rays: bounces behind the first surface, photons
 };
 
-/// Radii for options that write none, by the size of the scene.
+/// Default radii, from the size of the scene.
 GatherRadii default_gather_radii(const geom::Box3& scene);
 
-/// What the options ask for. The scene's box and trace depth fill in what is not written.
+/// Settings from the options. The scene's box and trace depth supply defaults.
 GatherSettings gather_settings(const scene::RenderOptions& options, const geom::Box3& scene);
 
-/// How the records are asked for.
+/// Look-up settings from the options.
 ///
-/// Model:   automatic: as many as "finalgather points", those of least error. Multiframe: as many,
-///          the nearest, within the maximum radius, where it fades to black. 3.4: all within their
-///          radius. Strict 3.4: the same without gradients.
+/// Model:   automatic: the "finalgather points" records of least error. Multiframe: as many of the
+///          nearest records within the maximum radius, with a fade to black. 3.4: all records
+///          within their radius. Strict 3.4: the same without gradients.
 GatherQuery gather_query(const scene::FinalGatherOptions& options, const GatherRadii& radii);
 
-/// Gathers light at one point. Rays meet surfaces and environment, no light sources.
+/// Gathers light at one point. Rays see surfaces and environment, no light sources.
 GatherRecord gather_at(const World& world, const GatherPoint& at, const GatherSettings& settings,
                        const sampling::Sampler& sampler, RayCounts& counts);
 

@@ -10,31 +10,32 @@ namespace oriel {
 namespace {
 
 constexpr int kMaxFilter = 4;
-/// A plane's border is taken to be at most so many times nearer than the sample on it.
+/// Maximum ratio of the sample's distance to that of its plane at the stratum's border.
 constexpr float kMaxShrink = 4;
-/// Radius in parts of the distance to the nearest thing: beside a window most rays find nothing,
-/// and the mean distance would reach past its frame. A guess.
+/// Maximum radius relative to the distance of the nearest surface. Beside a window most rays hit
+/// nothing, and the mean distance would extend the record past the window's frame. An estimate.
 constexpr float kMaxClearance = 2;
-/// Share of the irradiance that the gradient may add or take over a radius; a guess.
+/// Maximum relative change of the irradiance by the gradient over one radius; an estimate.
 constexpr float kMaxChange = 0.5f;
-/// Rays nearer to the horizon than this, sin^2(theta), tell what stands on the surface.
+/// Rays below this elevation, as sin^2(theta), detect objects on the surface.
 constexpr float kLowRays = 2 / 3.0f;
 
 float seen_distance(const GatherSample& s) {
-  // Also catches NaN; a hit at the point itself must not divide by zero.
+  // The first test also rejects NaN; the clamp avoids a division by zero for a hit at the point
+  // itself.
   return s.distance > 0 ? std::clamp(s.distance, 1e-6f, kGatherFarthest) : 1e-6f;
 }
 
-/// 1 / distance at which a direction near the sample's meets what the sample hit.
+/// 1 / distance at which a direction near the sample's hits the plane of the sample's hit.
 float nearness(const GatherSample& s, const Vec3& direction) {
   const float inverse = 1 / seen_distance(s);
   const float facing = dot(s.normal, s.direction);
-  // A plane seen at a grazing angle says little about a direction beside the sample's.
+  // A plane at a grazing angle does not predict distances in other directions.
   if (!(std::abs(facing) > 1e-3f)) return inverse;
   return inverse * clamp(dot(s.normal, direction) / facing, 0, kMaxShrink);
 }
 
-/// E's change per length, by channel, in the local frame.
+/// Change of E per length, by channel, in the local frame.
 std::array<Vec3, 3> translational_gradient(const GatherHemisphere& hemisphere,
                                            std::span<const GatherSample> samples) {
   const int rings = hemisphere.rings, sectors = hemisphere.sectors;
@@ -49,7 +50,8 @@ std::array<Vec3, 3> translational_gradient(const GatherHemisphere& hemisphere,
   const float n = static_cast<float>(rings), half = kPi / static_cast<float>(sectors);
   for (int k = 0; k < sectors; ++k) {
     const int before = k > 0 ? k - 1 : sectors - 1;
-    // Borders of rings move along the middle of the sector, borders of sectors across their edge.
+    // Borders of rings move along the middle of the sector; borders of sectors move across their
+    // edge.
     const float middle = half * static_cast<float>(2 * k + 1);
     const float edge = half * static_cast<float>(2 * k);
     const Vec3 outward(math::cos(middle), math::sin(middle), 0);
@@ -74,12 +76,12 @@ std::array<Vec3, 3> translational_gradient(const GatherHemisphere& hemisphere,
   return gradient;
 }
 
-/// Median of the tangential distances of the low rays, for each of eight directions. The median,
-/// since grazing rays meet a concave surface itself anywhere near.
+/// Median of the tangential distances of the low rays, in eight directions. The median is used
+/// because grazing rays hit a concave surface itself at short distances.
 std::array<float, 8> free_ways(const Vec3& normal, std::span<const GatherSample> samples) {
   std::array<std::vector<float>, 8> seen;
   float low = kLowRays;
-  // With very few rings there may be none that low: then all count.
+  // With very few rings no ray may be low enough; then all rays count.
   const auto sin2 = [&](const GatherSample& s) { return 1 - sqr(dot(s.direction, normal)); };
   if (std::none_of(samples.begin(), samples.end(),
                    [&](const GatherSample& s) { return sin2(s) > low; }))
@@ -103,7 +105,8 @@ std::array<float, 8> free_ways(const Vec3& normal, std::span<const GatherSample>
   return free;
 }
 
-/// Standard error of the mean of strata whose neighbours differ so; as share of the mean.
+/// Standard error of the mean, estimated from the differences of neighbouring strata; relative to
+/// the mean.
 float noise_of(std::span<const GatherSample> samples, int rings, int sectors) {
   float squares = 0, sum = 0;
   int pairs = 0;
@@ -132,7 +135,7 @@ GatherHemisphere GatherHemisphere::for_rays(const Vec3& normal, int rays, float 
   GatherHemisphere h;
   const float n = static_cast<float>(std::clamp(rays, 1, 1 << 20));
   h.rings = std::max(1, static_cast<int>(std::lround(std::sqrt(n / kPi))));
-  // An even number, so that strata alternate all around.
+  // An even number, so that strata alternate around the circle.
   h.sectors = std::max(4, 2 * static_cast<int>(std::lround(n / static_cast<float>(2 * h.rings))));
   const Frame f(normal);
   const float c = math::cos(kTwoPi * turn), s = math::sin(kTwoPi * turn);
@@ -145,7 +148,7 @@ Vec3 GatherHemisphere::direction(int i, const Vec2& u) const {
   const float sin2 = (static_cast<float>(ring) + u.x) / static_cast<float>(rings);
   const float phi = kTwoPi * (static_cast<float>(i % sectors) + u.y) / static_cast<float>(sectors);
   const float sine = std::sqrt(sin2);
-  // A tiny positive cosine keeps a rim ray above the surface.
+  // The minimum cosine keeps rays at the horizon above the surface.
   return frame.to_world(
       Vec3(sine * math::cos(phi), sine * math::sin(phi), std::sqrt(std::max(1e-12f, 1 - sin2))));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One point of final gathering: rays over a hemisphere become irradiance, its gradients, a radius.
+// One final gather record: irradiance, its gradients and a radius from rays over a hemisphere.
 #pragma once
 
 #include <array>
@@ -11,19 +11,19 @@
 namespace oriel {
 
 // Conventions
-//   Everything is in world space. Irradiance is the integral of incoming radiance times the cosine
-//   over solid angle: a Lambert surface of albedo rho shows rho * E / pi; under radiance 1 from
-//   everywhere E is pi. Strata are laid out as in gather_light.h.
+// Everything is in world space. Irradiance is the integral over solid angle of incident radiance
+// times the cosine: a Lambert surface of albedo rho has radiance rho * E / pi; constant radiance 1
+// gives E = pi. Strata are stored as in gather_light.h.
 
-/// Distances at and beyond this count as nothing: the sky. Keeps all numbers of a record finite.
+/// Distances from here on count as no hit. Keeps all numbers of a record finite.
 inline constexpr float kGatherFarthest = 1e10f;
 
-/// What one ray brings back.
+/// The result of one gather ray.
 struct GatherSample {
   Vec3 direction{0, 0, 1};  ///< unit, away from the surface
   Rgb radiance{0};
-  float distance = kGatherFarthest;  ///< to what it hit; infinity or kGatherFarthest = nothing
-  Vec3 normal{0};                    ///< of what it hit, either side; null = not known
+  float distance = kGatherFarthest;  ///< to the hit; infinity or kGatherFarthest = none
+  Vec3 normal{0};                    ///< of the hit surface, either side; null = unknown
 };
 
 /// The rays of one point: rings x sectors strata with density cos / pi.
@@ -31,24 +31,24 @@ struct GatherHemisphere {
   Frame frame;
   int rings = 1, sectors = 4;
 
-  /// About `rays` strata that are nearly square. `turn`, in turns, rotates them about the normal,
-  /// so that neighbours do not share the same strata.
+  /// About `rays` nearly square strata. `turn`, in turns, rotates them about the normal, so that
+  /// neighbouring records have different strata.
   static GatherHemisphere for_rays(const Vec3& normal, int rays, float turn = 0);
   int count() const { return rings * sectors; }
-  /// Direction of stratum i, u in [0, 1)^2 within it.
+  /// Direction in stratum i; u in [0, 1)^2 is the position within it.
   Vec3 direction(int i, const Vec2& u) const;
 };
 
-/// Bounds of the radius that a record has, in scene units or in pixels.
+/// Bounds of a record's radius, in scene units or pixels.
 struct GatherRadii {
   float min = 0, max = 0;  ///< max 0 = unbounded
   bool in_pixels = false;
 
-  /// In scene units. `pixel`: length that one pixel covers at the point, scene units.
+  /// The bounds in scene units. `pixel`: length that one pixel covers at the point, scene units.
   GatherRadii in_scene(float pixel) const {
     return in_pixels ? GatherRadii{min * pixel, max * pixel, false} : *this;
   }
-  /// Total: a minimum above the maximum is ignored.
+  /// Defined for all values: a minimum above the maximum is ignored.
   float clamped(float radius) const {
     radius = std::max(radius, min);
     return max > 0 ? std::min(radius, max) : radius;
@@ -58,19 +58,18 @@ struct GatherRadii {
 struct GatherRecord {
   Vec3 position{0}, normal{0, 0, 1};
   Rgb irradiance{0};
-  /// By channel: change of E per length of moving, in the tangent plane.
+  /// By channel: change of E per length of displacement in the tangent plane.
   std::array<Vec3, 3> by_position{Vec3(0), Vec3(0), Vec3(0)};
-  /// By channel: E changes by its product with another normal, to first order.
+  /// By channel: the dot product with another normal is the change of E, to first order.
   std::array<Vec3, 3> by_normal{Vec3(0), Vec3(0), Vec3(0)};
   float radius = 1;  ///< of validity, scene units; finite
-  float noise = 0;   ///< standard error of the irradiance's brightness, as share of it; a guess
+  float noise = 0;   ///< estimated relative standard error of the irradiance
   float mean_distance = kGatherFarthest, min_distance = kGatherFarthest;
-  /// How far one gets along the surface before something stands there, in eight directions of
-  /// Frame(normal), the first along s.
+  /// Unoccluded distance along the surface in eight directions of Frame(normal), the first along s.
   std::array<float, 8> free = all_free();
   IncomingLight incoming;
-  /// Shares of the irradiance by layers of lights, by channel, sums 1 where there is light; empty =
-  /// not known.
+  /// Shares of the irradiance by light layer and channel. Their sum is 1 where there is light;
+  /// empty = unknown.
   std::vector<Rgb> shares;
 
   static constexpr std::array<float, 8> all_free() {
@@ -80,46 +79,45 @@ struct GatherRecord {
   }
 };
 
-/// What records and rays are judged by: all channels alike.
+/// The brightness used to compare records and rays: all channels have equal weight.
 inline float gather_brightness(const Rgb& c) { return c.x + c.y + c.z; }
 
-/// Where a vector points within Frame(normal): 0..8, eighths of a turn from s towards t (in between
-/// not quite proportional to the angle, which saves the arc tangent).
+/// Azimuth of a vector in Frame(normal): 0..8 eighths of a turn from s towards t. Between multiples
+/// it is not quite proportional to the angle, which avoids the arc tangent.
 float gather_sector(const Vec3& normal, const Vec3& v);
 
-/// Replaces each ray's radiance by that of the ray of median brightness among its neighbours.
+/// Replaces the radiance of each ray by that of the ray of median brightness among its neighbours.
 ///
-/// Model:   `reach` (0..4) strata each way, at most (2 reach + 1)^2 rays; sectors wrap around,
-/// rings
-///          end at pole and horizon. The lower median where the number is even. A lone bright
-///          stratum vanishes with its energy, and a skewed distribution goes to its median, below
-///          its mean: filtered irradiance is darker, the more the larger the reach. Uniform
-///          radiance and edges that are straight over the reach stay.
+/// Model:   `reach` (0..4) strata in each direction, at most (2 reach + 1)^2 rays; sectors wrap
+///          around, rings end at pole and horizon. The lower median of an even number. A single
+///          bright stratum is removed with its energy, and a skewed distribution is replaced by its
+///          median, which is below its mean: filtered irradiance is darker, the more the larger
+///          `reach` is. Uniform radiance and edges that are straight over `reach` are unchanged.
 /// Checked: GatherRecord.FilterRemovesASpeckle, GatherRecord.FilterKeepsAnEdge.
 void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, int reach);
 
-/// Makes a record of the rays of one point.
+/// Makes a record from the rays of one point.
 ///
-/// Model:   E and the integrals over directions take the radiance as constant in each stratum.
-///          Translational gradient: light moves where neighbouring strata differ, as fast as the
-///          nearer of the two is near; where samples bring normals, as near as its plane is at the
-///          strata's border. Without, the gradient is too long in the mean: before
-///          a wall 1.5 high, with 100 rays, by 1.2 at distance 1 and 1.8 at 0.3; with them 0.97 and
-///          1.07. Radius: harmonic mean of the distances, no longer than
-///          twice the nearest, nor than half of E / |gradient| (beyond the whole, E would be
-///          extrapolated to nothing), then kept within `radii`.
-/// Inputs:  samples: one for each stratum, in order; radiance that is negative or not finite counts
-///          as black. radii: in scene units. filter: as filter_speckles.
-/// Source:  Ward, Heckbert, "Irradiance Gradients", EGWR 1992; strata's borders as in Krivanek,
+/// Model:   E and the integrals over directions assume constant radiance in each stratum.
+///          Translational gradient: light moves where neighbouring strata differ, at a rate given
+///          by the distance of the nearer stratum; if samples have normals, by the distance of its
+///          plane at the border of the strata. Without normals the gradient is too long on average:
+///          1.5 high before a wall, with 100 rays, by 1.2 at distance 1 and 1.8 at 0.3; with
+///          normals 0.97 and 1.07. Radius: harmonic mean of the distances, at most twice the
+///          nearest, at most half of E / |gradient| (at E / |gradient| the extrapolation reaches
+///          0), then clamped to `radii`.
+/// Inputs:  samples: one per stratum, in order; negative and non-finite radiance counts as black.
+///          radii: in scene units. filter: as filter_speckles.
+/// Source:  Ward, Heckbert, "Irradiance Gradients", EGWR 1992; borders of strata as in Krivanek,
 ///          Gautron, Pattanaik, Bouatouch, "Radiance Caching for Efficient Global Illumination
-///          Computation", IEEE TVCG 11(5), 2005. The rotational gradient is kept as the vector to
-///          multiply with the new normal, not with the rotation's axis.
+///          Computation", IEEE TVCG 11(5), 2005. The rotational gradient is stored as the vector to
+///          multiply with the new normal, not with the axis of rotation.
 /// Checked: GatherRecord.*
 GatherRecord make_gather_record(const Vec3& position, const GatherHemisphere& hemisphere,
                                 std::span<const GatherSample> samples, const GatherRadii& radii,
                                 int filter = 0);
 
-/// Divides parts of light by their sum, by channel; where there is none the last has all.
+/// Divides parts of light by their sum, by channel; if the sum is 0, the last part gets 1.
 void normalise_shares(std::span<Rgb> parts);
 
 /// Irradiance at another point and normal, by the gradients.

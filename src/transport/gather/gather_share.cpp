@@ -6,8 +6,8 @@
 namespace oriel {
 namespace {
 
-/// Differences below this share of the mean brightness are not worth more rays, and most rays that
-/// one stratum gets beside its first; guesses.
+/// Differences below this fraction of the mean brightness get no further rays; maximum number of
+/// further rays of a stratum. Estimates.
 constexpr float kMinContrast = 0.5f;
 constexpr int kMaxExtraRays = 64;
 
@@ -27,7 +27,7 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
     for (int j = 0; j < rings; ++j)
       for (int k = 0; k < sectors; ++k) {
         if ((j + k) % 2 != color) continue;
-        // At the rim the neighbour beyond is left out, not this one taken for it.
+        // At the border the missing neighbour is skipped; this stratum does not replace it.
         float low = found(j, k - 1), high = low, sum = low;
         const auto look = [&](float l) {
           low = std::min(low, l), high = std::max(high, l), sum += l;
@@ -44,7 +44,7 @@ std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, in
     const float floor = kMinContrast * level / static_cast<float>(2 * samples.size());
     const float budget = 0.5f * static_cast<float>(more);
     if (!(total > 0)) continue;
-    // Rounded so that sums stay: each gets what the running total has come to.
+    // Rounded against the running total, so that the sum is exact.
     float run = 0;
     int given = 0;
     for (std::size_t i = 0; i < contrast.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which strata of a hemisphere deserve more gather rays.
+// Distribution of further gather rays over the strata of a hemisphere.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace oriel {
 
-/// How many rays of `more` each stratum gets beside its first one: those with contrast about them.
+/// Number of the `more` rays that each stratum gets beside its first one, by local contrast.
 ///
-/// Model:   strata alternate like the squares of a chessboard, and one is judged by its four
-///          neighbours alone, which are of the other colour, each colour having half of the rays.
-///          So what a stratum's own rays found has no say in how many it gets, and the mean of them
-///          stays unbiased. Rays go by the difference of the neighbours' brightness: about where
-///          the rays of a stratum differ. Strata among equal ones get none, and a hemisphere
-///          without contrast spends fewer rays than it may.
+/// Model:   strata alternate like the squares of a chessboard. The number of rays of a stratum
+///          depends on its four neighbours only, which are of the other colour; each colour gets
+///          half of the rays. The number is thus independent of the stratum's own rays, and their
+///          mean is unbiased. Rays are distributed by the difference of the neighbours' brightness,
+///          which approximates the variation within the stratum. Strata among equal ones get none,
+///          and a hemisphere without contrast uses fewer rays than permitted.
 /// Inputs:  samples: as make_gather_record; sectors: even.
 /// Checked: GatherShare.*
 std::vector<int> share_rays(std::span<const GatherSample> samples, int rings, int sectors,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the cache's octree grows, and how neighbours shorten each other's radii.
+// Insertion into the cache's octree, and the adjustment of radii by neighbours.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,12 +11,12 @@
 namespace oriel {
 namespace {
 
-/// Entries of a leaf before it splits. Measured: 4 to 16 make no difference beyond noise.
+/// Entries of a leaf before it splits. Measured: 4 to 16 differ only by noise.
 constexpr std::size_t kLeaf = 8;
-/// Squares of positions up to this stay well within float.
+/// Squares of positions up to this bound stay well within the range of float.
 constexpr float kFarthestPosition = 1e15f;
 
-/// Which of eight cells a position is in.
+/// Index of the octant that contains a position.
 std::uint32_t octant(const Vec3& p, const Vec3& centre) {
   return (p.x >= centre.x ? 1u : 0u) | (p.y >= centre.y ? 2u : 0u) | (p.z >= centre.z ? 4u : 0u);
 }
@@ -108,7 +108,7 @@ void GatherCache::place(const Entry& e) {
   while (true) {
     nodes_[index].include(e, records_[e.record].radius);
     if (nodes_[index].child == 0) {
-      // Cells whose size is lost in the rounding of their centre cannot tell points apart.
+      // Cells whose size is below the rounding error of their centre cannot separate points.
       const float coordinate =
           std::max(std::abs(centre.x), std::max(std::abs(centre.y), std::abs(centre.z)));
       if (nodes_[index].entries.size() < kLeaf || half <= 1e-6f * coordinate || half < 1e-15f) {
@@ -150,9 +150,9 @@ float GatherCache::refit(std::uint32_t index) {
 
 float GatherCache::straight(std::uint32_t index, const GatherRecord& r, float radius,
                             float tolerance) const {
-  /// Differences of fewer standard errors than this are taken for noise.
+  /// Differences of fewer standard errors than this count as noise.
   constexpr float kNoise = 0.5f;
-  /// Neighbours whose normals differ by more than this cosine are another surface.
+  /// Neighbours whose normals have a smaller cosine belong to another surface.
   constexpr float kSameWay = 0.9f;
   const Node& node = nodes_[index];
   if (node.distance2(r.position) > sqr(radius)) return radius;
@@ -185,7 +185,7 @@ void GatherCache::shorten_by_curvature(float tolerance) {
 }
 
 void GatherCache::settle_radii() {
-  /// Share of the irradiance that a record may be wrong by at its radius; a guess.
+  /// Relative error that a record may have at its radius; an estimate.
   constexpr float kTolerance = 0.1f;
   clamp_to_neighbours();
   shorten_by_curvature(kTolerance);
@@ -193,8 +193,8 @@ void GatherCache::settle_radii() {
 
 void GatherCache::clamp_to_neighbours() {
   if (nodes_.empty()) return;
-  // From the radii that the records were made with: min over all others of radius + distance obeys
-  // the triangle inequality already, so one pass is the fixed point and order cannot matter.
+  // Uses the original radii: the minimum over all others of radius + distance satisfies the
+  // triangle inequality, so one pass reaches the fixed point and the order does not matter.
   parallel_for(records_.size(), [this](std::size_t i) {
     radii_[i] = clamped(0, records_[i].position, records_[i].radius);
   });
