@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns shader calls of the scene into bound nodes: names, types, defaults, connections, phenomena.
+// Converts shader calls of the scene to bound nodes: names, types, defaults, connections,
+// phenomena.
 #pragma once
 
 #include <functional>
@@ -14,22 +15,24 @@
 
 namespace oriel {
 
-/// What a name in the scene was bound with; `oriel check` lists it.
+/// How the names of a scene were bound, for `oriel check`.
 struct BindingReport {
-  /// shader type -> how many calls
+  /// shader type -> number of calls
   std::map<std::string, int> shaders;
-  /// "shader.parameter" set by the scene but not followed exactly -> places
+  /// "shader.parameter" set by the scene but not implemented exactly -> places
   std::map<std::string, int> approximated, ignored;
-  /// Types of unavailable shaders; those with a fallback shader are also in `guessed`.
+  /// Types of unavailable shaders; `guessed` also contains those with a fallback shader.
   std::vector<std::string> missing_shaders, missing_textures;
-  std::map<std::string, int> fallbacks;        ///< shader type of a host -> how many calls
-  std::map<std::string, std::string> guessed;  ///< shader type -> what was taken for what
+  /// type of another program's shader -> number of calls
+  std::map<std::string, int> fallbacks;
+  std::map<std::string, std::string> guessed;  ///< shader type -> description of the fallback
 };
 
-/// Binds shader lists into `world`. Keep one per World: named shaders are shared.
+/// Binds shader lists into `world`. Use one per World: named shaders are shared.
 ///
-/// Errors: OR-RT-nnn diagnostics; an unknown shader becomes what its parameters' names say, or a
-///         visible stand-in (magenta); a parameter that is unknown or of the wrong type is skipped.
+/// Errors:  OR-RT-nnn diagnostics. An unknown shader is replaced by an approximation from its
+///          parameters' names, or by a magenta shader; a parameter that is unknown or of the wrong
+///          type is skipped.
 class Binder {
  public:
   /// `lights_by_name` maps light instances and groups of them to indices into World::lights.
@@ -38,20 +41,20 @@ class Binder {
          Diagnostics& diagnostics);
 
   NodeList bind(const scene::ShaderList& list);
-  /// A shader by name; null and a diagnostic when there is none.
+  /// A shader by name; null and a diagnostic if there is none.
   const ShaderNode* named(const std::string& name, SourceLocation where);
-  /// A light profile by its element's name; null when there is none or its file cannot be used.
+  /// A light profile by the name of its element; null if there is none or its file cannot be used.
   const photometry::LightProfile* light_profile(const std::string& name, SourceLocation where);
-  /// A material; phenomena whose root is a material are expanded.
+  /// Binds a material; phenomena whose root is a material are expanded.
   Material bind_material(const scene::Material& material);
 
-  /// A point without surface, for parameters that must not depend on one.
+  /// A point without surface, for parameters that must be constant.
   ShadingPoint& constant_point() { return constant_point_; }
 
   const BindingReport& report() const { return report_; }
 
  private:
-  /// Inside of one call of a phenomenon.
+  /// The scope of one call of a phenomenon.
   struct Scope {
     const scene::Phenomenon* phenomenon;
     const std::vector<scene::Argument>* arguments;
@@ -72,28 +75,28 @@ class Binder {
                                     const std::vector<scene::Argument>& args, SourceLocation where,
                                     Scope* scope);
   Material bind_material(const scene::Material& material, Scope* scope);
-  /// The slot `shadow`, as far as other shaders than the surface stand there.
+  /// Binds the slot `shadow`, except the surface shader itself.
   void bind_shadow(const scene::ShaderList& list, Scope* scope, Material& bound);
-  /// Those of the list that give a value to move by.
+  /// Binds the shaders of the list that return a displacement.
   NodeList bind_displacement(const scene::ShaderList& list, Scope* scope);
   NodeList bind_volume(const scene::ShaderList& list, Scope* scope);
   const ShaderNode* find_named(const std::string& name, Scope* scope);
-  /// Among the shaders of the phenomena around; null when there is none.
+  /// A shader of the enclosing phenomena by name; null if there is none.
   const ShaderNode* find_local(const std::string& name, Scope* scope);
   const ShaderNode* bind_named(const scene::ShaderElement& element, Scope* scope,
                                std::map<std::string, const ShaderNode*>& known);
-  /// The shader that a phenomenon's parameter names.
+  /// The shader that a parameter of the phenomenon refers to.
   const ShaderNode* interface_shader(const std::string& name, SourceLocation where, Scope* scope);
   Resolved resolve(const std::string& dotted, SourceLocation where, Scope* scope);
   const scene::Value* interface_value(const std::string& name, const Scope& scope) const;
 
-  // Shaders of other programs (binder_stand_ins.cpp):
-  /// A shader that is not there, by the names of its parameters where they say something.
+  // Shaders of other programs (binder_fallbacks.cpp):
+  /// Binds a fallback for an unavailable shader, by the names of its parameters if they are known.
   const ShaderNode* bind_unknown(const std::string& type, const std::vector<scene::Argument>& args,
                                  SourceLocation where, Scope* scope);
-  /// Applies the defaults of the scene's own declaration to a stand-in.
+  /// Applies the defaults of the scene's own declaration to a fallback.
   void bind_declared(ShaderNode& node, const std::vector<scene::ParamDecl>& declared);
-  /// An argument of a stand-in that has no such parameter: binds what it is made of, or notes it.
+  /// An argument without counterpart in the fallback: binds its parts, or reports it.
   void bind_parts(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   /// Binds an unknown parameter that is connected to a material to the material input of a shader
   /// that passes it through. False: the argument is no such connection.
@@ -104,14 +107,14 @@ class Binder {
   void bind_argument(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   void bind_value(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                   const scene::Value& value, Scope* scope);
-  /// Has a material stand for the parameter at `offset`; false: it costs too much.
+  /// Connects a material to the parameter at `offset`; false: it costs too much.
   bool bind_input(ShaderNode& node, std::size_t offset, const ShaderNode& source,
                   SourceLocation where);
-  /// Leaves out materials whose lobes a closure has no room for.
+  /// Removes materials whose lobes exceed the capacity of a closure.
   void count_lobes(ShaderNode& node, SourceLocation where);
-  /// Counts the shaders that run for `node` with a source of that cost more; false: too many.
+  /// Adds the cost of a source to the evaluations of `node`; false: too many.
   bool afford(ShaderNode& node, float cost, SourceLocation where);
-  /// Notes that `node` asks `source`; false: the chain would be too long.
+  /// Records that `node` evaluates `source`; false: the chain would be too long.
   bool reaches(const ShaderNode& node, const ShaderNode* source, SourceLocation where);
   void bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset, ParamType type,
                     const scene::Value& value);
@@ -119,13 +122,13 @@ class Binder {
                  const scene::Value& value, Scope* scope);
   void bind_array(ShaderNode& node, const ParamSpec& param, const scene::Value& value,
                   Scope* scope);
-  /// The element at `offset` of an array; its members where it is a struct.
+  /// The element at `offset` of an array; for structs, their members.
   void bind_element(ShaderNode& node, const ParamSpec& param, std::size_t offset,
                     const scene::Value& value, Scope* scope);
   void bind_members(ShaderNode& node, const ParamSpec& param, std::size_t offset,
                     const std::string& prefix, const std::vector<scene::Argument>& members,
                     Scope* scope);
-  /// Room behind the parameters; returns its offset. Arrays bound before move along.
+  /// Appends storage behind the parameters; returns its offset. Arrays that were bound before move.
   static std::size_t append_elements(ShaderNode& node, std::size_t bytes);
   void mismatch(const ShaderNode& node, const ParamSpec& param, const scene::Value& value);
   const TextureNode* texture(const std::string& name, SourceLocation where, Scope* scope);
@@ -141,10 +144,11 @@ class Binder {
   std::map<std::string, const TextureNode*> textures_;
   std::map<const ShaderNode*, const TextureNode*> procedures_;
   std::map<std::string, const photometry::LightProfile*> light_profiles_;
-  std::unordered_map<const ShaderNode*, int> chain_;  ///< shaders one behind the other, most
-  std::map<const TextureNode*, float> texture_cost_;  ///< shaders that one look-up runs
+  std::unordered_map<const ShaderNode*, int> chain_;  ///< maximum length of a chain of shaders
+  std::map<const TextureNode*, float> texture_cost_;  ///< number of shaders evaluated per look-up
   std::vector<std::unique_ptr<Scope>> scopes_;
-  std::vector<std::pair<const Scope*, std::string>> binding_;  ///< being bound, to find cycles
+  /// currently bound, to detect cycles
+  std::vector<std::pair<const Scope*, std::string>> binding_;
   int depth_ = 0;
   const ShaderNode* fallback_ = nullptr;
   std::map<std::string, int> reported_;

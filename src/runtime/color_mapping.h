@@ -8,15 +8,16 @@
 
 namespace oriel {
 
-/// Sends a colour through shaders that map colours (exposures), as lens shaders do.
+/// Maps a colour by colour-mapping lens shaders (exposures).
 ///
-/// Inputs:  raster: as Camera::ray takes it.
+/// Inputs:  raster: as in Camera::ray.
 Rgb map_color(const NodeList& shaders, const World& world, Vec2 raster, const Rgb& color);
 
-/// Sends a colour of the picture through output shaders.
+/// Maps a colour of the picture by output shaders.
 ///
-/// Model:   a shader of side_channel_mode 1 maps what the lens shader of the same side channel was
-///          given, in place of the picture; of mode 2, it puts that back and maps nothing. Where no
+/// Model:   a shader of side_channel_mode 1 maps the input of the lens shader with the same side
+///          channel instead of the picture; one of mode 2 restores that input and maps nothing. If
+///          no lens shader fills the channel, every mode acts as 0.
 ///          lens shader fills the channel every mode is 0.
 /// Inputs:  shown: after lens shaders; film: before them.
 /// Source:  manual 3.1.2.1.
@@ -25,9 +26,9 @@ Rgb map_output(const NodeList& shaders, const World& world, Vec2 raster, const R
                const Rgb& film);
 
 LensTraits lens_traits(const ShaderNode& node);
-/// Whether a lens shader fills that side channel.
+/// Whether a lens shader fills the side channel.
 bool has_side_channel(const World& world, std::string_view name);
-/// Makes the shader's preview, if it has one that can be read, the world's.
+/// Makes the shader's preview picture that of the world, if it has a readable one.
 void note_preview(const ShaderNode& node, World& world);
 
 }  // namespace oriel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Over how much of a texture does a look-up blur whose coordinate another shader makes?
+// The texture footprint of a look-up whose coordinate is the result of a shader.
 #pragma once
 
 #include "image/texture.h"
@@ -7,13 +7,14 @@
 
 namespace oriel {
 
-/// Change of what `coordinate` gives over the footprint of the ray; zero when that is unknown.
+/// Change of the result of `coordinate` over the footprint of the ray; zero if unknown.
 ///
-/// Model:   the shader is asked beside the point, along each half axis: position and all texture
-///          spaces move (by texture_footprint()), so whatever it scales, turns or projects counts.
-///          Where copies of a texture meet, the other side is asked; where both jump, nothing is
-///          known of the shader and the footprint stays as it is in texture space 0.
-/// Inputs:  coordinate: gives a value; here: what it gives at the point.
+/// Model:   evaluates the shader at points offset along each half axis. Position and all texture
+///          spaces are offset (by texture_footprint()), which includes scaling, rotation and
+///          projection by the shader. At a discontinuity, where copies of a texture meet, the
+///          opposite offset is evaluated; if both are discontinuous, the footprint of texture space
+///          0 is used.
+/// Inputs:  coordinate: returns a value; here: its value at the point.
 /// Source:  forward differences; Igehy, "Tracing Ray Differentials", SIGGRAPH 1999, 3.4.
 /// Checked: BaseLookups.TheFilterGoesByTheCoordinate and
 ///          BaseLookups.FilterLookupBlursAlongTheFootprint in tests/shader_binding.

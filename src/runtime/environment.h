@@ -6,8 +6,8 @@
 
 namespace oriel {
 
-/// Radiance, in pixel units, of environment shaders in a direction; alpha as the last shader
-/// returns it. `blurred`: the ray is one of a glossy bundle. `roughness`: see ShadingPoint.
+/// Radiance, in pixel units, of environment shaders in a direction; alpha is that of the last
+/// shader. `blurred`: the ray belongs to a glossy lobe. `roughness`: see ShadingPoint.
 Rgba environment_radiance(const NodeList& shaders, const World& world, const Vec3& origin,
                           const Vec3& direction, RayKind kind, bool blurred = false,
                           float roughness = 0);

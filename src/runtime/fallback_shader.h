@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The replacement of an unavailable shader: a guess from the names of its parameters, or magenta
-// as material and as value.
+// Replacements of unavailable shaders: an approximation from the names of its parameters, or
+// magenta, as material and as value.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -10,22 +10,21 @@ namespace oriel {
 
 extern const ShaderSpec kFallbackShader;
 
-/// A material, a light, a texture or an environment, whichever it is asked for: a colour, looked up
-/// in a texture where there is one; as a material with transparency, highlight, mirror and glow, or
-/// what lies under it.
+/// Works as material, light, texture and environment: a colour, looked up in a texture if there is
+/// one. As a material it has transparency, highlight, mirror reflection and emission, or the
+/// material that it is connected to.
 /// Checked: GuessedShaders.* in tests/shader_binding.
 extern const ShaderSpec kApproximateMaterial;
 
-/// Whether it is one of the two; that the shader is missing has been reported then (OR-RT-001).
+/// Whether the shader is a fallback, in which case OR-RT-001 was reported.
 inline bool is_substitute(const ShaderSpec& spec) {
   return &spec == &kFallbackShader || &spec == &kApproximateMaterial;
 }
 
-/// The parameter of kApproximateMaterial that one of this name stands for; null where it says
-/// nothing.
+/// The parameter of kApproximateMaterial for a parameter of this name; null if the name is unknown.
 ///
-/// Inputs:  declared: its type, null where the scene does not say. names_texture: the value is the
-///          name of a texture element.
+/// Inputs:  declared: its type, null if the scene does not declare it. names_texture: the value is
+///          the name of a texture element.
 const char* familiar_parameter(std::string_view name, const scene::Value& value,
                                const ParamType* declared, bool names_texture);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a ray's hit to the shading point: bases, footprint, material.
+// Fills the shading point of a ray's hit: bases, footprint, material.
 #pragma once
 
 #include "runtime/world.h"
 
 namespace oriel {
 
-/// The cone a ray stands for, to filter textures: width grows by `spread` per unit of distance.
+/// Ray cone for texture filtering: the width grows by `spread` per unit of distance.
 /// Source: Akenine-Moller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing",
 ///         Ray Tracing Gems, 2019.
 struct RayCone {
@@ -14,10 +14,10 @@ struct RayCone {
   float width_at(float t) const { return width + spread * t; }
 };
 
-/// Texture coordinates, bump bases and derivatives of a surface.
+/// Copies texture coordinates, bump bases and derivatives of a surface.
 void take_texture_spaces(const geom::SurfacePoint& surface, ShadingPoint& point);
 
-/// Fills the point of a hit. `point.ray_*` and `ray_kind` are set from the ray.
+/// Fills the point of a hit, including `ray_*` and `ray_kind`.
 void fill_point(const World& world, const geom::Ray& ray, const geom::Hit& hit, const RayCone& cone,
                 RayKind kind, ShadingPoint& point);
 

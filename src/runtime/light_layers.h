@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose light is kept apart: groups of lights that a user named.
+// Light layers: user-defined groups of lights with AOVs of their own.
 #pragma once
 
 #include <algorithm>
@@ -13,26 +13,26 @@
 
 namespace oriel {
 
-/// Layers are numbered: the groups as they were named, then the rest, then what does not know.
-/// Groups that overlap: a light belongs to the first. Portals that show the scene's environment and
-/// that no pattern names are the environment's.
+/// Layers are numbered: the groups in order, then the remaining light, then light of unknown
+/// origin. A light of several groups belongs to the first. Portals that show the scene's
+/// environment and match no pattern belong to the environment.
 struct LightLayers {
   std::vector<std::string> names;  ///< of the groups; empty = not requested
   // By index into World::lights and World::instances, empty when not requested.
   std::vector<std::uint8_t> of_light, of_instance;
   std::uint8_t environment = 0;
-  bool some_unknown = false;  ///< some surfaces show light that their shaders asked for
+  bool some_unknown = false;  ///< some surfaces show light that was evaluated by their shaders
 
   bool asked() const { return !names.empty(); }
-  /// Light of no group: of other lights, and light without a source.
+  /// Light of no group, including emission that is not a light source.
   std::size_t rest() const { return names.size(); }
-  /// Light that was worked out without knowing whose it is.
+  /// Light whose source is unknown, e.g. from caches without layers.
   std::size_t unknown() const { return names.size() + 1; }
   std::size_t count() const { return names.size() + 2; }
 };
 inline constexpr std::size_t kMaxLightLayers = scene::kMaxLightGroups + 2;
 
-/// Light by layer. Not set until clear().
+/// Light by layer. Uninitialised until clear().
 struct LightParts {
   std::array<Rgb, kMaxLightLayers> of;
   void clear(std::size_t count) { std::fill_n(of.begin(), count, Rgb(0)); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs of the architectural material by number: what frame buffers and connections ask for.
+// The outputs of the architectural material by number, for frame buffers and connections.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace oriel {
 
-/// The 24 outputs in the order of the material's declaration, then "other": light that belongs to
-/// none of them. All are colours but "opacity", which is one number.
+/// The 24 outputs in the order of the material's declaration, then "other": light of none of them.
+/// All are colours except "opacity", a scalar.
 /// Source: manual 1.6.11.
 inline constexpr std::array kMaterialOutputNames = {
     "result",      "diffuse_result",  "diffuse_raw",  "diffuse_level",    "spec_result",
@@ -18,7 +18,7 @@ inline constexpr std::array kMaterialOutputNames = {
     "tran_level",  "indirect_result", "indirect_raw", "indirect_post_ao", "ao_raw",
     "add_result",  "opacity_result",  "opacity_raw",  "opacity",          "other"};
 inline constexpr std::size_t kMaterialOutputs = kMaterialOutputNames.size();
-/// Those that the material returns; the others are of the picture alone.
+/// The number of outputs of the material; the others belong to the picture only.
 inline constexpr std::size_t kMaterialResults = kMaterialOutputs - 1;
 
 using MaterialOutputs = std::array<Rgb, kMaterialOutputs>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one table of a shader: name, type, default, range, unit and doc of each parameter.
+// The parameter table of a shader: name, type, default, range, unit and doc of each parameter.
 #pragma once
 
 #include <array>
@@ -23,22 +23,22 @@ class ShaderNode;
 class TextureNode;
 
 // Conventions
-//   A shader's parameters are a plain struct; the table lists its members. The member's C++ type
-//   decides the `.mi` type: bool boolean, int integer, float scalar, Rgba color, Vec3 vector,
+//   A shader's parameters are a plain struct; the table lists its members. The C++ type of a member
+//   determines the `.mi` type: bool boolean, int integer, float scalar, Rgba color, Vec3 vector,
 //   Mat4 transform, std::string_view string, ShaderRef shader, LightRef light,
 //   ColorTextureRef/ScalarTextureRef/VectorTextureRef textures, ArrayView<T> array of T.
 
-/// A parameter of type shader: the node itself, null when unset.
+/// A parameter of type shader; null if unset.
 struct ShaderRef {
   const ShaderNode* node = nullptr;
 };
-/// A light instance: index into World::lights, -1 when unset.
+/// A light instance: index into World::lights, -1 if unset.
 struct LightRef {
   int index = -1;
 };
-/// Parameters of types material, geometry and data: an element of the scene by its name.
+/// Parameters of types material, geometry and data: the name of a scene element.
 struct ElementRef {
-  const std::string* name = nullptr;  ///< null: none
+  const std::string* name = nullptr;  ///< null = none
 };
 struct ColorTextureRef {
   const TextureNode* texture = nullptr;
@@ -49,7 +49,7 @@ struct ScalarTextureRef {
 struct VectorTextureRef {
   const TextureNode* texture = nullptr;
 };
-/// A light profile (IES, EULUMDAT), null when unset.
+/// A light profile (IES, EULUMDAT); null if unset.
 struct LightProfileRef {
   const photometry::LightProfile* profile = nullptr;
 };
@@ -131,36 +131,36 @@ constexpr ParamType element_type() {
 }
 }  // namespace detail
 
-/// How far Oriel follows a parameter; `oriel check` reports what a scene sets beyond Exact.
+/// How exactly a parameter is implemented; `oriel check` reports scene settings that are not Exact.
 enum class Support : std::uint8_t { Exact, Approximated, Ignored };
 
-/// One row of a shader's table.
+/// One row of a shader's parameter table.
 struct ParamSpec {
   const char* name;
   ParamType type;
-  ParamType element;  ///< of an array; else equal to type
+  ParamType element;  ///< of an array; otherwise equal to type
   std::size_t offset;
-  std::array<float, 4> fallback{};  ///< default as declared; alpha of colours 1 when left 0
+  std::array<float, 4> fallback{};  ///< declared default; alpha of colours is 1 if left 0
   float min = -std::numeric_limits<float>::infinity();
   float max = std::numeric_limits<float>::infinity();
   const char* unit = "";
   const char* doc = "";
   Support support = Support::Exact;
-  const char* alias = nullptr;   ///< another spelling that scenes use
-  bool declared_default = true;  ///< false: the declaration has none, 0 is the unwritten value
-  /// Textures connected here give the nearest texel as it stands: values that wrap around, such as
-  /// angles, have no mean.
+  const char* alias = nullptr;   ///< another accepted spelling
+  bool declared_default = true;  ///< false: without declared default; unset = 0
+  /// Connected textures return the nearest texel without filtering: for values that wrap around,
+  /// such as angles.
   bool unfiltered = false;
-  /// The shader asks for what is connected here itself (ShaderNode::ask).
+  /// The shader evaluates this connection itself (ShaderNode::ask).
   bool asked_for = false;
-  /// Another material may stand here, by connection or as a shader: see runtime/shade_input.h.
+  /// Accepts another material, connected or as a shader: see runtime/shade_input.h.
   bool takes_material = false;
   const char* text = nullptr;            ///< default of a string; null = empty
-  std::span<const ParamSpec> members{};  ///< of an array's elements that are structs
-  std::size_t stride = 0;                ///< bytes of one of those
+  std::span<const ParamSpec> members{};  ///< of array elements that are structs
+  std::size_t stride = 0;                ///< bytes per struct
 };
 
-/// Starts a row: name, types and offset from the struct's member.
+/// Starts a row with name, types and offset of the struct's member.
 #define ORIEL_PARAM(Struct, member)                                                       \
   .name = #member, .type = ::oriel::detail::ParamTypeOf<decltype(Struct::member)>::value, \
   .element = ::oriel::detail::element_type<decltype(Struct::member)>(),                   \

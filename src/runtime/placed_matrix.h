@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A matrix that is an instance's, or where the instance moves the point's own.
+// A reference to an instance's matrix, or a matrix of its own on moving instances.
 #pragma once
 
 #include "base/vec.h"
 
 namespace oriel {
 
-/// Reads as a pointer, null until set. The place for an own matrix is left as it is until then:
-/// points are made and copied by the million, and few are on what moves.
+/// Behaves like a pointer, null until set. Storage for an own matrix is uninitialised until then:
+/// points are made and copied very often, and few are on moving objects.
 class PlacedMatrix {
  public:
   PlacedMatrix() = default;
@@ -20,7 +20,7 @@ class PlacedMatrix {
     if (is_own_) own_ = other.own_;
     return *this;
   }
-  /// Keeps a copy.
+  /// Stores a copy.
   void set(const Mat4& own) {
     own_ = own;
     is_own_ = true;

@@ -14,37 +14,38 @@ class PortalTable;
 struct World;
 
 // Conventions
-//   A portal is a rectangle with an inside, the side it shines to, and an outside. In each
-//   direction its radiance is that of the environment seen through it, so that all of them together
-//   bring what rays through the window would find. Diffuse rays from inside therefore end at it,
-//   and so do samples of the environment; what comes from outside passes. Mirrors, glass and the
-//   eye look through, unless the portal is visible. Where a portal moves, the environment does not.
+//   A portal is a rectangle with an inside, the side that it illuminates, and an outside. In each
+//   direction its radiance is that of the environment seen through it, so the sum over directions
+//   equals the light that rays through the window would find. Diffuse rays from inside therefore
+//   end at it, as do samples of the environment; rays from outside pass. Mirrors, glass and the
+//   camera see through it, unless the portal is visible. Where a portal moves, the environment does
+//   not.
 
 /// Parameters of a portal, from its shader.
 struct PortalTraits {
-  bool own_environment = false;             ///< else the camera's
-  const ShaderNode* environment = nullptr;  ///< the own one; null: white in all directions
+  bool own_environment = false;             ///< otherwise the camera's
+  const ShaderNode* environment = nullptr;  ///< its own one; null = white in all directions
   RayKind lookup = RayKind::FinalGather;    ///< ray kind of environment look-ups
   Rgb scale{1};                             ///< of the environment's radiance
   bool reverse = false;                     ///< inside is -z of the light's space, else +z
-  float cutoff = 0;  ///< colours of the light below this at the lit point are dropped
+  float cutoff = 0;  ///< smaller values of the light's colour at the lit point are ignored
   bool shadows = true;
-  /// Shadow rays begin this far outside; negative: inside, and what is nearer to the portal does
-  /// not block it. Scene units, along the ray.
+  /// Shadow rays begin this far outside; negative: inside, and nearer surfaces do not block. Scene
+  /// units, along the ray.
   float shadow_extension = 0;
-  bool visible = false;       ///< eye, reflection and refraction rays end at it
-  Rgb transparency{1};        ///< of what they see: of the surface, or through it
-  bool photons_only = false;  ///< no direct light, and diffuse rays pass
+  bool visible = false;       ///< camera, reflection and refraction rays end at it
+  Rgb transparency{1};        ///< applied to the surface or the view through it
+  bool photons_only = false;  ///< no direct light; diffuse rays pass
 };
 
 /// A portal in the scene.
 struct Portal : PortalTraits {
   const World* world = nullptr;
   NodeList shaders;  ///< of the environment
-  /// Null: even, not at right angles, or it moves otherwise than straight.
+  /// Null: constant, not rectangular, or with non-linear motion.
   std::shared_ptr<const PortalTable> table;
   float half_u = 0, half_v = 0;
-  Vec3 across_u{0}, across_v{0};  ///< places from the centre by these: -1 to 1 on the rectangle
+  Vec3 across_u{0}, across_v{0};  ///< half edges: -1 to 1 cover the rectangle
 
   bool blocks_diffuse_rays() const { return !photons_only; }
 };

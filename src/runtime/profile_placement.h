@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured distributions on lights: which profile, and how it stands in the world.
+// Photometric profiles of lights: profile and orientation in the world.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,11 @@
 namespace oriel {
 
 // Conventions
-//   The profile's nadir (photometry/light_profile.h) is the light's direction; a light without one
-//   shines along -z of its space. Its +x is the x axis of the light's space, made perpendicular to
-//   the direction; where that is the x axis itself, the y axis stands in.
+//   The profile's nadir (photometry/light_profile.h) is the light's direction, or -z of its space
+//   for lights without direction. Its +x is the x axis of the light's space, orthogonalised to the
+//   direction; if these are parallel, the y axis is used.
 struct ProfilePlacement {
-  const photometry::LightProfile* profile = nullptr;  ///< null: the light has none
+  const photometry::LightProfile* profile = nullptr;  ///< null = none
   Vec3 x{1, 0, 0}, y{0, 1, 0}, nadir{0, 0, -1};       ///< unit, world
   explicit operator bool() const { return profile != nullptr; }
 
@@ -24,7 +24,7 @@ struct ProfilePlacement {
     return {dot(world, x), dot(world, y), -dot(world, nadir)};
   }
   Vec3 to_world(const Vec3& local) const { return x * local.x + y * local.y - nadir * local.z; }
-  /// Intensity in a direction of the world, cd.
+  /// Intensity in a world direction, cd.
   float candela(const Vec3& direction) const { return profile->evaluate(to_profile(direction)); }
 };
 
@@ -33,12 +33,12 @@ struct ProfilePlacement {
 ProfilePlacement place_profile(const photometry::LightProfile* profile, const Mat4& to_world,
                                const Vec3& direction);
 
-/// Reads what a lightprofile element names.
+/// Reads the file of a lightprofile element.
 ///
-/// Model:   `format` (else told by content), `file` (relative to the scene file), `flags` (1:
-///          angles run clockwise, 2: against the clock, else as the format says), `hermite` 3
-///          (cubic, else linear), `resolution` (cells of the cubic's table).
-/// Errors:  OR-RT-040 and null: the file cannot be used; with its line. OR-RT-041: a note.
+/// Model:   `format` (default: detected from the content), `file` (relative to the scene file),
+///          `flags` (1: angles run clockwise, 2: counter-clockwise, otherwise as in the format),
+///          `hermite` 3 (cubic, otherwise linear), `resolution` (cells of the cubic's table).
+/// Errors:  OR-RT-040 with the line; returns null: the file cannot be used. OR-RT-041: a note.
 /// Checked: PhotometricLights.* in tests/shader_binding/photometric_test.cpp.
 std::unique_ptr<photometry::LightProfile> open_light_profile(const scene::LightProfile& element,
                                                              Diagnostics& diagnostics);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials over materials: the closure of a shader that is connected to another, scaled and
-// joined.
+// Layered materials: scales the closure of a connected material and adds it to another.
 #pragma once
 
 #include "runtime/closure.h"
@@ -8,17 +7,17 @@
 
 namespace oriel {
 
-/// A part of a closure under way: what is added to it while the part stands is scaled and joined
-/// with what was there before.
+/// A part of a closure under construction: lobes that are added during its lifetime are scaled,
+/// then combined with the earlier ones.
 class ClosurePart {
  public:
-  /// Takes emission, albedo and ambient light out of the closure, so that what is added stands
-  /// alone.
+  /// Removes emission, albedo and ambient light from the closure, so that it contains only the
+  /// part.
   explicit ClosurePart(Closure& closure);
   ClosurePart(const ClosurePart&) = delete;
   ClosurePart& operator=(const ClosurePart&) = delete;
 
-  /// Scales what was added since, and puts back what was taken out.
+  /// Scales the part and restores the removed values.
   void join(const Rgb& level);
 
  private:
@@ -30,12 +29,11 @@ class ClosurePart {
 /// Scales a whole closure: lobes, emission, albedo, ambient light.
 void scale(Closure& closure, const Rgb& level);
 
-/// Adds what stands for the parameter at `offset`, times `level`: the closure of the material that
-/// is connected there, or else what the parameter itself says, as light that is seen. Asks nothing
-/// where the level is black.
+/// Adds the input at `offset` times `level`: the closure of the connected material, or otherwise
+/// the parameter's value as emission. Evaluates nothing if the level is black.
 ///
-/// Model:   cut-outs, media, light lists and switches are those of the material asked last.
-/// Inputs:  offset: of the parameter; plain: its value. A shader that is no material gives its own.
+/// Model:   cut-outs, media, light lists and switches are those of the last evaluated material.
+/// Inputs:  offset: of the parameter; plain: its value, used if no material is connected.
 /// Checked: MaterialChains.* in tests/shader_binding, RayNodes.* in tests/analytic.
 void shade_input(const Call& call, std::size_t offset, const Rgba& plain, const Rgb& level,
                  Closure& closure);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shader of the scene, bound: constant parameters, connections, state; and how it is evaluated.
+// A bound shader of the scene: constant parameters, connections, state; and its evaluation.
 #pragma once
 
 #include <memory>
@@ -11,20 +11,20 @@
 
 namespace oriel {
 
-/// Most bytes a parameter struct or a result may have (they live on the stack while evaluated).
+/// Maximum size in bytes of a parameter struct or a result, which are allocated on the stack.
 inline constexpr std::size_t kMaxParamBytes = 1536;
 
-/// A parameter whose value another shader gives at each point.
+/// A parameter whose value is the result of another shader.
 struct Connection {
   std::size_t offset;  ///< into this shader's parameters
   ParamType type;      ///< of the parameter
   const ShaderNode* source;
   ParamType source_type;      ///< of the result or its member
   std::size_t source_offset;  ///< of the member in the source's result
-  bool unfiltered = false;    ///< the source, and all it asks, look up single texels
+  bool unfiltered = false;    ///< the source and its inputs look up single texels
 };
 
-/// A parameter that another material stands for.
+/// A parameter with a connected material.
 struct MaterialInput {
   std::size_t offset;  ///< into this shader's parameters
   const ShaderNode* source;
@@ -38,25 +38,25 @@ class ShaderNode {
   const ShaderSpec& spec() const { return *spec_; }
   const ShaderState* state() const { return state_.get(); }
 
-  /// Constant parameters, as written or by default; connected ones hold their default.
+  /// Constant parameters, set or default; connected ones contain their default.
   template <class P>
   const P& constants() const {
     return *reinterpret_cast<const P*>(constants_.data());
   }
-  /// Whether the parameter at `offset` comes from another shader.
+  /// Whether the parameter at `offset` is connected to another shader.
   bool connected(std::size_t offset) const;
-  /// The shader that gives the parameter at `offset`; null when it is constant.
+  /// The shader connected to the parameter at `offset`; null if it is constant.
   const ShaderNode* source(std::size_t offset) const;
-  /// The material that stands for the parameter at `offset`; null when there is none.
+  /// The material connected to the parameter at `offset`; null if there is none.
   const ShaderNode* material_input(std::size_t offset) const;
   const std::vector<MaterialInput>& material_inputs() const { return material_inputs_; }
   /// Connections that only the shader itself evaluates (BindingTraits::deferred,
   /// ParamSpec::asked_for).
   const std::vector<Connection>& connections() const { return deferred_; }
-  /// Writes what is connected to the parameter at `offset`, converted to its type. False: nothing
-  /// is.
+  /// Writes the value connected to the parameter at `offset`, converted to its type. False: nothing
+  /// is connected.
   bool ask(std::size_t offset, ShadingPoint& point, void* target) const;
-  /// Whether light may pass one of these materials straight.
+  /// Whether light may pass one of the connected materials straight.
   bool inputs_may_transmit() const;
 
   /// Calls f(Call) with all connections evaluated at the point.
@@ -73,19 +73,19 @@ class ShaderNode {
   float scalar(ShadingPoint& point) const;
   Vec3 vector(ShadingPoint& point) const;
 
-  /// Whether it is asked for a value by tracing rays: it is a material, or lies over one.
+  /// Whether its value needs rays: it is a material, or is connected to one.
   bool is_shaded() const {
     return spec_->material.fill && (!spec_->value || !material_inputs_.empty());
   }
-  /// Writes the raw result (spec().result_size bytes): what its shader says; of a material its
-  /// finished colour at the point and, where it has them, its outputs. Black where nothing can be
+  /// Writes the raw result (spec().result_size bytes): the shader's result; of a material its
+  /// shaded colour at the point and, if it has them, its outputs. Black where no rays can be
   /// traced: in shadow rays, photons, displacement.
   void value(ShadingPoint& point, void* result) const;
 
  private:
   friend class Binder;
   void evaluate_connections(ShadingPoint& point, std::byte* scratch) const;
-  /// Takes those connections aside that the shader asks for itself.
+  /// Separates the connections that the shader evaluates itself.
   void defer_connections();
 
   const ShaderSpec* spec_;
@@ -94,17 +94,17 @@ class ShaderNode {
   std::vector<Connection> connections_, deferred_;
   std::vector<MaterialInput> material_inputs_;
   std::unique_ptr<ShaderState> state_;
-  /// Shaders that run for one evaluation, itself included. A shader that several others use runs
-  /// once for each.
+  /// Number of shaders of one evaluation, including itself. A shader with several users counts once
+  /// for each.
   float cost_ = 1;
-  int max_lobes_ = 1;  ///< of its closure, with those of the materials it is connected to
+  int max_lobes_ = 1;  ///< of its closure, including connected materials
 };
 
-/// Shaders of a list run in order, each on what the one before left at the point.
+/// Shaders of a list run in order, each on the result of the previous one.
 using NodeList = std::vector<const ShaderNode*>;
 
-/// Converts between the types of values a connection may join: a scalar fills a colour or vector, a
-/// colour gives a scalar by the mean of its channels, numbers are true when not 0.
+/// Converts between the types that connections permit: a scalar sets all channels of a colour or
+/// vector, a colour is reduced to the mean of its channels, a number is true if it is not 0.
 void convert_value(ParamType from, const void* source, ParamType to, void* target);
 std::size_t size_of(ParamType type);
 

@@ -11,9 +11,9 @@
 namespace oriel {
 
 // Conventions
-// A hemisphere is divided into rings x sectors strata of equal cosine-weighted solid angle: ring j
-// covers sin^2(theta) in [j, j + 1] / rings, sector k covers phi in [k, k + 1] / sectors turns from
-// the frame's s towards t. Values are stored by ring: [ring * sectors + sector].
+//   A hemisphere is divided into rings x sectors strata of equal cosine-weighted solid angle: ring
+//   j covers sin^2(theta) in [j, j + 1] / rings, sector k covers phi in [k, k + 1] / sectors turns
+//   from the frame's s towards t. Values are stored by ring: [ring * sectors + sector].
 
 /// Integrals over solid angle of L times 1, the local x, y, z, and products of two of them.
 struct HemisphereMoments {

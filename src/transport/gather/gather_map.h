@@ -13,9 +13,9 @@
 namespace oriel {
 
 // Format, version 1
-// "ORIELFGM", u32 0x01020304 in the writer's byte order, u32 version, u32 floats per record, u32 0,
-// u64 number of records; the records as floats, member by member; u64 FNV-1a hash of all preceding
-// bytes.
+//   "ORIELFGM", u32 0x01020304 in the writer's byte order, u32 version, u32 floats per record, u32
+//   0, u64 number of records; the records as floats, member by member; u64 FNV-1a hash of all
+//   preceding bytes.
 
 /// Maximum number of records of a map that is read or written.
 inline constexpr std::uint64_t kMaxGatherRecords = 1u << 23;

@@ -11,9 +11,9 @@
 namespace oriel {
 
 // Conventions
-// Everything is in world space. Irradiance is the integral over solid angle of incident radiance
-// times the cosine: a Lambert surface of albedo rho has radiance rho * E / pi; constant radiance 1
-// gives E = pi. Strata are stored as in gather_light.h.
+//   Everything is in world space. Irradiance is the integral over solid angle of incident radiance
+//   times the cosine: a Lambert surface of albedo rho has radiance rho * E / pi; constant radiance
+//   1 gives E = pi. Strata are stored as in gather_light.h.
 
 /// Distances from here on count as no hit. Keeps all numbers of a record finite.
 inline constexpr float kGatherFarthest = 1e10f;
