@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a built-in shader is: its table and its functions. One ShaderSpec per shader, listed
-// explicitly in shaders/registry.cpp.
+// The specification of a built-in shader: its parameter table and its functions.
+// shaders/registry.cpp lists one ShaderSpec per shader.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ struct Light;
 struct PortalTraits;
 struct LightPhotons;
 
-/// Where a shader may stand; bits, in the words of `apply`.
+/// The contexts of a shader as bits, named as in `apply`.
 enum Apply : unsigned {
   kApplyMaterial = 1u << 0,
   kApplyTexture = 1u << 1,
@@ -39,62 +39,63 @@ enum Apply : unsigned {
   kApplyState = 1u << 10
 };
 
-/// What a shader works out once from its constant parameters (a sky's tables, a tone curve).
+/// Precomputed data of a shader that depend on constant parameters only (tables of a sky, a tone
+/// curve).
 struct ShaderState {
   virtual ~ShaderState() = default;
 };
 
-/// A shader in the act: its evaluated parameters, its state and the point.
+/// A call of a shader: its evaluated parameters, its state and the point.
 struct Call {
   const void* params;
   const ShaderState* state;
   ShadingPoint& point;
-  const ShaderNode* node = nullptr;  ///< whose call it is; null where parameters stand alone
+  const ShaderNode* node = nullptr;  ///< the called node; null if there are only parameters
   template <class P>
   const P& as() const {
     return *static_cast<const P*>(params);
   }
 };
 
-/// One sample of a light as its shader sees it.
+/// One sample of a light, as input of its shader.
 struct LightCall {
   const Light& light;
   Vec3 position;      ///< of the sample on the light, world; undefined for directional lights
   Vec3 direction;     ///< unit, from the light to the point
   float distance;     ///< infinity for directional lights
-  float emitter_cos;  ///< cosine between direction and the emitter's normal; 1 where it has none
+  float emitter_cos;  ///< cosine between direction and the emitter's normal; 1 without normal
 };
 
-/// Answer of a light shader. `colour` follows mental ray: a Lambert surface of albedo rho facing
-/// the light shows rho * colour (see runtime/light.h, where pi enters).
+/// The result of a light shader. `colour` follows mental ray: a Lambert surface of albedo rho
+/// facing the light has the colour rho * colour (the factor pi is explained in runtime/light.h).
 struct LightValue {
   Rgb colour{0};
-  bool shadow = true;       ///< whether blockers matter
-  float shadow_factor = 0;  ///< share that passes an opaque blocker
-  /// Shares of the light that diffuse lobes take, and glossy reflections and highlights.
+  bool shadow = true;       ///< false: no shadow rays
+  float shadow_factor = 0;  ///< fraction of light that passes an opaque blocker
+  /// Factors of the light on diffuse lobes, and on glossy reflections and highlights.
   float affects_diffuse = 1, affects_specular = 1;
-  bool force_specular = false;  ///< a highlight even though the light itself is seen
-  bool is_sun = false;          ///< the physical sun's, for shaders that treat it apart
-  /// Where the shader put the sample, world; for lights whose shader places their samples.
+  bool force_specular = false;  ///< a highlight even if the light itself is visible
+  bool is_sun = false;          ///< the light is the physical sun
+  /// Position of the sample in world space, for lights whose shader places their samples.
   std::optional<Vec3> origin = {};
 };
 
-/// What a lens shader that maps colours knows beside the colour.
+/// Further input of a colour-mapping lens shader.
 struct LensCall {
   float cos_to_film = 1;  ///< cosine of the ray to the optical axis
   bool orthographic = false;
 };
 
-/// What an exposure asks for beside mapping colours.
+/// Properties of an exposure besides the colour mapping.
 struct LensTraits {
-  const TextureNode* preview = nullptr;  ///< shown in place of a rendering; null = none
+  const TextureNode* preview = nullptr;  ///< displayed instead of a rendering; null = none
   int side_channel_mode = 0;             ///< see map_output() in runtime/color_mapping.h
   std::string_view side_channel = {};
-  float luminance = 0;  ///< cd/m2 that it takes one unit of a pixel for; 0 = no physical unit
+  float luminance = 0;  ///< cd/m2 of one pixel unit; 0 = no physical unit
   float gamma = 1;
 };
 
-/// What lies behind a lens shader that asks for rays itself: the next one, at last the scene.
+/// The continuation of a lens shader that traces rays: the next lens shader, finally the scene.
 class LensNext {
  public:
   virtual ~LensNext() = default;
@@ -105,49 +106,49 @@ class LensNext {
   };
   /// World space, direction unit.
   virtual Seen trace(const Vec3& origin, const Vec3& direction) = 0;
-  /// Two independent numbers in [0,1), evenly spread over the samples of a pixel.
+  /// Two independent numbers in [0,1), stratified over the samples of a pixel.
   virtual Vec2 next() = 0;
 };
 
-/// What a photon shader may do with the photon that met its surface.
+/// Actions of a photon shader on the photon that hit its surface.
 class PhotonNext {
  public:
   virtual ~PhotonNext() = default;
-  /// Leaves it in the map with that energy.
+  /// Stores it in the map with that energy.
   virtual void store(const Rgb& energy) = 0;
-  /// Sends it on; of several calls one is followed. False where its kind goes no further.
+  /// Continues it; one of several calls is selected. False if a photon of this kind ends here.
   virtual bool send(RayKind kind, const Rgb& energy, const Vec3& direction) = 0;
-  /// Two independent numbers in [0,1), another pair for each photon and call.
+  /// Two independent numbers in [0,1), different for each photon and call.
   virtual Vec2 next() = 0;
 };
 
-/// Where a photon emitter sends the photons of its light.
+/// The output of a photon emitter.
 class PhotonEmission {
  public:
   virtual ~PhotonEmission() = default;
-  /// What the photon carries as `energy` of a light writes it: of all photons together.
+  /// Energy of all photons of the light, as in the statement `energy`.
   virtual Rgb energy() const = 0;
-  /// World space, direction unit; of several calls the last counts.
+  /// World space, direction unit; the last of several calls counts.
   virtual void send(const Rgb& energy, const Vec3& origin, const Vec3& direction) = 0;
   virtual Vec2 next() = 0;
 };
 
-/// An eye sample, to the state shaders that are called around it.
+/// A camera sample, for state shaders, which are called before and after it.
 struct EyeSample {
   enum class Moment : std::uint8_t { StateInit, SampleInit, SampleExit, StateExit };
   Moment moment;
   Rgba& colour;             ///< of the sample; black before its ray was traced
-  bool answer;              ///< the ray met something
-  std::span<Rgba> buffers;  ///< what it leaves in World::user_buffers
+  bool answer;              ///< the ray hit something
+  std::span<Rgba> buffers;  ///< the values it writes to World::user_buffers
 };
 
-/// The finished picture in the hands of an output shader.
+/// The finished picture, for output shaders.
 class OutputPicture;
 
-/// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
-/// arrives, and `added` comes on top. `scattered` is the weight of the light that comes to `place`,
-/// on the way, from where `onward` (unit) points, and is turned to the ray there: one example of
-/// many, drawn by chance; not in `added`, black where there is none.
+/// The effect of a medium on a ray segment: it transmits the fraction `kept` of the light behind
+/// it, and emits `added`. `scattered` is the weight of one sampled scattering event at `place` on
+/// the segment: light from the direction `onward` (unit) is scattered along the ray. It is not
+/// included in `added`; black = no event.
 struct VolumeValue {
   Rgb kept{1}, added{0}, scattered{0};
   Vec3 place{0}, onward{0};
@@ -161,36 +162,36 @@ struct VolumeValue {
 struct MaterialRole {
   /// Fills the closure.
   void (*fill)(const Call&, Closure&) = nullptr;
-  /// In a material's slot `shadow`: what is left of the light so far, which starts as white at the
-  /// lit point, behind the blocker at call.point. call.point.light is the light; -1 for the
-  /// environment and for rays that replace shadow rays and do not know it.
+  /// In a material's slot `shadow`: returns the light that passes the blocker at call.point. The
+  /// input starts as white at the lit point. call.point.light is the light; -1 for the environment
+  /// and for rays that replace shadow rays of unknown lights.
   Rgb (*shadow)(const Call&, const Rgb& light) = nullptr;
-  /// False when constant parameters rule out that light passes (cut-out, transparency).
+  /// False if constant parameters exclude transmission (cut-out, transparency).
   bool (*may_transmit)(const ShaderNode&) = nullptr;
-  /// False where it emits nothing anywhere. Null: unknown.
+  /// False if it emits nothing anywhere. Null: unknown.
   bool (*may_emit)(const ShaderNode&) = nullptr;
   /// Upper bound on the number of lobes it adds itself, by constant parameters. Null: one.
   int (*max_lobes)(const ShaderNode&) = nullptr;
-  /// At a point it evaluates only one of the materials it is connected to.
+  /// At each point it evaluates only one of its connected materials.
   bool one_material = false;
-  /// False when constant parameters leave the result as the only output. Null: it has all.
+  /// False if constant parameters leave the result as the only output. Null: it has all.
   bool (*has_outputs)(const ShaderNode&) = nullptr;
-  /// Densities of the grids it interpolates over, a bit each. Null: none.
+  /// Bit mask of the densities of its interpolation grids. Null: none.
   unsigned (*grids)(const ShaderNode&) = nullptr;
 };
 
-/// Says what a light sends.
+/// Evaluates lights.
 struct LightRole {
   /// Colour of one light sample.
   LightValue (*evaluate)(const Call&, const LightCall&) = nullptr;
   /// Built once for each light that uses the shader.
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const Light&) = nullptr;
-  /// The profile by which a light of constant parameters distributes its light, its strength
-  /// apart; null: none. The light's own element may name one: light.luminaire.
+  /// The profile of the light's distribution, without its intensity, by constant parameters; null =
+  /// none. The light's own element may name one: light.profile_placement.
   const photometry::LightProfile* (*profile)(const void* params, const Light& light) = nullptr;
   /// For lights in windows (runtime/portal.h), instead of `evaluate`. False: the portal is off.
   bool (*portal)(const void* params, PortalTraits&) = nullptr;
-  /// Half-angle (radians) of the cone a directional light comes from; 0 = sharp.
+  /// Half-angle (radians) of the cone of directions of a directional light; 0 = parallel.
   float (*cone)(const void* params) = nullptr;
   /// Overrides the photon settings of the light's element.
   void (*photons)(const void* params, const Light&, LightPhotons&) = nullptr;
@@ -202,56 +203,56 @@ struct LensRole {
   Rgb (*map_color)(const Call&, const LensCall&, const Rgb&) = nullptr;
   /// Further requests of `map_color`. Null: none.
   LensTraits (*traits)(const ShaderNode&) = nullptr;
-  /// Bends an eye ray of the camera through a lens; u is uniform in [0,1)^2. Returns the weight of
-  /// the radiance along the ray.
+  /// Refracts a camera ray through a lens; u is uniform in [0,1)^2. Returns the weight of the
+  /// radiance along the ray.
   Rgb (*bend_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
-  /// Number of rays that replace each eye ray, by constant parameters; 0 = the lens is off.
+  /// Number of rays that replace each camera ray, by constant parameters; 0 = the lens is off.
   int (*ray_count)(const ShaderNode&) = nullptr;
-  /// Returns the colour of an eye ray, from any number of rays that it traces behind itself.
+  /// Returns the colour of a camera ray, from any number of rays that it traces.
   Rgba (*trace)(const Call&, LensNext&) = nullptr;
 };
 
-/// Sends photons on, or out.
+/// Scatters or emits photons.
 struct PhotonRole {
-  /// In a material's slot `photon`: decides what happens to a photon of that energy.
+  /// In a material's slot `photon`: scatters a photon of that energy.
   void (*scatter)(const Call&, const Rgb& energy, PhotonNext&) = nullptr;
-  /// In a light's list `emitter`: sends one photon.
+  /// In a light's list `emitter`: emits one photon.
   void (*emit)(const Call&, const Light&, PhotonEmission&) = nullptr;
 };
 
 /// Acts as a volume.
 struct VolumeRole {
-  /// Between call.point's ray origin and the surface at its ray_length. Rays of kind Light end at
-  /// the lit point and begin at the light, or infinitely far away: only `kept` counts. Rays of
-  /// photons are passed in the direction of eye rays; `added` is ignored for them.
+  /// For the segment between call.point's ray origin and the surface at its ray_length. Rays of
+  /// kind Light end at the lit point and begin at the light, or at infinity; only `kept` is used.
+  /// Photons have the direction of camera rays; `added` is ignored for them.
   VolumeValue (*evaluate)(const Call&) = nullptr;
-  /// Whether it is evaluated for rays of kind Light, by constant parameters. Null: it is not.
+  /// Whether it is evaluated for rays of kind Light, by constant parameters. Null: no.
   bool (*dims_light)(const ShaderNode&) = nullptr;
   /// It also acts on rays that hit nothing, whose ray_length is infinite.
   bool acts_on_endless_rays = false;
 };
 
-/// How a call is bound and what it costs.
+/// Binding and cost of a call.
 struct BindingTraits {
   /// Built once from the constant parameters.
   std::unique_ptr<ShaderState> (*prepare)(const void* params, const World&) = nullptr;
-  /// Built once from the call: its node and constant parameters, no point. For shaders that keep
-  /// state of their own for each call.
+  /// Built once per call, from its node and constant parameters, without a point. For shaders with
+  /// state per call.
   std::unique_ptr<ShaderState> (*prepare_call)(const Call&, const World&) = nullptr;
-  /// It evaluates connected parameters itself, one by one (ShaderNode::connections).
+  /// It evaluates connected parameters itself (ShaderNode::connections).
   bool deferred = false;
-  /// How often one evaluation evaluates its inputs.
+  /// Number of evaluations of its inputs per evaluation.
   float evaluations = 1;
 };
 
-/// A shader of another program that Oriel replaces from its public description:
+/// A shader of another program, implemented from its public description:
 /// runtime/binder_fallbacks.cpp.
 struct FallbackTraits {
   bool is_fallback = false;
-  /// Further names of the shader, separated by blanks.
+  /// Other names of the shader, separated by spaces.
   const char* aliases = "";
-  /// It shows its material input unchanged. A connection to a material binds to that input,
-  /// whatever the parameter is called.
+  /// It returns its material input unchanged. A connection to a material binds to that input,
+  /// regardless of the parameter's name.
   bool passes_through = false;
 };
 
@@ -277,24 +278,24 @@ struct ShaderSpec {
   VolumeRole volume{};
   /// Adds elements to the scene and returns the name of the object or group; empty: none.
   std::string (*geometry)(const Call&, scene::Scene&) = nullptr;
-  /// Runs before and after an eye sample, as one of the options' `state` shaders.
+  /// Called before and after a camera sample, as one of the options' `state` shaders.
   void (*around_sample)(const Call&, EyeSample&) = nullptr;
-  /// Works on the finished picture.
+  /// Processes the finished picture.
   void (*output)(const Call&, OutputPicture&) = nullptr;
 
   BindingTraits binding{};
   FallbackTraits fallback{};
 };
 
-/// Whether two names are the same but for upper and lower case of ASCII letters.
+/// Whether two names are equal, ignoring the case of ASCII letters.
 bool same_but_for_case(std::string_view a, std::string_view b);
 
-/// The built-in shaders by name; a plain list, no registration by side effect.
+/// The built-in shaders by name; an explicit list without static registration.
 class Registry {
  public:
   explicit Registry(std::vector<const ShaderSpec*> specs) : specs_(std::move(specs)) {}
-  /// Names of stand-ins match whatever their case. `adskMayaX`, as Maya 2012 to 2017 write it, is
-  /// `maya_x`.
+  /// Names of fallback shaders are case-insensitive. `adskMayaX`, as written by Maya 2012 to 2017,
+  /// equals `maya_x`.
   const ShaderSpec* find(std::string_view name) const;
   const std::vector<const ShaderSpec*>& all() const { return specs_; }
   void add(const ShaderSpec* spec) { specs_.push_back(spec); }

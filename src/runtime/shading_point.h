@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a shader is asked: the point, its bases, the ray that found it.
+// The input of a shader: the point, its bases, the ray that hit it.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,24 @@ struct CameraSpace;
 struct Material;
 class Tracer;
 
-/// What a shader is asked for, in the order and with the values of mental ray's miRay_type, so that
-/// shaders in scenes can tell them apart and the C interface needs no table.
+/// The purpose of a shader call, with the order and values of mental ray's miRay_type, so that
+/// shaders of scenes can test it and the C interface needs no conversion.
 ///
-/// Which kind is met where:
-///   surfaces      the kind of the ray that met them; photons: of their last scattering
-///   textures      as the shader they are connected to
-///   lights        Light; the kind of the ray where it sees the shape of a visible light;
-///   PhotonEmit*
-///                 in the list `emitter` of a light
+/// Kind by context:
+///   surfaces      kind of the ray that hit them; photons: of their last scattering
+///   textures      kind of the shader that they are connected to
+///   lights        Light; for a visible light's shape, kind of the ray that hit it;
+///                 PhotonEmit* in the list `emitter`
 ///   shadow slot   Shadow
-///   environment   the kind of the ray that met nothing, FinalGather after a diffuse bounce and
-///   where
-///                 it stands for all diffuse light; Environment where no ray was traced
-///   volumes       the kind of the ray on its way, Light between a light and what it lights
-///   cut-outs      Probe, for rays that ask only what is there
-/// Absorb, None, LightMap* and the hulls are only names: nothing is asked by them.
+///   environment   kind of the ray that hit nothing; FinalGather after a diffuse bounce and where
+///                 it replaces all diffuse light; Environment without a ray
+///   volumes       kind of the ray; Light between a light and the lit point
+///   cut-outs      Probe, for rays that only test for surfaces
+/// Absorb, None, LightMap* and the hulls exist only as names.
 /// Checked: RayKinds.* in tests/analytic.
 enum class RayKind : std::uint8_t {
   Eye,
-  Transparent,  ///< straight through what does not bend it
+  Transparent,  ///< straight through a surface without refraction
   Reflect,
   Refract,
   Light,
@@ -41,7 +39,7 @@ enum class RayKind : std::uint8_t {
   Environment,
   None,
   PhotonAbsorb,
-  PhotonLight,  ///< straight from its light
+  PhotonLight,  ///< directly from its light
   PhotonReflectSpecular,
   PhotonReflectGlossy,
   PhotonReflectDiffuse,
@@ -52,7 +50,7 @@ enum class RayKind : std::uint8_t {
   Output,
   PhotonScatterVolume,
   PhotonTransparent,  ///< passed a surface straight
-  FinalGather,        ///< diffuse bounces of paths as well
+  FinalGather,        ///< also diffuse bounces of paths
   LightMapVertex,
   LightMapMesh,
   PhotonEmitGlobillum,
@@ -63,7 +61,7 @@ enum class RayKind : std::uint8_t {
 };
 static_assert(static_cast<int>(RayKind::Displace) == 16 && static_cast<int>(RayKind::Probe) == 25);
 
-/// As mental ray's class tests: rays that other rays caused, and all that belongs to photons.
+/// As mental ray's class tests: rays caused by other rays, and all kinds of photons.
 inline constexpr bool is_secondary(RayKind kind) {
   return (kind > RayKind::Eye && kind < RayKind::PhotonAbsorb) || kind == RayKind::FinalGather ||
          kind == RayKind::Hull;
@@ -87,49 +85,50 @@ struct ShadingPoint {
   Vec3 geometric_normal{0, 0, 1};  ///< unit, of the flat triangle, facing the viewer
   bool back_side = false;          ///< seen from behind (the front is counter-clockwise)
   RayKind ray_kind = RayKind::Eye;
-  bool environment = false;     ///< no surface: asked for what lies in ray_direction
-  bool blurred = false;         ///< the ray is one of a glossy bundle, not a mirror's
-  float roughness = 0;          ///< of the part of a lobe that a look-up stands for; 0: a direction
-  bool nearest_texels = false;  ///< textures give single texels, neither filtered nor interpolated
+  bool environment = false;  ///< no surface: the call is for the environment in ray_direction
+  bool blurred = false;      ///< the ray belongs to a glossy lobe
+  /// of the part of a lobe that a look-up represents; 0 = one direction
+  float roughness = 0;
+  bool nearest_texels = false;  ///< texture look-ups return single texels without interpolation
   std::uint8_t texture_spaces = 0;
 
   Vec3 ray_origin{0};
   Vec3 ray_direction{0, 0, -1};
   float ray_length = 0;
 
-  bool other_spaces_cleared = false;  ///< tex of the spaces that the object lacks is null
+  bool other_spaces_cleared = false;  ///< tex is null for spaces that the object lacks
   // Only the first texture_spaces of these are set.
   Vec3 tex[kMaxTextureSpaces];     ///< texture coordinates of each space
   Vec3 bump_u[kMaxTextureSpaces];  ///< bump basis, world space; null when absent
   Vec3 bump_v[kMaxTextureSpaces];
   Vec3 dpdu{0}, dpdv{0};  ///< of texture space 0, world units per texture unit
-  Vec3 tex_vector{0};     ///< a vector a shader list may leave for the material
+  Vec3 tex_vector{0};     ///< a vector for the material, set by a shader list
 
   /// Half axes of the ray's footprint on the surface, world units; null when unknown.
   Vec3 dpdx{0}, dpdy{0};
 
-  float ray_offset = 0;         ///< rays may start this far along the geometric normal
+  float ray_offset = 0;         ///< offset of ray origins along the geometric normal
   int instance = -1;            ///< index into World::instances
   std::uint32_t primitive = 0;  ///< triangle of the instance's mesh
   Vec2 on_primitive{0};         ///< weights of its corners b and c
   int light = -1;          ///< for shadow shaders, index into World::lights; -1 = none of these
   PlacedMatrix to_object;  ///< world to object space, null means identity
   PlacedMatrix to_world;
-  float time = 0;  ///< of the ray, 0 to 1; World::shutter tells when that is
-  Vec3 speed{0};   ///< way per unit of ray time; null where nothing moves
+  float time = 0;  ///< of the ray, 0 to 1; see World::shutter
+  Vec3 speed{0};   ///< displacement per unit of ray time; null if static
   Vec2 raster{0};  ///< pixels, origin lower left, pixel centres at half steps
   const World* world = nullptr;
-  const Material* material = nullptr;  ///< whose surface shaders are running
+  const Material* material = nullptr;  ///< the material whose surface shaders are running
   Tracer* tracer = nullptr;            ///< see runtime/tracer.h
-  // For light shaders, of the surface that is lit.
-  float glossiness = -1;  ///< of its reflections as the material writes it, 1 = a mirror; below 0:
-                          ///< the material does not tell
-  float importance = 1;   ///< share of the pixel that light there decides, at most 1
+  // For light shaders: properties of the lit surface.
+  float glossiness = -1;  ///< of its reflections, 1 = mirror, below 0 =
+                          ///< unknown
+  float importance = 1;   ///< share of the pixel that light there contributes, at most 1
 
   Vec3 wo() const { return -ray_direction; }
 };
 
-/// Length on the surface, across the view, that one pixel covers; world units.
+/// Length on the surface, perpendicular to the view, that one pixel covers; world units.
 inline float pixel_width(const ShadingPoint& point) { return 2 * length(point.dpdy); }
 
 }  // namespace oriel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When, while the shutter is open, a sample or a photon is.
+// Time of a sample or photon within the shutter interval.
 #pragma once
 
 #include "sampling/sampler.h"
@@ -7,8 +7,8 @@
 
 namespace oriel {
 
-/// Ray time for what `sampler` draws: its samples lie evenly over the time that the shutter is
-/// open; 0 where nothing moves. A dimension of its own: pictures of still scenes stay as they are.
+/// Ray time of a sample: samples are stratified over the shutter interval; 0 in static scenes. It
+/// has a sample dimension of its own, so that pictures of static scenes do not change.
 /// Checked: Motion.* in tests/analytic/motion/motion_test.cpp
 inline float shutter_time(const scene::Shutter& shutter, const sampling::Sampler& sampler) {
   constexpr std::uint32_t kTimeBranch = 9000;

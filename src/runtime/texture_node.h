@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A texture element of the scene: a file, pixels, or a shader that stands for one.
+// A texture element of the scene: a file, pixels, or a shader.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ class TextureNode {
   /// A procedural texture: the shader is evaluated with the look-up coordinate in texture space 0.
   explicit TextureNode(NodeList procedure) : procedure_(std::move(procedure)) {}
 
-  /// Opens a file or the pixels written in the scene. A file that cannot be read is reported once
-  /// (OR-RT-020) and shows magenta. `gamma` holds for colour and scalar textures; those of vectors
-  /// are read as they are stored.
+  /// Opens a file, or the pixels in the scene file. A file that cannot be read is reported once
+  /// (OR-RT-020) and replaced by magenta. `gamma` applies to colour and scalar textures; vector
+  /// textures are not converted.
   static std::unique_ptr<TextureNode> open(const scene::Texture& element, TextureSystem& system,
                                            float gamma, Diagnostics& diagnostics);
 
@@ -26,16 +26,16 @@ class TextureNode {
   /// The shaders of a procedural texture; empty for pictures.
   const NodeList& procedure() const { return procedure_; }
 
-  /// Pixels of the picture; 0 where it is procedural or missing.
+  /// Size in pixels; 0 if it is procedural or missing.
   int width() const { return texture_ ? texture_->width() : 0; }
   int height() const { return texture_ ? texture_->height() : 0; }
-  /// The texel at uv as it stands; outside of the picture, that of its border.
+  /// The texel at uv, unfiltered; outside of the picture, that of its border.
   Rgba texel(const Vec2& uv) const;
 
-  /// Looks up at `uv`; `point` gives the ray's footprint, measured in texture space 0, or asks for
-  /// the nearest texel.
+  /// Looks up at `uv`, filtered over the ray's footprint in texture space 0, or the nearest texel
+  /// if `point` requires it.
   Rgba lookup(const Vec2& uv, ShadingPoint& point, const TextureSampling& how) const;
-  /// The same over a footprint of the caller's.
+  /// The same over a given footprint.
   Rgba lookup(const Vec2& uv, const TextureFootprint& footprint, ShadingPoint& point,
               const TextureSampling& how) const;
 
@@ -44,10 +44,10 @@ class TextureNode {
   NodeList procedure_;
   const Texture* texture_ = nullptr;
   std::unique_ptr<Texture> own_;
-  float filter_ = 0;  ///< blur factor; 0 = the element asked for no filtering
+  float filter_ = 0;  ///< blur factor; 0 = no filtering
 };
 
-/// Change of uv of texture space 0 over the footprint of the ray; zero when unknown.
+/// Change of uv of texture space 0 over the footprint of the ray; zero if unknown.
 TextureFootprint texture_footprint(const ShadingPoint& point);
 
 }  // namespace oriel
