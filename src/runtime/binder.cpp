@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and structure: lists, calls, phenomena, connections. Values are in binder_values.cpp.
+// Binding of lists, calls, phenomena and connections by name. Values: binder_values.cpp.
 #include "runtime/binder.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-/// Nested calls and phenomena deeper than this are a mistake or an attack.
+/// Maximum nesting of calls and phenomena; deeper ones are errors or attacks.
 constexpr int kMaxDepth = 200;
 
 template <class Range, class Name>
@@ -122,7 +122,7 @@ Binder::Resolved Binder::resolve(const std::string& dotted, SourceLocation where
       const std::string member = dotted.substr(dot + 1);
       for (const ParamSpec& result : node->spec().results)
         if (member == result.name) return {node, result.type, result.offset};
-      // Hosts name the single result of a shader after it ("file1.outColor").
+      // Other programs address the single result of a shader by name ("file1.outColor").
       if (node->spec().results.empty()) return main_result(node);
       diagnostics_.warning(
           "OR-RT-006", where,
@@ -204,7 +204,7 @@ const ShaderNode* Binder::bind_phenomenon(const scene::Phenomenon& phenomenon,
       if (!nodes.empty()) return nodes.back();
     }
     if (root.keyword == "root material") {
-      // Used as a shader, a material phenomenon answers with its surface.
+      // A material phenomenon that is used as a shader returns its surface.
       for (const scene::Material& material : phenomenon.materials)
         if (material.name == root.name) {
           const NodeList nodes = bind_list(material.shaders, inner);
@@ -255,18 +255,18 @@ void Binder::bind_shadow(const scene::ShaderList& list, Scope* scope, Material& 
     const ShaderNode* node = bind_use(use, scope);
     if (!node || node == fallback_) continue;
     const ShaderSpec& spec = node->spec();
-    // The surface itself; a call of its shader without arguments takes over the surface's.
+    // The surface itself. A call of its shader without arguments uses the surface's arguments.
     const bool bare = use.reference.empty() && !use.interface && use.arguments.empty();
     const auto itself = std::find_if(
         bound.surface.begin(), bound.surface.end(),
         [&](const ShaderNode* n) { return n == node || (bare && &n->spec() == &spec); });
     if (spec.material.shadow && itself != bound.surface.end()) {
-      // One function for both, with one set of parameters.
+      // One call serves both, with one set of parameters.
       slot.shadow.push_back(*itself);
       others = true;
       continue;
     }
-    // A stand-in without a function of its own leaves shadows to the surface.
+    // A fallback without shadow function leaves shadows to the surface.
     const bool none = spec.fallback.is_fallback && !spec.material.shadow && !spec.material.fill;
     if (none || in_surface([&](const ShaderNode* n) {
           return n == node || (bare && !spec.material.shadow && &n->spec() == &spec);
@@ -294,7 +294,8 @@ Material Binder::bind_material(const scene::Material& material) {
 }
 
 Material Binder::bind_material(const scene::Material& material, Scope* scope) {
-  // A surface that is one call of a phenomenon with a root material takes over all its slots.
+  // A surface that is one call of a phenomenon with a root material uses all slots of that
+  // material.
   if (material.shaders.size() == 1) {
     const scene::ShaderUse* use = &material.shaders[0];
     if (const auto* element = scene_.get<scene::ShaderElement>(use->reference);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Array parameters: their elements stand behind the struct of the parameters.
+// Array parameters: their elements are stored behind the struct of the parameters.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::size_t Binder::append_elements(ShaderNode& node, std::size_t bytes) {
   }
   node.storage_.resize(node.storage_.size() + bytes / kUnit + 1);
   auto* moved = reinterpret_cast<std::byte*>(node.storage_.data());
-  // A unit has padding, which resize() leaves as it was.
+  // A unit has padding bytes, which resize() does not initialise.
   std::memset(moved + begin, 0, node.storage_.size() * kUnit - begin);
   node.constants_ = {moved, node.storage_.size() * kUnit};
   for (const auto& [offset, elements] : arrays)
@@ -36,7 +36,7 @@ std::size_t Binder::append_elements(ShaderNode& node, std::size_t bytes) {
 void Binder::bind_element(ShaderNode& node, const ParamSpec& param, std::size_t offset,
                           const Value& value, Scope* scope) {
   if (param.element != ParamType::Struct) {
-    // Only shaders that evaluate their connections themselves use those within arrays.
+    // Only shaders that evaluate their connections themselves use connections within arrays.
     const bool by_name = param.element == ParamType::Shader ||
                          param.element == ParamType::ColorTexture ||
                          param.element == ParamType::LightProfile;
@@ -86,7 +86,7 @@ void Binder::bind_array(ShaderNode& node, const ParamSpec& param, const Value& v
       mismatch(node, param, item);
       continue;
     }
-    // A name may stand for a group of light instances.
+    // A name may refer to a group of light instances.
     const auto found = lights_by_name_.find(item.text);
     if (found == lights_by_name_.end())
       diagnostics_.warning(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders of other programs: stand-ins bound by the scene's own declarations, whose structs and
-// arrays come apart into plain parameters; and fallbacks for unavailable shaders.
+// Shaders of other programs: fallbacks bound by the scene's own declarations, whose structs and
+// arrays are split into plain parameters; and fallbacks for unavailable shaders.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void Binder::bind_parts(ShaderNode& node, const scene::Argument& argument, Scope
     return;
   }
   if (value.kind == Value::Kind::Struct) {
-    // A struct only groups parameters; within an array its members belong to an element.
+    // A struct only groups parameters; in an array its members belong to an element.
     const bool element = argument.name.ends_with(']');
     for (const scene::Argument& member : value.members)
       bind_argument(
@@ -89,7 +89,7 @@ const ShaderNode* Binder::bind_unknown(const std::string& type,
   const std::string near = nearest_name(type, names);
   const auto* declaration = scene_.find_declaration(type);
 
-  // A misspelt name is to be corrected, not guessed around.
+  // Misspelt names are reported, not approximated.
   std::vector<scene::Argument> familiar;
   std::string guess;
   for (const scene::Argument& argument : args) {

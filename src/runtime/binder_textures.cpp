@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures and light profiles that shaders name.
+// Binds textures and light profiles by name.
 #include <fmt/format.h>
 
 #include "runtime/binder.h"
@@ -33,7 +33,7 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
     world_.textures.push_back(std::move(made));
     return world_.textures.back().get();
   };
-  // A shader stands for itself as a texture: one node each, since phenomena share names.
+  // A shader that is used as a texture: one node each, since phenomena may use the same names.
   const auto procedure = [&](const ShaderNode* node) {
     const TextureNode*& known = procedures_[node];
     if (!known) known = keep(std::make_unique<TextureNode>(NodeList{node}));
@@ -49,7 +49,7 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
       diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name));
     return textures_[name] = nullptr;
   }
-  // Null while its procedure is bound: one that looks itself up finds nothing.
+  // Null while its procedure is bound, so that a procedure that looks itself up finds nothing.
   textures_[name] = nullptr;
   if (element->procedure.empty()) {
     auto made =

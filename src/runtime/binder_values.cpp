@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values into parameter structs: defaults, numbers, names, arrays, connections.
+// Conversion of scene values to parameter structs: defaults, numbers, names, arrays, connections.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using scene::Value;
 
-/// Puts a value into a parameter struct.
+/// Stores a value in a parameter struct.
 template <class T>
 void store(std::byte* target, const T& value) {
   new (target) T(value);
@@ -63,7 +63,7 @@ void store_numbers(std::byte* target, ParamType type, const float* v, std::size_
       break;
     }
     case ParamType::Color: {
-      // One number is a grey; with three, alpha is 1.
+      // One number is a grey; three numbers have alpha 1.
       const Rgba c =
           count == 1 ? Rgba(v[0], v[0], v[0], 1) : Rgba(at(0, 0), at(1, 0), at(2, 0), at(3, 1));
       store(target, c);
@@ -82,7 +82,7 @@ void store_numbers(std::byte* target, ParamType type, const float* v, std::size_
   }
 }
 
-/// How many numbers a value of that type may have.
+/// Whether a value of the type may have this number of components.
 bool count_fits(ParamType type, std::size_t count) {
   switch (type) {
     case ParamType::Boolean:
@@ -113,7 +113,7 @@ void Binder::set_default(const ParamSpec& param, ParamType type, std::byte* targ
     const Mat4 identity;
     store(target, identity);
   } else {
-    // A declared colour is opaque; what is neither declared nor written is all zero.
+    // A declared colour is opaque; without declared default and value it is all zero.
     const bool opaque = param.declared_default && param.fallback[3] == 0;
     const std::size_t count = type == ParamType::Color && opaque ? 3 : 4;
     store_numbers(target, type, param.fallback.data(), count);
@@ -141,7 +141,7 @@ void Binder::bind_argument(ShaderNode& node, const scene::Argument& argument, Sc
   if (spec.fallback.is_fallback && (found == spec.params.end() || grouped))
     return bind_parts(node, argument, scope);
   if (found == spec.params.end() && argument.value.kind == Value::Kind::Struct) {
-    // Members of a struct are parameters of their own, "outer.inner".
+    // Members of a struct are separate parameters, "outer.inner".
     for (const scene::Argument& member : argument.value.members)
       bind_argument(node, {argument.name + "." + member.name, member.value, member.where}, scope);
     return;
@@ -192,7 +192,7 @@ void Binder::bind_value(ShaderNode& node, const ParamSpec& param, std::size_t of
         return bind_text(node, param, offset, type, value, scope);
       const Resolved source = resolve(value.text, value.where, scope);
       if (!source.node) return;
-      // A member of its result is a value, all of it the material.
+      // A member of its result is a value; the whole result is the material.
       const bool whole = source.offset == 0 && source.type == ParamType::Color;
       if (param.takes_material && whole && source.node->spec().material.fill) {
         bind_input(node, offset, *source.node, value.where);
@@ -265,7 +265,7 @@ void Binder::count_lobes(ShaderNode& node, SourceLocation where) {
 }
 
 bool Binder::reaches(const ShaderNode& node, const ShaderNode* source, SourceLocation where) {
-  // Each link of a chain takes some kilobytes of the stack when it is asked.
+  // Each link of a chain needs some kilobytes of stack when it is evaluated.
   constexpr int kLongestChain = 500;
   const auto length_of = [&](const ShaderNode* n) {
     const auto known = chain_.find(n);
@@ -285,7 +285,7 @@ bool Binder::reaches(const ShaderNode& node, const ShaderNode* source, SourceLoc
 }
 
 bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
-  // A graph whose layers each ask the next one twice doubles with every layer.
+  // In a graph where each layer evaluates the next one twice, the cost doubles with each layer.
   constexpr float kMaxEvaluations = 1e5f;
   if (node.cost_ + cost > kMaxEvaluations) {
     diagnostics_.error("OR-RT-007", where,
@@ -300,7 +300,7 @@ bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
 
 void Binder::bind_numbers(ShaderNode& node, const ParamSpec& param, std::size_t offset,
                           ParamType type, const Value& value) {
-  // One number too many in a colour is reported, the rest is used.
+  // An extra number of a colour is reported; the rest is used.
   if (!count_fits(type, value.numbers.size())) return mismatch(node, param, value);
   std::vector<float> v(value.numbers.begin(), value.numbers.end());
   store_numbers(node.constants_.data() + offset, type, v.data(), v.size());

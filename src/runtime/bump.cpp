@@ -20,7 +20,7 @@ Vec3 bump_normal(const ShadingPoint& point, const Vec3& normal, const Vec3& v, i
   }
   if (mode >= 5) {
     n = normalize(n);
-    // A replaced normal is that of the front; the caller's faces the viewer.
+    // A replaced normal refers to the front side; the returned one faces the viewer.
     return point.back_side ? -n : n;
   }
   const Vec3 sum = normal + n;

@@ -44,7 +44,7 @@ Vec2 Camera::pixel_size(float depth) const {
 }
 
 Camera::Ray Camera::ray(Vec2 raster, float time) const {
-  // Not by at(): a copy of the camera for each ray would copy its path.
+  // Not by at(): a copy of the camera per ray would copy its path.
   Mat4 moved{Imath::UNINITIALIZED};
   if (!path.empty()) moved = geom::matrix_at(path, time);
   const Mat4& placed = path.empty() ? to_world : moved;

@@ -26,7 +26,7 @@ bool fills(const ShaderNode& node, std::string_view channel) {
   return traits.side_channel_mode > 0 && traits.side_channel == channel;
 }
 
-/// What the lens shader that fills the channel was given.
+/// The input of the lens shader that fills the channel.
 std::optional<Rgb> side_value(const World& world, Vec2 raster, const Rgb& film,
                               std::string_view channel) {
   Rgb color = film;

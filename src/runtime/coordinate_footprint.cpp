@@ -10,10 +10,10 @@
 namespace oriel {
 namespace {
 
-/// A longer step within one texture is the seam between two copies of it. A guess: half a picture.
+/// Steps longer than half a picture are seams between copies of a texture; an estimate.
 constexpr float kSeam = 0.5f;
 
-/// The coordinate beside the point, as a difference; none across a seam.
+/// The coordinate at an offset, as a difference; empty across a seam.
 std::optional<Vec2> step(const ShaderNode& coordinate, const Vec3& here, const ShadingPoint& point,
                          const Vec3& way, const Vec2& uv) {
   ShadingPoint beside = point;

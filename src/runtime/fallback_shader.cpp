@@ -14,7 +14,7 @@
 namespace oriel {
 namespace {
 
-/// Magenta: nothing in a daylight scene looks like it.
+/// Magenta: it does not occur in daylight scenes.
 const Rgb kMissingColor(0.8f, 0.0f, 0.5f);
 
 struct FallbackParams {
@@ -46,11 +46,11 @@ constexpr ParamSpec kApproximationRows[] = {
     {ORIEL_PARAM(FallbackParams, surface), .takes_material = true},
 };
 
-/// Names as they are compared: small letters without underscores.
+/// Names are compared in lower case without underscores.
 struct Familiar {
   const char* meaning;
-  const char* names;  ///< between blanks
-  bool number;        ///< it is one number, else a colour
+  const char* names;  ///< separated by spaces
+  bool number;        ///< a number, otherwise a colour
 };
 constexpr Familiar kFamiliar[] = {
     {"weight", " diffuse diffuseweight diffuselevel kd basecolorweight baseweight ", true},
@@ -140,7 +140,8 @@ const char* familiar_parameter(std::string_view name, const scene::Value& value,
     if (std::string_view(f.names).find(plain) == std::string_view::npos) continue;
     const std::string_view meaning = f.meaning;
     if (meaning == "texture") {
-      // A connection is another shader's colour; else only a texture's name helps.
+      // A connection is the colour of another shader; otherwise only a texture's name identifies
+      // one.
       if (connected) return "color";
       continue;
     }

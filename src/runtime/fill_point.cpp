@@ -11,10 +11,10 @@ namespace {
 
 static_assert(kMaxTextureSpaces == geom::kMaxTextureSpaces);
 
-/// Half axes of the cone's ellipse on the plane of the surface: as wide as the cone across the
-/// view, stretched by the slant along it.
+/// Half axes of the cone's ellipse on the plane of the surface: the width of the cone perpendicular
+/// to the view, stretched along it by the slant.
 void set_footprint(float width, ShadingPoint& point) {
-  /// Beyond this slant a longer footprint only costs: the texture's anisotropy is limited as well.
+  /// The anisotropy of look-ups is limited as well, so a longer footprint has no effect on quality.
   constexpr float kMinCosine = 0.05f;
   const Vec3& n = point.geometric_normal;
   const Vec3 along = point.ray_direction - n * dot(point.ray_direction, n);

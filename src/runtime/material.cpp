@@ -11,7 +11,7 @@ void shade(const NodeList& shaders, ShadingPoint& point, Closure& closure) {
     if (spec.material.fill) {
       node->with_params(point, [&](const Call& call) { spec.material.fill(call, closure); });
     } else if (spec.value) {
-      // A value shader as surface: what it returns is what is seen (also bump shaders in a list).
+      // A value shader as surface: its result is the emission (also bump shaders in a list).
       closure.emission = rgb(node->color(point));
     }
   }

@@ -4,7 +4,7 @@
 namespace oriel {
 namespace {
 
-/// False: no material stands there.
+/// False: no material is connected.
 bool shade_material(const Call& call, std::size_t offset, const Rgb& level, Closure& closure) {
   const ShaderNode* source = call.node ? call.node->material_input(offset) : nullptr;
   if (!source) return false;

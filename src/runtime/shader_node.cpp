@@ -102,7 +102,7 @@ void convert_value(ParamType from, const void* source, ParamType to, void* targe
       *static_cast<bool*>(target) = mean != 0;
       break;
     case ParamType::Integer:
-      // The range of int, less a rounding: what is not finite must not overflow.
+      // The range of int, less a rounding error: infinite values must not overflow.
       *static_cast<int*>(target) =
           std::isfinite(mean) ? static_cast<int>(clamp(mean, -2.1e9f, 2.1e9f)) : 0;
       break;
@@ -173,7 +173,7 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
   alignas(16) std::byte result[kMaxParamBytes];
   for (std::size_t i = 0; i < connections_.size(); ++i) {
     const Connection& c = connections_[i];
-    // A shader may move the normal for those that run after it; a vector is for who asks for it.
+    // Shaders of a list may change the normal for later ones; evaluation as a value must not.
     const Vec3 normal = point.normal;
     // Neighbouring connections to one source (a struct's members) evaluate it once.
     if (i == 0 || connections_[i - 1].source != c.source ||
@@ -193,12 +193,12 @@ void ShaderNode::evaluate_connections(ShadingPoint& point, std::byte* scratch) c
 
 namespace {
 
-/// Estimates, whose means are right.
+/// Unbiased estimates of materials as values.
 void shade_as_value(const ShaderNode& node, const ShadingPoint& at, void* result) {
   const ShaderSpec& spec = node.spec();
   std::memset(result, 0, spec.result_size);
   if (!at.tracer) return;
-  ShadingPoint point = at;  // materials turn its normal
+  ShadingPoint point = at;  // materials change its normal
   const bool has_outputs = spec.results.size() == kMaterialResults;
   MaterialOutputs outputs{};
   auto* colours = static_cast<Rgba*>(result);
@@ -221,7 +221,7 @@ void ShaderNode::value(ShadingPoint& point, void* result) const {
 Rgba ShaderNode::color(ShadingPoint& point) const {
   alignas(16) std::byte result[kMaxParamBytes];
   value(point, result);
-  // A struct's first member is its main result.
+  // The main result of a struct is its first member.
   const ParamType type =
       spec_->result == ParamType::Struct ? spec_->results[0].type : spec_->result;
   Rgba c;

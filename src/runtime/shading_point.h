@@ -121,8 +121,7 @@ struct ShadingPoint {
   const Material* material = nullptr;  ///< the material whose surface shaders are running
   Tracer* tracer = nullptr;            ///< see runtime/tracer.h
   // For light shaders: properties of the lit surface.
-  float glossiness = -1;  ///< of its reflections, 1 = mirror, below 0 =
-                          ///< unknown
+  float glossiness = -1;  ///< of reflections, 1 = mirror, below 0 = unknown
   float importance = 1;   ///< share of the pixel that light there contributes, at most 1
 
   Vec3 wo() const { return -ray_direction; }

@@ -8,7 +8,7 @@
 namespace oriel {
 namespace {
 
-/// What is shown for a texture that cannot be read.
+/// Replaces textures that cannot be read.
 const Rgba kMissing(1, 0, 1, 1);
 
 }  // namespace
@@ -16,10 +16,10 @@ const Rgba kMissing(1, 0, 1, 1);
 std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, TextureSystem& system,
                                                float gamma, Diagnostics& diagnostics) {
   std::unique_ptr<TextureNode> node(new TextureNode);
-  // Every texture is filtered: mental ray's `filter` chose a pyramid for speed, unfiltered look-ups
-  // only alias. Its number scales the blur.
+  // Every texture is filtered: mental ray's `filter` selected a pyramid for speed, and unfiltered
+  // look-ups only alias. Its number scales the blur.
   node->filter_ = element.filter.value_or(1.0f);
-  // What a vector texture holds is no light.
+  // Vector textures do not contain light.
   if (element.type == scene::ParamType::VectorTexture) gamma = 1;
   std::string why;
   if (!element.pixels.empty() && element.size.size() >= 2) {
@@ -76,7 +76,7 @@ Rgba TextureNode::texel(const Vec2& uv) const {
 }
 
 TextureFootprint texture_footprint(const ShadingPoint& point) {
-  // Solve dP = dpdu du + dpdv dv in the least squares sense for both axes of the footprint.
+  // Solves dP = dpdu du + dpdv dv by least squares for both axes of the footprint.
   const float uu = dot(point.dpdu, point.dpdu), uv = dot(point.dpdu, point.dpdv),
               vv = dot(point.dpdv, point.dpdv);
   const float det = uu * vv - uv * uv;
