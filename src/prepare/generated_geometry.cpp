@@ -12,11 +12,12 @@
 namespace oriel {
 namespace {
 
-/// Geometry shaders that make instances with geometry shaders, deeper than this, do so without end.
+/// Maximum nesting of geometry shaders that create instances with geometry shaders; deeper nesting
+/// would be endless.
 constexpr int kMaxDepth = 64;
 
-/// Names of instances with geometry shaders that are not `done`, and marks them so. By names: what
-/// is made is added to the list of elements.
+/// Returns the names of instances with geometry shaders that are not in `done`, and adds them.
+/// Names, since new elements are appended to the list.
 std::vector<std::string> generated(const scene::Scene& scene, std::set<std::string>& done) {
   std::vector<std::string> names;
   for (const scene::Element& element : scene.elements())
@@ -34,11 +35,11 @@ void make_geometry(scene::Scene& scene, const scene::RenderOptions& options,
   std::vector<std::string> names = generated(scene, done);
   if (names.empty()) return;
 
-  World world;  // for the shaders' parameters alone
+  World world;  // only for the shaders' parameters
   world.options = options;
   const std::unordered_map<std::string, std::vector<int>> no_lights;
   Binder binder(scene, registry, world, no_lights, diagnostics);
-  // What is made may have geometry shaders in turn.
+  // Created geometry may contain geometry shaders.
   for (int depth = 0; depth < kMaxDepth && !names.empty(); ++depth) {
     for (const std::string& name : names) {
       const auto* asked = scene.get<scene::Instance>(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry that shaders make before the scene is placed.
+// Geometry created by shaders, before the scene graph is flattened.
 #pragma once
 
 #include "runtime/shader_spec.h"
@@ -8,10 +8,10 @@
 
 namespace oriel {
 
-/// Runs the geometry shaders of instances and puts what they make in their place.
+/// Runs the geometry shaders of instances and replaces them by the created geometry.
 ///
-/// Errors:  OR-RN-070 a shader that makes none; OR-RN-071 one that made nothing. The instance is
-///          left empty.
+/// Errors:  OR-RN-070 a shader that is not a geometry shader; OR-RN-071 one that created nothing.
+///          The instance is left empty.
 /// Checked: GeometryShaders.* in tests/user_shaders
 void make_geometry(scene::Scene& scene, const scene::RenderOptions& options,
                    const Registry& registry, Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry of the frame before, of which the next takes over what did not change.
+// Geometry of the previous frame, reused by the next one where it is unchanged.
 #pragma once
 
 #include <map>
@@ -13,15 +13,15 @@
 
 namespace oriel {
 
-/// Model:   an object whose element is as it was keeps its mesh, and what the ray tracer built for
-///          it where it is instanced; what moved or is new is made anew, and where all instances
-///          are as they were nothing is. Displaced meshes depend on shaders: always made anew.
+/// Model:   an object whose element is unchanged keeps its mesh and, if instanced, its acceleration
+///          structure. Moved and new objects are rebuilt; nothing is rebuilt if all instances are
+///          unchanged. Displaced meshes depend on shaders and are always rebuilt.
 /// Checked: Animation.* in tests/analytic/motion/animation_test.cpp
 struct GeometryCache {
   struct Form {
-    /// scene::Scene::revision of the object, and of what says how finely it is tessellated.
+    /// scene::Scene::revision of the object and of its approximation settings.
     std::vector<std::uint64_t> revisions;
-    scene::TessellationView view;  ///< where that counts
+    scene::TessellationView view;  ///< if tessellation depends on it
     geom::MeshId mesh{};
     bool same_shape(const Form& o) const {
       return revisions == o.revisions && view.object_to_camera == o.view.object_to_camera &&
@@ -29,13 +29,14 @@ struct GeometryCache {
              view.orthographic == o.view.orthographic;
     }
   };
-  std::map<std::string, std::vector<Form>, std::less<>> forms;  ///< by the object's name
-  scene::Shutter shutter;                                       ///< that keys of the meshes are for
-  bool hair = true;  ///< whether meshes have their curves
+  std::map<std::string, std::vector<Form>, std::less<>> forms;  ///< by object name
+  /// of the motion keys of the meshes
+  scene::Shutter shutter;
+  bool hair = true;  ///< whether meshes contain their curves
   std::unique_ptr<geom::Accel> accel;
-  std::size_t reused = 0;  ///< objects of the last frame that were taken over
+  std::size_t reused = 0;  ///< number of objects reused from the previous frame
 
-  /// Takes the geometry out of a world that is not rendered any more.
+  /// Takes the geometry of a world that is no longer rendered.
   void keep(World& world) { accel = std::move(world.accel); }
 };
 

@@ -39,7 +39,7 @@ void MeshTable::add(std::vector<MeshVariant>& variants, PrepareReport& report) {
   std::map<std::string, std::vector<GeometryCache::Form>, std::less<>> forms;
   cache_.reused = 0;
   for (MeshVariant& v : variants) {
-    // Copied only while it is needed again.
+    // Copied unless this is the last use.
     const bool last = --uses[v.job] == 0;
     const bool plain = v.displacement.empty();
     if (plain && kept_[v.job]) {

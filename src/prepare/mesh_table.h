@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meshes of a picture: made, displaced, or taken over from the frame before.
+// The meshes of a picture: created, displaced, or reused from the previous frame.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +14,16 @@
 
 namespace oriel {
 
-/// One mesh of the world: a job's as a set of displacement shaders leaves it.
+/// One mesh of the world: the mesh of a job with one set of displacement shaders applied.
 struct MeshVariant {
   std::size_t job = 0;
   Displacement displacement;
-  const scene::Leaf* first = nullptr;  ///< the leaf its shaders see
+  const scene::Leaf* first = nullptr;  ///< the leaf whose placement its shaders see
   geom::MeshId id{};
 };
 
-/// From a plan to meshes in the world's accel, which is that of the frame before where there is
-/// one. In order: slots() to bind materials, add() for the variants, instances, commit().
+/// Creates the meshes of a plan in the world's accel, which is that of the previous frame if there
+/// is one. Order of calls: slots() to bind materials, add() for the variants, instances, commit().
 class MeshTable {
  public:
   MeshTable(const scene::Scene& scene, TessellationPlan plan, World& world, GeometryCache& cache,
@@ -32,7 +32,7 @@ class MeshTable {
   std::size_t size() const { return plan_.jobs.size(); }
   std::uint32_t of_leaf(std::size_t leaf) const { return plan_.job_of_leaf[leaf]; }
   const std::vector<geom::MaterialSlot>& slots(std::size_t job) const;
-  /// Whether a mesh of the frame before may have to be made anew at the end.
+  /// Whether a mesh of the previous frame may have to be rebuilt at the end.
   bool takes_over() const {
     return std::any_of(kept_.begin(), kept_.end(), [](const auto& k) { return k.has_value(); });
   }
@@ -50,8 +50,8 @@ class MeshTable {
   World& world_;
   GeometryCache& cache_;
   Diagnostics& diagnostics_;
-  std::vector<geom::Mesh> meshes_;                 // of the jobs that are not kept
-  std::vector<std::optional<geom::MeshId>> kept_;  // from the frame before
+  std::vector<geom::Mesh> meshes_;                 // of the jobs that are not reused
+  std::vector<std::optional<geom::MeshId>> kept_;  // from the previous frame
   std::map<geom::MeshId, std::size_t> plain_;      // jobs of undisplaced meshes
 };
 

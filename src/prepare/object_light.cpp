@@ -10,13 +10,13 @@
 namespace oriel {
 namespace {
 
-/// Distance from the plane, and of the corners of a parallelogram, as a share of the size.
+/// Tolerance of flatness and of a parallelogram's corners, relative to the size.
 constexpr float kFlat = 1e-4f;
 
-/// Sums over the triangles that fans of all polygons make, world space.
+/// Sums over the triangles of all polygons (as fans), world space.
 struct Surface {
   std::vector<Vec3> points;    ///< corners of all polygons
-  std::vector<Vec3> distinct;  ///< the first five points that differ
+  std::vector<Vec3> distinct;  ///< the first five different points
   Vec3 moment{0};              ///< sum of area times centroid
   Vec3 normal{0};              ///< sum of area times normal
   float area = 0, size = 0;
@@ -26,7 +26,7 @@ Surface surface_of(const scene::Object& object, const Mat4& to_world) {
   Surface s;
   for (const scene::PolygonGroup& group : object.groups) {
     const scene::PolygonList& list = group.polygons;
-    // Shaders in C make objects as well: nothing has checked their indices.
+    // Objects may be created by C shaders, whose indices are unchecked.
     const auto exists = [&](std::uint32_t vertex) {
       return vertex < group.vertices.point.size() &&
              group.vertices.point[vertex] < group.vectors.size();
@@ -57,7 +57,7 @@ Surface surface_of(const scene::Object& object, const Mat4& to_world) {
   return s;
 }
 
-/// The corner opposite of the first, where four points make a parallelogram; else null.
+/// The corner opposite of the first if four points form a parallelogram; otherwise null.
 const Vec3* opposite_corner(const std::vector<Vec3>& p, float size) {
   if (p.size() != 4) return nullptr;
   for (std::size_t i = 1; i < 4; ++i) {
@@ -102,7 +102,7 @@ bool place_on_object(const scene::Object& object, const Mat4& to_world, Light& l
   light.shape = LightShape::Sphere;
   light.position = s.moment / s.area;
   light.radius = 0;
-  // All of the object lies within, so that it does not shadow its own light.
+  // The sphere contains the whole object, so that the object does not shadow its own light.
   for (const Vec3& p : s.points) light.radius = std::max(light.radius, length(p - light.position));
   light.area = kPi * sqr(light.radius);
   return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Area lights that take their shape from an object of the scene.
+// Area lights with the shape of an object.
 #pragma once
 
 #include "runtime/light.h"
@@ -7,13 +7,14 @@
 
 namespace oriel {
 
-/// Gives the light the shape and place of the object's polygons.
+/// Sets shape and placement of the light from the object's polygons.
 ///
-/// Model:   one parallelogram becomes a rectangle, other flat objects a disc of the same area about
-///          their centroid, everything else the smallest sphere about its centroid. Flat
-///          ones shine to the side of the light's direction where it has one, else to their front.
+/// Model:   a single parallelogram becomes a rectangle, another flat object a disc of the same area
+///          about its centroid, any other object the smallest sphere about its centroid. Flat
+///          lights emit to the side of the light's direction, or without direction to the object's
+///          front.
 /// Inputs:  to_world: of the object's instance.
-/// Returns: false where the object has no polygons with area; the light is unchanged then.
+/// Returns: false if the object has no polygons with area; the light is then unchanged.
 /// Checked: ObjectLights.* in object_light_test.cpp
 bool place_on_object(const scene::Object& object, const Mat4& to_world, Light& light);
 

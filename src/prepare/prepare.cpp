@@ -18,7 +18,7 @@
 namespace oriel {
 namespace {
 
-/// A volume shader as a lens acts on eye rays alone.
+/// A volume shader in the lens list acts on camera rays only.
 void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
                Diagnostics& diagnostics) {
   for (const ShaderNode* node : binder.bind(camera.lens)) {
@@ -26,7 +26,8 @@ void bind_lens(const scene::Camera& camera, Binder& binder, World& world,
     if (spec.lens.trace) {
       world.lens_rays.push_back(node);
     } else if (spec.lens.map_color) {
-      // Each lens shader asks the next for the ray's colour and maps what comes back.
+      // A lens shader maps the colour returned by the next one, so they are applied in reverse
+      // order.
       world.lens.insert(world.lens.begin(), node);
       note_preview(*node, world);
     } else if (spec.lens.bend_ray) {
@@ -68,7 +69,7 @@ void bind_state_shaders(const scene::Options& options, Binder& binder, World& wo
   }
 }
 
-/// `rgba`, `s_fp`, `n`...: of how many numbers a value is.
+/// Number of components of a buffer type: `rgba`, `s_fp`, `n`...
 UserBuffer::Kind kind_of_buffer(std::string_view type) {
   const std::string_view stem = type.substr(0, type.find('_'));
   if (stem == "s" || stem == "z" || stem == "a" || stem == "depth") return UserBuffer::Kind::Scalar;
@@ -77,7 +78,7 @@ UserBuffer::Kind kind_of_buffer(std::string_view type) {
   return UserBuffer::Kind::Color;
 }
 
-/// Buffers by number of the options, buffers by name of the camera.
+/// Buffers of the options have numbers, those of the camera have names.
 std::vector<UserBuffer> user_buffers(const scene::RenderOptions& options,
                                      const scene::Camera& camera) {
   std::vector<UserBuffer> buffers;
@@ -89,7 +90,7 @@ std::vector<UserBuffer> user_buffers(const scene::RenderOptions& options,
   return buffers;
 }
 
-/// Buffers are filled by shaders that libraries bring, and they alone ask for their parameters.
+/// Whether any shader can write buffers: only shaders of libraries do.
 bool has_buffer_writers(const World& world) {
   return std::any_of(world.nodes.begin(), world.nodes.end(),
                      [](const auto& node) { return node->spec().binding.deferred; });
@@ -125,7 +126,7 @@ std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& 
   const LightNames light_names = place_lights(leaves, *world, diagnostics);
   Binder binder(scene, registry, *world, light_names, diagnostics);
   bind_lights(leaves, binder, *world, diagnostics);
-  // The environment before materials: nothing in it depends on them.
+  // The environment is bound before the materials; it does not depend on them.
   world->environment = binder.bind(camera->environment);
   EnvironmentLight environment(*world);
   if (const auto* block = scene.get<scene::Options>(command.options))

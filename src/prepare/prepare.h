@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the scene to the World that is rendered: geometry, lights, shaders, camera.
+// Prepares a scene for rendering as a World: geometry, lights, shaders, camera.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace oriel {
 
-/// What was prepared, for `oriel check` and the progress line.
+/// Statistics of the preparation, for `oriel check` and the progress line.
 struct PrepareReport {
   BindingReport binding;
   std::size_t objects = 0, instances = 0, lights = 0, triangles = 0;
@@ -21,26 +21,26 @@ struct PrepareReport {
 };
 
 struct PrepareOptions {
-  /// Frees the scene's own copy of geometry as it is tessellated; for the last frame of a file.
+  /// Frees the scene's geometry during tessellation; for the last frame of a file.
   bool release_geometry = false;
-  /// Overrides the size of the picture when positive (aspect follows).
+  /// Overrides the size of the picture if positive (the aspect follows).
   int width = 0, height = 0;
-  /// Camera instance to use instead of the render command's.
+  /// Camera instance that overrides that of the render command.
   std::string camera;
-  /// What the frame before left, and what this one leaves: GeometryCache::keep takes the rest.
+  /// Geometry of the previous frame, and receives that of this one: GeometryCache::keep.
   GeometryCache* cache = nullptr;
-  /// Of cameras with two.
+  /// For stereo cameras.
   Eye eye = Eye::Middle;
-  /// For a report of the scene, not for a picture: see World::coarse_tables.
+  /// For a report of the scene without a picture: see World::coarse_tables.
   bool coarse_tables = false;
-  /// Beside those of the options, and before them.
+  /// In addition to those of the options, and with priority over them.
   std::vector<scene::LightGroup> light_groups;
 };
 
-/// Builds the world of one render command.
+/// Creates the world of one render command.
 ///
-/// Errors:  OR-RN-nnn; null when nothing can be rendered (no camera). Everything else leaves a
-///          picture: missing materials are grey, unknown shaders magenta.
+/// Errors:  OR-RN-nnn; null if nothing can be rendered (no camera). In all other cases a picture is
+///          possible: missing materials are grey, unknown shaders magenta.
 std::unique_ptr<World> prepare(scene::Scene& scene, const scene::RenderCommand& command,
                                const Registry& registry, const PrepareOptions& options,
                                Diagnostics& diagnostics, PrepareReport& report);

@@ -20,22 +20,22 @@ namespace {
 using geom::kNone;
 using geom::Triangle;
 
-/// Normals at one place nearer than this (0.8 degrees) are one, written by an exporter for each
-/// side of a seam of texture coordinates.
+/// Minimum cosine (0.8 degrees) at which normals at one position count as equal: exporters write
+/// one for each side of a seam of texture coordinates.
 constexpr float kSameNormal = 0.9999f;
-/// No vertex moves further; beyond ten times this the tracer leaves triangles out.
+/// Maximum displacement; beyond ten times this value the ray tracer drops triangles.
 constexpr float kFarthest = 1e17f;
-/// Normals at one place that a vertex is compared with.
+/// Maximum number of normals at one position that a vertex is compared with.
 constexpr std::size_t kMaxCompared = 16;
 
-/// Unit normal of a facet and the angles at its corners; null and 0 where it has no area.
+/// Unit normal of a facet and the angles at its corners; null and 0 without area.
 struct Facet {
   Vec3 normal{0};
   std::array<float, 3> angle{};
 };
 
 Facet facet_of(const std::vector<Vec3>& positions, const Triangle& t) {
-  // Double: the area of a small triangle far from the origin.
+  // Double precision for the area of small triangles far from the origin.
   const Imath::V3d p[3] = {Imath::V3d(positions[t.a]), Imath::V3d(positions[t.b]),
                            Imath::V3d(positions[t.c])};
   const Imath::V3d n = (p[1] - p[0]).cross(p[2] - p[0]);
@@ -49,13 +49,13 @@ Facet facet_of(const std::vector<Vec3>& positions, const Triangle& t) {
   return facet;
 }
 
-/// The shortest turn that carries the unit vector `from` to `to`.
+/// The rotation by the smallest angle from the unit vector `from` to `to`.
 struct Turn {
   Vec3 from{0, 0, 1}, to{0, 0, 1};
   Vec3 operator()(const Vec3& v) const {
     const Vec3 sum = from + to;
     const float cosine = dot(from, to);
-    // Turned over: any turn will do.
+    // Opposite directions: any rotation by half a turn is valid.
     if (cosine < -0.9999f) return -v;
     return v - sum * (dot(sum, v) / (1 + cosine)) + to * (2 * dot(from, v));
   }
@@ -87,7 +87,7 @@ class Displacer {
   struct Sample {
     std::uint32_t triangle = 0, corner = 0;
     float amount = 0;
-    /// Further way in the mesh's space, of shaders that change the normal or the point.
+    /// Further displacement in the mesh's space, by shaders that change the normal or the point.
     Vec3 aside{0};
   };
 
@@ -98,7 +98,7 @@ class Displacer {
     return shaders_[mesh_.slot_of(static_cast<std::uint32_t>(triangle))];
   }
 
-  /// Numbers the places: vertices with equal positions share one.
+  /// Assigns one number to all vertices with equal positions.
   void find_places() {
     const std::vector<Vec3>& p = mesh_.positions;
     order_.resize(mesh_.vertex_count());
@@ -116,7 +116,7 @@ class Displacer {
     }
   }
 
-  /// Lists what is evaluated: each vertex once for each displaced slot around it.
+  /// Lists the evaluations: each vertex once for each displaced slot around it.
   void find_samples() {
     std::vector<std::uint32_t> by_slot(mesh_.triangles.size());
     std::iota(by_slot.begin(), by_slot.end(), 0u);
@@ -195,7 +195,7 @@ class Displacer {
     float sum = 0;
     for (const ShaderNode* node : shaders_of(sample.triangle)) sum += node->scalar(point);
     sample.amount = std::isfinite(sum) ? clamp(sum, -kFarthest, kFarthest) : 0;
-    // p = point + amount * normal, as the shaders leave both.
+    // p = point + amount * normal, with both as modified by the shaders.
     Vec3 aside(0);
     if (point.normal != before.normal)
       aside = (in_mesh(point.normal) - normal_at(sample)) * sample.amount;
@@ -204,7 +204,7 @@ class Displacer {
     if (is_finite(aside) && length(aside) < kFarthest) sample.aside = aside;
   }
 
-  /// A direction of world space and its length: amounts count in units of the mesh.
+  /// A world direction and its length in units of the mesh.
   Vec3 in_mesh(const Vec3& direction) const {
     return normalize(transform_vector(direction, leaf_.world_to_local)) * length(direction);
   }
@@ -212,7 +212,7 @@ class Displacer {
   void move() {
     struct Mean {
       Imath::V3d direction{0}, aside{0};
-      double amount = 0, weight = 0;  // double: equal amounts keep their last digit
+      double amount = 0, weight = 0;  // double, so that equal amounts remain equal
     };
     std::vector<Mean> mean(places_);
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
@@ -233,17 +233,17 @@ class Displacer {
     }
     for (std::size_t v = 0; v < place_.size(); ++v) {
       const Mean& m = mean[place_[v]];
-      // Sheets back to back have no direction in common: they stay.
+      // Facets with opposite normals have no common direction: they are not displaced.
       if (m.weight > 0 && m.direction.length() > 1e-6 * m.weight)
         mesh_.positions[v] +=
             Vec3(m.direction.normalized() * (m.amount / m.weight) + m.aside / m.weight);
     }
   }
 
-  /// Gathers vertices at one place with one normal: the facets around them turn that normal.
+  /// Groups vertices with the same position and normal: the facets around them rotate that normal.
   void find_bundles() {
     bundle_.assign(place_.size(), kNone);
-    std::vector<std::uint32_t> here;  // one vertex of each bundle at the place at hand
+    std::vector<std::uint32_t> here;  // one vertex of each group at the current position
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const std::uint32_t v = order_[i];
       if (i == 0 || place_[v] != place_[order_[i - 1]]) here.clear();
@@ -262,7 +262,7 @@ class Displacer {
     }
   }
 
-  /// Mean normals of the facets around each bundle, weighted by their angles there; not unit.
+  /// Mean normals of the facets around each group, weighted by their angles there; not unit.
   std::vector<Vec3> sum_facets() const {
     std::vector<Vec3> sums(bundles_, Vec3(0));
     for (const Triangle& t : mesh_.triangles) {
@@ -302,10 +302,10 @@ class Displacer {
   float limit_;
   std::vector<std::uint32_t> order_;      // vertices by position
   std::vector<std::uint32_t> place_;      // per vertex
-  std::vector<std::uint32_t> bundle_;     // per vertex; kNone without a normal
-  std::vector<std::uint32_t> sample_of_;  // per corner; kNone where nothing displaces
+  std::vector<std::uint32_t> bundle_;     // per vertex; kNone without normal
+  std::vector<std::uint32_t> sample_of_;  // per corner; kNone without displacement
   std::vector<Sample> samples_;
-  std::vector<Vec3> before_;  // facets around each bundle before they moved
+  std::vector<Vec3> before_;  // facets around each group before displacement
   std::uint32_t places_ = 0, bundles_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects to meshes, leaves to instances, names to materials, flags to ray masks.
+// Converts objects to meshes, leaves to instances, names to materials, flags to ray masks.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-/// Materials by name, bound once each.
+/// Materials by name; each is bound once.
 class MaterialTable {
  public:
   MaterialTable(const scene::Scene& scene, Binder& binder, World& world, Diagnostics& diagnostics)
@@ -29,7 +29,7 @@ class MaterialTable {
     if (name.empty()) return standard(name);
     if (const auto* element = scene_.get<scene::Material>(name))
       return binder_.bind_material(*element);
-    // An entry of an instance's list may name a shader: it is the surface, and the shadow shader.
+    // An instance's material list may name a shader: it is used as surface and shadow shader.
     if (scene_.get<scene::ShaderElement>(name)) {
       scene::Material made;
       made.name = name;
@@ -41,7 +41,7 @@ class MaterialTable {
                          "a grey one is used");
     return standard(name);
   }
-  /// Geometry without a material shows mid grey.
+  /// Default material of geometry without one: mid grey.
   Material standard(const std::string& name) {
     scene::Material grey;
     grey.name = name;
@@ -93,7 +93,7 @@ std::uint32_t ray_mask(const scene::ResolvedFlags& flags, bool lets_light_throug
   return mask;
 }
 
-/// Whether shadow rays and rays of lobes see different things.
+/// Records whether shadow rays and other rays see different objects.
 void note_differences(std::uint32_t mask, World& world) {
   using geom::RayMask;
   constexpr std::uint32_t kLobes = RayMask::Reflection | RayMask::Refraction | RayMask::FinalGather;
@@ -119,7 +119,7 @@ std::uint16_t visibility(const scene::ResolvedFlags& flags) {
   return static_cast<std::uint16_t>(bits);
 }
 
-/// The variants in the order the leaves need them.
+/// The mesh variants in the order of first use by the leaves.
 class VariantTable {
  public:
   std::size_t find(std::size_t object, Displacement displacement, const scene::Leaf& leaf) {
@@ -134,7 +134,7 @@ class VariantTable {
   std::map<std::pair<std::size_t, Displacement>, std::size_t> known_;
 };
 
-/// The lights an instance is linked to; an empty list restricts nothing.
+/// Resolves the lights that an instance is linked to; an empty list means all lights.
 void link_lights(const scene::Leaf& leaf, const LightNames& lights, InstanceData& data) {
   if (!leaf.light_links || leaf.light_links->lights.empty()) return;
   data.linked = true;
@@ -156,7 +156,7 @@ void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                    options.cache ? *options.cache : nothing, diagnostics);
   report.objects = meshes.size();
 
-  // Instances, and which form of its object's mesh each one uses.
+  // Instances, and the form of its object's mesh that each one uses.
   MaterialTable materials(scene, binder, world, diagnostics);
   VariantTable table;
   struct Placed {

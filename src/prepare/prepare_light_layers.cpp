@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-/// Finds the group of names, and keeps which patterns have found something.
+/// Matches names against the groups' patterns and records which patterns matched.
 class GroupFinder {
  public:
   explicit GroupFinder(const std::vector<scene::LightGroup>& groups) : groups_(groups) {
@@ -19,7 +19,7 @@ class GroupFinder {
   }
   std::size_t none() const { return groups_.size(); }
 
-  /// The first group with a pattern for the name.
+  /// The first group with a matching pattern.
   std::size_t find(const std::string& name) {
     const auto [entry, is_new] = known_.try_emplace(name, none());
     if (!is_new) return entry->second;
@@ -31,7 +31,7 @@ class GroupFinder {
         }
     return entry->second;
   }
-  /// The first group that an element belongs to by any of its names.
+  /// The first group that matches any name of an element.
   std::size_t find(const scene::Leaf& leaf) {
     std::size_t found = none();
     for (const scene::Instance* instance : leaf.chain) {
@@ -62,7 +62,7 @@ class GroupFinder {
   }
 
  private:
-  /// By the mistyped name, else the one that shares most of its beginning.
+  /// Nearest name: by edit distance, otherwise by the longest common beginning.
   static std::string nearest(const std::string& plain, const std::vector<std::string>& names) {
     if (std::string found = nearest_name(plain, names); !found.empty()) return found;
     const auto shared = [&](const std::string& name) {
@@ -76,7 +76,7 @@ class GroupFinder {
   const std::vector<scene::LightGroup>& groups_;
   std::vector<std::vector<bool>> used_;
   std::unordered_map<std::string, std::size_t> known_;
-  std::set<std::string> names_;  ///< of what could be meant
+  std::set<std::string> names_;  ///< names that patterns can match
 };
 
 }  // namespace

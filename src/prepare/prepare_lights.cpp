@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights and camera: from elements and instances to world space.
+// Lights and camera: converts elements and instances to world space.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,17 +16,17 @@ namespace {
 
 using scene::Statement;
 
-/// Film size of a camera that does not say: a 50 mm lens on 36 mm film, the usual export.
+/// Default film size of a camera: a 50 mm lens on 36 mm film, as most exporters assume.
 constexpr float kDefaultFocal = 50, kDefaultAperture = 36;
 
-/// All numbers of a statement, however its values are grouped.
+/// All numbers of a statement, regardless of their grouping.
 std::vector<float> numbers_of(const Statement& s) {
   std::vector<float> all;
   for (const scene::Value& v : s.values) all.insert(all.end(), v.numbers.begin(), v.numbers.end());
   return all;
 }
 
-/// Length scale of a transform: the cube root of its volume.
+/// Length scale of a transform: the cube root of its volume factor.
 float scale_of(const Mat4& m) {
   const Vec3 x = transform_vector(Vec3(1, 0, 0), m), y = transform_vector(Vec3(0, 1, 0), m),
              z = transform_vector(Vec3(0, 0, 1), m);
@@ -47,7 +47,7 @@ void place_area(const scene::Light& element, const Mat4& to_world,
     const Vec3 normal = cross(light.edge_u, light.edge_v);
     light.area = length(normal);
     const Vec3 unit = normalize(normal);
-    // Emission is on the side of the direction when the light has one.
+    // Emission is on the side of the direction if the light has one.
     light.direction = light.has_direction && dot(unit, light.direction) < 0 ? -unit : unit;
   } else if (area.keyword == "disc" && n.size() >= 4) {
     light.shape = LightShape::Disc;
@@ -134,7 +134,7 @@ Light place_light(const scene::Leaf& leaf, const std::vector<scene::Leaf>& leave
   return light;
 }
 
-/// Turns a rectangle's front to its own +z, or to -z.
+/// Orients a rectangle's front to its own +z, or to -z.
 void place_portal(const scene::Light& element, Light& light, Diagnostics& diagnostics) {
   if (light.shape != LightShape::Rectangle) {
     diagnostics.warning(
@@ -148,8 +148,8 @@ void place_portal(const scene::Light& element, Light& light, Diagnostics& diagno
   light.direction = dot(normal, z) < 0 ? -normal : normal;
 }
 
-/// What the list `emitter` says of photons, or who sends them. Shaders that work out something for
-/// their light first are asked as its shader alone.
+/// The emitter shader of a light, from its list `emitter`, after applying its photon settings.
+/// Shaders that precompute data per light are used as the light's shader only.
 const ShaderNode* emitter_of(const scene::Light& element, const Light& light, Binder& binder) {
   if (element.emitters.empty() || light.portal || light.profile_placement) return nullptr;
   const NodeList nodes = binder.bind(element.emitters);
@@ -169,7 +169,7 @@ LightNames place_lights(const std::vector<scene::Leaf>& leaves, World& world,
     if (leaf.kind != scene::LeafKind::Light || leaf.flags.hidden) continue;
     const int index = static_cast<int>(world.lights.size());
     world.lights.push_back(place_light(leaf, leaves, diagnostics));
-    // From where it stands as written to where it is.
+    // Matrices from the written placement to the actual one.
     for (const Mat4& to_world : scene::motion_path(leaf, world.shutter))
       world.lights.back().path.emplace_back(Imath::M44d(leaf.world_to_local) *
                                             Imath::M44d(to_world));
@@ -213,7 +213,7 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
           fmt::format("{} works on directional lights only; light \"{}\" gives none", spec.name,
                       leaf.light()->name),
           "give it a direction and no origin");
-    // Connected parameters are asked as a sky with the same ones is: toward the light.
+    // Connected parameters are evaluated as those of a sky: toward the light.
     ShadingPoint toward(binder.constant_point());
     if (light.shape == LightShape::Directional) toward.ray_direction = -light.direction;
     toward.environment = light.shape == LightShape::Directional;
@@ -228,9 +228,9 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
           place_portal(*leaf.light(), light, diagnostics);
         else
           light.portal.reset();
-        // The sky is seen there in any case: highlights would come on top of it.
+        // The sky is visible there in any case; a highlight would be added to it.
         light.visible = light.portal != nullptr;
-        // A portal's photons are as strong as what is behind it.
+        // The energy of a portal's photons is that of the environment behind it.
         light.photons.has_energy = true;
         light.photons.none |= !light.portal;
       }
@@ -243,7 +243,7 @@ void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& 
 
 namespace {
 
-/// What the element says of its film: size, window, planes.
+/// Film settings of the element: size, window, planes.
 void set_film(const scene::Camera& element, const PrepareOptions& options, Camera& camera,
               Diagnostics& diagnostics) {
   camera.orthographic = element.orthographic;
@@ -259,7 +259,7 @@ void set_film(const scene::Camera& element, const PrepareOptions& options, Camer
   if (options.width > 0 && options.height > 0 && element.resolution)
     camera.aspect *= static_cast<float>(camera.width) / static_cast<float>(camera.height) *
                      static_cast<float>(resolution[1]) / static_cast<float>(resolution[0]);
-  // Squares of them must stay numbers.
+  // Squares of larger values would overflow.
   constexpr float kLargest = 1e15f;
   const auto is_length = [](float x) { return x > 0 && x < kLargest; };
   if (!is_length(camera.focal) || !is_length(camera.aperture) || !is_length(camera.aspect)) {
@@ -275,7 +275,7 @@ void set_film(const scene::Camera& element, const PrepareOptions& options, Camer
   const float size_ratio = static_cast<float>(camera.width) / static_cast<float>(resolution[0]);
   camera.offset = settings.offset * size_ratio;
   take_eye(settings, options.eye, camera);
-  constexpr float kFarthest = 1e6f;  // pixels; beyond it rays are no numbers any more
+  constexpr float kFarthest = 1e6f;  // pixels; larger offsets would make rays infinite
   for (float* shift : {&camera.offset.x, &camera.offset.y})
     *shift = std::abs(*shift) < kFarthest ? *shift : 0;
   camera.clip_near = settings.clip_near;
@@ -285,7 +285,7 @@ void set_film(const scene::Camera& element, const PrepareOptions& options, Camer
   if (settings.window) {
     const std::array<float, 4>& w = *settings.window;
     const int most[] = {camera.width, camera.height};
-    // Clipped before it is an integer: files hold any number.
+    // Clipped before conversion to an integer, since files may contain any number.
     const auto pixel = [&](float x, int least, int last) {
       return static_cast<int>(
           clamp(x * size_ratio, static_cast<float>(least), static_cast<float>(last)));
@@ -312,7 +312,7 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
     camera.path = scene::motion_path(leaf, world.shutter);
   }
   if (!element) {
-    // A camera outside of the rendered group: place it by its own instance alone.
+    // A camera outside of the rendered group is placed by its own instance only.
     const auto* instance = scene.get<scene::Instance>(name);
     element = scene.get<scene::Camera>(instance ? instance->element : name);
     if (instance && instance->transform) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of prepare(), each filling its part of the World.
+// The steps of prepare(); each sets its part of the World.
 #pragma once
 
 #include <string>
@@ -13,20 +13,20 @@ namespace oriel {
 
 using LightNames = std::unordered_map<std::string, std::vector<int>>;
 
-/// Lights in world space, without their shaders; names of instances and of groups of them.
+/// Places lights in world space, without shaders; returns names of instances and of their groups.
 LightNames place_lights(const std::vector<scene::Leaf>& leaves, World& world,
                         Diagnostics& diagnostics);
 
-/// Shaders of the placed lights; leaves in the same order.
+/// Binds the shaders of the placed lights; leaves in the same order.
 void bind_lights(const std::vector<scene::Leaf>& leaves, Binder& binder, World& world,
                  Diagnostics& diagnostics);
 
-/// The camera of that instance. Errors: OR-RN-001 there is none (false).
+/// Places the camera of that instance. Errors: OR-RN-001 if there is none (returns false).
 bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                   const std::string& name, const PrepareOptions& options, World& world,
                   const scene::Camera*& camera, Diagnostics& diagnostics);
 
-/// Meshes, instances and their materials. options_name: the options element of the picture.
+/// Creates meshes, instances and their materials. options_name: the options element of the picture.
 void place_geometry(scene::Scene& scene, const std::vector<scene::Leaf>& leaves,
                     const LightNames& lights, const std::string& options_name, Binder& binder,
                     const PrepareOptions& options, World& world, Diagnostics& diagnostics,

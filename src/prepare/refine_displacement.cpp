@@ -16,7 +16,7 @@ using scene::Approximation;
 using Kind = Approximation::Kind;
 using Technique = Approximation::Technique;
 
-/// What applies to any part of the object.
+/// The approximations that apply to any part of the object.
 std::vector<Approximation> approximations_of(const scene::Object& object,
                                              const scene::ApproximationContext& context) {
   std::vector<Approximation> found;
@@ -44,8 +44,8 @@ class DisplacementRefiner {
                       const scene::TessellationView& view)
       : mesh_(mesh), displacement_(displacement), approximations_(approximations), view_(view) {}
 
-  /// displaced(copy) moves the vertices of a copy of the mesh. False: there would be too many
-  /// triangles.
+  /// displaced(copy) moves the vertices of a copy of the mesh. False: the limit of triangles would
+  /// be exceeded.
   template <typename Displaced>
   bool run(Displaced&& displaced) {
     geom::EdgeSplitter splitter(mesh_);
@@ -60,7 +60,7 @@ class DisplacementRefiner {
                std::any_of(approximations_.begin(), approximations_.end(),
                            [&](const Approximation& ap) { return is_coarse(ap, done, a, b); });
       };
-      // What the scene itself limits needs no word.
+      // Limits of the scene itself are not reported.
       if (!splitter.pass(wants, most)) return !splitter.exceeded || most < kMaxMicroTriangles;
     }
     return true;
@@ -84,8 +84,7 @@ class DisplacementRefiner {
     });
   }
 
-  /// Whether the approximation asks for the edge a-b of the mesh to be split, which was split
-  /// `done` times.
+  /// Whether the approximation requires a split of the mesh edge a-b, which was split `done` times.
   bool is_coarse(const Approximation& ap, int done, std::uint32_t a, std::uint32_t b) const {
     if (ap.technique == Technique::Parametric) return static_cast<float>(done) < ap.u;
     if (ap.technique == Technique::Regular) return math::exp2(static_cast<float>(done)) < ap.u;
@@ -112,7 +111,7 @@ class DisplacementRefiner {
     return ap.view ? view_.pixels(p, q) : length(q - p);
   }
 
-  /// Between the displaced normals; beyond any limit before there is something to measure.
+  /// Angle between the displaced normals; larger than any limit before the first measurement.
   float angle_of(std::uint32_t a, std::uint32_t b) const {
     if (shape_.normals.empty()) return kPi;
     return math::acos(clamp(dot(shape_.normals[a], shape_.normals[b]), -1.0f, 1.0f));
@@ -122,7 +121,7 @@ class DisplacementRefiner {
   const Displacement& displacement_;
   const std::vector<Approximation>& approximations_;
   const scene::TessellationView& view_;
-  geom::Mesh shape_;  // displaced, as of the last measurement
+  geom::Mesh shape_;  // displaced, at the last measurement
 };
 
 }  // namespace

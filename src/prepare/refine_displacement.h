@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes are cut finer where displacement is to bring detail.
+// Refines meshes for the detail of displacement.
 #pragma once
 
 #include "prepare/prepare_displacement.h"
@@ -7,23 +7,23 @@
 
 namespace oriel {
 
-/// Triangles of one displaced mesh; with all that stands beside them about 1.5 GB.
+/// Maximum number of triangles of one displaced mesh; with all data per triangle about 1.5 GB.
 inline constexpr std::size_t kMaxMicroTriangles = std::size_t{8} << 20;
 
-/// Splits the edges of displaced slots until the object's approximations are met, before its
-/// vertices move.
+/// Splits the edges of displaced slots until the object's approximations are met, before vertices
+/// move.
 ///
-/// Model:   `approximate displace` decides, for polygons without one their own `approximate`; where
-///          several apply (groups, surfaces) the finest does. Parametric N halves every edge N
-///          times, regular N makes N pieces of it at least. Lengths are those of the edges before
-///          they move; distance and angle are measured on the displaced mesh between halvings, from
-///          its normals, and ask for two halvings at least, so that there is something to measure.
-///          An edge is split by its own ends alone, so that no crack can open. Polygons without
-///          normals get those of their facets, so that detail is smooth within each and edges stay
-///          sharp; with `nosmoothing` all of it stays faceted. `max N`: no halving of edges that
-///          would make more than N triangles of the mesh. No approximation: nothing changes.
+/// Model:   `approximate displace` applies, or for polygons without one their own `approximate`; of
+///          several (groups, surfaces) the finest applies. Parametric N halves every edge N times,
+///          regular N makes at least N pieces of it. Lengths are those of the edges before
+///          displacement; distance and angle are measured on the displaced mesh between halvings,
+///          from its normals, and require at least two halvings. Whether an edge is split depends
+///          on its own ends only, so that no crack can open. Polygons without normals get those of
+///          their facets, so detail is smooth within each facet and edges stay sharp; with
+///          `nosmoothing` the result is faceted. `max N`: no halving that would make more than N
+///          triangles of the mesh. Without approximation nothing changes.
 /// Inputs:  leaf: as for displace(). All instances of a mesh share its displacement.
-/// Errors:  OR-RN-032 when kMaxMicroTriangles would be exceeded; the mesh stays as fine as it got.
+/// Errors:  OR-RN-032 if kMaxMicroTriangles would be exceeded; the mesh keeps its last refinement.
 /// Checked: DisplacementDetail.*
 void refine_for_displacement(geom::Mesh& mesh, const Displacement& displacement,
                              const scene::Leaf& leaf, const scene::ApproximationContext& context,

@@ -20,7 +20,7 @@ void take_eye(const scene::CameraSettings& settings, Eye eye, Camera& camera) {
   const float distance = settings.parallax_distance;
   Mat4 to_middle;
   if (settings.stereo == Stereo::ToeIn && distance > 0) {
-    // Turns -z towards the middle: (-aside, 0, -distance).
+    // Rotates -z towards the centre: (-aside, 0, -distance).
     const float hypotenuse = math::hypot(aside, distance);
     const float cosine = distance / hypotenuse, sine = aside / hypotenuse;
     to_middle[0][0] = to_middle[2][2] = cosine;

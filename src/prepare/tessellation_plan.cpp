@@ -20,7 +20,7 @@ scene::TessellationView view_of(const scene::Leaf& leaf, const Camera& camera) {
   return view;
 }
 
-/// Whether anything could be measured in pixels.
+/// Whether anything is measured in pixels.
 bool is_approximated(const TessellationJob& job) {
   return !job.context.chain.empty() ||
          (job.context.options && scene::has_approximations(job.context.options->statements)) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which meshes a picture needs: which objects, how finely, for which placements.
+// The meshes that a picture needs: objects, refinement and placements.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace oriel {
 
-/// One mesh to make.
+/// One mesh to create.
 struct TessellationJob {
   const scene::Object* object = nullptr;
   scene::ApproximationContext context;
-  bool approximated = false;  ///< something says how finely; else the context does not matter
+  bool approximated = false;  ///< an approximation applies; otherwise the context is irrelevant
 };
 
 struct TessellationPlan {
@@ -22,8 +22,8 @@ struct TessellationPlan {
   std::vector<std::uint32_t> job_of_leaf;  ///< scene::kNone: no object, or a hidden one
 };
 
-/// An object becomes one mesh for all its placements, or one for each chain of instances that say
-/// something of approximations. Lengths in pixels are measured where the object looks largest.
+/// An object becomes one mesh for all its placements, or one for each chain of instances with
+/// approximation settings. Lengths in pixels are measured where the object appears largest.
 /// Checked: TessellationPlan.*
 TessellationPlan plan_tessellation(const std::vector<scene::Leaf>& leaves,
                                    const scene::Options* options, const Camera& camera);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: `.mi` text made ready for rendering, with its messages.
+// Test support: prepares `.mi` text for rendering and records its messages.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace oriel::testing {
 
-/// A scene that was read and prepared. `world` is null when nothing can be rendered.
+/// A parsed and prepared scene. `world` is null if nothing can be rendered.
 struct PreparedScene {
   Diagnostics diagnostics;
   scene::Scene scene;
   PrepareReport report;
   std::unique_ptr<World> world;
 
-  /// Inputs:  name: of the file it stands for; includes are relative to it.
+  /// Inputs:  name: file name of the text; includes are relative to it.
   explicit PreparedScene(std::string_view text, const Registry& registry = builtin_shaders(),
                          const PrepareOptions& options = {}, const std::string& name = "scene.mi") {
     mi::ReadOptions read;
@@ -30,13 +30,13 @@ struct PreparedScene {
       world = prepare(scene, scene.renders.back(), registry, options, diagnostics, report);
   }
 
-  /// All messages as a user sees them, for the output of a failing test.
+  /// All messages as printed to users, for the output of a failing test.
   std::string messages() const {
     std::string all;
     for (const Diagnostic& d : diagnostics.all()) all += diagnostics.format(d) + "\n";
     return all;
   }
-  /// The only message of that code, or null.
+  /// The only message with that code, or null.
   const Diagnostic* only(std::string_view code) const {
     const Diagnostic* found = nullptr;
     for (const Diagnostic& d : diagnostics.all())
@@ -55,9 +55,10 @@ struct PreparedScene {
   }
 };
 
-/// A whole scene around `elements`: a camera at the origin that looks down -z (16 x 12 pixels, view
-/// as wide as far), a square of 20 units at z = -5 with material "m", and the lights `members`
-/// names. `elements` must define "m"; `camera` are further statements of the camera.
+/// A complete scene around `elements`: a camera at the origin that looks down -z (16 x 12 pixels,
+/// with a view as wide as it is deep), a square of 20 units at z = -5 with material "m", and the
+/// lights `members`. `elements` must define "m"; `camera` contains further statements of the
+/// camera.
 inline std::string scene_text(std::string_view elements, std::string_view members = {},
                               std::string_view camera = {}, std::string_view options = {}) {
   std::string text = "options \"opt\" trace depth 4 4 8 object space ";
