@@ -61,7 +61,7 @@ TEST(MeasureStatistics, ReadingsEndAtTheirPrecision) {
   EXPECT_TRUE(take_readings(2, quantity, {.precision = 0, .floor = .3})[1].precise);
 }
 
-TEST(MeasureStatistics, SeedsAndOrderDecideNothingElse) {
+TEST(MeasureStatistics, ResultsDependOnSeedsAndOrderOnly) {
   const auto quantity = [](std::size_t, sampling::Sampler& s, RayCounts&) { return skewed(s); };
   const auto a = take_readings(3, quantity, {.precision = .02});
   const auto b = take_readings(3, quantity, {.precision = .02});
@@ -71,7 +71,7 @@ TEST(MeasureStatistics, SeedsAndOrderDecideNothingElse) {
   EXPECT_NE(a[0].value, a[1].value);
 }
 
-TEST(MeasureStatistics, TheMeanOfReadingsHasItsOwnInterval) {
+TEST(MeasureStatistics, MeanOfReadingsHasAConfidenceInterval) {
   const Reading mean = mean_reading({{1, .3, 32, true}, {3, .4, 64, true}});
   EXPECT_DOUBLE_EQ(mean.value, 2);
   EXPECT_DOUBLE_EQ(mean.half_width, .25);

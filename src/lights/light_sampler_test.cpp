@@ -98,7 +98,7 @@ void expect_picked_as_expected(const LightSampler& sampler, const LitVertex& at,
     EXPECT_NEAR(counts[i], sampler.expected_samples(at, static_cast<int>(i)), .002) << i;
 }
 
-TEST(LightSampler, PicksEachOfManyLightsAsOftenAsItSays) {
+TEST(LightSampler, PickFrequenciesMatchThePmf) {
   Scene scene;
   for (int i = 0; i < 6; ++i) scene.add(LightShape::Directional);
   for (int i = 0; i < 7; ++i) scene.add(i % 2 ? LightShape::Point : LightShape::Rectangle);
@@ -148,7 +148,7 @@ TEST(LightSampler, HeedsListsLinksAndPhotonLights) {
   expect_lit_by(LitVertex(), {});
 }
 
-TEST(LightSampler, OneSampleStandsForAllThatItsLightWouldGet) {
+TEST(LightSampler, OneSampleIsWeightedByTheExpectedSampleCount) {
   Scene scene;
   for (int i = 0; i < 6; ++i) scene.add(LightShape::Rectangle);
   const LightSampler sampler = scene.sampler();
@@ -161,7 +161,7 @@ TEST(LightSampler, OneSampleStandsForAllThatItsLightWouldGet) {
   EXPECT_FLOAT_EQ(quarter->pdf, one->pdf / 4);
 }
 
-TEST(LightSampler, SamplesTheEnvironmentAsOftenAndAsDenselyAsItSays) {
+TEST(LightSampler, EnvironmentSamplesMatchTheirCountAndPdf) {
   Scene scene;
   LitVertex at = scene.vertex();
   EXPECT_EQ(scene.sampler().environment_samples(true), 0) << "there is none";

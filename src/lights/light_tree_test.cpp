@@ -57,7 +57,7 @@ TEST(LightTree, ChancesOfLampsThatShineAllAroundSumToOne) {
   }
 }
 
-TEST(LightTree, ChoicesComeWithTheirChanceAndAsOftenAsItSays) {
+TEST(LightTree, SampleFrequenciesMatchThePmf) {
   const int n = 50, draws = 200000;
   const LightTree tree(random_lamps(n, 4), numbered(n));
   for (const LitPoint& point : kPoints) {
@@ -78,7 +78,7 @@ TEST(LightTree, ChoicesComeWithTheirChanceAndAsOftenAsItSays) {
   }
 }
 
-TEST(LightTree, ALampThatShinesOnThePointIsNeverLeftOut) {
+TEST(LightTree, LightsThatReachThePointHavePositiveProbability) {
   const int n = 200;
   const std::vector<LightBounds> lamps = random_lamps(n, 5);
   const LightTree tree(lamps, numbered(n));

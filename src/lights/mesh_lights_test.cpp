@@ -71,7 +71,7 @@ TEST(MeshLights, ChancesSumToNearlyOneAndAreThoseOfTheChoices) {
   }
 }
 
-TEST(MeshLights, WhatIsNoLightHasNoChance) {
+TEST(MeshLights, NonEmissiveTrianglesAreNeverSampled) {
   const Triangles t = random_triangles(100, 3);
   const MeshLights lights = lights_of(t);
   const LitPoint lit{Vec3(5, 5, -1), Vec3(0)};
@@ -82,7 +82,7 @@ TEST(MeshLights, WhatIsNoLightHasNoChance) {
   EXPECT_EQ(MeshLights().probability(lit, 0, 0), 0);
 }
 
-TEST(MeshLights, ClustersKeepApartWhatLiesApart) {
+TEST(MeshLights, DistantTrianglesAreInDifferentClusters) {
   // Two patches of many triangles: at one of them the other hardly counts.
   Triangles t;
   for (std::uint32_t i = 0; i < 40000; ++i) {

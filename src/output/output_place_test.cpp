@@ -26,7 +26,7 @@ TEST(OutputPlace, AbsoluteNamesOutsideLieBesideTheScene) {
   }
 }
 
-TEST(OutputPlace, OtherNamesStayWhereTheyAre) {
+TEST(OutputPlace, OtherNamesAreUnchanged) {
   const TemporaryFolder folder;
   const fs::path scene = fs::canonical(folder.path());
   for (const std::string& name : {std::string("images/x.exr"), std::string("images\\x.exr"),
@@ -50,7 +50,7 @@ TEST(OutputPlace, FoldersAreMadeBelowTheRootAlone) {
   EXPECT_FALSE(fs::exists(other));
 }
 
-TEST(OutputPlace, WhatCannotBeWrittenIsAFault) {
+TEST(OutputPlace, UnwritablePathsAreErrors) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "x.exr");
   std::ofstream(folder.path() / "file") << "text";

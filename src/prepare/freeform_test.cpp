@@ -118,7 +118,7 @@ TEST(FreeFormPicture, PixelsDecideHowFineASurfaceIs) {
   EXPECT_GT(triangles(4, 400), 2 * triangles(4, 200));
 }
 
-TEST(FreeFormPicture, AnInstanceMayAskForAnotherApproximation) {
+TEST(FreeFormPicture, InstancesMayHaveTheirOwnApproximation) {
   const std::string text = picture(sphere({0, 0, -4}, 1, ""), 20);
   std::string finer = text;
   finer.replace(finer.find("\"oi\" \"o\""), 8,

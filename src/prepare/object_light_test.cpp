@@ -94,7 +94,7 @@ TEST(ObjectLights, SolidsShineFromTheSphereAroundThem) {
   EXPECT_LT(length(light.position - Vec3(3, 1, 0)), 1e-4f);
 }
 
-TEST(ObjectLights, PolygonsOfMissingVerticesAreLeftOut) {
+TEST(ObjectLights, PolygonsOfMissingVerticesAreIgnored) {
   // Of four polygons the first is whole; the others name no vertex, no vector, no corners.
   scene::Object object;
   scene::PolygonGroup group;
@@ -109,7 +109,7 @@ TEST(ObjectLights, PolygonsOfMissingVerticesAreLeftOut) {
   EXPECT_FLOAT_EQ(light.area, 2);
 }
 
-TEST(ObjectLights, WithoutAnObjectTheLightIsAPointAndSaysSo) {
+TEST(ObjectLights, WithoutAnObjectTheLightIsAPointWithAWarning) {
   for (const char* area : {"object \"nowhere\" 2 2", "object \"l_i\" 2 2", "user 4"}) {
     const PreparedScene s = scene_of(area, kPolygon);
     EXPECT_EQ(s.world->lights.at(0).shape, LightShape::Point) << area;

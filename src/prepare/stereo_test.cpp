@@ -38,7 +38,7 @@ Vec2 pixel_of(const Camera& camera, const Vec3& point) {
 constexpr Vec3 kAhead(14, 0, 0);  // 4 before the camera, whose right is +z
 const std::string kEyes = "eye separation .5 parallax distance 4 ";
 
-TEST(Stereo, EyesStandHalfTheSeparationAside) {
+TEST(Stereo, EyesAreOffsetByHalfTheSeparation) {
   for (const char* method : {"offset ", "offaxis ", "toein "}) {
     const Camera left = camera_of("stereo " + std::string(method) + kEyes, Eye::Left);
     const Camera right = camera_of("stereo " + std::string(method) + kEyes, Eye::Right);
@@ -54,7 +54,7 @@ TEST(Stereo, EyesStandHalfTheSeparationAside) {
   }
 }
 
-TEST(Stereo, WhatIsAheadAtTheParallaxDistanceFallsInTheMiddleOfBoth) {
+TEST(Stereo, PointAheadAtTheParallaxDistanceIsCentredInBoth) {
   for (const char* method : {"offaxis ", "toein ", "on "})
     for (const Eye eye : {Eye::Left, Eye::Right}) {
       const Vec2 at = pixel_of(camera_of("stereo " + std::string(method) + kEyes, eye), kAhead);
@@ -66,7 +66,7 @@ TEST(Stereo, WhatIsAheadAtTheParallaxDistanceFallsInTheMiddleOfBoth) {
   EXPECT_NEAR(left.x, 100 + .25f * 2 / 4 * 200, 1e-3f);
 }
 
-TEST(Stereo, AnOffAxisEyeKeepsThePlaneOfItsFilm) {
+TEST(Stereo, OffAxisEyesHaveTheSameFilmPlane) {
   // Heights on both pictures are the same, as they are not where eyes turn.
   const Vec3 corner(14, 1, .8f);
   const auto height = [&](const std::string& method, Eye eye) {

@@ -40,7 +40,7 @@ struct Placed {
   }
 };
 
-TEST(TessellationPlan, PlacementsShareOneMeshUnlessTheirInstancesAskForMore) {
+TEST(TessellationPlan, PlacementsShareAMeshUnlessInstancesHaveApproximations) {
   Placed placed(4);
   placed.instances[2].flags = {approximate("parametric", 4)};
   placed.leaves[3].flags.hidden = true;

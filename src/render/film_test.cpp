@@ -109,7 +109,7 @@ TEST(Film, ValuesThatAreNoNumbersDoNotSpoilThePixel) {
   EXPECT_FLOAT_EQ(film.pixel(0, 0).beauty.r, 0.5f);
 }
 
-TEST(Film, NoiseIsJudgedOnWhatIsShown) {
+TEST(Film, NoiseIsEstimatedInDisplayValues) {
   const auto burnt = [](int, int, const Rgb& c) { return Rgb(std::min(c.x, 1.0f)); };
   Film film(2, 1, box(), burnt);
   for (const float v : {10.0f, 20.0f}) film.add(0, 0, sample_of(v));
@@ -155,7 +155,7 @@ TEST(Film, MappingForDisplayDoesNotDarkenNoise) {
   EXPECT_NEAR(film.shown(0, 0).x, 1, 1e-3);
 }
 
-TEST(Film, MappingForDisplayKeepsEdgesOfBrightThingsSmooth) {
+TEST(Film, ToneMappingKeepsEdgesOfBrightObjectsSmooth) {
   // Half of the pixel is black, half a hundred times white: mapped as a whole it would be white.
   const auto burnt = [](int, int, const Rgb& c) { return Rgb(std::min(c.x, 1.0f)); };
   Film film(1, 1, box(), burnt);
@@ -260,7 +260,7 @@ TEST(Film, ClipVariantsNeverGoBelowBlack) {
   EXPECT_EQ(film.pixel(0, 0).beauty.r, 0);
 }
 
-TEST(Film, ConstantIsKeptByFiltersWithNegativeLobes) {
+TEST(Film, FiltersWithNegativeLobesPreserveConstants) {
   const FilterSampler filter = mitchell(false);
   Film film(1, 1, filter);
   for (std::uint32_t i = 0; i < 256; ++i) {
@@ -333,7 +333,7 @@ TEST(Film, AovsThatAreNoNumbersAreBlack) {
   EXPECT_EQ(mean.opacity, 0);
 }
 
-TEST(Film, KeepsOutputsOnlyWhereAsked) {
+TEST(Film, StoresOutputsOnlyIfRequested) {
   EXPECT_FALSE(Film(1, 1, box()).keeps_outputs());
   Film film(2, 1, box(), {}, {.aovs = true});
   EXPECT_TRUE(film.keeps_outputs());
@@ -344,7 +344,7 @@ TEST(Film, KeepsOutputsOnlyWhereAsked) {
   EXPECT_EQ(film.outputs(1, 0).opacity, .5f);
 }
 
-TEST(Film, SamplesThatAreNoNumbersBringNoOutputs) {
+TEST(Film, NonFiniteSamplesAddNoOutputs) {
   Film film(1, 1, box(), {}, {.aovs = true});
   PartedSample s(1, 2, false);
   s.sample.beauty.x = std::numeric_limits<float>::quiet_NaN();
@@ -386,7 +386,7 @@ TEST(Film, ClippedPicturesAreTheSumOfTheirOutputsToo) {
   EXPECT_NEAR(sum.z, beauty.b, 1e-6f);
 }
 
-TEST(Film, OneKindOfSamplesStandsForBoth) {
+TEST(Film, SamplesOfOneSignSuffice) {
   for (const bool negative : {false, true}) {
     Film film(1, 1, mitchell(false), {}, {.aovs = true});
     PartedSample s(1, 2, negative);
@@ -396,7 +396,7 @@ TEST(Film, OneKindOfSamplesStandsForBoth) {
   }
 }
 
-TEST(Film, UsersBuffersAreMeansOrWhatTheFirstSampleLeft) {
+TEST(Film, UserBuffersAreMeansOrFirstSamples) {
   for (const bool negative : {false, true}) {
     Film film(1, 1, mitchell(false), {},
               {.user_buffers = {PlaneRule::Mean, PlaneRule::FirstSample, PlaneRule::Mean}});

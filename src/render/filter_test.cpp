@@ -61,7 +61,7 @@ TEST_P(EveryFilter, SamplesHaveTheMomentsOfTheFilter) {
               fourth * std::pow(hx, 4), 6e-3);
 }
 
-TEST_P(EveryFilter, KeepsConstantsExactly) {
+TEST_P(EveryFilter, PreservesConstantsExactly) {
   const FilterSampler filter = sampler_of(GetParam(), 4, 4);
   EXPECT_NEAR(filter.positive_share() - filter.negative_share(), 1, 1e-6);
 }

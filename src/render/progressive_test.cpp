@@ -76,7 +76,7 @@ TEST(Progressive, NeighboursInAllDirectionsGoOn) {
     }
 }
 
-TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
+TEST(Progressive, EveryPixelReachesTheNoiseTarget) {
   const float target = 0.05f;
   Film film(kWidth, kHeight, box());
   Progressive run(film, {.max_samples = 4096, .noise = target, .every_pixel = true});
@@ -86,7 +86,7 @@ TEST(Progressive, EveryPixelMeetsTheNoiseTarget) {
     EXPECT_LE(relative_noise(film.estimate(i), picture), target);
 }
 
-TEST(Progressive, TheNoiseOfThePictureMeetsTheTarget) {
+TEST(Progressive, PictureReachesTheNoiseTarget) {
   for (const float target : {.05f, .03f, .02f}) {
     Film film(kWidth, kHeight, box());
     Progressive run(film, {.max_samples = 1u << 16, .noise = target});
@@ -127,7 +127,7 @@ TEST(Progressive, TheShareOfTheWorkGrowsToOne) {
     EXPECT_NEAR(passes[i].mean_samples / passes[i].done, whole, .35 * whole) << i;
 }
 
-TEST(Progressive, WithoutTargetEveryPixelGetsTheSamplesAskedFor) {
+TEST(Progressive, WithoutTargetEveryPixelGetsTheRequestedSamples) {
   for (const std::uint32_t samples : {1u, 5u, 16u, 100u}) {
     const Film film = rendered(0, {.max_samples = samples});
     for (std::size_t i = 0; i < film.pixel_count(); ++i) EXPECT_EQ(film.samples(i), samples);
@@ -238,7 +238,7 @@ TEST(Progressive, PassesGrowByAlignedBlocks) {
             (std::vector<std::uint32_t>{1, 2, 4, 8, 16, 32, 48, 64, 96, 128, 192, 256, 384}));
 }
 
-TEST(Budget, ComesFromSamplesAndContrast) {
+TEST(Budget, FollowsSamplesAndContrast) {
   scene::RenderOptions options;  // samples -2 0, contrast .1
   const RenderBudget positive = render_budget(options, {});
   EXPECT_EQ(positive.max_samples, kMinSceneSamples);
@@ -253,7 +253,7 @@ TEST(Budget, ComesFromSamplesAndContrast) {
   EXPECT_NEAR(fine.noise, 0.01 / (1.96 * std::sqrt(2.0)), 1e-5);
 }
 
-TEST(Budget, WhatIsAskedReplacesTheScene) {
+TEST(Budget, OptionsOverrideTheScene) {
   const scene::RenderOptions options;
   EXPECT_EQ(render_budget(options, {.samples = 7}), (RenderBudget{.max_samples = 7}));
   EXPECT_EQ(render_budget(options, {.noise = 0.01f}),

@@ -72,14 +72,14 @@ TEST_F(BumpNormal, SumsThatVanishLeaveTheNormal) {
   expect_near(bump_normal(point, kUp, Vec3(0, 0, -1), 2), kUp, 1e-6f, "opposite");
 }
 
-TEST_F(BumpNormal, ResultIsUnitWhateverTheVector) {
+TEST_F(BumpNormal, ResultIsUnitForAnyVector) {
   for (int mode = 1; mode <= 8; ++mode)
     for (const float scale : {1e-6f, 1.0f, 1e6f})
       EXPECT_NEAR(length(bump_normal(point, kUp, Vec3(0.3f, -0.4f, 0.5f) * scale, mode)), 1, 1e-5)
           << mode << ' ' << scale;
 }
 
-TEST(FacingViewer, KeepsNormalsThatFaceAndLiftsOthersJustEnough) {
+TEST(FacingViewer, RotatesOnlyNormalsThatFaceAwayByTheMinimumAngle) {
   ShadingPoint point;
   point.ray_direction = Vec3(0, 0, -1);
   const Vec3 facing = normalize(Vec3(1, 2, 0.1f));

@@ -82,7 +82,7 @@ TEST(GatherCache, BestRecordsAreThoseOfLeastError) {
   EXPECT_FALSE(cache.interpolate(q));
 }
 
-TEST(GatherCache, EmptyCacheSaysNothing) {
+TEST(GatherCache, EmptyCacheReturnsNothing) {
   GatherCache cache;
   EXPECT_FALSE(cache.interpolate(at(Vec3(0))));
   EXPECT_FALSE(cache.interpolate(at(Vec3(0), 5)));
@@ -108,7 +108,7 @@ TEST(GatherCache, LinearFieldIsReproducedInBothModes) {
   }
 }
 
-TEST(GatherCache, RecordSpeaksForItself) {
+TEST(GatherCache, RecordReturnsItsOwnIrradiance) {
   GatherCache cache;
   cache.insert(strewn(100, 0.3f, [](const Vec2& p) { return std::exp(p.x * 3); }));
   for (const GatherRecord& r : cache.records())
@@ -360,7 +360,7 @@ TEST(GatherCache, ManyRecordsInOnePlaceAreHeld) {
   EXPECT_NEAR(cache.interpolate(at(Vec3(3, 4.1f, 5), 10))->irradiance.x, 2, 1e-4f);
 }
 
-TEST(GatherCache, UnusableRecordsAreLeftOut) {
+TEST(GatherCache, UnusableRecordsAreRejected) {
   const float nan = std::nanf("");
   std::vector<GatherRecord> bad(7, record(Vec3(0), 1));
   bad[0].position.x = nan;

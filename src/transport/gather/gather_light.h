@@ -46,8 +46,8 @@ struct IncomingLight {
 ///          it is fitted to the mirrored one, so that lobes that extend below the horizon get
 ///          plausible values. Constant radiance is exact; a cosine lobe of peak 1 is within 0.12,
 ///          with a root mean square error of 0.05.
-/// Checked: GatherLight.ConstantRadianceIsKeptAtEveryRoughness,
-///          GatherLight.CosineLobeIsNearlyKept.
+/// Checked: GatherLight.ConstantRadianceIsExactAtEveryRoughness,
+///          GatherLight.CosineLobeIsNearlyExact.
 IncomingLight fit_incoming(const HemisphereMoments& moments, const Frame& frame);
 
 /// Radiance seen by a glossy lobe around a direction.

@@ -54,7 +54,7 @@ class GatherMap : public ::testing::Test {
   std::string path_ = ::testing::TempDir() + "gathered.fgmap";
 };
 
-TEST_F(GatherMap, ComesBackAsItWas) {
+TEST_F(GatherMap, RoundTripIsExact) {
   const auto records = some(50);
   write(records);
   Diagnostics d;
@@ -117,7 +117,7 @@ TEST_F(GatherMap, EveryFlippedByteIsNoticed) {
   }
 }
 
-TEST_F(GatherMap, EveryLengthButItsOwnIsRefused) {
+TEST_F(GatherMap, FilesOfAnyOtherLengthAreRejected) {
   write(some(2));
   const std::string good = bytes();
   for (std::size_t i = 0; i < good.size(); i += 7) {

@@ -93,7 +93,7 @@ float gather_sector(const Vec3& normal, const Vec3& v);
 ///          bright stratum is removed with its energy, and a skewed distribution is replaced by its
 ///          median, which is below its mean: filtered irradiance is darker, the more the larger
 ///          `reach` is. Uniform radiance and edges that are straight over `reach` are unchanged.
-/// Checked: GatherRecord.FilterRemovesASpeckle, GatherRecord.FilterKeepsAnEdge.
+/// Checked: GatherRecord.FilterRemovesASpeckle, GatherRecord.FilterPreservesAnEdge.
 void filter_speckles(std::span<GatherSample> samples, int rings, int sectors, int reach);
 
 /// Makes a record from the rays of one point.

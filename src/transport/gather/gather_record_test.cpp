@@ -222,7 +222,7 @@ TEST(GatherRecord, FilterRemovesASpeckle) {
   }
 }
 
-TEST(GatherRecord, FilterKeepsAnEdge) {
+TEST(GatherRecord, FilterPreservesAnEdge) {
   auto h = GatherHemisphere::for_rays(kUp, 300);
   std::vector<GatherSample> samples(static_cast<std::size_t>(h.count()));
   for (int i = 0; i < h.count(); ++i)
@@ -250,7 +250,7 @@ TEST(GatherRecord, FilterDarkensSkewedRadiance) {
 
 // ---- directional data
 
-TEST(GatherLight, ConstantRadianceIsKeptAtEveryRoughness) {
+TEST(GatherLight, ConstantRadianceIsExactAtEveryRoughness) {
   const Vec3 n = normalize(Vec3(-1, 1, 2));
   const auto r = gather(Vec3(0), n, 100, [](const Vec3&, const Vec3&) { return Seen{3, 1}; });
   for (const Vec3& w : {n, Frame(n).s, -Frame(n).t, -n})
@@ -258,7 +258,7 @@ TEST(GatherLight, ConstantRadianceIsKeptAtEveryRoughness) {
       EXPECT_NEAR(blurred_radiance(r, w, roughness).x, 3, 1e-3f);
 }
 
-TEST(GatherLight, CosineLobeIsNearlyKept) {
+TEST(GatherLight, CosineLobeIsNearlyExact) {
   // Lobes around the normal, and around directions tilted towards the horizon.
   for (const float tilt : {0.0f, 0.5f, 1.0f}) {
     const Vec3 n = normalize(Vec3(1, 1, 3)),

@@ -48,7 +48,7 @@ double estimate(int seed, int more) {
   return sum / h.count();
 }
 
-TEST(GatherShare, MoreRaysGoWhereContrastIs) {
+TEST(GatherShare, RaysAreDistributedByContrast) {
   const auto h = GatherHemisphere::for_rays(Vec3(0, 0, 1), 400);
   const auto samples = first_rays(h, 1);
   const auto shared = share_rays(samples, h.rings, h.sectors, 400);

@@ -60,7 +60,7 @@ TEST(ResolveOutputs, IndirectLightIsDividedByColourThenByOcclusion) {
   EXPECT_EQ(r["ao_raw"], o.occlusion);
 }
 
-TEST(ResolveOutputs, OcclusionThatDimsNothingIsToldAllTheSame) {
+TEST(ResolveOutputs, OcclusionWithoutEffectIsStillOutput) {
   AovValues o;
   o[Aov::Indirect] = Rgb(.3f, .2f, .1f);
   o.level_of(Aov::Diffuse) = Rgb(.5f, 1, .25f);
@@ -92,7 +92,7 @@ TEST(ResolveOutputs, FullOcclusionLeavesFiniteRawLight) {
   expect_rgb(r["indirect_raw"] * r["ao_raw"], Rgb(.1f), "product");
 }
 
-TEST(ResolveOutputs, BackgroundIsUnscaledByWhatIsMissing) {
+TEST(ResolveOutputs, BackgroundIsNotScaledByMissingWeights) {
   AovValues o;
   o[Aov::Background] = Rgb(.3f, .6f, .9f);
   o.opacity = .25f;

@@ -58,7 +58,7 @@ TEST_F(PhotonFile, RoundTripIsExact) {
   expect_same(in.caustic, out.caustic);
 }
 
-TEST_F(PhotonFile, EmptyMapsAreKept) {
+TEST_F(PhotonFile, EmptyMapsRoundTrip) {
   save_photon_maps(path_, {});
   EXPECT_TRUE(load_photon_maps(path_).global.empty());
 }

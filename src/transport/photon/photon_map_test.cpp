@@ -100,7 +100,7 @@ TEST(PhotonMap, FindsTheSamePhotonsAsASearchOfAll) {
   }
 }
 
-TEST(PhotonMap, IsTheSameWhateverTheOrderOfPhotons) {
+TEST(PhotonMap, IsIndependentOfThePhotonOrder) {
   std::vector<Photon> photons = plane(5000);
   const PhotonMap map(photons, .01f);
   std::reverse(photons.begin(), photons.end());
@@ -127,7 +127,7 @@ TEST(PhotonMap, SurfacesThatFaceElsewhereDoNotCount) {
 }
 
 // acceptance: H3
-TEST(PhotonMap, MergingKeepsPower) {
+TEST(PhotonMap, MergingPreservesPower) {
   const std::vector<Photon> photons = plane(20000);
   const PhotonMap all(photons), merged(photons, .02f);
   const auto power = [](const PhotonMap& map) {

@@ -11,7 +11,7 @@ namespace oriel {
 /// Photons one after another join the nearest of those already kept that lies within `distance`
 /// and faces the same way (cosine at least `agreement`), of the same layer of lights; position and
 /// direction become means by power. Depends on the order of the photons. Checked:
-/// PhotonMap.MergingKeepsPower, PhotonMap.MergedPhotonsLieApart.
+/// PhotonMap.MergingPreservesPower, PhotonMap.MergedPhotonsLieApart.
 std::vector<Photon> merge_photons(const std::vector<Photon>& photons, float distance,
                                   float agreement);
 
