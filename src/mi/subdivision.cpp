@@ -53,7 +53,7 @@ class SubdivisionReader {
 
   void read_texture_rule() {
     const bool face = parse_.in.at_word("face");
-    // "vertex" is how an exporter spelled the smooth rule.
+    // An exporter writes "vertex" for the smooth rule.
     if (!face && !parse_.in.at_word("subdivision") && !parse_.in.at_word("vertex"))
       parse_.unexpected("'face' or 'subdivision'");
     parse_.in.next();
@@ -100,7 +100,7 @@ class SubdivisionReader {
     }
   }
 
-  // Behind an opening brace, to the closing one, which stays part of the text.
+  // Reads after an opening brace, up to and including the closing brace.
   void read_braces(std::string& text) {
     for (int depth = 1; depth > 0;) {
       if (parse_.in.at_end()) parse_.unexpected("a closing brace");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constructs without meaning to this renderer: kept as their source, token by token.
+// Constructs that the renderer does not interpret, stored as source text, token by token.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@ bool closes(const Token& token) {
   return token.is_punct(')') || token.is_punct(']') || token.is_punct('}');
 }
 
-/// Of registries: what acts as the command of that name does on the top level.
+/// Whether a registry item acts like the top-level command of the same name.
 bool acts(Parse& parse, std::string_view word, SourceLocation at) {
   if (word == "link" || word == "echo" || word == "mi") return true;
   if (word == "code" && parse.options.trusts_code) return true;
@@ -27,8 +27,8 @@ bool acts(Parse& parse, std::string_view word, SourceLocation at) {
   return false;
 }
 
-// { value | link | code | mi | spdl | echo | system "text" | symbol symbol }... end registry, also
-// without braces. Items that act leave for where they act; the others are the text.
+// { value | link | code | mi | spdl | echo | system "text" | symbol symbol }... end registry; the
+// braces are optional. Returns the text of the items that do not act as commands.
 std::string read_registry(Parse& parse) {
   std::string text;
   std::vector<std::pair<std::string, SourceLocation>> files;
@@ -57,7 +57,7 @@ std::string read_registry(Parse& parse) {
     append_source(text, said);
   }
   parse.expect_end("registry");
-  // Each is read before what was there before it.
+  // Includes are stacked: the last one included is read first.
   for (auto file = files.rbegin(); file != files.rend(); ++file)
     parse.in.include(file->first, false, file->second);
   return text;
