@@ -6,7 +6,7 @@
 namespace oriel::scene {
 namespace {
 
-/// What a layer holds: for each channel two bits, cast (or be seen) and receive (or send).
+/// Slots of a layer: two bits each, cast (or visible) and receive (or emit).
 enum Channel : unsigned {
   kShadow,
   kReflection,
@@ -15,9 +15,9 @@ enum Channel : unsigned {
   kFinalGather,
   kCaustic,
   kGlobillum,
-  kVisible,            // the first bit only, here and below
-  kCausticTakesPart,   // boolean and integer of photon flags are both meaningful,
-  kGlobillumTakesPart  // so the boolean has a place of its own
+  kVisible,            // first bit only, also for the next two
+  kCausticTakesPart,   // photon flags have a boolean and an integer, which are
+  kGlobillumTakesPart  // independent, so the boolean has a slot of its own
 };
 
 constexpr std::uint32_t bits_of(Channel c, std::uint32_t two_bits) { return two_bits << (2 * c); }
@@ -28,8 +28,8 @@ constexpr std::uint32_t kCasts = 1, kReceives = 2, kBoth = 3;
 constexpr std::uint32_t kTraced =
     bits_of(kReflection, kBoth) | bits_of(kRefraction, kBoth) | bits_of(kFinalGather, kBoth);
 
-/// The channels that a flag writes, and the integers that `off` stands for. Photon flags name the
-/// channel of their boolean.
+/// The slots that a flag sets, and the integers that `off` means. Photon flags have a separate slot
+/// for their boolean.
 struct FlagRow {
   std::array<Channel, 3> channels;
   unsigned channel_count;
@@ -66,7 +66,7 @@ void set_flag(FlagLayer& layer, Flag flag, const StatementValues& values, bool i
   const std::uint32_t off = in_instance ? row.instance_off : row.object_off;
   const std::uint32_t bits =
       is_integer ? static_cast<std::uint32_t>(values.integer(0)) : (on ? kBoth : off);
-  // In an instance bits 4 and 8 switch off what 1 and 2 switch on; an object knows only the latter.
+  // Bits 4 and 8 of an instance clear bits 1 and 2. An object has only bits 1 and 2.
   const std::uint32_t mask = in_instance ? (bits | bits >> 2) & kBoth : kBoth;
   for (unsigned i = 0; i < row.channel_count; ++i) put(layer, row.channels[i], bits & kBoth, mask);
 }
@@ -90,8 +90,8 @@ FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower) {
 ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances) {
   const FlagLayer said = overlay(object, instances);
   constexpr std::uint32_t kDecisive = bits_of(kVisible, 1) | bits_of(kShadow, kBoth) | kTraced;
-  // Where one of visible, shadow, trace is written the others' documented default is off, which
-  // leaves receiving on. Where none is, the default would hide the object altogether.
+  // If visible, shadow or trace is written, the documented default of the others is off, with
+  // receive on. If none is written, this default would hide the object entirely.
   const bool assumed_on = (said.mask & kDecisive) == 0;
   const std::uint32_t unsaid_off = bits_of(kVisible, 1) | bits_of(kShadow, kCasts) |
                                    bits_of(kReflection, kCasts) | bits_of(kRefraction, kCasts) |
