@@ -122,7 +122,7 @@ TEST(ElementTables, RowsOfOtherElementsAreParsedAndSetTheirFields) {
                           &scene::Assembly::statements);
 }
 
-TEST(ElementTables, OptionsOfTheReferenceAreKnown) {
+TEST(ElementTables, ReferenceOptionsAreInTheTable) {
   for (const char* keyword : {"samples",
                               "contrast",
                               "\"contrast all buffers\"",

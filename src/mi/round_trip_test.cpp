@@ -62,7 +62,7 @@ Scene read(std::string_view text) {
 }
 
 // acceptance: H1
-TEST(RoundTrip, NineTilesComesBackWhole) {
+TEST(RoundTrip, NineTilesIsUnchanged) {
   const std::string path = ORIEL_SOURCE_DIR "/scenes/nine-tiles/nine-tiles.mi";
   Diagnostics diagnostics;
   const Scene scene = read_scene(path, with_packages(), diagnostics);
@@ -71,7 +71,7 @@ TEST(RoundTrip, NineTilesComesBackWhole) {
 }
 
 // acceptance: H1
-TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
+TEST(RoundTrip, AllElementsAreUnchanged) {
   const char* const texts[] = {
       "verbose off\nlink \"base.so\"\nmin version \"3.4\"\nset \"a\" \"b\"\nset \"c\"\necho \"x\"\n"
       "$include <base.mi>\n",
@@ -158,7 +158,7 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
 }
 
 // acceptance: H1
-TEST(RoundTrip, RandomScenesComeBackWhole) {
+TEST(RoundTrip, RandomScenesAreUnchanged) {
   for (std::uint32_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     expect_round_trip(RandomScene(seed).make());

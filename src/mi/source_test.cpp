@@ -50,14 +50,14 @@ TEST(LineEndsAndEncodings, Utf16BecomesUtf8) {
             "z\xc3\x9f\xe6\xb0\xb4\xf0\x9f\x8d\x8b\xef\xbf\xbd");
 }
 
-TEST(LineEndsAndEncodings, ZeroBytesAtTheEndAreSilent) {
+TEST(LineEndsAndEncodings, TrailingZeroBytesAreIgnored) {
   for (const std::size_t count : {1u, 5000u})
     expect_read(lines("\n") + std::string(count, '\0'), "zeros");
   const Snippet within(std::string("options \"o\" ") + '\0' + " end options");
   EXPECT_EQ(within.count(code::kBadCharacter), 1u) << within.messages();
 }
 
-TEST(LineEndsAndEncodings, FilesAreDecodedAsTextIs) {
+TEST(LineEndsAndEncodings, FilesAndTextAreDecodedAlike) {
   const TemporaryFolder folder;
   const std::string text = lines("\r") + std::string(7, '\0');
   const std::string path = (folder.path() / "scene.mi").string();

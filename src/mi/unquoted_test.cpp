@@ -6,7 +6,7 @@
 namespace oriel::mi {
 namespace unquoted_test {
 
-TEST(UnquotedNames, StandWhereverNamesDo) {
+TEST(UnquotedNames, AreAcceptedForAllNames) {
   const Snippet read(
       "options opt trace on end options\n"
       "camera cam output rgba exr \"x.exr\" output rgba \"y.exr\" focal 1 end camera\n"
@@ -45,7 +45,7 @@ TEST(UnquotedNames, StandWhereverNamesDo) {
   EXPECT_EQ(read.get<scene::Texture>("pic").procedure.at(0).type, "mib_marble");
 }
 
-TEST(UnquotedNames, KeywordsAreNone) {
+TEST(UnquotedNames, KeywordsAreNotNames) {
   const Snippet read(
       "instance i material visible on end instance\n"
       "light l object visible on end light light k object end light\n"
@@ -58,7 +58,7 @@ TEST(UnquotedNames, KeywordsAreNone) {
   EXPECT_EQ(read.get<scene::Camera>("c").other.size(), 1u);
 }
 
-TEST(StrayTokens, InAHeaderCostNothingElse) {
+TEST(StrayTokens, InAHeaderAreSkipped) {
   const std::string body = " group 0 0 0 1 0 0 0 1 0 v 0 v 1 v 2 p 0 1 2 end group";
   for (const char* stray :
        {"shadwo on", "\"shadow\" on", ", ", "17", "( \"a\" 1 )", "= \"x\"", "@"}) {
@@ -76,7 +76,7 @@ TEST(StrayTokens, InAHeaderCostNothingElse) {
   EXPECT_EQ(line.get<scene::Object>("o").groups.size(), 1u) << line.messages();
 }
 
-TEST(StrayTokens, InOtherElementsCostNothingElse) {
+TEST(StrayTokens, InOtherElementsAreSkipped) {
   const Snippet read(
       "material \"m\" opaqe , \"s\" ( ) shadow \"t\" ( ) end material\n"
       "instance \"i\" \"o\" , transfrom 1 transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 5 1 end instance\n"

@@ -33,7 +33,7 @@ scene::Scene seen_from(float size, const std::vector<std::pair<float, float>>& e
   return testing::imported("m.gltf", square.text());
 }
 
-TEST(CameraView, WhatIsInTheFrameIsSeen) {
+TEST(CameraView, PointsInTheFrameAreVisible) {
   const scene::Scene scene = seen_from(2, {{0, 5}, {2.2f, 5}, {2.4f, 5}, {0, -5}});
   EXPECT_TRUE(sees_model(scene, "eye0_inst"));
   // tan(.25) 5 = 1.277: the square's edge is 1.2 to the left, then 1.4.
@@ -42,7 +42,7 @@ TEST(CameraView, WhatIsInTheFrameIsSeen) {
   EXPECT_FALSE(sees_model(scene, "eye3_inst")) << "it is behind";
 }
 
-TEST(CameraView, ParallelCamerasSeeWhatIsBeforeTheirFilm) {
+TEST(CameraView, ParallelCamerasSeePointsInFrontOfTheFilm) {
   scene::Scene scene = seen_from(2, {{0, 5}, {2.9f, 5}, {3.1f, 5}, {0, -5}});
   for (const char* name : {"eye0", "eye1", "eye2", "eye3"}) {
     auto* camera = scene.get<scene::Camera>(name);
@@ -63,7 +63,7 @@ TEST(CameraView, AWallFillsTheFrameWithItsCornersOutside) {
   EXPECT_FALSE(sees_model(scene, "eye1_inst"));
 }
 
-TEST(CameraView, TheFirstThatSeesTheModelTakesThePicture) {
+TEST(CameraView, FirstCameraThatSeesTheModelIsUsed) {
   scene::Scene scene = seen_from(2, {{9, 5}, {0, 5}, {0, 4}});
   Diagnostics diagnostics;
   EXPECT_TRUE(choose_camera(scene, {}, diagnostics));
@@ -77,7 +77,7 @@ TEST(CameraView, TheFirstThatSeesTheModelTakesThePicture) {
   EXPECT_TRUE(none.all().empty());
 }
 
-TEST(CameraView, TheGroundIsBelowACameraThatStandsDeeperThanTheModel) {
+TEST(CameraView, GroundIsBelowCamerasUnderTheModel) {
   for (const float height : {2.0f, -2.0f}) {
     testing::Quad square;
     square.scene = "0,1";
@@ -94,7 +94,7 @@ TEST(CameraView, TheGroundIsBelowACameraThatStandsDeeperThanTheModel) {
   }
 }
 
-TEST(CameraView, WhereNoneSeesItOneIsAdded) {
+TEST(CameraView, CameraIsAddedIfNoneSeesTheModel) {
   scene::Scene scene = seen_from(2, {{9, 5}, {0, -5}});
   Diagnostics diagnostics;
   EXPECT_FALSE(choose_camera(scene, {}, diagnostics));

@@ -63,7 +63,7 @@ TEST(ModelCamera, GltfKeepsItsVerticalAngle) {
     }
 }
 
-TEST(ModelCamera, SharedCamerasAndLightsStandAtEachOfTheirNodes) {
+TEST(ModelCamera, SharedCamerasAndLightsAreInstancedPerNode) {
   GltfFile file = gltf_camera(.5, 1);
   for (const double x : {7., 8.})
     file.root["nodes"].push_back({{"name", "eye"}, {"camera", 0}, {"translation", {x, 0, 0}}});

@@ -67,7 +67,7 @@ Vec3 uv_of(const scene::Scene& scene, std::size_t space, std::size_t corner) {
   return group.vectors[group.vertices.textures[space].coordinate[corner]];
 }
 
-TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
+TEST(ModelTexture, TransformsFollowTheExtension) {
   Quad quad;
   // Example of the extension: the lower left quadrant of the picture, rotated by 90 degrees.
   quad.material =
@@ -87,7 +87,7 @@ TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
   EXPECT_LT(length(uv_of(scaled.scene, 0, 1) - Vec3(2.1f, -2.2f, 0)), 1e-6f);
 }
 
-TEST(ModelTexture, EachUseIsLookedUpWhereItSays) {
+TEST(ModelTexture, EachUseHasItsCoordinates) {
   Quad quad;
   quad.uv1 = {0, .5f, .5f, .5f, .5f, 0, 0, 0};
   quad.material = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0},)"
@@ -215,7 +215,7 @@ TEST(ModelBump, MissingMaterialFilesOfObjAreReported) {
   EXPECT_EQ(found, 1);
 }
 
-TEST(ModelCoat, ItLiesOverTheMaterial) {
+TEST(ModelCoat, LayersOverTheMaterial) {
   Quad quad;
   quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_clearcoat"],)";
   quad.material =
@@ -260,7 +260,7 @@ TEST(ModelMaterial, UnlitIsMatte) {
   EXPECT_TRUE(made.said("unlit"));
 }
 
-TEST(ModelMaterial, SpecularGlossinessIsNoMetal) {
+TEST(ModelMaterial, SpecularGlossinessIsNotMetallic) {
   Quad quad;
   quad.more = R"("extensionsUsed":["KHR_materials_pbrSpecularGlossiness"],)";
   quad.material =
@@ -276,7 +276,7 @@ TEST(ModelMaterial, SpecularGlossinessIsNoMetal) {
   EXPECT_NEAR(bsdf::gloss_to_alpha(static_cast<float>(gloss)), .09, 1e-3);
 }
 
-TEST(ModelMaterial, TransmissionGoesByItsTexture) {
+TEST(ModelMaterial, TransmissionIsTextured) {
   Quad quad;
   quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_transmission"],)";
   quad.material = R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":0.5,)"
@@ -291,7 +291,7 @@ std::map<std::string, GltfExtras> extras_of_text(const char* text) {
   return gltf_extras(gltf::json::parse(text, nullptr, false));
 }
 
-TEST(GltfExtras, NamesThatAreNotTheirOwnSayNothing) {
+TEST(GltfExtras, UnknownNamesAreIgnored) {
   const auto extras =
       extras_of_text(R"({"materials":[{"name":"a"},{"name":"b"},{"name":"a"},{},{"name":"a"}]})");
   ASSERT_EQ(extras.size(), 1u);
@@ -313,7 +313,7 @@ TEST(TextureSpace, TurnsWhereUOrVRunsInAnotherDirection) {
     EXPECT_TRUE((TextureSpace{0, other}.turns()));
 }
 
-TEST(GltfExtras, WhatIsWrittenWrongIsNotThere) {
+TEST(GltfExtras, InvalidValuesAreIgnored) {
   for (
       const char* text :
       {"", "glTF", "[", "null", "[1]", R"({"materials":3})", R"({"materials":[3,null,"x"]})",

@@ -94,7 +94,7 @@ TEST(ModelMaterial, MirrorsOfObjReflectWhatTheySayOthersAsTheirHighlightDoes) {
   EXPECT_NEAR(set_in(scene, "dull", "brdf_0_degree_refl").at(0), .4, 1e-6);
 }
 
-TEST(ModelImport, WhatIsUpIsUp) {
+TEST(ModelImport, UpAxisIsConverted) {
   const Folder folder;
   const std::string path =
       folder.write("m.stl",
@@ -171,7 +171,7 @@ TEST(ModelImport, LightsAreInCandela) {
   EXPECT_EQ(light->shaders[0].arguments[0].value.numbers, (std::vector<double>{200, 200, 200}));
 }
 
-TEST(ModelImport, AFileWithoutSurfacesIsToldOf) {
+TEST(ModelImport, FileWithoutSurfacesIsReported) {
   const Folder folder;
   Diagnostics diagnostics;
   const auto scene =
@@ -183,7 +183,7 @@ TEST(ModelImport, AFileWithoutSurfacesIsToldOf) {
   EXPECT_EQ(diagnostics.all()[0].code, "OR-MD-012");
 }
 
-TEST(ModelImport, WhatIsNoModelIsToldOf) {
+TEST(ModelImport, InvalidFileIsReported) {
   const Folder folder;
   Diagnostics diagnostics;
   const std::string whole = gltf(R"("doubleSided":true)");
@@ -213,7 +213,7 @@ float largest_in_frame(const scene::Scene& scene, const std::vector<Vec3>& point
   return most;
 }
 
-TEST(Daylight, AnEmptyModelIsTakenForAUnitCube) {
+TEST(Daylight, EmptyModelIsTreatedAsAUnitCube) {
   scene::Scene scene;
   scene::InstanceGroup root;
   root.name = kRootGroup;

@@ -51,7 +51,7 @@ TEST(ModelFbx, PostRotationComesBeforeRotation) {
   expect_near(shining(scene), Vec3(1, 0, 0));
 }
 
-TEST(ModelFbx, WithoutPostRotationNodesTurnAsTheySay) {
+TEST(ModelFbx, NodesWithoutPostRotationUseTheirRotation) {
   FbxFile file;
   // As Blender writes cameras: the whole turn in Lcl Rotation.
   file.camera = property("Lcl Rotation", {0, 90, 0});
@@ -62,7 +62,7 @@ TEST(ModelFbx, WithoutPostRotationNodesTurnAsTheySay) {
 }
 
 // T Rp R Rp^-1: turned by a half about z through (100, 0, 0), the origin comes to (200, 0, 0).
-TEST(ModelFbx, PivotsTurnAboutThemselvesAndNamesStayClean) {
+TEST(ModelFbx, PivotsAreAppliedWithoutHelperNodes) {
   FbxFile file;
   file.triangle = property("RotationPivot", {100, 0, 0}) + property("Lcl Rotation", {0, 0, 180}) +
                   property("ScalingPivot", {0, 100, 0}) + property("Lcl Scaling", {1, 3, 1});
@@ -86,7 +86,7 @@ TEST(ModelFbx, GeometricTransformsStayWithTheirNode) {
   expect_near(testing::to_world(scene, "child_inst").translation(), Vec3(0, 0, 0));
 }
 
-TEST(ModelFbx, SpotsAreWrittenWithTheirWholeAngle) {
+TEST(ModelFbx, SpotAnglesAreFullAngles) {
   FbxFile file;
   file.sun = property("Lcl Translation", {0, 400, 0});
   file.light =
@@ -99,7 +99,7 @@ TEST(ModelFbx, SpotsAreWrittenWithTheirWholeAngle) {
   EXPECT_NEAR(spot->shaders[0].arguments.at(1).value.numbers.at(0), std::cos(20 * kPi / 180), 1e-6);
 }
 
-TEST(ModelFbx, WhatHasATargetLooksAtIt) {
+TEST(ModelFbx, TargetsOrientNodes) {
   FbxFile file;
   file.camera = property("Lcl Translation", {100, 200, 500});
   file.sun = property("Lcl Translation", {0, 400, 0});

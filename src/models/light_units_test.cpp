@@ -79,7 +79,7 @@ TEST(LightUnits, BlendersGltfKeepsTheRatioOfLightsToEmission) {
   EXPECT_TRUE(made.said("OR-MD-016"));
 }
 
-TEST(LightUnits, OtherProgramsAreTakenAtTheirWord) {
+TEST(LightUnits, OtherProgramsUseTheSpecifiedUnits) {
   Made made;
   made.import(blender_gltf("another program").text());
   EXPECT_NEAR(emitted(made, "paint"), 7, 1e-5);

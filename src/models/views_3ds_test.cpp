@@ -79,7 +79,7 @@ void expect_views(const scene::Scene& scene) {
   EXPECT_NEAR(*lamp->spread, std::cos(20 * kPi / 180), 1e-5f) << "40 degrees across";
 }
 
-TEST(Model3ds, ViewsAreWhereTheFileHasThem) {
+TEST(Model3ds, ViewsHaveTheTransformsOfTheFile) {
   const scene::Scene scene = imported("m.3ds", file(0, ""));
   expect_views(scene);
   expect_near(transform_vector(Vec3(0, 1, 0), testing::to_world(scene, "eye_inst")), Vec3(0, 1, 0));
@@ -90,7 +90,7 @@ TEST(Model3ds, ViewsAreWhereTheFileHasThem) {
   EXPECT_NEAR(*camera->aperture / 2 / *camera->focal, std::tan(20 * kPi / 180), 1e-4f);
 }
 
-TEST(Model3ds, NodesThatMoveLeaveThemThere) {
+TEST(Model3ds, AnimatedNodesDoNotMoveViews) {
   const std::string still = reals({0, -50, 20}), later = reals({5, -50, 20});
   const scene::Scene scene = imported(
       "m.3ds",
@@ -108,7 +108,7 @@ TEST(Model3ds, RollTurnsAboutTheView) {
   EXPECT_NEAR(std::fabs(transform_vector(Vec3(0, 1, 0), m).x), 1, 1e-5f);
 }
 
-TEST(Model3ds, EveryBeginningOfAFileIsSurvived) {
+TEST(Model3ds, TruncatedFilesDoNotCrash) {
   const std::string whole = file(0, "");
   const scene::Scene scene = imported("m.3ds", whole);
   for (std::size_t size = 0; size < whole.size(); size += 7) {

@@ -13,7 +13,7 @@ namespace asset_path_test {
 
 using Names = std::vector<std::string>;
 
-TEST(AssetPath, LastPartsOfAPathAreSpellingsOfItsName) {
+TEST(AssetPath, CandidatesAreEndsOfThePath) {
   EXPECT_EQ(spellings_of("W:\\maps\\oak.tif"),
             (Names{"W:\\maps\\oak.tif", "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"}));
   EXPECT_EQ(spellings_of("//server/maps//oak.tif"),
@@ -21,12 +21,12 @@ TEST(AssetPath, LastPartsOfAPathAreSpellingsOfItsName) {
   EXPECT_EQ(spellings_of("oak.tif"), Names{"oak.tif"});
 }
 
-TEST(AssetPath, NoSpellingGoesUpBesideWhatIsWritten) {
+TEST(AssetPath, ShortenedCandidatesContainNoParentFolder) {
   EXPECT_EQ(spellings_of("..\\a\\..\\oak.tif"),
             (Names{"..\\a\\..\\oak.tif", "../a/../oak.tif", "oak.tif"}));
 }
 
-TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
+TEST(AssetPath, LongestMatchingPathIsFound) {
   const TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
   std::filesystem::create_directories(folder / "maps");

@@ -127,7 +127,7 @@ TEST(ElementSettings, LightsHavePhotonsAndShadowMaps) {
   EXPECT_EQ(s.shadow_map.filter, 'g');
 }
 
-TEST(ElementSettings, InstancesOverrideAndStop) {
+TEST(ElementSettings, InstancesHaveOverrideAndMotionOff) {
   Instance instance;
   instance.flags = {statement("motion", {boolean(true)}), statement("visible", {numbers({4})})};
   EXPECT_FALSE(settings_of(instance).motion_off || settings_of(instance).overrides);
@@ -139,7 +139,7 @@ TEST(ElementSettings, InstancesOverrideAndStop) {
   EXPECT_EQ(s.data, "d");
 }
 
-TEST(ElementSettings, KeywordsOfOtherStatementsAreNoFlags) {
+TEST(ElementSettings, StatementsThatStartWithAFlagKeywordAreNotFlags) {
   // `shadow approximate` begins with a flag's keyword.
   Object object;
   object.flags = {statement("shadow approximate", {word("fine")}), statement("tagged")};

@@ -58,7 +58,7 @@ Mat4 scaled(float s) {
   return m;
 }
 
-TEST(Hierarchy, LeavesComeInTheOrderOfTheGroups) {
+TEST(Hierarchy, LeavesAreInGroupOrder) {
   Builder b;
   b.object("o");
   b.element<Camera>("c");
@@ -83,7 +83,7 @@ TEST(Hierarchy, LeavesComeInTheOrderOfTheGroups) {
 }
 
 // acceptance: H1
-TEST(Hierarchy, AWorldPointGoesThroughTheOuterMatrixFirst) {
+TEST(Hierarchy, OuterMatrixAppliesFirst) {
   Builder b;
   b.object("o");
   b.instance("outer", "g").transform = moved(-10, 0, 0);
@@ -133,7 +133,7 @@ TEST(Hierarchy, MotionTransformsComposeAndCanBeSwitchedOff) {
   EXPECT_FALSE(leaves[1].motion_world_to_local.has_value());
 }
 
-TEST(Hierarchy, TheNearestMaterialWinsUnlessOneAboveOverrides) {
+TEST(Hierarchy, NearestMaterialAppliesUnlessOverridden) {
   Builder b;
   b.object("o");
   b.instance("outer", "g").materials = {"a"};
@@ -168,7 +168,7 @@ TEST(Hierarchy, LightLinksComeFromTheNearestInstanceThatHasThem) {
   EXPECT_EQ(leaves[1].shadow_links, nullptr);
 }
 
-TEST(Hierarchy, FlagsPassDownAndObjectsWithoutFlagsAreNotedOnce) {
+TEST(Hierarchy, FlagsAreInheritedAndMissingFlagsNotedOnce) {
   Builder b;
   b.object("o").flags.clear();
   b.instance("i1", "o");
@@ -186,7 +186,7 @@ TEST(Hierarchy, FlagsPassDownAndObjectsWithoutFlagsAreNotedOnce) {
   EXPECT_EQ(d.all()[0].message.substr(0, 2), "2 ");
 }
 
-TEST(Hierarchy, ASingularTransformBecomesIdentityAndIsSaidOnce) {
+TEST(Hierarchy, SingularTransformBecomesIdentityAndIsReportedOnce) {
   Builder b;
   b.object("o");
   Mat4 flat;
@@ -203,7 +203,7 @@ TEST(Hierarchy, ASingularTransformBecomesIdentityAndIsSaidOnce) {
   EXPECT_TRUE(d.has("OR-SC-306"));
 }
 
-TEST(Hierarchy, AThinButHonestScaleIsNotSingular) {
+TEST(Hierarchy, ThinScaleIsNotSingular) {
   Builder b;
   b.object("o");
   Mat4 thin = scaled(1e-4f);
@@ -216,7 +216,7 @@ TEST(Hierarchy, AThinButHonestScaleIsNotSingular) {
   EXPECT_TRUE(d.all().empty());
 }
 
-TEST(Hierarchy, AGroupInsideItselfIsReportedOnceAndTheRestStands) {
+TEST(Hierarchy, CyclicGroupIsReportedOnceAndTheRestRemains) {
   Builder b;
   b.object("o");
   b.instance("i", "o");

@@ -242,7 +242,7 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
 }
 
 // Requirements of every parameter table.
-TEST(Declarations, EveryTableIsSound) {
+TEST(Declarations, AllTablesAreValid) {
   std::set<std::string> shaders;
   for (const ShaderSpec* spec : builtin_shaders().all()) {
     EXPECT_TRUE(shaders.insert(spec->name).second) << spec->name;

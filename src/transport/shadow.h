@@ -33,7 +33,7 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
 /// Whether rays of lobes hit an object before `distance` that casts no shadow.
 ///
 /// Inputs:  lobes: one bit geom::RayMask::Shadowless*, for the kind of the rays.
-/// Checked: ObjectFlags.LightPassesWhatCastsNoShadow in tests/analytic.
+/// Checked: ObjectFlags.LightPassesObjectsThatCastNoShadow in tests/analytic.
 bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3& wi, float distance,
                       std::uint32_t lobes, RayCounts& counts);
 

@@ -70,7 +70,7 @@ TEST(CameraStatements, HalfTheApertureIsSeenAtTheFocalLength) {
   EXPECT_NEAR(c.middle.y, 20, .1);
 }
 
-TEST(CameraStatements, PixelsTakeTheShapeThatAspectGivesThem) {
+TEST(CameraStatements, PixelShapeFollowsFromAspect) {
   // An aspect of 2 over 40 x 40 pixels: each covers twice as much across as up.
   const Seen::Cover c = Seen("focal 2 aperture 1 aspect 2 resolution 40 40").cover();
   EXPECT_NEAR(c.area, 20 * 40, 8);

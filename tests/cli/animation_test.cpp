@@ -34,7 +34,7 @@ TEST_F(Animation, FilesCarryTheFramesNumber) {
   EXPECT_NE(text_of(file("a.exr")), text_of(file("a.0002.exr")));
 }
 
-TEST_F(Animation, OnlyTheFramesAskedForAreRendered) {
+TEST_F(Animation, OnlyRequestedFramesAreRendered) {
   write("scene.mi", scene());
   ASSERT_EQ(render({"-o", "all.#.exr"}).exit_code, 0);
   ASSERT_EQ(render({"-o", "some.#.exr", "--frames", "2..3"}).exit_code, 0);
@@ -46,7 +46,7 @@ TEST_F(Animation, OnlyTheFramesAskedForAreRendered) {
   EXPECT_TRUE(exists("last.1.exr") && !exists("last.2.exr") && exists("last.3.exr"));
 }
 
-TEST_F(Animation, FramesThatCannotBeAreRefused) {
+TEST_F(Animation, InvalidFramesAreRefused) {
   write("scene.mi", scene());
   for (const char* wrong : {"0..3", "3..2", "a", "1,,2", "1...3", "-1"})
     EXPECT_EQ(render({"-o", "a.exr", std::string("--frames=") + wrong}).exit_code, 2) << wrong;
@@ -55,7 +55,7 @@ TEST_F(Animation, FramesThatCannotBeAreRefused) {
   EXPECT_NE(beyond.err.find("has 3 render statements"), std::string::npos) << beyond.err;
 }
 
-TEST_F(Animation, FilesThatAreThereMayBeLeftOut) {
+TEST_F(Animation, ExistingFilesMayBeSkipped) {
   write("scene.mi", scene());
   ASSERT_EQ(render({"-o", "a.#.exr", "--frames", "2"}).exit_code, 0);
   write("a.1.exr", "kept");
@@ -65,7 +65,7 @@ TEST_F(Animation, FilesThatAreThereMayBeLeftOut) {
   EXPECT_EQ(render({"-o", "a.#.exr", "--skip-existing"}).exit_code, 0);
 }
 
-TEST_F(Animation, FilesOfBothEyesAreThereOrNot) {
+TEST_F(Animation, ExistingFilesAreCheckedForBothEyes) {
   write("scene.mi", scene("stereo offset eye separation .1"));
   ASSERT_EQ(render({"-o", "a.#.exr"}).exit_code, 0);
   for (const char* name : {"a.1_left.exr", "a.2_left.exr", "a.2_right.exr"}) write(name, "kept");

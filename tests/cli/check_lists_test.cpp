@@ -43,7 +43,7 @@ TEST_F(CheckLists, ShadersOfEverySlotAreListedAndOnlyThoseSeenAreMagenta) {
   EXPECT_FALSE(says("unavailable shader")) << text();
 }
 
-TEST_F(CheckLists, ParametersThatAGuessUsesAreNotUnknown) {
+TEST_F(CheckLists, ParametersOfFallbackShadersAreNotUnknown) {
   std::string scene = small_scene();
   const std::string from =
       "\"mia_material_x\" ( \"diffuse\" .5 .5 .5, \"reflectivity\" .2, "

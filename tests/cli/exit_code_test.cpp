@@ -26,7 +26,7 @@ TEST_F(ExitCodes, ACompleteSceneIsZero) {
   EXPECT_TRUE(there("out.exr"));
 }
 
-TEST_F(ExitCodes, UndefinedNamesOfRenderAreOneWithThePictureThereIs) {
+TEST_F(ExitCodes, UndefinedNamesOfRenderAreOneWithAnImage) {
   const RunResult root = render("render \"root\"", "render \"rot\"");
   EXPECT_EQ(root.exit_code, 1) << root.err;
   const RunResult camera = render("\"cam_inst\" \"opt\"", "\"cma_inst\" \"opt\"");

@@ -93,7 +93,7 @@ TEST_F(ExposureProgram, FloatFilesHoldWhatTheSceneAsksFor) {
   }
 }
 
-TEST_F(ExposureProgram, GammaTwiceIsToldForOutputShadersToo) {
+TEST_F(ExposureProgram, DoubleGammaOfOutputShadersIsReported) {
   for (const char* role : {"lens", "output"}) {
     write("scene.mi",
           small_scene("gamma 2.2", std::string(role) + " \"mia_exposure_simple\" ( \"gain\" 1 )"));

@@ -80,7 +80,7 @@ TEST_F(LightGroupProgram, RecombinedLightsAreStrongerAndOfOtherColours) {
   EXPECT_LT(pixel(layers("c.exr"), "light.left", 2), 1.5f * pixel(before, "light.left", 2));
 }
 
-TEST_F(LightGroupProgram, MistakesAreToldInOneLine) {
+TEST_F(LightGroupProgram, ErrorsAreReportedInOneLine) {
   for (const char* wrong : {"key", "key=", "=lamp*", "rest=lamp*", "a.b=lamp*"}) {
     const RunResult r = render({"-o", "a.exr", "--light-group", wrong});
     EXPECT_EQ(r.exit_code, 2) << wrong;

@@ -41,7 +41,7 @@ class MeasureProgram : public ProgramTest {
   }
 };
 
-TEST_F(MeasureProgram, PointsReadWhatTheLampBrings) {
+TEST_F(MeasureProgram, PointsMatchTheIlluminanceOfALight) {
   write_scene();
   const auto m = measure({"--at", "0,0,0", "--at", "0,0,1", "--at", "2,0,0"});
   const auto& sensors = m["illuminance"]["sensors"];
@@ -70,7 +70,7 @@ TEST_F(MeasureProgram, GridAndPlaneAreTheSameSensors) {
   EXPECT_NEAR(grid["uniformity"].get<double>(), least / grid["mean"]["value"].get<double>(), 1e-6);
 }
 
-TEST_F(MeasureProgram, MetresChangeHowPlacesAreToldAndNoLight) {
+TEST_F(MeasureProgram, UnitsChangeLocationsOnly) {
   write_scene();
   const auto units = measure({"--plane", "z=.5", "--spacing", "2"})["illuminance"];
   const auto metres =
@@ -80,7 +80,7 @@ TEST_F(MeasureProgram, MetresChangeHowPlacesAreToldAndNoLight) {
               .1 * units["sensors"][0]["position"][0].get<double>(), 1e-6);
 }
 
-TEST_F(MeasureProgram, SpotsTellLuminanceIlluminancePlaceAndMaterial) {
+TEST_F(MeasureProgram, SpotsReportLuminanceIlluminanceLocationAndMaterial) {
   write_scene();
   const auto m = measure({"--pixel", "16,16"});
   const auto& spot = m["spots"][0];
@@ -91,7 +91,7 @@ TEST_F(MeasureProgram, SpotsTellLuminanceIlluminancePlaceAndMaterial) {
   EXPECT_EQ(run({"measure", "scene.mi", "--pixel", "32,0"}).exit_code, 1);
 }
 
-TEST_F(MeasureProgram, TextAndFileSayTheSame) {
+TEST_F(MeasureProgram, TextAndFileAgree) {
   write_scene("lens \"mia_exposure_photographic\" ( \"cm2_factor\" 2 )");
   const RunResult r =
       run({"measure", "scene.mi", "--grid", "-1,-1,0:2,0,0:0,2,0:2x2", "--csv", "a.csv"});
@@ -104,7 +104,7 @@ TEST_F(MeasureProgram, TextAndFileSayTheSame) {
       << csv;
 }
 
-TEST_F(MeasureProgram, WrongUseIsSaidInOneLine) {
+TEST_F(MeasureProgram, WrongUseIsReportedInOneLine) {
   write_scene();
   const std::vector<std::vector<std::string>> wrong = {
       {},

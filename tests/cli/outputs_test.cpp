@@ -76,7 +76,7 @@ TEST_F(OutputsProgram, AFileGivesItsPictureBackWhateverTheFilter) {
   const RunResult r = run({"recombine", "a.exr"});
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
 }
-TEST_F(OutputsProgram, CryptomattesStandInTheFileWithTheirNames) {
+TEST_F(OutputsProgram, CryptomattesAreWrittenWithTheirNames) {
   write_scene();
   const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--cryptomatte", "--samples", "4"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
@@ -98,7 +98,7 @@ TEST_F(OutputsProgram, CryptomattesStandInTheFileWithTheirNames) {
   EXPECT_EQ(find_layer(exr.layers, "")->image.pixels, find_layer(two.layers, "")->image.pixels);
 }
 
-TEST_F(OutputsProgram, TheSceneMayAskForCryptomattes) {
+TEST_F(OutputsProgram, SceneMayEnableCryptomattes) {
   write_scene({}, "\"cryptomatte\" on");
   ASSERT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--samples", "1"}).exit_code, 0);
   EXPECT_NE(find_layer(read_exr(file("a.exr")).layers, "CryptoAsset02"), nullptr);

@@ -107,7 +107,7 @@ TEST_F(SceneCode, FilesAndBytesAreCodeAsWell) {
   EXPECT_EQ(corner(), .75f) << r.err;
 }
 
-TEST_F(SceneCode, FilesLieBelowTheSceneOrOnTheShaderPath) {
+TEST_F(SceneCode, FilesMustBeBelowTheSceneOrTheShaderPath) {
   fs::create_directory(file("inner"));
   fs::create_directory(file("trusted"));
   write("outer.c", shader(".25"));
@@ -123,7 +123,7 @@ TEST_F(SceneCode, FilesLieBelowTheSceneOrOnTheShaderPath) {
   EXPECT_EQ(corner(), .5f) << r.err;
 }
 
-TEST_F(SceneCode, CodeThatDoesNotCompileCostsItsShaders) {
+TEST_F(SceneCode, CompileErrorsAffectOnlyTheirShaders) {
   write("scene.mi", scene(in_line("this is no C\n")));
   const RunResult r = render({"--trust-code"});
   EXPECT_EQ(r.exit_code, 1) << r.err;

@@ -151,7 +151,7 @@ TEST_F(ShaderTreeProgram, UndefinedSymbolsAreNamedWithTheirSources) {
 }
 
 // acceptance: I4
-TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackToTheirCaller) {
+TEST_F(ShaderTreeProgram, FunctionsWithoutReturnReturnToTheirCaller) {
   const std::string text =
       "struct Big { float x[9]; };\n"
       "static int seen;\n"
@@ -176,7 +176,7 @@ TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackToTheirCaller) {
   }
 }
 
-TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackInClangAsWell) {
+TEST_F(ShaderTreeProgram, FunctionsWithoutReturnReturnInClangAsWell) {
   if (std::system("clang++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no clang++ here";
   put("a.cpp",
       "static int seen;\n"
@@ -230,7 +230,7 @@ TEST_F(ShaderManifestProgram, GivesSingleSourcesTheirFlags) {
   EXPECT_FLOAT_EQ(call("m.so", "d", 1), 2);
 }
 
-TEST_F(ShaderManifestProgram, MistakesAreSaidWithFileAndLine) {
+TEST_F(ShaderManifestProgram, ErrorsHaveFileAndLine) {
   put("m/a.c", "int a;\n");
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"\nflag a.c -O1\n", "oriel-shaders.txt:2: 'flag' is no statement"},

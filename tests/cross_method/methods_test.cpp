@@ -33,7 +33,7 @@ void print_row(const Case& c, const Method& method, const Measured& m, const Mea
 // Behind a portal gather rays from inside end at it; its light is direct, and that of photons where
 // they stand for what comes after. Indirect light is a quarter of that picture.
 // acceptance: H2, H3, H8, L1
-TEST_P(Methods, BringTheSameLightToThePicture) {
+TEST_P(Methods, GiveTheSameImage) {
   const Case& c = GetParam();
   Comparison comparison(c.scene());
   const Measured paths = comparison.render(kPath, c.samples, 4);

@@ -79,7 +79,7 @@ double wall_lux(const json& material, float thickness, const char* method) {
 // Light of the floor, which the sun reaches through the pane alone; the wall sends a little of it
 // back.
 // acceptance: M1
-TEST(ImportedPanes, EveryMethodBringsTheSameIndirectLight) {
+TEST(ImportedPanes, EveryMethodGivesTheSameIndirectLight) {
   const struct {
     const char* what;
     json material;

@@ -33,7 +33,7 @@ struct Checked : PreparedScene {
 const std::string kSimple = "\"mia_exposure_simple\" ( )";
 const std::string kGamma22 = "gamma 2.2";
 
-TEST(ExposureCheck, GammaOfShaderAndOptionsIsToldForLensAndOutput) {
+TEST(ExposureCheck, DoubleGammaIsReportedForLensAndOutput) {
   for (const char* role : {"lens ", "output "}) {
     const Checked c(role + kSimple, {}, {}, kGamma22);
     EXPECT_NE(c.only("OR-RN-041"), nullptr) << role << c.messages();
@@ -47,7 +47,7 @@ TEST(ExposureCheck, GammaOfShaderAndOptionsIsToldForLensAndOutput) {
   }
 }
 
-TEST(ExposureCheck, FloatFilesOfMappedColoursAreToldOnce) {
+TEST(ExposureCheck, FloatFilesOfMappedColoursAreReportedOnce) {
   for (const char* role : {"lens ", "output "}) {
     Checked c(role + kSimple, {}, {}, {}, "a.exr");
     ASSERT_NE(c.only("OR-RN-066"), nullptr) << c.messages();
@@ -76,7 +76,7 @@ std::string photographic(const char* parameters) {
   return std::string("lens \"mia_exposure_photographic\" ( ") + parameters + " )";
 }
 
-TEST(ExposureCheck, UnitsThatAreNotCandelaPerSquareMetreAreTold) {
+TEST(ExposureCheck, UnitsOtherThanCandelaPerSquareMetreAreReported) {
   const std::string members = "\"sun_i\"";
   const Checked c(photographic("\"cm2_factor\" 1"), sun(".0001 .0001 .0001"), members);
   ASSERT_NE(c.only("OR-RN-044"), nullptr) << c.messages();

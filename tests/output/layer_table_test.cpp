@@ -30,7 +30,7 @@ TEST(LayerTable, NamesAndFileNamesAreUnique) {
   EXPECT_LE(names.size(), 64u) << "LayerSet holds no more";
 }
 
-TEST(LayerTable, SetsSayWhatSessionsStore) {
+TEST(LayerTable, SetsMatchTheStoredLayers) {
   EXPECT_FALSE(LayerSet(LayerGroup::Film).needs(LayerNeed::Outputs));
   EXPECT_TRUE(LayerSet("diffuse_raw").needs(LayerNeed::Outputs));
   EXPECT_TRUE(LayerSet("illuminance").needs(LayerNeed::Irradiance));

@@ -184,7 +184,7 @@ TEST(Output, GammaNeverTouchesFloatFiles) {
   EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, {})[0].image.pixels);
 }
 
-TEST(Output, DenoisedPicturesStandBesideTheNoisyPicture) {
+TEST(Output, DenoisedImagesAreAddedToTheNoisyOnes) {
   const TestFolder folder;
   const Rendered r(kExposure);
   const Image clean(16, 12, 3, 0.125f);

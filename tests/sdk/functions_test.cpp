@@ -71,7 +71,7 @@ TEST(SdkFunctions, TheListIsThatOfTheHeaders) {
   }
 }
 
-TEST(SdkFunctions, EachHasALineThatSaysWhatItDoes) {
+TEST(SdkFunctions, EachHasADescription) {
   static const std::regex offered(
       "\n([^\n]*)\n(?:(?! )[\\w* ]+?\\b((?:mi|oriel|mayabase)_\\w+)|#define (mi\\w+))\\(");
   for (const auto& entry : fs::recursive_directory_iterator(kFolder)) {

@@ -50,12 +50,12 @@ TEST(BaseBump, ZeroStepAndFactorAreTheirDefaults) {
   expect_vector(BumpScene::map(", \"factor\" -50").vector(), normalize(Vec3(-.4f, 0, 1)));
 }
 
-TEST(BaseBump, AlphaMayStandForIntensity) {
+TEST(BaseBump, AlphaMayReplaceIntensity) {
   expect_vector(BumpScene::map(", \"step\" .25 .25 0, \"alpha\" on").vector(),
                 normalize(Vec3(-.2f, 0, 1)));
 }
 
-TEST(BaseBump, FlagsSayWhatLiesBeyondThePicture) {
+TEST(BaseBump, FlagsSelectTheValueOutsideTheImage) {
   const auto at = [](float u, const char* more) {
     return BumpScene(fmt::format("material \"m\" \"mib_bump_map\" ( \"u\" 1 0 0, \"v\" 0 1 0, "
                                  "\"coord\" {} .5 0, \"tex\" \"t\", \"step\" .25 .25 0{} ) "

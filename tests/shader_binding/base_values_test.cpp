@@ -67,7 +67,7 @@ TEST(BaseColors, InterpolateBlendsNeighbours) {
               Rgba(.5f, 0, .5f, 1));
 }
 
-TEST(BaseColors, MixDoesWhatItsModesSay) {
+TEST(BaseColors, MixFollowsItsModes) {
   const auto over = [](int mode, float weight, const char* layer = ".8 .2 .6 .5") {
     return color_of("mib_color_mix",
                     fmt::format("\"num\" 1, \"mode_0\" {}, \"weight_0\" {}, \"color_0\" {}, "
@@ -94,7 +94,7 @@ TEST(BaseColors, MixLaysUpToEightOverATransparentBase) {
   expect_near(color_of("mib_color_mix", "\"num\" 0, \"color_0\" 1 1 1 1"), Rgba(0));
 }
 
-TEST(BaseColors, SpreadTakesAColourApart) {
+TEST(BaseColors, SpreadSplitsAColour) {
   const std::string spread =
       "shader \"s\" \"mib_color_spread\" ( \"input\" .2 .4 .9 .3, \"num\" 5, \"mode_1\" 1, "
       "\"mode_2\" 2, \"mode_3\" 3, \"mode_4\" 4, \"weight_0\" 1 .5 1 1, \"weight_1\" 2 2 2 2, "
@@ -375,7 +375,7 @@ TEST(BaseLookups, CubesOfASizeAreSeenFromWhereTheRayStarts) {
   expect_near(looking(far, Vec3(0, 0, -1), Vec3(2, 0, 0)), Rgba(.3f, .3f, 0, 1), 1e-3f);
 }
 
-TEST(BaseLookups, CylinderGoesFromXTowardsYAndHasNoCaps) {
+TEST(BaseLookups, CylinderRunsFromXTowardsYWithoutCaps) {
   const auto on = [](const char* more, const Vec3& d) {
     Node node("mib_lookup_cylindrical", fmt::format("\"tex\" \"t\"{}", more), kRamp);
     return looking(node, d);

@@ -259,7 +259,7 @@ TEST(Phenomena, CyclesInsideAreReportedAndEnd) {
   EXPECT_TRUE(twice.diagnostics.has("OR-RT-004")) << twice.messages();
 }
 
-TEST(Phenomena, WithoutARootTheStandInShows) {
+TEST(Phenomena, MissingRootShowsTheFallback) {
   const ProbeScene s(
       "declare phenomenon color \"empty\" ( ) shader \"x\" \"probe\" ( ) end declare\n"
       "material \"m\" \"empty\" ( ) end material");

@@ -131,7 +131,7 @@ TEST(LightLists, ModesChooseAmongListLinksAndAll) {
 }
 
 // acceptance: P7
-TEST(LightLists, GroupsStandForTheirLights) {
+TEST(LightLists, GroupsExpandToTheirLights) {
   EXPECT_EQ(lights_of("\"lights\" [ \"pair\" ], \"mode\" 1"), (Names{"a", "b"}));
   EXPECT_EQ(lights_of("\"lights\" [ \"pair\" ], \"mode\" 2"), (Names{"c"}));
 }

@@ -64,7 +64,7 @@ TEST(Parameters, EveryTypeIsBoundAsWritten) {
   EXPECT_EQ(p.amount_half, 1);
 }
 
-TEST(Parameters, BooleansAndIntegersStandForEachOther) {
+TEST(Parameters, BooleansAndIntegersConvert) {
   for (const auto& [text, expected] : {std::pair{"1", true},
                                        {"0", false},
                                        {"on", true},
@@ -177,7 +177,7 @@ TEST(Parameters, ArraysOfLightsTakeInstancesAndGroupsOfThem) {
   EXPECT_NE(s.only("OR-RT-015")->message.find("nobody"), std::string::npos);
 }
 
-TEST(Parameters, UnknownShadersBecomeAVisibleStandIn) {
+TEST(Parameters, UnknownShadersBecomeAVisibleFallback) {
   const ProbeScene s(
       "material \"m\" \"mia_materiel_x\" ( \"diffuse\" 1 1 1 ) end material\n"
       "material \"n\" \"mia_materiel_x\" ( ) end material");

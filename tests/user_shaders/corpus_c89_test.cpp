@@ -142,7 +142,7 @@ std::vector<CorpusRow> patterns() {
 }
 
 // acceptance: I4
-TEST(CorpusC89, ShadersOfOldCShowWhatTheyShould) {
+TEST(CorpusC89, ShadersInC89RenderCorrectly) {
   std::vector<CorpusRow> rows = illumination();
   for (CorpusRow& row : patterns()) rows.push_back(std::move(row));
   testing::run_corpus("c89", rows, "--flag=-std=gnu89");

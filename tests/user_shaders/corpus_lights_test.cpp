@@ -142,7 +142,7 @@ CorpusRow photons() {
 }
 
 // acceptance: I4
-TEST(CorpusLights, LampsShadowsAndPhotonsDoAsTheBuiltInOnes) {
+TEST(CorpusLights, LightsShadowsAndPhotonsMatchTheBuiltInOnes) {
   std::vector<CorpusRow> rows = lamps();
   for (CorpusRow& row : shadows()) rows.push_back(std::move(row));
   rows.push_back(photons());

@@ -143,7 +143,7 @@ TEST(CorpusGeometry, ShadersMakeAndMoveIt) {
 }
 
 // acceptance: I4
-TEST(CorpusPhenomena, PutShadersInCTogether) {
+TEST(CorpusPhenomena, CombineShadersInC) {
   testing::run_corpus(
       "phenomena",
       {{"parts/struct and array",

@@ -172,7 +172,7 @@ TEST(Declarations, ParametersOfACallAreFoundByName) {
 }
 
 // acceptance of old sources: a parameter without a connection takes the surface's coordinate.
-TEST(Connections, TellAConnectedParameterFromAValue) {
+TEST(Connections, DistinguishConnectionsFromValues) {
   ShaderFolder folder;
   folder.compile("g",
                  "#include <shader.h>\n"

@@ -206,7 +206,7 @@ TEST(Elements, ATextureIsLookedUp) {
   expect_near(scene.pixel(4, 4), Rgb(1, 0, 1), 1e-3f);
 }
 
-TEST(Elements, ShadowMapsOfALightAreTakenAndIgnored) {
+TEST(Elements, ShadowMapsOfALightAreAcceptedAndIgnored) {
   const Rgb plain = shown(lit(""), kLambert, "\"square_i\" \"made\"");
   const Rgb mapped = shown(lit("l->use_shadow_maps = miTRUE; l->shadowmap_resolution = 512;"
                                "l->shadowmap_flags = miSHADOWMAP_DETAIL | miSHADOWMAP_MERGE;"

@@ -156,7 +156,7 @@ TEST(Examples, StainedGlassTintsTheLightByItsWayThroughThePane) {
   }
 }
 
-TEST(Examples, DuskGoesFromHorizonToZenithAndGlows) {
+TEST(Examples, DuskHasAGradientAndEmits) {
   Example example("environment", "ex_dusk.c");
   UserScene scene(
       example.folder, example.declaration + kGlow + UserScene::square("m"), "", "",
@@ -183,7 +183,7 @@ TEST(Examples, FisheyeMapsDistancesToAngles) {
   expect_near(scene.pixel(5, 4, 1024), Rgb(wanted(0), wanted(1), 0), .02f);
 }
 
-TEST(Examples, GroundFogDimsByTheDensityOnTheWay) {
+TEST(Examples, GroundFogDimsByTheIntegratedDensity) {
   Example example("volume", "ex_ground_fog.cpp");
   UserScene scene(example.folder, example.declaration + kGlow + UserScene::square("m"),
                   "\"square_i\"", "",

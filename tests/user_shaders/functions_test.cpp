@@ -163,7 +163,7 @@ class SdkCoverage : public ProgramTest {
 };
 
 // acceptance: I4
-TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
+TEST_F(SdkCoverage, EveryFunctionReturnsTheExpectedResult) {
   std::map<std::string, std::string> said;
   for (const char* scene :
        {"vectors",   "random",      "directions",    "highlights", "spaces",   "images",

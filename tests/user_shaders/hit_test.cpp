@@ -84,7 +84,7 @@ TEST(UserHits, ChildrenHaveTheHandleOfWhatTheyHit) {
   expect_near(scene.pixel(4, 4, 4), Rgb(1), 0);
 }
 
-TEST(UserHits, WithoutAHandleLightsOfBothSidesAreTaken) {
+TEST(UserHits, WithoutAHandleLightsOfBothSidesAreUsed) {
   const ShaderFolder folder;
   folder.compile("s", kHead +
                           "DLLEXPORT miBoolean sides(miColor *r, miState *state, void *p) {"

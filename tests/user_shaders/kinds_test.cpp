@@ -281,7 +281,7 @@ TEST(UserShaders, VolumesDimAndAddAsTheyAreWritten) {
   EXPECT_NEAR(seen.x, .5f * kept + 1 - kept, .005f);
 }
 
-TEST(UserShaders, VolumesDimTheLightOfLamps) {
+TEST(UserShaders, VolumesDimTheLightOfFiniteLights) {
   ShaderFolder folder;
   folder.compile("v", std::string(kHead) +
                           "DLLEXPORT miBoolean fog(miColor *r, miState *state, void *p) {"
@@ -314,7 +314,7 @@ TEST(UserShaders, VolumesDimTheLightOfLamps) {
   EXPECT_NEAR(foggy.z, clear.z, 1e-5f);  // what it adds to light is left out
 }
 
-TEST(UserShaders, VolumesAreCalledForRaysThatMeetNothing) {
+TEST(UserShaders, VolumesAreCalledForRaysThatMiss) {
   ShaderFolder folder;
   folder.compile("v", std::string(kHead) +
                           "DLLEXPORT miBoolean far(miColor *r, miState *state, void *p) {"

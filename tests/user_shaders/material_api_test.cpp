@@ -34,7 +34,7 @@ Rgb mean_output(const UserPicture& picture, const std::string& name) {
 }
 
 // acceptance: I1
-TEST(MaterialApi, BothStructsAreToldApartByTheirSize) {
+TEST(MaterialApi, StructsAreDistinguishedBySize) {
   const ShaderFolder folder;
   folder.compile(
       "ask",
@@ -220,7 +220,7 @@ TEST(MaterialApi, WrappedMaterialsKeepAlphaAndHoles) {
 }
 
 // acceptance: I3
-TEST(MaterialApi, TheSunSaysThatItIsOne) {
+TEST(MaterialApi, SunIsIdentifiedAsSun) {
   const ShaderFolder folder;
   folder.compile(
       "suns",

@@ -10,7 +10,7 @@ using testing::UserScene;
 
 const std::string kHead = "#include <shader.h>\n";
 
-TEST(UserNumbers, AShaderThatReturnsNoNumberIsNamedOnce) {
+TEST(UserNumbers, ShaderReturningNanIsReportedOnce) {
   const ShaderFolder folder;
   folder.compile("n", kHead +
                           "struct outer { miColor c; };"

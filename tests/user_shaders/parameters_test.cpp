@@ -117,7 +117,7 @@ TEST(UserParameters, AResultTooLargeForTheStackMakesTheShaderUnknown) {
   EXPECT_NE(scene.messages().find("OR-SDK-011"), std::string::npos) << scene.messages();
 }
 
-TEST(UserParameters, TheDeclarationTellsThemAsText) {
+TEST(UserParameters, DeclarationIsAvailableAsText) {
   ShaderFolder folder;
   folder.compile("p",
                  "#include <shader.h>\n#include <string.h>\n"

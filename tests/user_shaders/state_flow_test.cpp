@@ -102,7 +102,7 @@ const std::string kLamp =
     "light \"lamp\" \"asked\" ( ) origin 0 0 3 end light "
     "instance \"lamp_i\" \"lamp\" end instance ";
 
-TEST(UserStateFlow, LightShadersSeeTheShaderThatAsked) {
+TEST(UserStateFlow, LightShadersGetTheCallingShader) {
   const ShaderFolder folder;
   folder.compile("l", kHead + kAskedLight +
                           "DLLEXPORT miBoolean asker(miColor *r, miState *state, void *p) {"

@@ -64,7 +64,7 @@ TEST(UserState, SeveralAreCalledInOrderAndSeeWhatMissedRaysReturn) {
   expect_near(picture.mean(), Rgb(0), 1e-6f);
 }
 
-TEST(UserState, AShaderOfAnotherKindIsToldOfAndLeftOut) {
+TEST(UserState, ShaderOfAnotherKindIsReportedAndSkipped) {
   ShaderFolder folder;
   UserScene scene(folder, "", "", "state \"mib_illum_lambert\" ( ) ");
   EXPECT_TRUE(scene.world->state_shaders.empty());

@@ -77,7 +77,7 @@ TEST(UserData, NothingIsAttachedWhereNothingIsWritten) {
   expect_near(shown("", "", ""), Rgb(0), 0);
 }
 
-TEST(UserQueries, BoundsOfTheObjectAndTheMembersOfTheRootAreTold) {
+TEST(UserQueries, ObjectBoundsAndRootMembersAreReturned) {
   ShaderFolder folder;
   folder.compile("q",
                  "#include <shader.h>\n"

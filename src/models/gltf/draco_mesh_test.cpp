@@ -51,7 +51,7 @@ UnpackedMesh unpack(GltfFile file) {
   return unpack_draco(document.root, buffers, document.root["meshes"][0]["primitives"][0]);
 }
 
-TEST(GltfDraco, QuantizedNumbersMeanWhatTheAccessorSays) {
+TEST(GltfDraco, QuantizedValuesFollowTheAccessor) {
   for (const bool normalized : {false, true}) {
     const UnpackedMesh mesh = unpack(file_of(packed(), normalized));
     const Column& points = mesh.attributes.at("POSITION");
@@ -70,7 +70,7 @@ TEST(GltfDraco, QuantizedNumbersMeanWhatTheAccessorSays) {
   }
 }
 
-TEST(GltfDraco, WhatIsDamagedIsToldOf) {
+TEST(GltfDraco, DamagedDataIsReported) {
   const std::string data = packed();
   for (std::size_t size = 0; size + 1 < data.size(); ++size)
     EXPECT_THROW(unpack(file_of(data.substr(0, size), true)), Unreadable) << size;

@@ -37,13 +37,13 @@ std::string packed_triangles(const std::vector<std::uint32_t>& corners, std::siz
   return data;
 }
 
-TEST(GltfMeshopt, AttributesComeBack) {
+TEST(GltfMeshopt, AttributesAreDecoded) {
   std::vector<std::uint16_t> values;
   for (unsigned i = 0; i < 997 * 6; ++i) values.push_back(static_cast<std::uint16_t>(i * i % 4099));
   EXPECT_EQ(unpacked(stream(997, 12, "ATTRIBUTES"), packed(values, 12), "it"), bytes_of(values));
 }
 
-TEST(GltfMeshopt, TrianglesAndIndicesComeBack) {
+TEST(GltfMeshopt, TrianglesAndIndicesAreDecoded) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 2, 1, 3, 4, 0, 2};
   const std::string triangles = packed_triangles(corners, 5);
   const std::string read = unpacked(stream(9, 4, "TRIANGLES"), triangles, "it");
@@ -83,7 +83,7 @@ TEST(GltfMeshopt, FiltersAreUndone) {
   EXPECT_EQ(turned, bytes_of(std::vector<std::int16_t>{0, 0, 0, 32767}));
 }
 
-TEST(GltfMeshopt, WhatIsDamagedIsToldOf) {
+TEST(GltfMeshopt, DamagedDataIsReported) {
   const std::string data = packed(std::vector<float>{1, 2, 3, 4}, 4);
   for (std::size_t size = 0; size < data.size(); ++size)
     EXPECT_THROW(unpacked(stream(4, 4, "ATTRIBUTES"), std::string_view(data).substr(0, size), "it"),
@@ -93,7 +93,7 @@ TEST(GltfMeshopt, WhatIsDamagedIsToldOf) {
       EXPECT_THROW(unpacked(stream(300, 4, mode), bytes, "it"), Unreadable) << mode;
 }
 
-TEST(GltfMeshopt, SizesThatTheDecoderTakesForGrantedAreAsked) {
+TEST(GltfMeshopt, SizesAreValidatedBeforeDecoding) {
   const std::size_t large = std::size_t{1} << 50;
   for (const std::size_t stride : {std::size_t{0}, std::size_t{3}, std::size_t{260}, large})
     EXPECT_THROW(stream(4, stride, "ATTRIBUTES"), Unreadable);

@@ -92,7 +92,7 @@ TEST(Preview, IsMappedWithoutRendering) {
 }
 
 // acceptance: X2
-TEST(Preview, ShowsWhatRenderingWouldShow) {
+TEST(Preview, EqualsARender) {
   const TestFolder folder;
   const std::string photographic =
       "lens \"mia_exposure_photographic\" ( \"film_iso\" 0, \"cm2_factor\" 2, \"vignetting\" 3, "
@@ -117,7 +117,7 @@ TEST(Preview, ShowsWhatRenderingWouldShow) {
 }
 
 // acceptance: X2
-TEST(Preview, OfAnotherSizeIsStretchedAndOffIsOff) {
+TEST(Preview, OtherSizesAreStretchedAndOffDisablesIt) {
   const std::string texture = "color texture \"pv\" [2 1 3] 'ff0000' '0000ff'";
   const Rendered r(
       scene_with("lens " + kLinear + ", \"preview\" \"pv\", \"use_preview\" on )", texture));
@@ -128,7 +128,7 @@ TEST(Preview, OfAnotherSizeIsStretchedAndOffIsOff) {
   EXPECT_GT(off.session->rays().eye, 0u);
 }
 
-TEST(Preview, ThatCannotBeReadIsSaidAndTheSceneRendered) {
+TEST(Preview, UnreadablePreviewIsReportedAndTheSceneRendered) {
   const Rendered r(scene_with("lens " + kLinear + ", \"preview\" \"pv\", \"use_preview\" on )",
                               "color texture \"pv\" \"/nowhere/at/all.exr\""));
   EXPECT_TRUE(r.scene.diagnostics.has("OR-RT-020"));
@@ -137,7 +137,7 @@ TEST(Preview, ThatCannotBeReadIsSaidAndTheSceneRendered) {
 
 // A finished picture behind the scene, in light and back: with every step of the exposure at work,
 // and from pixel to pixel another vignetting.
-TEST(ReverseExposure, PlateBehindTheSceneComesOutAsItWas) {
+TEST(ReverseExposure, BackgroundPlateIsUnchanged) {
   const std::string camera =
       "\"cm2_factor\" 2, \"whitepoint\" 1 .9 .7, \"f_number\" 4, \"vignetting\" 3, "
       "\"burn_highlights\" .2, \"crush_blacks\" .3, \"saturation\" 1.2";
@@ -181,7 +181,7 @@ std::string photographic(double factor, int mode, const char* channel = "raw") {
 }
 
 // acceptance: X8
-TEST(SideChannel, Mode1MapsAnewWhatTheLensShaderWasGiven) {
+TEST(SideChannel, Mode1RemapsTheLensShaderInput) {
   // The lens' copy maps wildly otherwise: nothing of that is left.
   const Rendered r(scene_with("lens " + photographic(9, 1) + " output " + photographic(.5, 1)));
   EXPECT_EQ(r.scene.messages(), "");
@@ -196,7 +196,7 @@ TEST(SideChannel, Mode1MapsAnewWhatTheLensShaderWasGiven) {
 }
 
 // acceptance: X8
-TEST(SideChannel, Mode2PutsBackWhatTheLensShaderWasGiven) {
+TEST(SideChannel, Mode2RestoresTheLensShaderInput) {
   const Rendered r(scene_with("lens " + photographic(9, 2) + " output " + photographic(9, 2) +
                               " output " + kLinear + " )"));
   const Image shown = r.picture();
@@ -214,7 +214,7 @@ TEST(SideChannel, Mode0MapsThePicture) {
 }
 
 // acceptance: X8
-TEST(SideChannel, NobodyFillsIsSaidAndMapsThePicture) {
+TEST(SideChannel, UnfilledChannelIsReportedAndTheImageMapped) {
   const Rendered r(
       scene_with("lens " + photographic(1, 1, "other") + " output " + photographic(.5, 1)));
   EXPECT_NE(r.scene.only("OR-RN-056"), nullptr) << r.scene.messages();

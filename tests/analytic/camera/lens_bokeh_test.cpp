@@ -97,7 +97,7 @@ TEST(LensBokeh, BlurDiscsHaveTheRadiusOfAThinLens) {
 }
 
 // acceptance: K1
-TEST(LensBokeh, ThingsAtThePlaneAreSharp) {
+TEST(LensBokeh, PointsInTheFocalPlaneAreSharp) {
   const Rendered sharp(emission_at(2, .2, bokeh("\"plane\" 2, \"radius\" 1")));
   const Rendered pinhole(emission_at(2, .2, {}));
   for (int y = -20; y < 20; ++y)
@@ -202,7 +202,7 @@ TEST(LensBokeh, SamplesAreRaysOfEachEyeRay) {
 }
 
 // acceptance: K4
-TEST(LensBokeh, OffIsNoLens) {
+TEST(LensBokeh, OffHasNoEffect) {
   const Rendered off(emission_at(4, .4, bokeh("\"on\" off, \"plane\" 2")), 4);
   const Rendered plain(emission_at(4, .4, {}), 4);
   EXPECT_EQ(off.session->rays().eye, plain.session->rays().eye);

@@ -18,7 +18,7 @@ GatherPoint floor_point(const World& world, const Vec3& place) {
 }
 
 // Two closed rooms: no ray leads from one to the other.
-TEST(GatherBounces, EveryRoomThatIsSeenHasRecordsHoweverManyPointsAreSeen) {
+TEST(GatherBounces, VisibleRoomsHaveRecordsForAnyPointCount) {
   SceneText scene;
   const Vec3 there(20, 0, 0);
   scene.lambert("grey", .5f);

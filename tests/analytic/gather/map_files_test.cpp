@@ -81,7 +81,7 @@ TEST(MapFiles, GatherPointsAreKeptExtendedAndFrozen) {
 }
 
 // acceptance: H2
-TEST(MapFiles, ForeignMapIsRefusedAndMadeAnew) {
+TEST(MapFiles, IncompatibleMapIsRecomputed) {
   const TestFolder folder;
   const MapFiles files{.photons = folder.file("x.phm"), .gather = {folder.file("x.fgm")}};
   for (const std::string& path : {files.photons, files.gather[0]})
@@ -94,7 +94,7 @@ TEST(MapFiles, ForeignMapIsRefusedAndMadeAnew) {
 }
 
 // acceptance: H3
-TEST(MapFiles, PhotonsAreReadInPlaceOfSent) {
+TEST(MapFiles, PhotonsAreReadInsteadOfEmitted) {
   const TestFolder folder;
   const MapFiles files{.photons = folder.file("box.phm"), .gather = {}};
   const Rendered made = render("globillum on", files);

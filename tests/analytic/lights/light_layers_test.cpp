@@ -106,7 +106,7 @@ void expect_sum(const std::vector<Layer>& layers, const std::string& what) {
     }
 }
 
-TEST(LightLayers, TheySumToTheBeautyByEveryMethod) {
+TEST(LightLayers, SumToTheBeautyInEveryMethod) {
   for (const char* method : {"path", "fg", "photons", "fg+photons"}) {
     const std::vector<Layer> layers = rendered({.method = method}, 4);
     EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"key", "glow", "sky", "rest"}));
@@ -149,7 +149,7 @@ TEST(LightLayers, WithoutItsLightsTheBeautyIsLessByTheLayer) {
   }
 }
 
-TEST(LightLayers, TheFirstGroupThatMatchesHasTheLight) {
+TEST(LightLayers, LightBelongsToTheFirstMatchingGroup) {
   const auto layers = rendered({}, 2, {{"a", {"lamp1_i"}}, {"all", {"*"}}});
   EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"a", "all", "rest"}));
   EXPECT_GT(mean(layers, "light.a").x, 1e-3f);
@@ -174,7 +174,7 @@ TEST(LightLayers, GroupsOfInstancesAndOptionsNameLights) {
     EXPECT_EQ(layers.of_light[i] == 0, scene.world->lights[i].name == "spot_i") << i;
 }
 
-TEST(LightLayers, PatternsThatMatchNothingAreToldWithTheNearestName) {
+TEST(LightLayers, UnmatchedPatternsAreReportedWithTheNearestName) {
   PrepareOptions options;
   options.light_groups = {{"key", {"lump1_i", "grey*", "lamp*"}}};
   const testing::PreparedScene scene(text_of({}), test_registry(), options);
@@ -185,7 +185,7 @@ TEST(LightLayers, PatternsThatMatchNothingAreToldWithTheNearestName) {
       << scene.messages();
 }
 
-TEST(LightLayers, PortalsGoWithTheSkyUnlessTheyAreNamed) {
+TEST(LightLayers, PortalsBelongToTheSkyGroupUnlessNamed) {
   const auto sky = rendered({}, 16, {{"sky", {"environment"}}});
   const auto apart = rendered({}, 16, {{"sky", {"environment"}}, {"window", {"window_i"}}});
   const Rgb together = mean(apart, "light.sky") + mean(apart, "light.window");
@@ -195,7 +195,7 @@ TEST(LightLayers, PortalsGoWithTheSkyUnlessTheyAreNamed) {
   EXPECT_GT(mean(apart, "light.sky").x, .02f) << "seen through it";
 }
 
-TEST(LightLayers, TheyChangeNothingElse) {
+TEST(LightLayers, OtherLayersAreUnchanged) {
   const auto with = rendered({}, 2), without = rendered({}, 2, {});
   const auto &a = find_layer(with, "")->image.pixels, &b = find_layer(without, "")->image.pixels;
   ASSERT_EQ(a.size(), b.size());

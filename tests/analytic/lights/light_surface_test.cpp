@@ -90,7 +90,7 @@ TEST(LightSurface, GatherAndReflectionRaysSeeTheirShares) {
 }
 
 // acceptance: G3
-TEST(LightSurface, AnEvaluationPointMakesABulbGlowEvenly) {
+TEST(LightSurface, EvaluationPointMakesEmissionUniform) {
   const float radius = .1f;
   // At the point seen: the upper half is dark, for the lamp shines down.
   const Probe here(lamp_scene(kLights + "\"intensity\" 0"));

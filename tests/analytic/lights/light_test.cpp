@@ -19,7 +19,7 @@ void expect_form(const std::string& name, const SceneText& scene, double e_over_
                static_cast<float>(e_over_l / kPi));
 }
 
-TEST(FormFactor, GlowingSquaresAreFoundByLobes) {
+TEST(FormFactor, EmissiveSquaresAreFoundByLobeSampling) {
   const auto above = [](float half, float height, const Vec3& shift = Vec3(0)) {
     SceneText scene = card();
     scene.emitter("glow", 1).square("glow", Vec3(0, 0, height) + shift, half, -kUp);
@@ -94,7 +94,7 @@ TEST(AreaLight, PointLightDecaysBySquare) {
 }
 
 // acceptance: H4, H6
-TEST(AreaLight, ShapesBringTheirFormFactors) {
+TEST(AreaLight, ShapesMatchTheirFormFactors) {
   // Energy c: a point light brings pi c / (4 pi d^2); as a shape its radiance is c / (4 area), with
   // the projected area for spheres (pi R^2) and of cylinders (pi R times the half length).
   struct Case {
@@ -138,7 +138,7 @@ TEST(AreaLight, FarShapesActAsPoints) {
 }
 
 // acceptance: H6
-TEST(AreaLight, CylinderIsThatOfItsStripes) {
+TEST(AreaLight, CylinderEqualsItsStrips) {
   // Infinite cylinder of radiance L, radius R at height d over the card: E = pi L R / d.
   SceneText scene = card();
   constexpr float kHalf = 400, kRadius = .2f;

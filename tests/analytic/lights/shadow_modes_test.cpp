@@ -121,7 +121,7 @@ TEST(ShadowModes, ABlockerThatBecomesOpaqueEndsTheShadowRay) {
 }
 
 // acceptance: H6
-TEST(ShadowModes, SortAndSegmentsAskFromThePointToTheLight) {
+TEST(ShadowModes, SortAndSegmentsCallShadersFromPointToLight) {
   for (const char* mode : {"sort", "segments"})
     for (const bool half_first : {true, false}) {
       SceneText scene = lit_card(mode);
@@ -344,7 +344,7 @@ TEST(ShadowShader, PhotonsAreAbsorbedByMediaOfTheSlotAsShadowRaysAre) {
   }
 }
 
-TEST(ShadowShader, WhatPassesIsDirectLightAndInNoMap) {
+TEST(ShadowShader, TransmittedLightIsDirectAndNotInMaps) {
   SceneText scene = in_mode("on");
   add_filter(scene, "filter", kFilter);
   scene.material("grey", "\"reflectivity\" 0, \"diffuse\" .5 .5 .5")

@@ -48,7 +48,7 @@ constexpr auto kGather = scene::IndirectMethod::FinalGather;
 constexpr auto kPath = scene::IndirectMethod::Path;
 
 // acceptance: R5
-TEST(EmulatedReflection, BleedsTheColourOfWhatLiesInItsDirectionWithoutRays) {
+TEST(EmulatedReflection, UsesGatheredColourWithoutRays) {
   const Board emulated("\"refl_gloss\" 0, \"refl_hl_only\" on", kGather);
   EXPECT_EQ(emulated.session->rays().reflect, 0u);
   // Seen from the middle, the upper half mirrors what is above, the lower half what is below.

@@ -113,7 +113,7 @@ TEST(Furnace, ClosedRoomSumsItsBounces) {
 }
 
 // A mirror, a cut-out and a glossy thing inside change nothing in a room where all is equal.
-TEST(Furnace, LosslessThingsInAClosedRoomChangeNothing) {
+TEST(Furnace, LosslessObjectsDoNotChangeAClosedRoom) {
   const char* things[] = {
       "\"reflectivity\" 1, \"diffuse\" 1 1 1, \"refl_is_metal\" on, \"brdf_0_degree_refl\" 1",
       "\"reflectivity\" 1, \"diffuse\" 1 1 1, \"refl_is_metal\" on, \"brdf_0_degree_refl\" 1, "

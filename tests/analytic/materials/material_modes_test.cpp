@@ -72,7 +72,7 @@ TEST(BumpInputs, TheSecondIsAddedOnTopOfTheFirst) {
 }
 
 // acceptance: B2
-TEST(BumpInputs, DiffuseIsSparedTheSecondAlone) {
+TEST(BumpInputs, DiffuseMayIgnoreTheSecond) {
   const Vec3 first = normalize(Vec3(.3f, 0, 1));
   SceneText scene;
   scene.statement("shader \"lean\" \"test_lean\" ( \"by\" 0 .8 0 )")
@@ -117,7 +117,7 @@ Rgb below_glass(const std::string& options, const std::string& glass, const std:
 }
 
 // acceptance: T9
-TEST(CausticsOfPaths, LeaveTransparentShadowsWhereNoPhotonBringsTheLight) {
+TEST(CausticsOfPaths, TransparentShadowsRemainWithoutPhotons) {
   const std::string lights[] = {
       "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1",
       "\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin 0 0 3",
@@ -160,7 +160,7 @@ TEST(VisibleAreaLights, KeepTheHighlightThatNoReflectionReplaces) {
 }
 
 // acceptance: R7
-TEST(VisibleAreaLights, KeepItBeyondTheMaterialsOwnDepth) {
+TEST(VisibleAreaLights, KeepTheHighlightBeyondTheMaterialDepth) {
   // A mirror that shows the plate; at the plate, one reflection deep, the material stops.
   const auto seen = [](const std::string& material) {
     SceneText scene = lamp_on("\"refl_gloss_samples\" 0, " + material);
@@ -319,7 +319,7 @@ TEST(VolumesOfMaterials, DimLightThatDoesNotLeaveThem) {
 }
 
 // acceptance: T14
-TEST(VolumesOfMaterials, SurroundWhatStandsInThem) {
+TEST(VolumesOfMaterials, AffectObjectsInside) {
   // Eye and wall lie inside of the fog, and no ray meets its hull before the wall.
   SceneText scene = fog_box("\"cutout_opacity\" 0");
   scene.emitter("glow", 2).square("glow", Vec3(0, 0, -.5f), 3, kUp);
@@ -371,7 +371,7 @@ std::string turned_spaces(const std::vector<float>& turns, const std::string& pl
 }
 
 // acceptance: A3
-TEST(TextureDirection, IsTheGradientOfEachSpaceWhereverTheObjectStands) {
+TEST(TextureDirection, IsTheGradientOfEachSpaceForAnyTransform) {
   // Alone the object is carried to world space, twice it stays in its own.
   for (const bool twice : {false, true}) {
     // World to object: a quarter turn about z.

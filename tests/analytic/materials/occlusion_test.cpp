@@ -43,7 +43,7 @@ float corner_occlusion(float k) {
 }
 
 // acceptance: O1
-TEST(Occlusion, SlabTakesItsClosedFormShare) {
+TEST(Occlusion, SlabMatchesItsClosedForm) {
   constexpr float kHeight = .4f;
   for (const float k : {.05f, .25f, .5f, .8f, .95f}) {
     SceneText scene = floor_with(ambient_alone(kHeight / k));
@@ -54,7 +54,7 @@ TEST(Occlusion, SlabTakesItsClosedFormShare) {
 }
 
 // acceptance: O1
-TEST(Occlusion, CornerTakesItsClosedFormShare) {
+TEST(Occlusion, CornerMatchesItsClosedForm) {
   constexpr float kAside = .4f;
   for (const float k : {.02f, .1f, .3f, .6f, .9f}) {
     SceneText scene = floor_with(ambient_alone(kAside / k));
@@ -115,7 +115,7 @@ TEST(Occlusion, ShortRaysEndBeforeWhatIsFartherAway) {
 }
 
 // acceptance: O1
-TEST(Occlusion, SamplesAreTheMostRaysOfAPixel) {
+TEST(Occlusion, SamplesAreTheMaximumRaysPerPixel) {
   for (const int samples : {1, 16, 64}) {
     SceneText scene = floor_with(fmt::format("\"ao_samples\" {}, {}", samples, ambient_alone(10)));
     const Probe probe(scene);
@@ -229,7 +229,7 @@ TEST(Occlusion, DarknessOfColoursIsByChannel) {
 }
 
 // acceptance: O3
-TEST(Occlusion, GlowingBallBrightensTheFloorBelowIt) {
+TEST(Occlusion, EmissiveBallBrightensTheFloorBelow) {
   const auto floor_below = [](int details) {
     SceneText scene = floor_with(
         fmt::format("\"ao_do_details\" {}, \"ao_distance\" 2, \"ao_dark\" .1 .1 .1", details));
@@ -310,7 +310,7 @@ TEST(Occlusion, NeedsIndirectOrAmbientLight) {
 }
 
 // acceptance: O4
-TEST(Occlusion, WithoutSamplesOrSwitchedOffThereIsNone) {
+TEST(Occlusion, IsAbsentWithoutSamplesOrWhenOff) {
   const auto picture = [](const std::string& occlusion) {
     SceneText scene;
     scene.uniform_sky(1).lambert("m", .7f, occlusion).box("m", Vec3(-1, -1, -3), Vec3(1, 1, -2));
@@ -407,7 +407,7 @@ TEST(Occlusion, ColouredDetailsWithoutDarknessAreTheLightThatIsThere) {
 }
 
 // acceptance: O5
-TEST(Occlusion, DarknessAboveOneTakesNoMoreThanAll) {
+TEST(Occlusion, DarknessAboveOneIsClamped) {
   SceneText scene;
   scene
       .lambert("floor", .6f,

@@ -62,7 +62,7 @@ TEST(Physics, DielectricIsGlassThatAbsorbsByLength) {
   expect_exact("dielectric", m, Rgb(r + t * (1 + r * tau), 1, 1), .01f);
 }
 
-TEST(Physics, DielectricBetweenLiquidsGoesByTheRatioOfIndices) {
+TEST(Physics, DielectricBetweenLiquidsUsesTheIndexRatio) {
   const auto mirror = [](const char* indices) {
     SceneText scene;
     scene
@@ -77,7 +77,7 @@ TEST(Physics, DielectricBetweenLiquidsGoesByTheRatioOfIndices) {
   expect_exact("ratio", mirror("\"ior\" 3, \"ior_out\" 2"), .04f, .02f);
 }
 
-TEST(Physics, TransmatIsNotThere) {
+TEST(Physics, TransmatIsInvisible) {
   SceneText scene = plate("\"transmat\" ( )");
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" .2 .3 .4 )");
   expect_exact("transmat", seen(scene, 40), Rgb(.2f, .3f, .4f));
@@ -190,7 +190,7 @@ Measured along_z(const SceneText& scene) {
   return Probe(scene).direct_only().ray(Vec3(0), Vec3(0, 0, -1), 16384);
 }
 
-TEST(PartiVolume, ScattersOnceWhatItTakesAway) {
+TEST(PartiVolume, ScattersTheExtinctLightOnce) {
   const float kept = std::exp(-.25f * 4);
   expect_exact("dims", along_z(airy("\"extinction\" .25")), kept);
   // At a right angle an even phase sends 1 / 4 pi of the irradiance, which is pi x colour.

@@ -77,7 +77,7 @@ TEST(ReflectionFalloff, RaysEndThere) {
 }
 
 // acceptance: R6
-TEST(ReflectionFalloff, ReflectedLampsFadeAndHighlightsDoNot) {
+TEST(ReflectionFalloff, ReflectedLightsFadeAndHighlightsDoNot) {
   const auto plate = [](const std::string& material, bool visible, Estimator e, float height) {
     SceneText scene;
     scene.material("m", material)

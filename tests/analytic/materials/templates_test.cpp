@@ -55,7 +55,7 @@ TEST(Templates, ColouredGlassHasItsColourAtTheDistanceAndItsPowersElsewhere) {
 }
 
 // acceptance: T13
-TEST(Templates, WaterBendsTheViewAsWaterAndDeepensWithTheWay) {
+TEST(Templates, WaterRefractsAndDarkensWithDistance) {
   for (const double degrees : {30.0, 60.0}) {
     const double outside = std::sin(degrees * kRadians), inner = std::asin(outside / 1.33);
     SceneText scene = with_templates();

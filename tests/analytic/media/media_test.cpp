@@ -155,7 +155,7 @@ std::string wax(float translucent) {
 }
 
 // acceptance: T10
-TEST(Translucency, SolidBringsTheLightOfItsBackToItsFront) {
+TEST(Translucency, SolidTransmitsLightFromBackToFront) {
   // A wide slab, lit by a sun behind it. Of the transparency 1, `a` passes straight, b is
   // translucent: the sun through the back onto the front's inside, and the glow of the back.
   for (const float b : {.25f, .6f, 1.0f}) {
@@ -249,7 +249,7 @@ TEST(PropagateAlpha, ShowsTheAlphaBehindTransparencyOnlyWhenOn) {
 }
 
 // acceptance: T12
-TEST(PropagateAlpha, EverySheetOnTheWayMustLetItThrough) {
+TEST(PropagateAlpha, AllSheetsMustPropagateIt) {
   const auto alpha = [](const char* first, const char* second) {
     SceneText scene("trace depth 8 8 12 shadow segments");
     scene.material("a", kSheet + "\"transparency\" 1, \"propagate_alpha\" " + first)
@@ -264,7 +264,7 @@ TEST(PropagateAlpha, EverySheetOnTheWayMustLetItThrough) {
 }
 
 // acceptance: T12, B3
-TEST(PropagateAlpha, CutOutsShowTheBackgroundsWhateverItSays) {
+TEST(PropagateAlpha, CutOutsAlwaysShowTheBackgroundAlpha) {
   for (const char* propagate : {"on", "off"}) {
     const std::string fence = fmt::format(
         "\"reflectivity\" 0, \"cutout_opacity\" .25, \"propagate_alpha\" {}", propagate);

@@ -51,7 +51,7 @@ double chandrasekhar_h(double albedo, double mu) {
   return at(mu);
 }
 
-TEST(ScatteringAir, DeepAirReflectsAsChandrasekharFound) {
+TEST(ScatteringMedium, DeepMediumReflectsAsChandrasekharFound) {
   EXPECT_NEAR(chandrasekhar_h(1, 1), 2.9078, .005);  // his table XI
   for (const float albedo : {.5f, .9f}) {
     const Probe probe(slab(30, albedo, 0));
@@ -100,7 +100,7 @@ Shares walk_slab(float depth, float albedo, float g, int photons) {
   return s;
 }
 
-TEST(ScatteringAir, SlabsLetThroughWhatPhotonsDo) {
+TEST(ScatteringMedium, SlabTransmissionMatchesPhotons) {
   for (const float g : {0.0f, .75f, -.4f})
     for (const float albedo : {.6f, 1.0f}) {
       const float depth = 2;
@@ -118,7 +118,7 @@ TEST(ScatteringAir, SlabsLetThroughWhatPhotonsDo) {
     }
 }
 
-TEST(ScatteringAir, PhotonsAreScatteredAsPathsAre) {
+TEST(ScatteringMedium, PhotonsScatterLikePaths) {
   for (const float g : {0.0f, .75f}) {
     const float depth = 2, albedo = .9f;
     const Shares exact = walk_slab(depth, albedo, g, 1 << 17);
@@ -137,7 +137,7 @@ TEST(ScatteringAir, PhotonsAreScatteredAsPathsAre) {
   }
 }
 
-TEST(ScatteringAir, AFurnaceStaysEven) {
+TEST(ScatteringMedium, FurnaceIsUniform) {
   // A sky all around, air that takes nothing, and white ground: all is as bright.
   SceneText scene;
   scene.lambert("white", 1)

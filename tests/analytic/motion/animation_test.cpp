@@ -144,7 +144,7 @@ TEST(Animation, ObjectsAndInstancesChange) {
   expect_change("incremental instance \"block_i\" material \"grey\" end instance", after);
 }
 
-TEST(Animation, InstancesComeAndGo) {
+TEST(Animation, InstancesAppearAndDisappear) {
   Parts two;
   two.more_instances =
       std::string("instance \"second\" \"block\" material \"grey\" ") + kMoved + " end instance\n";
@@ -179,7 +179,7 @@ TEST(Animation, MotionChanges) {
       2, before);
 }
 
-TEST(Animation, TouchMakesAnObjectAgainAndTheSamePicture) {
+TEST(Animation, TouchRebuildsAnObjectWithTheSameImage) {
   const auto twice = frames(Parts{}.str() + "touch \"block\" render \"root\" \"cam_i\" \"opt\"\n" +
                             "render \"root\" \"cam_i\" \"opt\"\n");
   ASSERT_EQ(twice.size(), 3u);

@@ -65,7 +65,7 @@ std::string lamp(float area, const std::string& shape) {
                      shape);
 }
 
-TEST(MovingLights, BringTheMeanOfTheirFormFactorsByEachEstimator) {
+TEST(MovingLights, MatchTheMeanFormFactorInEachEstimator) {
   const auto unit = [](double x, double y, double half_x, double half_y) {
     return M_PI * form_factor(x - half_x, x + half_x, y - half_y, y + half_y);
   };
@@ -135,7 +135,7 @@ TEST(MovingLights, AreTheMeanOfStillPicturesAndRaysFindWhatSamplesBring) {
   }
 }
 
-TEST(MovingLights, GlowingMeshesBringTheMeanOfTheirFormFactors) {
+TEST(MovingLights, EmissiveMeshesMatchTheMeanFormFactor) {
   const float exact =
       mean_over_time([](double t) { return form_factor(2 * t - .5, 2 * t + .5, -t - .5, .5 - t); });
   for (const bool sampled : {true, false}) {
@@ -177,7 +177,7 @@ TEST(MovingPortals, WithTheSkyAroundThemAddUpToOne) {
     }
 }
 
-TEST(MovingPortals, BringTheMeanOfTheirFormFactors) {
+TEST(MovingPortals, MatchTheMeanFormFactor) {
   const float exact = mean_over_time(
       [](double t) { return form_factor(.8 * t - 1, .8 * t + 1, -.4 * t - 1, 1 - .4 * t); });
   for (const Estimator e : {Estimator::Mis, Estimator::LightOnly}) {

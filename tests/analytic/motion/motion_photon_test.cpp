@@ -94,7 +94,7 @@ std::string physical(float energy) {
 
 constexpr const char* kPanel = " origin 0 0 0 direction 0 0 -1 rectangle 1 0 0 0 1 0 3 3";
 
-TEST(MovingPhotons, OfALampAndBehindABlockerAreTheMeanOfPaths) {
+TEST(MovingPhotons, OfALightAndBehindABlockerMatchPathTracing) {
   const struct {
     const char* name;
     std::string element, flags, blocker_flags;

@@ -39,7 +39,7 @@ SceneText& board_with_hole(SceneText& scene, float z, float half, const Vec3& c 
   return scene;
 }
 
-TEST(Measure, EvenSkyBringsPiTimesItsLuminance) {
+TEST(Measure, UniformSkyGivesPiTimesItsLuminance) {
   SceneText open;
   open.uniform_sky(1000).lambert("dark", 0).square("dark", Vec3(0, 0, -5), 1, kUp);
   expect_reads("uniform sky, 1000 cd/m2", measure(open, kMeter), 1000 * kPi);
@@ -51,7 +51,7 @@ TEST(Measure, EvenSkyBringsPiTimesItsLuminance) {
   expect_reads("half hidden by a wall", measure(wall, kMeter), 1000 * kPi / 2);
 }
 
-TEST(Measure, WindowsBringTheirFormFactor) {
+TEST(Measure, WindowsMatchTheirFormFactor) {
   SceneText window;
   window.uniform_sky(1000).lambert("dark", 0);
   board_with_hole(window, 1, .5f);
@@ -83,7 +83,7 @@ TEST(Measure, ASquareAtTheFootOfAWallLightsItByItsFormFactor) {
                .011);
 }
 
-TEST(Measure, LampsBringWhatTheirShapesDo) {
+TEST(Measure, FiniteLightsMatchTheirShapes) {
   // A physical light of colour c sends pi c in all: 1000 cd are c = 4000.
   const auto lamp = [](const std::string& element, float color) {
     SceneText scene;
@@ -139,7 +139,7 @@ TEST(Measure, OvercastSkyThroughARoundRoofLight) {
   }
 }
 
-TEST(Measure, SunThroughAHoleBringsItsFlux) {
+TEST(Measure, SunThroughAHoleMatchesItsFlux) {
   // 92372 lx facing the sun at 45 degrees through 1 m2 of a horizontal board.
   const Vec3 to_sun = normalize(Vec3(1, 0, 1));
   SceneText scene;

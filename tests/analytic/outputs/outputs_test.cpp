@@ -24,7 +24,7 @@ constexpr const char* kGlossy =
     "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" .8, \"refl_gloss\" .3";
 
 // acceptance: U1
-TEST(Outputs, AllOfThemAreThere) {
+TEST(Outputs, AllLayersExist) {
   const Picture p(plate(kLambert).light("sun", kSun), 4);
   ASSERT_EQ(material_output_names().size(), 25u) << "the manual's 24 and `other`";
   for (const std::string& name : material_output_names()) {
@@ -151,7 +151,7 @@ TEST(Outputs, AddedColourPassesStraightThrough) {
   expect_near_color(p.mean("add_result"), Rgb(.3f, .2f, .1f), 1e-6f, "the parameter");
 }
 
-TEST(Outputs, LightThatNoMaterialBringsIsOther) {
+TEST(Outputs, LightWithoutAMaterialIsOther) {
   SceneText scene;
   scene.uniform_sky(.7f).camera("focal 1 aperture .2 aspect 1 resolution 6 6");
   const Picture p(scene);
@@ -161,7 +161,7 @@ TEST(Outputs, LightThatNoMaterialBringsIsOther) {
 }
 
 // acceptance: U2
-TEST(Outputs, WhatReflectionsShowIsReflectionWhateverLitIt) {
+TEST(Outputs, ReflectedLightIsReflectionForAnyLight) {
   // A mirror shows a wall that is lit, glossy and glows: all of it is what the mirror reflects.
   SceneText scene = plate("\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1");
   scene

@@ -106,7 +106,7 @@ SceneText stage() {
 
 // acceptance: H4
 // acceptance: S14
-TEST(PhotonEmission, FirstHitsBringWhatDirectLightBrings) {
+TEST(PhotonEmission, FirstHitsMatchDirectLight) {
   const struct {
     const char* name;
     std::string element;
@@ -214,7 +214,7 @@ TEST(PhotonEmission, MeasuredLightsSendByTheirProfile) {
 }
 
 // acceptance: H4
-TEST(PhotonEmission, EnvironmentBringsWhatItBringsDirectly) {
+TEST(PhotonEmission, EnvironmentMatchesItsDirectLight) {
   for (const bool half : {false, true}) {
     SceneText scene = stage();
     if (half)
@@ -232,7 +232,7 @@ TEST(PhotonEmission, EnvironmentBringsWhatItBringsDirectly) {
 }
 
 // acceptance: S14
-TEST(PhotonEmission, ABoxToAimAtChangesOnlyWherePhotonsGo) {
+TEST(PhotonEmission, BoundingBoxChangesOnlyPhotonDirections) {
   SceneText scene = stage();
   scene.light("sun", "\"mib_light_infinite\" ( \"color\" 2 2 2 ) direction .3 .2 -1");
   const Probe probe(scene);
@@ -252,7 +252,7 @@ TEST(PhotonEmission, ABoxToAimAtChangesOnlyWherePhotonsGo) {
 }
 
 // acceptance: S14
-TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
+TEST(PhotonEmission, SunPhotonsInTheBoxMatchItsIrradiance) {
   // The box is in the light's space, which is turned by a quarter and moved.
   const std::string box = ", \"photon_bbox_min\" -.5 -1.6 -.2, \"photon_bbox_max\" .7 -.3 .2";
   const std::string turned = "transform 0 -1 0 0  1 0 0 0  0 0 1 0  0 -.8 0 1";
@@ -284,7 +284,7 @@ TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
 }
 
 // acceptance: S14
-TEST(PhotonEmission, TheSunsPhotonsGoThroughItsBoxAndNowhereElse) {
+TEST(PhotonEmission, SunPhotonsPassOnlyThroughTheirBox) {
   // A window of 2 x 1 x .02, turned by 30 degrees about z in the light's space.
   const float c = std::cos(kPi / 6), s = std::sin(kPi / 6);
   SceneText scene = stage();

@@ -128,7 +128,7 @@ std::vector<Diagnostic> said_of(const std::string& lights, const std::string& me
   return diagnostics.all();
 }
 
-TEST(PhotonEnergy, LightsWithoutItAreToldOnce) {
+TEST(PhotonEnergy, LightsWithoutEnergyAreReportedOnce) {
   const auto lights = [](const std::string& energy) {
     return "light \"a\" " + kPoint + energy + " end light light \"b\" " + kPoint + energy +
            " end light instance \"a_i\" \"a\" end instance instance \"b_i\" \"b\" end instance ";

@@ -145,7 +145,7 @@ void expect_same_indirect(const std::string& name, const Indirect& i, float tole
 }
 
 // acceptance: H3
-TEST(PhotonTrace, PhotonsAndPathsTellTheSameIndirectLight) {
+TEST(PhotonTrace, PhotonsAndPathsGiveTheSameIndirectLight) {
   const std::pair<const char*, std::string> kLights[] = {
       {"rectangle", physical(100) + " origin 0 0 1.9 direction 0 0 -1 rectangle 1 0 0 0 1 0 3 3"},
       {"point without decay",
@@ -164,7 +164,7 @@ TEST(PhotonTrace, PhotonsAndPathsTellTheSameIndirectLight) {
 }
 
 // acceptance: H3
-TEST(PhotonTrace, PhotonsAndPathsTellTheSameCaustics) {
+TEST(PhotonTrace, PhotonsAndPathsGiveTheSameCaustics) {
   const struct {
     const char* name;
     std::string material;
@@ -230,7 +230,7 @@ TEST(PhotonTrace, OpaqueThingsReflectWhicheverWayTheirNormalsPoint) {
 }
 
 // acceptance: H3
-TEST(PhotonTrace, TheShaderInTheSlotPhotonStandsForTheSurface) {
+TEST(PhotonTrace, PhotonShaderReplacesTheSurface) {
   // Of what falls on a black plate its photon shader scatters .3 and mirrors .5 into the open.
   const auto escaped = [](const std::string& photon) {
     SceneText scene;

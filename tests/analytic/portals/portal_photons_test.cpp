@@ -52,7 +52,7 @@ TEST(Portal, PhotonsAgreeWithItsDirectLight) {
 }
 
 // acceptance: L7
-TEST(Portal, DirectPhotonsStandForItsDirectLight) {
+TEST(Portal, DirectPhotonsReplaceItsDirectLight) {
   const auto trace = [](const std::string& parameters, bool sky) {
     SceneText scene = room(kSky, .001f);
     const Probe probe = probe_of(add_window(scene, 1, parameters));

@@ -28,7 +28,7 @@ const Vec3 kOut(-1, 0, 0);
 
 // The card's colour at the point is 1 / (pi d^2): .005, the default threshold, at 7.98 m.
 // acceptance: L5
-TEST(PortalSeen, FromAnyDistanceIsAsBrightAsTheLawOfPhysicsSays) {
+TEST(PortalSeen, RadianceIsIndependentOfDistance) {
   for (const float distance : {4.0f, 8.0f, 40.0f, 1000.0f}) {
     const Vec3 eye(distance, .1f, .1f);
     const std::string name = fmt::format("{} m", distance);

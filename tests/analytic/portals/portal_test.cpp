@@ -59,7 +59,7 @@ TEST(Portal, PathsWithAndWithoutItAreTheSame) {
   }
 }
 
-TEST(Portal, WhatItLeavesOpenIsFoundBesideIt) {
+TEST(Portal, UncoveredOpeningsAreSampledByRays) {
   const Opening o;
   const float middle = (o.y0 + o.y1) / 2;
   for (const char* environment : {kSky, kLamps}) {
@@ -202,7 +202,7 @@ TEST(Portal, StrengthTintSideAndThreshold) {
 }
 
 // acceptance: L4
-TEST(Portal, AsksTheCamerasEnvironmentItsOwnOrIsAWhiteCard) {
+TEST(Portal, UsesCameraOrOwnEnvironmentOrWhite) {
   const std::string own = "\"custom_environment\" \"own\"";
   const auto with_own = [&](const std::string& parameters) {
     Bench b(parameters, 3);
@@ -224,7 +224,7 @@ TEST(Portal, AsksTheCamerasEnvironmentItsOwnOrIsAWhiteCard) {
 }
 
 // acceptance: L4, S9
-TEST(Portal, LooksUpAsGatherRaysDoUnlessTold) {
+TEST(Portal, LooksUpTheEnvironmentLikeGatherRaysByDefault) {
   const std::string lamps = "\"test_lamps\" ( \"hidden\" 1 2 3 )";
   for (const bool gather : {true, false}) {
     SceneText scene = room(lamps, 1);

@@ -72,7 +72,7 @@ TEST(ObjectFlags, WithoutSendingGatherRaysAnObjectHasDirectLightAlone) {
   expect_exact("all of it", seen(kGrey, "reflection 8 refraction 8", true), .6f * 1.25f);
 }
 
-TEST(ObjectFlags, ObjectsThatRaysDoNotSeeAreNotThere) {
+TEST(ObjectFlags, ObjectsInvisibleToRaysAreNotHit) {
   // A plate that glows over another.
   const auto below = [](const std::string& material, const std::string& flags) {
     SceneText scene;
@@ -110,7 +110,7 @@ Measured below_black(const std::string& material, const std::string& flags, bool
 }
 
 // acceptance: H3
-TEST(ObjectFlags, LightPassesWhatCastsNoShadow) {
+TEST(ObjectFlags, LightPassesObjectsThatCastNoShadow) {
   for (const char* material : {kGlossy, kGrey}) {
     const Measured open = below_black(material, "", false);
     EXPECT_GT(open.mean.x, .05f) << material;
@@ -221,7 +221,7 @@ TEST(ObjectFlags, EachMapFollowsItsOwnFlagsWhereBothAreMade) {
   }
 }
 
-TEST(ObjectFlags, OptionsSpeakForObjectsThatDoNot) {
+TEST(ObjectFlags, OptionsApplyToObjectsWithoutFlags) {
   EXPECT_TRUE(trace({.options = "globillum 8"}, true, false).maps.global.empty());
   EXPECT_TRUE(trace({.options = "globillum 4"}, true, false).maps.global.empty());
   EXPECT_FALSE(trace({.options = "globillum 3"}, true, false).maps.global.empty());

@@ -30,7 +30,7 @@ Measured plate(const std::string& material, float paths, int samples = 64) {
 }
 
 // acceptance: R3
-TEST(SampleCounts, AreTheMostRaysOfAPixelAndFallWithTheLevel) {
+TEST(SampleCounts, AreTheMaximumRaysPerPixelAndFallWithTheLevel) {
   for (const int count : {1, 8, 30, 128}) {
     const auto glossy = [&](float level, float paths) {
       const Measured m = plate(
@@ -189,7 +189,7 @@ TEST(CutOff, CountsWhatIsLeftOfThePixelAfterAllSurfaces) {
 }
 
 // acceptance: R8
-TEST(CutOff, LeavesTheLightOfDiffuseBouncesAlone) {
+TEST(CutOff, DoesNotAffectDiffuseBounces) {
   // A card under a weak mirror that faces a glow below the card's plane.
   const auto light = [](float cutoff) {
     SceneText scene;

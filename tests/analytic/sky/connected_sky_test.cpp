@@ -125,7 +125,7 @@ TEST(ConnectedExposure, GainsOfAShaderAreThoseOfThePixel) {
   }
 }
 
-TEST(ConnectedSky, TheCieSkyAnswersForEachDirectionAsWell) {
+TEST(ConnectedSky, CieSkyIsEvaluatedPerDirection) {
   SceneText scene;
   scene.statement(side(500, 2000))
       .environment(

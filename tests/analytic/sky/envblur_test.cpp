@@ -93,7 +93,7 @@ TEST(EnvBlur, NoBlurIsTheEnvironmentItself) {
 }
 
 // acceptance: V1
-TEST(EnvBlur, ConstantsStayAndMeansAreKept) {
+TEST(EnvBlur, KeepsConstantsAndMeans) {
   SceneText even = plate("", "");
   even.statement("shader \"even\" \"test_sky\" ( \"above\" .3 .2 .1, \"below\" .3 .2 .1 )");
   for (const float blur : {.3f, 1.0f}) {
@@ -119,7 +119,7 @@ TEST(EnvBlur, ConstantsStayAndMeansAreKept) {
 }
 
 // acceptance: V2
-TEST(EnvBlur, TabulatesOnceAndAsksNoMore) {
+TEST(EnvBlur, TabulatesTheEnvironmentOnce) {
   for (const auto& [resolution, side] : {std::pair(100, 48), std::pair(200, 96)}) {
     lamps_asked = 0;
     const Probe probe(plate("\"refl_gloss\" .3, \"single_env_sample\" on",
@@ -242,7 +242,7 @@ TEST(EnvBlur, LightOfDiffuseSurfacesStays) {
   }
 }
 
-TEST(EnvBlur, StandsInMaterialsAndTakesTheCamerasEnvironmentByDefault) {
+TEST(EnvBlur, WorksInMaterialsWithTheCameraEnvironmentByDefault) {
   const std::string lamps_shader = "shader \"lamps\" \"test_lamps\" ()";
   const auto with = [&](const std::string& inside, const std::string& camera) {
     SceneText scene;

@@ -24,7 +24,7 @@ SceneText under_camera_sky() {
 }
 
 // acceptance: B5
-TEST(MaterialEnvironment, IsWhatItsRaysFindWhateverTheLobe) {
+TEST(MaterialEnvironment, IsSeenByRaysOfAllLobes) {
   struct Case {
     const char* name;
     std::string parameters;

@@ -77,7 +77,7 @@ TEST(SkyDisc, AGlossyMetalShowsItsDisc) {
   EXPECT_EQ(seen("1", true).mean, seen("0", true).mean);
 }
 
-TEST(SkyDisc, ASunThatIsNotDirectionalIsTold) {
+TEST(SkyDisc, NonDirectionalSunIsReported) {
   Diagnostics diagnostics;
   SceneText scene;
   scene.light("sun", "\"mia_physicalsun\" ( ) origin 0 0 1");

@@ -28,7 +28,7 @@ float luminance_of(const Measured& m) {
 }
 
 // acceptance: S10
-TEST(Sky, TheSunsInstanceBeatsTheDirection) {
+TEST(Sky, SunInstanceOverridesTheDirection) {
   // The light's own space is turned: x of the file is y of the world.
   const Vec3 to_sun = sky_direction(50, 90);
   SceneText scene;
@@ -162,7 +162,7 @@ TEST(Sky, AerialPerspectiveGrowsWithHaze) {
 }
 
 // acceptance: S9
-TEST(Sky, TheDiscIsSeenButLightsNothing) {
+TEST(Sky, DiscIsVisibleWithoutIllumination) {
   const auto probe_of = [](const std::string& more) {
     SceneText scene;
     scene.environment(sky(more)).material("mirror", kMirror).lambert("card", .5f);
@@ -277,7 +277,7 @@ TEST(Sky, TheCieSkyTakesTheSunsInstance) {
     expect_exact("CIE sky", Probe(scene).ray(Vec3(0), d, 64), expected.radiance(d));
 }
 
-TEST(Sky, AsATextureItAnswersAlongTheRay) {
+TEST(Sky, AsATextureItUsesTheRayDirection) {
   SceneText scene;
   scene.statement("shader \"blue\" " + sky("\"use_background\" on"))
       .material("screen",

@@ -84,7 +84,7 @@ const Vec3 kInWorld[] = {Vec3(-.3f, .1f, .8f), Vec3(-.3f, .1f, .8f), Vec3(-.1f, 
                          Vec3(-.1f, -.3f, .8f)};
 
 // acceptance: B1, B2
-TEST(BumpModes, NineModesByTwoInputsGiveTheNormalsWorkedOutByHand) {
+TEST(BumpModes, NineModesByTwoInputsMatchAnalyticNormals) {
   for (int mode = 0; mode <= 8; ++mode)
     for (const char* input : {"overall_bump", "standard_bump"}) {
       const std::string name = fmt::format("bump_mode {}, {}", mode, input);
@@ -104,7 +104,7 @@ TEST(BumpModes, NineModesByTwoInputsGiveTheNormalsWorkedOutByHand) {
 }
 
 // acceptance: B2
-TEST(BumpModes, StandardComesOnTopOfOverall) {
+TEST(BumpModes, StandardIsAddedToOverall) {
   const auto bump = [](int mode) {
     return fmt::format("\"bump_mode\" {}, \"overall_bump\" .4 0 .2, \"standard_bump\" 0 .3 .5",
                        mode);

@@ -322,7 +322,7 @@ TEST(Displacement, OptionsSwitchItOff) {
 }
 
 // acceptance: B5
-TEST(Displacement, MaxDisplaceClampsAndSaysSo) {
+TEST(Displacement, MaxDisplaceClampsAndIsReported) {
   const std::string material = displaced_material("lifted", height("\"base\" .25"));
   const Displaced object(material + plane().object("max displace .1"));
   EXPECT_NEAR(object.below(.4f, .4f).p.z, .1f, kRoundingOfPlaces);

@@ -47,7 +47,7 @@ void expect_rims(const char* material, float least, float most) {
   EXPECT_EQ(seen, 360);
 }
 
-TEST(ShadingNormal, RimsOfCoarseBallsAreNeitherBlackNorGlow) {
+TEST(ShadingNormal, RimsOfCoarseSpheresHaveNoArtifacts) {
   const std::string metal =
       "\"diffuse\" 1 1 1, \"refl_is_metal\" on, \"reflectivity\" 1, \"brdf_0_degree_refl\" 1, "
       "\"refl_depth\" 0, \"refl_cutoff\" 0, ";
