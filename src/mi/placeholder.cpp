@@ -16,13 +16,13 @@ using scene::Object;
 using scene::Scene;
 
 /// A placeholder that is not loaded yet.
-struct Waiting {
+struct PendingPlaceholder {
   std::string name, file;
   SourceLocation where;
 };
 
-std::vector<Waiting> waiting_in(const Parse& parse) {
-  std::vector<Waiting> list;
+std::vector<PendingPlaceholder> pending_in(const Parse& parse) {
+  std::vector<PendingPlaceholder> list;
   for (const Element& element : parse.scene->elements()) {
     const auto add = [&](const auto& e) {
       if (const std::string file = scene::settings_of(e).file;
@@ -35,7 +35,7 @@ std::vector<Waiting> waiting_in(const Parse& parse) {
   return list;
 }
 
-Scene read_file(Parse& parse, const Waiting& placeholder) {
+Scene read_file(Parse& parse, const PendingPlaceholder& placeholder) {
   Scene scene;
   Parse inner(parse.options, parse.diagnostics);
   inner.scene = &scene;
@@ -58,10 +58,10 @@ const T* content_of(const Scene& scene, const std::string& name) {
 }
 
 /// Moves the elements into the scene; renames `content` to `as`.
-void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::string& content,
-           const std::string& as) {
+void merge(Parse& parse, const PendingPlaceholder& placeholder, Scene&& from,
+           const std::string& content, const std::string& as) {
   Scene& scene = *parse.scene;
-  std::size_t taken = 0;
+  std::size_t in_use = 0;
   std::string first;
   for (Element& element : from.elements()) {
     std::visit(
@@ -71,7 +71,7 @@ void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::st
         element);
     const std::string name = scene::name_of(element);
     if (scene.find(name)) {
-      if (taken++ == 0) first = name;
+      if (in_use++ == 0) first = name;
       continue;
     }
     scene.loaded.insert(name);
@@ -79,13 +79,13 @@ void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::st
   }
   for (scene::ShaderDeclaration& d : from.declarations)
     if (!scene.find_declaration(d.name)) parse.declare(std::move(d));
-  if (taken > 0)
+  if (in_use > 0)
     parse.warn(code::kRedefined, placeholder.where,
                fmt::format("{} name(s) of \"{}\" are in use, \"{}\" first; those of the scene stay",
-                           taken, placeholder.file, first));
+                           in_use, placeholder.file, first));
 }
 
-void load(Parse& parse, const Waiting& placeholder) {
+void load(Parse& parse, const PendingPlaceholder& placeholder) {
   parse.reported.insert("placeholder " + placeholder.name);
   Scene from = read_file(parse, placeholder);
   const std::string as = placeholder.name + "@file";
@@ -118,8 +118,9 @@ void load(Parse& parse, const Waiting& placeholder) {
 
 void load_placeholders(Parse& parse) {
   int count = 0;
-  for (std::vector<Waiting> list = waiting_in(parse); !list.empty(); list = waiting_in(parse))
-    for (const Waiting& placeholder : list) {
+  for (std::vector<PendingPlaceholder> list = pending_in(parse); !list.empty();
+       list = pending_in(parse))
+    for (const PendingPlaceholder& placeholder : list) {
       if (++count > parse.options.limits.includes)
         return parse.diagnostics.error(
             code::kIncludeLimit, placeholder.where,
@@ -133,8 +134,8 @@ void load_placeholder(Scene& scene, const std::string& name, const ReadOptions& 
   Parse parse(options, diagnostics);
   parse.scene = &scene;
   // Other pending placeholders were already tried when the scene was read.
-  const std::vector<Waiting> before = waiting_in(parse);
-  for (const Waiting& placeholder : before)
+  const std::vector<PendingPlaceholder> before = pending_in(parse);
+  for (const PendingPlaceholder& placeholder : before)
     if (placeholder.name != name) parse.reported.insert("placeholder " + placeholder.name);
   load_placeholders(parse);
 }

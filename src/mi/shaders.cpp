@@ -64,12 +64,12 @@ void merge_functions(scene::ShaderList& old, scene::ShaderList changed) {
     return;
   }
   for (scene::Argument& argument : changed[0].arguments) {
-    auto& uninterpreted = old[0].arguments;
+    auto& arguments = old[0].arguments;
     const auto found =
-        std::find_if(uninterpreted.begin(), uninterpreted.end(),
+        std::find_if(arguments.begin(), arguments.end(),
                      [&](const scene::Argument& a) { return a.name == argument.name; });
-    if (found == uninterpreted.end())
-      uninterpreted.push_back(std::move(argument));
+    if (found == arguments.end())
+      arguments.push_back(std::move(argument));
     else
       *found = std::move(argument);
   }

@@ -317,12 +317,12 @@ void TrilistReader::read_triangles(bool keep) {
 
 // Skips data per triangle and topology, which the scene does not store.
 void TrilistReader::read_rest() {
-  bool told = false;
+  bool reported = false;
   while (!parse_.in.at_word("end")) {
-    if (!told)
+    if (!reported)
       parse_.diagnostics.note(code::kIgnored, parse_.in.where(),
                               "data of triangles behind a trilist is not kept");
-    told = true;
+    reported = true;
     if (parse_.in.at_punct('[')) {
       std::string ignored;
       keep_brackets(parse_, ignored);

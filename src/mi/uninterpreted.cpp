@@ -18,7 +18,7 @@ bool closes(const Token& token) {
 }
 
 /// Whether a registry item acts like the top-level command of the same name.
-bool acts(Parse& parse, std::string_view word, SourceLocation at) {
+bool acts_as_command(Parse& parse, std::string_view word, SourceLocation at) {
   if (word == "link" || word == "echo" || word == "mi") return true;
   if (word == "code" && parse.options.trusts_code) return true;
   if (word == "system" || word == "code")
@@ -40,12 +40,12 @@ std::string read_registry(Parse& parse) {
       append_source(text, word);
       continue;
     }
-    const Token said = parse.in.next();
-    if (word.kind == Token::Kind::Word && said.kind == Token::Kind::String &&
-        acts(parse, word.text, at)) {
+    const Token argument = parse.in.next();
+    if (word.kind == Token::Kind::Word && argument.kind == Token::Kind::String &&
+        acts_as_command(parse, word.text, at)) {
       scene::Value value;
       value.kind = scene::Value::Kind::Text;
-      value.text = said.str();
+      value.text = argument.str();
       value.where = at;
       if (word.text == "mi")
         files.emplace_back(value.text, at);
@@ -54,7 +54,7 @@ std::string read_registry(Parse& parse) {
       continue;
     }
     append_source(text, word);
-    append_source(text, said);
+    append_source(text, argument);
   }
   parse.expect_end("registry");
   // Includes are stacked: the last one included is read first.

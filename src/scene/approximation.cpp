@@ -77,7 +77,7 @@ std::uint8_t read_rays(std::string_view keyword) {
   return static_cast<std::uint8_t>(rays);
 }
 
-bool takes_v(Kind kind) {
+bool has_v_direction(Kind kind) {
   return kind != Kind::Curve && kind != Kind::SpaceCurve && kind != Kind::Trim;
 }
 
@@ -87,7 +87,7 @@ void read_parametric(Words& words, Approximation& a) {
   a.u = a.v = words.positive();
   bool percent = words.accept("%");
   const bool has_v = percent ? words.numbers() % 2 == 1 : row > 0 && row % 2 == 0;
-  if (has_v && takes_v(a.kind)) a.v = words.positive();
+  if (has_v && has_v_direction(a.kind)) a.v = words.positive();
   percent |= words.accept("%");
   a.percent = percent && a.technique == Technique::Regular;
 }
