@@ -12,7 +12,7 @@
 namespace oriel::mi {
 namespace gzip_test {
 
-/// A file of its own that goes with the test.
+/// A temporary file that is deleted with the test.
 class GzipFile {
  public:
   explicit GzipFile(const std::string& text) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that include files: where they are searched, what is refused, how messages name places.
+// Includes: search paths, refused files, locations in messages.
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -85,7 +85,8 @@ TEST(Number, MatchesTheStandardLibraryOnRandomDecimals) {
 }
 
 TEST(Number, HalfwayCasesRoundToEvenFloat) {
-  // 2^24 + 1 lies between two floats; a little more must round up, also through a double.
+  // 2^24 + 1 is halfway between two floats; a slightly larger number must round up, also via
+  // double.
   for (const char* text : {"16777217", "16777217.0000000001", "16777219", "16777218.9999999999",
                            "0.50000002980232238769531250", "0.50000002980232238769531251"}) {
     float f = 0;
@@ -140,7 +141,7 @@ TEST(Lexer, KeywordsAreCaseSensitive) {
 }
 
 TEST(Lexer, BinaryVectorsMayContainTheClosingQuote) {
-  // 0x60606060 is a backquote four times over.
+  // 0x60606060 is four backquotes.
   const std::string payload("\x3f\x80\x00\x00````\xc0\x00\x00\x00", 12);
   const Snippet read(fmt::format("object \"o\" group `{}` 0 0 1 end group end object", payload));
   EXPECT_TRUE(read.diagnostics.all().empty()) << read.messages();

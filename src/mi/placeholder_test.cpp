@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects and assemblies that stand for the contents of files.
+// Placeholders: objects and assemblies with contents in separate files.
 #include "mi/placeholder.h"
 
 #include <fmt/format.h>

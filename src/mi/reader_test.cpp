@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements, element by element, and what happens when they are wrong.
+// Statements of each element, and errors in them.
 #include "mi/reader.h"
 
 #include "mi/testing/test_support.h"

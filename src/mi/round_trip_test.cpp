@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Read, write, read again: nothing may be lost between two scenes.
+// Scenes are equal after writing and reading.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ std::string written(const Scene& scene) {
   return out.str();
 }
 
-/// What the first difference is, as far as a message needs it.
+/// Describes the first difference, for a failure message.
 std::string difference(const Scene& a, const Scene& b) {
   if (a.commands != b.commands) return "commands";
   if (a.packages != b.packages) return "packages";
@@ -39,7 +39,7 @@ std::string difference(const Scene& a, const Scene& b) {
   return a.elements().size() == b.elements().size() ? "" : "the number of elements";
 }
 
-/// No error but for names that only a whole scene would define.
+/// Whether there are no errors except for names that a complete scene would define.
 void expect_sound(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics.all())
     EXPECT_TRUE(d.severity != Severity::Error || d.code == "OR-MI-031") << diagnostics.format(d);

@@ -43,7 +43,7 @@ TEST(LineEndsAndEncodings, Utf16IsReadInBothByteOrders) {
 }
 
 TEST(LineEndsAndEncodings, Utf16BecomesUtf8) {
-  // One, two, three and four bytes in UTF-8, and half a pair.
+  // One, two, three and four bytes in UTF-8, and an unpaired surrogate.
   const Snippet read(utf16(u"echo \"z\u00df\u6c34\U0001f34b\xd800\" ", true));
   ASSERT_EQ(read.scene.commands.size(), 1u) << read.messages();
   EXPECT_EQ(read.scene.commands[0].values[0].text,

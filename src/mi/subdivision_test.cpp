@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces, ccmeshes and hair are read as written; what is wrong in them is reported.
+// Reading of subdivision surfaces, ccmeshes and hair, and reports of errors in them.
 #include "mi/subdivision.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names without quotes, as hand-written scenes have them, and stray tokens.
+// Unquoted names, as in hand-written scenes, and stray tokens.
 #include "mi/reader.h"
 #include "mi/testing/test_support.h"
 
@@ -71,7 +71,7 @@ TEST(StrayTokens, InAHeaderAreSkipped) {
     EXPECT_EQ(read.count(code::kSyntax), 0u) << stray << read.messages();
     EXPECT_EQ(read.get<scene::Material>("m").shaders.size(), 1u) << stray;
   }
-  // On one line with the body right behind it.
+  // Header and body on one line.
   const Snippet line("object \"o\" shadwo on" + body + " end object\n");
   EXPECT_EQ(line.get<scene::Object>("o").groups.size(), 1u) << line.messages();
 }

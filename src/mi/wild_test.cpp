@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spellings that real exporters use and that a strict reader would trip over.
+// Syntax variants of real exporters that a strict reader would reject.
 #include <fmt/format.h>
 
 #include <filesystem>

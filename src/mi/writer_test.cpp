@@ -19,7 +19,7 @@ std::string written(const Scene& scene) {
   std::ostringstream out;
   write_scene(scene, out);
   const std::string text = out.str();
-  return text.substr(text.find('\n') + 1);  // without the comment that opens the file
+  return text.substr(text.find('\n') + 1);  // without the initial comment
 }
 
 template <class T>

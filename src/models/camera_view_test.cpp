@@ -88,7 +88,7 @@ TEST(CameraView, GroundIsBelowCamerasUnderTheModel) {
     scene::Scene scene = testing::imported("m.gltf", square.text());
     add_daylight(scene, {});
     const float ground = scene.get<scene::Object>("ground")->groups[0].vectors[0].y;
-    // The square stands on y = 0.
+    // The square is on y = 0.
     EXPECT_LT(ground, std::min(height, 0.0f));
     EXPECT_GT(ground, std::min(height, 0.0f) - .1f);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STEP text, and what IFC4 becomes.
+// STEP text, and conversion of IFC4.
 #include "models/ifc_text.h"
 
 #include <gtest/gtest.h>

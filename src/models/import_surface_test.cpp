@@ -75,7 +75,8 @@ TEST(ModelTexture, TransformsFollowTheExtension) {
       R"("KHR_texture_transform":{"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]}}}})";
   quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_texture_transform"],)";
   const Imported quadrant(quad.text());
-  // v up: the quadrant is 0..0.5 in both; its corner at the picture's is the file's (0, 0).
+  // With v up, the quadrant is 0..0.5 in u and v; its corner at the corner of the image is (0, 0)
+  // of the file.
   EXPECT_LT(length(uv_of(quadrant.scene, 0, 3) - Vec3(0, 0, 0)), 1e-6f);
   EXPECT_LT(length(uv_of(quadrant.scene, 0, 0) - Vec3(.5f, 0, 0)), 1e-6f);
   EXPECT_LT(length(uv_of(quadrant.scene, 0, 1) - Vec3(.5f, .5f, 0)), 1e-6f);
@@ -83,7 +84,7 @@ TEST(ModelTexture, TransformsFollowTheExtension) {
   quad.material = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{)"
                   R"("KHR_texture_transform":{"offset":[0.1,0.2],"scale":[2,3]}}}})";
   const Imported scaled(quad.text());
-  // The file's (1, 1) goes to (2.1, 3.2), v down.
+  // (1, 1) of the file maps to (2.1, 3.2), v down.
   EXPECT_LT(length(uv_of(scaled.scene, 0, 1) - Vec3(2.1f, -2.2f, 0)), 1e-6f);
 }
 
@@ -171,7 +172,7 @@ TEST(ModelBump, HeightsOfObjBecomeBumpsAndNormalsByTheirName) {
   }
 }
 
-// The picture decides, whatever its name: normals have a mean near (.5, .5, 1).
+// The image content decides, not its name: normal maps have a mean near (.5, .5, 1).
 // acceptance: M3
 TEST(ModelBump, MapsOfObjAreNormalsIfTheirPicturesShowThem) {
   const struct {

@@ -106,7 +106,7 @@ TEST(Approximation, LengthDistanceAndAngleCombine) {
   EXPECT_EQ(a.samples, 8);
 }
 
-// As a host writes it behind a tri-list.
+// As a host application writes it after a trilist.
 TEST(Approximation, FineViewLengthIsRead) {
   const Approximation a =
       read({word("view"), word("fine"), word("shared"), word("length"), row({2}), word("distance"),
@@ -183,7 +183,7 @@ TEST(TessellationView, LengthsAreInPixelDiagonalsAndFallWithDistance) {
   view.pixels_per_unit = 500;
   EXPECT_NEAR(view.pixels({-1, 0, -10}, {1, 0, -10}), 100 / std::sqrt(2.0f), 1e-3f);
   EXPECT_NEAR(view.pixels({-1, 0, -20}, {1, 0, -20}), 50 / std::sqrt(2.0f), 1e-3f);
-  // The same whichever way it points.
+  // Independent of the direction of the segment.
   EXPECT_NEAR(view.pixels({0, 0, -11}, {0, 0, -9}), 100 / std::sqrt(2.0f), 1e-3f);
   view.orthographic = true;
   EXPECT_NEAR(view.pixels({-1, 0, -20}, {1, 0, -20}), 1000 / std::sqrt(2.0f), 1e-2f);

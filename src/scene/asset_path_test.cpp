@@ -48,7 +48,7 @@ TEST(AssetPath, NamesThatDifferOnlyInCaseAreFound) {
   for (const char* written : {"W:\\house\\maps\\oak.tif", "MAPS/OAK.TIF", "maps\\Oak.tif"})
     EXPECT_EQ(found(written), (folder / "Maps/Oak.TIF").string()) << written;
   EXPECT_EQ(found("maps/elm.tif"), (folder / "maps/elm.tif").string());
-  // Of several the exact one, else the first in order.
+  // The exact match, or the first one in order.
   std::ofstream(folder / "Maps/oak.tif") << "exact";
   EXPECT_EQ(found("maps/oak.tif"), (folder / "Maps/oak.tif").string());
   EXPECT_EQ(found("maps/oak.Tif"), (folder / "Maps/Oak.TIF").string());

@@ -122,7 +122,7 @@ TEST(ElementSettings, LightsHavePhotonsAndShadowMaps) {
   EXPECT_EQ(s.caustic, (LightSettings::Photons{100, 200}));
   EXPECT_EQ(s.globillum, (LightSettings::Photons{0, 0}));
   EXPECT_TRUE(s.visible);
-  EXPECT_FALSE(s.shadow_map.on);  // the last has words that no row has
+  EXPECT_FALSE(s.shadow_map.on);  // the last statement has words without a row
   EXPECT_EQ(s.shadow_map.detail_samples, 9);
   EXPECT_EQ(s.shadow_map.filter, 'g');
 }
@@ -140,7 +140,7 @@ TEST(ElementSettings, InstancesHaveOverrideAndMotionOff) {
 }
 
 TEST(ElementSettings, StatementsThatStartWithAFlagKeywordAreNotFlags) {
-  // `shadow approximate` begins with a flag's keyword.
+  // `shadow approximate` starts with the keyword of a flag.
   Object object;
   object.flags = {statement("shadow approximate", {word("fine")}), statement("tagged")};
   Diagnostics diagnostics;

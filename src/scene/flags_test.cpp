@@ -45,7 +45,7 @@ ResolvedFlags resolve_flags(const Object& object, std::span<const Instance* cons
   return resolve(settings_of(object, &diagnostics).flags, instances);
 }
 
-/// Flags of an object below instances, outermost first.
+/// Flags of an object below instances, which are listed outermost first.
 ResolvedFlags resolved(Flags object, std::vector<Flags> instances = {}) {
   Object o;
   o.flags = std::move(object);

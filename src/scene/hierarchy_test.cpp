@@ -13,7 +13,7 @@ Statement flag(std::string keyword) {
   return s;
 }
 
-/// A scene made of short names.
+/// A scene built from short names.
 struct Builder {
   Scene scene;
   Object& object(const std::string& name) {
@@ -93,7 +93,8 @@ TEST(Hierarchy, OuterMatrixAppliesFirst) {
   Diagnostics d;
   const auto leaves = flatten(b.scene, "root", d);
   ASSERT_EQ(leaves.size(), 1u);
-  // The outer instance stands at x = 10; two units beyond are one unit of the half-scaled object.
+  // The outer instance is at x = 10; two units from there are one unit of the object, scaled by
+  // half.
   EXPECT_EQ(transform_point(Vec3(12, 0, 0), leaves[0].world_to_local), Vec3(1, 0, 0));
   EXPECT_EQ(transform_point(Vec3(1, 0, 0), leaves[0].local_to_world), Vec3(12, 0, 0));
   EXPECT_FALSE(leaves[0].motion_world_to_local.has_value());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shutters in ray time, and the ways of instances that move within each other.
+// Shutters in ray time, and motion paths of nested instances.
 #include "scene/motion.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Mat4 turned(float degrees) {
   return m;
 }
 
-/// As files have them: world to local.
+/// World to local, as in files.
 Instance instance(const Mat4& from, const std::optional<Mat4>& to = std::nullopt) {
   Instance i;
   i.transform = from.inverse();
@@ -56,7 +56,7 @@ TEST(Shutter, OpensAndClosesWithinTheIntervalOrBeyond) {
   EXPECT_EQ(beyond.last, 2);
   EXPECT_FLOAT_EQ(beyond.scene_time(beyond.open), -.5f);
   EXPECT_FLOAT_EQ(beyond.scene_time(beyond.close), 2);
-  // Closed before it opens, not a number, too far: a picture all the same.
+  // Closes before it opens, not a number, too far: still gives a valid shutter.
   EXPECT_EQ(shutter(.5f, .25f).close, .5f);
   EXPECT_EQ(shutter(NAN, 1e30f).last, 4);
   EXPECT_EQ(shutter(0, 1, 1000).steps, kMaxMotionSteps);
@@ -99,7 +99,7 @@ TEST(MotionPath, StretchAndRotationInterpolateSeparately) {
   wider.setScale(Vec3(4, 4, 1));
   const Instance i = instance(wide, wider * turned(60));
   const auto path = motion_path(leaf({&i}), shutter(0, 1, 2));
-  // Half of the way: three wide instead of two or four, turned by half of the angle.
+  // Halfway: three wide, between two and four, rotated by half the angle.
   expect_at(path[1], {1, 0, 0}, Vec3(3 * std::cos(kPi / 6), 3 * std::sin(kPi / 6), 0));
 }
 

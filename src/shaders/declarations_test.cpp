@@ -241,7 +241,7 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
   EXPECT_EQ(spec_of("mia_lens_bokeh").version, 4);
 }
 
-// Requirements of every parameter table.
+// Requirements for all parameter tables.
 TEST(Declarations, AllTablesAreValid) {
   std::set<std::string> shaders;
   for (const ShaderSpec* spec : builtin_shaders().all()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements of a camera in numbers: where known points fall, what planes cut away.
+// Camera statements: image positions of known points, and clipping planes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

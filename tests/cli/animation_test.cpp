@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel render on files with several render statements: which frames, and what their files are
-// called.
+// oriel render on files with several render statements: selected frames and file names.
 #include "support/program.h"
 
 namespace oriel {

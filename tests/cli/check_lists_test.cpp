@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What oriel check lists of scenes that others wrote.
+// Lists of oriel check for scenes of other programs.
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"

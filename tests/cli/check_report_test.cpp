@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel check --report as a user calls it.
+// oriel check --report.
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel convert and oriel quick, from a model on disk to a picture that shows it.
+// oriel convert and oriel quick, from a model file to an image.
 #include <fmt/format.h>
 
 #include <cmath>

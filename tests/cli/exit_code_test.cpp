@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel render ends with 0 only where nothing that was asked for is missing.
+// Exit codes of oriel render: 0 only if nothing requested is missing.
 #include "support/program.h"
 
 namespace oriel {

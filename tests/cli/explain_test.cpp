@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel explain as a user calls it.
+// oriel explain.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manual's way to tune an exposure, and what is said of exposures that cannot be right.
+// Exposure workflow of the manual, and diagnostics of invalid exposures.
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"

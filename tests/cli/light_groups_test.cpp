@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light groups as a user meets them: oriel render --light-group, oriel recombine --light.
+// oriel render --light-group and oriel recombine --light.
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel measure and oriel falsecolor as a user calls them.
+// oriel measure and oriel falsecolor.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs of materials as a user asks for them: layers of EXR files, and what is said without any.
+// Material outputs as layers of EXR files, and messages about missing ones.
 #include "image/exr.h"
 #include "output/output_names.h"
 #include "support/program.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of the old stand-alone program: typical calls and the files that come of them.
+// Command line of the original stand-alone program: typical calls and their output files.
 #include "image/exr.h"
 #include "image/files.h"
 #include "support/program.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel recombine as a user meets it.
+// oriel recombine.
 #include <limits>
 #include <nlohmann/json.hpp>
 

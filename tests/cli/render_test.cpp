@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel render as a user meets it: files, exit codes, interruption, threads.
+// oriel render: files, exit codes, interruption, threads.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

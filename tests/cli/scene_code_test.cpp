@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C sources in a scene: refused unless the user trusts it, then compiled once and run.
+// C code in a scene: refused by default, compiled once and run if the user trusts the scene.
 #include <fmt/format.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel shader-build: sources in, a library with the shaders out, or a message that helps.
+// oriel shader-build: libraries from sources, and error messages.
 #include <dlfcn.h>
 
 #include "mi/reader.h"

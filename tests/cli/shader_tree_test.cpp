@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel shader-build on folders of old sources: flags, helpers, what stays undefined, hints.
+// oriel shader-build on folders of old sources: flags, helpers, undefined symbols, hints.
 #include <dlfcn.h>
 
 #include "support/program.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ready materials: listed, printed to paste, and known to every scene.
+// Material templates: list, printed text, availability in all scenes.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel check, shaders, tonemap and diff as a user meets them.
+// oriel check, shaders, tonemap and diff.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

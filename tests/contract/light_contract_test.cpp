@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every light owes transport: every light shader on every shape.
+// Interface contract of lights: every light shader on every shape.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

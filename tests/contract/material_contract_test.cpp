@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every material shader owes transport, tried on every one in the registry.
+// Interface contract of materials: every material shader in the registry.
 #include <gtest/gtest.h>
 
 #include <cmath>

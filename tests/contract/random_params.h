@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of any shader by its table: as declared, or random within the ranges it states.
+// Parameters of a shader from its table: declared defaults, or random values within their ranges.
 #pragma once
 
 #include <algorithm>

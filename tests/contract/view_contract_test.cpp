@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environment sampling, camera rays and lens shaders: what transport and film rely on.
+// Interface contract of environment sampling, camera rays and lens shaders.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

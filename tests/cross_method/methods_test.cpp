@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths, final gathering and photons tell the same light.
+// Path tracing, final gathering and photons agree.
 #include "scenes.h"
 
 namespace oriel::cross_method {

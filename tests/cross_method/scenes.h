@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of the cross-method comparison: small rooms, each with one thing that is hard.
+// Scenes of the cross-method comparison: small rooms with one difficult feature each.
 #pragma once
 
 #include "comparison.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights, their shadows, and what measures them: shaders/base/mib_light.cpp,
-// mib_light_photometric.cpp, mib_shadow.cpp, mib_lightmap.cpp.
+// Lights, shadows and light maps: shaders/base/mib_light.cpp, mib_light_photometric.cpp,
+// mib_shadow.cpp, mib_lightmap.cpp.
 #include <fmt/format.h>
 
 #include <fstream>

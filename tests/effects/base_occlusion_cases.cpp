@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How open it is around a point: shaders/base/mib_occlusion.cpp.
+// Ambient occlusion: shaders/base/mib_occlusion.cpp.
 #include <fmt/format.h>
 
 #include "base_stages.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photometric and portal lights and the visible part of lamps: mia_photometric_light.cpp,
+// Photometric and portal lights, and visible light surfaces: mia_photometric_light.cpp,
 // mia_portal_light.cpp and mia_light_surface.cpp in shaders/architectural.
 #include <fmt/format.h>
 

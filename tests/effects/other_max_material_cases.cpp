@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for the materials of 3ds Max: shaders/max/max_materials.cpp, max_elements.cpp.
+// Approximations of 3ds Max materials: shaders/max/max_materials.cpp, max_elements.cpp.
 #include "cases.h"
 #include "other_stages.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for the maps of 3ds Max: shaders/max/max_textures.cpp.
+// Approximations of 3ds Max maps: shaders/max/max_textures.cpp.
 #include "cases.h"
 #include "other_stages.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of the production library: shaders/maya/production.cpp.
+// Approximations of shaders of the production library: shaders/maya/production.cpp.
 #include "cases.h"
 #include "other_stages.h"
 #include "runtime/color_mapping.h"

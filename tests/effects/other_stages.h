@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages for materials, lights and volumes in scenes that a case composes itself.
+// Stages for materials, lights and volumes in scenes composed by the case.
 #pragma once
 
 #include "effects.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that scatters: shaders/physics/parti_volume.cpp.
+// Scattering media: shaders/physics/parti_volume.cpp.
 #include "cases.h"
 #include "other_stages.h"
 

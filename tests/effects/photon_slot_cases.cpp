@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What photons meet by shaders in the slot `photon`: shaders/physics/dgs_material.cpp. That the
-// photons follow it is shown by PhotonTrace.PhotonShaderReplacesTheSurface.
+// Photon shaders in the slot `photon`: shaders/physics/dgs_material.cpp. Their effect on photons is
+// tested by PhotonTrace.PhotonShaderReplacesTheSurface.
 #include "cases.h"
 #include "runtime/closure.h"
 #include "runtime/material.h"

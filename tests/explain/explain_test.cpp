@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explanations of pixels: they add up to the picture, and say of simple scenes what is so.
+// Explanations of pixels: they sum to the image, and are correct for simple scenes.
 #include <array>
 
 #include "analysis/explain.h"

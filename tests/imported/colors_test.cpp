@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models from their file to light: colours of corners and brushed metal.
+// Renders of imported models: vertex colours and brushed metal.
 #include <fmt/format.h>
 
 #include "mi/writer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models from their file to light: normals by pictures and clear coats against closed forms.
+// Renders of imported models: normal maps and clear coats compared with closed forms.
 #include <fmt/format.h>
 
 #include "bsdf/terminator.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light through the panes of models of every format, in lux, against closed forms.
+// Light through glass panes of models in all formats, in lux, compared with closed forms.
 #include "analysis/measure.h"
 #include "image/files.h"
 #include "models/daylight.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of layers: names are unique, sets follow it, and docs/outputs.md shows it.
+// Layer table: unique names, consistent sets, and agreement with docs/outputs.md.
 #include "output/layer_table.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases that show what each parameter of the architectural material changes, and what they share.
+// Cases for the effect of each parameter of the architectural material, and shared helpers.
 #pragma once
 
 #include <sstream>

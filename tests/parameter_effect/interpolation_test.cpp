@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflections and refractions that are traced on a grid over the picture and smoothed.
+// Reflections and refractions interpolated on an image grid.
 #include "cases.h"
 #include "prepare/testing/prepared_scene.h"
 #include "render/session.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where reflections and refractions end: distance, depth, contribution.
+// Limits of reflections and refractions: distance, depth, contribution.
 #include "cases.h"
 
 namespace oriel::sensitivity {

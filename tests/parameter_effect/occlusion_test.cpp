@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indirect light: its weight, its rays, ambient occlusion.
+// Indirect light: weight, rays, ambient occlusion.
 #include "cases.h"
 
 namespace oriel::sensitivity {

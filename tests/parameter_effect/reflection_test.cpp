@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflections and highlights: level, colour, blur, the curve over the angle, what is counted once.
+// Reflections and highlights: level, colour, blur, angle curve, no double counting.
 #include "cases.h"
 
 namespace oriel::sensitivity {

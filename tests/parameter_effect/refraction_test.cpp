@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transparency, translucency, and how light passes through solids and sheets.
+// Transparency, translucency, and transmission through solids and sheets.
 #include "cases.h"
 
 namespace oriel::sensitivity {

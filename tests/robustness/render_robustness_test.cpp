@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a scene holds, preparing and tracing it ends with a message or a picture.
+// Preparation and tracing of any scene end with a message or an image.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a scene file holds, reading it ends, in bounded memory, with messages instead of a
-// crash.
+// Reading of any file ends in bounded memory, with messages and without a crash.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

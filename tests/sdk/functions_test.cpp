@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// functions.txt lists what the shader headers declare, all of it and nothing else.
+// functions.txt lists exactly the functions declared in the shader headers.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members of the public structs stand in the order that shaders know, and enums have their values.
+// Member order of the public structs, and values of enums.
 #include <gtest/gtest.h>
 #include <mia_material_api.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base library's bump maps: the normal that comes out, worked out by hand.
+// Bump maps of the base library: resulting normals, computed by hand.
 #include <fmt/format.h>
 
 #include "probe.h"

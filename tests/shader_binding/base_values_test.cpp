@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the base library's nodes, as its pages state them.
+// Results of base library nodes, as documented.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders feeding shaders: results and members, promotions, chains, cycles, phenomena.
+// Shader connections: results and members, promotions, chains, cycles, phenomena.
 #include <fmt/format.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of hosts: what scenes of theirs become, and that they are reported.
+// Approximations of host shaders: results in scenes, and reports.
 #include <cmath>
 
 #include "lights/sample_light.h"

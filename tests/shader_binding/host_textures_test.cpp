@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for Maya's textures: where they are looked up, and what they make of it.
+// Approximations of Maya textures: coordinates and results.
 #include <cmath>
 
 #include "probe.h"

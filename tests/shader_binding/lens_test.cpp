@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exposures as lens shaders of a camera: the same numbers as the pure functions behind them.
+// Exposures as lens shaders of a camera give the same values as their pure functions.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light shaders' own numbers, and which lights a material takes.
+// Parameters of light shaders, and light selection of materials.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials connected to materials: what closure comes out, and what is refused.
+// Materials connected to materials: resulting closures, and rejected connections.
 #include <fmt/format.h>
 
 #include "probe.h"

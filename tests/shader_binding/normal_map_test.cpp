@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel_normal_map: the normal that comes out, worked out by hand from the bytes of the picture.
+// oriel_normal_map: resulting normals, computed by hand from the bytes of the image.
 #include <fmt/format.h>
 
 #include "probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Written values into parameters: every type, what is converted, what is refused.
+// Binding of written values to parameters: all types, conversions, rejected values.
 #include <fmt/format.h>
 
 #include "probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured lights in scenes: the lux they bring, how profiles turn, and what a bad one says.
+// Photometric lights in scenes: illuminance, orientation of profiles, reports of invalid profiles.
 #include <fmt/format.h>
 
 #include <cmath>

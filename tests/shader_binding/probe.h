@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders made for looking at what was bound: one parameter of each type, results of each type.
+// Test shaders that show bound values: one parameter of each type, results of each type.
 #pragma once
 
 #include <gtest/gtest.h>

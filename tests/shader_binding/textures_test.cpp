@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture look-ups through shaders: files, pixels in the scene, procedures, coordinates, spheres.
+// Texture lookups by shaders: files, inline pixels, procedures, coordinates, spheres.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: runs the built program in a folder of its own and looks at what it did.
+// Test support: runs the built program in a temporary folder and inspects its results.
 #pragma once
 
 #include <gtest/gtest.h>

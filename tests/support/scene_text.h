@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Composes small .mi scenes from shapes and materials whose exact pictures are known.
+// Composes small .mi scenes from shapes and materials with known exact images.
 #pragma once
 
 #include <fmt/format.h>

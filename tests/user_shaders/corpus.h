@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: tables of shaders in corpus/, each rendered and compared with what it should show.
+// Test support: tables of the shaders in corpus/; each one is rendered and compared with expected
+// values.
 #pragma once
 
 #include <functional>

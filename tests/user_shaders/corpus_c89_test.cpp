@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders in the C of the eighties: old definitions, macros, other systems' line ends.
+// Shaders in C89: old definitions, macros, line ends of other systems.
 #include <cmath>
 
 #include "corpus.h"

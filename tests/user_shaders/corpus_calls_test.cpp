@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders that write passes, look textures up, bump, and call other shaders.
+// Shaders that write passes, look up textures, bump, and call other shaders.
 #include <cmath>
 
 #include "corpus.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders in C++98: classes over the state, templates, containers that live as long as the frame.
+// Shaders in C++98: classes over the state, templates, containers with the lifetime of the frame.
 #include <cmath>
 
 #include "corpus.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where displacement shaders move the surface to.
+// Results of displacement shaders.
 #include "user_scene.h"
 
 namespace oriel {

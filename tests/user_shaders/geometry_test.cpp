@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What geometry shaders make is what the same element of a scene file is.
+// Elements made by geometry shaders equal those of a scene file.
 #include "prepare/generated_geometry.h"
 #include "scene/approximation.h"
 #include "scene/element_settings.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What states say of the primitive that was hit: its handle, its bump vectors, its derivatives.
+// State of a hit primitive: handle, bump vectors, derivatives.
 #include "user_scene.h"
 
 namespace oriel {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users' shaders of each kind in the picture.
+// Images of user shaders of each kind.
 #include "user_scene.h"
 
 namespace oriel {

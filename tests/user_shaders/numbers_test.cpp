@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of shaders that are no numbers.
+// Shader results that are NaN or infinite.
 #include "user_scene.h"
 
 namespace oriel {

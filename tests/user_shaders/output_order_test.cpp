@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output shaders run in the order of the camera's list, whoever wrote them.
+// Output shaders run in the order of the list of the camera, built-in or user-defined.
 #include <cmath>
 
 #include "user_picture.h"

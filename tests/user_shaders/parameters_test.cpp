@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of users' shaders in every form a declaration knows: arrays, structs, defaults.
+// Parameters of user shaders in all declarable forms: arrays, structs, defaults.
 #include "user_scene.h"
 
 namespace oriel {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users' shaders in maps of indirect light: gathering, photons on surfaces and out of lights.
+// User shaders and indirect light: gathering, photons at surfaces and from lights.
 #include <array>
 #include <cmath>
 

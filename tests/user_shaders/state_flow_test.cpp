@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What states hand on: from the shader that casts a ray or asks a light to the shader that answers,
-// and back by state->child.
+// State inheritance: from the shader that casts a ray or samples a light to the called shader, and
+// back by state->child.
 #include "user_scene.h"
 
 namespace oriel {

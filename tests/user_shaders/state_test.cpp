@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State shaders around the samples of a picture.
+// State shaders, called before and after the samples of an image.
 #include "user_picture.h"
 
 namespace oriel {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// User data of the scene in the hands of shaders.
+// User data of the scene, read by shaders.
 #include <fstream>
 
 #include "user_scene.h"

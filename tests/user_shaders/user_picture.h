@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: whole pictures of scenes with users' shaders, and the files they become.
+// Test support: complete images of scenes with user shaders, and their output files.
 #pragma once
 
 #include "image/exr.h"

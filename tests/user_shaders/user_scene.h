@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: scenes with shaders that are compiled as their users would.
+// Test support: scenes with shaders that are compiled in the way users compile them.
 #pragma once
 
 #include <gtest/gtest.h>

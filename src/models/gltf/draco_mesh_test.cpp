@@ -18,7 +18,7 @@ using Points = std::array<std::array<std::int16_t, 3>, 3>;
 
 constexpr Points kTriangle{{{0, 0, 0}, {32767, 0, 0}, {0, -32767, 16384}}};
 
-/// One triangle of whole numbers, packed without loss.
+/// One triangle with integer coordinates, compressed losslessly.
 std::string packed() {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(1);

@@ -66,8 +66,8 @@ TEST(GltfMeshopt, TrianglesAndIndicesAreDecoded) {
 }
 
 TEST(GltfMeshopt, FiltersAreUndone) {
-  // The extension's text. Octahedral: x, y, one, and a fourth that stays; three elements, one more
-  // than fits no step of the decoder.
+  // From the text of the extension. Octahedral: x, y, one, and an unchanged fourth component. Three
+  // elements, one more than a multiple of the step size of the decoder.
   const std::vector<std::int8_t> octahedral{127, 0, 127, 5, 0, -127, 127, 6, 0, 0, 127, 7};
   const std::vector<std::int8_t> normals{127, 0, 0, 5, 0, -127, 0, 6, 0, 0, 127, 7};
   EXPECT_EQ(unpacked(stream(3, 4, "ATTRIBUTES", "OCTAHEDRAL"), packed(octahedral, 4), "it"),
@@ -76,7 +76,8 @@ TEST(GltfMeshopt, FiltersAreUndone) {
   const std::vector<std::uint32_t> exponential{0xFF000003u, 0x02FFFFFBu, 0};
   EXPECT_EQ(unpacked(stream(3, 4, "ATTRIBUTES", "EXPONENTIAL"), packed(exponential, 4), "it"),
             bytes_of(std::vector<float>{1.5f, -20, 0}));
-  // Quaternion: three of four components over sqrt(2), the missing one's index in the last.
+  // Quaternion: three of four components over sqrt(2); the last component is the index of the
+  // missing one.
   const std::vector<std::int16_t> turns{0, 0, 0, 2044 | 3};
   const std::string turned =
       unpacked(stream(1, 8, "ATTRIBUTES", "QUATERNION"), packed(turns, 8), "it");

@@ -44,7 +44,7 @@ GltfFile scene_file() {
   return file;
 }
 
-/// What a scene is after it was written and read.
+/// The scene after writing and reading.
 void write_and_read(const Made& from, Made& to) {
   ASSERT_TRUE(from.scene);
   Diagnostics notes;

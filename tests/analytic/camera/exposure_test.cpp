@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exposures at work in a render: previews without rendering, lens and output copies, side channels.
+// Exposure shaders in renders: previews without rendering, lens and output copies, side channels.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

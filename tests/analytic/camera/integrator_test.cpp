@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of integrators, and their table.
+// Interface of integrators, and their table.
 #include "render/integrator.h"
 
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_lens_bokeh: blur discs of the size that thin lenses have, their shapes, kernels, ray counts.
+// mia_lens_bokeh: size and shape of blur discs, kernels, ray counts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the records of further bounces are placed.
+// Placement of the records of further bounces.
 #include "transport/gather/gather_bounces.h"
 
 #include "support/probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the options of final gathering do to a picture, each against what it must bring.
+// Effects of the final gathering options, compared with expected values.
 #include "base/parallel.h"
 #include "support/picture.h"
 

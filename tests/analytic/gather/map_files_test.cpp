@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps of indirect light in files, passes that are watched and interrupted.
+// Indirect light maps in files, and passes that are observed and interrupted.
 #include <filesystem>
 #include <fstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of the manual that hold by paths, by final gathering and by photons alike.
+// Statements of the manual that hold for path tracing, final gathering and photons.
 #include "support/picture.h"
 #include "support/portal_scenes.h"
 #include "transport/photon/photon_trace.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solid and thin glass: where refracted rays go, how much light goes with them.
+// Solid and thin glass: directions of refracted rays and their transmittance.
 #include <numbers>
 
 #include "support/probe.h"

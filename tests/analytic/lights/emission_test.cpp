@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that glow: what they bring by samples, by rays alone, and by closed forms.
+// Emissive meshes: light sampling, rays alone, and closed forms agree.
 #include "lights/light_sampler.h"
 #include "support/probe.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Groups of lights as layers: they sum to the beauty, and each is what its lights bring.
+// Light groups as layers: they sum to the beauty, and each has the light of its group.
 #include <algorithm>
 
 #include "image/relight.h"

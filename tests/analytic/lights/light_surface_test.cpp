@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The visible part of lamps, and lights that leave out highlights or diffuse light.
+// Visible part of lights, and lights without highlights or diffuse light.
 #include <fstream>
 
 #include "support/probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Form factors: what shapes that glow bring to a white card, and to the other side of a sheet.
+// Form factors of light shapes on a white card, and transmission through a sheet.
 #include "support/probe.h"
 
 namespace oriel::testing {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light profiles written by others: what is read of them against their tables, integrated by hand.
-// See tests/data/ies/NOTICE.txt for where they come from.
+// Light profiles of manufacturers, compared with their tables integrated by hand. Origin of the
+// files: tests/data/ies/NOTICE.txt.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow modes and shadow shaders: what is asked in which order, and what passes.
+// Shadow modes and shadow shaders: order of calls, and transmittance.
 #include <mutex>
 
 #include "support/probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflections without rays: soft ones made of what final gathering found.
+// Reflections without rays, computed from final gathering results.
 #include <gtest/gtest.h>
 
 #include "prepare/testing/prepared_scene.h"

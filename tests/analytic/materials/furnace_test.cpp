@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy: what stands in an even glow can not shine brighter than it, and closed rooms sum up
-// their bounces.
+// Energy conservation: furnace tests, and sums of bounces in closed rooms.
 #include <random>
 
 #include "support/probe.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interpolated reflections: grids of the densities the manual names, smoother with more points,
-// sharp within the detail distance, and no dearer than a mirror.
+// Interpolated reflections: documented grid densities, smoothing with more points, detail distance,
+// and cost compared with a mirror.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of the manual's material chapter where parameters and modes meet.
+// Statements of the material chapter of the manual about combinations of parameters and modes.
 #include "bsdf/fresnel.h"
 #include "runtime/texture_direction.h"
 #include "support/picture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Occlusion on gathered light: as on light that paths find.
+// Occlusion of gathered light equals occlusion with path tracing.
 #include "support/picture.h"
 
 namespace oriel::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ambient occlusion: shares of free sky in closed form, and on which light it acts how.
+// Ambient occlusion: closed forms of unoccluded fractions, and the kinds of light it affects.
 #include <limits>
 
 #include "support/probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The physics library's materials, glossy and occlusion nodes, lens and volume shaders.
+// Physics library: materials, glossy and occlusion nodes, lens and volume shaders.
 #include "runtime/color_mapping.h"
 #include "support/picture.h"
 #include "support/probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base library's ray nodes: what is seen through and in them, and what light passes.
+// Ray nodes of the base library: visible radiance, and transmission of light.
 #include "bsdf/highlights.h"
 #include "support/probe.h"
 

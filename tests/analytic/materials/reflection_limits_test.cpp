@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where reflections end: at a distance, at a depth, and beside the highlights of light sources.
+// Limits of reflections by distance and depth, and highlights of lights at these limits.
 #include <atomic>
 
 #include "support/probe.h"

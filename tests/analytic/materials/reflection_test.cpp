@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors, metals, highlights of lights that are seen or not, and holes in materials.
+// Mirrors, metals, highlights of visible and invisible lights, and cut-outs.
 #include "support/probe.h"
 
 namespace oriel::testing {

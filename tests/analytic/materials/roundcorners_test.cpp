@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounded edges against the normals of a true fillet, told by a material that shows its bump.
+// Rounded edges compared with the normals of a fillet, shown by a material that outputs its bump.
 #include "bsdf/terminator.h"
 #include "support/probe.h"
 

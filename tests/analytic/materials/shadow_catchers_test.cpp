@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that only show the shadows on them, against closed forms.
+// Shadow catchers compared with closed forms.
 #include "support/probe.h"
 
 namespace oriel::testing {

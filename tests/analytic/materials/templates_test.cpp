@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes of templates.mi for glass and liquids, measured in scenes with the file in them.
+// Glass and liquid templates of templates.mi, measured in scenes that include the file.
 #include <fstream>
 #include <iterator>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Media in one another, solids that are translucent, and what shows behind in alpha.
+// Nested media, translucent solids, and alpha of backgrounds.
 #include <numbers>
 
 #include "support/probe.h"

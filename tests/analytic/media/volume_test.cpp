@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that scatters light more than once, and what dims light on its way.
+// Media with multiple scattering, and attenuation of light.
 #include <array>
 #include <numeric>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Final gathering on what moves: its points go along.
+// Final gathering on moving objects: gather points move with them.
 #include "motion_scenes.h"
 
 namespace oriel::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair that moves, against the share of time that a straight one covers a pixel.
+// Moving hair, compared with the fraction of time that a straight hair covers a pixel.
 #include "motion_scenes.h"
 
 namespace oriel::testing {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons of moving lights and about moving objects: their map is the mean over the shutter, as
-// that of paths, within 4 standard errors (one in 16000 by chance).
+// Photons of moving lights and on moving objects: the map is the mean over the shutter, and agrees
+// with path tracing within 4 standard errors (one failure in 16000 by chance).
 #include "base/parallel.h"
 #include "motion_scenes.h"
 #include "transport/indirect_caches.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion blur against closed forms: streaks, turning bars, moving cameras, shadows and mirrors.
+// Motion blur compared with closed forms: streaks, rotating bars, moving cameras, shadows, mirrors.
 #include "lights/light_sampler.h"
 #include "motion_scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layer of illuminance: what a meter reads on the first surface, whatever that is made of.
+// Illuminance layer: irradiance of the first surface, independent of its material.
 #include "output/output.h"
 #include "support/picture.h"
 #include "support/probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light meters in places where illuminance is known in closed form.
+// Irradiance sensors at points with illuminance in closed form.
 #include "analysis/measure.h"
 #include "color/luminance.h"
 #include "support/probe.h"

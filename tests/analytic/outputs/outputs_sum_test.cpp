@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random scenes of random materials: their outputs put the picture together, for any threads.
+// Random materials in random scenes: outputs sum to the image, for any number of threads.
 #include <tbb/global_control.h>
 
 #include <random>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs of the material: which light is in which.
+// Outputs of the material: the light paths in each of them.
 #include "image/recombine.h"
 #include "output/output_names.h"
 #include "support/picture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First hits of photons against direct light, for every kind of light.
+// First hits of photons compared with direct light, for all kinds of lights.
 #include "lights/light_sampler.h"
 #include "lights/photon_source.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lights send photons: by their energy statement, by being on, by standing above the horizon.
+// Conditions for lights to emit photons: energy statement, switched on, above the horizon.
 #include "render/session.h"
 #include "support/picture.h"
 #include "support/portal_scenes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photon maps against closed forms of closed rooms, glass and mirrors, and against paths.
+// Photon maps compared with closed forms of closed rooms, glass and mirrors, and with path tracing.
 #include "transport/photon/photon_trace.h"
 
 #include <algorithm>

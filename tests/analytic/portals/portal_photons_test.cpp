@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Portal lights and the indirect light behind them: photons, and the sky as a bounce.
+// Indirect light of portals: photons, and the sky as a bounce.
 #include "support/portal_scenes.h"
 #include "transport/photon/photon_trace.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visible portals from far away: the threshold is for their light, not for how they look.
+// Visible portals at a large distance: the threshold applies to their light, not to visibility.
 #include "support/portal_scenes.h"
 
 namespace oriel::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Portal lights: the environment through a window, against quadrature, closed forms and paths.
+// Portal lights compared with quadrature, closed forms and path tracing.
 #include "support/portal_scenes.h"
 
 namespace oriel::testing {

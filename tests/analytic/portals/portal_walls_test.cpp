@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a window brings to every wall of a room: portals against light that is followed from the
-// sky.
+// Irradiance of a window on all walls of a room: portals compared with light tracing from the sky.
 #include <array>
 
 #include "base/parallel.h"

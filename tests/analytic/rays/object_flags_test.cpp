@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flags of objects: which rays leave them, and what photons do at them.
+// Object flags: rays that objects emit, and photons at objects.
 #include "support/probe.h"
 #include "transport/gather/gather_points.h"
 #include "transport/photon/photon_trace.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls that the camera looks through, the weight and rays of indirect light, lists of lights.
+// One-sided walls, weight and rays of indirect light, light lists.
 #include "support/probe.h"
 
 namespace oriel::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many rays a material asks for, and that the picture is the same however many.
+// Number of rays of a material; the image is the same for any number.
 #include <functional>
 
 #include "support/probe.h"

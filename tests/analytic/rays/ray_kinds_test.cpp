@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which kind of ray each shader of a scene is asked by.
+// Ray types with which each shader of a scene is called.
 #include <atomic>
 #include <initializer_list>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sun, sky and exposures whose parameters other shaders give: another value for each direction.
+// Sun, sky and exposures with parameters connected to shaders, evaluated per direction.
 #include "lights/photon_source.h"
 #include "runtime/color_mapping.h"
 #include "sky/physical_sky.h"

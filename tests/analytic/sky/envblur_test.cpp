@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blurred look-ups of an environment against many rays that look it up sharp.
+// Blurred environment lookups compared with many sharp lookups.
 #include <atomic>
 
 #include "support/probe.h"

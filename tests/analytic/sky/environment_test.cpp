@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environments that materials bring along instead of the camera's.
+// Environments of materials that replace the environment of the camera.
 #include "support/probe.h"
 
 namespace oriel::testing {

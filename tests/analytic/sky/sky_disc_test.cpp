@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's disc in glossy reflections and blurred environments; vignetting of parallel views; more
-// rays through a lens than were allowed.
+// The solar disc in glossy reflections and blurred environments; vignetting of orthographic views;
+// lenses with more rays than the limit.
 #include "mi/reader.h"
 #include "render/eye_rays.h"
 #include "runtime/color_mapping.h"

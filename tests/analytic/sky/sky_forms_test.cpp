@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The skies in all the places where they may stand: environment, background, lens, volume, texture;
-// and with the levels that a scene gives.
+// Sky shaders as environment, background, lens, volume and texture, and with luminance levels of
+// the scene.
 #include "sky/cie_sky.h"
 #include "sky/daylight.h"
 #include "sky/physical_sky.h"

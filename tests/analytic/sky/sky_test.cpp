@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What uniform and physical skies, and the sun, bring to a white card.
+// Irradiance of uniform and physical skies, and of the sun, on a white card.
 #include "support/probe.h"
 
 namespace oriel::testing {

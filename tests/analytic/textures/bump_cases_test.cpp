@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bump modes and cut-outs in the picture: normals read off mirrors and lit cards, holes off every
-// kind of ray.
+// Bump modes and cut-outs in images: normals from mirrors and lit cards, cut-outs for all ray
+// types.
 #include "bsdf/terminator.h"
 #include "support/probe.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacement shaders of materials, on meshes whose displaced form is known; environments of
-// materials.
+// Displacement shaders on meshes with known displaced shape; environments of materials.
 #include <cmath>
 #include <functional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shading normals that differ from the surface: no light through it, no black or glowing rims.
+// Shading normals that differ from geometric normals: no light leaks, no dark or bright rims.
 #include <gtest/gtest.h>
 
 #include <cmath>
