@@ -84,7 +84,7 @@ TEST(CameraStatements, AnOffsetShiftsTheFilmInPixels) {
 
 TEST(CameraStatements, AtInfinityTheApertureIsTheWidthInSceneUnits) {
   const std::string camera = "focal infinity aperture 4 aspect 1 resolution 40 40";
-  // Whatever the distance: 1 unit of 4 is 10 of 40 pixels.
+  // Independent of the distance: 1 unit of 4 is 10 of 40 pixels.
   EXPECT_NEAR(Seen(camera).cover().area, 100, 2);
   EXPECT_NEAR(Seen(camera, {{40, 1}}).cover().area, 100, 2);
 }

@@ -7,7 +7,7 @@ namespace animation_test {
 
 class Animation : public ProgramTest {
  protected:
-  /// Three frames of a lamp that grows brighter; `second`: said before the second.
+  /// Three frames of a light with growing energy; `second`: statements before the second frame.
   static std::string scene(const std::string& camera = "", const std::string& second = "") {
     const auto lamp = [](const char* colour) {
       return std::string("incremental light \"lamp\" \"mib_light_point\" ( \"color\" ") + colour +
@@ -38,7 +38,7 @@ TEST_F(Animation, OnlyRequestedFramesAreRendered) {
   ASSERT_EQ(render({"-o", "all.#.exr"}).exit_code, 0);
   ASSERT_EQ(render({"-o", "some.#.exr", "--frames", "2..3"}).exit_code, 0);
   EXPECT_FALSE(exists("some.1.exr"));
-  // With all that was said before them.
+  // With all previous statements.
   EXPECT_EQ(text_of(file("some.2.exr")), text_of(file("all.2.exr")));
   EXPECT_EQ(text_of(file("some.3.exr")), text_of(file("all.3.exr")));
   ASSERT_EQ(render({"-o", "last.#.exr", "--frames", "1,3.."}).exit_code, 0);
@@ -82,7 +82,7 @@ TEST_F(Animation, CamerasNameTheirFilesFrameByFrame) {
       scene("output \"rgba\" \"exr\" \"one.exr\"",
             "incremental camera \"cam\" output output \"rgba\" \"exr\" \"two.exr\" end camera\n"));
   ASSERT_EQ(render({}).exit_code, 0);
-  // The third frame's camera says what the second's said.
+  // The camera of the third frame has the statements of the second one.
   for (const char* name : {"one.exr", "two.exr", "two.0003.exr"}) EXPECT_TRUE(exists(name)) << name;
   std::filesystem::remove(file("two.0003.exr"));
   ASSERT_EQ(render({"--frames", "3", "--skip-existing"}).exit_code, 0);

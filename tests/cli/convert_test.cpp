@@ -78,7 +78,7 @@ TEST_F(ConvertTest, ItsOwnLightsAreMetered) {
   EXPECT_NEAR(shutter[1] / shutter[0], 200, 2);
 }
 
-// A camera stands where its node is, and is not moved by it twice.
+// A camera has the transform of its node, applied once.
 TEST_F(ConvertTest, GltfCamerasHaveTheTransformsOfTheirNodes) {
   write_square("square.gltf", 1000);
   ASSERT_EQ(run({"convert", "square.gltf", "square.mi"}).exit_code, 0);

@@ -12,7 +12,7 @@ namespace exposure_test {
 
 class ExposureProgram : public ProgramTest {
  protected:
-  /// The last line of what `oriel render --json` said.
+  /// The last line of the output of `oriel render --json`.
   static nlohmann::json last_line(const RunResult& r) {
     const std::string text = r.out.substr(0, r.out.find_last_not_of('\n') + 1);
     return nlohmann::json::parse(text.substr(text.rfind('\n') + 1));
@@ -22,7 +22,7 @@ class ExposureProgram : public ProgramTest {
 // acceptance: X2
 TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
   write("plain.mi", small_scene());
-  // With all its layers: the beauty is what is read.
+  // With all layers: the beauty is read.
   ASSERT_EQ(run({"render", "plain.mi", "-o", "preview.exr", "--samples", "8"}).exit_code, 0);
   write("tuned.mi", "color texture \"pv\" \"preview.exr\"\n" +
                         small_scene("finalgather on",
@@ -47,7 +47,7 @@ TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
         ASSERT_NEAR(tuned.layers[0].image.at(x, y)[k], exact[k], 1e-6f) << x << " " << y;
       }
     }
-  // Denoising has nothing to go by, and says nothing.
+  // Denoising has no noise estimate and reports nothing.
   EXPECT_EQ(run({"render", "tuned.mi", "-o", "tuned.png", "--denoise", "-q"}).exit_code, 0);
 }
 

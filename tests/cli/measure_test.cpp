@@ -10,7 +10,7 @@
 namespace oriel {
 namespace measure_test {
 
-/// A lamp of 1000 cd, 2 over a black floor that the camera looks down at, and nothing else.
+/// A light of 1000 cd, 2 above a black floor that the camera faces.
 class MeasureProgram : public ProgramTest {
  protected:
   void write_scene(const std::string& camera = {}) const {
@@ -62,7 +62,7 @@ TEST_F(MeasureProgram, GridAndPlaneAreTheSameSensors) {
   EXPECT_EQ(grid["rows"], 3);
   const auto plane = measure({"--plane", "z=.5", "--spacing", "1", "--inset", ".5"})["illuminance"];
   EXPECT_EQ(plane["sensors"], grid["sensors"]);
-  // The first row is the far one; under the lamp it is brightest.
+  // The first row is the most distant one; it is brightest below the light.
   EXPECT_EQ(grid["sensors"][0]["position"], (std::vector<double>{-2, 1, .5}));
   EXPECT_NEAR(grid["max"].get<double>(), 1000 / 2.25, .05);
   const double least = 1000 * 1.5 / std::pow(4 + 1 + 2.25, 1.5);

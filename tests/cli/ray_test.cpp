@@ -7,7 +7,7 @@
 namespace oriel {
 namespace ray_test {
 
-/// A call, the files a user of the old program would look for, and what is said.
+/// A call, the files that users of the original program expect, and the messages.
 struct Call {
   const char* what;
   std::vector<std::string> arguments;

@@ -125,7 +125,7 @@ TEST_F(RenderProgram, DenoiseAddsALayerAndCleansViews) {
   const ExrFile picture = read_exr(file("out.exr"));
   const Layer* clean = find_layer(picture.layers, "denoised");
   ASSERT_NE(clean, nullptr);
-  // The file alone holds all there is to know.
+  // The file alone contains all information.
   ASSERT_EQ(run({"denoise", "out.exr", "-o", "clean.exr"}).exit_code, 0);
   const Image again = read_exr_image(file("clean.exr"));
   for (std::size_t i = 0; i < again.pixel_count(); ++i)

@@ -79,7 +79,7 @@ TEST_F(ShaderTreeProgram, BuildsATreeWithAHelperLibraryIntoOneOrEach) {
   EXPECT_EQ(r.out, "out/old.so: 1 source\nout/sums.so: 1 source\n");
   EXPECT_FLOAT_EQ(call("out/old.so", "old_sum", 3), 7.5f);
   EXPECT_FLOAT_EQ(call("out/sums.so", "sums", 1), 8);
-  // Of the helpers a library has only what it needs.
+  // A library contains only the helpers it needs.
   EXPECT_FLOAT_EQ(call("out/sums.so", "half_of", 1), -1);
 }
 

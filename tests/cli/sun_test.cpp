@@ -127,7 +127,7 @@ TEST_F(SunProgram, RenderRotatesTheSun) {
   // The light's instance is turned: the light's direction is that of the world all the same.
   write("scene.mi", card_scene(", \"haze\" 0", "transform 0 0 1 0 1 0 0 0 0 1 0 0 7 8 9 1"));
   EXPECT_NEAR(rendered({"--sun", kSun}), level, 1e-3f * level);
-  // y up: the card stands and faces south, or with north turned elsewhere.
+  // y up: the card is vertical and faces south, also with a rotated north.
   write("scene.mi", card_scene(", \"y_is_up\" on"));
   const float normal = s["sun_illuminance"]["normal"];
   const float south = normal * s["direction"]["y_up"][2].get<float>();

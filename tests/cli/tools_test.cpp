@@ -144,7 +144,7 @@ TEST_F(TonemapProgram, VignettingDependsOnTheFieldOfView) {
 
 // acceptance: X2, X6
 TEST_F(TonemapProgram, MapsAsTheLensShaderOfTheRender) {
-  // The render says its field of view in the file; linear settings map pixels as their parts.
+  // The rendered file contains its field of view; linear settings scale pixels.
   write("scene.mi",
         small_scene("",
                     "lens \"mia_exposure_photographic\" ( \"film_iso\" 0, \"cm2_factor\" .5, "

@@ -208,7 +208,7 @@ TEST_P(ExtendedLightContract, MeanOfSamplesIsTheIntegralOverTheShape) {
   }
 }
 
-// The convention all lights share: a light of colour c brings pi c, whatever its shape.
+// Convention of all lights: a light of colour c gives pi c, for any shape.
 TEST(LightConvention, FlatLightsOfConstantColourGivePiTimesTheirColour) {
   for (const char* shape : {"rectangle 1.5 .2 0 -.1 1 0", "rectangle 2 0 0 0 1 0",
                             "rectangle 1 0 0 .9 .6 0", "disc 0 0 -1 .8"}) {

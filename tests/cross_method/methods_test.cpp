@@ -14,7 +14,7 @@ struct Case {
   const char* name;
   SceneText (*scene)();
   std::uint32_t samples;  ///< of the reference, for a pixel of each of its pictures
-  double indirect = 0;    ///< tolerance of the indirect part alone; 0 = not asked
+  double indirect = 0;    ///< tolerance of the indirect part alone; 0 = not tested
 
   friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 };

@@ -185,7 +185,7 @@ inline SceneText glowing_sphere() {
   return scene;
 }
 
-/// The room of the camera is lit through a door by a lamp in the next one.
+/// A point light in the next room lights the room of the camera through a door.
 inline SceneText two_rooms() {
   SceneText scene = start();
   room(scene, "x+");

@@ -18,7 +18,7 @@ using testing::PreparedScene;
 
 constexpr int kWidth = 16, kHeight = 12;
 
-/// A lit square that fills the picture; `gather` asks for maps.
+/// A lit square that fills the image; `gather` enables indirect light maps.
 std::string scene_with(const std::string& camera, const std::string& before = {},
                        bool gather = false) {
   return testing::scene_text(
@@ -78,7 +78,7 @@ TEST(Preview, IsMappedWithoutRendering) {
   const std::string texture = save_film(plain, folder);
   const lens::SimpleExposure exposure({.gain = 2, .knee = .3f});
   for (const char* role : {"lens ", "output "}) {
-    // Maps the scene asks for are not made either.
+    // Maps that the scene enables are not computed either.
     const Rendered r(
         scene_with(role + kCurved + ", \"preview\" \"pv\", \"use_preview\" on )", texture, true));
     EXPECT_EQ(r.scene.messages(), "");
@@ -241,7 +241,7 @@ TEST(SideChannel, IsAFrameBufferThatCanBeWritten) {
 }
 
 TEST(LensList, TheLastShaderMapsFirst) {
-  // Each asks the next one for the colour of the ray: (c + .1) * 3, not c * 3 + .1.
+  // Each shader calls the next one for the colour of the ray: (c + .1) * 3, not c * 3 + .1.
   const Rendered r(
       scene_with("lens \"mia_exposure_simple\" ( \"gain\" 3, \"compression\" 0, \"gamma\" 1 ) "
                  "\"mia_exposure_simple\" ( \"pedestal\" .1, \"compression\" 0, \"gamma\" 1 )"));

@@ -12,7 +12,7 @@
 namespace oriel::testing {
 namespace integrator_test {
 
-/// Sees its ray's direction, whatever the scene.
+/// Returns the ray direction, for any scene.
 class DirectionIntegrator final : public Integrator {
  public:
   void trace(const Camera::Ray& eye, Vec2, float paths_of_pixel, PathRecord& record,

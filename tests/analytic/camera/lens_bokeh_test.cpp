@@ -83,7 +83,7 @@ TEST(LensBokeh, BlurDiscsHaveTheRadiusOfAThinLens) {
     double z, radius;
   };
   for (const Row& row : {Row{4, 1}, Row{4, .6}, Row{8, .5}, Row{1, .3}, Row{1.5, .8}}) {
-    const double side = 0.1 * row.z;  // 12 pixels wherever it stands
+    const double side = 0.1 * row.z;  // 12 pixels at any distance
     const Rendered r(emission_at(
         row.z, side, bokeh(fmt::format("\"plane\" {}, \"radius\" {}", kPlane, row.radius))));
     const double pixel = kPlane / kSize;  // of the plane in focus
@@ -246,7 +246,7 @@ TEST(LensBokeh, ExposuresInTheSameListStillMap) {
 }
 
 TEST(LensBokeh, ScaledCamerasBlurInSceneUnits) {
-  // The instance's matrix goes from world to camera: here the camera is twice as large.
+  // The instance matrix maps world to camera space: here the camera is twice as large.
   std::string text = emission_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"));
   const std::string plain = "instance \"cam_i\" \"cam\" end";
   text.replace(text.find(plain), plain.size(),

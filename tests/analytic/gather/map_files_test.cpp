@@ -9,7 +9,7 @@
 namespace oriel::testing {
 namespace map_files_test {
 
-/// A lamp in a grey box, with statements of its options.
+/// A point light in a grey box, with option statements.
 std::string lit_box(const std::string& options) {
   SceneText s("trace depth 4 4 8 photon trace depth 5 5 8 " + options);
   s.lambert("grey", .5f)

@@ -35,7 +35,7 @@ void add_grid(SceneText& scene, const std::string& material, float x, float y, f
   scene.mesh(material, points, faces, {});
 }
 
-/// Form factor from a surface element to a parallel rectangle whose corner stands over it.
+/// Form factor from a surface element to a parallel rectangle with a corner above it.
 /// Source: Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-4.
 float corner_factor(float a, float b, float h) {
   const float x = a / h, y = b / h, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
@@ -68,7 +68,7 @@ const Registry& step_registry() {
   return registry;
 }
 
-/// Mesh lights are there, they agree with rays alone and with what is exact, and err less.
+/// Mesh lights exist, agree with rays alone and with the exact value, and have less error.
 void expect_glow(const std::string& name, const SceneText& scene, float exact,
                  std::size_t triangles, float tolerance = 0) {
   Probe probe(scene);
@@ -133,7 +133,7 @@ TEST(Emission, TexturesKeepTheirLight) {
   const Measured sampled = probe.onto(Vec3(0), kUp, 0, 1 << 13);
   Probe rays(ramp);
   expect_same("ramp", sampled, rays.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 17), .03f);
-  // Half a square glows, an edge between the places that are asked.
+  // Half of a square emits, with an edge between the sample positions.
   for (const float edge : {.05f, .19f}) {
     SceneText half = floor_scene();
     half.statement(fmt::format("shader \"step\" \"test_step\" ( \"edge\" {} )", edge))

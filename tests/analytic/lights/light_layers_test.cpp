@@ -20,7 +20,8 @@ struct Room {
 
 const std::string kFewPhotons = "globillum photons 4000 caustic photons 500";
 
-/// A room with a window (portal), a group of two lamps, a spot, a glowing bulb and a glass box.
+/// A room with a portal window, a group of two point lights, a spot, an emissive mesh and a glass
+/// box.
 std::string text_of(const Room& r) {
   SceneText scene(r.options);
   scene.camera("focal 1 aperture 1.6 aspect 1 resolution 12 12")
@@ -139,7 +140,7 @@ TEST(LightLayers, WithoutItsLightsTheBeautyIsLessByTheLayer) {
     if (!exact) cases.erase(cases.begin() + 1, cases.end());
     for (const Case& c : cases) {
       auto groups = kGroups;
-      if (!c.off.bulb) groups.erase(groups.begin() + 1);  // it glows no more
+      if (!c.off.bulb) groups.erase(groups.begin() + 1);  // it no longer emits
       const auto without = rendered(c.off, samples, groups);
       const Rgb whole = mean(with, ""), left = mean(without, ""), part = mean(with, c.layer);
       for (int k = 0; k < 3; ++k)

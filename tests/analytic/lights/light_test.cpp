@@ -74,7 +74,7 @@ TEST(FormFactor, SkyThroughAWindowAndOverAWall) {
   expect_form("half sky", half, kPi / 2);
 }
 
-/// physical_light of energy 4 pi^2 brings pi L with L = 1 / area' (see runtime/light.h).
+/// physical_light of energy 4 pi^2 gives pi L with L = 1 / area' (see runtime/light.h).
 std::string physical(float energy) {
   return fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} )", energy);
 }
@@ -152,7 +152,7 @@ TEST(AreaLight, CylinderEqualsItsStrips) {
 }
 
 TEST(AreaLight, LightBehindAPaneIsFoundOnce) {
-  // A thin pane of R = 2r / (1 + r) between card and lamp, and one that the lamp is in front of.
+  // A thin pane of R = 2r / (1 + r) between card and light, and a pane behind the light.
   for (const float pane : {.6f, 1.2f})
     for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
       SceneText scene = card();

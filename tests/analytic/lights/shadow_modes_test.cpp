@@ -15,7 +15,7 @@ struct TestStep {
 };
 constexpr ParamSpec kTestStepRows[] = {{ORIEL_PARAM(TestStep, scale), .fallback = {1}},
                                        {ORIEL_PARAM(TestStep, less)}};
-/// What it was asked for, in order.
+/// Recorded calls, in order.
 struct StepLog {
   std::mutex mutex;
   std::vector<float> heights;
@@ -94,7 +94,7 @@ TEST(ShadowModes, OffLetsLightThroughEverything) {
     add_filter(scene, "filter", "\"test_step\" ( \"scale\" .5 )");
     scene.square("filter", Vec3(0, 0, 2), 5, kUp);
     EXPECT_EQ(probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64).mean.x, exact) << mode;
-    // Nothing is asked, with nothing to decide or behind what is opaque.
+    // No calls if nothing has to be decided, or behind an opaque surface.
     EXPECT_TRUE(step_log().heights.empty()) << mode;
   }
 }
@@ -259,7 +259,7 @@ TEST(ShadowShader, MediaInTheSlotAreAbsorbedByThickness) {
   }
 }
 
-/// What is filtered: a surface that glows at .2 and returns nothing else, or one that has holes.
+/// Filtered surface: emits .2 and returns nothing else, or has cut-outs.
 const char* const kGlow = "\"reflectivity\" 0, \"diffuse\" 0 0 0, \"additional_color\" .2 .2 .2";
 const char* const kFilter =
     "\"mib_shadow_transparency\" ( \"color\" 1 1 1, \"transp\" .5 .25 .75 )";

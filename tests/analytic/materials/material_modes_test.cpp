@@ -131,7 +131,7 @@ TEST(CausticsOfPaths, TransparentShadowsRemainWithoutPhotons) {
   }
 }
 
-/// A plate that shows a visible lamp as highlight or mirrored; seen where the mirror would show it.
+/// A plate with a visible light as highlight or reflection, viewed in the mirror direction.
 SceneText lamp_on(const std::string& material, const std::string& options = "") {
   SceneText scene("trace depth 8 8 12 shadow segments " + options);
   scene
@@ -149,7 +149,7 @@ SceneText lamp_on(const std::string& material, const std::string& options = "") 
 
 // acceptance: R5
 TEST(VisibleAreaLights, KeepTheHighlightThatNoReflectionReplaces) {
-  // From 30 degrees: the mirrored ray misses the lamp, a wide highlight does not.
+  // From 30 degrees: the mirrored ray misses the light, a wide highlight does not.
   const auto seen = [](const std::string& material) {
     return Probe(lamp_on(material)).onto(Vec3(0), kUp, 30, 4096, 2).mean.x;
   };
@@ -200,7 +200,7 @@ TEST(ThinWalls, FadeWhatIsSeenThroughThem) {
 
 // acceptance: T10
 TEST(TranslucentSolids, ShineThroughWithoutIndirectLight) {
-  // Two Lambert transmissions of level .6 * .9 between wide faces: pi E goes in, its square leaves.
+  // Two Lambert transmissions of level .6 * .9 between wide faces: pi E enters, its square leaves.
   SceneText scene;
   scene
       .material("m",
@@ -306,7 +306,7 @@ TEST(VolumesOfMaterials, DimLightThatPassesThem) {
 
 // acceptance: T14
 TEST(VolumesOfMaterials, DimLightThatDoesNotLeaveThem) {
-  // Ground and lamp lie within the fog, one unit apart: a quarter of its full density.
+  // Ground and light are in the fog, one unit apart: a quarter of its full density.
   for (const bool on : {false, true}) {
     SceneText scene = fog_box("\"cutout_opacity\" 0", on);
     scene.lambert("floor", .5f)

@@ -135,7 +135,7 @@ TEST(Occlusion, SamplesAreTheMaximumRaysPerPixel) {
   }
 }
 
-/// A floor of albedo .6 under a slab that glows with radiance 1, a lamp between the two.
+/// A floor of albedo .6 under an emissive slab of radiance 1, with a point light between them.
 struct UnderSlab {
   static constexpr float kHeight = .4f, kAlbedo = .6f;
   /// The slab is .4 of the distance away: share of free sky.
@@ -189,7 +189,7 @@ TEST(Occlusion, DetailsMultiplyIndirectLightAlone) {
 
 // acceptance: O2
 TEST(Occlusion, DetailsDimTheSkyHoweverItIsFound) {
-  // A black wall hides half of an even sky; what is left is dimmed by how near the wall is.
+  // A black wall hides half of a uniform sky; the rest is dimmed by the distance of the wall.
   constexpr float kAside = .4f, kDark = .3f, kEnd = 1e5f;
   const float free = 1 - corner_occlusion(kAside);
   for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
@@ -237,7 +237,7 @@ TEST(Occlusion, EmissiveBallBrightensTheFloorBelow) {
     return Probe(scene).onto(Vec3(0), kUp, 80, 65536, .4f);
   };
   const Measured none = floor_below(0), dark = floor_below(1), colours = floor_below(2);
-  // Details 1 has a dark spot under what glows, details 2 has none.
+  // Details 1 has a dark spot under the emitter, details 2 has none.
   EXPECT_LT(dark.mean.x, .75f * none.mean.x);
   EXPECT_GT(colours.mean.x, 1.25f * dark.mean.x);
   EXPECT_GT(colours.mean.x, .9f * none.mean.x);

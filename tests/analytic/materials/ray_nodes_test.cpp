@@ -94,7 +94,7 @@ TEST(RayNodes, ChainsPassLightAsTheirPartsDo) {
   expect_exact("seen", seen(plate(transparent)), .8f * (.5f * .5f + .5f * .2f) + .2f);
 }
 
-/// A block of glass, 1 thick, over a ground that tells where it is hit.
+/// A glass block of thickness 1 above a ground that shows the hit position.
 Measured through_glass(const std::string& material_statement) {
   SceneText scene;
   scene.statement(material_statement)

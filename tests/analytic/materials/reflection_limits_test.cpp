@@ -201,7 +201,7 @@ TEST(ReflectionDepth, AtTheLimitHighlightsStay) {
   }
 }
 
-/// "test_asked": white, and counts how often it is asked.
+/// "test_asked": white, and counts its calls.
 std::atomic<int> times_asked{0};
 constexpr ShaderSpec kTestAsked = {
     .name = "test_asked",
@@ -238,7 +238,7 @@ TEST(ReflectionFalloff, SurfacesBeyondAreNotReached) {
   EXPECT_EQ(asked(2.1f, {}), 64);
 }
 
-/// A plate under a square lamp, told apart into reflection and highlight.
+/// A plate under a square light, split into reflection and highlight.
 Measured told_apart(const std::string& material, bool visible, Estimator e = Estimator::Mis) {
   SceneText scene;
   scene.material("m", material)

@@ -42,7 +42,7 @@ Measured rising(const SceneText& scene, double degrees, int samples = 1 << 16) {
   return Probe(scene).ray(d * -.5f, d, samples);
 }
 
-// The template says .08 .3 .75 at 0.1; two faces of index 1.5 pass .96 each.
+// The template has .08 .3 .75 at 0.1; two faces of index 1.5 transmit .96 each.
 // acceptance: T13
 TEST(Templates, ColouredGlassHasItsColourAtTheDistanceAndItsPowersElsewhere) {
   for (const float thick : {.05f, .1f, .2f}) {

@@ -82,7 +82,7 @@ TEST(NestedMedia, PathThroughGlassAndWaterIsThatOfSnell) {
       const double seen = target * m.mean.x / m.mean.z * std::pow(water.z / water.x, 1.5 / c133);
       EXPECT_NEAR(seen, x, 1e-4 * std::max(x, .1)) << name;
       figure("place on the target, " + name, x, seen, 0);
-      // What is not reflected at the three surfaces, less what the water takes.
+      // The light not reflected at the three surfaces, minus the absorption of the water.
       const double passed = (1 - fresnel(sine, 1, 1.5)) * (1 - fresnel(sine, 1.5, 1.33)) *
                             (1 - fresnel(sine, 1.33, 1));
       const double exact = passed * std::pow(water.z, 1.5 / c133) * target;
@@ -94,7 +94,7 @@ TEST(NestedMedia, PathThroughGlassAndWaterIsThatOfSnell) {
 
 // acceptance: T11
 TEST(NestedMedia, WaterReflectsTotallyWhatGlassWouldLetOut) {
-  // From within the water to the air: critical at 48.75 degrees.
+  // From water to air: critical angle 48.75 degrees.
   for (const double degrees : {30.0, 40.0, 49.5, 60.0}) {
     SceneText scene = tank(Rgb(1), Rgb(1), 100);
     scene.emitter("glow", 1).square("glow", Vec3(0, 0, 3), 200, -kUp);
@@ -172,7 +172,7 @@ TEST(Translucency, SolidTransmitsLightFromBackToFront) {
 
 // acceptance: T10
 TEST(Translucency, SolidUnderASkyBehindIt) {
-  // As before with an even sky: each way is one of four, and all bring a share of 1.
+  // As before with a uniform sky: one of four paths each, and all contribute 1.
   for (const float b : {.25f, .6f, 1.0f}) {
     const float a = 1 - b;
     SceneText scene("trace depth 8 8 12 shadow segments");
@@ -298,7 +298,7 @@ TEST(NestedMedia, EachAbsorbsOverItsOwnThickness) {
   expect_exact("two layers from above", probe.ray(Vec3(0, 0, 5), Vec3(0, 0, -1), 64), both);
   expect_exact("two layers from below", probe.ray(Vec3(0, 0, -5), Vec3(0, 0, 1), 64), both);
 
-  // As shadow rays pass them: a lamp above, the floor below.
+  // For shadow rays: a light above, the floor below.
   const auto floor_under = [&](bool layers) {
     SceneText lit;
     lit.lambert("floor", 1)

@@ -112,7 +112,7 @@ TEST(MovingPhotons, OfALightAndBehindABlockerMatchPathTracing) {
   for (const auto& c : kCases) {
     SceneText scene(kOptions);
     scene.lambert("white", .7f).lambert("dark", .1f).box("white", Vec3(-2), Vec3(2), true);
-    // Most of what the lamp sends down meets this first, while it is there.
+    // Most of the downward photons of the light hit this object while it is present.
     scene.polygon("dark", {{-2, -.8f, .8f}, {-.4f, -.8f, .8f}, {-.4f, .8f, .8f}, {-2, .8f, .8f}},
                   c.blocker_flags);
     scene.light("lamp", c.element, c.flags);
@@ -150,7 +150,7 @@ TEST(MovingPhotons, OfASunThatTurnsStillCoverTheScene) {
   scene.lambert("white", .7f)
       .square("white", Vec3(0), 2, kUp)
       .square("white", Vec3(1, 0, 1), 1, Vec3(-1, 0, 0));
-  // Turned about an axis far away, where its instance stands.
+  // Rotated about a distant axis at the origin of its instance.
   Mat4 from, to;
   from.setTranslation(Vec3(100, -50, 20));
   to.setAxisAngle(Vec3(0, 1, 0), -1.0f);

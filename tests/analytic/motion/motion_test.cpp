@@ -52,7 +52,7 @@ TEST(MotionBlur, AClosedShutterIsAStillPicture) {
     EXPECT_EQ(rendered(streak(closed, moves_by(12.5f)), 16).pixels, still.pixels) << closed;
   EXPECT_EQ(rendered(streak("shutter 1", moves_by(12.5f) + " motion off"), 16).pixels,
             still.pixels);
-  // And at another time than the first it shows what stands there then.
+  // At a later time it shows the object at that time.
   const Image half = rendered(streak("shutter .5 .5", moves_by(16)), 16);
   for (int i = 0; i < 40; ++i) EXPECT_NEAR(half.at(i, 2)[0], covered(i - 20, 0, 0), 1e-5) << i;
 }
@@ -61,7 +61,7 @@ TEST(MotionBlur, SeveralVectorsFollowACurve) {
   // Right by 8 in the first half, up out of the picture and right in the second.
   const Image image = rendered(vector_streak("shutter 1", {{8, 0, 0}, {16, 40, 0}}));
   for (int i = 0; i < 20; ++i) {
-    // While it goes up the middle row sees it for a twentieth of that half.
+    // While moving up, the middle row sees it for a twentieth of that half.
     double exact = covered(i - 20, -8, 8, 0, 1) / 2;
     for (int k = 0; k < 20000; ++k) {
       const double t = (k + .5) / 20000, y = 40 * t, x = 8 * t;
@@ -78,7 +78,7 @@ TEST(MotionBlur, MovingCameraBlursStaticObjects) {
   scene.emitter("glow", 1).polygon("glow", square_at(-8));
   scene.camera(kStrip, shift(0) + " " + moves_by(-12.5f));
   expect_streak(rendered(scene), -8, 12.5);
-  // What goes along with the camera is sharp, while it is in the picture.
+  // An object that moves with the camera is sharp while it is in the image.
   SceneText along("shutter 1 motion steps 4");
   along.emitter("glow", 1).polygon("glow", square_at(-8), moves_by(30, 7));
   along.camera(kStrip, shift(0) + " " + moves_by(30, 7));

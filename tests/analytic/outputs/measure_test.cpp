@@ -12,7 +12,7 @@ constexpr float kFar = 2000;  ///< how wide boards are that hide the rest of the
 /// Standard errors in half an interval: Student's factor for many batches, rounded down.
 constexpr double kErrorsInInterval = 1.95;
 
-/// |reading - exact| <= 4 standard errors, of a reading that is precise enough to say something.
+/// |reading - exact| <= 4 standard errors, for a reading that is precise enough.
 void expect_reads(const std::string& name, const Reading& r, double exact,
                   double precision = .006) {
   EXPECT_NEAR(r.value, exact, 4 / kErrorsInInterval * r.half_width + kRounding * exact) << name;
@@ -97,7 +97,7 @@ TEST(Measure, FiniteLightsMatchTheirShapes) {
     expect_reads("at 60 degrees", measure(above, tilted), 500 / (d * d));
     EXPECT_EQ(measure(above, {Vec3(0), -kUp}).value, 0);
   }
-  // Shapes that glow on both sides, L = 1000.
+  // Shapes that emit on both sides, L = 1000.
   SceneText disc, ball;
   std::vector<Vec3> rim;
   for (int i = 0; i < 360; ++i) {

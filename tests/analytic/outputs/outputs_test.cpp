@@ -55,7 +55,7 @@ TEST(Outputs, AreaLightsThatRaysFindAreDirectLight) {
   }
 }
 
-// A surface that only glows shows what the outputs of another material are there.
+// An emissive surface has the outputs of another material at the same place.
 TEST(Outputs, ConnectionsTakeEachOfThem) {
   constexpr const char* kShown =
       "\"reflectivity\" .4, \"brdf_0_degree_refl\" 1, "
@@ -162,7 +162,7 @@ TEST(Outputs, LightWithoutAMaterialIsOther) {
 
 // acceptance: U2
 TEST(Outputs, ReflectedLightIsReflectionForAnyLight) {
-  // A mirror shows a wall that is lit, glossy and glows: all of it is what the mirror reflects.
+  // A mirror shows a lit, glossy, emissive wall: all of it is reflection.
   SceneText scene = plate("\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1");
   scene
       .material("wall",
@@ -211,7 +211,7 @@ std::string textured_plate(const std::string& options) {
       "instance \"plate_i\" \"plate\" material \"m\" end instance\n");
   scene.light("sun", kSun).camera("focal 1 aperture 1 aspect 1 resolution 16 4");
   std::string text = scene.str();
-  // The composed scene lists what it made itself.
+  // The composed scene lists its own outputs.
   text.insert(text.find("\"cam_i\"", text.find("instgroup")), "\"plate_i\" ");
   return text;
 }

@@ -153,7 +153,7 @@ TEST(PhotonEmission, FirstHitsMatchDirectLight) {
   }
 }
 
-/// A lopsided lamp, mostly downward, and its element.
+/// An asymmetric light, mostly downward, and its element.
 std::string measured_lamp() {
   const std::string path = ::testing::TempDir() + "/oriel-emission.ies";
   std::ofstream(path) << "IESNA91\nTILT=NONE\n1 -1 1 5 3 1 2 0 0 0 1 1 40\n0 30 60 90 180\n"
@@ -206,7 +206,7 @@ TEST(PhotonEmission, MeasuredLightsSendByTheirProfile) {
     }
     EXPECT_GT(power, 0) << c.name;
   }
-  // The flux asked for is what leaves, in the unit of pi per colour.
+  // The requested flux is emitted, in units of pi per colour.
   SceneText scene = stage();
   scene.statement(measured_lamp()).light("lamp", mia + "origin 0 0 1");
   const Probe probe(scene);
@@ -275,7 +275,7 @@ TEST(PhotonEmission, SunPhotonsInTheBoxMatchItsIrradiance) {
       const Vec3 corner(2.8f, -2.8f, 2);
       EXPECT_EQ(by_photons(source, {corner, Vec3(.1f, 0, 0), Vec3(0, .1f, 0)}, 4096).mean, 0);
     }
-  // Without it the light's own energy is what they carry.
+  // Without it photons carry the energy of the light.
   SceneText scene = stage();
   scene.light("sun", "\"mia_physicalsun\" ( ) direction 0 0 -1 energy 7 7 7");
   const Probe probe(scene);

@@ -53,7 +53,7 @@ void expect_balanced(const PhotonBalance& b) {
 // acceptance: H3
 TEST(PhotonTrace, EnergyIsStoredAbsorbedOrEscapes) {
   SceneText scene;
-  // A room of coloured walls with a hole, a shelf, and a lamp that is not in the middle.
+  // A room of coloured walls with a hole, a shelf, and an off-centre light.
   scene.material("red", "\"reflectivity\" 0, \"diffuse\" .8 .5 .3")
       .lambert("grey", .6f)
       .polygon("red", {Vec3(-2, -2, -2), Vec3(2, -2, -2), Vec3(2, 2, -2), Vec3(-2, 2, -2)})
@@ -188,7 +188,7 @@ TEST(PhotonTrace, PhotonsAndPathsGiveTheSameCaustics) {
   };
   for (const auto& c : kCases) {
     SceneText scene("trace depth 8 8 12 shadow segments caustic on");
-    // Paths that find the lamp through bent rays, as they do where photons bring its light.
+    // Paths that find the light by refracted rays, as photons do.
     scene.method("scene")
         .lambert("floor", .5f)
         .material("thing", c.material)
@@ -220,7 +220,7 @@ TEST(PhotonTrace, OpaqueThingsReflectWhicheverWayTheirNormalsPoint) {
     const Traced t = trace(Probe(scene), {.each = emitting(0, 1 << 16)});
     return power_of(t.maps.caustic) / t.balance.emitted.y;
   };
-  // The plate leans so that the light goes on downward.
+  // The plate is tilted so that the light continues downward.
   const Vec3 along = normalize(Vec3(1.7320508f, 0, -1)), onward = normalize(Vec3(.2f, 0, -1));
   const Vec3 normal = normalize(onward - along);
   const float exact = bsdf::fresnel_dielectric(-dot(along, normal), 1.5f);
@@ -331,7 +331,7 @@ TEST(PhotonTrace, TraceDepthEndsPhotons) {
   EXPECT_NEAR(t.balance.stopped.y, 12.5 * kPi, .03 * 12.5 * kPi);
 }
 
-/// A floor of 6 x 6 at z = 0 under a downward lamp far away; caustics are on.
+/// A floor of 6 x 6 at z = 0 under a distant downward light; caustics are on.
 SceneText lit_floor(const std::string& light) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
   scene.lambert("floor", .5f).square("floor", Vec3(0), 3, kUp);
@@ -431,7 +431,7 @@ TEST(PhotonTrace, NestedMediaAbsorbOverTheirOwnThickness) {
 
 TEST(PhotonTrace, MirrorsMakeCausticsAndDiffuseBouncesDoNot) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
-  // The lamp shines on a mirror that turns its light to the wall.
+  // The light shines on a mirror that reflects it to the wall.
   scene.lambert("wall", .5f)
       .material("mirror",
                 "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "

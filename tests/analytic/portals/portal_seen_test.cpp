@@ -9,7 +9,7 @@ const std::string kMirror =
     "\"diffuse_weight\" 0, \"reflectivity\" 1, \"brdf_0_degree_refl\" 1, "
     "\"brdf_90_degree_refl\" 1";
 
-/// A white card of 1 m2 at x = 0 that looks along +x, with what is seen of it from `distance`.
+/// A white card of 1 m2 at x = 0 facing +x, viewed from `distance`.
 SceneText card(const std::string& threshold, float distance, const std::string& more = {}) {
   SceneText scene;
   add_portal(scene, "card", Vec3(0), 1, 1,

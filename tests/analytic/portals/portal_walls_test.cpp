@@ -55,7 +55,7 @@ Vec3 around(const Vec3& n, Vec2 u) {
          frame.n * std::sqrt(std::max(0.0f, 1 - u.x));
 }
 
-/// Directions into the room that bring much of the light.
+/// Directions into the room with most of the light.
 struct Cone {
   Vec3 axis{1, 0, 0};
   float cosine = 1;

@@ -36,7 +36,7 @@ const char* const kGrey = "\"reflectivity\" 0, \"diffuse\" .6 .6 .6";
 const char* const kGel =
     "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1";
 
-/// What is seen of a plate from above, in even light of 1 from above and .5 from below.
+/// Radiance of a plate from above, in uniform light of 1 from above and .5 from below.
 Measured seen(const std::string& material, const std::string& flags, bool sun = false) {
   SceneText scene;
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" .5 .5 .5, \"up\" 0 0 1 )");
@@ -73,7 +73,7 @@ TEST(ObjectFlags, WithoutSendingGatherRaysAnObjectHasDirectLightAlone) {
 }
 
 TEST(ObjectFlags, ObjectsInvisibleToRaysAreNotHit) {
-  // A plate that glows over another.
+  // An emissive plate over another one.
   const auto below = [](const std::string& material, const std::string& flags) {
     SceneText scene;
     scene.uniform_sky(1).emitter("glow", 4).material("m", material);
@@ -139,7 +139,7 @@ double power_of(const PhotonMap& map) {
   for (const Photon& p : map.photons()) sum += p.power.y;
   return sum;
 }
-/// A lamp in a cell of gel that refracts, or of nothing, in a room of albedo 1/2.
+/// A light in a cell of tinted refracting sheets, or of nothing, in a room of albedo 1/2.
 struct Room {
   std::string options, cell_flags, room_flags;
   bool cell = false;

@@ -62,7 +62,7 @@ const Registry& registry() {
   return all;
 }
 
-/// A prepared scene of which nothing was asked yet.
+/// A prepared scene before any shader call.
 Probe kind_probe_of(const SceneText& scene) {
   Probe probe(scene.str(), registry());
   for (auto& kinds : asked) kinds = 0;
@@ -79,7 +79,7 @@ Probe kind_probe_of(const SceneText& scene) {
   return failure;
 }
 
-/// A black surface "seen" whose glow is the probe shader of that slot.
+/// A black surface "seen" with the probe shader of that slot as its emission.
 SceneText with_target(int slot = 0, const char* options = "trace depth 8 8 12 shadow segments") {
   SceneText scene(options);
   return scene.statement(fmt::format("shader \"kind{0}\" \"test_kind\" ( \"slot\" {0} )", slot))
@@ -384,7 +384,7 @@ TEST(RayKinds, EmittersGetTheMapType) {
   photons_on(kMirror, true, emitter);
   EXPECT_TRUE(was_asked_by(2, {RayKind::PhotonEmitCaustic}));
   EXPECT_TRUE(was_asked_by(1, {}));
-  // Without an emitter photons carry what the light's shader brings as direct light.
+  // Without an emitter, photons carry the direct light of the light shader.
   photons_on(kMirror, true);
   EXPECT_TRUE(was_asked_by(1, {RayKind::Light}));
 }

@@ -7,7 +7,7 @@
 namespace oriel::testing {
 namespace envblur_test {
 
-/// "test_lamps": a dim gradient and round lamps of several sizes. Counts how often it is asked.
+/// "test_lamps": a dim gradient and round bright spots of several sizes. Counts its calls.
 std::atomic<int> lamps_asked{0};
 Rgba lamps(const Vec3& d) {
   const struct {
@@ -43,7 +43,7 @@ const Registry& registry() {
   return all;
 }
 
-/// The lamps blurred, by a map of few samples unless `parameters` say more.
+/// The spots, blurred with a map of few samples by default.
 std::string blurred(const std::string& parameters) {
   const char* coarse =
       parameters.find("resolution") == std::string::npos ? "\"resolution\" 100" : "";
@@ -52,7 +52,7 @@ std::string blurred(const std::string& parameters) {
                      parameters);
 }
 
-/// A plate that only reflects, under the lamps.
+/// A plate that only reflects, under the spots.
 SceneText plate(const std::string& reflection, const std::string& environment) {
   SceneText scene;
   scene.statement("shader \"lamps\" \"test_lamps\" ()")

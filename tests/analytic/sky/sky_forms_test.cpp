@@ -91,7 +91,7 @@ TEST(Sky, AnEmptyBackgroundIsTransparentBlackBehindTheSceneOnly) {
 
 // acceptance: S12
 TEST(Sky, AerialPerspectiveIsTenPercentAtItsDistance) {
-  // A wall that glows with 1, 100 away; half way a mirror shows it another 50 behind.
+  // An emissive wall of radiance 1 at distance 100; halfway a mirror shows it another 50 behind.
   const std::string fog = sky("\"visibility_distance\" 100");
   const auto scene_with = [](const std::string& role, const std::string& options = "") {
     SceneText scene("trace depth 8 8 12 shadow segments " + options);
@@ -116,7 +116,7 @@ TEST(Sky, AerialPerspectiveIsTenPercentAtItsDistance) {
     const Probe probe(scene_with(role + " " + fog));
     expect_exact("wall through " + role, probe.ray(Vec3(0), x, 64), hazed(1, x, 100));
     expect_exact("wall from half way, " + role, probe.ray(Vec3(50, 0, 0), x, 64), hazed(1, x, 50));
-    // What the sky shows holds its air already.
+    // The visible sky includes its aerial perspective.
     expect_exact("sky through " + role, probe.ray(Vec3(0), sky_direction(10, 200), 64),
                  model.radiance(sky_direction(10, 200)));
   }

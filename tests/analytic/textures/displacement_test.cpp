@@ -238,7 +238,7 @@ TEST(Displacement, SplitEdgesMoveTogetherAndStaySplit) {
     geom::Ray ray;
     ray.org = Vec3(.5f) + Vec3(a.x - .5f, a.y - .5f, b.x - .5f) * .8f;
     ray.dir = sampling::sample_uniform_sphere(sampler.next_2d());
-    // The scene's square lies further away: only what is near counts.
+    // The square of the scene is further away: only near objects matter.
     ray.tfar = 3;
     geom::Hit hit;
     escaped += !s.world->accel->intersect(ray, hit);

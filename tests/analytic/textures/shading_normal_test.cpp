@@ -64,7 +64,7 @@ TEST(ShadingNormal, TheEdgeOfShadowFallsSoftlyOnCoarseBalls) {
       .sphere("m", Vec3(0), 1, 8)
       .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction -1 0 0");
   const Probe probe = std::move(Probe(scene).direct_only());
-  // Around the equator, away from the light: what is lit last.
+  // Around the equator, away from the light: the terminator.
   float before = 0, steepest = 0;
   for (float degrees = 60; degrees <= 110; degrees += .25f) {
     const float a = degrees * kPi / 180;
