@@ -8,7 +8,7 @@
 namespace oriel::effects {
 namespace {
 
-/// What a surface says of light that comes from 40 degrees, by its lobes and by what is inside.
+/// Scattering of light from 40 degrees, by the lobes of the surface and the medium inside.
 struct Surface {
   std::vector<std::pair<LobeKind, Rgb>> levels;
   std::vector<float> numbers;  ///< widths, indices, directions, absorption

@@ -265,7 +265,7 @@ TEST(ImportedPanes, Ifc4TessellationsAreRead) {
   }
 }
 
-/// Takes the sky away: what is left is the sun.
+/// Removes the sky, so that only the sun remains.
 void drop_sky(scene::Scene& scene) {
   for (scene::Element& e : scene.elements())
     if (auto* camera = std::get_if<scene::Camera>(&e)) camera->environment.clear();

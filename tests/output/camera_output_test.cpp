@@ -113,7 +113,7 @@ TEST(CameraOutput, UnsupportedDataIsReported) {
   EXPECT_NE(told("output \"rgba_fp\" \"png\" \"a.png\"").find("16 bits"), std::string::npos);
   EXPECT_NE(told("output \"rgba_16\" \"jpg\" \"a.jpg\"").find("8 bits"), std::string::npos);
   EXPECT_EQ(told("output \"rgba_16\" \"png\" \"a.png\""), "");
-  // Formats of the language that nobody writes name the nearest one.
+  // Unsupported formats of the language are reported with the nearest supported one.
   EXPECT_NE(told("output \"rgba\" \"pic\" \"a.pic\"").find("nearest supported format is png"),
             std::string::npos);
   EXPECT_NE(told("output \"z\" \"zt\" \"a.zt\"").find("nearest supported format is exr"),

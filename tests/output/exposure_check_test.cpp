@@ -11,7 +11,7 @@ namespace exposure_check_test {
 
 using testing::PreparedScene;
 
-/// What is said of a scene whose picture goes to `file`.
+/// Diagnostics of a scene with the output file `file`.
 struct Checked : PreparedScene {
   Checked(const std::string& camera_statements, const std::string& elements = {},
           const std::string& members = {}, const std::string& options = {},
@@ -88,7 +88,7 @@ TEST(ExposureCheck, UnitsOtherThanCandelaPerSquareMetreAreReported) {
        {std::pair("\"cm2_factor\" 1", ".318 .318 .318"), std::pair("\"cm2_factor\" 1", "1 1 1"),
         std::pair("\"cm2_factor\" 3183", ".0001 .0001 .0001"),
         std::pair("\"film_iso\" 0, \"cm2_factor\" 1", ".0001 .0001 .0001"),
-        // 0 0 0 stands for one over 80000 lux.
+        // 0 0 0 means one over 80000 lux.
         std::pair("\"cm2_factor\" 25465", "0 0 0")})
     EXPECT_EQ(Checked(photographic(parameters), sun(unit), members).messages(), "") << parameters;
   EXPECT_NE(Checked(photographic("\"cm2_factor\" 477"), sun(".318 .318 .318"), members)

@@ -116,7 +116,7 @@ TEST(Output, FloatFilesHoldWhatLensShadersMakeAndExrTheLinearLayerToo) {
   EXPECT_EQ(find_layer(read.layers, "linear")->image.pixels,
             film_layers(*r.session, {})[0].image.pixels);
   EXPECT_EQ(find_layer(read.layers, "display"), nullptr);  // it is the picture itself
-  // Without shaders there is nothing to tell apart.
+  // Without shaders there is no difference.
   const Rendered plain;
   write_picture(file, *plain.session, {});
   EXPECT_EQ(find_layer(read_exr(file.path).layers, "linear"), nullptr);

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// What the renderer knows, and what it was asked.
+/// State of the test renderer, and the calls it received.
 struct Told {
   std::vector<miTag> linked = {7, 8};
   std::map<miTag, int> samples = {{7, 1}, {8, 3}, {9, 2}};

@@ -124,7 +124,7 @@ TEST(BaseColors, TemperaturesHaveTheLuminanceAskedFor) {
   }
   // CIE D65 is the white of the pixels.
   expect_near(color_of("mib_cie_d", "\"temperature\" 6504, \"intensity\" 1"), Rgba(1), .005f);
-  // A connected temperature is not the one the colour was worked out for.
+  // A connected temperature differs from the one the colour was precomputed for.
   const Rgba warm = color_of("mib_blackbody", "\"temperature\" = \"t\", \"intensity\" 1",
                              "shader \"t\" \"probe_scalar\" ( \"amount\" 2800 )");
   expect_near(warm, color_of("mib_blackbody", "\"temperature\" 2800, \"intensity\" 1"));
@@ -243,7 +243,7 @@ TEST(BaseLookups, FilterLookupBlursAlongTheFootprint) {
   EXPECT_LT(at(", \"disc_r\" .05", wide, thin).r, .5f * along.r);
   // Limited to a circle it blurs upward as well.
   EXPECT_GT(at(", \"eccmax\" 1", wide, thin).g, .1f);
-  // A remap shader that shrinks what it is given shrinks the footprint.
+  // A remap shader that scales its input down scales the footprint down.
   const Rgba remapped = at(", \"remap\" \"r\"", wide, thin,
                            "\nshader \"c\" \"mib_texture_vector\" ( \"select\" 0 )\nshader \"r\" "
                            "\"mib_texture_remap\" ( \"input\" = \"c\", \"max\" .01 .01 .01 )");

@@ -11,7 +11,7 @@
 namespace oriel {
 namespace lens_test {
 
-/// A camera with one exposure and what it makes of a colour.
+/// A camera with one exposure, and the mapped value of a colour.
 struct Exposed : testing::PreparedScene {
   explicit Exposed(std::string_view shader)
       : PreparedScene(testing::scene_text("material \"m\" \"mib_illum_lambert\" ( ) end material",

@@ -98,7 +98,7 @@ TEST(Parameters, LastOfTwoValuesWins) {
 
 TEST(Parameters, AliasesReachTheSameParameter) {
   EXPECT_EQ(ProbeScene(probe_call("\"quantity\" 4")).params().amount, 4);
-  // The spellings of the manual's running text beside those of the declaration.
+  // The spellings in the text of the manual and in the declaration.
   const testing::PreparedScene s(testing::scene_text(
       "material \"m\" \"mia_material_x\" ( \"refl_samples\" 3, \"refr_samples\" 5, "
       "\"refr_trans_w\" .25 ) end material"));

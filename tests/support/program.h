@@ -27,7 +27,7 @@ struct RunResult {
   int error_lines() const { return static_cast<int>(std::count(err.begin(), err.end(), '\n')); }
 };
 
-/// A folder with the program in it, so to say.
+/// A temporary folder in which the program runs.
 class ProgramTest : public ::testing::Test {
  protected:
   std::string file(const std::string& name) const { return folder_.file(name); }

@@ -56,7 +56,7 @@ TEST(UserState, IsCalledAroundEachSampleAndMayChangeItsColour) {
 TEST(UserState, SeveralAreCalledInOrderAndSeeWhatMissedRaysReturn) {
   ShaderFolder folder;
   folder.compile("s", kAround);
-  // No geometry: the material is not asked, the sample is black before the tints.
+  // No geometry: the material is not called, the sample is black before the tints.
   UserScene scene(folder, kDeclarations, "",
                   "state [ \"around\" ( \"tint\" 1 1 1 ) , \"around\" ( \"tint\" 1 1 1 ) ] ");
   EXPECT_EQ(scene.world->state_shaders.size(), 2u);

@@ -101,7 +101,7 @@ TEST(UserQueries, ObjectBoundsAndRootMembersAreReturned) {
                   "\"o_i\" \"o\" material \"m\" transform .5 0 0 0 0 .5 0 0 0 0 .5 0 0 0 1 1 end "
                   "instance ",
                   "\"o_i\"");
-  // 2 by 4 in the object's own space, whatever the instance makes of it; camera and object.
+  // 2 by 4 in object space, for any instance transform; camera and object.
   expect_near(scene.pixel(4, 4, 1), Rgb(2, 4 + 1, 21), 1e-4f);
 }
 
