@@ -38,7 +38,7 @@ bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3&
                       std::uint32_t lobes, RayCounts& counts);
 
 /// Whether the hit of a lobe's ray at `distance` is in the shadow of an opaque object that such
-/// rays do not see. Checked: ObjectFlags.WhatRaysDoNotSeeCastsItsWholeShadow in tests/analytic.
+/// rays do not see. Checked: ObjectFlags.ObjectsInvisibleToRaysCastFullShadows in tests/analytic.
 bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec3& wi,
                         float distance, RayCounts& counts);
 

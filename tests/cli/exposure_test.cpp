@@ -55,7 +55,7 @@ TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
 const std::string kTwice =
     " \"mia_exposure_simple\" ( \"gain\" 2, \"compression\" 0, \"gamma\" 1 ) ";
 
-TEST_F(ExposureProgram, FloatFilesHoldWhatTheSceneAsksFor) {
+TEST_F(ExposureProgram, FloatFilesContainTheRequestedValues) {
   const std::string files =
       "output \"rgba_fp\" \"tif\" \"a.tif\" output \"rgba_fp\" \"exr\" \"a.exr\"";
   write("plain.mi", small_scene("", files));

@@ -43,7 +43,7 @@ TEST_F(OutputsProgram, AllOfThemAreLayersOfTheFile) {
   EXPECT_NE(find_layer(exr.layers, "other"), nullptr);
 }
 
-TEST_F(OutputsProgram, SingleOnesCanBeAskedFor) {
+TEST_F(OutputsProgram, SingleOutputsCanBeRequested) {
   write_scene();
   ASSERT_EQ(render("refl_raw,opacity").exit_code, 0);
   const ExrFile exr = read_exr(file("a.exr"));

@@ -167,7 +167,7 @@ TEST(Explain, ShadowsNameTheirBlockers) {
   }
 }
 
-TEST(Explain, MirrorsShowWhatIsSeenInThem) {
+TEST(Explain, MirrorsShowTheReflectedSurface) {
   const Prepared mirror(
       plate("\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" .8, "
             "\"brdf_90_degree_refl\" .8")

@@ -49,7 +49,7 @@ TEST(Output, LayersHaveTheirDocumentedNames) {
   EXPECT_EQ(film_layers(*plain.session, {}).size(), 1u);
 }
 
-TEST(Output, LayersHoldWhatTheCameraSees) {
+TEST(Output, LayersContainTheViewOfTheCamera) {
   const Rendered r;
   const auto layers = film_layers(*r.session, LayerSet(LayerGroup::Film));
   const auto at = [&](const char* name) { return find_layer(layers, name)->image.at(8, 6); };
@@ -90,7 +90,7 @@ TEST(Output, ExrCarriesLayersAndSettings) {
   EXPECT_TRUE(read.has_chromaticities);
 }
 
-TEST(Output, FloatFilesHoldWhatLensShadersMakeAndExrTheLinearLayerToo) {
+TEST(Output, FloatFilesContainLensShaderResultsAndExrTheLinearLayerToo) {
   const TestFolder folder;
   const Rendered r(kExposure);
   for (const char* name : {"a.exr", "a.tif", "a.hdr"}) {

@@ -109,7 +109,7 @@ TEST(BaseColors, SpreadSplitsAColour) {
   }
 }
 
-TEST(BaseColors, TemperaturesHaveTheLuminanceAskedFor) {
+TEST(BaseColors, TemperaturesHaveTheRequestedLuminance) {
   for (const char* shader : {"mib_cie_d", "mib_blackbody"}) {
     const auto at = [&](float kelvin) {
       return color_of(shader, fmt::format("\"temperature\" {}, \"intensity\" 2", kelvin));

@@ -202,7 +202,7 @@ TEST(Phenomena, AShaderListMayTakeItsShaderFromAParameter) {
   expect_color(s.params().tint, .1f, .2f, .6f, .5f);
 }
 
-TEST(Phenomena, RootMaterialsBringAllTheirSlots) {
+TEST(Phenomena, RootMaterialsContributeAllSlots) {
   const ProbeScene s(
       "declare phenomenon material \"mat\" ( color \"c\" default .5 .5 .5, scalar \"t\" )\n"
       " shader \"surf\" \"mia_material\" ( \"diffuse\" = interface \"c\", \"transparency\" = "

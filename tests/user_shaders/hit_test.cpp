@@ -61,7 +61,7 @@ TEST(UserHits, TheHandleOfAPrimitiveIsStableAndItsOwn) {
   expect_near(scene.pixel(6, 2, 16), other, 0);
 }
 
-TEST(UserHits, ChildrenHaveTheHandleOfWhatTheyHit) {
+TEST(UserHits, ChildStatesHaveTheHandleOfTheirHit) {
   const ShaderFolder folder;
   folder.compile("c", kHead +
                           "DLLEXPORT miBoolean child(miColor *r, miState *state, void *p) {"

@@ -39,7 +39,7 @@ TEST(UserShaders, AMaterialShowsItsColourAndReadsItsParameters) {
   EXPECT_EQ(scene.messages(), "");
 }
 
-TEST(UserShaders, ALambertLoopShowsWhatTheBuiltInOneShows) {
+TEST(UserShaders, LambertLoopEqualsTheBuiltInMaterial) {
   ShaderFolder folder;
   folder.compile("m", std::string(kHead) +
                           "struct lamb { miColor c; int i_lights; int n_lights; miTag lights[1]; };"

@@ -334,7 +334,7 @@ TEST(MaterialApi, LightsThatAreSeenShowHighlightsWhenTheyForceThem) {
 }
 
 // acceptance: I3
-TEST(MaterialApi, LightsReadGlossAndImportanceOfWhatTheyLight) {
+TEST(MaterialApi, LightsReadGlossAndImportanceOfTheMaterial) {
   const ShaderFolder folder;
   folder.compile("tell", telling("r->r = data ? data->glossiness : 0;"
                                  "r->g = data ? data->importance : 0;"));

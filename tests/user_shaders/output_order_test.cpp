@@ -47,13 +47,13 @@ std::pair<float, float> after(const std::string& list) {
           read_exr_image(folder.file("b.exr")).at(4, 4)[1]};
 }
 
-TEST(OutputOrder, ShadersInCBeforeTheExposureAreGivenLinearLight) {
+TEST(OutputOrder, ShadersInCBeforeTheExposureGetLinearLight) {
   const auto [shown, given] = after(kAdding + kExposure);
   EXPECT_NEAR(given, .0625f, 1e-6f);
   EXPECT_NEAR(shown, std::sqrt(2 * (.0625f + .25f)), 1e-5f);
 }
 
-TEST(OutputOrder, ShadersInCAfterTheExposureAreGivenWhatItMade) {
+TEST(OutputOrder, ShadersInCAfterTheExposureGetItsResult) {
   const auto [shown, given] = after(kExposure + kAdding);
   EXPECT_NEAR(given, std::sqrt(2 * .0625f), 1e-5f);
   EXPECT_NEAR(shown, std::sqrt(2 * .0625f) + .25f, 1e-5f);

@@ -53,7 +53,7 @@ TEST(UserState, IsCalledAroundEachSampleAndMayChangeItsColour) {
   EXPECT_NEAR(picture.session->film().user_buffer(4, 4, 0).r, 10, 1e-5f);
 }
 
-TEST(UserState, SeveralAreCalledInOrderAndSeeWhatMissedRaysReturn) {
+TEST(UserState, SeveralAreCalledInOrderWithTheResultsOfMissedRays) {
   ShaderFolder folder;
   folder.compile("s", kAround);
   // No geometry: the material is not called, the sample is black before the tints.

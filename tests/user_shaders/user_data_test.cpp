@@ -58,7 +58,7 @@ Rgb shown(const std::string& data, const std::string& of_object, const std::stri
 }
 
 // acceptance: H1
-TEST(UserData, DeclaredParametersStandAsAStructWithTheirDefaults) {
+TEST(UserData, DeclaredParametersFormAStructWithDefaults) {
   expect_near(shown("data \"d\" \"pair\" ( ) ", "data \"d\"", ""), Rgb(3, 0, 4), 0);
   expect_near(shown("data \"d\" \"pair\" ( \"a\" 5, \"b\" .5, \"text\" \"\", \"s\" [ 1, 2, 3 ] ) ",
                     "data \"d\"", ""),

@@ -179,7 +179,7 @@ TEST(MiaLevels, WithoutConservationNothingIsReduced) {
 }
 
 // acceptance: E1
-TEST(MiaLevels, SumToAtMostOneWhateverTheParameters) {
+TEST(MiaLevels, SumToAtMostOneForAnyParameters) {
   RandomMaterial random(5);
   for (int n = 0; n < 50000; ++n) {
     P p = random.next();
@@ -230,7 +230,7 @@ TEST(MiaLevels, FresnelModeReflectsByTheIndexAlone) {
 }
 
 // acceptance: E5
-TEST(MiaLevels, CustomCurveFollowsItsTableWhateverTheIndex) {
+TEST(MiaLevels, CustomCurveFollowsItsTableForAnyIndex) {
   P p = declared_defaults();
   constexpr AngleRow kRows[] = {{0, .2}, {45, .201724}, {60, .225}, {75, .378942}, {85, .707076}};
   for (const float ior : {1.0f, 1.5f, 3.0f}) {

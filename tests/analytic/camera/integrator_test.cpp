@@ -37,7 +37,7 @@ TEST(Integrators, EachMethodOfTheOptionsHasOneRow) {
   EXPECT_EQ(find_integrator("bidirectional"), nullptr);
 }
 
-TEST(Integrators, SamplesOfTheCameraShowWhatTheIntegratorReturns) {
+TEST(Integrators, CameraSamplesShowTheResultOfTheIntegrator) {
   SceneText text;
   text.lambert("grey", .5f).camera("focal 1 aperture 1 aspect 1 resolution 8 8");
   const Probe probe = probe_of(text);

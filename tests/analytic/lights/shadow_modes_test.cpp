@@ -265,7 +265,7 @@ const char* const kFilter =
     "\"mib_shadow_transparency\" ( \"color\" 1 1 1, \"transp\" .5 .25 .75 )";
 
 // acceptance: H6
-TEST(ShadowShader, RaysBehindADiffuseBouncePassWhatShadowRaysPass) {
+TEST(ShadowShader, RaysAfterADiffuseBounceHaveTheTransmittanceOfShadowRays) {
   for (const bool lamp : {false, true})
     for (const float opacity : {1.0f, .5f})
       for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
@@ -300,7 +300,7 @@ TEST(ShadowShader, RaysBehindADiffuseBouncePassWhatShadowRaysPass) {
 }
 
 // acceptance: H6
-TEST(ShadowShader, PhotonsPassWhatShadowRaysPass) {
+TEST(ShadowShader, PhotonsHaveTheTransmittanceOfShadowRays) {
   // A box that lets light out: each photon that meets it passes, is scattered back, or is lost.
   for (const float albedo : {0.0f, .3f, .6f}) {
     SceneText scene = in_mode("on");

@@ -177,7 +177,7 @@ TEST(VisibleAreaLights, KeepTheHighlightBeyondTheMaterialDepth) {
 }
 
 // acceptance: T4
-TEST(ThinWalls, FadeWhatIsSeenThroughThem) {
+TEST(ThinWalls, FadeTheTransmittedView) {
   for (const bool coloured : {false, true}) {
     SceneText scene;
     scene.emitter("glow", 2)

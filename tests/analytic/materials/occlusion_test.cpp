@@ -90,7 +90,7 @@ TEST(Occlusion, DistanceZeroIsAnyDistance) {
 }
 
 // acceptance: O1
-TEST(Occlusion, ShortRaysEndBeforeWhatIsFartherAway) {
+TEST(Occlusion, ShortRaysIgnoreDistantObjects) {
   // Balls all around, none near: short rays do not look at them, which saves their time.
   SceneText scene;
   scene.lambert("grey", .5f).square("grey", Vec3(0), kFar, kUp);
@@ -188,7 +188,7 @@ TEST(Occlusion, DetailsMultiplyIndirectLightAlone) {
 }
 
 // acceptance: O2
-TEST(Occlusion, DetailsDimTheSkyHoweverItIsFound) {
+TEST(Occlusion, DetailsDimTheSkyInAllEstimators) {
   // A black wall hides half of a uniform sky; the rest is dimmed by the distance of the wall.
   constexpr float kAside = .4f, kDark = .3f, kEnd = 1e5f;
   const float free = 1 - corner_occlusion(kAside);

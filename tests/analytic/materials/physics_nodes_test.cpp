@@ -28,7 +28,7 @@ TEST(Physics, DgsAddsItsThreeParts) {
   }
 }
 
-TEST(Physics, DgsSharesItsPartsWithWhatIsBehind) {
+TEST(Physics, DgsSharesItsPartsWithTheTransmittedLight) {
   SceneText scene = plate(
       "\"dgs_material\" ( \"diffuse\" .2 .2 .2, \"glossy\" .3 .3 .3, \"specular\" .5 .5 .5, "
       "\"shiny\" 50, \"transp\" .25 )");

@@ -39,7 +39,7 @@ TEST(RayNodes, ReflectWithoutTracingSeesTheEnvironmentAlone) {
   }
 }
 
-TEST(RayNodes, TransparencyOpacityAndContinueShowWhatIsBehind) {
+TEST(RayNodes, TransparencyOpacityAndContinueShowTheBackground) {
   const Rgb k(.2f, .5f, 1);
   const Rgb expected = (Rgb(1) - k) * .5f + k * .2f;
   for (const char* call : {"\"mib_transparency\" ( \"input\" = \"l\", \"transp\" .2 .5 1 )",

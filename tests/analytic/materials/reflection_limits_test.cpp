@@ -252,7 +252,7 @@ Measured told_apart(const std::string& material, bool visible, Estimator e = Est
 }
 
 // acceptance: R10
-TEST(Highlight, OutputsHoldReflectionOrHighlightAndBothOnlyWhenAsked) {
+TEST(Highlight, OutputsContainReflectionOrHighlightAndBothOnRequest) {
   for (const float gloss : {.1f, .4f})
     for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
       Measured seen = told_apart(metal(gloss), true, e);

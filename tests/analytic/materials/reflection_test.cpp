@@ -172,7 +172,7 @@ TEST(Highlight, MirrorRaysOfABlurredSurfaceShowAVisibleLightOnce) {
 }
 
 // acceptance: R9
-TEST(Highlight, BalanceScalesHighlightsAloneAndBothCanBeAskedFor) {
+TEST(Highlight, BalanceScalesHighlightsOnlyAndBothCanBeEnabled) {
   const Measured plain = plate_under_lamp(metal(.3f), true);
   const auto scaled = [&](float by) {
     Measured m = plain;

@@ -21,7 +21,7 @@ Measured seen(const std::string& material, float x) {
   return Probe(floor_of(material)).onto(Vec3(x, 0, 0), Vec3(0, 0, 1), 0, 256);
 }
 
-TEST(ShadowCatchers, UseBackgroundDarkensWhatLiesBehindInShadows) {
+TEST(ShadowCatchers, UseBackgroundDarkensTheBackgroundInShadows) {
   for (const float mask : {1.0f, .25f}) {
     const std::string shader = fmt::format(
         "\"adskMayaUseBackground\" ( \"specularColor\" 0 0 0, \"shadowMask\" {} )", mask);

@@ -93,7 +93,7 @@ TEST(NestedMedia, PathThroughGlassAndWaterIsThatOfSnell) {
 }
 
 // acceptance: T11
-TEST(NestedMedia, WaterReflectsTotallyWhatGlassWouldLetOut) {
+TEST(NestedMedia, WaterReflectsTotallyAtAnglesThatGlassTransmits) {
   // From water to air: critical angle 48.75 degrees.
   for (const double degrees : {30.0, 40.0, 49.5, 60.0}) {
     SceneText scene = tank(Rgb(1), Rgb(1), 100);

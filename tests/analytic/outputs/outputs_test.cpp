@@ -278,7 +278,7 @@ TEST(Outputs, OpacityIsBlackWhereAllIsOpaque) {
 }
 
 // acceptance: U2, O2
-TEST(Outputs, OcclusionStandsBetweenRawAndResultOfIndirectLight) {
+TEST(Outputs, OcclusionScalesRawIndirectLightToItsResult) {
   // A slab at .4 of the distance occludes .36; it is seen through by nothing, the sky is aside.
   for (const int details : {0, 1}) {
     SceneText scene = plate(

@@ -282,7 +282,7 @@ TEST(PhotonTrace, MapsDoNotDependOnThreads) {
   EXPECT_GT(one.caustic.size(), 100u);
 }
 
-TEST(PhotonTrace, CountsLimitWhatIsStoredAndSent) {
+TEST(PhotonTrace, CountsLimitStoredAndEmittedPhotons) {
   SceneText scene;
   scene.lambert("grey", .5f).box("grey", Vec3(-2), Vec3(2), true);
   scene.light("lamp", physical(100) + " origin 0 0 0");

@@ -25,7 +25,7 @@ void expect_within(const std::string& name, const Measured& m, const Rgb& exact,
 }
 
 // acceptance: L1
-TEST(Portal, BringsTheSkyThroughTheWindowToEveryWall) {
+TEST(Portal, SkyThroughTheWindowReachesEveryWall) {
   for (const char* environment : {kSky, kLamps})
     for (const int n : {1, 4}) {
       SceneText scene = room(environment, 1);

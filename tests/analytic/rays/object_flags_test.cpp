@@ -122,7 +122,7 @@ TEST(ObjectFlags, LightPassesObjectsThatCastNoShadow) {
 }
 
 // acceptance: H3
-TEST(ObjectFlags, WhatRaysDoNotSeeCastsItsWholeShadow) {
+TEST(ObjectFlags, ObjectsInvisibleToRaysCastFullShadows) {
   for (const char* material : {kGlossy, kGrey}) {
     expect_exact(material, below_black(material, kUnseen, false), 0);
     expect_same(material, below_black(material, kUnseen, true), below_black(material, "", true));

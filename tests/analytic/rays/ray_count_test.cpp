@@ -160,7 +160,7 @@ TEST(CutOff, TracesWhatContributesMoreAndNothingElse) {
 }
 
 // acceptance: R8
-TEST(CutOff, CountsWhatIsLeftOfThePixelAfterAllSurfaces) {
+TEST(CutOff, UsesTheThroughputOfThePixel) {
   const auto bounces = [](float level, float cutoff) {
     SceneText scene("trace depth 20 20 20 shadow on");
     scene.material("m", reflecting(level, fmt::format("\"refl_cutoff\" {}", cutoff)))

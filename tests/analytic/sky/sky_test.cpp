@@ -37,7 +37,7 @@ TEST(Sky, UniformSkyOverACardFollowsThePiConvention) {
 
 // The night colour is a floor of the whole sphere: with nothing above it the sky is uniform.
 // acceptance: S1
-TEST(Sky, ConversionsScaleAsTheManualSays) {
+TEST(Sky, ConversionsScaleAsDocumented) {
   const auto card = [](const std::string& units) {
     SceneText scene;
     scene.environment(sky(sun_direction(45) + ", \"haze\" 1" + (units.empty() ? "" : ", " + units)))
