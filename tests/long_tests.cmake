@@ -6,12 +6,12 @@ set_tests_properties(
   IntegratingCube.HasItsMeanIndirectIlluminanceByEveryMethod
   Estimators.LightSamplesLobesAndBothShowTheSamePicture
   LightLayers.WithoutItsLightsTheBeautyIsLessByTheLayer
-  LightLayers.TheySumToTheBeautyByEveryMethod
+  LightLayers.SumToTheBeautyInEveryMethod
   PortalRoom.HasTheLightOfAnHdrPictureOnEveryWall
   PortalRoom.HasTheLightOfThePhysicalSkyOnEveryWall
   OutputsProgram.EveryFormatThatIsNamedIsWritten
   PhotonEmission.MeasuredLightsSendByTheirProfile
-  PhotonTrace.PhotonsAndPathsTellTheSameIndirectLight
+  PhotonTrace.PhotonsAndPathsGiveTheSameIndirectLight
   EnvBlur.OneLookUpIsWhatManyRaysConvergeTo
   Explain.SharesSumToThePixelOfTheWholePicture
   Robustness.TenMegabytesOnOneLineTakeLinearTime

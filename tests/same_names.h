@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: two lists hold the same names, each name as often.
+// Test support: compares two lists of names, including the number of occurrences.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@ namespace oriel::app {
 ///          message that was made beforehand and leaves; it runs on a stack of its own. A file that
 ///          makes the reader write to memory of ours without any fault is not noticed.
 /// Inputs:  path: as the user wrote it. One guard at a time, on the thread that reads.
-/// Checked: ConvertTest.ADamagedFileIsToldOfAndNoCrash
+/// Checked: ConvertTest.DamagedFileIsReported
 class ReaderGuard {
  public:
   explicit ReaderGuard(const std::string& path);

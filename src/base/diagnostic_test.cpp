@@ -6,7 +6,7 @@
 namespace oriel {
 namespace diagnostic_test {
 
-TEST(Diagnostics, NamesThePlaceThroughIncludes) {
+TEST(Diagnostics, LocationsContainTheIncludeChain) {
   Diagnostics d;
   const auto outer = d.add_file("scene.mi");
   const auto inner = d.add_file("part.mi", {outer, 7, 1});
@@ -17,13 +17,13 @@ TEST(Diagnostics, NamesThePlaceThroughIncludes) {
   EXPECT_NE(text.find("hint: did you mean"), std::string::npos);
 }
 
-TEST(Diagnostics, FloodOfOneKindIsCutAndSaid) {
+TEST(Diagnostics, RepeatedDiagnosticsAreLimitedAndCounted) {
   Diagnostics d;
   for (int i = 0; i < 1000; ++i) d.warning("OR-MI-002", {}, "again");
   EXPECT_EQ(d.all().size(), Diagnostics::kMaxPerCode + 1);
 }
 
-TEST(NearestName, FindsASlipAndRefusesAStranger) {
+TEST(NearestName, FindsTyposAndRejectsUnrelatedNames) {
   const std::string names[] = {"refl_gloss", "diffuse", "reflectivity"};
   EXPECT_EQ(nearest_name("refl_glos", names), "refl_gloss");
   EXPECT_EQ(nearest_name("zzz", names), "");

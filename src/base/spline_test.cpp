@@ -8,7 +8,7 @@
 namespace oriel {
 namespace spline_test {
 
-TEST(Spline, PassesItsPointsAndKeepsLines) {
+TEST(Spline, InterpolatesPointsAndReproducesLines) {
   constexpr std::array<float, 5> kPoints = {1, 4, 2, 2, -3};
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(catmull_rom(static_cast<float>(i) / 4, kPoints), kPoints[i], 1e-5f);
@@ -21,7 +21,7 @@ TEST(Spline, PassesItsPointsAndKeepsLines) {
   EXPECT_EQ(catmull_rom(.5f, {}), 0);
 }
 
-TEST(Spline, IsCatmullAndRoms) {
+TEST(Spline, MatchesCatmullRom) {
   // Between b and c: (-a + 9 b + 9 c - d) / 16 in the middle.
   constexpr std::array<float, 4> kPoints = {1, 4, 2, 8};
   EXPECT_NEAR(catmull_rom(.5f, kPoints), (-1 + 36 + 18 - 8) / 16.0f, 1e-5f);

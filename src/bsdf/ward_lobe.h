@@ -19,7 +19,7 @@ float ward_slope(float shininess);
 /// Source:  Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 5
 ///          and 6; Walter, "Notes on the Ward BRDF", 2005, for the density.
 /// Checked: WardLobe.*, Highlights.OfWard*,
-///          Directions.GlossyOnesMatchTheirDensity
+///          Directions.GlossyDirectionsMatchTheirDensity
 class WardLobe {
  public:
   WardLobe(float shiny_u, float shiny_v);

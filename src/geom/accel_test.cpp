@@ -203,7 +203,7 @@ TEST(AccelTest, InstancedAndBakedMeshesGiveEqualHits) {
   }
 }
 
-TEST(AccelTest, MasksDecidePerKindOfRay) {
+TEST(AccelTest, MasksApplyPerRayType) {
   for (const bool instanced : {false, true}) {
     Accel accel;
     const MeshId mesh = accel.add_mesh(unit_triangle());
@@ -228,7 +228,7 @@ TEST(AccelTest, MasksDecidePerKindOfRay) {
   }
 }
 
-TEST(AccelTest, MovedInstancesAreHitWhereTheyAre) {
+TEST(AccelTest, MovedInstancesAreHitAtTheirNewPosition) {
   for (const bool instanced : {false, true}) {
     Accel accel;
     const MeshId mesh = accel.add_mesh(unit_triangle());
@@ -288,7 +288,7 @@ std::vector<float> scan(const Accel& accel) {
   return seen;
 }
 
-TEST(NextFrame, IsToTheLastBitWhatANewAccelHas) {
+TEST(NextFrame, UpdateEqualsANewAccelBitForBit) {
   Random random(7);
   const Mat4 a = random.placement(1, 0.2f, false), b = random.placement(1, 0.2f, true);
   // Lists of instances by mesh and position: single, several, moved and none per mesh.
@@ -370,7 +370,7 @@ int self_hits(Random& random, bool instanced, float stretch, float far, int rays
   return bad;
 }
 
-TEST(AccelTest, RaysNeverMeetTheSurfaceTheyStartOn) {
+TEST(AccelTest, RaysDoNotHitTheirOriginSurface) {
   flush_denormals();
   Random random(3);
   for (const bool instanced : {false, true})
@@ -399,7 +399,7 @@ int leaks(Accel::Edges edges, bool at_edges, int rays) {
   return count;
 }
 
-TEST(AccelTest, ClosedMeshesHoldRaysInside) {
+TEST(AccelTest, ClosedMeshesAreWatertight) {
   EXPECT_EQ(leaks(Accel::Edges::Fast, false, 500000), 0);
   EXPECT_EQ(leaks(Accel::Edges::Watertight, true, 100000), 0);
   RecordProperty("leaks_at_edges_of_100000", leaks(Accel::Edges::Fast, true, 100000));

@@ -16,7 +16,7 @@ TEST(Barycentric, WeightsGiveThePointOfThePlane) {
   }
 }
 
-TEST(Barycentric, WithoutAreaAreTheFirstCorner) {
+TEST(Barycentric, DegenerateTrianglesGiveTheFirstCorner) {
   EXPECT_EQ(barycentric_weights(Vec3(7, 8, 9), kA, kB, kB), Vec3(1, 0, 0));
 }
 

@@ -20,7 +20,7 @@ struct DifferentVertices {
 /// Model:   a vertex is compared with the last few distinct vertices at the same point only, so
 ///          that a point with thousands of different normals does not take quadratic time.
 /// Inputs:  vectors: size of the vector pool of the group.
-/// Checked: Tessellate.VerticesWrittenAlikeBecomeOne
+/// Checked: Tessellate.EqualVerticesAreMerged
 DifferentVertices find_equal_vertices(const scene::VertexList& list, std::size_t vectors);
 
 }  // namespace oriel::geom

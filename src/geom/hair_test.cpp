@@ -63,7 +63,7 @@ struct Placed {
   }
 };
 
-TEST(Hair, AStraightOneAndItsShadowCoverTwoRadiiTimesItsLengthAndTwoHalfCaps) {
+TEST(Hair, StraightHairCoversItsAnalyticArea) {
   const auto line = hair_of(1, {-.5f, .2f, 0, .5f, .2f, 0}, {0, 6});
   EXPECT_NEAR(Placed(line).covered(), .2f + kPi * .01f, 2e-3f);
   // The equivalent cubic with evenly spaced points; its ends are flat.
@@ -129,7 +129,7 @@ TEST(Hair, AQuadraticIsTheSameAsItsCubic) {
   EXPECT_LT(length(middle - (q[0] + q[1] * 2 + q[2]) * .25f), 1e-6f);
 }
 
-TEST(Hair, CoordinatesOfHairsComeBeforeThoseOfVertices) {
+TEST(Hair, HairCoordinatesPrecedeVertexCoordinates) {
   auto line = hair_of(1, {.3f, .6f, -.5f, 0, 0, 0, .5f, 0, 0, 1}, {0, 10});
   line.per_hair = {{Kind::Texture, 2}};
   line.per_vertex = {{Kind::Texture, 1}};
@@ -171,7 +171,7 @@ bool meets(const Accel& accel, float x, float y, float time, SurfacePoint* point
   return met;
 }
 
-TEST(Hair, RaysMeetItWhereItsVectorsLead) {
+TEST(Hair, MotionVectorsMoveHair) {
   // Right by 4 in the first half, up by 2 in the second; for lines and for both kinds of curves.
   const std::vector<float> way = {4, 0, 0, 4, 2, 0};
   for (const int degree : {1, 2, 3})
@@ -205,7 +205,7 @@ TEST(Hair, RaysMeetItWhereItsVectorsLead) {
     }
 }
 
-TEST(Hair, VectorsOfAVertexGoBeforeThoseOfItsHair) {
+TEST(Hair, VertexVectorsOverrideHairVectors) {
   // The root is fixed and the tip moves; the vector of the hair would move both.
   auto hair = hair_of(1, {9, 9, 9, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 15});
   hair.per_hair = {{Kind::Motion, 1}};
@@ -222,7 +222,7 @@ TEST(Hair, VectorsOfAVertexGoBeforeThoseOfItsHair) {
   }
 }
 
-TEST(Hair, BlocksWithFewerVectorsGoTheSameWay) {
+TEST(Hair, BlocksWithFewerVectorsMoveAlike) {
   auto straight = hair_of(1, {0, 0, 0, 6, 0, 0, 0, 1, 0, 6, 0, 0}, {0, 12});
   straight.per_vertex = {{Kind::Motion, 1}};
   auto bent =

@@ -43,7 +43,7 @@ bool meets(const Accel& accel, float x, float y, float time) {
   return met;
 }
 
-TEST(Motion, VectorsLeadFromTheVertexToEachStep) {
+TEST(Motion, VectorsGiveThePositionAtEachStep) {
   Mesh mesh = square({all({1, 0, 0}), all({2, 4, 0})});
   add_keys(mesh, 0, 1);
   ASSERT_EQ(mesh.keys.size(), 3u);
@@ -68,7 +68,7 @@ TEST(Motion, NullVectorsMoveNothing) {
   EXPECT_TRUE(mesh.keys.empty());
 }
 
-TEST(Motion, RaysMeetAMeshWhereItIsAtTheirTime) {
+TEST(Motion, RaysHitMeshesAtRayTime) {
   Accel accel;
   Mesh mesh = square({all({10, 0, 0}), all({10, 10, 0})});
   add_keys(mesh, 0, 1);
@@ -82,7 +82,7 @@ TEST(Motion, RaysMeetAMeshWhereItIsAtTheirTime) {
   EXPECT_FALSE(meets(accel, 5.5f, 5.5f, .5f));
 }
 
-TEST(Motion, RaysMeetAnInstanceWhereItIsAtTheirTime) {
+TEST(Motion, RaysHitInstancesAtRayTime) {
   Accel accel;
   Mesh mesh = square({all({0, 3, 0})});
   add_keys(mesh, 0, 1);
@@ -102,7 +102,7 @@ TEST(Motion, RaysMeetAnInstanceWhereItIsAtTheirTime) {
   EXPECT_EQ(point.time, .5f);
 }
 
-TEST(Motion, SpeedIsTheWayBetweenTwoTimes) {
+TEST(Motion, SpeedIsTheDisplacementBetweenTwoTimes) {
   Accel accel;
   Mesh mesh = square({{{1, 0, 0}, {2, 1, 0}, {0, 0, 3}, {0, 1, 1}}});
   add_keys(mesh, 0, 1);
@@ -137,7 +137,7 @@ TEST(Motion, VertexNormalsTurnWithTheirTriangle) {
   EXPECT_LT(length(point.ns - Vec3(tilted.x, -tilted.z, 0)), 1e-6f);
 }
 
-TEST(Motion, RaysNeverMeetTheMovingSurfaceTheyStartOn) {
+TEST(Motion, RaysDoNotHitTheirMovingOriginSurface) {
   flush_denormals();
   std::mt19937 generator(5);
   std::uniform_real_distribution<float> uniform(0, 1);

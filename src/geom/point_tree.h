@@ -17,7 +17,7 @@ namespace oriel::geom {
 /// Model:   the addresses of points are stable while the tree exists. All functions are
 ///          thread-safe.
 /// Source:  Bentley, Saxe, "Decomposable Searching Problems I", Journal of Algorithms 1, 1980.
-/// Checked: PointTree.FindsWhatASearchOfAllPointsFinds
+/// Checked: PointTree.MatchesBruteForceSearch
 class PointTree {
  public:
   static constexpr int kMaxDimensions = 64;

@@ -55,7 +55,7 @@ struct Cloud {
   }
 };
 
-TEST(PointTree, FindsWhatASearchOfAllPointsFinds) {
+TEST(PointTree, MatchesBruteForceSearch) {
   for (const auto& [dimensions, count] : {std::pair(1, 300), {2, 777}, {3, 1000}, {7, 500}}) {
     const Cloud cloud(dimensions, count);
     for (const float radius : {0.f, .3f, 1.f, 100.f})
@@ -73,7 +73,7 @@ TEST(PointTree, FindsWhatASearchOfAllPointsFinds) {
   }
 }
 
-TEST(PointTree, KeepsAllPointsWhereTheyAre) {
+TEST(PointTree, StoresAllPointsExactly) {
   PointTree tree(3, 2);
   const float place[] = {1, 2, 3};
   EXPECT_TRUE(tree.add(place, nullptr));
@@ -86,7 +86,7 @@ TEST(PointTree, KeepsAllPointsWhereTheyAre) {
   EXPECT_GE(tree.bytes(), 1001u * 14);
 }
 
-TEST(PointTree, RefusesWhatIsNoPlace) {
+TEST(PointTree, RejectsNonFinitePoints) {
   PointTree tree(2, 0);
   const float nan[] = {0, std::numeric_limits<float>::quiet_NaN()};
   const float far[] = {std::numeric_limits<float>::infinity(), 0};
@@ -99,7 +99,7 @@ TEST(PointTree, RefusesWhatIsNoPlace) {
   EXPECT_EQ(tree.near(other, std::numeric_limits<float>::infinity(), 9).size(), 1u);
 }
 
-TEST(PointTree, MayGrowWhileItIsAsked) {
+TEST(PointTree, SupportsConcurrentInsertionAndQueries) {
   PointTree tree(1, 0);
   const auto work = [&] {
     for (int i = 0; i < 2000; ++i) {

@@ -234,7 +234,7 @@ TEST(PolygonTriangulator, PolygonsWithoutAreaGiveNothing) {
   EXPECT_TRUE(gives_nothing({place(0, 0), place(1, 0), place(2, 0), place(1, 0)}));
 }
 
-TEST(PolygonTriangulator, CrossingOutlinesEndWithSomeCover) {
+TEST(PolygonTriangulator, CrossingOutlinesTerminate) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   for (const int count : {5, 6, 17, 300, 3000}) {

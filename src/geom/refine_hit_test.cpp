@@ -82,7 +82,7 @@ TEST(RefineHit, DistanceOfATriangleIsThatOfItsPlane) {
   }
 }
 
-TEST(RefineHit, DoesNotDependOnWhatEmbreeEstimated) {
+TEST(RefineHit, IsIndependentOfTheEmbreeEstimate) {
   Random random;
   for (const Mesh& mesh :
        {triangle(Vec3(0, -1, -1), Vec3(3, -1, -.5f), Vec3(1, 2, 1)), hair(true), hair(false)}) {

@@ -47,7 +47,7 @@ double area_of(const Mesh& mesh) {
   return sum;
 }
 
-TEST(EdgeSplitter, EveryInnerEdgeHasTwoTrianglesHoweverUnevenTheRule) {
+TEST(EdgeSplitter, InnerEdgesHaveTwoTrianglesForUnevenRules) {
   Mesh mesh = square_with_seam();
   EdgeSplitter splitter(mesh);
   // Finer toward a corner.
@@ -76,7 +76,7 @@ TEST(EdgeSplitter, EveryInnerEdgeHasTwoTrianglesHoweverUnevenTheRule) {
       EXPECT_FALSE(wants(i, a, b));
 }
 
-TEST(EdgeSplitter, AnEdgeIsSplitForBothTrianglesWhenOneAsks) {
+TEST(EdgeSplitter, SplitsApplyToBothTrianglesOfAnEdge) {
   Mesh mesh = square_with_seam();
   EdgeSplitter splitter(mesh);
   const auto first_triangle_asks_for_its_diagonal =
@@ -92,7 +92,7 @@ TEST(EdgeSplitter, AnEdgeIsSplitForBothTrianglesWhenOneAsks) {
   EXPECT_EQ(mesh.textures[0].coordinate[7], Vec3(2, .5f, 0));
 }
 
-TEST(EdgeSplitter, StopsWholeBeforeThereAreTooManyTriangles) {
+TEST(EdgeSplitter, TriangleLimitLeavesAConsistentMesh) {
   Mesh mesh = square_with_seam();
   EdgeSplitter splitter(mesh);
   const auto all = [](std::uint32_t, std::uint32_t, std::uint32_t) { return true; };
@@ -103,7 +103,7 @@ TEST(EdgeSplitter, StopsWholeBeforeThereAreTooManyTriangles) {
   EXPECT_EQ(mesh.triangles.size(), 8u);
 }
 
-TEST(EdgeSplitter, FacetNormalsPartTheVerticesOfAMeshWithoutNormals) {
+TEST(EdgeSplitter, FacetNormalsSplitVertices) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 1}};

@@ -118,7 +118,7 @@ bool is_closed(const Mesh& mesh) {
 // (n (n + 5)).
 // Source: M. Halstead, M. Kass, T. DeRose, "Efficient, fair interpolation using Catmull-Clark
 // surfaces", SIGGRAPH 1993.
-TEST(Subdivide, ACornerOfTheCubeGoesToItsPublishedLimit) {
+TEST(Subdivide, CubeCornerMatchesThePublishedLimit) {
   const auto mesh = mesh_of(cube(), 2);
   // The corner (1,1,1) after one refinement by the Catmull-Clark rules:
   const Vec3 v = Vec3(5.0f / 9), f_x(1, 0, 0), f_y(0, 1, 0), f_z(0, 0, 1);
@@ -133,7 +133,7 @@ TEST(Subdivide, ACornerOfTheCubeGoesToItsPublishedLimit) {
 
 // Loop: beta = (5/8 - (3/8 + cos(2 pi/n)/4)^2) / n; the limit is v (1 - n chi) + chi sum of
 // neighbours with chi = 1 / (3/(8 beta) + n).
-TEST(Subdivide, AVertexOfTheOctahedronGoesToLoopsLimit) {
+TEST(Subdivide, OctahedronVertexMatchesLoopsLimit) {
   const double c = 3.0 / 8 + std::cos(kPi / 2) / 4;
   const double beta = (5.0 / 8 - c * c) / 4, chi = 1 / (3 / (8 * beta) + 4);
   const auto mesh = mesh_of(octahedron(), 3);
@@ -178,7 +178,7 @@ TEST(Subdivide, TheBoundaryIsTheSplineOfTheBoundaryAndCornersStay) {
   EXPECT_LT(nearest(mesh, Vec3(1, -1.0f / 6, 0)), 1e-6f);
 }
 
-TEST(Subdivide, ACreaseKeepsAnEdgeStraightAndPartsItsNormals) {
+TEST(Subdivide, CreaseKeepsEdgeStraightAndSplitsNormals) {
   // Two rows of quads, folded along y = 2.
   scene::PolygonGroup group = grid(4);
   for (Vec3& p : group.vectors) p.z = -std::abs(p.y - 2);
@@ -222,7 +222,7 @@ TEST(Subdivide, SharpnessBetweenNoneAndFullLiesBetweenTheirSurfaces) {
   }
 }
 
-TEST(Subdivide, MarkedVerticesStayWhereTheyAre) {
+TEST(Subdivide, MarkedVerticesAreFixed) {
   scene::PolygonGroup group = cube();
   group.vertices.marks.push_back({6, scene::VertexMark::Kind::Corner, {}});
   const Mesh mesh = mesh_of(group, 3);
@@ -313,7 +313,7 @@ TEST(Subdivide, TrimsCutPartsOfFacesAway) {
   }
 }
 
-TEST(Subdivide, BadFacesAreCountedAndTheRestIsMade) {
+TEST(Subdivide, InvalidFacesAreCountedAndSkipped) {
   scene::PolygonGroup group = cube();
   group.subdivisions[0].faces.indices[0] = 1;  // {1, 3, 2, 1}
   group.subdivisions[0].details.push_back({1, {"detail", "3", {}}});
@@ -326,7 +326,7 @@ TEST(Subdivide, BadFacesAreCountedAndTheRestIsMade) {
   EXPECT_EQ(diagnostics.all()[1].code, "OR-GEOM-022");
 }
 
-TEST(SubdivisionLevel, IsLoweredUntilTheFacesCanBeAfforded) {
+TEST(SubdivisionLevel, IsLimitedByTheFaceCount) {
   const auto group = cube();
   const SubdivisionCage cage = cage_of(group, group.subdivisions[0]);
   const scene::Approximation a = levels(12);

@@ -65,7 +65,7 @@ struct Placement {
 /// Source:  M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 3.9, for
 ///          running error bounds; the factors for Embree's own inverse matrix were determined by
 ///          experiment.
-/// Checked: AccelTest.RaysNeverMeetTheSurfaceTheyStartOn, Surface.*
+/// Checked: AccelTest.RaysDoNotHitTheirOriginSurface, Surface.*
 void interpolate(const Mesh& mesh, const Hit& hit, const Placement& placement, SurfacePoint& point);
 
 /// Derivatives of the position on a flat triangle by the first two coordinates of a texture space,

@@ -40,7 +40,7 @@ TEST(Surface, NormalsWrittenForTheOtherSideAreReversed) {
   EXPECT_LT(length(point.ns + tilted), 1e-6f);
 }
 
-TEST(Surface, OneNormalBeyondTheHorizonIsBentOntoIt) {
+TEST(Surface, NormalBelowTheHorizonIsClampedToIt) {
   const Vec3 wrong = normalize(Vec3(1, 0, -0.5f));
   const SurfacePoint point = at(triangle(Vec3(0, 0, 1), wrong, Vec3(0, 0, 1)), 1, 0);
   EXPECT_GT(dot(point.ns, point.ng), 0);
@@ -48,7 +48,7 @@ TEST(Surface, OneNormalBeyondTheHorizonIsBentOntoIt) {
   EXPECT_GT(point.ns.x, 0.99f);
 }
 
-TEST(Surface, ANullNormalMeansTheGeometricOneThere) {
+TEST(Surface, NullNormalIsReplacedByTheGeometricNormal) {
   const Vec3 tilted = normalize(Vec3(1, 0, 1));
   const Mesh mesh = triangle(Vec3(0), tilted, Vec3(0));
   EXPECT_EQ(at(mesh, 0, 0).ns, Vec3(0, 0, 1));
@@ -63,7 +63,7 @@ TEST(Surface, WithoutTextureSpaceThereAreNoDerivatives) {
   EXPECT_EQ(point.uv_density, 0);
 }
 
-TEST(Surface, GivenDerivativesWinOverThoseOfTheTextureSpace) {
+TEST(Surface, ExplicitDerivativesOverrideTextureSpace) {
   Mesh mesh = triangle(Vec3(0), Vec3(0), Vec3(0));
   mesh.textures.resize(1);
   mesh.textures[0].coordinate = mesh.positions;

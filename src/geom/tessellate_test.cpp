@@ -62,7 +62,7 @@ TEST(Tessellate, CutsHolesOfTheRightPolygons) {
   EXPECT_FLOAT_EQ(area, 8 + 15 + 8);
 }
 
-TEST(Tessellate, MixedColumnsHoldNullWhereAVertexLacksTheField) {
+TEST(Tessellate, MissingFieldsOfMixedColumnsAreNull) {
   scene::PolygonGroup with = group_of(kSquare, {{0, 1, 2}});
   with.vectors.push_back(Vec3(0, 0, 2));
   with.vertices.normal = {4, kNone, 4, 4};
@@ -86,7 +86,7 @@ TEST(Tessellate, MixedColumnsHoldNullWhereAVertexLacksTheField) {
 
 // Two triangles with separate vertices per corner, as some exporters write them, become a square
 // with four vertices.
-TEST(Tessellate, VerticesWrittenAlikeBecomeOne) {
+TEST(Tessellate, EqualVerticesAreMerged) {
   scene::PolygonGroup group = group_of(kSquare, {{0, 1, 2}, {3, 4, 5}});
   group.vectors.push_back(Vec3(0, 0, 1));
   group.vectors.push_back(Vec3(0, 1, 0));
@@ -160,7 +160,7 @@ TEST(Tessellate, MaterialsOfGroupsWithEqualNamesShareASlot) {
   EXPECT_TRUE(mesh.slots[mesh.slot_of(4)].inherits());
 }
 
-TEST(Tessellate, LeavesOutBadPolygonsWithOneDiagnosticPerObject) {
+TEST(Tessellate, SkipsInvalidPolygonsWithOneDiagnosticPerObject) {
   scene::PolygonGroup group = group_of(kSquare, {{0, 1, 2, 3},
                                                  {0, 1, 1},
                                                  {0, 1},

@@ -10,7 +10,7 @@
 namespace oriel {
 namespace atomic_file_test {
 
-TEST(AtomicFile, ReplacesTheOldFileAndLeavesNothingElse) {
+TEST(AtomicFile, ReplacesTheFileWithoutLeftovers) {
   const TestFolder folder;
   const std::string path = folder.file("a.txt");
   write_bytes(path, {'o', 'l', 'd'});

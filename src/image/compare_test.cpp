@@ -13,7 +13,7 @@
 namespace oriel {
 namespace compare_test {
 
-TEST(Compare, FiguresFollowTheirFormulas) {
+TEST(Compare, MetricsMatchTheirFormulas) {
   Image reference(3, 2, 2, 1), test = reference;
   test.at(2, 1)[1] = 1.5f;
   test.at(0, 1)[0] = 0.9f;
@@ -27,7 +27,7 @@ TEST(Compare, FiguresFollowTheirFormulas) {
   EXPECT_EQ(d.max_channel, 1);
 }
 
-TEST(Compare, ValuesThatAreNotFiniteAreCountedAndLeftOut) {
+TEST(Compare, NonFiniteValuesAreCountedAndIgnored) {
   Image a(2, 1, 1, 3), b = a;
   a.pixels[0] = std::numeric_limits<float>::quiet_NaN();
   const Difference d = compare(a, b);
@@ -35,7 +35,7 @@ TEST(Compare, ValuesThatAreNotFiniteAreCountedAndLeftOut) {
   EXPECT_EQ(d.rmse, 0);
 }
 
-TEST(Compare, OtherShapesAreRefused) {
+TEST(Compare, DifferentShapesAreRefused) {
   EXPECT_THROW(compare(Image(2, 2, 3), Image(2, 3, 3)), std::runtime_error);
   EXPECT_THROW(compare(Image(2, 2, 3), Image(2, 2, 4)), std::runtime_error);
   EXPECT_THROW(flip_error(Image(2, 2, 3), Image(2, 3, 3)), std::runtime_error);

@@ -32,7 +32,7 @@ TEST(Cryptomatte, IdsAreThoseOfTheReferenceTests) {
             6.2361298211599995797e+25f);
 }
 
-TEST(Cryptomatte, IdsAreOrdinaryNumbersForAllNames) {
+TEST(Cryptomatte, IdsAreNormalFloatsForAllNames) {
   for (int i = 0; i < 20000; ++i) {
     const float id = cryptomatte_id("object_" + std::to_string(i));
     EXPECT_TRUE(std::isnormal(id)) << i;
@@ -40,7 +40,7 @@ TEST(Cryptomatte, IdsAreOrdinaryNumbersForAllNames) {
   EXPECT_NE(cryptomatte_id(""), 0) << "nothing is not a name";
 }
 
-TEST(Cryptomatte, SharesAreJoinedAndRanked) {
+TEST(Cryptomatte, CoveragesAreMergedAndRanked) {
   std::vector<CryptomatteShare> shares = {{3, .1f}, {7, .4f}, {0, .1f}, {3, .25f}, {-2, .15f}};
   std::array<float, 8> out{};
   rank_shares(shares, out);
@@ -53,7 +53,7 @@ TEST(Cryptomatte, SharesAreJoinedAndRanked) {
   EXPECT_EQ(few, (std::array<float, 4>{}));
 }
 
-TEST(Cryptomatte, TheHeaderTellsTypeHashAndNames) {
+TEST(Cryptomatte, HeaderContainsTypeHashAndNames) {
   const std::string names[] = {"default", "bunny", "a \"b\"\\", "bunny"};
   const auto m = cryptomatte_metadata("CryptoObject", names);
   const std::string key = "cryptomatte/3ae39a5/";  // of the hash 3ae39a58 of the type

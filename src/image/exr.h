@@ -28,7 +28,7 @@ struct ExrOptions {
 /// Inputs:  layers: all of one size; every channel name unique within the file.
 /// Errors:  std::runtime_error with the path if sizes differ, names repeat or the file cannot be
 ///          written.
-/// Checked: Exr.LayersAndMetadataComeBackExact
+/// Checked: Exr.LayersAndMetadataRoundTripExactly
 void write_exr(const std::string& path, const std::vector<Layer>& layers,
                const ExrOptions& options = {});
 

@@ -30,7 +30,7 @@ std::vector<Layer> three_layers() {
           {"Z", {""}, noise(33, 21, 1, 3)}};
 }
 
-TEST(Exr, LayersAndMetadataComeBackExact) {
+TEST(Exr, LayersAndMetadataRoundTripExactly) {
   const TestFolder folder;
   const std::string path = folder.file("a.exr");
   const std::vector<Layer> layers = three_layers();
@@ -62,7 +62,7 @@ TEST(Exr, HeaderNamesRec709) {
   for (int i = 0; i < 8; ++i) EXPECT_FLOAT_EQ(back.chromaticities[i], rec709[i]) << i;
 }
 
-TEST(Exr, HalfRoundsColourAndSparesDepth) {
+TEST(Exr, HalfAppliesToColourNotDepth) {
   const TestFolder folder;
   std::vector<Layer> layers = three_layers();
   layers[0].image.pixels[0] = 1e9f;
@@ -86,7 +86,7 @@ TEST(Exr, SameLayersGiveTheSameBytes) {
   EXPECT_EQ(bytes_of(folder.file("a.exr")), bytes_of(folder.file("b.exr")));
 }
 
-TEST(Exr, DataWindowLandsAtItsPlaceInTheDisplayWindow) {
+TEST(Exr, DataWindowIsPlacedInTheDisplayWindow) {
   const TestFolder folder;
   const std::string path = folder.file("a.exr");
   // Display 4 x 3; data covers columns -1...1 and rows 1...2.
@@ -107,7 +107,7 @@ TEST(Exr, DataWindowLandsAtItsPlaceInTheDisplayWindow) {
   EXPECT_EQ(image.pixels, want);
 }
 
-TEST(Exr, LayersThatDoNotFitAreRefused) {
+TEST(Exr, InvalidLayersAreRefused) {
   const TestFolder folder;
   std::vector<Layer> sizes = three_layers();
   sizes[1].image = noise(3, 3, 3, 1);
@@ -156,7 +156,7 @@ TEST(Exr, BrokenFilesThrowAndNeverCrash) {
   }
 }
 
-TEST(Exr, SmallFileMayNotClaimAHugePicture) {
+TEST(Exr, HugeImageInASmallFileIsRefused) {
   const TestFolder folder;
   write_exr(folder.file("good.exr"), three_layers());
   const std::vector<char> good = bytes_of(folder.file("good.exr"));

@@ -103,7 +103,7 @@ TEST(FalseColor, IsolinesRunWhereValuesPassATick) {
   for (int x = 0; x < 99; ++x) EXPECT_EQ(pixel(picture, x, 9) == Rgb(0), x % 20 == 19) << x;
 }
 
-TEST(Glyphs, AllThatLegendsSayCanBeWritten) {
+TEST(Glyphs, AllCharactersOfLegendsExist) {
   for (const char c : std::string_view("0123456789.-+/lxcdmkMe")) EXPECT_TRUE(has_glyph(c)) << c;
   EXPECT_FALSE(has_glyph('?'));
   Image image(20, 9, 3);

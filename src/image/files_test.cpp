@@ -46,7 +46,7 @@ TEST(ImageModule, OpenImageIoIsAbsentUntilAFileTextureIsOpened) {
   EXPECT_TRUE(openimageio_is_loaded());
 }
 
-TEST(ImageModule, IsLookedForWhereTheUserSaysFirst) {
+TEST(ImageModule, UserPathIsSearchedFirst) {
   ::setenv("ORIEL_MODULE_PATH", "/first:/second", 1);
   const std::vector<std::string> places = module_candidates();
   ::unsetenv("ORIEL_MODULE_PATH");
@@ -67,7 +67,7 @@ Image gradient(int channels) {
   return image;
 }
 
-TEST(Files, LosslessTypesComeBackExact) {
+TEST(Files, LosslessFormatsRoundTripExactly) {
   const TestFolder folder;
   for (const char* name : {"a.tif", "a.png", "a.exr", "a.tga", "a.bmp", "a.TIF"}) {
     const Image image = gradient(3);

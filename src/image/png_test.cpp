@@ -25,7 +25,7 @@ Image steps(int width, int height, int channels, int bits) {
   return image;
 }
 
-TEST(Png, WholeStepsComeBackExact) {
+TEST(Png, QuantisedValuesRoundTripExactly) {
   const TestFolder folder;
   for (const int bits : {8, 16})
     for (int channels = 1; channels <= 4; ++channels) {
@@ -40,7 +40,7 @@ TEST(Png, WholeStepsComeBackExact) {
     }
 }
 
-TEST(Png, ValuesOutsideAreClippedAndNotANumberIsBlack) {
+TEST(Png, OutOfRangeIsClippedAndNanIsBlack) {
   const TestFolder folder;
   Image image(4, 1, 1);
   image.pixels = {-3, 7, std::numeric_limits<float>::quiet_NaN(),
@@ -49,7 +49,7 @@ TEST(Png, ValuesOutsideAreClippedAndNotANumberIsBlack) {
   EXPECT_EQ(read_png(folder.file("a.png")).pixels, (std::vector<float>{0, 1, 0, 1}));
 }
 
-TEST(Png, GammaIsSaidInTheHeaderOnlyWhenAsked) {
+TEST(Png, GammaIsInTheHeaderOnRequestOnly) {
   const TestFolder folder;
   const auto says = [&](const PngOptions& options, const std::string& chunk) {
     write_png(folder.file("a.png"), steps(4, 4, 3, 8), options);

@@ -22,7 +22,7 @@ inline constexpr float kRecombineFloorShare = 1e-3f;
 /// Reasons why recombine() cannot use the layers, one phrase each ("diffuse_raw is missing",
 /// "opacity has 3 channels instead of 1"); empty if it can.
 ///
-/// Checked: Recombine.WhatCannotBeUsedIsNamed
+/// Checked: Recombine.UnusableLayersAreNamed
 std::vector<std::string> unusable_outputs(const std::vector<Layer>& layers);
 
 /// The beauty rebuilt in two ways, RGB.
@@ -56,7 +56,7 @@ struct RebuiltDifference {
 /// |rebuilt - beauty| / max(|beauty|, floor) of every pixel and channel, RGB.
 ///
 /// Inputs:  beauty: at least three channels. rebuilt: RGB of the same size.
-/// Checked: Recombine.DifferencesAreRelativeAboveTheFloor, Recombine.NoNumberIsInfinitelyFar
+/// Checked: Recombine.DifferencesAreRelativeAboveTheFloor, Recombine.NanCountsAsInfiniteDifference
 Image relative_difference(const Image& rebuilt, const Image& beauty);
 
 /// The maximum of relative_difference(). NaN counts as above any threshold.

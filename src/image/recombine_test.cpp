@@ -48,7 +48,7 @@ TEST(Recombine, BothFormsFollowTheirEquations) {
              0.5f * (3 + 1) + 10 + 21 + 44 + 65 + 100 + 0.25f * 16 + 1000);
 }
 
-TEST(Recombine, LayersOfOnePictureGiveItBackBothWays) {
+TEST(Recombine, BothFormsReproduceTheImage) {
   const auto layers = output_layers(16, 9);
   const Recombination r = recombine(layers);
   const Image& beauty = find_layer(layers, "")->image;
@@ -86,7 +86,7 @@ TEST(Recombine, APixelWithSeveralBadChannelsCountsOnce) {
   EXPECT_EQ(compare_rebuilt(rebuilt, beauty, 1).above, 0u);
 }
 
-TEST(Recombine, NoNumberIsInfinitelyFar) {
+TEST(Recombine, NanCountsAsInfiniteDifference) {
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Image beauty(4, 4, 3, 1);
@@ -109,7 +109,7 @@ TEST(Recombine, BlackPicturesAgreeWithBlackAlone) {
   EXPECT_EQ(compare_rebuilt(Image(4, 4, 3, 1e-20f), black, 1).above, 16u);
 }
 
-TEST(Recombine, WhatCannotBeUsedIsNamed) {
+TEST(Recombine, UnusableLayersAreNamed) {
   auto layers = output_layers(4, 4);
   EXPECT_TRUE(unusable_outputs(layers).empty());
   std::erase_if(layers, [](const Layer& l) { return l.name == "diffuse_raw"; });

@@ -48,7 +48,7 @@ TEST(Relight, TintsKeepTheLuminance) {
   }
 }
 
-TEST(Relight, WhatCannotBeIsToldWithTheGroupsThereAre) {
+TEST(Relight, InvalidSettingsAreReportedWithTheGroups) {
   const auto message = [](const std::vector<Layer>& layers, const std::string& group) {
     try {
       relight(layers, {{group, Rgb(1)}});

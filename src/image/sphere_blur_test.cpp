@@ -19,7 +19,7 @@ Vec3 spread(int i, int n) {
   return Vec3(r * std::cos(phi), r * std::sin(phi), z);
 }
 
-TEST(SphereBlur, KeepsConstantsAndMeansAndAsksOnce) {
+TEST(SphereBlur, KeepsConstantsAndMeansWithOneEvaluation) {
   std::atomic<int> asked{0};
   const SphereBlur even(10000, [&](const Vec3&) {
     ++asked;
@@ -49,7 +49,7 @@ TEST(SphereBlur, KeepsConstantsAndMeansAndAsksOnce) {
   }
 }
 
-TEST(SphereBlur, LevelsAreAsWideAsTheySay) {
+TEST(SphereBlur, LevelsHaveTheirNominalWidth) {
   // A round spot of the same kernel type: squared widths add up, except at the widest levels.
   for (const Vec3& to :
        {Vec3(0, 0, 1), normalize(Vec3(.3f, .8f, -.4f)), normalize(Vec3(1, 1, 0))}) {

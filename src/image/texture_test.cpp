@@ -179,7 +179,7 @@ TEST_P(TextureTest, GammaDecodesBeforeFiltering) {
   EXPECT_NEAR(grey->sample({0.5f, 0.5f}, {}, {}).g, want, want * 0x1p-11f);
 }
 
-TEST_P(TextureTest, CoordinatesThatAreNoNumberAreBlackAndNeverCrash) {
+TEST_P(TextureTest, NanCoordinatesAreBlack) {
   const Texture* t = columns({255, 255}, 2);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
@@ -211,7 +211,7 @@ TEST(MemoryTexture, ComponentsAreGreyColourAndAlpha) {
   expect(at(4), 0.2f, 0.4f, 0.6f, 0.8f);
 }
 
-TEST(MemoryTexture, RowsRunUpwardsUnlessToldOtherwise) {
+TEST(MemoryTexture, RowsRunUpwardsByDefault) {
   const Bytes bytes = {0, 255};
   const auto up = make_memory_texture(1, 2, 1, bytes);
   EXPECT_EQ(up->sample({0.5f, 0.25f}, {}, {}).r, 0);
@@ -219,7 +219,7 @@ TEST(MemoryTexture, RowsRunUpwardsUnlessToldOtherwise) {
   EXPECT_EQ(down->sample({0.5f, 0.25f}, {}, {}).r, 1);
 }
 
-TEST(MemoryTexture, BytesThatDoNotFitAreRefused) {
+TEST(MemoryTexture, WrongByteCountsAreRefused) {
   const Bytes bytes(12);
   EXPECT_EQ(make_memory_texture(2, 2, 4, bytes), nullptr);
   EXPECT_EQ(make_memory_texture(0, 2, 3, bytes), nullptr);
@@ -227,7 +227,7 @@ TEST(MemoryTexture, BytesThatDoNotFitAreRefused) {
   EXPECT_EQ(make_memory_texture(2, 1, 6, bytes), nullptr);
 }
 
-TEST(FileTexture, MissingOrBrokenFileIsSaidOnce) {
+TEST(FileTexture, InvalidFileIsReportedOnce) {
   const TestFolder folder;
   TextureSystem system;
   write_bytes(folder.file("broken.tif"), {'I', 'I', '*', 0, 1, 2, 3});
@@ -241,7 +241,7 @@ TEST(FileTexture, MissingOrBrokenFileIsSaidOnce) {
   }
 }
 
-TEST(FileTexture, FileCutInThePixelsIsMagentaAndSaysWhy) {
+TEST(FileTexture, TruncatedFileIsMagentaAndReported) {
   const TestFolder folder;
   write_image(folder.file("a.png"), Image(64, 64, 3, 0.5f));
   std::vector<char> bytes = bytes_of(folder.file("a.png"));
@@ -257,7 +257,7 @@ TEST(FileTexture, FileCutInThePixelsIsMagentaAndSaysWhy) {
   EXPECT_NE(opened.texture->error(), "");
 }
 
-TEST(FileTexture, ColourUnderAlphaIsNotTouched) {
+TEST(FileTexture, ColourUnderAlphaIsUnchanged) {
   const TestFolder folder;
   Image image(2, 2, 4, 0.6f);
   for (int i = 0; i < 4; ++i) image.pixels[4 * i + 3] = 0.2f;
@@ -380,7 +380,7 @@ TEST(FileTexture, ThreadsSeeTheSameValues) {
 }
 
 // OpenImageIO's own limit causes a deadlock.
-TEST(TextureFiles, MayBeMoreThanCanBeOpen) {
+TEST(TextureFiles, MayExceedTheOpenFileLimit) {
   TestFolder folder;
   constexpr int kFiles = 701;
   Image grey(4, 4, 3);

@@ -12,7 +12,7 @@ namespace view_test {
 
 using testing::expect_near;
 
-TEST(View, DefaultOnlyCutsToTheUnitRange) {
+TEST(View, DefaultClampsToTheUnitRange) {
   expect_near(view_color(Rgba(-1, 0.25f, 3, 2), {}), Rgba(0, 0.25f, 1, 1), 1e-6f);
 }
 
@@ -22,7 +22,7 @@ TEST(View, GammaIsAnExponentOnColourAndNotOnAlpha) {
   expect_near(view_color(Rgba(0.25f, 0.81f, 4, 0.25f), options), Rgba(0.5f, 0.9f, 1, 0.25f), 1e-6f);
 }
 
-TEST(View, ClipModesKeepWhatTheyAreNamedFor) {
+TEST(View, ClipModesPreserveTheNamedQuantity) {
   const Rgba bright(0.8f, 0.5f, 0.1f, 0.4f);
   ViewOptions options;
   expect_near(view_color(bright, options), bright, 1e-6f);
@@ -57,7 +57,7 @@ TEST(View, DesaturateKeepsTheIntensityAndLeavesColoursInRangeAlone) {
   EXPECT_NEAR(weight.dot(rgb(negative)), weight.dot(Rgb(-0.2f, 0.5f, 0.5f)), 1e-6f);
 }
 
-TEST(View, WhatIsNoNumberBecomesOne) {
+TEST(View, NanBecomesOne) {
   const float inf = std::numeric_limits<float>::infinity();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const bool on : {false, true}) {
@@ -72,7 +72,7 @@ TEST(View, WhatIsNoNumberBecomesOne) {
   }
 }
 
-TEST(View, PictureIsTreatedPixelByPixelWhateverItsChannels) {
+TEST(View, PixelsAreIndependentForAnyChannels) {
   ViewOptions options;
   options.gamma = 2;
   for (int channels = 1; channels <= 4; ++channels) {

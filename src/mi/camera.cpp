@@ -48,8 +48,9 @@ bool read_modifier(Parse& parse, Output& output) {
   return true;
 }
 
-// With two strings the first is a file format by the manual; but many write pixel types there and
-// expect the suffix of the file to decide. "rgb" is both, and so goes by the suffix.
+// Two strings are a file format and a file name according to the manual. Many files write pixel
+// types in place of the format and rely on the suffix of the file name. "rgb" is both a format and
+// a pixel type; the suffix decides.
 void assign_first_of_two(Output& output, const std::string& first) {
   const std::size_t dot = output.file.rfind('.');
   const std::string suffix = dot == std::string::npos ? "" : output.file.substr(dot + 1);
@@ -57,7 +58,7 @@ void assign_first_of_two(Output& output, const std::string& first) {
   (types ? output.types : output.format) = first;
 }
 
-// Types and formats may stand without quotes before a string; a file name never does.
+// Types and formats may be unquoted before a string; a file name is always quoted.
 bool at_output_string(Parse& parse) {
   const Token& token = parse.in.peek();
   if (token.kind != Token::Kind::Word) return token.kind == Token::Kind::String;
@@ -102,7 +103,7 @@ void read_output(Parse& parse, Camera& camera, SourceLocation at) {
   camera.outputs.push_back(std::move(output));
 }
 
-// The items of a pass end where the next statement begins.
+// A pass ends at the next statement of the camera.
 void keep_pass(Parse& parse, Camera& camera, SourceLocation at) {
   scene::UninterpretedStatement uninterpreted{"pass", keep_until_word(parse, kCameraWords), at};
   if (parse.incremental) {
@@ -114,7 +115,7 @@ void keep_pass(Parse& parse, Camera& camera, SourceLocation at) {
   camera.uninterpreted.push_back(std::move(uninterpreted));
 }
 
-// Bare keyword: the list is cleared. Otherwise the shaders come behind those already there.
+// Appends the shaders to the list. The bare keyword clears the list.
 void extend_list(Parse& parse, scene::ShaderList& list) {
   scene::ShaderList more = read_shader_list(parse);
   if (more.empty()) list.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The top level: commands, and which reader an element's keyword calls.
+// Top-level commands, and the table from element keywords to readers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ scene::Value text(std::string content, SourceLocation at) {
   return value;
 }
 
-// A command that is only kept: its words and whatever plain values follow.
+// Stores a command without effect on the reader: its keyword and the plain values after it.
 void keep_command(Parse& parse, std::string keyword, SourceLocation at, int most_strings) {
   scene::Statement statement{std::move(keyword), false, {}, at};
   for (;;) {
@@ -43,7 +43,7 @@ void keep_command(Parse& parse, std::string keyword, SourceLocation at, int most
 void read_set(Parse& parse, SourceLocation at) {
   const SourceLocation here = parse.in.where();
   const std::string variable = parse.name("the name of a variable");
-  // Before the next token is looked at: that may be the $ifdef that asks for it.
+  // Set before the next token is fetched, which may be an $ifdef on this variable.
   std::string& value = parse.in.variables()[variable];
   value.clear();
   scene::Statement statement{"set", false, {text(variable, here)}, at};
@@ -55,7 +55,7 @@ void read_set(Parse& parse, SourceLocation at) {
   parse.scene->commands.push_back(std::move(statement));
 }
 
-// `system` is never run; `code` by a host that was told to trust the scene.
+// `system` is never run. The host compiles `code` if ReadOptions::trusts_code is set.
 void refuse(Parse& parse, std::string keyword, SourceLocation at) {
   if (keyword == "system")
     parse.warn(code::kRefused, at, "'system' is never run from a scene",
@@ -162,7 +162,7 @@ const std::vector<std::string>& top_level_words() {
   return words;
 }
 
-// private | session depth N: hints for integrations, nothing to a scene.
+// private | session depth N: scope hints for integrations, without effect on the scene.
 bool skip_scope(Parse& parse, std::string_view word, SourceLocation at) {
   if (word != "private" && word != "session") return false;
   if (word == "session") {
@@ -179,7 +179,7 @@ void read_end_namespace(Parse& parse) {
     parse.warn(code::kSyntax, parse.in.where(), "'end namespace' without a namespace");
 }
 
-// Statements that begin with two words, or that change the reader.
+// Statements that begin with two words or change the state of the reader.
 bool read_special(Parse& parse, std::string_view word, SourceLocation at) {
   if (word == "set") {
     read_set(parse, at);
@@ -255,16 +255,16 @@ bool read_one(Parse& parse) {
 }  // namespace
 
 void finish_reading(Parse& parse) {
-  // What $ commands behind the last statement left.
+  // Results of $ directives after the last statement.
   take_over(parse);
-  parse.in.report_missing_includes(true);  // without a render nothing tells what is used
+  parse.in.report_missing_includes(true);  // without `render`, no name is known to be used
 }
 
 bool read_top_level(Parse& parse) {
   parse.in.release_finished_sources();
   parse.in.forget_what_was_read();
   bool rendered = false;
-  // A broken statement may not move the reader; then the token is skipped to go on.
+  // A syntax error may leave the position unchanged; the token is then skipped to make progress.
   const Token before = parse.in.peek();
   parse.depth = 0;
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stream of tokens through includes and $ifdef, one token of lookahead.
+// Token stream across includes and $ifdef, with one token of lookahead.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace oriel::mi {
 
-/// Delivers tokens; acts on $ commands and reports lexical errors on the way.
+/// Delivers tokens. Executes $ directives and reports lexical errors.
 ///
 /// Token texts stay valid until release_finished_sources().
 class Cursor {
@@ -41,48 +41,48 @@ class Cursor {
   bool accept_word(std::string_view word);
   bool accept_punct(char c);
 
-  SourceLocation where() { return locate(peek()); }  ///< of the next token
+  SourceLocation where() { return locate(peek()); }  ///< location of the next token
   SourceLocation locate(const Token& token) { return token.source->locate(token.raw.data()); }
 
-  /// For loops over long lists: the place in the text where the next token begins, to scan on from
-  /// there and to set back with set_raw(). The text ends with a zero byte.
+  /// Start of the next token in the text, for fast scans of long lists. set_raw() moves the
+  /// position. The text ends with a zero byte.
   const char* raw();
   void set_raw(const char* p) { stack_.back().lexer.set_position(p); }
-  /// Goes on in another file and then here; what $include does. No token may have been looked at.
+  /// Reads another file at this position, as $include does. Requires that no token was peeked.
   void include(const std::string& name, bool angled, SourceLocation at);
-  /// The token looked at is not taken: what set_raw() chose is read instead.
+  /// Discards the peeked token; reading continues at the position of set_raw().
   void drop_lookahead() { ready_ = false; }
   Source& source() { return stack_.back().lexer.source(); }
-  std::string folder();  ///< of the file being read
+  std::string folder();  ///< folder of the current file
 
-  /// The next token is a binary block of a known size: its bytes, else an empty span and, where
-  /// there is such a block of another size, a message.
+  /// The bytes of the next token if it is a binary block of this size. Otherwise an empty span; a
+  /// binary block of another size is reported.
   std::span<const char> binary(std::size_t bytes);
 
   void release_finished_sources() { finished_.clear(); }
-  /// Gives back the memory of long text that was read, up to the next token.
+  /// Frees the memory of long text before the next token.
   void forget_what_was_read();
 
   std::map<std::string, std::string, std::less<>>& variables() { return variables_; }
-  /// File names of includes that could not be read, in order.
+  /// File names of unreadable includes, in order.
   const std::vector<std::string>& missing_includes() const { return missing_; }
-  /// Reports includes that were not found since the last call: each as a warning, or all in one
-  /// note where nothing of them is used.
+  /// Reports includes that were not found since the last call: one warning each if `used`,
+  /// otherwise one note for all.
   void report_missing_includes(bool used);
-  /// Package includes met since the last call.
+  /// Package includes read since the last call.
   std::vector<std::string> take_packages();
   struct CodeBlock {
     std::string body;
     SourceLocation where;
   };
-  /// $code blocks met since the last call.
+  /// $code blocks read since the last call.
   std::vector<CodeBlock> take_code();
 
  private:
   struct Frame {
     Lexer lexer;
     std::unique_ptr<Source> source;
-    std::string canonical;  // to detect cycles; empty for text
+    std::string canonical;  // canonical path, to detect cycles; empty for text
     int conditionals = 0;
   };
   void push(std::unique_ptr<Source> source, std::string canonical, SourceLocation from);

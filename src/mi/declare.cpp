@@ -64,8 +64,8 @@ void read_default(Parse& parse, ParamDecl& parameter) {
   parameter.default_value = read_value(parse);
 }
 
-// The type was read; then a name (except for the element of an array, where it is optional), the
-// members of a struct, the element of an array, a default.
+// The type, the name (optional for the element of an array), the members of a struct, the element
+// of an array and the default.
 ParamDecl read_parameter(Parse& parse) {
   const Nesting nesting(parse);
   ParamDecl p;
@@ -93,7 +93,7 @@ ParamDecl read_parameter(Parse& parse) {
   return p;
 }
 
-// color | struct { ... } | struct "n" { ... } | nothing, which is color
+// color | struct { ... } | struct "n" { ... } | empty (color)
 std::vector<ParamDecl> read_result(Parse& parse) {
   ParamDecl result;
   result.where = parse.in.where();
@@ -150,7 +150,7 @@ void read_shader_declaration(Parse& parse, bool old_form, SourceLocation at) {
     if (!old_form) parse.expect_end("declare");
     parse.declare(std::move(d));
   } catch (const SyntaxError&) {
-    // The name is known, so that its uses are not reported as unknown on top.
+    // Declared despite the error, so that its uses are not reported as unknown as well.
     if (!d.name.empty()) parse.declare(std::move(d));
     parse.recover("declare");
   }
@@ -212,7 +212,7 @@ void read_requirement(Parse& parse, std::vector<scene::Statement>& requirements,
 void read_declare(Parse& parse, SourceLocation at) {
   if (parse.in.accept_word("phenomenon")) return read_phenomenon(parse, at);
   if (parse.in.accept_word("data")) return read_data_declaration(parse, at);
-  // `declare shader "s"` is the new form; `declare shader` as a type of result needs a second one.
+  // `declare shader "s"` is the new form. A result of type shader requires `shader` twice.
   read_shader_declaration(parse, !parse.in.accept_word("shader"), at);
 }
 

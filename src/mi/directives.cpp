@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The $ commands: includes, conditions, in-line code.
+// $ directives: includes, conditions, inline code.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// File name of a path written on any system.
+// File name of a path with slashes or backslashes.
 std::string file_name(std::string_view path) {
   const std::size_t slash = path.find_last_of("/\\");
   return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
@@ -38,7 +38,7 @@ void Cursor::directive(const Token& command) {
 }
 
 void Cursor::include(const Token& command) {
-  // The name is the rest of the line: "file" or <file>; the brackets are tokens only here.
+  // The name is the rest of the line: "file" or <file>. Angle brackets are delimiters only here.
   const SourceLocation at = locate(command);
   Lexer& lexer = stack_.back().lexer;
   const char* p = lexer.position();
@@ -135,7 +135,7 @@ std::string Cursor::find_include(const std::string& name, bool angled, std::stri
   std::vector<fs::path> folders;
   if (!angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
   folders.insert(folders.end(), options_->include_paths.begin(), options_->include_paths.end());
-  // A scene that travelled alone has its libraries beside it, whatever brackets it was given.
+  // A scene is often shipped with its libraries in the same folder, also for <file>.
   if (angled) folders.push_back(fs::path(stack_.back().source->path()).parent_path());
   for (const std::string& spelling : scene::spellings_of(name))
     for (const fs::path& folder : folders) {
@@ -159,7 +159,7 @@ void Cursor::conditional(const Token& command) {
     if (depth == 0)
       return diagnostics_->warning(code::kConditional, at,
                                    fmt::format("${} without $ifdef", command.text));
-    // An $else met while reading ends the branch that was true.
+    // An $else reached while reading ends the active branch.
     if (command.text == "else") return skip_false_branch(at);
     --depth;
     return;

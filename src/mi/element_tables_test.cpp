@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of the element tables: each is read by the parser and fills its field.
+// Element tables: the parser reads each row, and the row sets its field.
 #include "scene/element_settings.h"
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace element_tables_test {
 
 using scene::StatementRow;
 
-/// The spellings of a row's keyword: `bsp: size|depth` are two, `filter (clip)` is one.
+/// The keywords of a row: `bsp: size|depth` has two, `filter (clip)` has one.
 std::vector<std::string> spellings(const StatementRow& row) {
   const std::string keyword(row.keyword);
   const auto colon = keyword.find(": ");
@@ -24,7 +24,7 @@ std::vector<std::string> spellings(const StatementRow& row) {
   return all;
 }
 
-/// Values to try behind a keyword: those of usual forms, and the words of the row's form.
+/// Values to try after a keyword: usual forms, and the words in the form of the row.
 std::vector<std::string> candidates(const StatementRow& row) {
   std::vector<std::string> all = {"",        "off",         "on",      "3",           ".25",
                                   "2 .25",   ".5 .25",      "7 .5 1",  "1 2 3 4",     "\"s\"",
@@ -41,7 +41,7 @@ std::vector<std::string> candidates(const StatementRow& row) {
   return all;
 }
 
-/// Whether nothing but the row has taken the statement, and whether its field differs then.
+/// Whether the statement was read by this row only, and changes its field.
 struct Outcome {
   bool parsed = false, sets = false;
 };
@@ -101,7 +101,7 @@ TEST(ElementTables, RowsOfOptionsAreParsedAndSetTheirFields) {
     return {match.row == &row && match.fits && diagnostics.all().empty(),
             !(read == scene::RenderOptions{})};
   };
-  // The first is the default; the second is read by scene/approximation.h.
+  // The first sets the default value; the second is parsed by scene/approximation.h.
   expect_rows_act(scene::option_table(), attempt, {"object space", "approximate"});
 }
 
@@ -122,7 +122,7 @@ TEST(ElementTables, RowsOfOtherElementsAreParsedAndSetTheirFields) {
                           &scene::Assembly::statements);
 }
 
-TEST(ElementTables, OptionsOfTheReferenceAreKnown) {
+TEST(ElementTables, ReferenceOptionsAreInTheTable) {
   for (const char* keyword : {"samples",
                               "contrast",
                               "\"contrast all buffers\"",

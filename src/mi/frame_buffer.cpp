@@ -13,25 +13,25 @@ namespace {
 
 using scene::FrameBuffer;
 
-// Items that are kept as statements; nothing here but `quality` acts on a file today.
-// Source: statements that later versions of mental ray 3.x write, see the camera's grammar.
+// Items stored as statements. Only `quality` has an effect on output files.
+// Source: items written for later versions of mental ray 3.x; see the grammar of the camera.
 constexpr std::string_view kModifiers[] = {
     "colorprofile", "compression", "field",      "quality",       "dod",
     "dpi",          "useopacity",  "useprimary", "premultiplied", "tiled"};
-// Those whose value may be a bare word; behind the others a word is the next item.
+// Items with a bare word as their value. A word after any other item is the next item.
 constexpr std::string_view kWorded[] = {"colorprofile", "compression", "field"};
 
 bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Where an item or the camera's next statement begins; ends an unknown item.
+// First words of items and camera statements. They end an unknown item.
 std::vector<std::string_view> ending_words() {
   std::vector<std::string_view> words = {"datatype",  "filename", "filetype",
                                          "filtering", "primary",  "user"};
   words.insert(words.end(), std::begin(kModifiers), std::end(kModifiers));
   words.insert(words.end(), std::begin(kCameraWords), std::end(kCameraWords));
-  // Statements of a camera that no open list ends at.
+  // Camera statements that are missing in kCameraWords.
   for (const std::string_view word : {"stereo", "eye", "parallax", "tag", "shift", "motion"})
     words.push_back(word);
   return words;
@@ -46,7 +46,7 @@ bool ends_an_item(const Token& token) {
   return token.kind == Token::Kind::Word && (token.text == "end" || is_one_of(ends(), token.text));
 }
 
-// One row of numbers, string, boolean or word; also none.
+// Reads an item with at most one value: numbers, string, boolean or word.
 void read_modifier(Parse& parse, FrameBuffer& buffer) {
   scene::Statement statement;
   statement.where = parse.in.where();
@@ -76,7 +76,7 @@ void keep_unknown(Parse& parse, FrameBuffer& buffer) {
   buffer.uninterpreted.push_back(std::move(uninterpreted));
 }
 
-// A value too many, or of another kind than the item has.
+// Skips an extra value or one of the wrong kind.
 void skip_values(Parse& parse, const FrameBuffer& buffer) {
   const SourceLocation at = parse.in.where();
   const std::string shown = parse.shown(parse.in.peek());
@@ -86,13 +86,13 @@ void skip_values(Parse& parse, const FrameBuffer& buffer) {
       fmt::format("{} has no place in framebuffer \"{}\"; skipped", shown, buffer.name));
 }
 
-// on off true false, 0 or 1; on when nothing stands there.
+// on, off, true, false, 0 or 1 (default on).
 bool read_flag(Parse& parse) {
   if (parse.at_number()) return parse.number("on or off") != 0;
   return parse.boolean_or(true);
 }
 
-// False where the next statement of the camera begins.
+// Returns false at the next statement of the camera.
 bool read_item(Parse& parse, FrameBuffer& buffer) {
   const Token token = parse.in.peek();
   if (token.kind == Token::Kind::End || Parse::starts_element(token)) return false;

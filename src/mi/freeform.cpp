@@ -14,12 +14,12 @@ namespace {
 using scene::Basis;
 using scene::ControlPoint;
 
-/// Numbers in a row, before it is known which are parameters and which are control points.
+/// Consecutive numbers, not yet split into parameters and control points.
 struct Row {
   struct Number {
     double value;
     bool integral;
-    float weight;  ///< `w f` behind it
+    float weight;  ///< from `w f` after the number
   };
   std::vector<Number> numbers;
   bool weighted = false;
@@ -48,11 +48,11 @@ const Basis* find_basis(const scene::Object& object, const std::string& name) {
   return found == object.bases.rend() ? nullptr : &*found;
 }
 
-/// How many of the numbers are parameters. `across`: control points in the other direction, 0 when
-/// unknown.
+/// Number of leading parameters in the row. `across`: number of control points in the other
+/// direction, 0 if unknown.
 ///
-/// Parameters have a point and indices have none, as everybody writes them. Where that does not
-/// tell, the count does: each basis asks for so many control points.
+/// Parameters are usually written with a decimal point and indices without. If this is ambiguous,
+/// the number of control points that the basis requires decides.
 std::size_t count_parameters(const Row& row, const Basis* basis, std::size_t across) {
   const auto& numbers = row.numbers;
   const auto is_integral = [](const Row::Number& n) { return n.integral; };
@@ -108,7 +108,7 @@ Patch read_patch(Parse& parse, const scene::Object& object, bool ranges) {
   return patch;
 }
 
-/// trim | hole | special: curves with their parts, or vertices.
+/// trim | hole | special: curves with parameter ranges, or vertices.
 scene::SurfaceLoop read_loop(Parse& parse, scene::SurfaceLoop::Kind kind) {
   scene::SurfaceLoop loop{kind, {}, {}};
   for (;;) {
@@ -172,7 +172,7 @@ void read_basis(Parse& parse, scene::Object& object, SourceLocation /*at*/) {
   if (kind == std::end(kKinds)) parse.unexpected("a kind of basis", kWords);
   parse.in.next();
   basis.kind = kind->second;
-  // A cardinal basis is cubic; a degree that stands there all the same is read over.
+  // A cardinal basis is always cubic; a degree is accepted and ignored.
   if (basis.kind != Basis::Kind::Cardinal)
     basis.degree = parse.integer("a degree");
   else if (parse.at_number())

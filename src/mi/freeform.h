@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers of free-form curves and surfaces. Each is entered behind its keyword.
+// Readers of free-form curves and surfaces. Each one is called after its keyword.
 #pragma once
 
 #include "mi/polygons.h"

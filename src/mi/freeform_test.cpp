@@ -20,7 +20,7 @@ std::string in_group(std::string_view statements) {
 }
 
 // acceptance: H1
-TEST(FreeFormReader, ParametersHavePointsAndControlPointsHaveNone) {
+TEST(FreeFormReader, NumbersWithDecimalPointAreParameters) {
   const Snippet read(in_group("surface \"f\" \"m\" \"b1\" 0 1 0. 1. \"b1\" 0.0 2.0 0. 2. 0 1 2 3"));
   const auto& group = read.get<scene::Object>("o").groups.at(0);
   const auto& surface = group.freeform.surfaces.at(0);
@@ -32,7 +32,7 @@ TEST(FreeFormReader, ParametersHavePointsAndControlPointsHaveNone) {
   EXPECT_EQ(surface.points, (Points{{0, 1}, {1, 1}, {2, 1}, {3, 1}}));
 }
 
-TEST(FreeFormReader, TheNumberOfControlPointsTellsWhereParametersWithoutPointsEnd) {
+TEST(FreeFormReader, ControlPointCountSplitsAmbiguousRows) {
   const Snippet read(
       in_group("surface \"f\" \"\" \"b1\" 0 1 0 1 \"s2\" 0 1 0 0 0 1 1 1 0 1 2 3 0 1\n"
                "curve \"c\" \"s2\" 0 0 0 1 1 1 0 w 2 1 w .5 2 w 1"));
@@ -78,7 +78,7 @@ TEST(FreeFormReader, TexturesTrimsAndConnectionsBelongToTheirSurface) {
   EXPECT_EQ(freeform.connections[0].part[1].min, 1);
 }
 
-TEST(FreeFormReader, WhatIsCutShortIsOneErrorAndTheFileGoesOn) {
+TEST(FreeFormReader, TruncatedSurfaceIsOneErrorAndReadingContinues) {
   for (const char* text : {"basis \"b\"", "basis \"b\" nurbs 3", "surface \"f\"",
                            "surface \"f\" \"m\" \"b1\" 0", "surface \"f\" \"m\" \"b1\" 0 1 0. 1.",
                            "curve \"c\"", "space \"c\"", "connect \"f\" \"c\" 0 1 \"f\"",

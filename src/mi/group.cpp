@@ -24,7 +24,7 @@ bool is_group_word(std::string_view word) {
   return std::find(std::begin(kGroupWords), std::end(kGroupWords), word) != std::end(kGroupWords);
 }
 
-// Whether a one-letter keyword before c stands alone, exactly as the lexer would see it.
+// Whether c ends a one-letter keyword before it, by the rules of the lexer.
 bool ends_word(char c) {
   const auto u = static_cast<unsigned char>(c);
   return !((u >= '0' && u <= '9') || ((u | 0x20) >= 'a' && (u | 0x20) <= 'z') || u == '_' ||
@@ -33,7 +33,8 @@ bool ends_word(char c) {
 
 bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
-// Up to `most` indices; returns how many, moves p behind them. -1: something unusual stands here.
+// Scans up to `most` indices and moves p past them. Returns their number, or -1 for an index in
+// another form.
 int scan_indices(const char*& p, std::uint32_t* out, int most) {
   int count = 0;
   while (count < most) {
@@ -69,7 +70,7 @@ void add_field(VertexRecord& vertex, char field, const std::uint32_t* index, int
 
 constexpr int kMaxFieldIndices = 8;
 
-/// Whether a mark of a subdivision surface's vertex begins here: cusp, conic, corner, dart.
+/// Whether text begins a vertex mark of a subdivision surface: cusp, conic, corner, dart.
 bool is_mark(const char* q) {
   return std::memcmp(q, "cus", 3) == 0 || std::memcmp(q, "coni", 4) == 0 ||
          std::memcmp(q, "cor", 3) == 0 || std::memcmp(q, "dar", 3) == 0;
@@ -80,7 +81,8 @@ int most_indices(char field) {
   return field == 'n' ? 1 : field == 't' ? 3 : field == 'd' ? 5 : kMaxFieldIndices;
 }
 
-// Reads a vertex of the usual form behind its `v`. Null: not of that form, nothing is lost.
+// Fast path of read_vertex(): scans a vertex in the usual form after its `v`. Returns null for any
+// other form; the caller then reads the vertex from its start.
 const char* scan_vertex(const char* p, VertexRecord& vertex) {
   vertex.clear();
   std::uint32_t index[kMaxFieldIndices];
@@ -94,7 +96,7 @@ const char* scan_vertex(const char* p, VertexRecord& vertex) {
     if (count < 1) return nullptr;
     add_field(vertex, field, index, count);
   }
-  // A comment or command inside the vertex: fields may follow behind it.
+  // A comment or directive inside the vertex: further fields may follow it.
   const char* const q = skip_blanks(p);
   return *q == '#' || *q == '$' || *q == 0 || is_digit(*q) || is_mark(q) ? nullptr : p;
 }
@@ -112,7 +114,7 @@ scene::VertexMark read_mark(Parse& parse) {
   return mark;
 }
 
-// The same token by token, for everything unusual.
+// General path: reads a vertex token by token.
 void read_vertex(Parse& parse, VertexRecord& vertex) {
   vertex.clear();
   vertex.point = index_of(parse);
@@ -152,7 +154,7 @@ class GroupReader {
   scene::Object& object_;
   scene::PolygonGroup& group_;
   GroupBuilder builder_;
-  std::string_view last_name_;  // of a material, to compare with the next before any search
+  std::string_view last_name_;  // last material name, compared before a search
 };
 
 void GroupReader::read_vertices() {
@@ -175,7 +177,7 @@ void GroupReader::read_vertices() {
   parse_.in.set_raw(p);
 }
 
-// One polygon of the usual form. Null: another form, nothing is kept of it.
+// Fast path of read_polygon(). Returns null for any other form, without changes to the group.
 const char* GroupReader::scan_polygon(const char* p, Room& room) {
   const Place place{&parse_.in.source(), p};
   p = skip_blanks(p + (p[0] == 'c' && p[1] == 'p' ? 2 : 1));
@@ -196,7 +198,7 @@ const char* GroupReader::scan_polygon(const char* p, Room& room) {
     material = builder_.last_material;
     ++p;
   } else if (!is_digit(*p)) {
-    return nullptr;  // such as a name without quotes
+    return nullptr;  // e.g. an unquoted name
   }
   if (!p || (parse_.tagged && named)) return nullptr;
 
@@ -274,7 +276,8 @@ void GroupReader::read_polygons() {
   parse_.in.set_raw(p);
 }
 
-// strip and fan become triangles; every second one of a strip is turned to keep the orientation.
+// Converts a strip or fan to triangles. Every second triangle of a strip is reversed to preserve
+// the orientation.
 void GroupReader::read_strip(bool fan) {
   const Token keyword = parse_.in.next();
   const Place place{keyword.source, keyword.raw.data()};
@@ -350,7 +353,7 @@ void GroupReader::read_body() {
       return;
     } else if (token.is_word("merge")) {
       parse_.in.next();
-      // One number only: vectors may follow at once.
+      // One number at most: vectors may follow directly.
       group_.settings.push_back({"merge", false, {read_numbers(parse_, 1)}, at});
     } else if (token.is_word("approximate") || token.is_word("visible") || token.is_word("trace") ||
                token.is_word("shadow") || token.is_word("caustic") || token.is_word("globillum")) {

@@ -25,7 +25,7 @@ std::optional<std::string> read_gzip(const std::string& path, std::uint64_t max_
   std::string text;
   std::size_t used = 0;
   for (;;) {
-    // Little text may become endlessly much.
+    // A small file may decompress to an unbounded size.
     if (used > max_size) {
       reason = "its text is larger than " + std::to_string(max_size) + " bytes";
       return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files that were compressed by gzip.
+// gzip-compressed scene files.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace oriel::mi {
 
-/// Whether the file begins as such files do; it is read from its begin again afterwards.
+/// Whether the file has the gzip magic number. Rewinds the file.
 bool is_gzip(std::FILE* file);
 
-/// The text of such a file; unset, and the reason, where it is damaged, cut off, or larger than
-/// `max_size` bytes.
+/// Returns the decompressed text, or nullopt and the reason if the file is damaged, truncated, or
+/// its text is larger than `max_size` bytes.
 /// Checked: Gzip.*
 std::optional<std::string> read_gzip(const std::string& path, std::uint64_t max_size,
                                      std::string& reason);

@@ -12,7 +12,7 @@
 namespace oriel::mi {
 namespace gzip_test {
 
-/// A file of its own that goes with the test.
+/// A temporary file that is deleted with the test.
 class GzipFile {
  public:
   explicit GzipFile(const std::string& text) {
@@ -33,7 +33,7 @@ class GzipFile {
 const std::string kScene = "options \"o\" samples 0 2 end options\nset \"x\" \"y\"\n";
 
 // acceptance: H1
-TEST(Gzip, ACompressedSceneIsReadAsThePlainOne) {
+TEST(Gzip, CompressedSceneEqualsPlainScene) {
   const GzipFile file(kScene);
   Diagnostics diagnostics;
   const scene::Scene packed = read_scene(file.path(), {}, diagnostics);
@@ -41,7 +41,7 @@ TEST(Gzip, ACompressedSceneIsReadAsThePlainOne) {
   EXPECT_TRUE(packed == read_text(kScene, {}, diagnostics));
 }
 
-TEST(Gzip, ACutOffFileIsToldOf) {
+TEST(Gzip, TruncatedFileIsReported) {
   const GzipFile file(kScene);
   file.cut(9);
   std::string reason;
@@ -49,13 +49,13 @@ TEST(Gzip, ACutOffFileIsToldOf) {
   EXPECT_NE(reason.find("damaged"), std::string::npos) << reason;
 }
 
-TEST(Gzip, AMissingFileIsNoEmptyText) {
+TEST(Gzip, MissingFileFails) {
   std::string reason;
   EXPECT_FALSE(read_gzip(::testing::TempDir() + "missing/scene.mi.gz", 1 << 20, reason));
   EXPECT_EQ(reason, "cannot be opened");
 }
 
-TEST(Gzip, TextBeyondTheLimitIsRefusedHoweverSmallItsFile) {
+TEST(Gzip, TextAboveTheSizeLimitIsRefused) {
   const GzipFile file(std::string(20 << 20, ' '));
   EXPECT_LT(std::filesystem::file_size(file.path()), 50'000u);
   std::string reason;

@@ -14,7 +14,7 @@ namespace {
 using scene::Hair;
 using Kind = Hair::Field::Kind;
 
-// A vertex of a few bytes may announce any number of fields; it has at most so many numbers.
+// Limits the memory that the field counts of a small file can request.
 constexpr int kMaxNumbers = 256;
 
 class HairReader {
@@ -68,7 +68,7 @@ class HairReader {
       const auto* word = std::find_if(std::begin(kWords), std::end(kWords),
                                       [this](auto& w) { return parse_.in.at_word(w.first); });
       if (word == std::end(kWords)) return;
-      // `radius 0.1` is the option of all hairs, which may stand behind the fields.
+      // `radius 0.1` is the radius of all hairs, which may follow the fields.
       parse_.in.next();
       Hair::Field field{word->second, 1};
       if (parse_.at_number()) {
@@ -83,7 +83,7 @@ class HairReader {
     }
   }
 
-  /// `[N]`; the brackets are forgotten at times.
+  /// `[N]`; some files omit the brackets.
   std::size_t count() {
     const bool bracketed = parse_.in.accept_punct('[');
     const double value = parse_.number("how many there are");
@@ -147,7 +147,7 @@ class HairReader {
     complain(at, "offsets", list.size(), wanted);
   }
 
-  /// Drops what reaches beyond the numbers, so that every hair is a span of them.
+  /// Drops hairs with numbers out of range, so that each hair is a valid span of the scalars.
   void check() {
     std::vector<std::uint32_t>& first = hair_.first;
     const auto good = std::is_sorted_until(first.begin(), first.end());

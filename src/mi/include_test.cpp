@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that include files: where they are searched, what is refused, how messages name places.
+// Includes: search paths, refused files, locations in messages.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ class Include : public FolderTest {
 };
 
 // acceptance: H1
-TEST_F(Include, IsSearchedBesideTheIncludingFileThenInThePaths) {
+TEST_F(Include, QuotedSearchesOwnFolderThenPaths) {
   write("scene/parts/a.mi", "$include \"b.mi\"\n$include <c.mi>\n");
   write("scene/parts/b.mi", "shader \"b\" \"s\" ( )");
   write("lib/c.mi", "shader \"c\" \"s\" ( )");
@@ -30,7 +30,7 @@ TEST_F(Include, IsSearchedBesideTheIncludingFileThenInThePaths) {
   EXPECT_TRUE(scene.find("b") && scene.find("c"));
 }
 
-TEST_F(Include, WithAngleBracketsIsSearchedInThePathsThenBesideTheIncludingFile) {
+TEST_F(Include, AngleBracketsSearchPathsThenOwnFolder) {
   write("scene/a.mi", "shader \"beside\" \"s\" ( )");
   write("scene/b.mi", "shader \"b\" \"s\" ( )");
   write("lib/a.mi", "shader \"lib\" \"s\" ( )");
@@ -41,7 +41,7 @@ TEST_F(Include, WithAngleBracketsIsSearchedInThePathsThenBesideTheIncludingFile)
   EXPECT_EQ(scene.find("beside"), nullptr);
 }
 
-TEST_F(Include, MessagesNameTheWholeWay) {
+TEST_F(Include, MessagesListTheIncludeChain) {
   write("inner.mi", "\n\n  shader \"x\" ,");
   read(write("outer.mi", "# outer\n$include \"inner.mi\"\n"));
   ASSERT_EQ(diagnostics_.all().size(), 1u);
@@ -50,7 +50,7 @@ TEST_F(Include, MessagesNameTheWholeWay) {
   EXPECT_NE(text.find("outer.mi:2:1"), std::string::npos) << text;
 }
 
-TEST_F(Include, OutsideTheScenesFolderIsRefusedUnlessAPathAllowsIt) {
+TEST_F(Include, FilesOutsideAllowedFoldersAreRefused) {
   const std::string secret = write("other/x.mi", "shader \"x\" \"s\" ( )");
   const std::string path =
       write("scene/s.mi", fmt::format("$include \"../other/x.mi\"\n$include \"{}\"\n", secret));
@@ -72,7 +72,7 @@ TEST_F(Include, RegistriesReadTheirFilesInOrder) {
   EXPECT_NE(scene.find("c"), nullptr);
 }
 
-TEST_F(Include, LinesAreCountedBehindTextThatWasGivenBack) {
+TEST_F(Include, LineNumbersStayCorrectAfterMemoryRelease) {
   std::string lines;
   for (int i = 0; i < 400'000; ++i) lines += "# some words\n";  // 5 MB
   const scene::Scene scene = read(write("s.mi", lines + "shader \"a\" \"s\" ( )\n" + lines +

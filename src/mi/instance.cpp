@@ -19,13 +19,14 @@ const FormTable& instance_forms() {
   return table;
 }
 
-// The matrix is world to local; what cannot be inverted would put the instance nowhere.
+// Reads a world-to-local matrix. A singular matrix has no local-to-world transform and becomes the
+// identity.
 Mat4 read_matrix(Parse& parse, SourceLocation at) {
   Mat4 m;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
       m[row][column] = parse.real("one of the sixteen numbers of a transform");
-  // double: a scene in millimetres under a world in kilometres has tiny but sound determinants.
+  // double: a scene in millimetres below a world in kilometres has tiny but valid determinants.
   const auto cofactor = [&](int a, int b) {
     return static_cast<double>(m[1][a]) * m[2][b] - static_cast<double>(m[1][b]) * m[2][a];
   };
@@ -69,7 +70,7 @@ std::vector<std::string> read_names(Parse& parse, char close) {
   return names;
 }
 
-// A name with or without quotes: of the words, keywords of instances are none.
+// Whether the next token is a name: a string, or a word that is not a keyword of an instance.
 bool at_name(Parse& parse) {
   const Token& token = parse.in.peek();
   return token.kind == Token::Kind::String ||
@@ -87,7 +88,7 @@ void read_materials(Parse& parse, Instance& instance) {
   }
 }
 
-// light ["exclusive"] [ list ]; without a list the restriction is taken away.
+// light ["exclusive"] [ list ]; removes the restriction if the list is missing.
 bool read_links(Parse& parse, std::optional<scene::LightLinks>& links) {
   scene::LightLinks read;
   if (parse.in.at(Token::Kind::String) || parse.in.at_word("exclusive")) {
@@ -111,7 +112,7 @@ void read_light_links(Parse& parse, Instance& instance, StatementList& flags) {
   }
   bool value = false;
   if (parse.at_number() || Parse::is_boolean(parse.in.peek(), value)) {
-    // It was a bare `light` and then the flag `shadow`.
+    // A bare `light` followed by the flag `shadow`.
     instance.light_links.reset();
     flags.add({"shadow", false, {read_value(parse)}, at});
     return;

@@ -8,7 +8,7 @@
 namespace oriel::mi {
 namespace {
 
-// A class per byte: 1 word character, 2 starts a number, 4 digit, 8 punctuation.
+// Character classes: 1 word character, 2 starts a number, 4 digit, 8 punctuation.
 struct CharacterClasses {
   std::uint8_t of[256] = {};
   constexpr CharacterClasses() {
@@ -81,7 +81,7 @@ void Lexer::next(Token& token) {
     while (is_word_character(*q)) ++q;
     return finish(token, Token::Kind::Directive, p_ + 1, q, q);
   }
-  // One token for a whole run of rubbish: a binary file is one message, not a million.
+  // One token for all consecutive invalid bytes, so that a binary file produces one message.
   while (q < end && class_of(*q) == 0 && *q != '"' && *q != '\'' && *q != '`' && *q != '$' &&
          *q != '#' && *q != source_->newline())
     ++q;
@@ -96,7 +96,7 @@ void Lexer::lex_number_or_word(Token& token) {
     if (number.overflow) token.problem = Token::Problem::NumberRange;
     return finish(token, Token::Kind::Number, p_, number.end, number.end);
   }
-  // Such as 3dsmax or 1.2.3: no number, so it becomes a word that the message shows.
+  // E.g. 3dsmax or 1.2.3: becomes a word, which the error message quotes.
   const char* q = p_ + 1;
   while (is_word_character(*q) || *q == '.') ++q;
   const bool word = class_of(*p_) & kDigit;
@@ -114,8 +114,8 @@ void Lexer::lex_string(Token& token) {
     token.escaped = true;
     ++q;
   }
-  // A quote forgotten turns every later string inside out. Its mark: the string runs over a line
-  // end and what seems to close it stands right before a word, as only an opening quote does.
+  // Detects a missing closing quote: the string spans a line end, and a word follows its end
+  // directly, as it follows an opening quote.
   const void* newline =
       std::memchr(start, source_->newline(), static_cast<std::size_t>((q ? q : end) - start));
   if (!q || (newline && (class_of(q[1]) & kWordStart))) {
@@ -134,7 +134,7 @@ void Lexer::lex_quoted_bytes(Token& token) {
   };
   while (hex(*q) || (static_cast<unsigned char>(*q) <= ' ' && *q != 0)) ++q;
   if (*q != '\'') {
-    // `code '...'` holds text instead of digits.
+    // `code '...'` contains text instead of digits.
     const void* close = std::memchr(q, '\'', static_cast<std::size_t>(source_->end() - q));
     q = close ? static_cast<const char*>(close) : source_->end();
     if (!close) token.problem = Token::Problem::Unterminated;
@@ -143,9 +143,8 @@ void Lexer::lex_quoted_bytes(Token& token) {
 }
 
 void Lexer::lex_binary(Token& token) {
-  // The payload may contain the closing character. Where the reader knows how many bytes there are
-  // it steps over them itself (Cursor::binary); here only the shape can tell: whole floats, then
-  // something that may follow.
+  // The payload may contain the closing character. Cursor::binary() handles blocks of known size.
+  // Here a block is assumed to consist of whole floats, followed by a blank or punctuation.
   const char* const end = source_->end();
   const char* q = p_ + 1;
   for (; q < end; q += 4)

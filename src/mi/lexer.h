@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text to tokens: words, strings, numbers, punctuation, hexadecimal and binary blocks.
+// Lexer: words, strings, numbers, punctuation, hexadecimal and binary blocks.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Token {
   enum class Kind : std::uint8_t {
     End,
     Word,    ///< unquoted: keyword or symbol
-    String,  ///< text is what stands between the quotes, escapes still in it
+    String,  ///< text: the characters between the quotes, with escapes
     Number,
     Punct,      ///< one of = , ( ) { } [ ] %
     Hex,        ///< '00ff'
@@ -25,9 +25,9 @@ struct Token {
   enum class Problem : std::uint8_t { None, Unterminated, NumberRange };
   Kind kind = Kind::End;
   Problem problem = Problem::None;
-  bool escaped = false;   ///< String: holds \" to be unescaped
-  bool integral = false;  ///< Number: written without point and exponent
-  std::string_view text;  ///< without its quotes
+  bool escaped = false;   ///< String: contains \" to be unescaped
+  bool integral = false;  ///< Number: without decimal point and exponent
+  std::string_view text;  ///< without quotes
   std::string_view raw;   ///< as written
   double number = 0;
   Source* source = nullptr;
@@ -35,11 +35,11 @@ struct Token {
   bool is_word(std::string_view word) const { return kind == Kind::Word && text == word; }
   bool is_punct(char c) const { return kind == Kind::Punct && text[0] == c; }
   bool is_name() const { return kind == Kind::String || kind == Kind::Word; }
-  /// The string itself: \" becomes ", every other backslash stays (paths of Windows).
+  /// The string value: \" becomes ", other backslashes stay (Windows paths).
   std::string str() const;
 };
 
-/// Reads tokens from one source. Tokens view the source's memory; nothing is copied.
+/// Reads tokens from one source. Tokens are views of the memory of the source.
 class Lexer {
  public:
   explicit Lexer(Source& source);
@@ -57,8 +57,8 @@ class Lexer {
               const char* end);
   Source* source_;
   const char* p_;
-  /// Up to here only escaped quotes are left over from a string that was cut; none of them opens
-  /// another one, or a hostile file would be scanned once per quote.
+  /// End of an unterminated string. Quotes before this position do not open a string; otherwise a
+  /// malicious file would be scanned once per quote.
   const char* forgotten_until_ = nullptr;
 };
 

@@ -22,7 +22,7 @@ struct NumberCase {
 };
 
 // acceptance: H1
-TEST(Number, AcceptsEverySpellingOfTheLanguage) {
+TEST(Number, AcceptsAllNumberFormats) {
   for (const NumberCase& c : {NumberCase{"0", 0, true},
                               {"-0", 0, true},
                               {"+7", 7, true},
@@ -51,7 +51,7 @@ TEST(Number, AcceptsEverySpellingOfTheLanguage) {
   }
 }
 
-TEST(Number, RefusesWhatIsNone) {
+TEST(Number, RejectsInvalidNumbers) {
   ScannedNumber n;
   for (const char* text : {"", "-", "+.", ".", "e5", "1e", "1e+", "3dsmax", "1.2.3", "7_", "nan"})
     EXPECT_FALSE(scan_number(text, n)) << text;
@@ -85,7 +85,8 @@ TEST(Number, MatchesTheStandardLibraryOnRandomDecimals) {
 }
 
 TEST(Number, HalfwayCasesRoundToEvenFloat) {
-  // 2^24 + 1 lies between two floats; a little more must round up, also through a double.
+  // 2^24 + 1 is halfway between two floats; a slightly larger number must round up, also via
+  // double.
   for (const char* text : {"16777217", "16777217.0000000001", "16777219", "16777218.9999999999",
                            "0.50000002980232238769531250", "0.50000002980232238769531251"}) {
     float f = 0;
@@ -106,7 +107,7 @@ TEST(Number, OverflowIsReportedAndClamped) {
 }
 
 // acceptance: H1
-TEST(Lexer, StringsKeepEverythingButTheEscapedQuote) {
+TEST(Lexer, StringsUnescapeQuotesOnly) {
   EXPECT_EQ(value_of(R"("")").text, "");
   EXPECT_EQ(value_of(R"("C:\Users\temp\file")").text, R"(C:\Users\temp\file)");
   EXPECT_EQ(value_of(R"("say \"hi\"")").text, R"(say "hi")");
@@ -127,7 +128,7 @@ TEST(Lexer, LineEndsTabsAndByteOrderMarkAreWhiteSpace) {
   EXPECT_EQ(read.get<scene::Material>("m").shaders[0].reference, "s1");
 }
 
-TEST(Lexer, CommentsMayStandAnywhere) {
+TEST(Lexer, CommentsAreAllowedAnywhere) {
   const Snippet read(
       "#mi 3.0\nshader \"x\" # a\n\"s\" ( \"p\" #: min 0\n 1, # \u3042\n \"q\" 2 #----\n)");
   EXPECT_TRUE(read.diagnostics.all().empty()) << read.messages();
@@ -140,7 +141,7 @@ TEST(Lexer, KeywordsAreCaseSensitive) {
 }
 
 TEST(Lexer, BinaryVectorsMayContainTheClosingQuote) {
-  // 0x60606060 is a backquote four times over.
+  // 0x60606060 is four backquotes.
   const std::string payload("\x3f\x80\x00\x00````\xc0\x00\x00\x00", 12);
   const Snippet read(fmt::format("object \"o\" group `{}` 0 0 1 end group end object", payload));
   EXPECT_TRUE(read.diagnostics.all().empty()) << read.messages();
@@ -151,7 +152,7 @@ TEST(Lexer, BinaryVectorsMayContainTheClosingQuote) {
   EXPECT_GT(vectors[0].y, 6e19f);
 }
 
-TEST(Lexer, ForgottenQuoteCostsOneElement) {
+TEST(Lexer, MissingQuoteAffectsOneElement) {
   const Snippet read(
       "shader \"a\" \"s\" (\n \"p 1,\n \"q\" 2,\n \"r\" 3 )\nshader \"b\" \"s\" ( \"p\" \"v\" )\n"
       "options \"o\" samples 0 2 end options");

@@ -26,7 +26,7 @@ Vec3 read_vector(Parse& parse, std::string_view what) {
   return {x, y, parse.real(what)};
 }
 
-// rectangle u v samples... | object "instance" samples... ; the bare keyword takes the area away.
+// rectangle u v samples... | object "instance" samples... ; the bare keyword removes the area.
 void read_area(Parse& parse, Light& light, SourceLocation at) {
   scene::Statement area{std::string(parse.in.next().text), false, {}, at};
   const Token& token = parse.in.peek();
@@ -46,7 +46,7 @@ void read_area(Parse& parse, Light& light, SourceLocation at) {
     light.area = std::move(area);
 }
 
-// In an incremental change the first list replaces the old one.
+// In an incremental change the first list replaces the existing one.
 void take_list(scene::ShaderList& list, scene::ShaderList more, bool& replace) {
   if (replace) list.clear();
   replace = false;

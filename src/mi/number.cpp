@@ -10,9 +10,9 @@
 namespace oriel::mi {
 namespace {
 
-// Powers of ten that a double holds exactly: with a mantissa below 2^53 one multiplication or
-// division is then correctly rounded (W. D. Clinger, How to Read Floating Point Numbers
-// Accurately, 1990).
+// Powers of ten that are exact in double precision. With a mantissa below 2^53, one multiplication
+// or division is correctly rounded (W. D. Clinger, How to Read Floating Point Numbers Accurately,
+// 1990).
 constexpr double kExactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -25,10 +25,10 @@ bool continues_word(char c) {
          c == '.';
 }
 
-// What the first pass over the characters finds.
+// Result of the first pass over the characters.
 struct Decimal {
   std::uint64_t mantissa = 0;
-  int digits = 0;  // significant digits; more than kMaxExactDigits: mantissa is not used
+  int digits = 0;  // significant digits; mantissa is valid up to kMaxExactDigits
   int exponent = 0;
   bool negative = false, integral = true;
   const char* digits_begin = nullptr;  // after the sign
@@ -78,7 +78,8 @@ inline bool exact_double(const Decimal& d, double& out) {
   return true;
 }
 
-// The library's conversion, for what the short way cannot do exactly. It knows no exponent d.
+// Conversion by the standard library, for numbers without an exact short path. std::from_chars does
+// not accept the exponent letter d.
 template <class T>
 T convert(const Decimal& d, bool& overflow) {
   std::string text(d.digits_begin, d.end);
@@ -87,7 +88,7 @@ T convert(const Decimal& d, bool& overflow) {
   T value = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
   if (result.ec == std::errc::result_out_of_range) {
-    // Out of range either way; which one, the decimal exponent of the leading digit tells.
+    // Overflow or underflow; the decimal exponent of the leading digit distinguishes them.
     const bool large = static_cast<long>(d.exponent) + d.digits > 0;
     overflow |= large;
     return large ? std::numeric_limits<T>::max() : T(0);
@@ -112,9 +113,9 @@ const char* scan_float(const char* p, float& out, bool& overflow) {
   Decimal d;
   if (!scan_decimal(p, d)) return nullptr;
   double value = 0;
-  // Rounding twice, to double and then to float, goes wrong only where the double lies exactly
-  // between two floats: its lower 29 bits are then 1 followed by zeros. Denormal floats have fewer
-  // bits, so small values take the long way too.
+  // Rounding to double and then to float is wrong only if the double lies exactly between two
+  // floats, i.e. if its lower 29 bits are 1 followed by zeros. Denormal floats have fewer bits, so
+  // small values use the long path too.
   constexpr std::uint64_t kBelowFloat = (1ull << 29) - 1, kHalfway = 1ull << 28;
   const bool direct = exact_double(d, value) && (value == 0 || (value > 1e-37 && value < 3e38)) &&
                       (std::bit_cast<std::uint64_t>(value) & kBelowFloat) != kHalfway;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decimal numbers as .mi files write them, scanned fast and rounded correctly.
+// Fast, correctly rounded scanning of decimal numbers in .mi files.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 namespace oriel::mi {
 
 // Conventions
-//   Text ends with a zero byte (Source guarantees it), so no scan needs to look for the end.
+//   Text ends with a zero byte (guaranteed by Source), so that scans need no end test.
 //   A number is [sign] digits [. digits] [exponent]; `1.` and `.5` are numbers; the exponent letter
-//   is e, E, d or D. It must not be followed directly by a letter, digit, dot or underscore.
+//   is e, E, d or D. No letter, digit, dot or underscore may follow it directly.
 
 struct ScannedNumber {
   double value = 0;
@@ -18,13 +18,13 @@ struct ScannedNumber {
   bool overflow = false;      ///< clamped to the largest finite number
 };
 
-/// Past white space, which all below blank is but the end.
+/// Skips white space: all bytes up to and including the blank, except zero.
 inline const char* skip_blanks(const char* p) {
   while (static_cast<unsigned char>(*p) <= ' ' && *p != 0) ++p;
   return p;
 }
 
-/// 0 to 15; -1 where it is no hexadecimal digit.
+/// 0 to 15, or -1 if c is not a hexadecimal digit.
 inline int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   const int letter = (c | 0x20) - 'a';
@@ -33,18 +33,19 @@ inline int hex_digit(char c) {
 
 /// Scans a number that begins at p.
 ///
-/// Returns: false, and nothing else, when the text at p is no number.
+/// Returns: false if the text at p is not a number; `out` is then unchanged.
 /// Checked: Number.MatchesTheStandardLibraryOnRandomDecimals.
 bool scan_number(const char* p, ScannedNumber& out);
 
-/// The same for single precision: correctly rounded to float in one step.
+/// As scan_number(), for single precision: rounded correctly to float in one step.
 ///
-/// Returns: one past the number, or null when the text at p is no number. Overflow clamps to the
-///          largest finite float and sets `overflow` (never cleared).
+/// Returns: the end of the number, or null if the text at p is not a number. Overflow clamps to
+///          the largest finite float and sets `overflow`, which is never cleared.
 const char* scan_float(const char* p, float& out, bool& overflow);
 
-/// Unsigned decimal index of at most nine digits followed by white space or the end; the form that
-/// geometry lists consist of. Returns null for anything else, which then takes the general path.
+/// Scans an unsigned decimal index of at most nine digits, followed by white space or the end: the
+/// usual form in geometry lists. Returns null for any other form; the caller then uses
+/// scan_number().
 inline const char* scan_index(const char* p, std::uint32_t& out) {
   std::uint32_t value = 0;
   const char* const start = p;

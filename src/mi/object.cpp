@@ -36,7 +36,7 @@ void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
   if (parse.in.accept_word("data")) return flags.add(read_data_reference(parse, at));
   if (parse.in.accept_word("approximate")) {
     scene::Statement statement = read_approximate(parse, "approximate", at);
-    // Behind a trilist it belongs to that.
+    // After a trilist the approximation applies to the trilist.
     if (object.groups.empty()) return flags.add(std::move(statement));
     object.groups.back().settings.push_back(std::move(statement));
     return;
@@ -51,7 +51,7 @@ void read_object_statement(Parse& parse, Object& object, StatementList& flags) {
 void read_object(Parse& parse, SourceLocation at) {
   parse.tagged = false;
   parse.element<Object>("object", at, [&](Object& object) {
-    // An object is replaced as a whole, even incrementally.
+    // An object is always replaced as a whole, also by an incremental change.
     const std::string name = object.name;
     object = Object();
     object.name = name;

@@ -43,7 +43,8 @@ scene::UninterpretedStatement keep_option(Parse& parse, std::string keyword, Sou
   return uninterpreted;
 }
 
-// state function | state [ function, ... ]. What follows one function may be a string option.
+// state function | state [ function, ... ]. A string after a single function may be a string
+// option.
 scene::ShaderList read_state_shaders(Parse& parse) {
   if (!parse.in.accept_punct('[')) return {read_shader(parse)};
   scene::ShaderList list;
@@ -62,7 +63,7 @@ void read_option(Parse& parse, scene::Options& options, StatementList& statement
   if (parse.in.accept_word("approximate"))
     return statements.add(read_approximate(parse, "approximate", at));
   if (parse.in.accept_word("traversal")) {
-    // The one option whose value may be any bare word.
+    // The only option with an arbitrary bare word as its value.
     scene::Statement statement{"traversal", false, {}, at};
     if (!parse.in.peek().is_name()) parse.unexpected("the name of a function");
     statement.values.push_back(read_value(parse));

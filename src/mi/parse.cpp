@@ -10,11 +10,11 @@
 namespace oriel::mi {
 namespace {
 
-// Words that begin a statement of the top level and, in the first column, hardly anything else.
+// Words that always begin a top-level statement when they are in the first column.
 constexpr std::string_view kUnmistakable[] = {
     "options", "camera",    "object",      "instance", "instgroup", "render",      "declare",
     "link",    "namespace", "incremental", "delete",   "assembly",  "lightprofile"};
-// These also occur inside other elements; there they count only where they cannot.
+// Words that also occur inside other elements. They end only elements that cannot contain them.
 constexpr std::string_view kAmbiguous[] = {"light", "material", "shader", "texture",
                                            "data",  "gui",      "color",  "scalar",
                                            "local", "set",      "verbose"};
@@ -132,7 +132,7 @@ std::string Parse::referenced_name(std::string name) const {
 std::string Parse::shader_type_name(std::string name) const {
   if (name.starts_with("::")) return name.substr(2);
   if (namespaces_.empty()) return name;
-  // Libraries are declared outside; only what was declared inside carries the prefix.
+  // Shader libraries are declared globally; only types declared in the namespace have the prefix.
   std::string inner = prefix() + name;
   return declaration(inner) ? inner : name;
 }
@@ -215,7 +215,7 @@ void Parse::recover(std::string_view kind) {
         if (in.accept_word(kind)) return;
         continue;
       }
-      // `object space` and `camera space` are options.
+      // `object space` and `camera space` are statements of options.
       const bool option = kind == "options" && (token.text == "object" || token.text == "camera");
       if ((starts_element(token) && !option) ||
           (!may_hold_others && in_first_column(token) && contains(kAmbiguous, token.text)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the readers of all elements share: tokens, messages, names, where elements go.
+// State shared by all element readers: tokens, diagnostics, names, the target scene.
 #pragma once
 
 #include <map>
@@ -16,11 +16,11 @@
 namespace oriel::mi {
 
 // Conventions
-//   Readers are free functions on a Parse (elements.h). A reader is entered after its keyword was
-//   consumed. A syntax error is reported where it is found and then thrown as SyntaxError; the
-//   nearest element() catches it, skips to the element's end and keeps what was read so far.
+//   Readers are free functions on a Parse (elements.h), called after their keyword was consumed. A
+//   syntax error is reported at its location and then thrown as SyntaxError. The nearest element()
+//   catches it, skips to the end of the element and keeps the part that was read.
 
-/// A syntax error that has been reported already.
+/// A syntax error that was already reported.
 struct SyntaxError {};
 
 /// State while reading one file.
@@ -32,58 +32,59 @@ class Parse {
   const ReadOptions& options;
   Diagnostics& diagnostics;
   scene::Scene* scene = nullptr;
-  scene::Phenomenon* phenomenon = nullptr;      ///< while reading the body of one
-  bool incremental = false;                     ///< the element being read re-opens an existing one
-  bool tagged = false;                          ///< the object being read has labels for materials
-  int depth = 0;                                ///< of nested values and shaders, see Nesting
-  std::set<std::string, std::less<>> reported;  ///< unknown names that have been reported
+  scene::Phenomenon* phenomenon = nullptr;      ///< not null inside its body
+  bool incremental = false;                     ///< the current element changes an existing one
+  bool tagged = false;                          ///< material labels in the current object
+  int depth = 0;                                ///< current nesting of values and shaders
+  std::set<std::string, std::less<>> reported;  ///< undefined names already reported
 
   // Messages ------------------------------------------------------------------------------------
   void warn(code::Code code, SourceLocation at, std::string message, std::string hint = {}) {
     diagnostics.warning(code, at, std::move(message), std::move(hint));
   }
-  /// "expected X, found Y", at the next token, with the nearest of `candidates` as a hint.
+  /// Throws after the error "expected X, found Y" at the next token. The most similar of
+  /// `candidates` becomes the hint.
   [[noreturn]] void unexpected(std::string_view wanted,
                                std::span<const std::string> candidates = {});
-  /// The token as a message shows it: shortened, with its quotes.
+  /// The token as shown in diagnostics: shortened, with its quotes.
   std::string shown(const Token& token) const;
 
   // Tokens --------------------------------------------------------------------------------------
-  std::string name(std::string_view what);  ///< string or unquoted symbol
+  std::string name(std::string_view what);  ///< string or unquoted word
   void expect_word(std::string_view word);
   void expect_punct(char c);
-  /// `end kind`, both words consumed.
+  /// Consumes `end kind`.
   void expect_end(std::string_view kind);
   bool at_number() { return in.at(Token::Kind::Number); }
   double number(std::string_view what);
   float real(std::string_view what);  ///< as number(), clamped to the range of float
   int integer(std::string_view what);
-  bool boolean_or(bool otherwise);  ///< on off true false, or `otherwise` when none stands here
+  bool boolean_or(bool otherwise);  ///< on, off, true, false; default `otherwise`
   static bool is_boolean(const Token& token, bool& value);
 
   // Names ---------------------------------------------------------------------------------------
   void enter_namespace(std::string name) { namespaces_.push_back(std::move(name)); }
   bool leave_namespace();
-  std::string defined_name(std::string name) const;     ///< with the prefix of the namespace
-  std::string referenced_name(std::string name) const;  ///< the same; a leading :: leads outside
+  std::string defined_name(std::string name) const;     ///< with the namespace prefix
+  std::string referenced_name(std::string name) const;  ///< with the prefix; a leading :: is global
   std::string shader_type_name(std::string name) const;
-  std::string text_value(std::string name) const;  ///< prefixed only when that names an element
+  std::string text_value(std::string name) const;  ///< prefixed only if that names an element
 
   // Where things go -----------------------------------------------------------------------------
-  /// Reads the body of an element by `body(T&)` and adds it to the scene or the phenomenon.
-  /// `T` is taken over from the existing element when incremental.
+  /// Reads the body of an element with `body(T&)` and adds the element to the scene or the
+  /// phenomenon. `body` starts from the existing element if `incremental` is set.
   template <class T, class Body>
   void element(std::string_view kind, SourceLocation at, Body body);
   void add(scene::Element element);
   void declare(scene::ShaderDeclaration declaration);
   void declare(scene::Phenomenon phenomenon);
-  /// Declaration or outside of a phenomenon in this file, or null.
+  /// Declaration of a shader or phenomenon in this file, or null.
   const scene::ShaderDeclaration* declaration(const std::string& type) const;
 
-  /// Whether this word, in the first column, can only begin an element of the top level.
+  /// Whether the token is in the first column and can only begin a top-level element.
   static bool starts_element(const Token& token);
-  /// Skips to the end of the broken element: behind its `end kind`, or before the next statement
-  /// that stands in the first column and can only be one of the top level.
+  /// Skips to the end of the broken element: after its `end kind`, or before the next first-column
+  /// word that can only begin a top-level statement.
   void recover(std::string_view kind);
 
  private:
@@ -113,7 +114,7 @@ void Parse::element(std::string_view kind, SourceLocation at, Body body) {
   if (!fresh.name.empty()) add(std::move(fresh));
 }
 
-/// Counts levels of nested values; stops the reader before the stack ends.
+/// Counts nested values and throws at the nesting limit, before a stack overflow.
 class Nesting {
  public:
   explicit Nesting(Parse& parse);

@@ -15,14 +15,14 @@ using scene::InstanceGroup;
 using scene::Object;
 using scene::Scene;
 
-/// A placeholder that waits: what it is called, and the file it names.
-struct Waiting {
+/// A placeholder that is not loaded yet.
+struct PendingPlaceholder {
   std::string name, file;
   SourceLocation where;
 };
 
-std::vector<Waiting> waiting_in(const Parse& parse) {
-  std::vector<Waiting> list;
+std::vector<PendingPlaceholder> pending_in(const Parse& parse) {
+  std::vector<PendingPlaceholder> list;
   for (const Element& element : parse.scene->elements()) {
     const auto add = [&](const auto& e) {
       if (const std::string file = scene::settings_of(e).file;
@@ -35,11 +35,11 @@ std::vector<Waiting> waiting_in(const Parse& parse) {
   return list;
 }
 
-Scene read_file(Parse& parse, const Waiting& placeholder) {
+Scene read_file(Parse& parse, const PendingPlaceholder& placeholder) {
   Scene scene;
   Parse inner(parse.options, parse.diagnostics);
   inner.scene = &scene;
-  // As an include of the file that names it, so that folders and limits are those of includes.
+  // Read as an include of the file with the placeholder, for the same folders and limits.
   const std::string text = fmt::format("$include \"{}\"\n", placeholder.file);
   inner.in.open_text(text, std::string(parse.diagnostics.file(placeholder.where.file)));
   while (!inner.in.at_end()) read_top_level(inner);
@@ -47,7 +47,7 @@ Scene read_file(Parse& parse, const Waiting& placeholder) {
   return scene;
 }
 
-/// What a placeholder of that name stands for; null when there is nothing.
+/// The content of a placeholder: the element of the same name, or the last one of type T, or null.
 template <typename T>
 const T* content_of(const Scene& scene, const std::string& name) {
   if (const T* same = scene.get<T>(name)) return same;
@@ -57,11 +57,11 @@ const T* content_of(const Scene& scene, const std::string& name) {
   return last;
 }
 
-/// Moves the elements over; `content` gets the name `as`.
-void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::string& content,
-           const std::string& as) {
+/// Moves the elements into the scene; renames `content` to `as`.
+void merge(Parse& parse, const PendingPlaceholder& placeholder, Scene&& from,
+           const std::string& content, const std::string& as) {
   Scene& scene = *parse.scene;
-  std::size_t taken = 0;
+  std::size_t in_use = 0;
   std::string first;
   for (Element& element : from.elements()) {
     std::visit(
@@ -71,7 +71,7 @@ void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::st
         element);
     const std::string name = scene::name_of(element);
     if (scene.find(name)) {
-      if (taken++ == 0) first = name;
+      if (in_use++ == 0) first = name;
       continue;
     }
     scene.loaded.insert(name);
@@ -79,13 +79,13 @@ void merge(Parse& parse, const Waiting& placeholder, Scene&& from, const std::st
   }
   for (scene::ShaderDeclaration& d : from.declarations)
     if (!scene.find_declaration(d.name)) parse.declare(std::move(d));
-  if (taken > 0)
+  if (in_use > 0)
     parse.warn(code::kRedefined, placeholder.where,
                fmt::format("{} name(s) of \"{}\" are in use, \"{}\" first; those of the scene stay",
-                           taken, placeholder.file, first));
+                           in_use, placeholder.file, first));
 }
 
-void load(Parse& parse, const Waiting& placeholder) {
+void load(Parse& parse, const PendingPlaceholder& placeholder) {
   parse.reported.insert("placeholder " + placeholder.name);
   Scene from = read_file(parse, placeholder);
   const std::string as = placeholder.name + "@file";
@@ -94,8 +94,8 @@ void load(Parse& parse, const Waiting& placeholder) {
     if (const Object* found = content_of<Object>(from, placeholder.name)) {
       content = found->name;
       object->content = as;
-      // What the placeholder says lies over what the file says. The content is none in turn, or a
-      // file that names itself would be read for ever.
+      // Flags of the placeholder override flags in the file. The flag `file` of the content is
+      // removed; otherwise a file that names itself would be read endlessly.
       Object& inner = *from.get<Object>(content);
       inner.flags.insert(inner.flags.end(), object->flags.begin(), object->flags.end());
       std::erase_if(inner.flags, [](const scene::Statement& s) { return s.keyword == "file"; });
@@ -107,7 +107,7 @@ void load(Parse& parse, const Waiting& placeholder) {
     }
   }
   if (!content.empty()) return merge(parse, placeholder, std::move(from), content, as);
-  // A file that could not be read is already reported.
+  // An unreadable file was already reported.
   if (!from.elements().empty())
     parse.warn(code::kNoContent, placeholder.where,
                fmt::format("\"{}\" holds nothing that \"{}\" could stand for", placeholder.file,
@@ -118,8 +118,9 @@ void load(Parse& parse, const Waiting& placeholder) {
 
 void load_placeholders(Parse& parse) {
   int count = 0;
-  for (std::vector<Waiting> list = waiting_in(parse); !list.empty(); list = waiting_in(parse))
-    for (const Waiting& placeholder : list) {
+  for (std::vector<PendingPlaceholder> list = pending_in(parse); !list.empty();
+       list = pending_in(parse))
+    for (const PendingPlaceholder& placeholder : list) {
       if (++count > parse.options.limits.includes)
         return parse.diagnostics.error(
             code::kIncludeLimit, placeholder.where,
@@ -132,9 +133,9 @@ void load_placeholder(Scene& scene, const std::string& name, const ReadOptions& 
                       Diagnostics& diagnostics) {
   Parse parse(options, diagnostics);
   parse.scene = &scene;
-  // Those that wait now were tried when the scene was read.
-  const std::vector<Waiting> before = waiting_in(parse);
-  for (const Waiting& placeholder : before)
+  // Other pending placeholders were already tried when the scene was read.
+  const std::vector<PendingPlaceholder> before = pending_in(parse);
+  for (const PendingPlaceholder& placeholder : before)
     if (placeholder.name != name) parse.reported.insert("placeholder " + placeholder.name);
   load_placeholders(parse);
 }

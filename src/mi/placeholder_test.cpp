@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects and assemblies that stand for the contents of files.
+// Placeholders: objects and assemblies with contents in separate files.
 #include "mi/placeholder.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ const char* const kTriangle =
     "end object\n";
 
 // acceptance: H1
-TEST_F(Placeholder, AnObjectStandsForTheOneInItsFile) {
+TEST_F(Placeholder, ObjectGetsTheGeometryInItsFile) {
   write("parts/x.mi", kTriangle);
   const scene::Scene scene = read(
       "object \"x\" shadow box 0 0 0 1 1 1 file \"parts/x.mi\" end object\n"
@@ -57,7 +57,7 @@ TEST_F(Placeholder, AnObjectStandsForTheOneInItsFile) {
 }
 
 // acceptance: H1
-TEST_F(Placeholder, AnAssemblyStandsForAGroupWithAllThatIsInIt) {
+TEST_F(Placeholder, AssemblyGetsTheGroupInItsFile) {
   write("part.mi", std::string("material \"m\" \"s\" ( ) end material\n") + kTriangle +
                        "instance \"xi\" \"x\" material [ \"m\" ] end instance\n"
                        "instgroup \"a\" \"xi\" end instgroup\n");
@@ -84,7 +84,7 @@ TEST_F(Placeholder, IsWrittenBackAsAReference) {
   EXPECT_TRUE(read_scene(path, options_, diagnostics_) == scene);
 }
 
-TEST_F(Placeholder, AMissingFileIsNamedAndTheRestIsThere) {
+TEST_F(Placeholder, MissingFileIsReportedAndTheRestIsRead) {
   const scene::Scene scene = read(
       "object \"x\" file \"nowhere.mi\" end object\ninstance \"i\" \"x\" end instance\n"
       "assembly \"a\" file \"nothing.mi\" end assembly\ninstance \"j\" \"a\" end instance",

@@ -14,7 +14,7 @@ namespace {
 
 using scene::kNone;
 
-// A column is empty as long as no vertex has the field; then it has an entry for each.
+// A column is empty until a vertex has the field; then it has one entry per vertex.
 void put(std::vector<std::uint32_t>& column, std::size_t vertex, std::uint32_t value, Room& room,
          const char* p) {
   if (column.empty() && value == kNone) return;
@@ -40,15 +40,15 @@ Room::Room(const Source& source, const char* p, char stop, bool list_was_empty)
 
 std::size_t Room::wanted(std::size_t size, const char* p) const {
   constexpr std::size_t kFirst = 64;
-  // Before this much text the mean length of an entry is not known well.
+  // Minimum text length for a reliable mean length of an entry.
   constexpr std::ptrdiff_t kEnoughText = 1 << 14;
   const std::size_t doubled = std::max(kFirst, size * 2);
   if (!fresh_ || p < begin_ + kEnoughText || p >= end_) return doubled;
-  // Searched only here, a few times per list: a text of many short lists stays cheap.
+  // Searched here only, a few times per list, so that many short lists stay fast.
   const void* const found = std::memchr(p, stop_, static_cast<std::size_t>(end_ - p));
   const char* const end = found ? static_cast<const char*>(found) : end_;
   const double share = static_cast<double>(p - begin_) / static_cast<double>(end - begin_);
-  // No entry takes less than two characters, whatever the mean says.
+  // Upper bound: an entry has at least two characters.
   const std::size_t most = size + static_cast<std::size_t>(end - p) / 2 + kFirst;
   const auto expected = static_cast<std::size_t>(static_cast<double>(size) / share * 1.02);
   return std::max(size + kFirst, std::min(most, expected + kFirst));
@@ -96,7 +96,7 @@ void GroupBuilder::add_vertex(const VertexRecord& v, Place place, Room& room) {
     put(list.textures[i].basis_u, n, checked(t.basis_u, "basis vector"), room, at);
     put(list.textures[i].basis_v, n, checked(t.basis_v, "basis vector"), room, at);
   }
-  // Rare fields: no cost to vertices without them.
+  // Rare fields cost nothing for vertices without them.
   if (v.mark) {
     list.marks.push_back(*v.mark);
     list.marks.back().vertex = static_cast<std::uint32_t>(n);
@@ -127,7 +127,7 @@ void GroupBuilder::abandon_polygon() {
   while (!list.holes.empty() && list.holes.back() >= polygon_begin_) list.holes.pop_back();
 }
 
-// What is wrong with the polygon under construction, or null.
+// The error in the current polygon, or null.
 const char* GroupBuilder::polygon_fault(std::uint32_t& culprit) const {
   const scene::PolygonList& list = group_.polygons;
   const std::size_t vertices = group_.vertices.size();
@@ -188,7 +188,7 @@ void read_vectors(Parse& parse, std::vector<Vec3>& vectors) {
       have = 0;
     }
     parse.in.set_raw(p);
-    // What stopped the loop may be a comment or an include, behind which the list goes on.
+    // The loop may have stopped at a comment or an include; the list can continue after it.
     if (parse.at_number()) continue;
     if (have != 0 || !parse.in.at(Token::Kind::Binary)) break;
     const auto bytes = parse.in.binary(3 * sizeof(float));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads mental ray scene files (.mi) into a scene.
+// Reads mental ray scene files (.mi).
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,20 @@ namespace oriel::mi {
 
 struct ReadLimits {
   int include_depth = 64;
-  int includes = 100'000;  ///< in all: files that include each other twice grow exponentially
-  int nesting = 256;       ///< of parameter values, groups in braces and brackets
-  std::uint64_t file_size = std::uint64_t{16} << 30;  ///< bytes of one file
+  int includes = 100'000;  ///< in total; mutual includes grow exponentially
+  int nesting = 256;       ///< of parameter values, braces and brackets
+  std::uint64_t file_size = std::uint64_t{16} << 30;  ///< per file
 };
 
 struct ReadOptions {
   std::vector<std::string> include_paths;
-  /// Stems of the shader packages the host supplies itself ("base", "architectural"): an include
-  /// whose file name is stem + ".mi" is satisfied without a file and noted in Scene::packages.
+  /// Stems of the shader packages that the host provides ("base", "architectural"). An include of
+  /// stem + ".mi" is satisfied without a file and recorded in Scene::packages.
   std::vector<std::string> packages;
-  /// Whether the host knows a shader type that the file does not declare.
+  /// Returns true for shader types that the host provides without a declaration in the file.
   std::function<bool(std::string_view)> knows_shader;
-  std::map<std::string, std::string, std::less<>> variables;  ///< for $ifdef
-  /// The host compiles C sources in the scene: it is not said that they are never run.
+  std::map<std::string, std::string, std::less<>> variables;  ///< defined for $ifdef
+  /// The host compiles C code in the scene; suppresses the warning that such code is not run.
   bool trusts_code = false;
   ReadLimits limits;
 };
@@ -39,36 +39,36 @@ class ReaderState;
 
 /// Reads a scene file frame by frame.
 ///
-/// Whatever is wrong becomes a diagnostic (codes.h) and reading goes on: a syntax error costs the
-/// element it is in, a missing include its contents. Nothing in a file is ever run. Included files
-/// must lie below the scene's folder or an include path.
+/// Errors become diagnostics (codes.h) and reading continues: a syntax error affects one element, a
+/// missing include only its contents. The reader never runs code in a file. Included files must be
+/// below the folder of the scene or an include path.
 class Reader {
  public:
-  /// `options` are copied, `diagnostics` must outlive the reader.
+  /// Copies `options`. `diagnostics` must outlive the reader.
   Reader(const std::string& path, ReadOptions options, Diagnostics& diagnostics);
-  /// Text in memory; `name` stands for its path in messages and for relative includes.
+  /// Reads text in memory. `name` is its path in diagnostics and for relative includes.
   static Reader from_text(std::string_view text, ReadOptions options, Diagnostics& diagnostics,
                           std::string name = "scene.mi");
   ~Reader();
   Reader(Reader&&) noexcept;
 
-  /// Reads until and including the next `render` statement, applying everything to `scene`; the
-  /// statement is appended to Scene::renders and every name that nothing defines is reported.
-  /// Returns false when the file ends without another `render`. Pass the same scene every time.
+  /// Reads up to and including the next `render` statement into `scene`. Appends the statement to
+  /// Scene::renders and reports all undefined names. Returns false if the file ends without another
+  /// `render`. Requires the same scene in every call.
   bool next_frame(scene::Scene& scene);
 
-  /// Whether nothing follows the frame just read.
+  /// Whether the file ends after the last frame that was read.
   bool at_end();
-  bool opened() const;  ///< false: the file could not be read, and a diagnostic says why
+  bool opened() const;  ///< false after a read error, which was reported
 
  private:
   explicit Reader(std::unique_ptr<ReaderState> state);
   std::unique_ptr<ReaderState> state_;
 };
 
-/// Reads on to the end, all frames applied one after the other.
+/// Reads all frames into one scene.
 scene::Scene read_all(Reader& reader);
-/// The same of a whole file.
+/// Reads a whole file.
 scene::Scene read_scene(const std::string& path, ReadOptions options, Diagnostics& diagnostics);
 scene::Scene read_text(std::string_view text, ReadOptions options, Diagnostics& diagnostics,
                        std::string name = "scene.mi");

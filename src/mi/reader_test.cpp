@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements, element by element, and what happens when they are wrong.
+// Statements of each element, and errors in them.
 #include "mi/reader.h"
 
 #include "mi/testing/test_support.h"
@@ -12,7 +12,7 @@ using scene::kNone;
 #define EXPECT_SILENT(read) EXPECT_TRUE((read).diagnostics.all().empty()) << (read).messages()
 
 // acceptance: H1
-TEST(Options, EveryStatementOfTheLanguageIsAStatement) {
+TEST(Options, AllStatementsAreRead) {
   for (const char* statement : {"samples 2",
                                 "samples -1 2 0 1",
                                 "samples collect 4",
@@ -77,7 +77,7 @@ TEST(Options, EveryStatementOfTheLanguageIsAStatement) {
   }
 }
 
-TEST(Options, AnUnknownStatementCostsOnlyItself) {
+TEST(Options, UnknownStatementAffectsOnlyItself) {
   const Snippet read("options \"o\"\n samples 0 2\n contrats .1 .1 .1\n trace on\nend options");
   EXPECT_EQ(read.message(code::kUnknownStatement).where.line, 3u);
   EXPECT_EQ(read.message(code::kUnknownStatement).hint, "did you mean contrast?");
@@ -101,7 +101,7 @@ TEST(Camera, ListsAppendAndBareKeywordsClear) {
 }
 
 // acceptance: H1
-TEST(FrameBuffer, ItemsHaveTheirPlacesAndEndWithTheNextStatement) {
+TEST(FrameBuffer, ItemsEndAtTheNextCameraStatement) {
   const Snippet read(
       "camera \"c\" framebuffer \"diffuse_raw\" datatype \"rgba_fp\" filename \"d.exr\" "
       "filetype \"exr\" filtering off primary user on quality 90 compression \"zip\" tiled "
@@ -127,7 +127,7 @@ TEST(FrameBuffer, ItemsHaveTheirPlacesAndEndWithTheNextStatement) {
   EXPECT_EQ(c.uninterpreted.size(), 1u);
 }
 
-TEST(FrameBuffer, UnknownItemsAreKeptWithANoteAndStrayValuesSkipped) {
+TEST(FrameBuffer, UnknownItemsAreStoredWithANoteAndStrayValuesSkipped) {
   const Snippet read(
       "camera \"c\" framebuffer \"f\" filterin on deep [ 1 ( 2 ) ] primary on \"stray\" 3 "
       "user 0 focal 50 end camera");
@@ -281,7 +281,7 @@ TEST(Declare, TypesNestAndOldFormsEndAtTheParenthesis) {
 }
 
 // acceptance: H1
-TEST(Phenomenon, KeepsItsOwnElements) {
+TEST(Phenomenon, ElementsInsideAreLocal) {
   const Snippet read(
       "declare phenomenon color \"p\" ( color \"c\" ) shader \"in\" \"s\" ( \"a\" = "
       "interface \"c\", \"b\" = shader \"deep\" \"t\" ( ) ) material \"m\" = \"in\" end "
@@ -329,7 +329,7 @@ TEST(Commands, NamespacesPrefixNames) {
 }
 
 // acceptance: H1
-TEST(Commands, ThoseWithoutMeaningAreKept) {
+TEST(Commands, UnusedCommandsAreStored) {
   const Snippet read(
       "verbose on min version \"3.4\" link \"base.so\" echo \"x\" memory 5 "
       "gui \"g\" { control \"a\" \"b\" ( \"c\" ) } data \"d\" 2 '0001' touch \"d\" "
@@ -359,7 +359,7 @@ TEST(Commands, UserDataAreBytesAFileOrDeclaredParameters) {
   EXPECT_TRUE(read.get<scene::UserData>("none").bytes.empty());
 }
 
-TEST(Commands, TouchGivesAnElementAnotherRevision) {
+TEST(Commands, TouchChangesTheRevision) {
   const std::string gui = "gui \"g\" { control \"a\" \"b\" ( \"c\" ) } ";
   const Snippet once(gui), again(gui + "touch \"g\"");
   EXPECT_SILENT(again);
@@ -369,7 +369,7 @@ TEST(Commands, TouchGivesAnElementAnotherRevision) {
   EXPECT_EQ(nothing.diagnostics.all().size(), 1u);
 }
 
-TEST(Commands, NothingIsEverRun) {
+TEST(Commands, CodeAndSystemCommandsAreNotRun) {
   const Snippet read(
       "system \"touch /tmp/x\"\ncode \"a.c\"\nregistry \"r\" system \"rm\" end registry\n"
       "$code\nint f(); # not a comment: \"\n$end code\nshader \"a\" \"s\" ( )");
@@ -378,7 +378,7 @@ TEST(Commands, NothingIsEverRun) {
   EXPECT_NE(read.scene.find("a"), nullptr);
 }
 
-TEST(Commands, CodeIsLeftToAHostThatTrustsTheScene) {
+TEST(Commands, TrustedCodeIsNotReported) {
   ReadOptions options = Snippet::known_shaders();
   options.trusts_code = true;
   const Snippet read(
@@ -394,7 +394,7 @@ TEST(Commands, CodeIsLeftToAHostThatTrustsTheScene) {
   EXPECT_EQ(read.scene.commands[3].values[0].text, "b.c");
 }
 
-TEST(Commands, RegistriesLinkSayAndReadFiles) {
+TEST(Commands, RegistriesLinkEchoAndReadFiles) {
   ReadOptions options = Snippet::known_shaders();
   options.packages = {"base"};
   const Snippet read(
@@ -421,7 +421,7 @@ TEST(Commands, TheFrameFormIsRejectedByName) {
 }
 
 // acceptance: H1
-TEST(Frames, EachRenderEndsOne) {
+TEST(Frames, RenderEndsAFrame) {
   Diagnostics d;
   Reader reader = Reader::from_text(
       "options \"o\" samples 1 end options camera \"c\" end camera instance \"ci\" \"c\" end "
@@ -451,7 +451,7 @@ TEST(Names, UnknownTypesAndElementsAreReportedOnceWithAHint) {
   EXPECT_EQ(read.count(code::kUnresolved), 4u);
 }
 
-TEST(Errors, OneMistakeCostsOneElement) {
+TEST(Errors, SyntaxErrorAffectsOneElement) {
   const Snippet read(
       "shader \"a\" \"s\" ( \"p\" ,, )\nmaterial \"m\" = end material\n"
       "instance \"i\" \"o\" transform 1 2 end instance\nobject \"o\" group 0 0 end group "
@@ -462,7 +462,7 @@ TEST(Errors, OneMistakeCostsOneElement) {
   EXPECT_EQ(read.message(code::kSyntax).where.column, 22u);
 }
 
-TEST(Errors, AForgottenEndStopsAtTheNextElement) {
+TEST(Errors, MissingEndStopsAtTheNextElement) {
   const Snippet read("camera \"c\"\n  focal 50\nobject \"o\" group 0 0 0\nend group\nend object\n");
   EXPECT_NE(read.scene.find("o"), nullptr) << read.messages();
   EXPECT_EQ(*read.get<scene::Camera>("c").focal, 50);

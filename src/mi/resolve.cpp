@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// After a `render`: which names does nothing in the scene define?
+// Reports undefined names after a `render`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class Resolver {
 
   Parse& parse_;
   const scene::Scene& scene_;
-  const scene::Phenomenon* local_ = nullptr;  // names inside a phenomenon come first
+  const scene::Phenomenon* local_ = nullptr;  // names inside a phenomenon have precedence
 };
 
 bool Resolver::exists(std::string_view wanted) const {
@@ -64,7 +64,7 @@ void Resolver::name(std::string_view what, const std::string& wanted, SourceLoca
                     bool fatal) {
   if (wanted.empty() || exists(wanted)) return;
   if (!parse_.reported.insert(fmt::format("{} {}", what, wanted)).second) return;
-  // Searching for a similar name among all elements is worth it only while messages are shown.
+  // The search for a similar name is slow and only done while messages are shown.
   const bool shown = parse_.reported.size() <= Diagnostics::kMaxPerCode;
   std::vector<std::string> known;
   if (shown)
@@ -84,12 +84,12 @@ void Resolver::name(std::string_view what, const std::string& wanted, SourceLoca
                             std::move(hint));
 }
 
-// "shader" or "shader.member"; an element with the dotted name itself comes first.
+// "shader" or "shader.member"; an element with the dotted name has precedence.
 void Resolver::connection(const std::string& wanted, SourceLocation at) {
   if (exists(wanted)) return;
   const std::size_t dot = wanted.rfind('.');
   if (dot != std::string::npos && exists(wanted.substr(0, dot))) return;
-  // A structure within the result: "shader.member.part".
+  // Member of a structure in the result: "shader.member.part".
   const std::size_t first = wanted.find('.');
   if (first != std::string::npos && exists(wanted.substr(0, first))) return;
   name("shader", wanted, at);

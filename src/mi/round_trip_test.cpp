@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Read, write, read again: nothing may be lost between two scenes.
+// Scenes are equal after writing and reading.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ std::string written(const Scene& scene) {
   return out.str();
 }
 
-/// What the first difference is, as far as a message needs it.
+/// Describes the first difference, for a failure message.
 std::string difference(const Scene& a, const Scene& b) {
   if (a.commands != b.commands) return "commands";
   if (a.packages != b.packages) return "packages";
@@ -39,7 +39,7 @@ std::string difference(const Scene& a, const Scene& b) {
   return a.elements().size() == b.elements().size() ? "" : "the number of elements";
 }
 
-/// No error but for names that only a whole scene would define.
+/// Whether there are no errors except for names that a complete scene would define.
 void expect_sound(const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics.all())
     EXPECT_TRUE(d.severity != Severity::Error || d.code == "OR-MI-031") << diagnostics.format(d);
@@ -62,7 +62,7 @@ Scene read(std::string_view text) {
 }
 
 // acceptance: H1
-TEST(RoundTrip, NineTilesComesBackWhole) {
+TEST(RoundTrip, NineTilesIsUnchanged) {
   const std::string path = ORIEL_SOURCE_DIR "/scenes/nine-tiles/nine-tiles.mi";
   Diagnostics diagnostics;
   const Scene scene = read_scene(path, with_packages(), diagnostics);
@@ -71,7 +71,7 @@ TEST(RoundTrip, NineTilesComesBackWhole) {
 }
 
 // acceptance: H1
-TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
+TEST(RoundTrip, AllElementsAreUnchanged) {
   const char* const texts[] = {
       "verbose off\nlink \"base.so\"\nmin version \"3.4\"\nset \"a\" \"b\"\nset \"c\"\necho \"x\"\n"
       "$include <base.mi>\n",
@@ -158,7 +158,7 @@ TEST(RoundTrip, EveryElementOfTheLanguageComesBack) {
 }
 
 // acceptance: H1
-TEST(RoundTrip, RandomScenesComeBackWhole) {
+TEST(RoundTrip, RandomScenesAreUnchanged) {
   for (std::uint32_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     expect_round_trip(RandomScene(seed).make());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shader calls, lists of them, named shaders.
+// Shader calls, shader lists, named shaders.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void check_arguments(Parse& parse, const std::vector<ParamDecl>& declared,
   }
 }
 
-// A re-opened shader of the same type keeps the parameters that the change does not mention.
+// An incremental change of a shader of the same type keeps parameters that are not in the change.
 void merge_functions(scene::ShaderList& old, scene::ShaderList changed) {
   const bool same = old.size() == 1 && changed.size() == 1 && !changed[0].type.empty() &&
                     old[0].type == changed[0].type;
@@ -64,12 +64,12 @@ void merge_functions(scene::ShaderList& old, scene::ShaderList changed) {
     return;
   }
   for (scene::Argument& argument : changed[0].arguments) {
-    auto& uninterpreted = old[0].arguments;
+    auto& arguments = old[0].arguments;
     const auto found =
-        std::find_if(uninterpreted.begin(), uninterpreted.end(),
+        std::find_if(arguments.begin(), arguments.end(),
                      [&](const scene::Argument& a) { return a.name == argument.name; });
-    if (found == uninterpreted.end())
-      uninterpreted.push_back(std::move(argument));
+    if (found == arguments.end())
+      arguments.push_back(std::move(argument));
     else
       *found = std::move(argument);
   }
@@ -109,7 +109,7 @@ ShaderUse read_shader(Parse& parse) {
     if (!parse.in.peek().is_name()) parse.unexpected("a shader");
     return read_call(parse, parse.in.next().str(), at);
   }
-  // As a value reads it: a name, or a new shader defined right here.
+  // Read as a value: a name, or the definition of a new shader.
   Value value = read_value(parse);
   ShaderUse use;
   use.where = at;

@@ -16,8 +16,8 @@
 namespace oriel::mi {
 namespace {
 
-constexpr std::size_t kWorthForgetting = std::size_t{4} << 20;  // a system call for each
-constexpr std::size_t kPadding = 16;  // zero bytes after the text; scans look a few bytes ahead
+constexpr std::size_t kWorthForgetting = std::size_t{4} << 20;  // each release is a system call
+constexpr std::size_t kPadding = 16;  // zero bytes after the text; scans read a few bytes ahead
 
 }  // namespace
 
@@ -54,7 +54,7 @@ std::unique_ptr<Source> Source::load(const std::string& path, std::uint64_t max_
   auto source = std::unique_ptr<Source>(new Source(size, path));
   const std::size_t read = std::fread(source->text_.get(), 1, size, file);
   std::fclose(file);
-  source->size_ = read;  // shorter when it shrank meanwhile
+  source->size_ = read;  // shorter if the file was truncated meanwhile
   std::memset(source->text_.get() + read, 0, kPadding);
   if (is_utf16({source->begin(), source->size()}))
     return from_text({source->begin(), source->size()}, path);
@@ -109,7 +109,8 @@ void Source::forget_before(const char* at) {
   const std::uintptr_t first = (address + forgotten_ + page - 1) / page * page;
   const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(line_start_) / page * page;
   if (end < first + kWorthForgetting) return;
-  // Whole pages within our own block: the system takes them, and the block stays ours to free.
+  // Whole pages inside our own allocation: the memory is released, the address range stays
+  // allocated.
   if (madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED) == 0)
     forgotten_ = end - address;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One file of a scene in memory, and where in it a character stands.
+// One scene file in memory, with line and column lookup.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,33 @@
 
 namespace oriel::mi {
 
-/// The text of one file. Followed by zero bytes, so that scans need no end test. Read into memory
-/// rather than mapped: an exporter that truncates the file meanwhile must not kill the reader.
+/// The text of one file, followed by zero bytes, so that scans need no end test. The file is read
+/// into memory instead of mapped, because truncation of a mapped file by an exporter would crash
+/// the reader.
 class Source {
  public:
-  /// Reads a file, compressed by gzip or not. Returns null and a reason when it cannot be read or
-  /// its text is larger than `max_size`.
+  /// Reads a file, optionally gzip-compressed. Returns null and a reason if the file is unreadable
+  /// or its text is larger than `max_size`.
   static std::unique_ptr<Source> load(const std::string& path, std::uint64_t max_size,
                                       std::string& reason);
   static std::unique_ptr<Source> from_text(std::string_view text, std::string path);
-  // Both decode UTF-16 with a byte order mark and drop zero bytes at the end of the text.
+  // Both decode UTF-16 with a byte order mark and drop trailing zero bytes.
 
   const char* begin() const { return text_.get(); }
   const char* end() const { return text_.get() + size_; }
   std::size_t size() const { return size_; }
-  /// The character that ends lines: '\r' in files of old Macintoshes, else '\n' (after '\r' or
-  /// not).
+  /// The line end character: '\r' in files of classic Mac OS, otherwise '
+  /// '.
   char newline() const { return newline_; }
   const std::string& path() const { return path_; }
 
-  /// Line and column of a character, counted from 1. Cheap when asked in reading order: it counts
-  /// from the place asked for last.
+  /// Line and column of a character, counted from 1. Counts from the position of the previous call,
+  /// so calls in reading order are fast.
   SourceLocation locate(const char* at);
-  /// True when only blanks stand before `at` on its line.
+  /// Whether `at` has only blanks before it on its line.
   bool starts_line(const char* at) const;
-  /// Gives memory of the lines before `at` back to the system, where there is enough of it; they
-  /// read as zero bytes from then on. Lines go on being counted.
+  /// Releases the memory of the lines before `at` if there is enough of it. The released text reads
+  /// as zero bytes. Line numbers stay correct.
   void forget_before(const char* at);
 
   std::uint32_t file = 0;  ///< index in Diagnostics
@@ -48,7 +49,7 @@ class Source {
   std::size_t size_ = 0;
   char newline_ = '\n';
   std::string path_;
-  std::size_t forgotten_ = 0;  ///< bytes given back
+  std::size_t forgotten_ = 0;  ///< bytes released
   const char* last_ = nullptr;
   const char* line_start_ = nullptr;
   std::uint32_t line_ = 1;

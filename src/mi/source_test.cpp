@@ -43,21 +43,21 @@ TEST(LineEndsAndEncodings, Utf16IsReadInBothByteOrders) {
 }
 
 TEST(LineEndsAndEncodings, Utf16BecomesUtf8) {
-  // One, two, three and four bytes in UTF-8, and half a pair.
+  // One, two, three and four bytes in UTF-8, and an unpaired surrogate.
   const Snippet read(utf16(u"echo \"z\u00df\u6c34\U0001f34b\xd800\" ", true));
   ASSERT_EQ(read.scene.commands.size(), 1u) << read.messages();
   EXPECT_EQ(read.scene.commands[0].values[0].text,
             "z\xc3\x9f\xe6\xb0\xb4\xf0\x9f\x8d\x8b\xef\xbf\xbd");
 }
 
-TEST(LineEndsAndEncodings, ZeroBytesAtTheEndAreSilent) {
+TEST(LineEndsAndEncodings, TrailingZeroBytesAreIgnored) {
   for (const std::size_t count : {1u, 5000u})
     expect_read(lines("\n") + std::string(count, '\0'), "zeros");
   const Snippet within(std::string("options \"o\" ") + '\0' + " end options");
   EXPECT_EQ(within.count(code::kBadCharacter), 1u) << within.messages();
 }
 
-TEST(LineEndsAndEncodings, FilesAreDecodedAsTextIs) {
+TEST(LineEndsAndEncodings, FilesAndTextAreDecodedAlike) {
   const TemporaryFolder folder;
   const std::string text = lines("\r") + std::string(7, '\0');
   const std::string path = (folder.path() / "scene.mi").string();

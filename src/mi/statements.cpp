@@ -13,7 +13,7 @@ namespace {
 using scene::Statement;
 using scene::Value;
 
-// Whether `wanted` is one of the alternatives; with `begins`, whether it is the first word of one.
+// Whether `wanted` is one of the alternatives, or the first word of one if `begins` is set.
 bool is_alternative(std::string_view words, std::string_view wanted, bool begins = false) {
   while (!words.empty()) {
     const std::size_t bar = words.find('|');
@@ -33,7 +33,7 @@ Value bare_text(std::string text, SourceLocation at) {
   return value;
 }
 
-// One of the alternatives, of one word or two.
+// Reads one of the alternatives, which have one or two words.
 Value read_word(Parse& parse, std::string_view words) {
   const SourceLocation at = parse.in.where();
   std::string word(parse.in.next().text);
@@ -48,7 +48,7 @@ Value read_word(Parse& parse, std::string_view words) {
   return bare_text(std::move(word), at);
 }
 
-// After an unknown statement: on to the next known one, so that one word costs one statement.
+// Skips an unknown statement up to the next known one or the next line.
 void skip_statement(Parse& parse, const FormTable& table) {
   while (!parse.in.at_end()) {
     const Token& token = parse.in.peek();
@@ -144,7 +144,7 @@ std::optional<Statement> read_statement(Parse& parse, const FormTable& table,
     parse.unexpected(fmt::format("the end of {}", element));
   const Token first = parse.in.next();
   statement.keyword = first.text;
-  // The longest keyword that the words spell.
+  // The longest keyword that matches the words.
   while (parse.in.at(Token::Kind::Word) && table.is_prefix(statement.keyword)) {
     const std::string longer = statement.keyword + " " + std::string(parse.in.peek().text);
     if (!table.find(longer) && !table.is_prefix(longer)) break;
@@ -170,7 +170,7 @@ Statement read_string_option(Parse& parse) {
   statement.quoted = true;
   statement.keyword = parse.in.next().str();
   bool ignored = false;
-  // A word other than these is the next statement: the option has no value then.
+  // Any other word begins the next statement; the option then has no value.
   if (!parse.in.at(Token::Kind::Word) || parse.in.at_word("null") ||
       Parse::is_boolean(parse.in.peek(), ignored))
     statement.values.push_back(read_value(parse));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements that are a keyword and values: one reader for all, driven by tables.
+// Table-driven reader of statements that consist of a keyword and values.
 #pragma once
 
 #include <limits>
@@ -15,17 +15,17 @@ namespace oriel::mi {
 
 using Form = scene::ParserForm;
 
-/// The forms of the statements of one element, by keyword.
+/// The statement forms of one element, by keyword.
 class FormTable {
  public:
-  /// `others`: first words of what else may stand in the element, read without a form.
+  /// `others`: first words of statements that are read without a form.
   FormTable(std::vector<Form> forms, std::span<const std::string_view> others);
   FormTable(std::initializer_list<Form> forms) : FormTable(std::vector<Form>(forms), {}) {}
   explicit FormTable(const scene::StatementTable& rows,
                      std::span<const std::string_view> others = {});
   const Form* find(std::string_view keyword) const;
-  bool is_prefix(std::string_view words) const;        ///< of a keyword with more words
-  bool starts_statement(std::string_view word) const;  ///< first word of any keyword, or other
+  bool is_prefix(std::string_view words) const;        ///< begins a longer keyword
+  bool starts_statement(std::string_view word) const;  ///< first word of a keyword, or in `others`
   std::span<const std::string> names() const { return names_; }
 
  private:
@@ -35,7 +35,7 @@ class FormTable {
 };
 
 /// Adds statements to an element. In an incremental change the first statement of a keyword
-/// replaces what the element had of it; further ones add up as in any element.
+/// replaces all existing ones with this keyword; later ones are appended.
 class StatementList {
  public:
   StatementList(std::vector<scene::Statement>& list, bool incremental)
@@ -48,17 +48,18 @@ class StatementList {
   std::set<std::string, std::less<>> touched_;
 };
 
-/// Reads one statement of the table if one begins here. An unknown word is reported, skipped with
-/// its values, and nullopt returned; so is what is no word.
+/// Reads the next statement. Returns nullopt for an unknown statement or a stray token, after a
+/// warning; its values are skipped.
 std::optional<scene::Statement> read_statement(Parse& parse, const FormTable& table,
                                                std::string_view element);
-/// `"name" value`: a string option.
+/// Reads `"name" value`, a string option.
 scene::Statement read_string_option(Parse& parse);
-/// `[visible trace ...] approximate technique...`; the words before it were read into `flags`.
+/// Reads the rest of `[visible trace ...] approximate technique...`; `keyword` contains all words
+/// up to `approximate`.
 scene::Statement read_approximate(Parse& parse, std::string keyword, SourceLocation at);
-/// `data "name"` or `data null` inside an element.
+/// Reads the rest of `data "name"` or `data null` inside an element.
 scene::Statement read_data_reference(Parse& parse, SourceLocation at);
-/// Consecutive numbers, at most that many, as one value.
+/// Reads at most `most` consecutive numbers as one value.
 scene::Value read_numbers(Parse& parse, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace oriel::mi

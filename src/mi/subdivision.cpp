@@ -53,7 +53,7 @@ class SubdivisionReader {
 
   void read_texture_rule() {
     const bool face = parse_.in.at_word("face");
-    // "vertex" is how an exporter spelled the smooth rule.
+    // An exporter writes "vertex" for the smooth rule.
     if (!face && !parse_.in.at_word("subdivision") && !parse_.in.at_word("vertex"))
       parse_.unexpected("'face' or 'subdivision'");
     parse_.in.next();
@@ -71,18 +71,18 @@ class SubdivisionReader {
       material = builder_.last_material = builder_.material_index(parse_.in.next().str());
     corners_.clear();
     while (parse_.at_number()) corners_.push_back(index_of(parse_));
-    const bool uninterpreted = is_face(at);
-    if (uninterpreted) add_face(material);
+    const bool valid = is_face(at);
+    if (valid) add_face(material);
     const auto face = static_cast<std::uint32_t>(surface_.faces.size() - 1);
     for (;;) {
       const SourceLocation here = parse_.in.where();
       if (parse_.in.accept_word("crease")) {
-        read_creases(face, uninterpreted);
+        read_creases(face, valid);
         continue;
       }
       if (parse_.in.accept_word("trim")) {
         const std::uint32_t parts = index_of(parse_);
-        if (uninterpreted) surface_.trims.push_back({face, parts});
+        if (valid) surface_.trims.push_back({face, parts});
         continue;
       }
       scene::UninterpretedStatement text{"", "", here};
@@ -96,11 +96,11 @@ class SubdivisionReader {
       } else {
         return;
       }
-      if (uninterpreted) surface_.details.push_back({face, std::move(text)});
+      if (valid) surface_.details.push_back({face, std::move(text)});
     }
   }
 
-  // Behind an opening brace, to the closing one, which stays part of the text.
+  // Reads after an opening brace, up to and including the closing brace.
   void read_braces(std::string& text) {
     for (int depth = 1; depth > 0;) {
       if (parse_.in.at_end()) parse_.unexpected("a closing brace");
@@ -133,7 +133,7 @@ class SubdivisionReader {
     faces.material.push_back(material);
   }
 
-  void read_creases(std::uint32_t face, bool uninterpreted) {
+  void read_creases(std::uint32_t face, bool valid) {
     constexpr std::size_t kMaskBits = 32;
     const auto edges = static_cast<std::uint32_t>(corners_.size());
     std::uint32_t mask = kNone;
@@ -145,8 +145,7 @@ class SubdivisionReader {
         value = parse_.real("a sharpness");
       else if (surface_.form == Form::CcMesh)
         break;
-      if (uninterpreted && value > 0)
-        surface_.creases.push_back({face, edge, std::min(value, 1.0f)});
+      if (valid && value > 0) surface_.creases.push_back({face, edge, std::min(value, 1.0f)});
     }
     while (parse_.at_number()) parse_.in.next();
   }

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces and Catmull-Clark meshes of a group.
+// Reader of subdivision surfaces and Catmull-Clark meshes in a group.
 #pragma once
 
 #include "mi/polygons.h"
 
 namespace oriel::mi {
 
-/// `subdivision surface ... end subdivision surface` or `ccmesh ... end ccmesh`, whose first word
-/// stands next.
+/// Reads `subdivision surface ... end subdivision surface` or `ccmesh ... end ccmesh`, starting at
+/// the first word.
 ///
-/// Model:   `crease M f...` of a subdivision surface has a mask of edges and the sharpness of each
-///          edge in it, the last one for those that have none; in a ccmesh one number for each
-///          edge.
-/// Errors:  OR-MI-041 for a face that is dropped. A syntax error ends the object.
-/// Source:  the published grammar; that masks count edges from the face's first corner is inferred.
+/// Model:   `crease M f...` of a subdivision surface has a bit mask of edges and one sharpness per
+///          edge in the mask; the last sharpness also applies to the remaining edges. In a ccmesh
+///          it
+///          has one sharpness per edge.
+/// Errors:  OR-MI-041 for a dropped face. A syntax error ends the object.
+/// Source:  the published grammar. The order of mask bits, from the first corner of the face, is
+///          inferred.
 void read_subdivision(Parse& parse, scene::PolygonGroup& group, GroupBuilder& builder,
                       SourceLocation at);
 

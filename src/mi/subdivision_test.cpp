@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces, ccmeshes and hair are read as written; what is wrong in them is reported.
+// Reading of subdivision surfaces, ccmeshes and hair, and reports of errors in them.
 #include "mi/subdivision.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(Subdivision, AMeshHasOneSharpnessForEachEdge) {
             (std::vector<SubdivisionSurface::Crease>{{0, 1, .5f}, {0, 3, 1}}));
 }
 
-TEST(Subdivision, FacesOfMissingVerticesAreDroppedWithWhatBelongsToThem) {
+TEST(Subdivision, FacesWithMissingVerticesAreDroppedWithTheirCreases) {
   const Snippet read(kSquare +
                      "v 0 v 1 v 2 v 3 subdivision surface \"s\" p 0 1 9 crease 1 1 { } p 0 1 "
                      "p 0 1 2 crease 2 1 end subdivision surface end group end object");

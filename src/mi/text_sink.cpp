@@ -59,7 +59,7 @@ void TextSink::integer(double value) {
 }
 
 void TextSink::scalar(double value) {
-  constexpr double kLong = 1e15;  // more digits than an exponent takes
+  constexpr double kLong = 1e15;  // above this, the exponent is shorter
   value = made_finite(value);
   reserve(kLongestNumber);
   if (value != std::floor(value)) return number(value);

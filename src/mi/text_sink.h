@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text on its way to a stream: numbers in their shortest exact form, strings in quotes.
+// Text output to a stream: shortest exact numbers, quoted strings.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace oriel::mi {
 
-/// A buffer in front of a stream. Every number it writes reads back as the same number.
+/// Buffered text output. Every number reads back as the same number.
 class TextSink {
  public:
   explicit TextSink(std::ostream& stream);
@@ -23,23 +23,22 @@ class TextSink {
   }
   void put(std::string_view text);
   void index(std::uint32_t value);
-  /// The language has no spelling for what is not finite: infinities become the largest number,
-  /// not-a-number 0.
+  /// Non-finite numbers have no syntax: infinities become the largest finite number, NaN becomes 0.
   void number(float value);
   void number(double value);
-  /// With a point or an exponent even when it is whole.
+  /// Writes a decimal point or an exponent, also for whole numbers.
   void scalar(double value);
-  /// Whole numbers without point and exponent, whatever their size.
+  /// Writes a whole number of any size without decimal point and exponent.
   void integer(double value);
-  /// In quotes, quotes within escaped. A backslash at the very end would escape the closing quote
-  /// and has no spelling; it becomes a slash (such strings are folders).
+  /// Writes the text in quotes and escapes quotes inside it. A trailing backslash would escape the
+  /// closing quote and becomes a slash; such strings are folders.
   void quoted(std::string_view text);
   void hex(std::uint8_t byte);
   void flush();
 
  private:
   static constexpr std::size_t kCapacity = 1 << 16;
-  // Longest fixed notation of a double.
+  // Longest fixed notation of a double, in characters.
   static constexpr std::size_t kLongestNumber = 400;
   void reserve(std::size_t bytes) {
     if (static_cast<std::size_t>(limit_ - end_) < bytes) flush();

@@ -7,7 +7,7 @@ namespace {
 
 using scene::Texture;
 
-// Numbers with or without brackets around them.
+// Reads numbers, optionally in brackets.
 void read_size(Parse& parse, Texture& texture) {
   const bool bracketed = parse.in.accept_punct('[');
   while (parse.at_number()) texture.size.push_back(parse.integer("a size"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// trilist ... end trilist, in both layouts, stored as a polygon group.
+// trilist ... end trilist in both layouts, stored as a polygon group.
 //
-// Older: trilist vector [V] vertex [N] p fields triangle [T] [vectors] [indices] [triangles]
-// Newer: trilist vertex N p fields triangle T [border B] [data K M] lines triangles ...
-// In the newer one a line holds the vectors of a vertex themselves, in the order of the fields.
+// Old: trilist vector [V] vertex [N] p fields triangle [T] [vectors] [indices] [triangles]
+// New: trilist vertex N p fields triangle T [border B] [data K M] lines triangles ...
+// A line of the new layout contains the vectors of one vertex, in the order of the fields.
 // Source: published grammar (versions 3.3 and 3.4).
 #include <fmt/format.h>
 
@@ -18,13 +18,13 @@ namespace {
 
 using scene::kNone;
 
-// One vector (or index) of a vertex line: what it is and how many numbers it has in a line.
+// One vector or index of a vertex line: its field, and the number of its components.
 struct Part {
   char field = 'p';
   int numbers = 3;
 };
 
-// A file of a few bytes may announce any number of parts; a vertex has at most so many.
+// Maximum number of parts per vertex; limits the memory that a small file can request.
 constexpr std::size_t kMaxParts = 256;
 
 void store(VertexRecord& vertex, char field, std::uint32_t index, bool second_basis) {
@@ -88,7 +88,7 @@ class TrilistReader {
   std::size_t vertices_ = 0, triangles_ = 0;
 };
 
-// `[N]` of the older layout or `N` of the newer.
+// `[N]` in the old layout, `N` in the new one.
 std::size_t TrilistReader::count(std::string_view what) {
   const bool bracketed = parse_.in.accept_punct('[');
   const double value = parse_.number(what);
@@ -126,7 +126,7 @@ void TrilistReader::read_fields(bool indexed) {
   }
 }
 
-// Vertex i of the lines owns as many vectors as there are parts.
+// Reads the lines of the new layout: vertex i has parts_.size() consecutive vectors.
 void TrilistReader::read_vertex_vectors() {
   const SourceLocation at = parse_.in.where();
   std::size_t width = 0;
@@ -248,7 +248,7 @@ void TrilistReader::read_vertex_indices() {
   }
 }
 
-// Three corners each; labels empty or one each.
+// Adds triangles from three corners each. `labels` is empty or has one label per triangle.
 void TrilistReader::add_triangles(const std::vector<std::uint32_t>& corners,
                                   const std::vector<std::uint32_t>& labels) {
   const Place place{&parse_.in.source(), parse_.in.raw()};
@@ -292,7 +292,7 @@ void TrilistReader::read_triangles(bool keep) {
   }
   const char* p = parse_.in.raw();
   if (*p == '[') {
-    // Names may stand in the list; a look at its first token tells.
+    // The list may contain names; then its first token is one.
     parse_.expect_punct('[');
     if (parse_.in.peek().is_name()) return read_triangle_tokens();
     parse_.in.set_raw(p);
@@ -315,14 +315,14 @@ void TrilistReader::read_triangles(bool keep) {
   add_triangles(corners, labels);
 }
 
-// Data per triangle and topology have no place in the scene.
+// Skips data per triangle and topology, which the scene does not store.
 void TrilistReader::read_rest() {
-  bool told = false;
+  bool reported = false;
   while (!parse_.in.at_word("end")) {
-    if (!told)
+    if (!reported)
       parse_.diagnostics.note(code::kIgnored, parse_.in.where(),
                               "data of triangles behind a trilist is not kept");
-    told = true;
+    reported = true;
     if (parse_.in.at_punct('[')) {
       std::string ignored;
       keep_brackets(parse_, ignored);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constructs without meaning to this renderer: kept as their source, token by token.
+// Constructs that the renderer does not interpret, stored as source text, token by token.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -17,8 +17,8 @@ bool closes(const Token& token) {
   return token.is_punct(')') || token.is_punct(']') || token.is_punct('}');
 }
 
-/// Of registries: what acts as the command of that name does on the top level.
-bool acts(Parse& parse, std::string_view word, SourceLocation at) {
+/// Whether a registry item acts like the top-level command of the same name.
+bool acts_as_command(Parse& parse, std::string_view word, SourceLocation at) {
   if (word == "link" || word == "echo" || word == "mi") return true;
   if (word == "code" && parse.options.trusts_code) return true;
   if (word == "system" || word == "code")
@@ -27,8 +27,8 @@ bool acts(Parse& parse, std::string_view word, SourceLocation at) {
   return false;
 }
 
-// { value | link | code | mi | spdl | echo | system "text" | symbol symbol }... end registry, also
-// without braces. Items that act leave for where they act; the others are the text.
+// { value | link | code | mi | spdl | echo | system "text" | symbol symbol }... end registry; the
+// braces are optional. Returns the text of the items that do not act as commands.
 std::string read_registry(Parse& parse) {
   std::string text;
   std::vector<std::pair<std::string, SourceLocation>> files;
@@ -40,12 +40,12 @@ std::string read_registry(Parse& parse) {
       append_source(text, word);
       continue;
     }
-    const Token said = parse.in.next();
-    if (word.kind == Token::Kind::Word && said.kind == Token::Kind::String &&
-        acts(parse, word.text, at)) {
+    const Token argument = parse.in.next();
+    if (word.kind == Token::Kind::Word && argument.kind == Token::Kind::String &&
+        acts_as_command(parse, word.text, at)) {
       scene::Value value;
       value.kind = scene::Value::Kind::Text;
-      value.text = said.str();
+      value.text = argument.str();
       value.where = at;
       if (word.text == "mi")
         files.emplace_back(value.text, at);
@@ -54,10 +54,10 @@ std::string read_registry(Parse& parse) {
       continue;
     }
     append_source(text, word);
-    append_source(text, said);
+    append_source(text, argument);
   }
   parse.expect_end("registry");
-  // Each is read before what was there before it.
+  // Includes are stacked: the last one included is read first.
   for (auto file = files.rbegin(); file != files.rend(); ++file)
     parse.in.include(file->first, false, file->second);
   return text;

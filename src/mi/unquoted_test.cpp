@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names without quotes, as hand-written scenes have them, and stray tokens.
+// Unquoted names, as in hand-written scenes, and stray tokens.
 #include "mi/reader.h"
 #include "mi/testing/test_support.h"
 
 namespace oriel::mi {
 namespace unquoted_test {
 
-TEST(UnquotedNames, StandWhereverNamesDo) {
+TEST(UnquotedNames, AreAcceptedForAllNames) {
   const Snippet read(
       "options opt trace on end options\n"
       "camera cam output rgba exr \"x.exr\" output rgba \"y.exr\" focal 1 end camera\n"
@@ -45,7 +45,7 @@ TEST(UnquotedNames, StandWhereverNamesDo) {
   EXPECT_EQ(read.get<scene::Texture>("pic").procedure.at(0).type, "mib_marble");
 }
 
-TEST(UnquotedNames, KeywordsAreNone) {
+TEST(UnquotedNames, KeywordsAreNotNames) {
   const Snippet read(
       "instance i material visible on end instance\n"
       "light l object visible on end light light k object end light\n"
@@ -58,7 +58,7 @@ TEST(UnquotedNames, KeywordsAreNone) {
   EXPECT_EQ(read.get<scene::Camera>("c").other.size(), 1u);
 }
 
-TEST(StrayTokens, InAHeaderCostNothingElse) {
+TEST(StrayTokens, InAHeaderAreSkipped) {
   const std::string body = " group 0 0 0 1 0 0 0 1 0 v 0 v 1 v 2 p 0 1 2 end group";
   for (const char* stray :
        {"shadwo on", "\"shadow\" on", ", ", "17", "( \"a\" 1 )", "= \"x\"", "@"}) {
@@ -71,12 +71,12 @@ TEST(StrayTokens, InAHeaderCostNothingElse) {
     EXPECT_EQ(read.count(code::kSyntax), 0u) << stray << read.messages();
     EXPECT_EQ(read.get<scene::Material>("m").shaders.size(), 1u) << stray;
   }
-  // On one line with the body right behind it.
+  // Header and body on one line.
   const Snippet line("object \"o\" shadwo on" + body + " end object\n");
   EXPECT_EQ(line.get<scene::Object>("o").groups.size(), 1u) << line.messages();
 }
 
-TEST(StrayTokens, InOtherElementsCostNothingElse) {
+TEST(StrayTokens, InOtherElementsAreSkipped) {
   const Snippet read(
       "material \"m\" opaqe , \"s\" ( ) shadow \"t\" ( ) end material\n"
       "instance \"i\" \"o\" , transfrom 1 transform 1 0 0 0 0 1 0 0 0 0 1 0 0 0 5 1 end instance\n"

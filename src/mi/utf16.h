@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text that an editor of Windows saved as "Unicode".
+// UTF-16 text, as Windows editors save "Unicode".
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace oriel::mi {
 
-/// Whether the bytes begin with a byte order mark of UTF-16, of either byte order.
+/// Whether the bytes begin with a UTF-16 byte order mark of either byte order.
 bool is_utf16(std::string_view bytes);
 
-/// The text in UTF-8, without its mark. Half a surrogate pair becomes U+FFFD; an odd last byte is
-/// dropped.
+/// Converts to UTF-8 without the byte order mark. An unpaired surrogate becomes U+FFFD; an odd last
+/// byte is dropped.
 ///
 /// Source:  The Unicode Standard 15, tables 3-5 and 3-6.
 /// Checked: LineEndsAndEncodings.* in source_test.cpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of parameters: numbers, strings, connections, structures, arrays.
+// Parameter values: numbers, strings, connections, structures, arrays.
 #include <fmt/format.h>
 
 #include <bit>
@@ -44,7 +44,7 @@ void read_array(Parse& parse, Value& value) {
   }
 }
 
-// A back-quoted vector: three big-endian floats.
+// A vector in backquotes: three big-endian floats.
 void read_binary_vector(Parse& parse, Value& value) {
   value.kind = Value::Kind::Numbers;
   const auto bytes = parse.in.binary(12);
@@ -78,7 +78,7 @@ Value read_value(Parse& parse) {
     if (Parse::is_boolean(token, value.boolean)) {
       value.kind = Value::Kind::Boolean;
     } else if (token.text == "colorprofile" && parse.in.at(Token::Kind::String)) {
-      // The colour space of the value that follows; colours are linear here.
+      // The colour space of the next value is ignored: colours are linear.
       parse.in.next();
       return read_value(parse);
     } else if (token.text != "null") {

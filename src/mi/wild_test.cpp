@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spellings that real exporters use and that a strict reader would trip over.
+// Syntax variants of real exporters that a strict reader would reject.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -28,7 +28,7 @@ TEST(Wild, FlagsOnTheHeaderLineMayBeBareOrIntegers) {
 }
 
 // acceptance: H1
-TEST(Wild, ElementsMayStandOnOneLineWithoutSeparators) {
+TEST(Wild, ElementsMayBeOnOneLineWithoutSeparators) {
   const Snippet read(
       "shader \"s1\" \"s\" ( ) material \"m\" = \"s1\" shadow = \"s1\" photon = \"s1\" "
       "end material instance \"i\" \"m\" end instance");
@@ -44,7 +44,7 @@ std::string object(std::string_view flags, std::string_view polygons) {
 }
 
 // acceptance: H1
-TEST(Wild, EmptyMaterialNameLeavesItToTheInstanceAndNamesAreInherited) {
+TEST(Wild, EmptyMaterialNameMeansTheInstanceMaterial) {
   const Snippet read(object("", "p \"\" 0 1 3 2 p \"m\" 0 1 2 p 2 1 3 p \"\" 0 1 2"));
   EXPECT_SILENT(read);
   const auto& group = read.get<scene::Object>("o").groups[0];
@@ -53,7 +53,7 @@ TEST(Wild, EmptyMaterialNameLeavesItToTheInstanceAndNamesAreInherited) {
 }
 
 // acceptance: H1
-TEST(Wild, TaggedObjectsTakeALabelPerPolygon) {
+TEST(Wild, TaggedObjectsHaveALabelPerPolygon) {
   const Snippet read(object("tagged on", "p 0  0 1 2 p 7 0 1 2 3"));
   EXPECT_SILENT(read);
   const auto& polygons = read.get<scene::Object>("o").groups[0].polygons;
@@ -103,7 +103,7 @@ TEST(Wild, AnEmptyParameterListMayCloseAnInstance) {
 using WildFiles = FolderTest;
 
 // acceptance: H1
-TEST_F(WildFiles, AnIncludeMayHoldTheBodyOfAGroup) {
+TEST_F(WildFiles, IncludeMayContainTheBodyOfAGroup) {
   write("body.mi", "0 0 0 1 0 0\n# the rest\n0 1 0\nv 0 v 1 v 2\np 0 1 2");
   const std::string path =
       write("s.mi", "object \"o\" group\n\t $include \"body.mi\"\nend group end object");
@@ -192,7 +192,7 @@ TEST(Wild, AnApproximationMayFollowATrilist) {
 }
 
 // acceptance: H1
-TEST(Wild, OptionsMayHoldStatesDataAndTraversal) {
+TEST(Wild, OptionsMayContainStatesDataAndTraversal) {
   const Snippet read(
       "options \"o\" state [ \"a\" ( \"x\" 1 ) , \"b\" ( ) ] data \"A|d\" "
       "traversal someName samples 0 2 end options");
@@ -207,7 +207,7 @@ TEST(Wild, OptionsMayHoldStatesDataAndTraversal) {
 }
 
 // acceptance: H1
-TEST(Wild, StringOptionsKeepWhateverTypeWasWritten) {
+TEST(Wild, StringOptionsKeepTheWrittenType) {
   const Snippet read(
       "options \"o\" \"unified sampling\" 1 \"light importance sampling\" \"on\"\n"
       "\"samples quality\" .5 .5 .5 .5 \"samples quality\" 1. \"gi\" off end options");
@@ -227,7 +227,7 @@ TEST(Wild, BooleansHaveFourSpellings) {
 }
 
 // acceptance: H1
-TEST(Wild, AScalarMayStandWhereAnIntegerIsDue) {
+TEST(Wild, ScalarIsAcceptedAsInteger) {
   const Snippet read("camera \"c\" frame 7 7. resolution 640. 480 end camera");
   EXPECT_SILENT(read);
   EXPECT_EQ(read.get<scene::Camera>("c").other[0].values[0].numbers, (std::vector<double>{7, 7}));
@@ -242,7 +242,7 @@ TEST(Wild, ArraysOfStructuresAreValues) {
 }
 
 // acceptance: H1
-TEST(Wild, ShaderParametersTakeANameOrAConnectionOrAMember) {
+TEST(Wild, ShaderParametersAcceptNamesConnectionsAndMembers) {
   const Snippet read(
       "shader \"basis1\" \"s\" ( ) shader \"x\" \"s\" ( \"bump\" \"b\", \"k\"=\"basis1\","
       " \"u\" = \"basis1.u\" ) material \"m\" opaque \"s\" ( ) shadow end material");
@@ -286,7 +286,7 @@ TEST(Wild, StatementsMayFollowAnInlineLightShader) {
   EXPECT_EQ(*read.get<scene::Light>("k").origin, Vec3(1, 2, 3));
 }
 
-TEST(Wild, MissingPackagesAreWarnedOfOneByOneWhereAShaderIsMissing) {
+TEST(Wild, MissingPackagesAreWarningsIfAShaderIsMissing) {
   const Snippet read(
       "$include \"a.mi\"\n$include \"b.mi\"\nmaterial \"m\" \"nobody\" ( ) end material options "
       "\"o\" end options camera \"c\" end camera instance \"ci\" \"c\" end instance instgroup "

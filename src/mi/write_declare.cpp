@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations of shaders and data, phenomena.
+// Declarations of shaders, data and phenomena.
 #include "mi/write_parts.h"
 
 namespace oriel::mi {
@@ -10,8 +10,7 @@ using scene::ParamType;
 
 void write_members(TextSink& out, const std::vector<ParamDecl>& members, int depth);
 
-/// Type, name, default. The element of an array carries no name of its own: the array's stands
-/// behind the element's type.
+/// Writes type, name and default. The name of an array is written after its element type.
 void write_parameter(TextSink& out, const ParamDecl& p, const std::string& name, int depth) {
   out.put(scene::type_name(p.type));
   out.put(' ');
@@ -53,7 +52,7 @@ void write_members(TextSink& out, const std::vector<ParamDecl>& members, int dep
   write_list(out, members, '{', '}', depth);
 }
 
-/// One unnamed result is a plain type; anything else is a struct.
+/// A single unnamed result is written as a plain type, all others as a struct.
 void write_results(TextSink& out, const std::vector<ParamDecl>& results) {
   if (results.empty()) return;
   if (results.size() == 1 && results[0].name.empty()) {
@@ -65,7 +64,7 @@ void write_results(TextSink& out, const std::vector<ParamDecl>& results) {
   out.put(' ');
 }
 
-/// Statements of the end part; `apply` is the one whose words have commas between them.
+/// Writes the statements of the end part. Only the words of `apply` are separated by commas.
 void write_requirements(TextSink& out, const std::vector<scene::Statement>& requirements) {
   for (const scene::Statement& s : requirements) {
     if (s.keyword != "apply") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every element but objects.
+// All elements except objects.
 #include <algorithm>
 
 #include "mi/write_parts.h"
@@ -50,8 +50,8 @@ void write_vector(TextSink& out, std::string_view keyword, const std::optional<V
   out.put('\n');
 }
 
-/// With two strings the first is a format by the manual and a type by custom; where a reader could
-/// take the one for the other, all three stand there.
+/// Whether a single string before the file name is unambiguous. The manual defines it as a format,
+/// but many files write a type there. Ambiguous outputs are written with type and format.
 bool is_unmistakable(const scene::Output& output) {
   constexpr std::string_view kFormats[] = {"tif", "png", "exr", "hdr", "jpg", "tga",
                                            "iff", "pic", "bmp", "ppm", "rla"};
@@ -95,7 +95,7 @@ void write_output(TextSink& out, const scene::Output& output) {
   out.put('\n');
 }
 
-// One item in a line: they end where another camera statement begins.
+// One item per line. The item list ends at the next camera statement.
 void write_frame_buffer(TextSink& out, const scene::FrameBuffer& buffer, int depth) {
   write_indent(out, depth);
   begin(out, "framebuffer", buffer.name);
@@ -180,7 +180,7 @@ void write_element(TextSink& out, const scene::Options& options, int depth) {
   out.put('\n');
   for (std::size_t i = 0; i < options.statements.size(); ++i) {
     scene::Statement s = options.statements[i];
-    // An unnamed frame buffer would take a string option behind it for its type.
+    // An empty type keeps a following string option from being read as the type.
     const bool string_follows =
         i + 1 < options.statements.size() && options.statements[i + 1].quoted;
     if (s.keyword == "frame buffer" && s.values.size() == 1 && string_follows) {
@@ -225,7 +225,7 @@ void write_element(TextSink& out, const scene::Camera& camera, int depth) {
   write_list(out, "lens", camera.lens, depth + 1);
   write_list(out, "volume", camera.volume, depth + 1);
   write_list(out, "environment", camera.environment, depth + 1);
-  // These blocks end where another camera statement begins, so they come last.
+  // These blocks end at the next camera statement, so they are written last.
   for (const scene::FrameBuffer& b : camera.frame_buffers) write_frame_buffer(out, b, depth + 1);
   write_uninterpreted(out, camera.uninterpreted, depth + 1);
   end(out, "camera", depth);
@@ -308,7 +308,7 @@ void write_element(TextSink& out, const scene::Instance& instance, int depth) {
     out.quoted(instance.element);
   }
   out.put('\n');
-  // Flags first: `light` and `motion` behind them could otherwise swallow `shadow` and `off`.
+  // Flags first: `light` and `motion` could otherwise consume a following `shadow` or `off`.
   write_statements(out, instance.flags, depth + 1);
   write_uninterpreted(out, instance.uninterpreted, depth + 1);
   write_transform(out, instance, depth + 1);

@@ -9,7 +9,7 @@ namespace {
 
 using scene::kNone;
 
-/// A blank and the number, with a point: that tells parameters from indices.
+/// Writes a blank and the number with a decimal point, which distinguishes parameters from indices.
 void write_parameter(TextSink& out, float value) {
   out.put(' ');
   if (value == std::floor(value))

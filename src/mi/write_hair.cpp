@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair as text, as mi/hair.cpp reads it.
+// Writes hair in the syntax of hair.cpp.
 #include "mi/write_parts.h"
 
 namespace oriel::mi {
@@ -33,7 +33,7 @@ void write_option(TextSink& out, std::string_view keyword, const std::optional<i
   out.put('\n');
 }
 
-/// `keyword [ N ]` and the entries, each written by `put`.
+/// Writes `keyword [ N ]` and the entries; `put` writes one entry.
 template <typename Put>
 void write_list(TextSink& out, std::string_view keyword, std::size_t size, int depth, Put&& put) {
   write_indent(out, depth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects and their polygon groups: most of a file's bytes come from here.
+// Objects and their polygon groups, which are most of the output.
 #include "mi/write_parts.h"
 #include "scene/element_settings.h"
 
@@ -20,7 +20,7 @@ void write_field(TextSink& out, std::string_view field, std::uint32_t index) {
   out.index(index);
 }
 
-/// ` m 7 m 8`: a column each, to the first one that the vertex lacks.
+/// Writes ` m 7 m 8`: one index per column, up to the first column without one.
 void write_fields(TextSink& out, std::string_view field, const std::vector<Column>& columns,
                   std::size_t vertex) {
   for (const Column& column : columns) {
@@ -116,7 +116,7 @@ void write_element(TextSink& out, const scene::Object& object, int depth) {
   out.quoted(object.name);
   out.put('\n');
   write_statements(out, object.flags, depth + 1);
-  // Bases come before the groups that use them.
+  // Bases precede the groups that use them.
   write_bases(out, object.bases);
   write_uninterpreted(out, object.uninterpreted, depth + 1);
   const bool tagged = scene::settings_of(object).tagged;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the writer: values and shader calls, declarations, geometry. See writer.h.
+// Parts of the writer: values and shader calls, declarations, geometry. See writer.h.
 #pragma once
 
 #include "mi/text_sink.h"
@@ -8,18 +8,18 @@
 namespace oriel::mi {
 
 // Conventions
-//   A part begins where the line stands and ends its last line itself, except for values and shader
-//   lists, which stay in the line. `depth` is the level of indentation.
+//   A part starts at the current position and ends its last line. Values and shader lists do not
+//   end the line. `depth` is the indentation level.
 
 // write_values.cpp
 void write_indent(TextSink& out, int depth);
 void write_value(TextSink& out, const scene::Value& value, int depth);
-/// Between `(` and `)` or `{` and `}`, one argument in a line.
+/// Writes the arguments in `open` and `close`, one per line.
 void write_arguments(TextSink& out, const std::vector<scene::Argument>& arguments, char open,
                      char close, int depth);
-/// The list behind its keyword, each shader after a blank.
+/// Writes a blank before each shader.
 void write_shader_list(TextSink& out, const scene::ShaderList& list, int depth);
-/// One line.
+/// Writes one line.
 void write_statement(TextSink& out, const scene::Statement& statement, int depth);
 void write_statements(TextSink& out, const std::vector<scene::Statement>& statements, int depth);
 void write_uninterpreted(TextSink& out,
@@ -34,8 +34,8 @@ void write_declaration(TextSink& out, const scene::DataDeclaration& declaration)
 void write_phenomenon(TextSink& out, const scene::Phenomenon& phenomenon);
 
 // write_subdivision.cpp
-/// The material or label behind the `p` of one face after the other. A face without a name inherits
-/// that of the one before, so going back to none takes an empty one; a label always stands there.
+/// Writes the material name or label of consecutive faces. A face without a name inherits the
+/// previous name, so an empty name is written to reset it. Labels are always written.
 class FaceMaterials {
  public:
   FaceMaterials(const scene::PolygonGroup& group, bool tagged) : group_(group), tagged_(tagged) {}

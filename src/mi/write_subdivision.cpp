@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces and Catmull-Clark meshes as text, as mi/subdivision.cpp reads them.
+// Writes subdivision surfaces and Catmull-Clark meshes in the syntax of subdivision.cpp.
 #include <algorithm>
 
 #include "mi/write_parts.h"
@@ -29,7 +29,7 @@ void write_head(TextSink& out, const SubdivisionSurface& surface) {
   out.put('\n');
 }
 
-/// The creases of one face, which stand next to each other; `crease` moves behind them.
+/// Writes the creases of one face, which are consecutive, and moves `crease` past them.
 template <typename Iterator>
 void write_creases(TextSink& out, SubdivisionForm form, std::uint32_t face, Iterator& crease,
                    Iterator end) {
@@ -65,7 +65,7 @@ void FaceMaterials::write(TextSink& out, std::uint32_t material) {
   if (tagged_) {
     out.put(' ');
     out.index(material == scene::kNone ? 0 : material);
-    out.put(' ');  // sets the label apart from the corners, for the eye
+    out.put(' ');  // separates the label from the corners visually
   } else if (material < group_.materials.size()) {
     out.put(' ');
     out.quoted(group_.materials[material]);

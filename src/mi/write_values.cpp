@@ -16,7 +16,7 @@ constexpr std::string_view kIndent = "    ";
 bool is_whole(double n) { return n == std::floor(n) && std::isfinite(n); }
 
 void write_numbers(TextSink& out, const Value& value) {
-  // Where none of a row's numbers shows that they are scalars, the last one has to.
+  // If no number is fractional, the last one is written with a decimal point.
   bool shows = false;
   for (const double n : value.numbers) shows |= !is_whole(n);
   for (std::size_t i = 0; i < value.numbers.size(); ++i) {

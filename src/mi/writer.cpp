@@ -12,14 +12,14 @@
 namespace oriel::mi {
 namespace {
 
-/// Refused or ignored commands are kept too; two of them have a spelling of their own.
+/// Commands without effect are written too; `$code` and hexadecimal `code` have their own syntax.
 void write_command(TextSink& out, const scene::Statement& command) {
   if (command.keyword == "$code" && command.values.size() == 1) {
     out.put("$code");
     out.put(command.values[0].text);
     out.put("$end code\n");
   } else if (command.keyword == "code" && !command.values.empty() && command.values[0].bare) {
-    // Bytes in hexadecimal.
+    // Hexadecimal bytes.
     out.put("code");
     for (const scene::Value& bytes : command.values) {
       out.put(" '");
@@ -65,7 +65,7 @@ void write_scene(const scene::Scene& scene, std::ostream& stream) {
 }
 
 bool write_scene(const scene::Scene& scene, const std::string& path, Diagnostics& diagnostics) {
-  // Whole or not at all: written beside the target and renamed over it.
+  // Atomic: written to a temporary file, which is then renamed.
   const std::string part = path + ".part";
   std::error_code error;
   {

@@ -10,17 +10,17 @@
 
 namespace oriel::mi {
 
-/// Writes the scene so that reading the text gives an equal one.
+/// Writes the scene as text that reads back as an equal scene.
 ///
-/// Model:   commands, packages (as $include lines), declarations and phenomena first, then the
-///          elements in their order, then what to render. Names always stand in quotes; numbers in
-///          the shortest form that reads back as the same number; kept text as it was.
-///          Polygons are written in the general form `p`, tri-lists as groups.
+/// Model:   the order is commands, packages (as $include lines), declarations, phenomena, elements
+///          in their order, and render commands. Names are always quoted. Numbers are the shortest
+///          ones that read back as the same number. Uninterpreted text is unchanged. Polygons are
+///          written in the general form `p`, trilists as groups.
 /// Checked: writer_test.cpp, round_trip_test.cpp
 void write_scene(const scene::Scene& scene, std::ostream& stream);
 
-/// The same into a file. Returns false, after OR-MI-050 with the reason, where that fails; then
-/// a file that stood there before is untouched.
+/// Writes to a file. On failure returns false, reports OR-MI-050 with the reason, and leaves an
+/// existing file unchanged.
 bool write_scene(const scene::Scene& scene, const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace oriel::mi

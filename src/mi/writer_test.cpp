@@ -19,7 +19,7 @@ std::string written(const Scene& scene) {
   std::ostringstream out;
   write_scene(scene, out);
   const std::string text = out.str();
-  return text.substr(text.find('\n') + 1);  // without the comment that opens the file
+  return text.substr(text.find('\n') + 1);  // without the initial comment
 }
 
 template <class T>
@@ -136,7 +136,7 @@ TEST(Writer, OptionsKeepWordsNumbersAndStrings) {
             "end options\n");
 }
 
-TEST(Writer, CamerasPutOutputsFirstAndKeptBlocksLast) {
+TEST(Writer, CamerasWriteOutputsFirstAndUninterpretedBlocksLast) {
   Camera c;
   c.name = "cam";
   c.orthographic = true;
@@ -208,7 +208,7 @@ TEST(Writer, ShadersNestValuesOfEveryKind) {
             ") = \"next\"\n");
 }
 
-TEST(Writer, GroupsKeepEveryFieldOfAVertexAndGoBackToNoMaterial) {
+TEST(Writer, GroupsWriteAllVertexFieldsAndResetTheMaterial) {
   Object o;
   o.name = "o";
   o.flags = {statement("visible"), statement("shadow", {numbers({3}, true)})};
@@ -334,7 +334,7 @@ TEST(Writer, TexturesHaveFilesPixelsOrProcedures) {
   EXPECT_EQ(written(q), "color texture \"q\" = \"noise\"\n");
 }
 
-TEST(Writer, AFileThatCannotBeWrittenIsSaidAndLeavesNothingBehind) {
+TEST(Writer, WriteErrorIsReportedAndLeavesNoFile) {
   Diagnostics d;
   EXPECT_FALSE(write_scene(Scene(), "/nowhere/at/all.mi", d));
   EXPECT_TRUE(d.has("OR-MI-050"));

@@ -41,7 +41,7 @@ Corners corners(const FbxFile& file, std::optional<char> up = {}) {
   return found;
 }
 
-TEST(ModelAxes, AMetreIsAMetreWhateverTheFilesUnit) {
+TEST(ModelAxes, FileUnitsAreConvertedToMetres) {
   FbxFile file;  // centimetres
   file.triangle = property("Lcl Translation", {0, 0, 500});
   expect_near(corners(file).x, Vec3(1, 0, 5));
@@ -49,7 +49,7 @@ TEST(ModelAxes, AMetreIsAMetreWhateverTheFilesUnit) {
   expect_near(corners(file).y, Vec3(0, 2.54f, 12.7f));
 }
 
-TEST(ModelAxes, WhatFbxSaysIsUpIsUp) {
+TEST(ModelAxes, FbxUpAxisIsApplied) {
   FbxFile file;
   file.triangle = property("Lcl Translation", {100, 200, 300});
   expect_near(corners(file).origin, Vec3(1, 2, 3));
@@ -60,7 +60,7 @@ TEST(ModelAxes, WhatFbxSaysIsUpIsUp) {
   expect_near(corners(file).origin, Vec3(-2, 1, 3));
 }
 
-TEST(ModelAxes, WhoSaysWhatIsUpKnowsBetterThanTheFile) {
+TEST(ModelAxes, UserUpAxisOverridesTheFile) {
   FbxFile file;
   file.axes = {2, 1, 1, -1, 0, 1};
   file.triangle = property("Lcl Translation", {100, 200, 300});
@@ -69,7 +69,7 @@ TEST(ModelAxes, WhoSaysWhatIsUpKnowsBetterThanTheFile) {
   expect_near(corners(file, 'z').origin, Vec3(1, 3, -2));
 }
 
-TEST(ModelAxes, NonsenseIsLeftAside) {
+TEST(ModelAxes, InvalidAxesAreIgnored) {
   FbxFile file;
   file.triangle = property("Lcl Translation", {100, 200, 300});
   for (const auto& axes : {std::array{2, 1, 2, 1, 0, 1}, std::array{7, 1, 1, 1, 0, 1},

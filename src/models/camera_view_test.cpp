@@ -33,7 +33,7 @@ scene::Scene seen_from(float size, const std::vector<std::pair<float, float>>& e
   return testing::imported("m.gltf", square.text());
 }
 
-TEST(CameraView, WhatIsInTheFrameIsSeen) {
+TEST(CameraView, PointsInTheFrameAreVisible) {
   const scene::Scene scene = seen_from(2, {{0, 5}, {2.2f, 5}, {2.4f, 5}, {0, -5}});
   EXPECT_TRUE(sees_model(scene, "eye0_inst"));
   // tan(.25) 5 = 1.277: the square's edge is 1.2 to the left, then 1.4.
@@ -42,7 +42,7 @@ TEST(CameraView, WhatIsInTheFrameIsSeen) {
   EXPECT_FALSE(sees_model(scene, "eye3_inst")) << "it is behind";
 }
 
-TEST(CameraView, ParallelCamerasSeeWhatIsBeforeTheirFilm) {
+TEST(CameraView, ParallelCamerasSeePointsInFrontOfTheFilm) {
   scene::Scene scene = seen_from(2, {{0, 5}, {2.9f, 5}, {3.1f, 5}, {0, -5}});
   for (const char* name : {"eye0", "eye1", "eye2", "eye3"}) {
     auto* camera = scene.get<scene::Camera>(name);
@@ -63,7 +63,7 @@ TEST(CameraView, AWallFillsTheFrameWithItsCornersOutside) {
   EXPECT_FALSE(sees_model(scene, "eye1_inst"));
 }
 
-TEST(CameraView, TheFirstThatSeesTheModelTakesThePicture) {
+TEST(CameraView, FirstCameraThatSeesTheModelIsUsed) {
   scene::Scene scene = seen_from(2, {{9, 5}, {0, 5}, {0, 4}});
   Diagnostics diagnostics;
   EXPECT_TRUE(choose_camera(scene, {}, diagnostics));
@@ -77,7 +77,7 @@ TEST(CameraView, TheFirstThatSeesTheModelTakesThePicture) {
   EXPECT_TRUE(none.all().empty());
 }
 
-TEST(CameraView, TheGroundIsBelowACameraThatStandsDeeperThanTheModel) {
+TEST(CameraView, GroundIsBelowCamerasUnderTheModel) {
   for (const float height : {2.0f, -2.0f}) {
     testing::Quad square;
     square.scene = "0,1";
@@ -88,13 +88,13 @@ TEST(CameraView, TheGroundIsBelowACameraThatStandsDeeperThanTheModel) {
     scene::Scene scene = testing::imported("m.gltf", square.text());
     add_daylight(scene, {});
     const float ground = scene.get<scene::Object>("ground")->groups[0].vectors[0].y;
-    // The square stands on y = 0.
+    // The square is on y = 0.
     EXPECT_LT(ground, std::min(height, 0.0f));
     EXPECT_GT(ground, std::min(height, 0.0f) - .1f);
   }
 }
 
-TEST(CameraView, WhereNoneSeesItOneIsAdded) {
+TEST(CameraView, CameraIsAddedIfNoneSeesTheModel) {
   scene::Scene scene = seen_from(2, {{9, 5}, {0, -5}});
   Diagnostics diagnostics;
   EXPECT_FALSE(choose_camera(scene, {}, diagnostics));

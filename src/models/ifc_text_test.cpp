@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STEP text, and what IFC4 becomes.
+// STEP text, and conversion of IFC4.
 #include "models/ifc_text.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(StepText, ArgumentsMayHoldListsStringsAndComments) {
   EXPECT_EQ(step_reference("#17"), 17u);
 }
 
-TEST(StepText, EveryBeginningOfAFileIsSurvived) {
+TEST(StepText, TruncatedFilesDoNotCrash) {
   const std::string whole = file(
       "#1=IFCTRIANGULATEDFACESET(#2,$,$,((1,2,3)),$);\n"
       "#2=IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(1.,0.,0.),(0.,1.,'a')));\n");

@@ -14,10 +14,10 @@ using testing::json;
 using testing::Made;
 
 constexpr double kDegrees = 180 / kPi;
-/// Of angles, relative.
+/// Relative tolerance of angles.
 constexpr double kTolerance = 1e-3;
 
-/// Whole angles of a camera in degrees.
+/// Full angles of a camera in degrees.
 struct Angles {
   double across = 0, upright = 0;
 };
@@ -47,7 +47,7 @@ GltfFile gltf_camera(double yfov, double aspect) {
   return file;
 }
 
-// A lens of 20 mm on full-frame film, 24 mm high: 61.93 degrees upright.
+// A 20 mm lens on full-frame film, 24 mm high: vertical angle 61.93 degrees.
 // acceptance: M2
 TEST(ModelCamera, GltfKeepsItsVerticalAngle) {
   const double yfov = 2 * std::atan(12. / 20);
@@ -63,7 +63,7 @@ TEST(ModelCamera, GltfKeepsItsVerticalAngle) {
     }
 }
 
-TEST(ModelCamera, SharedCamerasAndLightsStandAtEachOfTheirNodes) {
+TEST(ModelCamera, SharedCamerasAndLightsAreInstancedPerNode) {
   GltfFile file = gltf_camera(.5, 1);
   for (const double x : {7., 8.})
     file.root["nodes"].push_back({{"name", "eye"}, {"camera", 0}, {"translation", {x, 0, 0}}});
@@ -107,7 +107,7 @@ std::string collada_camera(const std::string& angles) {
          R"(</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-// Two of three numbers define the picture of a Collada camera.
+// Two of three numbers define the view of a Collada camera.
 // acceptance: M2
 TEST(ModelCamera, ColladaKeepsTheAnglesThatItDefines) {
   const double y = 40, half = std::tan(20 / kDegrees);

@@ -67,7 +67,7 @@ Vec3 uv_of(const scene::Scene& scene, std::size_t space, std::size_t corner) {
   return group.vectors[group.vertices.textures[space].coordinate[corner]];
 }
 
-TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
+TEST(ModelTexture, TransformsFollowTheExtension) {
   Quad quad;
   // Example of the extension: the lower left quadrant of the picture, rotated by 90 degrees.
   quad.material =
@@ -75,7 +75,8 @@ TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
       R"("KHR_texture_transform":{"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]}}}})";
   quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_texture_transform"],)";
   const Imported quadrant(quad.text());
-  // v up: the quadrant is 0..0.5 in both; its corner at the picture's is the file's (0, 0).
+  // With v up, the quadrant is 0..0.5 in u and v; its corner at the corner of the image is (0, 0)
+  // of the file.
   EXPECT_LT(length(uv_of(quadrant.scene, 0, 3) - Vec3(0, 0, 0)), 1e-6f);
   EXPECT_LT(length(uv_of(quadrant.scene, 0, 0) - Vec3(.5f, 0, 0)), 1e-6f);
   EXPECT_LT(length(uv_of(quadrant.scene, 0, 1) - Vec3(.5f, .5f, 0)), 1e-6f);
@@ -83,11 +84,11 @@ TEST(ModelTexture, TransformsMoveCoordinatesAsTheExtensionSays) {
   quad.material = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":{)"
                   R"("KHR_texture_transform":{"offset":[0.1,0.2],"scale":[2,3]}}}})";
   const Imported scaled(quad.text());
-  // The file's (1, 1) goes to (2.1, 3.2), v down.
+  // (1, 1) of the file maps to (2.1, 3.2), v down.
   EXPECT_LT(length(uv_of(scaled.scene, 0, 1) - Vec3(2.1f, -2.2f, 0)), 1e-6f);
 }
 
-TEST(ModelTexture, EachUseIsLookedUpWhereItSays) {
+TEST(ModelTexture, EachUseHasItsCoordinates) {
   Quad quad;
   quad.uv1 = {0, .5f, .5f, .5f, .5f, 0, 0, 0};
   quad.material = R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0},)"
@@ -171,7 +172,7 @@ TEST(ModelBump, HeightsOfObjBecomeBumpsAndNormalsByTheirName) {
   }
 }
 
-// The picture decides, whatever its name: normals have a mean near (.5, .5, 1).
+// The image content decides, not its name: normal maps have a mean near (.5, .5, 1).
 // acceptance: M3
 TEST(ModelBump, MapsOfObjAreNormalsIfTheirPicturesShowThem) {
   const struct {
@@ -215,7 +216,7 @@ TEST(ModelBump, MissingMaterialFilesOfObjAreReported) {
   EXPECT_EQ(found, 1);
 }
 
-TEST(ModelCoat, ItLiesOverTheMaterial) {
+TEST(ModelCoat, LayersOverTheMaterial) {
   Quad quad;
   quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_clearcoat"],)";
   quad.material =
@@ -260,7 +261,7 @@ TEST(ModelMaterial, UnlitIsMatte) {
   EXPECT_TRUE(made.said("unlit"));
 }
 
-TEST(ModelMaterial, SpecularGlossinessIsNoMetal) {
+TEST(ModelMaterial, SpecularGlossinessIsNotMetallic) {
   Quad quad;
   quad.more = R"("extensionsUsed":["KHR_materials_pbrSpecularGlossiness"],)";
   quad.material =
@@ -276,7 +277,7 @@ TEST(ModelMaterial, SpecularGlossinessIsNoMetal) {
   EXPECT_NEAR(bsdf::gloss_to_alpha(static_cast<float>(gloss)), .09, 1e-3);
 }
 
-TEST(ModelMaterial, TransmissionGoesByItsTexture) {
+TEST(ModelMaterial, TransmissionIsTextured) {
   Quad quad;
   quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_transmission"],)";
   quad.material = R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":0.5,)"
@@ -291,7 +292,7 @@ std::map<std::string, GltfExtras> extras_of_text(const char* text) {
   return gltf_extras(gltf::json::parse(text, nullptr, false));
 }
 
-TEST(GltfExtras, NamesThatAreNotTheirOwnSayNothing) {
+TEST(GltfExtras, UnknownNamesAreIgnored) {
   const auto extras =
       extras_of_text(R"({"materials":[{"name":"a"},{"name":"b"},{"name":"a"},{},{"name":"a"}]})");
   ASSERT_EQ(extras.size(), 1u);
@@ -313,7 +314,7 @@ TEST(TextureSpace, TurnsWhereUOrVRunsInAnotherDirection) {
     EXPECT_TRUE((TextureSpace{0, other}.turns()));
 }
 
-TEST(GltfExtras, WhatIsWrittenWrongIsNotThere) {
+TEST(GltfExtras, InvalidValuesAreIgnored) {
   for (
       const char* text :
       {"", "glTF", "[", "null", "[1]", R"({"materials":3})", R"({"materials":[3,null,"x"]})",

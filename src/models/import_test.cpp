@@ -26,7 +26,7 @@ using testing::set_in;
 TEST(ModelMaterial, GlossinessHasTheRoughnessOfTheModel) {
   for (float r = .06f; r < .59f; r += .05f)
     EXPECT_NEAR(bsdf::gloss_to_alpha(gloss_of_roughness(r)), r * r, 1e-4f) << r;
-  EXPECT_EQ(gloss_of_roughness(.05f), 1);  // nearly a mirror is one
+  EXPECT_EQ(gloss_of_roughness(.05f), 1);  // nearly smooth becomes a perfect mirror
   EXPECT_EQ(gloss_of_roughness(1), 0);
 }
 
@@ -41,7 +41,7 @@ TEST(ModelMaterial, AMetalReflectsItsColourAndADielectricItsIndex) {
       imported("m.gltf", gltf(R"("pbrMetallicRoughness":{"metallicFactor":0},)"
                               R"("extensions":{"KHR_materials_ior":{"ior":1.8}})",
                               "", R"("extensionsUsed":["KHR_materials_ior"],)"));
-  // Fresnel at normal incidence, ((n - 1) / (n + 1))^2; where the reader knows the extension.
+  // Fresnel at normal incidence, ((n - 1) / (n + 1))^2, if the reader supports the extension.
   const double f0 = set_in(plastic, "oak", "brdf_0_degree_refl").at(0);
   EXPECT_TRUE(std::fabs(f0 - std::pow(.8 / 2.8, 2)) < 1e-6 || std::fabs(f0 - .04) < 1e-6) << f0;
   EXPECT_EQ(set_in(plastic, "oak", "diffuse_weight"), std::vector<double>{1});
@@ -94,7 +94,7 @@ TEST(ModelMaterial, MirrorsOfObjReflectWhatTheySayOthersAsTheirHighlightDoes) {
   EXPECT_NEAR(set_in(scene, "dull", "brdf_0_degree_refl").at(0), .4, 1e-6);
 }
 
-TEST(ModelImport, WhatIsUpIsUp) {
+TEST(ModelImport, UpAxisIsConverted) {
   const Folder folder;
   const std::string path =
       folder.write("m.stl",
@@ -149,7 +149,7 @@ TEST(ModelImport, NodesBecomeInstancesWithTheInverseMatrix) {
   ASSERT_TRUE(instance && instance->transform);
   EXPECT_EQ(instance->element, "seat");
   EXPECT_EQ(instance->materials, std::vector<std::string>{"oak"});
-  // The far corner of the world goes to the local one.
+  // The far corner in world space maps to the local one.
   const Vec3 local = transform_point(Vec3(3, 2, 3), *instance->transform);
   EXPECT_NEAR(length(local - Vec3(1, 0, 0)), 0, 1e-6f);
   const auto* object = scene.get<scene::Object>("seat");
@@ -167,11 +167,11 @@ TEST(ModelImport, LightsAreInCandela) {
   for (const scene::Element& e : scene.elements())
     if (const auto* found = std::get_if<scene::Light>(&e)) light = found;
   ASSERT_TRUE(light);
-  // physical_light spreads it over 4 pi, a surface shows it over pi: 50 cd at 1 m are 50 lux.
+  // physical_light divides by 4 pi, a surface by pi: 50 cd at 1 m are 50 lux.
   EXPECT_EQ(light->shaders[0].arguments[0].value.numbers, (std::vector<double>{200, 200, 200}));
 }
 
-TEST(ModelImport, AFileWithoutSurfacesIsToldOf) {
+TEST(ModelImport, FileWithoutSurfacesIsReported) {
   const Folder folder;
   Diagnostics diagnostics;
   const auto scene =
@@ -183,7 +183,7 @@ TEST(ModelImport, AFileWithoutSurfacesIsToldOf) {
   EXPECT_EQ(diagnostics.all()[0].code, "OR-MD-012");
 }
 
-TEST(ModelImport, WhatIsNoModelIsToldOf) {
+TEST(ModelImport, InvalidFileIsReported) {
   const Folder folder;
   Diagnostics diagnostics;
   const std::string whole = gltf(R"("doubleSided":true)");
@@ -198,7 +198,7 @@ TEST(ModelImport, WhatIsNoModelIsToldOf) {
       import_model(folder.path() / "none.obj", {folder.path(), folder.path()}, diagnostics));
 }
 
-/// The largest coordinate of points in the picture of the camera that renders; 1 is its edge.
+/// Largest image coordinate of points for the rendering camera; 1 is the image border.
 float largest_in_frame(const scene::Scene& scene, const std::vector<Vec3>& points) {
   const auto* placed = scene.get<scene::Instance>(scene.renders.at(0).camera);
   const auto* camera = scene.get<scene::Camera>(placed->element);
@@ -213,7 +213,7 @@ float largest_in_frame(const scene::Scene& scene, const std::vector<Vec3>& point
   return most;
 }
 
-TEST(Daylight, AnEmptyModelIsTakenForAUnitCube) {
+TEST(Daylight, EmptyModelIsTreatedAsAUnitCube) {
   scene::Scene scene;
   scene::InstanceGroup root;
   root.name = kRootGroup;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras and lights of FBX, and the transforms of their nodes.
+// FBX cameras and lights, and the transforms of their nodes.
 #include "models/import_view.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using testing::FbxFile;
 using testing::imported;
 using testing::property;
 
-/// Where the light that has this element and instance shines to in the world.
+/// World direction of the light with this element and instance.
 Vec3 shining(const scene::Scene& scene) {
   const auto* sun = scene.get<scene::Light>("sun");
   EXPECT_TRUE(sun && sun->direction);
@@ -27,8 +27,8 @@ Vec3 shining(const scene::Scene& scene) {
              : Vec3(0);
 }
 
-// An FBX camera looks along its x, a light along its -y; the transform is T R Rpost^-1. Rpost =
-// Ry(-90): its inverse brings x to -z; Rx(-90): its inverse brings -y to -z.
+// An FBX camera looks along its x axis, a light along its -y axis; the transform is T R Rpost^-1.
+// Rpost = Ry(-90): its inverse rotates x to -z; Rx(-90): its inverse rotates -y to -z.
 TEST(ModelFbx, PostRotationIsInverted) {
   FbxFile file;
   file.camera = property("PostRotation", {0, -90, 0}) + property("Lcl Translation", {0, 0, 900});
@@ -42,7 +42,7 @@ TEST(ModelFbx, PostRotationIsInverted) {
 
 TEST(ModelFbx, PostRotationComesBeforeRotation) {
   FbxFile file;
-  // Ry(90) brings -z to -x; Rx(-90) brings -z to -y, and that, turned by PreRotation, to x.
+  // Ry(90) rotates -z to -x; Rx(-90) rotates -z to -y, which PreRotation rotates to x.
   file.camera = property("PostRotation", {0, -90, 0}) + property("Lcl Rotation", {0, 90, 0});
   file.sun = property("PostRotation", {-90, 0, 0}) + property("Lcl Rotation", {-90, 0, 0}) +
              property("PreRotation", {0, 0, 90});
@@ -51,9 +51,9 @@ TEST(ModelFbx, PostRotationComesBeforeRotation) {
   expect_near(shining(scene), Vec3(1, 0, 0));
 }
 
-TEST(ModelFbx, WithoutPostRotationNodesTurnAsTheySay) {
+TEST(ModelFbx, NodesWithoutPostRotationUseTheirRotation) {
   FbxFile file;
-  // As Blender writes cameras: the whole turn in Lcl Rotation.
+  // As Blender writes cameras: the complete rotation is in Lcl Rotation.
   file.camera = property("Lcl Rotation", {0, 90, 0});
   file.sun = property("Lcl Rotation", {0, 0, 90});
   const scene::Scene scene = imported("m.fbx", file.text());
@@ -61,8 +61,9 @@ TEST(ModelFbx, WithoutPostRotationNodesTurnAsTheySay) {
   expect_near(shining(scene), Vec3(1, 0, 0));
 }
 
-// T Rp R Rp^-1: turned by a half about z through (100, 0, 0), the origin comes to (200, 0, 0).
-TEST(ModelFbx, PivotsTurnAboutThemselvesAndNamesStayClean) {
+// T Rp R Rp^-1: a rotation by 180 degrees about z through (100, 0, 0) maps the origin to (200, 0,
+// 0).
+TEST(ModelFbx, PivotsAreAppliedWithoutHelperNodes) {
   FbxFile file;
   file.triangle = property("RotationPivot", {100, 0, 0}) + property("Lcl Rotation", {0, 0, 180}) +
                   property("ScalingPivot", {0, 100, 0}) + property("Lcl Scaling", {1, 3, 1});
@@ -75,7 +76,7 @@ TEST(ModelFbx, PivotsTurnAboutThemselvesAndNamesStayClean) {
     EXPECT_EQ(scene::name_of(e).find("Assimp"), std::string::npos) << scene::name_of(e);
 }
 
-// A geometric transform moves what the node holds, not its children.
+// A geometric transform applies to the geometry of the node, not to its children.
 TEST(ModelFbx, GeometricTransformsStayWithTheirNode) {
   FbxFile file;
   file.triangle = property("GeometricTranslation", {0, 0, 700});
@@ -86,7 +87,7 @@ TEST(ModelFbx, GeometricTransformsStayWithTheirNode) {
   expect_near(testing::to_world(scene, "child_inst").translation(), Vec3(0, 0, 0));
 }
 
-TEST(ModelFbx, SpotsAreWrittenWithTheirWholeAngle) {
+TEST(ModelFbx, SpotAnglesAreFullAngles) {
   FbxFile file;
   file.sun = property("Lcl Translation", {0, 400, 0});
   file.light =
@@ -99,7 +100,7 @@ TEST(ModelFbx, SpotsAreWrittenWithTheirWholeAngle) {
   EXPECT_NEAR(spot->shaders[0].arguments.at(1).value.numbers.at(0), std::cos(20 * kPi / 180), 1e-6);
 }
 
-TEST(ModelFbx, WhatHasATargetLooksAtIt) {
+TEST(ModelFbx, TargetsOrientNodes) {
   FbxFile file;
   file.camera = property("Lcl Translation", {100, 200, 500});
   file.sun = property("Lcl Translation", {0, 400, 0});

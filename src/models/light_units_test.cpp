@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights and emission of Blender's files: their ratio, and their units.
+// Lights and emission in files of Blender: ratio and units.
 #include "models/light_units.h"
 
 #include "models/testing/fbx_file.h"
@@ -27,7 +27,7 @@ TEST(LightUnits, DependOnTheProgramAndItsVersion) {
     EXPECT_EQ(light_units(other, ".glb"), LightUnits()) << other;
 }
 
-/// First number of a parameter of a light's shader.
+/// First number of a parameter of the light shader.
 double number_in(const Made& made, const char* light, const char* parameter) {
   const auto* found = made.scene ? made.scene->get<scene::Light>(light) : nullptr;
   if (found)
@@ -46,7 +46,7 @@ double emitted(const Made& made, const char* material) {
   return color.empty() ? 0 : color[0];
 }
 
-/// What Blender 3.4 writes for a point light of 1000 W, a sun of 5 W/m2 and an emission of 7.
+/// Output of Blender 3.4 for a point light of 1000 W, a sun of 5 W/m2 and an emission of 7.
 GltfFile blender_gltf(const char* generator) {
   GltfFile file;
   file.add_triangle();
@@ -65,7 +65,7 @@ GltfFile blender_gltf(const char* generator) {
   return file;
 }
 
-// In Blender 1000 W are 1000 / (4 pi) W/sr; an emission of 7 is 7 W/(m2 sr).
+// In Blender, 1000 W are 1000 / (4 pi) W/sr; an emission of 7 is 7 W/(m2 sr).
 constexpr double kLampOverEmission = 1000 / (4 * kPi) / 7, kSunOverEmission = 5. / 7;
 
 // acceptance: M3
@@ -79,7 +79,7 @@ TEST(LightUnits, BlendersGltfKeepsTheRatioOfLightsToEmission) {
   EXPECT_TRUE(made.said("OR-MD-016"));
 }
 
-TEST(LightUnits, OtherProgramsAreTakenAtTheirWord) {
+TEST(LightUnits, OtherProgramsUseTheSpecifiedUnits) {
   Made made;
   made.import(blender_gltf("another program").text());
   EXPECT_NEAR(emitted(made, "paint"), 7, 1e-5);
@@ -97,8 +97,8 @@ TEST(LightUnits, TheScaleOfEmissionCanBeSet) {
   EXPECT_NEAR(emitted(made, "paint"), 21, 1e-5);
 }
 
-/// What Blender 3.4 writes for white lights: their colour is in the template, where that of
-/// cameras has replaced it.
+/// Output of Blender 3.4 for white lights. It defines their colour only in the template of lights,
+/// which the template of cameras overrides.
 std::string blender_fbx(const char* light) {
   testing::FbxFile file;
   file.creator = "Blender (stable FBX IO) - 3.4.1 - 4.37.1";

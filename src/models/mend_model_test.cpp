@@ -56,7 +56,7 @@ std::ptrdiff_t count_of(const Diagnostics& diagnostics, const char* code) {
                        [&](const Diagnostic& d) { return d.code == code; });
 }
 
-TEST(ModelMend, PolygonsWithoutAreaGoInOneNote) {
+TEST(ModelMend, ZeroAreaPolygonsAreDroppedWithOneNote) {
   const Folder folder;
   Diagnostics diagnostics;
   // A point three times, a line as a triangle, a line as a quad; a triangle and a concave quad.
@@ -75,7 +75,7 @@ TEST(ModelMend, PolygonsWithoutAreaGoInOneNote) {
   EXPECT_NE(diagnostics.all()[0].message.find("dropped: 4"), std::string::npos);
 }
 
-TEST(ModelMend, ColladaThatIsNotThereAtAllIsOpaque) {
+TEST(ModelMend, FullyTransparentColladaIsOpaque) {
   const auto with = [&](const char* transparency) {
     return imported("m.dae", collada(std::string("<transparent><color>1 1 1 1</color>"
                                                  "</transparent><transparency><float>") +
@@ -90,7 +90,7 @@ TEST(ModelMend, ColladaThatIsNotThereAtAllIsOpaque) {
   EXPECT_EQ(transparency("1"), 0);
 }
 
-TEST(ModelMend, ColladaSpotsAreWrittenWithTheirWholeAngle) {
+TEST(ModelMend, ColladaSpotAnglesAreFullAngles) {
   std::string text = collada("");
   const auto insert = [&](const char* before, const char* what) {
     text.insert(text.find(before), what);
@@ -107,7 +107,7 @@ TEST(ModelMend, ColladaSpotsAreWrittenWithTheirWholeAngle) {
   EXPECT_NEAR(*lamp->spread, std::cos(20 * kPi / 180), 1e-5f);
 }
 
-TEST(ModelMend, CamerasInRadiansAreToldOf) {
+TEST(ModelMend, CamerasInRadiansAreReported) {
   for (const bool radians : {true, false}) {
     std::string text = collada("");
     text.insert(

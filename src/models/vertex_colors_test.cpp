@@ -86,7 +86,7 @@ TEST(VertexColors, MeshesWithoutThemAreWhiteBesideOthersOfTheirMaterial) {
     EXPECT_EQ(other.vectors[i], Vec3(1));
 }
 
-TEST(VertexColors, StandBehindTheSpacesOfPictures) {
+TEST(VertexColors, FollowTheTextureSpacesOfImages) {
   GltfFile file;
   file.add_triangle();
   json& attributes = file.primitive()["attributes"];

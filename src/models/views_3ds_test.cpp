@@ -35,7 +35,7 @@ std::string chunk(std::uint16_t kind, const std::string& content) {
   return bytes(kind) + bytes(static_cast<std::uint32_t>(content.size() + 6)) + content;
 }
 
-/// Of a track with keys at frames 0, 1, ...
+/// A track with keys at frames 0, 1, ...
 std::string track(std::uint16_t kind, const std::vector<std::string>& keys) {
   std::string content = bytes(std::uint16_t{0}) + bytes(std::uint32_t{0}) +
                         bytes(std::uint32_t{0}) + bytes(static_cast<std::uint32_t>(keys.size()));
@@ -44,8 +44,8 @@ std::string track(std::uint16_t kind, const std::vector<std::string>& keys) {
   return chunk(kind, content);
 }
 
-/// A triangle at the origin, a camera at (0, -50, 20) that looks at (0, 0, 20) through a lens of
-/// 60, and a spot at (30, 0, 40) that shines down. z is up in the file.
+/// A triangle at the origin, a camera at (0, -50, 20) with a lens of 60 that looks at (0, 0, 20),
+/// and a spot light at (30, 0, 40) that points down. z is up in the file.
 std::string file(float roll, const std::string& tracks) {
   std::string triangle =
       chunk(0x4110, bytes(std::uint16_t{3}) + reals({0, 0, 0, 9, 0, 0, 0, 0, 9}));
@@ -66,7 +66,7 @@ std::string node(std::uint16_t kind, const char* name, const std::string& keys) 
                          keys);
 }
 
-/// The file's y goes away from the viewer: (0, -50, 20) is (0, 20, 50), y is -z.
+/// y of the file points away from the viewer: (0, -50, 20) becomes (0, 20, 50), and y becomes -z.
 void expect_views(const scene::Scene& scene) {
   expect_near(testing::to_world(scene, "eye_inst").translation(), Vec3(0, 20, 50), 1e-3f);
   expect_near(testing::view_of(scene, "eye_inst"), Vec3(0, 0, -1));
@@ -79,18 +79,18 @@ void expect_views(const scene::Scene& scene) {
   EXPECT_NEAR(*lamp->spread, std::cos(20 * kPi / 180), 1e-5f) << "40 degrees across";
 }
 
-TEST(Model3ds, ViewsAreWhereTheFileHasThem) {
+TEST(Model3ds, ViewsHaveTheTransformsOfTheFile) {
   const scene::Scene scene = imported("m.3ds", file(0, ""));
   expect_views(scene);
   expect_near(transform_vector(Vec3(0, 1, 0), testing::to_world(scene, "eye_inst")), Vec3(0, 1, 0));
-  // 2400 / 60 = 40 degrees across.
+  // 2400 / 60 = 40 degrees, horizontally.
   // acceptance: M2
   const auto* camera = scene.get<scene::Camera>("eye");
   ASSERT_TRUE(camera);
   EXPECT_NEAR(*camera->aperture / 2 / *camera->focal, std::tan(20 * kPi / 180), 1e-4f);
 }
 
-TEST(Model3ds, NodesThatMoveLeaveThemThere) {
+TEST(Model3ds, AnimatedNodesDoNotMoveViews) {
   const std::string still = reals({0, -50, 20}), later = reals({5, -50, 20});
   const scene::Scene scene = imported(
       "m.3ds",
@@ -108,7 +108,7 @@ TEST(Model3ds, RollTurnsAboutTheView) {
   EXPECT_NEAR(std::fabs(transform_vector(Vec3(0, 1, 0), m).x), 1, 1e-5f);
 }
 
-TEST(Model3ds, EveryBeginningOfAFileIsSurvived) {
+TEST(Model3ds, TruncatedFilesDoNotCrash) {
   const std::string whole = file(0, "");
   const scene::Scene scene = imported("m.3ds", whole);
   for (std::size_t size = 0; size < whole.size(); size += 7) {

@@ -39,7 +39,7 @@ struct Camera {
   Vec3 project(const Vec3& point, float time) const;
   /// Raster x and y of a point of camera space; z stays that of camera space. Points in the plane
   /// of the camera count as 1e-30 in front of it.
-  /// Checked: Spaces.RasterIsWhereTheEyeRayBegan
+  /// Checked: Spaces.RasterIsThePixelOfTheEyeRay
   Vec3 raster_of(const Vec3& camera_point) const;
   /// Width and height of a pixel at a depth in front of the camera, in units of camera space.
   /// Checked: Spaces.RasterUnitIsOnePixelOnTheScreen

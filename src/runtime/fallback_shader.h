@@ -13,7 +13,7 @@ extern const ShaderSpec kFallbackShader;
 /// Works as material, light, texture and environment: a colour, looked up in a texture if there is
 /// one. As a material it has transparency, highlight, mirror reflection and emission, or the
 /// material that it is connected to.
-/// Checked: GuessedShaders.* in tests/shader_binding.
+/// Checked: FallbackShaders.* in tests/shader_binding.
 extern const ShaderSpec kApproximateMaterial;
 
 /// Whether the shader is a fallback, in which case OR-RT-001 was reported.

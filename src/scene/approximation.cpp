@@ -14,10 +14,10 @@ using Kind = Approximation::Kind;
 using Style = Approximation::Style;
 using Technique = Approximation::Technique;
 
-// Where the statement gives none. [K] for fine, whose triangles are meant to be small.
+// Default maxima. [K] for fine, which needs small triangles.
 constexpr int kMaxDefaultSubdivisions = 5, kMaxDefaultFineSubdivisions = 7;
 
-/// Goes through a statement's values word by word and number by number.
+/// Reads the values of a statement word by word and number by number.
 class Words {
  public:
   explicit Words(const std::vector<Value>& values) : values_(values) {}
@@ -26,9 +26,9 @@ class Words {
   bool at_number() const { return !done() && values_[value_].kind == Value::Kind::Numbers; }
   const Value& value() const { return values_[value_]; }
   void skip() { ++value_, number_ = 0; }
-  /// How many numbers follow in a row.
+  /// Number of consecutive numbers.
   std::size_t numbers() const { return at_number() ? value().numbers.size() - number_ : 0; }
-  /// The next number if it is positive and finite; 0 for another one and for none.
+  /// The next number, or 0 if it is missing, not positive or not finite.
   float positive() {
     if (numbers() == 0) return 0;
     const auto n = static_cast<float>(value().numbers[number_++]);
@@ -77,17 +77,17 @@ std::uint8_t read_rays(std::string_view keyword) {
   return static_cast<std::uint8_t>(rays);
 }
 
-bool takes_v(Kind kind) {
+bool has_v_direction(Kind kind) {
   return kind != Kind::Curve && kind != Kind::SpaceCurve && kind != Kind::Trim;
 }
 
-// f [f] [%], before [min max]: an even row of numbers has a v. Each may have its own %.
+// f [f] [%], before [min max]: an even count of numbers includes v. u and v may each have a %.
 void read_parametric(Words& words, Approximation& a) {
   const std::size_t row = words.numbers();
   a.u = a.v = words.positive();
   bool percent = words.accept("%");
   const bool has_v = percent ? words.numbers() % 2 == 1 : row > 0 && row % 2 == 0;
-  if (has_v && takes_v(a.kind)) a.v = words.positive();
+  if (has_v && has_v_direction(a.kind)) a.v = words.positive();
   percent |= words.accept("%");
   a.percent = percent && a.technique == Technique::Regular;
 }
@@ -125,7 +125,8 @@ bool read_style(Words& words, Approximation& a) {
   return true;
 }
 
-/// A technique's word and its numbers. False: no such word stands here.
+/// Reads the word and the numbers of a technique. Returns false if the next word is not a
+/// technique.
 bool read_technique(Words& words, Approximation& a) {
   const auto radians = [](float degrees) { return degrees * (kPi / 180); };
   if (words.accept("regular")) {
@@ -164,7 +165,7 @@ bool is_approximate(const Statement& s) {
   return !s.quoted && std::string_view(s.keyword).ends_with(kWord);
 }
 
-/// All that a list of statements says; a bare one takes back those before it.
+/// All approximations in a list of statements. A bare statement removes the previous ones.
 std::vector<Approximation> approximations(const std::vector<Statement>& statements) {
   std::vector<Approximation> result;
   for (const Statement& s : statements) {
@@ -188,7 +189,7 @@ std::optional<Approximation> approximation_of(const Statement& statement) {
     if (read_technique(words, a)) {
       known = true;
     } else if (words.at_number()) {
-      // min max; one number alone is the maximum.
+      // min max, or max only.
       const bool both = words.numbers() > 1;
       if (both) a.min_subdivisions = words.count(kMaxSubdivisions);
       a.max_subdivisions = words.count(kMaxSubdivisions);
@@ -229,7 +230,7 @@ ApproximationRules::ApproximationRules(const PolygonGroup& group,
 }
 
 ApproximationRules::Level::Level(std::vector<Approximation> list) : all(std::move(list)) {
-  // A later statement wins, but not one for other rays than the camera's over one for those.
+  // The last statement wins, except that camera rays have precedence over other rays.
   const auto enter = [this](const Approximation& a, std::size_t i, std::string name) {
     const auto [entry, is_new] = best.try_emplace({a.kind, std::move(name)}, i);
     if (!is_new && (a.is_for_camera() || !all[entry->second].is_for_camera())) entry->second = i;
@@ -263,7 +264,8 @@ float TessellationView::pixels(const Vec3& a, const Vec3& b) const {
   constexpr float kDiagonal = 1.41421356f;
   const float scale = pixels_per_unit / kDiagonal;
   if (orthographic || !(scale > 0)) return std::max(scale, 0.0f) * oriel::length(to - from);
-  // The distance from the eye, not the depth: the same for a mirror that looks elsewhere.
+  // Uses the distance to the camera instead of the depth, so that reflections in mirrors with
+  // another view direction are tessellated equally.
   const float away = oriel::length((from + to) * 0.5f);
   return scale * oriel::length(to - from) / std::max(away, 1e-20f);
 }

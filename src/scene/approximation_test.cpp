@@ -89,7 +89,7 @@ TEST(Approximation, SpatialAndCurvatureAreCriteria) {
   EXPECT_EQ(curvature.max_subdivisions, 6);
 }
 
-TEST(Approximation, LengthDistanceAndAngleStandTogether) {
+TEST(Approximation, LengthDistanceAndAngleCombine) {
   const Approximation a =
       read({word("subdivision"), word("surface"), word("any"), word("delaunay"), word("grading"),
             row({4}), word("length"), row({2}), word("distance"), row({.5}), word("angle"),
@@ -106,7 +106,7 @@ TEST(Approximation, LengthDistanceAndAngleStandTogether) {
   EXPECT_EQ(a.samples, 8);
 }
 
-// As a host writes it behind a tri-list.
+// As a host application writes it after a trilist.
 TEST(Approximation, FineViewLengthIsRead) {
   const Approximation a =
       read({word("view"), word("fine"), word("shared"), word("length"), row({2}), word("distance"),
@@ -120,7 +120,7 @@ TEST(Approximation, FineViewLengthIsRead) {
   EXPECT_EQ(read({word("fine"), word("length"), row({1})}).max_subdivisions, 7);
 }
 
-TEST(Approximation, NonsenseIsHarmless) {
+TEST(Approximation, InvalidValuesAreIgnored) {
   EXPECT_FALSE(approximation_of(approximate({})));
   EXPECT_FALSE(approximation_of(approximate({word("surface"), name("s")})));
   const Approximation a = read({word("surface"), word("length"), row({-1, -5, 1e30})});
@@ -150,7 +150,7 @@ Statement surface(double u, std::vector<Value> rest = {}) {
   return approximate(std::move(values));
 }
 
-TEST(ApproximationRules, TheNearestStatementWinsUnlessOneOverrides) {
+TEST(ApproximationRules, NearestStatementAppliesUnlessOverridden) {
   Rules r;
   EXPECT_EQ(r.find("s"), nullptr);
   r.outer.flags = {surface(1)};
@@ -168,7 +168,7 @@ TEST(ApproximationRules, TheNearestStatementWinsUnlessOneOverrides) {
   EXPECT_EQ(r.rules.find(Kind::Trim, "s"), nullptr);
 }
 
-TEST(ApproximationRules, ABareStatementTakesBackAndRaysComeSecond) {
+TEST(ApproximationRules, BareStatementResetsAndRayTypesHaveLowerPriority) {
   Rules r;
   r.inner.flags = {surface(2), approximate({})};
   EXPECT_EQ(r.find("s"), nullptr);
@@ -183,7 +183,7 @@ TEST(TessellationView, LengthsAreInPixelDiagonalsAndFallWithDistance) {
   view.pixels_per_unit = 500;
   EXPECT_NEAR(view.pixels({-1, 0, -10}, {1, 0, -10}), 100 / std::sqrt(2.0f), 1e-3f);
   EXPECT_NEAR(view.pixels({-1, 0, -20}, {1, 0, -20}), 50 / std::sqrt(2.0f), 1e-3f);
-  // The same whichever way it points.
+  // Independent of the direction of the segment.
   EXPECT_NEAR(view.pixels({0, 0, -11}, {0, 0, -9}), 100 / std::sqrt(2.0f), 1e-3f);
   view.orthographic = true;
   EXPECT_NEAR(view.pixels({-1, 0, -20}, {1, 0, -20}), 1000 / std::sqrt(2.0f), 1e-2f);

@@ -19,7 +19,7 @@ std::string small(std::string text) {
   return text;
 }
 
-/// The entry of a folder of that name, else the first in order that differs only in case.
+/// The entry with this name in the folder, or the first one, in order, that differs only in case.
 std::string entry_in_any_case(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::exists(folder / name, error)) return name;
@@ -33,7 +33,7 @@ std::string entry_in_any_case(const fs::path& folder, const std::string& name) {
   return found;
 }
 
-/// A file below the folder whose name differs only in the case of ASCII letters; empty: none.
+/// A file below the folder that matches except for the case of ASCII letters; empty if none.
 std::string find_in_any_case(const std::string& relative, const fs::path& folder) {
   fs::path path = folder;
   for (const fs::path& part : fs::path(relative)) {
@@ -78,7 +78,7 @@ std::string find_asset(const std::string& written, const std::string& folder) {
     std::error_code error;
     if (fs::is_regular_file(path, error)) return path;
   }
-  // Windows does not tell names apart by case.
+  // File names on Windows are not case-sensitive.
   for (const std::string& spelling : spellings_of(written))
     if (!fs::path(spelling).is_absolute())
       if (std::string path = find_in_any_case(spelling, folder); !path.empty()) return path;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where is a file that a scene names by a path of another machine?
+// Finds files that a scene refers to by a path of another machine.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace oriel::scene {
 
-/// A path of any system as this one writes it.
+/// Converts backslashes of Windows paths to slashes.
 std::string with_slashes(std::string path);
 
-/// Is `path` the folder, or in it? Both canonical; nothing lies below an empty one.
+/// Whether `path` is `folder` or below it. Both must be canonical; false if `folder` is empty.
 bool lies_below(std::string_view path, std::string_view folder);
 
-/// Paths a file may have here, best first: as written, with slashes, then its last parts alone
-/// ("W:\maps\oak.tif": "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"). No part "..": what a scene
-/// names is not looked for above where it stands.
+/// Candidate paths of a file, best first: as written, with slashes, then shorter and shorter ends
+/// of the path ("W:\maps\oak.tif": "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"). The shortened
+/// paths contain no "..", so that they stay below the folder they are resolved in.
 std::vector<std::string> spellings_of(const std::string& written);
 
-/// The first spelling that is a file, from `folder` on, else the first that is one in another case
-/// of its ASCII letters; as written where none is.
+/// The first candidate path that is a file, resolved against `folder`; otherwise the first one that
+/// matches a file except for the case of ASCII letters; otherwise the path as written.
 /// Checked: AssetPath.*
 std::string find_asset(const std::string& written, const std::string& folder);
 

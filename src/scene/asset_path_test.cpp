@@ -13,7 +13,7 @@ namespace asset_path_test {
 
 using Names = std::vector<std::string>;
 
-TEST(AssetPath, LastPartsOfAPathAreSpellingsOfItsName) {
+TEST(AssetPath, CandidatesAreEndsOfThePath) {
   EXPECT_EQ(spellings_of("W:\\maps\\oak.tif"),
             (Names{"W:\\maps\\oak.tif", "W:/maps/oak.tif", "maps/oak.tif", "oak.tif"}));
   EXPECT_EQ(spellings_of("//server/maps//oak.tif"),
@@ -21,12 +21,12 @@ TEST(AssetPath, LastPartsOfAPathAreSpellingsOfItsName) {
   EXPECT_EQ(spellings_of("oak.tif"), Names{"oak.tif"});
 }
 
-TEST(AssetPath, NoSpellingGoesUpBesideWhatIsWritten) {
+TEST(AssetPath, ShortenedCandidatesContainNoParentFolder) {
   EXPECT_EQ(spellings_of("..\\a\\..\\oak.tif"),
             (Names{"..\\a\\..\\oak.tif", "../a/../oak.tif", "oak.tif"}));
 }
 
-TEST(AssetPath, AFileIsFoundByTheLongestPartThatStandsBesideTheScene) {
+TEST(AssetPath, LongestMatchingPathIsFound) {
   const TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
   std::filesystem::create_directories(folder / "maps");
@@ -48,7 +48,7 @@ TEST(AssetPath, NamesThatDifferOnlyInCaseAreFound) {
   for (const char* written : {"W:\\house\\maps\\oak.tif", "MAPS/OAK.TIF", "maps\\Oak.tif"})
     EXPECT_EQ(found(written), (folder / "Maps/Oak.TIF").string()) << written;
   EXPECT_EQ(found("maps/elm.tif"), (folder / "maps/elm.tif").string());
-  // Of several the exact one, else the first in order.
+  // The exact match, or the first one in order.
   std::ofstream(folder / "Maps/oak.tif") << "exact";
   EXPECT_EQ(found("maps/oak.tif"), (folder / "Maps/oak.tif").string());
   EXPECT_EQ(found("maps/oak.Tif"), (folder / "Maps/Oak.TIF").string());

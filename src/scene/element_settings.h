@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the statements of cameras, lights, objects, instances... mean: typed values with defaults.
+// Typed settings of cameras, lights, objects, instances etc., with their defaults.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace oriel::scene {
 
-/// What elements of several kinds can have.
+/// Settings common to several kinds of elements.
 struct Attachments {
   std::uint32_t label = 0;  ///< `tag N`; 0: none
   std::string data;         ///< name of the attached data element
@@ -23,7 +23,7 @@ struct Attachments {
 enum class Stereo : std::uint8_t { None, Offset, OffAxis, ToeIn };
 
 struct CameraSettings : Attachments {
-  Vec2 offset{0, 0};  ///< of the film, pixels
+  Vec2 offset{0, 0};  ///< film offset, pixels
   float clip_near = 0, clip_far = 0;
   std::optional<std::array<float, 4>> window;  ///< first x y, last x y; pixels
   Stereo stereo = Stereo::None;
@@ -33,13 +33,13 @@ struct CameraSettings : Attachments {
   bool operator==(const CameraSettings&) const = default;
 };
 
-/// `shadowmap ...`. Shadows are traced; shaders can ask for the values.
+/// `shadowmap ...`. Shadows are always traced; shaders can query the values.
 struct ShadowMap {
   bool on = false;
   bool detail = false, merge = false, trace = false, window = false, camera = false;
   int resolution = 0, samples = 0, detail_samples = 0;
   float softness = 0, bias = 0, accuracy = 0;
-  char filter = 0, type = 0;  ///< first letters; type of `color` or `alpha`
+  char filter = 0, type = 0;  ///< first letters; type: `color` or `alpha`
   bool operator==(const ShadowMap&) const = default;
 };
 
@@ -73,22 +73,22 @@ struct LightProfileSettings {
 
 struct ObjectSettings : Attachments {
   FlagLayer flags;
-  bool tagged = false;     ///< polygons begin with a label
-  float max_displace = 0;  ///< 0: as the options say
-  std::string file;        ///< that a placeholder stands for; empty: it is none
+  bool tagged = false;     ///< polygons have a label
+  float max_displace = 0;  ///< 0: from the options
+  std::string file;        ///< scene file of a placeholder; empty: not a placeholder
   bool operator==(const ObjectSettings&) const = default;
 };
 
 struct PolygonGroupSettings {
-  float merge = 0;  ///< vertices nearer than this become one
+  float merge = 0;  ///< vertices within this distance are merged
   bool operator==(const PolygonGroupSettings&) const = default;
 };
 
 struct InstanceSettings : Attachments {
   FlagLayer flags;
-  bool overrides = false;      ///< materials and approximations win over those below
+  bool overrides = false;      ///< takes precedence over materials and approximations below
   bool motion_off = false;     ///< `motion off`
-  bool visible_light = false;  ///< `visible` of an area light's instance
+  bool visible_light = false;  ///< `visible` on the instance of an area light
   bool operator==(const InstanceSettings&) const = default;
 };
 
@@ -112,7 +112,7 @@ const ElementTable<AssemblySettings>& assembly_table();
 
 /// Reads the statements of an element; later ones override earlier ones.
 ///
-/// Errors:  OR-SC-201 a flag with values that do not fit (the statement is skipped).
+/// Errors:  OR-SC-201 invalid values of a flag (the statement is skipped).
 /// Source:  reference of the language, sections Camera, Light, Object, Instance.
 /// Checked: element_settings_test.cpp, flags_test.cpp, element_tables_test.cpp in src/mi
 CameraSettings settings_of(const Camera& camera);

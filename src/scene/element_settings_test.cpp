@@ -122,12 +122,12 @@ TEST(ElementSettings, LightsHavePhotonsAndShadowMaps) {
   EXPECT_EQ(s.caustic, (LightSettings::Photons{100, 200}));
   EXPECT_EQ(s.globillum, (LightSettings::Photons{0, 0}));
   EXPECT_TRUE(s.visible);
-  EXPECT_FALSE(s.shadow_map.on);  // the last has words that no row has
+  EXPECT_FALSE(s.shadow_map.on);  // the last statement has words without a row
   EXPECT_EQ(s.shadow_map.detail_samples, 9);
   EXPECT_EQ(s.shadow_map.filter, 'g');
 }
 
-TEST(ElementSettings, InstancesOverrideAndStop) {
+TEST(ElementSettings, InstancesHaveOverrideAndMotionOff) {
   Instance instance;
   instance.flags = {statement("motion", {boolean(true)}), statement("visible", {numbers({4})})};
   EXPECT_FALSE(settings_of(instance).motion_off || settings_of(instance).overrides);
@@ -139,8 +139,8 @@ TEST(ElementSettings, InstancesOverrideAndStop) {
   EXPECT_EQ(s.data, "d");
 }
 
-TEST(ElementSettings, KeywordsOfOtherStatementsAreNoFlags) {
-  // `shadow approximate` begins with a flag's keyword.
+TEST(ElementSettings, StatementsThatStartWithAFlagKeywordAreNotFlags) {
+  // `shadow approximate` starts with the keyword of a flag.
   Object object;
   object.flags = {statement("shadow approximate", {word("fine")}), statement("tagged")};
   Diagnostics diagnostics;

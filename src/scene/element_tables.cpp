@@ -30,8 +30,8 @@ void set_file(T& t, V v) {
   t.file = v.word();
 }
 
-/// Writes the first value into one member, by its type. What is no number counts as 0; switches
-/// without a value are on.
+/// Assigns the first value to a member, by the type of the member. Values other than numbers count
+/// as 0; a switch without a value is on.
 template <auto... kPath, class T>
 void first(T& t, V v) {
   auto& target = (t.*....*kPath);
@@ -42,7 +42,7 @@ void first(T& t, V v) {
     target = static_cast<Member>(v.number_or(0, 0));
 }
 
-/// Any value switches it on.
+/// Turns the switch on for any value.
 template <auto... kPath, class T>
 void switch_on(T& t, V) {
   (t.*....*kPath) = true;
@@ -192,7 +192,7 @@ constexpr std::string_view kFlag = "[on|off|flag_bits]", kFace = "front|back|bot
                            kGpu = "graphics hardware", kRasteriser = "rasteriser";
 constexpr auto kMap = &L::shadow_map;
 
-// One row, one statement: the formatter would break rows in the middle.
+// One row per statement; clang-format would break rows.
 // clang-format off
 constexpr Row<C> kCameraRows[] = {
     {"offset", "... float float", Effective, "of the film, pixels", set_offset},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The other elements of a scene: options, cameras, lights, materials, textures, instances, groups.
+// Other scene elements: options, cameras, lights, materials, textures, instances, groups.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace oriel::scene {
 
-/// options "name" ... end options. Statements in the order written; render_options.h reads them.
+/// options "name" ... end options. Statements in file order; interpreted by render_options.h.
 struct Options {
   std::string name;
   std::vector<Statement> statements;
-  ShaderList state;                                   ///< called around the samples of the picture
+  ShaderList state;                                   ///< called before and after the image samples
   std::vector<UninterpretedStatement> uninterpreted;  ///< contour, data blocks
   SourceLocation where;
   bool operator==(const Options&) const = default;
@@ -24,7 +24,7 @@ struct Options {
 
 /// One `output` statement of a camera: an image file or an output shader.
 struct Output {
-  std::string types;   ///< "rgba", "+rgba,z", "fb0"; empty when only a format was written
+  std::string types;   ///< "rgba", "+rgba,z", "fb0"; empty if only a format was written
   std::string format;  ///< "exr", "tif"; empty for a shader
   std::string file;
   std::vector<Statement> modifiers;  ///< quality, compress, dpi, ...
@@ -33,14 +33,14 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
-/// A `framebuffer` block of a camera: a picture that is collected under a name, in a file or not.
+/// A `framebuffer` block of a camera: a named image buffer, with or without an output file.
 struct FrameBuffer {
   std::string name;
-  std::string datatype;              ///< "rgba_fp"; empty when not written, as the next two
+  std::string datatype;              ///< "rgba_fp"; this and the next two are empty if not written
   std::string filename, filetype;    ///< as written; a type as in `output`
-  std::optional<bool> filtering;     ///< samples are filtered to pixels, not the nearest taken
-  std::optional<bool> primary;       ///< it is the picture itself
-  std::optional<bool> user;          ///< only shaders write into it
+  std::optional<bool> filtering;     ///< samples are filtered; off: nearest sample
+  std::optional<bool> primary;       ///< main image of the camera
+  std::optional<bool> user;          ///< written by shaders only
   std::vector<Statement> modifiers;  ///< compression, quality, dpi, premultiplied, ...
   std::vector<UninterpretedStatement> uninterpreted;  ///< unknown items
   SourceLocation where;
@@ -50,7 +50,7 @@ struct FrameBuffer {
 /// camera "name" ... end camera
 struct Camera {
   std::string name;
-  std::optional<float> focal;  ///< unset = orthographic (`focal infinity`) when `orthographic`
+  std::optional<float> focal;  ///< unset for `focal infinity`, which sets `orthographic`
   bool orthographic = false;
   std::optional<float> aperture;  ///< film width, unit of focal; orthographic: width in scene units
   std::optional<float> aspect;    ///< image width / height
@@ -64,7 +64,8 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// light "name" ... end light. Origin, direction and area vectors are in the light's local space.
+/// light "name" ... end light. Origin, direction and area vectors are in the local space of the
+/// light.
 struct Light {
   std::string name;
   ShaderList shaders, emitters;
@@ -89,7 +90,7 @@ struct Material {
   };
   std::vector<Slot> slots;
   SourceLocation where;
-  const ShaderList* slot(std::string_view keyword) const;  ///< null when absent
+  const ShaderList* slot(std::string_view keyword) const;  ///< null if absent
   bool operator==(const Material&) const = default;
 };
 
@@ -98,13 +99,13 @@ struct Texture {
   std::string name;
   ParamType type = ParamType::ColorTexture;
   bool local = false, writable = false;
-  std::optional<float> filter;    ///< set when `filter` was written; 1 by default
+  std::optional<float> filter;    ///< set if `filter` was written (default 1)
   std::string file;               ///< as written; empty for pixels or a procedure
   std::string format, data_type;  ///< of the raw form
   std::vector<int> size;          ///< width height [bytes or depth]
   std::vector<std::uint8_t> pixels;
   ShaderList procedure;
-  std::string directory;  ///< of the file that defined it, for relative names; not compared
+  std::string directory;  ///< of the defining file, for relative names; not compared
   SourceLocation where;
   friend bool operator==(const Texture&, const Texture&);
 };
@@ -113,14 +114,14 @@ struct Texture {
 struct LightProfile {
   std::string name;
   std::vector<Statement> statements;
-  std::string directory;  ///< of the file that defined it, for relative names; not compared
+  std::string directory;  ///< of the defining file, for relative names; not compared
   SourceLocation where;
   friend bool operator==(const LightProfile& a, const LightProfile& b) {
     return a.name == b.name && a.statements == b.statements;
   }
 };
 
-/// Names in an instance's light list.
+/// Light list of an instance.
 struct LightLinks {
   bool exclusive = false;
   std::vector<std::string> lights;
@@ -154,17 +155,17 @@ struct InstanceGroup {
   bool operator==(const InstanceGroup&) const = default;
 };
 
-/// assembly "name" box ... file "f" end assembly: a part of the scene in a file of its own
+/// assembly "name" box ... file "f" end assembly: a part of the scene in a separate file
 struct Assembly {
   std::string name;
   std::vector<Statement> statements;  ///< box, motion box, file, tag, data
-  std::string content;                ///< the group that was loaded for it; empty: none was
+  std::string content;                ///< the loaded group; empty: not loaded
   SourceLocation where;
   bool operator==(const Assembly&) const = default;
 };
 
-/// data "name" ...: what users attach to other elements for their shaders to read. One of bytes, a
-/// file of them, and parameters of a declared layout.
+/// data "name" ...: user data attached to other elements, for shaders. Contains bytes, or a file of
+/// bytes, or parameters with a declared layout.
 struct UserData {
   std::string name;
   std::optional<std::uint32_t> label;  ///< `tag N`
@@ -173,17 +174,17 @@ struct UserData {
   std::string file;
   std::string declaration;  ///< of `declare data`
   std::vector<Argument> arguments;
-  std::string next;       ///< data that a geometry shader chained to it; not written to files
-  std::string directory;  ///< of the file that defined it, for relative names; not compared
+  std::string next;       ///< set by geometry shaders that chain data; not written to files
+  std::string directory;  ///< of the defining file, for relative names; not compared
   SourceLocation where;
   friend bool operator==(const UserData&, const UserData&);
 };
 
-/// An element this renderer only keeps: gui, colorprofile, spectrum, registry...
+/// An uninterpreted element: gui, colorprofile, spectrum, registry...
 struct KeptElement {
   std::string kind;
   std::string name;
-  std::string text;  ///< everything between the name and the end, tokens separated by blanks
+  std::string text;  ///< source between the name and the end, tokens separated by blanks
   SourceLocation where;
   bool operator==(const KeptElement&) const = default;
 };

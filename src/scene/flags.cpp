@@ -6,8 +6,8 @@
 namespace oriel::scene {
 namespace {
 
-/// What a layer holds: for each channel two bits, cast (or be seen) and receive (or send).
-enum Channel : unsigned {
+/// Slots of a layer: two bits each, cast (or visible) and receive (or emit).
+enum FlagSlot : unsigned {
   kShadow,
   kReflection,
   kRefraction,
@@ -15,26 +15,26 @@ enum Channel : unsigned {
   kFinalGather,
   kCaustic,
   kGlobillum,
-  kVisible,            // the first bit only, here and below
-  kCausticTakesPart,   // boolean and integer of photon flags are both meaningful,
-  kGlobillumTakesPart  // so the boolean has a place of its own
+  kVisible,          // first bit only, also for the next two
+  kCausticEnabled,   // photon flags have a boolean and an integer, which are
+  kGlobillumEnabled  // independent, so the boolean has a slot of its own
 };
 
-constexpr std::uint32_t bits_of(Channel c, std::uint32_t two_bits) { return two_bits << (2 * c); }
-constexpr bool has(std::uint32_t bits, Channel c, std::uint32_t bit) {
+constexpr std::uint32_t bits_of(FlagSlot c, std::uint32_t two_bits) { return two_bits << (2 * c); }
+constexpr bool has(std::uint32_t bits, FlagSlot c, std::uint32_t bit) {
   return (bits & bits_of(c, bit)) != 0;
 }
 constexpr std::uint32_t kCasts = 1, kReceives = 2, kBoth = 3;
 constexpr std::uint32_t kTraced =
     bits_of(kReflection, kBoth) | bits_of(kRefraction, kBoth) | bits_of(kFinalGather, kBoth);
 
-/// The channels that a flag writes, and the integers that `off` stands for. Photon flags name the
-/// channel of their boolean.
+/// The slots that a flag sets, and the integers that `off` means. Photon flags have a separate slot
+/// for their boolean.
 struct FlagRow {
-  std::array<Channel, 3> channels;
-  unsigned channel_count;
+  std::array<FlagSlot, 3> slots;
+  unsigned slot_count;
   std::uint32_t object_off, instance_off;
-  std::optional<Channel> boolean = std::nullopt;
+  std::optional<FlagSlot> boolean = std::nullopt;
 };
 
 // In the order of Flag. Source: reference of the language, Object (shadow and trace off = 2),
@@ -47,13 +47,13 @@ constexpr FlagRow kFlagRows[] = {
     {{kRefraction}, 1, 2, 12},
     {{kTransparency}, 1, 2, 12},
     {{kFinalGather}, 1, 2, 12},
-    {{kCaustic}, 1, 0, 12, kCausticTakesPart},
-    {{kGlobillum}, 1, 0, 12, kGlobillumTakesPart},
+    {{kCaustic}, 1, 0, 12, kCausticEnabled},
+    {{kGlobillum}, 1, 0, 12, kGlobillumEnabled},
 };
 
-void put(FlagLayer& layer, Channel channel, std::uint32_t bits, std::uint32_t mask) {
-  const std::uint32_t place = bits_of(channel, mask);
-  layer.bits = (layer.bits & ~place) | (bits_of(channel, bits) & place);
+void put(FlagLayer& layer, FlagSlot slot, std::uint32_t bits, std::uint32_t mask) {
+  const std::uint32_t place = bits_of(slot, mask);
+  layer.bits = (layer.bits & ~place) | (bits_of(slot, bits) & place);
   layer.mask |= place;
 }
 
@@ -66,16 +66,16 @@ void set_flag(FlagLayer& layer, Flag flag, const StatementValues& values, bool i
   const std::uint32_t off = in_instance ? row.instance_off : row.object_off;
   const std::uint32_t bits =
       is_integer ? static_cast<std::uint32_t>(values.integer(0)) : (on ? kBoth : off);
-  // In an instance bits 4 and 8 switch off what 1 and 2 switch on; an object knows only the latter.
+  // Bits 4 and 8 of an instance clear bits 1 and 2. An object has only bits 1 and 2.
   const std::uint32_t mask = in_instance ? (bits | bits >> 2) & kBoth : kBoth;
-  for (unsigned i = 0; i < row.channel_count; ++i) put(layer, row.channels[i], bits & kBoth, mask);
+  for (unsigned i = 0; i < row.slot_count; ++i) put(layer, row.slots[i], bits & kBoth, mask);
 }
 
 FlagLayer photon_flags(std::optional<int> caustic, std::optional<int> globillum) {
   FlagLayer layer;
-  const auto set = [&](Channel channel, std::optional<int> value) {
+  const auto set = [&](FlagSlot slot, std::optional<int> value) {
     const auto bits = static_cast<std::uint32_t>(value.value_or(0));
-    put(layer, channel, bits & kBoth, (bits | bits >> 2) & kBoth);
+    put(layer, slot, bits & kBoth, (bits | bits >> 2) & kBoth);
   };
   set(kCaustic, caustic);
   set(kGlobillum, globillum);
@@ -88,22 +88,22 @@ FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower) {
 }
 
 ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances) {
-  const FlagLayer said = overlay(object, instances);
+  const FlagLayer written = overlay(object, instances);
   constexpr std::uint32_t kDecisive = bits_of(kVisible, 1) | bits_of(kShadow, kBoth) | kTraced;
-  // Where one of visible, shadow, trace is written the others' documented default is off, which
-  // leaves receiving on. Where none is, the default would hide the object altogether.
-  const bool assumed_on = (said.mask & kDecisive) == 0;
-  const std::uint32_t unsaid_off = bits_of(kVisible, 1) | bits_of(kShadow, kCasts) |
-                                   bits_of(kReflection, kCasts) | bits_of(kRefraction, kCasts) |
-                                   bits_of(kFinalGather, kCasts);
-  const std::uint32_t defaults = assumed_on ? ~0u : ~unsaid_off;
-  const std::uint32_t bits = (said.bits & said.mask) | (defaults & ~said.mask);
+  // If visible, shadow or trace is written, the documented default of the others is off, with
+  // receive on. If none is written, this default would hide the object entirely.
+  const bool assumed_on = (written.mask & kDecisive) == 0;
+  const std::uint32_t default_off = bits_of(kVisible, 1) | bits_of(kShadow, kCasts) |
+                                    bits_of(kReflection, kCasts) | bits_of(kRefraction, kCasts) |
+                                    bits_of(kFinalGather, kCasts);
+  const std::uint32_t defaults = assumed_on ? ~0u : ~default_off;
+  const std::uint32_t bits = (written.bits & written.mask) | (defaults & ~written.mask);
 
-  const auto rays = [&](Channel c) {
+  const auto rays = [&](FlagSlot c) {
     return RayFlags{has(bits, c, kCasts), has(bits, c, kReceives)};
   };
-  const auto photons = [&](Channel c, Channel takes_part) {
-    return PhotonFlags{!has(bits, takes_part, 1), has(bits, c, kCasts), has(bits, c, kReceives)};
+  const auto photons = [&](FlagSlot c, FlagSlot enabled) {
+    return PhotonFlags{!has(bits, enabled, 1), has(bits, c, kCasts), has(bits, c, kReceives)};
   };
   return {.visible = has(bits, kVisible, 1),
           .casts_shadow = has(bits, kShadow, kCasts),
@@ -112,10 +112,10 @@ ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances) {
           .refraction = rays(kRefraction),
           .transparency = rays(kTransparency),
           .finalgather = rays(kFinalGather),
-          .caustic = photons(kCaustic, kCausticTakesPart),
-          .globillum = photons(kGlobillum, kGlobillumTakesPart),
-          .face = said.face,
-          .hidden = said.hidden,
+          .caustic = photons(kCaustic, kCausticEnabled),
+          .globillum = photons(kGlobillum, kGlobillumEnabled),
+          .face = written.face,
+          .hidden = written.hidden,
           .assumed_on = assumed_on};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who sees an object: its flags and those of the instances above it, resolved.
+// Visibility and shadow flags of objects, resolved over the instances above them.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 namespace oriel::scene {
 
 // Conventions
-//   A chain lists instances outermost first. Flags pass down; a lower instance overrides a higher
-//   one, and any instance overrides what the object itself says. Only `hide` cannot be taken back.
+//   A chain lists instances outermost first. Flags are inherited: a lower instance overrides a
+//   higher one, and any instance overrides the object. Only `hide` cannot be overridden.
 
-/// One kind of ray: whether it meets the object, and whether it may leave from it.
+/// Visibility flags for one ray type: whether the object is visible to it and can emit it.
 struct RayFlags {
   bool seen = true, sends = true;
   bool operator==(const RayFlags&) const = default;
 };
 
-/// One kind of photon: whether the object scatters it on and whether it stores it.
+/// Flags for one photon type: whether the object scatters photons and stores them.
 struct PhotonFlags {
-  bool excluded = false;  ///< photons pass as if the object were not there
+  bool excluded = false;  ///< photons ignore the object
   bool casts = true, receives = true;
   bool operator==(const PhotonFlags&) const = default;
 };
@@ -31,16 +31,15 @@ struct ResolvedFlags {
   bool casts_shadow = true, receives_shadow = true;
   RayFlags reflection, refraction, transparency, finalgather;
   PhotonFlags caustic, globillum;
-  std::optional<Face> face;  ///< unset: as the options say
+  std::optional<Face> face;  ///< unset: from the options
   bool hidden = false;
-  /// Neither the object nor an instance says visible, shadow or trace; taken as on. Strictly such
-  /// an object is seen by nothing.
+  /// No visible, shadow or trace flag on the object or its instances; assumed on. By the reference
+  /// of the language such an object is invisible.
   bool assumed_on = false;
   bool operator==(const ResolvedFlags&) const = default;
 };
 
-/// Flags read from statements, ready to be laid over each other: `mask` says which bits were
-/// written, `bits` their values.
+/// Flags from statements: `mask` marks the bits that were written, `bits` contains their values.
 struct FlagLayer {
   std::uint32_t bits = 0, mask = 0;
   std::optional<Face> face;
@@ -60,14 +59,14 @@ enum class Flag : std::uint8_t {
   Globillum
 };
 
-/// Writes `[on|off|flag_bits]`. Integers of an object: 1 casts or is seen, 2 receives or sends;
-/// `off` keeps receiving. Integers of an instance: 1, 2 switch the two on; 4, 8 off.
+/// Applies `[on|off|flag_bits]`. Flag bits of an object: 1 cast or visible, 2 receive or emit;
+/// `off` leaves receive on. Flag bits of an instance: 1 and 2 set the two, 4 and 8 clear them.
 void set_flag(FlagLayer& layer, Flag flag, const StatementValues& values, bool in_instance);
-/// What options say for objects that do not: integers as in an instance.
+/// Default flags of objects from the options; integers as in an instance.
 FlagLayer photon_flags(std::optional<int> caustic, std::optional<int> globillum);
-/// `lower` laid over `higher`.
+/// Overrides `higher` by the written flags of `lower`.
 FlagLayer overlay(const FlagLayer& higher, const FlagLayer& lower);
-/// `instances` laid over `object`, and what is still open decided.
+/// Overrides `object` by `instances` and applies defaults to the remaining flags.
 /// Source:  reference of the language, sections Object and Instance.
 /// Checked: flags_test.cpp
 ResolvedFlags resolve(const FlagLayer& object, const FlagLayer& instances);

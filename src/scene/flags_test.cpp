@@ -45,7 +45,7 @@ ResolvedFlags resolve_flags(const Object& object, std::span<const Instance* cons
   return resolve(settings_of(object, &diagnostics).flags, instances);
 }
 
-/// Flags of an object below instances, outermost first.
+/// Flags of an object below instances, which are listed outermost first.
 ResolvedFlags resolved(Flags object, std::vector<Flags> instances = {}) {
   Object o;
   o.flags = std::move(object);
@@ -68,13 +68,13 @@ TEST(Flags, BareKeywordsMeanOn) {
   EXPECT_FALSE(r.assumed_on);
 }
 
-TEST(Flags, AnObjectThatSaysNothingIsTakenAsOnAndSaysSo) {
+TEST(Flags, ObjectWithoutFlagsIsAssumedOn) {
   const ResolvedFlags r = resolved({flag("tagged")}, {{flag("caustic", 3)}});
   EXPECT_TRUE(r.assumed_on && r.visible && r.casts_shadow);
   EXPECT_TRUE(r.reflection.seen && r.finalgather.seen);
 }
 
-TEST(Flags, WhatIsUnsaidBesideOthersIsOffButReceives) {
+TEST(Flags, UnwrittenFlagsAreOffButReceive) {
   const ResolvedFlags r = resolved({flag("visible")});
   EXPECT_TRUE(r.visible);
   EXPECT_FALSE(r.casts_shadow);
@@ -138,7 +138,7 @@ TEST(InstanceFlags, FourBitsSwitchOnAndOff) {
   EXPECT_TRUE(off.receives_shadow);
 }
 
-TEST(InstanceFlags, TraceOffAlsoStopsSending) {
+TEST(InstanceFlags, TraceOffDisablesSending) {
   const ResolvedFlags r = resolved({flag("trace")}, {{flag("trace", false)}});
   for (const RayFlags& f : {r.reflection, r.refraction, r.finalgather})
     EXPECT_EQ(f, (RayFlags{false, false}));
@@ -154,7 +154,7 @@ TEST(InstanceFlags, LowerOverridesHigherAndBothOverrideTheObject) {
   EXPECT_EQ(r.caustic, (PhotonFlags{false, true, true}));
 }
 
-TEST(ObjectFlags, OptionsLieBelowObjectsAndInstances) {
+TEST(ObjectFlags, OptionsHaveLowestPriority) {
   const FlagLayer options = photon_flags(8, 4);
   EXPECT_EQ(resolve(options, {}).caustic, (PhotonFlags{false, true, false}));
   EXPECT_EQ(resolve(options, {}).globillum, (PhotonFlags{false, false, true}));
@@ -172,7 +172,7 @@ TEST(InstanceFlags, HideOfAnyInstanceHides) {
   EXPECT_FALSE(resolved({}, {{flag("hide", false)}}).hidden);
 }
 
-TEST(InstanceFlags, TheNearestFaceWins) {
+TEST(InstanceFlags, NearestFaceApplies) {
   EXPECT_FALSE(resolved({}).face.has_value());
   EXPECT_EQ(resolved({flag("face", "back")}).face, Face::Back);
   EXPECT_EQ(resolved({flag("face", "back")}, {{flag("face both")}, {flag("face", "front")}}).face,

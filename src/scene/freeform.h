@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free-form curves and surfaces as a scene holds them: bases, control points, trims, connections.
+// Free-form curves and surfaces in a scene: bases, control points, trims, connections.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 namespace oriel::scene {
 
 // Conventions
-//   Control points are vertices of the group; in a surface u runs fastest. Places in a surface's
-//   parameter plane (points of trimming curves, special points) are vertices whose x and y are u
-//   and v. Nothing here is checked: indices may be out of range, names unknown, parameters
-//   unsorted; geom/freeform reports it when it makes triangles.
+//   Control points are vertices of the group; in a surface, u varies fastest. Points in the
+//   parameter plane of a surface (of trimming curves, special points) are vertices with u and v in
+//   x and y. The data are not validated: indices may be out of range, names unknown, parameters
+//   unsorted. geom/freeform reports these errors during tessellation.
 
 /// basis "name" [rational] kind degree ...
 struct Basis {
@@ -23,19 +23,19 @@ struct Basis {
   Kind kind = Kind::Bezier;
   bool rational = false;
   int degree = 3;
-  int step = 1;               ///< Matrix: control points between two segments
-  std::vector<float> matrix;  ///< (degree + 1)^2; row i: coefficients of t^0, t^1... of point i
+  int step = 1;               ///< Matrix: control points from one segment to the next
+  std::vector<float> matrix;  ///< (degree + 1)^2; row i: coefficients of t^0, t^1... for point i
   bool operator==(const Basis&) const = default;
 
-  /// How many control points a list of that many parameters asks for; 0: too few parameters.
+  /// Number of control points for this number of parameters; 0: too few parameters.
   std::size_t control_points(std::size_t parameters) const;
 };
 
-/// How one direction of a curve or surface is built.
+/// Basis and parameters of one direction of a curve or surface.
 struct BasisUse {
   bool rational = false;
   std::string basis;
-  std::vector<float> parameters;  ///< knots of a B-spline; otherwise where segments meet
+  std::vector<float> parameters;  ///< knots of a B-spline; otherwise segment boundaries
   bool operator==(const BasisUse&) const = default;
 };
 
@@ -51,31 +51,31 @@ struct FreeCurve {
   bool space = false;
   BasisUse basis;
   std::vector<ControlPoint> points;
-  std::vector<float> special;  ///< parameters that an approximation meets exactly
+  std::vector<float> special;  ///< parameters that a tessellation must include
   SourceLocation where;
   bool operator==(const FreeCurve&) const = default;
 };
 
-/// A part of a curve, from its parameter `min` to `max`.
+/// The part of a curve with parameters from `min` to `max`.
 struct CurvePart {
   std::string curve;
   float min = 0, max = 1;
   bool operator==(const CurvePart&) const = default;
 };
 
-/// trim | hole | special "curve" min max ...: parts that follow each other.
+/// trim | hole | special "curve" min max ...: consecutive parts of curves.
 struct SurfaceLoop {
   enum class Kind : std::uint8_t { Trim, Hole, Special };
   Kind kind = Kind::Trim;
   std::vector<CurvePart> parts;
-  std::vector<std::uint32_t> points;  ///< Special: vertices whose x and y are u and v
+  std::vector<std::uint32_t> points;  ///< Special: vertices with u and v in x and y
   bool operator==(const SurfaceLoop&) const = default;
 };
 
-/// [volume] [vector] texture ... on the surface before it.
+/// [volume] [vector] texture ...: texture surface of the preceding surface.
 struct TextureSurface {
-  bool volume = false;  ///< all three coordinates count; no seam is looked for
-  bool vector = false;  ///< the first of two that hold bump basis vectors; see vertices' X, Y
+  bool volume = false;  ///< three-dimensional coordinates; no seam handling
+  bool vector = false;  ///< first of two with bump basis vectors; see vertices' X, Y
   BasisUse u, v;
   std::vector<ControlPoint> points;
   bool operator==(const TextureSurface&) const = default;
@@ -88,14 +88,14 @@ struct FreeSurface {
   BasisUse u, v;
   float u_min = 0, u_max = 1, v_min = 0, v_max = 1;
   std::vector<ControlPoint> points;
-  std::vector<int> derivative;  ///< which were asked for, 1 and 2
+  std::vector<int> derivative;  ///< requested derivative orders, 1 and 2
   std::vector<TextureSurface> textures;
   std::vector<SurfaceLoop> loops;
   SourceLocation where;
   bool operator==(const FreeSurface&) const = default;
 };
 
-/// connect "surface" "curve" min max "surface" "curve" min max: there the two share their edge.
+/// connect "surface" "curve" min max "surface" "curve" min max: the common edge of two surfaces.
 struct Connection {
   std::string surface[2];
   CurvePart part[2];
@@ -103,7 +103,7 @@ struct Connection {
   bool operator==(const Connection&) const = default;
 };
 
-/// What a group has of all that.
+/// Free-form geometry of a group.
 struct FreeForm {
   std::vector<FreeCurve> curves;
   std::vector<FreeSurface> surfaces;

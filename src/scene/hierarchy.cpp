@@ -12,19 +12,19 @@
 namespace oriel::scene {
 namespace {
 
-// double: products over many levels, and inverses of matrices far from the origin.
+// double: for products over many levels and inverses of matrices far from the origin.
 using Matrix = Imath::M44d;
 
 constexpr std::size_t kNoElement = ~std::size_t{0};
-// A search for the nearest name compares with every name there is.
+// Limit for the search for a similar name, which compares with every name.
 constexpr std::size_t kMaxNamesSearched = 20'000;
 
 Matrix matrix_of(const std::optional<Mat4>& matrix, bool singular) {
   return matrix && !singular ? Matrix(*matrix) : Matrix();
 }
 
-/// What an instance contributes beside its matrices, worked out and complained about once, however
-/// often it is reached. There may be millions: small.
+/// Data of an instance besides its matrices, computed and validated once per instance. Must be
+/// small: a scene can have millions of instances.
 struct InstanceInfo {
   std::size_t element = kNoElement;
   FlagLayer flags;
@@ -32,7 +32,7 @@ struct InstanceInfo {
   bool singular = false, motion_singular = false;
 };
 
-/// What a path of instances has gathered on the way down.
+/// State inherited along a path of instances.
 struct Inherited {
   Matrix to_local, to_world;
   Matrix motion_to_local;
@@ -99,10 +99,10 @@ class Flattener {
     diagnostics_.error(code, where, std::move(message), std::move(hint));
   }
 
-  /// Members that are instances, as indices.
+  /// Indices of the members that are instances.
   struct GroupInfo {
     std::vector<std::size_t> members;
-    bool open = false;  ///< on the path from the root
+    bool open = false;  ///< part of the current path
     bool cycle_reported = false;
   };
 
@@ -137,7 +137,7 @@ class Flattener {
     return true;
   }
 
-  /// The element an instance places: an index, or none where there is none that can be placed.
+  /// Index of the element that an instance places, or kNoElement.
   std::size_t placed_element(const Instance& instance) {
     if (!instance.geometry.empty()) return kNoElement;
     const std::size_t index = index_of(instance.element);
@@ -149,7 +149,8 @@ class Flattener {
       return kNoElement;
     }
     const Element& e = element(index);
-    // Placeholders are what was loaded for them; those without are already reported.
+    // A placeholder is replaced by its loaded content. Placeholders without content were reported
+    // by the reader.
     if (const auto* object = std::get_if<Object>(&e); object && !object->content.empty())
       return index_of(object->content);
     if (const auto* assembly = std::get_if<Assembly>(&e))
@@ -196,7 +197,7 @@ class Flattener {
       below.moves = false;
       below.first_moving = chain_.size() + 1;
     }
-    // The nearest instance with materials wins, unless one above it overrides all below.
+    // The nearest instance with materials applies, unless a higher one has `override`.
     if (!instance.materials.empty() && !above.material_override) {
       below.material_source = &instance;
       below.material_override = info.overrides;
@@ -283,7 +284,7 @@ class Flattener {
   Diagnostics& diagnostics_;
   const FlattenLimits& limits_;
   const FlagLayer& defaults_;
-  // By index of the element; filled when first reached.
+  // Indexed by element; computed on first use.
   std::vector<InstanceInfo> instances_;
   std::vector<std::unique_ptr<GroupInfo>> groups_;
   std::vector<std::optional<FlagLayer>> objects_;

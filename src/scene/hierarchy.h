@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the root group to its leaves: every placed object, light and camera with what it inherits.
+// Flattens the instance hierarchy: all placed objects, lights and cameras with inherited settings.
 #pragma once
 
 #include <optional>
@@ -13,27 +13,27 @@
 namespace oriel::scene {
 
 // Conventions
-//   A file's matrix maps the parent's space to the local one, p_local = p_parent * M; so from world
-//   to local the outermost instance's matrix stands first.
+//   A matrix in a file maps parent space to local space, p_local = p_parent * M. In the product
+//   from world to local space, the matrix of the outermost instance is the first factor.
 
 enum class LeafKind : std::uint8_t { Object, Light, Camera, GeometryShader };
 
-/// One placed element. Pointers are into the scene, which must not change meanwhile.
+/// One placed element. Pointers refer to the scene, which must not change.
 struct Leaf {
   LeafKind kind = LeafKind::Object;
-  const Element* element = nullptr;    ///< null for a geometry shader: see the innermost instance
+  const Element* element = nullptr;    ///< null for a geometry shader, see the innermost instance
   std::vector<const Instance*> chain;  ///< outermost first, never empty
   Mat4 world_to_local, local_to_world;
-  /// At the end of the motion interval; unset: does not move. See motion.h for the way there.
+  /// At the end of the motion interval; unset: static. Interpolation: see motion.h.
   std::optional<Mat4> motion_world_to_local;
-  std::size_t first_moving = 0;  ///< of the chain; `motion off` holds those before and itself
+  std::size_t first_moving = 0;  ///< index in chain; earlier instances are static (`motion off`)
 
-  /// The instance whose materials apply to polygons without their own; null: none. Where it says
-  /// `override` they apply to all polygons.
+  /// The instance with the materials of polygons without their own; null: none. With `override`
+  /// they apply to all polygons.
   const Instance* material_source = nullptr;
   bool material_override = false;
-  const LightLinks* light_links = nullptr;   ///< the nearest instance's; null: no restriction
-  const LightLinks* shadow_links = nullptr;  ///< likewise
+  const LightLinks* light_links = nullptr;   ///< of the nearest instance; null: no restriction
+  const LightLinks* shadow_links = nullptr;  ///< same for shadows
   ResolvedFlags flags;
 
   const Instance& instance() const { return *chain.back(); }
@@ -44,18 +44,18 @@ struct Leaf {
 
 struct FlattenLimits {
   std::size_t leaves = 20'000'000;
-  std::size_t visits = 100'000'000;  ///< of instances; groups can multiply without any leaf
+  std::size_t visits = 100'000'000;  ///< of instances; nested groups can multiply without leaves
   std::size_t depth = 1000;          ///< of nested groups
 };
 
-/// All leaves below `root`, a group or an instance, in the order the groups name them.
+/// All leaves below `root`, a group or an instance, in the order of the groups.
 ///
-/// Inputs:  defaults: flags that objects lie over.
-/// Errors:  OR-SC-301 no such root, OR-SC-302 a member or element that nothing defines, OR-SC-303
-///          one of a kind that cannot stand there, OR-SC-304 a group inside itself, OR-SC-305 too
-///          many leaves or too deep (what was found so far is returned), OR-SC-306 singular
-///          transform (identity instead), OR-SC-307 objects without flags, taken as on (a note).
-///          Each place is reported once, however often it is reached.
+/// Inputs:  defaults: flags with lower priority than those of objects.
+/// Errors:  OR-SC-301 missing root, OR-SC-302 missing member or element, OR-SC-303 element of a
+///          kind that is not allowed, OR-SC-304 a group inside itself, OR-SC-305 too many leaves or
+///          nested too deeply (returns the leaves found so far), OR-SC-306 singular transform
+///          (replaced by the identity), OR-SC-307 objects without flags, assumed on (a note).
+///          Each location is reported once.
 /// Checked: hierarchy_test.cpp
 std::vector<Leaf> flatten(const Scene& scene, std::string_view root, Diagnostics& diagnostics,
                           const FlattenLimits& limits = {}, const FlagLayer& defaults = {});

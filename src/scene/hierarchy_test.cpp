@@ -13,7 +13,7 @@ Statement flag(std::string keyword) {
   return s;
 }
 
-/// A scene made of short names.
+/// A scene built from short names.
 struct Builder {
   Scene scene;
   Object& object(const std::string& name) {
@@ -58,7 +58,7 @@ Mat4 scaled(float s) {
   return m;
 }
 
-TEST(Hierarchy, LeavesComeInTheOrderOfTheGroups) {
+TEST(Hierarchy, LeavesAreInGroupOrder) {
   Builder b;
   b.object("o");
   b.element<Camera>("c");
@@ -83,7 +83,7 @@ TEST(Hierarchy, LeavesComeInTheOrderOfTheGroups) {
 }
 
 // acceptance: H1
-TEST(Hierarchy, AWorldPointGoesThroughTheOuterMatrixFirst) {
+TEST(Hierarchy, OuterMatrixAppliesFirst) {
   Builder b;
   b.object("o");
   b.instance("outer", "g").transform = moved(-10, 0, 0);
@@ -93,7 +93,8 @@ TEST(Hierarchy, AWorldPointGoesThroughTheOuterMatrixFirst) {
   Diagnostics d;
   const auto leaves = flatten(b.scene, "root", d);
   ASSERT_EQ(leaves.size(), 1u);
-  // The outer instance stands at x = 10; two units beyond are one unit of the half-scaled object.
+  // The outer instance is at x = 10; two units from there are one unit of the object, scaled by
+  // half.
   EXPECT_EQ(transform_point(Vec3(12, 0, 0), leaves[0].world_to_local), Vec3(1, 0, 0));
   EXPECT_EQ(transform_point(Vec3(1, 0, 0), leaves[0].local_to_world), Vec3(12, 0, 0));
   EXPECT_FALSE(leaves[0].motion_world_to_local.has_value());
@@ -133,7 +134,7 @@ TEST(Hierarchy, MotionTransformsComposeAndCanBeSwitchedOff) {
   EXPECT_FALSE(leaves[1].motion_world_to_local.has_value());
 }
 
-TEST(Hierarchy, TheNearestMaterialWinsUnlessOneAboveOverrides) {
+TEST(Hierarchy, NearestMaterialAppliesUnlessOverridden) {
   Builder b;
   b.object("o");
   b.instance("outer", "g").materials = {"a"};
@@ -168,7 +169,7 @@ TEST(Hierarchy, LightLinksComeFromTheNearestInstanceThatHasThem) {
   EXPECT_EQ(leaves[1].shadow_links, nullptr);
 }
 
-TEST(Hierarchy, FlagsPassDownAndObjectsWithoutFlagsAreNotedOnce) {
+TEST(Hierarchy, FlagsAreInheritedAndMissingFlagsNotedOnce) {
   Builder b;
   b.object("o").flags.clear();
   b.instance("i1", "o");
@@ -186,7 +187,7 @@ TEST(Hierarchy, FlagsPassDownAndObjectsWithoutFlagsAreNotedOnce) {
   EXPECT_EQ(d.all()[0].message.substr(0, 2), "2 ");
 }
 
-TEST(Hierarchy, ASingularTransformBecomesIdentityAndIsSaidOnce) {
+TEST(Hierarchy, SingularTransformBecomesIdentityAndIsReportedOnce) {
   Builder b;
   b.object("o");
   Mat4 flat;
@@ -203,7 +204,7 @@ TEST(Hierarchy, ASingularTransformBecomesIdentityAndIsSaidOnce) {
   EXPECT_TRUE(d.has("OR-SC-306"));
 }
 
-TEST(Hierarchy, AThinButHonestScaleIsNotSingular) {
+TEST(Hierarchy, ThinScaleIsNotSingular) {
   Builder b;
   b.object("o");
   Mat4 thin = scaled(1e-4f);
@@ -216,7 +217,7 @@ TEST(Hierarchy, AThinButHonestScaleIsNotSingular) {
   EXPECT_TRUE(d.all().empty());
 }
 
-TEST(Hierarchy, AGroupInsideItselfIsReportedOnceAndTheRestStands) {
+TEST(Hierarchy, CyclicGroupIsReportedOnceAndTheRestRemains) {
   Builder b;
   b.object("o");
   b.instance("i", "o");

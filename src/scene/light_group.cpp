@@ -20,7 +20,7 @@ std::vector<std::string> split_patterns(std::string_view text) {
 }
 
 bool matches(std::string_view pattern, std::string_view name) {
-  // After a mismatch the last star takes one character more.
+  // On a mismatch the last star matches one more character.
   std::size_t p = 0, n = 0, star = pattern.npos, taken = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

@@ -22,11 +22,11 @@ TEST(LightGroup, PatternsMatchWholeNames) {
   EXPECT_TRUE(matches("*", ""));
   EXPECT_FALSE(matches("?", ""));
   EXPECT_FALSE(matches("Lamp", "lamp"));
-  // Many stars take no time.
+  // Many stars do not take exponential time.
   EXPECT_FALSE(matches(std::string(40, '*') + "x", std::string(4000, 'a')));
 }
 
-TEST(LightGroup, PatternsStandBetweenCommas) {
+TEST(LightGroup, PatternsAreSeparatedByCommas) {
   EXPECT_EQ(split_patterns("lamp*, spot_?? ,,x"),
             (std::vector<std::string>{"lamp*", "spot_??", "x"}));
   EXPECT_TRUE(split_patterns(" , ").empty());
@@ -39,7 +39,7 @@ TEST(LightGroup, NamesThatCannotBeLayersAreRefused) {
   EXPECT_NE(light_group_complaint({"key", {}}), "");
 }
 
-TEST(LightGroup, OptionsNameGroups) {
+TEST(LightGroup, OptionsDefineGroups) {
   const auto statement = [](const std::string& keyword, const std::string& text) {
     Statement s;
     s.keyword = keyword;

@@ -12,7 +12,7 @@
 namespace oriel::scene {
 namespace {
 
-// double: inverses of matrices far from the origin, and products of many.
+// double: for inverses of matrices far from the origin and long products.
 using Matrix = Imath::M44d;
 using Linear = Imath::M33d;
 
@@ -26,9 +26,9 @@ Linear linear_part(const Matrix& m) {
   return Linear(m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]);
 }
 
-/// The rotation nearest to a matrix that mirrors nothing.
+/// The rotation nearest to a matrix without reflection.
 Linear rotation_of(Linear m) {
-  constexpr int kMaxRounds = 50;  // converges quadratically once it is near
+  constexpr int kMaxRounds = 50;  // quadratic convergence near the solution
   for (int i = 0; i < kMaxRounds; ++i) {
     const Linear next = (m + m.inverse().transposed()) * 0.5;
     const bool done = next.equalWithAbsError(m, 1e-14);
@@ -63,7 +63,7 @@ class Way {
     if (time == 1) return to_;
     Matrix m = from_ * (1 - time) + to_ * time;
     if (!turns_) return m;
-    // Beyond the interval a stretch that goes on would turn things inside out.
+    // Clamped: an extrapolated stretch could invert the object.
     const double share = std::clamp(time, 0.0, 1.0);
     const Linear stretch = Linear() * (1 - share) + stretch_ * share;
     const double half = half_angle_ * time;
@@ -106,14 +106,14 @@ std::vector<Mat4> follow(const std::vector<Way>& ways, const Shutter& shutter) {
 }  // namespace
 
 bool is_singular(const Imath::M44d& m) {
-  constexpr double kRounding = 1e-12;  // rows that depend on each other leave about 1e-16
+  constexpr double kRounding = 1e-12;  // linearly dependent rows give about 1e-16
   double scale = 1;
   for (int i = 0; i < 4; ++i) {
     double row = 0;
     for (int j = 0; j < 4; ++j) row += m[i][j] * m[i][j];
     scale *= i < 3 ? std::sqrt(row) : 1;
   }
-  // Not `<`: a matrix with a NaN is none that anything could be placed with.
+  // Not `<`: a matrix with a NaN counts as singular.
   return !(std::abs(m.determinant()) > kRounding * scale);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the shutter is open, and where instances stand meanwhile.
+// Shutter times, and motion paths of instances.
 #pragma once
 
 #include <vector>
@@ -10,21 +10,22 @@
 namespace oriel::scene {
 
 // Conventions
-//   Scene time counts motion intervals: at 0 everything stands as written, at 1 it stands where
-//   motion vectors and motion transforms lead; the shutter may open and close anywhere, and beyond
-//   the interval motion goes on as it ends. Ray time is 0 at `first` and 1 at `last`.
+//   Scene time counts motion intervals. At 0 transforms and points are as written; at 1 they are at
+//   the end of their motion vectors and motion transforms. The shutter may open and close at any
+//   time; outside the interval the motion is extrapolated. Ray time is 0 at `first` and 1 at
+//   `last`.
 
-/// The shutter of a picture, in ray time.
+/// The shutter of an image, in ray time.
 struct Shutter {
-  bool on = false;  ///< things may move; else all rays have time 0 and nothing else counts
+  bool on = false;  ///< motion blur; off: all ray times are 0 and the rest is unused
   float open = 0, close = 0;
-  int first = 0, last = 1;  ///< scene times, the interval 0 to 1 and the shutter within
-  int steps = 1;            ///< straight pieces of a transform's way in one interval
+  int first = 0, last = 1;  ///< scene times, which contain the shutter and the interval 0 to 1
+  int steps = 1;            ///< linear segments of a transform per interval
 
   /// Time of a ray; u in [0,1).
   float at(float u) const { return open + u * (close - open); }
   float middle() const { return (open + close) / 2; }
-  /// Whether ray times mean the same.
+  /// Whether ray times map to the same scene times.
   bool same_span(const Shutter& o) const {
     return on == o.on && first == o.first && last == o.last;
   }
@@ -33,29 +34,31 @@ struct Shutter {
   }
 };
 
-/// Furthest a shutter reaches, in intervals, and most pieces of a way: with these no way has more
-/// points than the ray tracer takes.
+/// Maximum distance of the shutter in intervals, and maximum number of segments. With these limits
+/// a motion path does not exceed the time steps of the ray tracer.
 inline constexpr float kFurthestShutter = 4;
 inline constexpr int kMaxMotionSteps = 15;
 
-/// Inputs:  values out of range are clamped to the limits above.
+/// Inputs:  out-of-range values are clamped to the limits above.
 Shutter shutter_of(const MotionOptions& options);
 
-/// Local to world at equal steps of ray time from 0 to 1; empty for what stands still.
+/// Local-to-world matrices at equal steps of ray time from 0 to 1; empty for a static leaf.
 ///
-/// Model:   each instance of the chain moves on its own within its parent: the origin on a straight
-///          line, the rotation about a fixed axis at constant speed, the stretch linearly. Between
-///          the steps matrices interpolate linearly, as the ray tracer has it, so one step is a
-///          straight way of every point, and more steps follow the rotation.
+/// Model:   each instance of the chain moves separately in its parent: the origin on a straight
+/// line,
+///          the rotation about a fixed axis at constant speed, the stretch linearly. Matrices
+///          between
+///          the steps are interpolated linearly, as in the ray tracer. Thus one step moves every
+///          point on a straight line; more steps approximate the rotation.
 /// Source:  K. Shoemake, T. Duff, "Matrix Animation and Polar Decomposition", 1992.
 /// Checked: MotionPath.*
 std::vector<Mat4> motion_path(const Leaf& leaf, const Shutter& shutter);
 
-/// A camera outside of the rendered group: the same for one instance.
+/// The same for one instance: a camera outside the rendered group.
 std::vector<Mat4> motion_path(const Instance& instance, const Shutter& shutter);
 
-/// Whether a matrix squashes space: its volume is negligible relative to the product of its row
-/// lengths.
+/// Whether a matrix is singular: its determinant is negligible relative to the product of the
+/// lengths of its rows.
 bool is_singular(const Imath::M44d& m);
 
 }  // namespace oriel::scene

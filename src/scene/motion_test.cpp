@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shutters in ray time, and the ways of instances that move within each other.
+// Shutters in ray time, and motion paths of nested instances.
 #include "scene/motion.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Mat4 turned(float degrees) {
   return m;
 }
 
-/// As files have them: world to local.
+/// World to local, as in files.
 Instance instance(const Mat4& from, const std::optional<Mat4>& to = std::nullopt) {
   Instance i;
   i.transform = from.inverse();
@@ -56,13 +56,13 @@ TEST(Shutter, OpensAndClosesWithinTheIntervalOrBeyond) {
   EXPECT_EQ(beyond.last, 2);
   EXPECT_FLOAT_EQ(beyond.scene_time(beyond.open), -.5f);
   EXPECT_FLOAT_EQ(beyond.scene_time(beyond.close), 2);
-  // Closed before it opens, not a number, too far: a picture all the same.
+  // Closes before it opens, not a number, too far: still gives a valid shutter.
   EXPECT_EQ(shutter(.5f, .25f).close, .5f);
   EXPECT_EQ(shutter(NAN, 1e30f).last, 4);
   EXPECT_EQ(shutter(0, 1, 1000).steps, kMaxMotionSteps);
 }
 
-TEST(MotionPath, IsEmptyForWhatStands) {
+TEST(MotionPath, IsEmptyForStaticLeaves) {
   const Instance still = instance(Mat4()), moves = instance(Mat4(), moved(1, 0, 0));
   Leaf l = leaf({&still});
   l.motion_world_to_local.reset();
@@ -70,7 +70,7 @@ TEST(MotionPath, IsEmptyForWhatStands) {
   EXPECT_TRUE(motion_path(leaf({&moves}), Shutter{}).empty());
 }
 
-TEST(MotionPath, GoesStraightInOneStepAndRoundInMore) {
+TEST(MotionPath, OneStepIsLinearAndMoreFollowTheRotation) {
   const Instance i = instance(Mat4(), turned(90));
   const auto straight = motion_path(leaf({&i}), shutter(0, 1));
   ASSERT_EQ(straight.size(), 2u);
@@ -83,7 +83,7 @@ TEST(MotionPath, GoesStraightInOneStepAndRoundInMore) {
   expect_at(round[3], {1, 0, 0}, {0, 1, 0});
 }
 
-TEST(MotionPath, WheelsRollBelowACarThatGoesStraight) {
+TEST(MotionPath, NestedInstancesMoveSeparately) {
   const Instance car = instance(moved(0, 0, 5), moved(3, 0, 5));
   const Instance wheel = instance(moved(0, 1, 0), turned(-90) * moved(0, 1, 0));
   const auto path = motion_path(leaf({&car, &wheel}), shutter(0, 1, 2));
@@ -92,18 +92,18 @@ TEST(MotionPath, WheelsRollBelowACarThatGoesStraight) {
   expect_at(path[1], {1, 0, 0}, {1.5f + std::sqrt(.5f), 1 - std::sqrt(.5f), 5});
 }
 
-TEST(MotionPath, KeepsStretchAndTurnApart) {
+TEST(MotionPath, StretchAndRotationInterpolateSeparately) {
   Mat4 wide;
   wide.setScale(Vec3(2, 4, 1));
   Mat4 wider;
   wider.setScale(Vec3(4, 4, 1));
   const Instance i = instance(wide, wider * turned(60));
   const auto path = motion_path(leaf({&i}), shutter(0, 1, 2));
-  // Half of the way: three wide instead of two or four, turned by half of the angle.
+  // Halfway: three wide, between two and four, rotated by half the angle.
   expect_at(path[1], {1, 0, 0}, Vec3(3 * std::cos(kPi / 6), 3 * std::sin(kPi / 6), 0));
 }
 
-TEST(MotionPath, GoesOnBeyondTheInterval) {
+TEST(MotionPath, ExtrapolatesOutsideTheInterval) {
   const Instance i = instance(moved(1, 0, 0), turned(30) * moved(2, 0, 0));
   const auto path = motion_path(leaf({&i}), shutter(-1, 2));
   ASSERT_EQ(path.size(), 4u);
@@ -111,7 +111,7 @@ TEST(MotionPath, GoesOnBeyondTheInterval) {
   expect_at(path[3], {1, 0, 0}, {3 + .5f, std::sin(kPi / 3), 0});
 }
 
-TEST(MotionPath, MotionOffHoldsWhatIsAboveAndItself) {
+TEST(MotionPath, MotionOffStopsTheInstanceAndThoseAbove) {
   const Instance above = instance(Mat4(), moved(1, 0, 0)), held = instance(Mat4(), moved(0, 1, 0)),
                  below = instance(Mat4(), moved(0, 0, 1));
   Leaf l = leaf({&above, &held, &below});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry as a scene holds it: groups over a pool of vectors, hair, and what is only kept.
+// Geometry in a scene: groups over a pool of vectors, hair, uninterpreted geometry.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@
 namespace oriel::scene {
 
 // Conventions
-//   All indices are 0-based. Columns of a vertex list are either empty (no vertex has the field) or
-//   have one entry per vertex, kNone where that vertex lacks it. Memory per field and vertex is
-//   thus four bytes, which is what keeps a million triangles small.
+//   All indices are 0-based. A column of a vertex list is either empty (no vertex has the field) or
+//   has one entry per vertex, kNone for vertices without the field. This needs four bytes per field
+//   and vertex.
 
 /// One texture space of a vertex list: indices into the group's vectors.
 struct TextureColumn {
@@ -35,7 +35,7 @@ struct VertexList {
   std::vector<TextureColumn> textures;
   std::vector<std::vector<std::uint32_t>> motion;  ///< one column per motion step
   std::vector<std::vector<std::uint32_t>> user;
-  std::vector<VertexMark> marks;  ///< of those vertices that have one, ascending
+  std::vector<VertexMark> marks;  ///< marked vertices only, ascending
   std::size_t size() const { return point.size(); }
   bool operator==(const VertexList&) const = default;
 };
@@ -47,7 +47,7 @@ struct PolygonGroup {
   VertexList vertices;
   PolygonList polygons;
   std::vector<SubdivisionSurface> subdivisions;
-  std::vector<std::string> materials;  ///< names that polygons use
+  std::vector<std::string> materials;  ///< names used by polygons
   std::vector<Statement> settings;     ///< merge, approximate
   FreeForm freeform;                   ///< curves and surfaces over the same vertices
   SourceLocation where;
@@ -62,7 +62,7 @@ struct Object {
   std::vector<PolygonGroup> groups;
   std::vector<Hair> hairs;
   std::vector<UninterpretedStatement> uninterpreted;  ///< other geometry
-  std::string content;  ///< of a placeholder (`file "f"`): the object loaded for it, if it was
+  std::string content;  ///< loaded object of a placeholder (`file "f"`); empty: not loaded
   SourceLocation where;
   bool operator==(const Object&) const = default;
 };

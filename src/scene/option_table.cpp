@@ -16,14 +16,14 @@ using F = FinalGatherOptions;
 using M = MotionOptions;
 using enum Support;
 
-/// One, two or three numbers: both r and sum 2r; sum r + t; as written.
+/// One number r: (r, r, 2r); two: (r, t, r + t); three: as written.
 TraceDepth depth_of(V v) {
   const int r = v.integer(0), t = v.size() > 1 ? v.integer(1) : r;
   return {r, t, v.size() > 2 ? v.integer(2) : r + t};
 }
 
-/// Writes the values into one member, by its type; an enumeration takes the number of the
-/// alternative, a switch without a value is on.
+/// Assigns the values to a member, by the type of the member. An enumeration gets the index of the
+/// alternative; a switch without a value is on.
 template <auto... kPath>
 void to(O& o, V v) {
   auto& target = (o.*....*kPath);
@@ -53,14 +53,14 @@ void set_samples(O& o, V v) {
   o.samples_min = range ? v.integer(0) : o.samples_max - 2;
 }
 
-/// Without a fourth number alpha's threshold is the mean of the others.
+/// Without a fourth number, the threshold of alpha is the mean of the others.
 template <auto kMember>
 void set_contrast(O& o, V v) {
   const Rgba c = v.color();
   o.*kMember = v.size() == 4 ? c : Rgba(c.r, c.g, c.b, (c.r + c.g + c.b) / 3);
 }
 
-// Sampling of mental ray 3.11 on: samples of a pixel are counted, not told by levels of 4^n.
+// Sampling since mental ray 3.11: sample counts per pixel instead of levels of 4^n.
 int level_of_count(float samples) {
   int level = 0;
   for (float most = 1.5f; samples > most && level < 9; most *= 4) ++level;
@@ -68,7 +68,8 @@ int level_of_count(float samples) {
 }
 void set_fewest_samples(O& o, V v) { o.samples_min = level_of_count(v.number(0)); }
 void set_most_samples(O& o, V v) { o.samples_max = level_of_count(v.number(0)); }
-/// Twice the quality is half the contrast that is let pass; 1 stands for the default contrast.
+/// The contrast threshold is inversely proportional to the quality; quality 1 is the default
+/// contrast.
 void set_quality(O& o, V v) {
   const float quality = v.number(0);
   if (quality > 0) o.contrast = O{}.contrast * (1 / quality);
@@ -79,7 +80,7 @@ void set_error_cutoff(O& o, V v) {
   c = Rgba(std::max(c.r, least), std::max(c.g, least), std::max(c.b, least), std::max(c.a, least));
 }
 
-/// Light by path tracing, where no method is named.
+/// Selects path tracing unless a method was chosen.
 void trace_paths(O& o) {
   if (o.indirect == IndirectMethod::Scene) o.indirect = IndirectMethod::Path;
 }
@@ -106,7 +107,7 @@ void set_shadow_switch(O& o, V v) {
   o.shadow = v.size() == 0 || v.on(0) ? kMode : ShadowMode::Simple;
 }
 
-/// approximation.h reads the statement itself.
+/// Parsed by approximation.h.
 void set_elsewhere(O&, V) {}
 
 void set_shutter(O& o, V v) {
@@ -151,7 +152,7 @@ void set_gather_accuracy(O& o, V v) {
   o.finalgather.min_radius = v.size() > 2 ? v.number(2) : 0;
 }
 
-// Source: published grammar. With three numbers the third stands for both diffuse and sum.
+// Source: published grammar. Of three numbers the third is used for both diffuse and sum.
 void set_gather_depth(O& o, V v) {
   const int r = v.integer(0), t = v.size() > 1 ? v.integer(1) : r;
   const int diffuse = v.size() > 2 ? v.integer(2) : r + t;
@@ -187,7 +188,7 @@ void set_mattes(O& o, V v) {
     o.matte_ranks = std::max(v.integer(0), 0);
 }
 
-/// Read before the others: see interpret_options.
+/// Read before all other statements: see interpret_options.
 void set_unified_sampling(O& o, V v) {
   o.unified_sampling = v.choice(0) == 0 ? v.on(0) : v.number(0) != 0;
 }
@@ -208,7 +209,7 @@ constexpr auto kCausticFlags = &O::caustic, kGlobillumFlags = &O::globillum,
 constexpr auto kGather = &O::finalgather;
 constexpr auto kMotion = &O::motion;
 
-// One row, one statement: the formatter would break rows in the middle.
+// One row per statement; clang-format would break rows.
 // clang-format off
 constexpr Row<O> kOptionRows[] = {
     // Sampling

@@ -7,7 +7,7 @@
 
 namespace oriel::scene {
 
-/// All rows, string options last.
+/// All rows; string options are last.
 const ElementTable<RenderOptions>& option_table();
 
 }  // namespace oriel::scene

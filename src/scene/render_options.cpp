@@ -47,7 +47,7 @@ class Interpreter {
     note_effect(*match.row, values);
   }
 
-  /// `"unified sampling"` decides what other statements mean, before it or behind it.
+  /// `"unified sampling"` affects the meaning of other statements before and after it.
   void read_unified_sampling(const Statement& s) {
     if (!s.quoted || s.keyword != "unified sampling") return;
     const auto match = option_table().match(s, items_);
@@ -63,7 +63,7 @@ class Interpreter {
  private:
   static constexpr std::string_view kLightGroup = "light group ";
 
-  /// Settings of methods that path tracing takes the place of.
+  /// Settings of methods that path tracing replaces.
   static bool is_of_other_method(const Statement& s) {
     constexpr std::string_view kFamilies[] = {
         "gi ", "environment lighting ", "progressive", "irradiance particles", "importon", "rast "};
@@ -71,7 +71,7 @@ class Interpreter {
                                    [&](std::string_view f) { return s.keyword.starts_with(f); });
   }
 
-  /// The only string option whose keyword holds a name.
+  /// The only string option with a name in its keyword.
   void read_light_group(const Statement& s) {
     LightGroup group{s.keyword.substr(kLightGroup.size()), {}};
     if (s.values.size() == 1) group.patterns = split_patterns(s.values[0].text);
@@ -82,8 +82,7 @@ class Interpreter {
                          "expected: \"light group NAME\" \"PATTERN,PATTERN,...\"");
   }
 
-  /// Lists a statement that does not act. One that asks for what holds anyway (`caustic off`) loses
-  /// nothing and is not listed.
+  /// Records a statement without effect, unless it sets the default (`caustic off`).
   void note_effect(const StatementRow& row, const StatementValues& values) {
     if (row.support == Support::Effective) return;
     const std::string name = name_of(row);
@@ -115,7 +114,7 @@ class Interpreter {
   void report_misfit(const Statement& s, const StatementRow& row, std::span<FormItem> values) {
     std::string found;
     for (const FormItem& item : values) found += ' ' + describe(item);
-    // A string option of the wrong type is documented to be ignored, so it is worth no warning.
+    // String options of the wrong type are documented as ignored, so they only get a note.
     diagnostics_.report(s.quoted ? Severity::Note : Severity::Warning,
                         s.quoted ? "OR-SC-103" : "OR-SC-101", s.where,
                         fmt::format("{}{} is ignored", name_of(row), found),

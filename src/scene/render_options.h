@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an options block means: every statement as a typed value with its documented default.
+// Options block as typed values with the documented defaults.
 #pragma once
 
 #include <array>
@@ -15,9 +15,10 @@
 namespace oriel::scene {
 
 // Conventions
-//   A sampling level n is 4^n samples per pixel; negative levels take one sample per block of
-//   pixels. Radii are scene units unless a flag says pixels; 0 = chosen from the scene. Where
-//   sources disagree about a default, the C interface's wins over a host application's.
+//   A sampling level n is 4^n samples per pixel; a negative level is one sample per block of
+//   pixels. Radii are in scene units, or in pixels if a flag is set; 0: chosen from the scene.
+//   Where sources disagree about a default, the C interface takes precedence over host
+//   applications.
 
 /// Pixel filters, in the order of the keyword table.
 enum class FilterKind : std::uint8_t {
@@ -29,7 +30,7 @@ enum class FilterKind : std::uint8_t {
   ClipMitchell,
   ClipLanczos
 };
-/// Full width in pixels a filter has when none is written: 1, 2, 3, 4, 4.
+/// Default full width in pixels: 1, 2, 3, 4, 4.
 float default_filter_width(FilterKind kind);
 
 struct PixelFilter {
@@ -38,7 +39,7 @@ struct PixelFilter {
   bool operator==(const PixelFilter&) const = default;
 };
 
-/// How often light may be reflected, refracted, and both together.
+/// Maximum number of reflections, refractions, and both in total.
 struct TraceDepth {
   int reflection = 1, refraction = 1, sum = 1;
   bool operator==(const TraceDepth&) const = default;
@@ -48,21 +49,22 @@ enum class ShadowMode : std::uint8_t { Off, Simple, Sort, Segments };
 enum class Face : std::uint8_t { Front, Back, Both };
 enum class ColorClip : std::uint8_t { Rgb, Alpha, Raw };
 enum class Space : std::uint8_t { Object, Camera, Mixed, World };
-/// `lightmap`, `shadowmap`: off, on, or make only the map. OpenGL and Detail: shadow maps' kinds.
+/// `lightmap`, `shadowmap`: off, on, or compute only the map. OpenGL and Detail: kinds of shadow
+/// maps.
 enum class MapMode : std::uint8_t { Off, On, Only, OpenGl, Detail };
-/// How indirect light is gathered; Scene: as the photon and final gather statements say.
+/// Method for indirect light. Scene: chosen by the photon and final gathering statements.
 enum class IndirectMethod : std::uint8_t { Scene, Path, FinalGather, Photons, FinalGatherPhotons };
 
 /// `caustic ...`, `globillum ...` or `photonvol ...`.
 struct PhotonOptions {
   bool on = false;
-  std::optional<int> object_flags;  ///< bits 1 generate, 2 receive, 4 and 8 switch these off
-  int accuracy = 64;                ///< photons in an estimate
+  std::optional<int> object_flags;  ///< bits 1 cast, 2 receive; 4 and 8 clear them
+  int accuracy = 64;                ///< photons per estimate
   float radius = 0;
   enum class Filter : std::uint8_t { Box, Cone, Gauss } filter = Filter::Box;
   float filter_constant = 1.1f;
   Rgba scale{1, 1, 1, 1};
-  float merge = 0;  ///< photons nearer than this become one
+  float merge = 0;  ///< photons within this distance are merged
   bool operator==(const PhotonOptions&) const = default;
 };
 
@@ -70,24 +72,24 @@ struct FinalGatherOptions {
   bool on = false, only = false, fast_lookup = false;
   enum class Mode : std::uint8_t { Automatic, Multiframe, Radius, StrictRadius };
   Mode mode = Mode::Automatic;  ///< "automatic", "multiframe", "3.4", "strict 3.4"
-  /// The hosts' defaults are 100, 250, 500 and 1000. 400 leaves no splotches in a room that a
-  /// window lights (FinalGather.LeavesNoSplotches*).
+  /// Defaults of host applications are 100, 250, 500 and 1000. 400 rays avoid splotches in a room
+  /// lit by a window (FinalGather.LeavesNoSplotches*).
   int rays = 400;
   int points = 10;  ///< interpolated points
   bool radius_in_pixels = false;
   float max_radius = 0, min_radius = 0;
-  /// `diffuse`: bounces behind the first surface that a ray meets.
+  /// `diffuse`: diffuse bounces after the first surface that a ray hits.
   struct Depth {
     int reflection = 1, refraction = 1, diffuse = 0, sum = 2;
     bool operator==(const Depth&) const = default;
   };
-  /// Unset, a scene that asks for final gathering itself gets Depth{}, a method chosen by name the
-  /// depth of the picture and bounces without limit, as the other methods have them.
+  /// Unset: if the scene enables final gathering, Depth{}; if the method was chosen by name, the
+  /// trace depth of the image and unlimited diffuse bounces, as for the other methods.
   std::optional<Depth> depth;
   float presample_density = 1;
   int filter = 0;                             ///< median over rays; 0 = none
-  float falloff_start = 0, falloff_stop = 0;  ///< reach of the rays; both 0 = unlimited
-  float normal_tolerance = 0;                 ///< degrees; 0 = the method's own
+  float falloff_start = 0, falloff_stop = 0;  ///< range of the rays; both 0 = unlimited
+  float normal_tolerance = 0;                 ///< degrees; 0 = default of the method
   Rgba scale{1, 1, 1, 1}, secondary_scale{1, 1, 1, 1};
   std::vector<std::string> files;
   enum class Rebuild : std::uint8_t { Off, On, Freeze } rebuild = Rebuild::On;
@@ -95,21 +97,21 @@ struct FinalGatherOptions {
 };
 
 struct MotionOptions {
-  bool on = false;  ///< written, or implied by a shutter that opens
+  bool on = false;  ///< set explicitly, or by a shutter time
   int steps = 1;
   float delay = 0, shutter = 0;  ///< the shutter is open in [delay, shutter], fractions of a frame
   bool operator==(const MotionOptions&) const = default;
 };
 
-/// `frame buffer N "type"`: a buffer that shaders write to by number.
+/// `frame buffer N "type"`: a numbered buffer for shaders.
 struct UserFrameBuffer {
   int index = 0;
-  std::string type;         ///< without its sign
+  std::string type;         ///< without the sign
   bool interpolate = true;  ///< false for a leading minus
   bool operator==(const UserFrameBuffer&) const = default;
 };
 
-/// A statement that was read but does not act on the picture.
+/// A statement that was read but has no effect on the image.
 struct WithoutEffect {
   std::string keyword;
   Support support = Support::Uninterpreted;
@@ -117,14 +119,14 @@ struct WithoutEffect {
   bool operator==(const WithoutEffect&) const = default;
 };
 
-/// The meaning of an options block. A default-constructed one is an empty block's.
+/// The settings of an options block. The default-constructed value is that of an empty block.
 struct RenderOptions {
   int samples_min = -2, samples_max = 0;
   Rgba contrast{0.1f, 0.1f, 0.1f, 0.1f}, time_contrast{0.2f, 0.2f, 0.2f, 0.2f};
   bool contrast_all_buffers = false;
-  bool unified_sampling = true;  ///< off: the string options "samples ..." do not act
+  bool unified_sampling = true;  ///< off: string options "samples ..." have no effect
   PixelFilter filter;
-  float jitter = 0;        ///< 0 none, 1 the whole cell
+  float jitter = 0;        ///< 0: none, 1: the whole cell
   bool samplelock = true;  ///< same pattern in every frame
   int task_size = 0;
 
@@ -152,29 +154,28 @@ struct RenderOptions {
   float gamma = 1;
   bool desaturate = false, dither = false, premultiply = true;
   ColorClip colorclip = ColorClip::Raw;
-  Rgb luminance_weight{0.212671f, 0.715160f, 0.072169f};  ///< Rec. 709, as is documented
+  Rgb luminance_weight{0.212671f, 0.715160f, 0.072169f};  ///< Rec. 709, as documented
   std::vector<UserFrameBuffer> frame_buffers;
   std::vector<LightGroup>
       light_groups;  ///< `"light group NAME" "PATTERN,..."`; layers of EXR files
 
   static constexpr int kDefaultMatteRanks = -1;
-  int matte_ranks = 0;  ///< names that a pixel of Cryptomatte layers holds; 0: no such layers
+  int matte_ranks = 0;  ///< names per pixel in Cryptomatte layers; 0: no such layers
 
-  std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, the last place it stood
+  std::vector<WithoutEffect> without_effect;  ///< one entry per keyword, with its last location
   std::vector<std::string> unknown_strings;   ///< unknown string options, each once
 
-  /// Whether photons bring the light that glass bends. Paths do not: where they find the light,
-  /// glass casts transparent shadows.
+  /// Whether photons compute caustics. Path tracing does not: with it, glass casts transparent
+  /// shadows.
   bool brings_caustics() const { return caustic.on && indirect != IndirectMethod::Path; }
 
   bool operator==(const RenderOptions&) const = default;
 };
 
-/// Reads the statements in order; later ones override earlier ones.
+/// Interprets the statements in order; later ones override earlier ones.
 ///
-/// Errors:  OR-SC-101 values that do not fit (the statement is skipped), OR-SC-102 unknown
-///          statement, OR-SC-103 a known string option with other values than it takes, OR-SC-104 a
-///          group of lights that cannot be.
+/// Errors:  OR-SC-101 invalid values (the statement is skipped), OR-SC-102 unknown statement,
+///          OR-SC-103 a known string option with invalid values, OR-SC-104 an invalid light group.
 /// Source:  reference of the language, section Options; the table is in option_table.cpp.
 /// Checked: render_options_test.cpp
 RenderOptions interpret_options(const Options& options, Diagnostics& diagnostics);

@@ -156,7 +156,7 @@ TEST(RenderOptions, AShutterThatOpensTurnsMotionBlurOn) {
   EXPECT_EQ(o.motion.shutter, 0.75f);
 }
 
-TEST(RenderOptions, GatheringIsTyped) {
+TEST(RenderOptions, FinalGatherOptionsAreTyped) {
   const RenderOptions o =
       read({"finalgather fastlookup", "finalgather accuracy view 200 20. 2", "globillum 3",
             "caustic on", "caustic accuracy 500 3.0", "caustic filter cone", "globillum scale 2",
@@ -180,7 +180,7 @@ TEST(RenderOptions, GatheringIsTyped) {
   EXPECT_EQ(o.finalgather.points, 30);
 }
 
-TEST(RenderOptions, DisplayAndSpacesAreTyped) {
+TEST(RenderOptions, DisplayAndSpaceOptionsAreTyped) {
   const RenderOptions o =
       read({"gamma 2.2", "desaturate on", "dither on", "premultiply off", "colorclip alpha",
             "luminance weight ntsc", "camera space", "face front", "\"indirect\" \"path\"",
@@ -222,7 +222,7 @@ TEST(RenderOptions, WrongValuesAreReportedWithExpectationAndSkipped) {
   EXPECT_EQ(d.all()[3].severity, Severity::Note);
 }
 
-TEST(RenderOptions, WhatDoesNotActIsListedUnlessItAsksForTheDefault) {
+TEST(RenderOptions, StatementsWithoutEffectAreListedUnlessDefault) {
   const RenderOptions o = read({"caustic off", "shutter 1", "shutter 0", "acceleration bsp",
                                 "trace on", "contour store \"c\""});
   std::vector<std::string> listed;
@@ -231,7 +231,7 @@ TEST(RenderOptions, WhatDoesNotActIsListedUnlessItAsksForTheDefault) {
   EXPECT_EQ(o.without_effect[0].support, Support::Harmless);
 }
 
-TEST(RenderOptions, SamplingOfLaterVersionsActs) {
+TEST(RenderOptions, UnifiedSamplingOptionsApply) {
   // A count of 4^n samples is level n; twice the quality is half the default contrast of .1.
   const RenderOptions o =
       read({"\"samples min\" 1.", "\"samples max\" 64.", "\"samples quality\" 2. 2. 2. 2."});
@@ -263,7 +263,7 @@ TEST(RenderOptions, GlobalIlluminationOfLaterVersionsIsPathTracing) {
   EXPECT_EQ(o.without_effect.size(), 5u);
 }
 
-TEST(OptionTable, RowsAreUniqueAndActingOnesHaveASetter) {
+TEST(OptionTable, RowsAreUniqueAndEffectiveRowsHaveASetter) {
   std::vector<std::string_view> keywords;
   for (const Row<RenderOptions>& row : option_table().rows()) {
     keywords.push_back(row.keyword);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as data: every element by name, in the order it was defined. No behaviour.
+// Scene data: all elements by name, in the order of definition.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace oriel::scene {
 
-/// declare phenomenon: parameters outside, a small scene inside.
+/// declare phenomenon: an interface of parameters and a nested scene.
 struct Phenomenon {
   ShaderDeclaration declaration;
   std::vector<ShaderElement> shaders;
@@ -36,24 +36,26 @@ using Element =
     std::variant<Options, Camera, Light, Material, Texture, LightProfile, Object, Instance,
                  InstanceGroup, ShaderElement, Assembly, UserData, KeptElement>;
 
-/// Name of an element, whatever its kind.
+/// Name of an element of any kind.
 const std::string& name_of(const Element& element);
 SourceLocation place_of(const Element& element);
 
-/// A whole scene between two renderings. Plain data that front ends fill and the writer writes
-/// back; may be edited between frames.
+/// A complete scene. Plain data: front ends fill it, the writer writes it, and it may be edited
+/// between frames.
 class Scene {
  public:
-  /// Adds an element; one of the same name is replaced in place. Returns true when it was new.
+  /// Adds an element, or replaces the element with the same name in place. Returns true if it is
+  /// new.
   bool add(Element element);
   bool remove(std::string_view name);
-  /// A number that only an element has which was not added or touched since; 0: there is none.
+  /// Revision number of an element, unique in the scene; changes when the element is added or
+  /// touched. 0 if there is no such element.
   std::uint64_t revision(std::string_view name) const;
-  /// Gives it another revision; false when there is none of that name.
+  /// Assigns a new revision. Returns false if there is no such element.
   bool touch(std::string_view name);
   Element* find(std::string_view name);
   const Element* find(std::string_view name) const;
-  /// The element of that name if it is a T, else null.
+  /// The element with this name if it is a T, otherwise null.
   template <class T>
   const T* get(std::string_view name) const {
     const Element* e = find(name);
@@ -71,17 +73,18 @@ class Scene {
   std::vector<ShaderDeclaration> declarations;
   std::vector<Phenomenon> phenomena;
   std::vector<DataDeclaration> data_declarations;
-  /// Statements outside elements that only have to be kept: verbose, version, link, set, echo...
+  /// Statements outside elements without further interpretation: verbose, version, link, set,
+  /// echo...
   std::vector<Statement> commands;
-  std::vector<std::string> packages;  ///< includes that Oriel's own libraries satisfied ("base.mi")
+  std::vector<std::string> packages;  ///< includes satisfied by libraries of Oriel ("base.mi")
   std::vector<RenderCommand> renders;
-  std::set<std::string, std::less<>> loaded;  ///< elements from files of placeholders; not written
+  std::set<std::string, std::less<>> loaded;  ///< loaded from placeholder files; not written
 
   const ShaderDeclaration* find_declaration(std::string_view name) const;
   const Phenomenon* find_phenomenon(std::string_view name) const;
   const DataDeclaration* find_data_declaration(std::string_view name) const;
 
-  /// Revisions do not count.
+  /// Ignores revisions.
   bool operator==(const Scene& other) const;
 
  private:

@@ -20,7 +20,7 @@ struct ShaderUse {
   bool operator==(const ShaderUse&) const = default;
 };
 
-/// Shaders run in order, each receiving the result of the one before.
+/// Shaders run in order; each one receives the result of the previous one.
 using ShaderList = std::vector<ShaderUse>;
 
 /// shader "name" function...
@@ -55,14 +55,14 @@ enum class ParamType : std::uint8_t {
 
 /// The keyword(s) of a type in `.mi`: "scalar", "color texture", ...
 std::string_view type_name(ParamType type);
-/// The greatest number of numbers in a value of that type; 1 where it holds none.
+/// Maximum number of numbers in a value of the type; 1 for types without numbers.
 std::size_t number_count(ParamType type);
 
 /// One declared parameter or result member.
 struct ParamDecl {
   ParamType type = ParamType::Scalar;
   std::string name;
-  std::string type_argument;       ///< data: its declaration's name; shader: empty
+  std::string type_argument;       ///< Data: name of its declaration; Shader: empty
   std::vector<ParamDecl> members;  ///< Struct: the members; Array: exactly one, the element
   std::optional<Value> default_value;
   SourceLocation where;
@@ -72,11 +72,11 @@ struct ParamDecl {
 /// declare [shader] result "name" ( parameters ) requirements end declare
 struct ShaderDeclaration {
   std::string name;
-  std::vector<ParamDecl> results;  ///< one unnamed for a plain type, the members for a struct
+  std::vector<ParamDecl> results;  ///< one unnamed result, or the members of a struct
   std::vector<ParamDecl> parameters;
   std::vector<Statement> requirements;  ///< version, apply, trace, shadow, ... as written
   std::vector<UninterpretedStatement> uninterpreted;  ///< gui and hardware blocks
-  bool old_form = false;  ///< without the word shader: ended at the parenthesis
+  bool old_form = false;  ///< without the word shader: ends at the parenthesis
   SourceLocation where;
   bool operator==(const ShaderDeclaration&) const = default;
 };

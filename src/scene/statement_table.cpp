@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kAny = "...";
 
-/// Takes the text up to `separator` off the front.
+/// Removes and returns the text up to `separator`.
 std::string_view take(std::string_view& text, char separator) {
   const auto end = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, end);
@@ -33,7 +33,7 @@ bool is_alternative(const FormItem& item, std::string_view alternative) {
   const bool whole = kind == Value::Kind::Numbers && item.number == std::floor(item.number);
   if (alternative == "bool") return kind == Value::Kind::Boolean;
   if (alternative == "float") return kind == Value::Kind::Numbers;
-  // A scalar with a whole value may stand for an integer: exporters write `500.`.
+  // A scalar with a whole value is accepted as an integer: exporters write `500.`.
   if (alternative == "int") return whole && std::abs(item.number) < 2147483648.0;
   if (alternative == "flag_bits") return whole && item.number >= 0 && item.number <= 15;
   if (alternative == "string") return kind == Value::Kind::Text;
@@ -47,7 +47,7 @@ bool fits_atom(std::string_view atom, FormItem& item) {
   return false;
 }
 
-/// The literal words of a form, as the parser takes them: separated by '|', each behind `prefix`.
+/// The literal words of a form for the parser: separated by '|', each after `prefix`.
 std::string literal_words(std::string_view form, const std::string& prefix) {
   constexpr std::string_view kTyped[] = {"bool", "int",       "float", "string", "list",
                                          "on",   "flag_bits", "off",   kAny,     ""};
@@ -78,8 +78,9 @@ void add_words(std::vector<FormItem>& items, std::string_view words, const Value
   while (!words.empty()) items.push_back({.value = value, .text = take(words, ' ')});
 }
 
-/// Words of the keyword, then the values: how many words belong to the keyword depends on the
-/// reader (`shadow segments`, `filter clip gauss`), so both look the same here.
+/// Splits a statement into the words of its keyword and its values. The reader may count a word as
+/// part of the keyword or as a value (`shadow segments`, `filter clip gauss`); the items are the
+/// same.
 void put_items(const Statement& s, std::vector<FormItem>& items) {
   items.clear();
   if (!s.quoted) add_words(items, s.keyword, nullptr);
@@ -140,7 +141,7 @@ bool fits_form(std::string_view form, std::span<FormItem> items) {
   if (is_open(form)) return true;
   std::size_t used = 0;
   while (!form.empty()) {
-    // A bracket opens a rest that may be missing as a whole.
+    // A bracket starts an optional part of the form.
     if (form.front() == '[' && used == items.size()) return true;
     if (form.front() == ' ' || form.front() == '[' || form.front() == ']') {
       form.remove_prefix(1);
@@ -209,7 +210,7 @@ StatementTable::Match StatementTable::match(const Statement& s,
     }
   }
   if (!match.row) return match;
-  // The words behind the name of `bsp: size|depth` count as values.
+  // The words after the name in `bsp: size|depth` count as values.
   match.values = std::span(items).subspan(words);
   match.has_other_words = !match.values.empty() && !match.values[0].value;
   match.fits = fits_form(match.row->form, match.values);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The statements of an element as one table: keyword, form of the values, support, typed field.
+// Statement table of an element: keyword, form of the values, support level, typed field.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,37 @@
 namespace oriel::scene {
 
 enum class Support : std::uint8_t {
-  Effective,      ///< changes the picture as documented
-  NotYet,         ///< typed here, nothing acts on it
-  Uninterpreted,  ///< kept as written; has no effect on the picture
-  Harmless        ///< the picture does not depend on it
+  Effective,      ///< affects the image as documented
+  NotYet,         ///< parsed and typed, without effect so far
+  Uninterpreted,  ///< stored as written, without effect
+  Harmless        ///< has no influence on the image
 };
 
-/// What the parser, `oriel check` and the documentation know of a statement.
+/// Description of a statement for the parser, `oriel check` and the documentation.
 struct StatementRow {
   /// Words joined by single blanks; in quotes for a string option. `bsp: size|depth` are the
   /// statements `bsp size` and `bsp depth`, both reported as `bsp`. `filter (clip)` is the
   /// statement `filter` whose first value is the word `clip`.
   std::string_view keyword;
   /// Values: `bool`, `int`, `float`, `string`, `list`, `flag_bits` (0 to 15) or a literal word.
-  /// Alternatives are separated by `|`, `_` is a blank in a word, optional rests are in brackets.
-  /// A form that begins with `...` fits any values. A form in `<>` has a reader of its own.
+  /// Values: `bool`, `int`, `float`, `string`, `list`, `flag_bits` (0 to 15) or a literal word.
+  /// Alternatives are separated by `|`, `_` is a blank in a word, optional trailing values are in
+  /// brackets. A form that begins with `...` matches any values. A form in `<>` has a separate
+  /// parser.
   std::string_view form;
   Support support = Support::Uninterpreted;
   std::string_view meaning;
 };
 
-/// One value of a statement. A row of numbers counts as one item per number.
+/// One value of a statement. Each number of a row is a separate item.
 struct FormItem {
-  const Value* value = nullptr;  ///< null for a word that was part of the keyword
-  double number = 0;             ///< double: as the scene holds it
+  const Value* value = nullptr;  ///< null for a word of the keyword
+  double number = 0;             ///< double, like the scene
   std::string_view text = {};
-  int choice = 0;  ///< which alternative of the form it matched
+  int choice = 0;  ///< index of the matched alternative of the form
 };
 
-/// The values of a statement that fits its form.
+/// The values of a statement that matches its form.
 class StatementValues {
  public:
   StatementValues(std::span<const FormItem> items, SourceLocation where)
@@ -56,31 +58,31 @@ class StatementValues {
   int choice(std::size_t i) const { return items_[i].choice; }
   const Value& value(std::size_t i) const { return *items_[i].value; }
   SourceLocation where() const { return where_; }  ///< of the statement
-  /// One number for all components, or three or four; alpha is 1 unless written.
+  /// One number for all components, or three or four; alpha is 1 by default.
   Rgba color() const;
 
-  // For forms that fit any values ---------------------------------------------------------------
+  // For forms that match any values
   bool is_number(std::size_t i) const;
-  /// The number at `i` if all values up to there are numbers.
+  /// Number i if all values up to it are numbers, otherwise `missing`.
   double number_or(std::size_t i, double missing) const;
-  std::vector<double> numbers() const;  ///< those among the values
+  std::vector<double> numbers() const;  ///< the numbers among the values
   bool is_on() const;                   ///< no value, `on`, or a number other than 0
   bool is_off() const;                  ///< the word `off`
-  std::string word() const;             ///< the first value, if it is text
+  std::string word() const;             ///< the first value if it is text, otherwise empty
 
  private:
   std::span<const FormItem> items_;
   SourceLocation where_;
 };
 
-/// How the parser reads a statement. Numbers and one boolean may always follow the keyword.
+/// How the parser reads a statement. Numbers and one boolean are always allowed after the keyword.
 struct ParserForm {
   std::string keyword;
-  std::string words = {};  ///< that may stand as a value, alternatives by '|'
-  int strings = 0;         ///< how many may follow
+  std::string words = {};  ///< allowed value words, separated by '|'
+  int strings = 0;         ///< maximum number of strings
 };
 
-/// The form fits any values.
+/// Whether the form matches any values.
 bool is_open(std::string_view form);
 
 /// The rows of one element, by keyword.
@@ -88,9 +90,9 @@ class StatementTable {
  public:
   struct Match {
     const StatementRow* row = nullptr;  ///< null: unknown
-    std::span<FormItem> values;         ///< part of the items
-    bool fits = false;                  ///< the values fit the row's form
-    bool has_other_words = false;       ///< words of the keyword are among the values
+    std::span<FormItem> values;         ///< subrange of the items
+    bool fits = false;                  ///< the values match the form of the row
+    bool has_other_words = false;       ///< the values include words of the keyword
   };
 
   template <class Row>
@@ -101,11 +103,11 @@ class StatementTable {
   StatementTable& operator=(const StatementTable&) = delete;
 
   const StatementRow* find(std::string_view keyword) const;
-  /// The row with the longest keyword that the leading words of the statement spell. `items` is
-  /// filled with the words and values.
+  /// The row with the longest keyword that matches the leading words of the statement. Fills
+  /// `items` with the words and values.
   Match match(const Statement& s, std::vector<FormItem>& items) const;
   const std::vector<ParserForm>& forms() const { return forms_; }
-  /// First words of the statements whose form is in `<>`.
+  /// First words of the statements with a form in `<>`.
   const std::vector<std::string_view>& special_words() const { return special_words_; }
 
  protected:
@@ -121,13 +123,13 @@ class StatementTable {
   std::vector<std::string_view> special_words_;
 };
 
-/// A row whose statement fills a field of T.
+/// A row with a setter for a field of T.
 template <class T>
 struct Row : StatementRow {
   void (*set)(T&, const StatementValues&) = nullptr;
 };
 
-/// The rows that fill a T.
+/// The rows for the fields of T.
 template <class T>
 class ElementTable : public StatementTable {
  public:
@@ -139,13 +141,13 @@ class ElementTable : public StatementTable {
   }
 
   /// Reads the statements in order; later ones override earlier ones. Unknown statements are
-  /// skipped. Errors: OR-SC-201 values that do not fit (the statement is skipped).
+  /// skipped. Errors: OR-SC-201 invalid values (the statement is skipped).
   T read(const std::vector<Statement>& statements, Diagnostics* diagnostics = nullptr) const {
     T target;
     std::vector<FormItem> items;
     for (const Statement& s : statements) {
       const Match match = this->match(s, items);
-      // `shadow approximate` is another statement than `shadow`.
+      // `shadow approximate` is a different statement from `shadow`.
       if (!match.row || (match.has_other_words && (!match.fits || is_open(match.row->form))))
         continue;
       if (match.fits)
@@ -160,10 +162,10 @@ class ElementTable : public StatementTable {
   std::span<const Row<T>> rows_;
 };
 
-/// The keyword as messages name it.
+/// The keyword as shown in diagnostics.
 std::string name_of(const StatementRow& row);
 inline bool is_string_option(const StatementRow& row) { return row.keyword.starts_with('"'); }
-/// Whether `items` fit the form; fills in FormItem::choice.
+/// Whether `items` match the form. Sets FormItem::choice.
 bool fits_form(std::string_view form, std::span<FormItem> items);
 
 }  // namespace oriel::scene

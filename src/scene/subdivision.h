@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subdivision surfaces as a scene holds them: base faces, creases, rules of texture spaces.
+// Subdivision surfaces in a scene: base faces, creases, interpolation rules of texture spaces.
 #pragma once
 
 #include <optional>
@@ -12,34 +12,35 @@
 namespace oriel::scene {
 
 /// `subdivision surface "n" ... end subdivision surface` or `ccmesh "n" ... end ccmesh`, over the
-/// vertices of its group.
+/// vertices of the group.
 struct SubdivisionSurface {
   enum class Form : std::uint8_t { Surface, CcMesh };
   enum class TextureRule : std::uint8_t {
-    Subdivision,  ///< smooth, as the points are
+    Subdivision,  ///< smooth, like the points
     Face          ///< linear within each base face
   };
-  /// An edge that stays sharper than the rest: from corner `edge` of the face to the next one.
+  /// A sharp or semi-sharp edge: from corner `edge` of the face to the next corner.
   struct Crease {
     std::uint32_t face = 0, edge = 0;
-    float sharpness = 1;  ///< 0 smooth, 1 (and more) sharp for ever
+    float sharpness = 1;  ///< 0 smooth, 1 (and more) infinitely sharp
     bool operator==(const Crease&) const = default;
   };
-  /// Parts of a base face that are cut away.
+  /// Removed parts of a base face.
   struct Trim {
     std::uint32_t face = 0;
-    /// Bit k: what the first refinement makes at corner k; bit 3 of a triangle by Loop's scheme its
-    /// middle. [I] by the mask of creases: nothing public says what the number means.
+    /// Bit k: the part at corner k after the first refinement; bit 3 of a triangle in Loop's
+    /// scheme: the middle part. [I] by analogy with crease masks: the number is not documented
+    /// publicly.
     std::uint32_t parts = 0;
     bool operator==(const Trim&) const = default;
   };
-  /// What stands behind a base face and is not followed: `detail`, the hierarchy in braces.
+  /// Uninterpreted text after a base face: `detail`, the hierarchy in braces.
   struct Detail {
     std::uint32_t face = 0;
     UninterpretedStatement text;
     bool operator==(const Detail&) const = default;
   };
-  /// `derivative order [space texture space]`: which derivatives shaders will ask for.
+  /// `derivative order [space texture space]`: a derivative that shaders use.
   struct Derivative {
     int order = 1;
     std::optional<int> space;
@@ -48,8 +49,8 @@ struct SubdivisionSurface {
 
   Form form = Form::Surface;
   std::string name;
-  std::vector<int> announced;  ///< `polygon a b c d`, sizes an exporter expects; empty: not written
-  std::vector<TextureRule> texture_rules;  ///< per texture space; further ones are Subdivision
+  std::vector<int> announced;  ///< `polygon a b c d`: sizes from the exporter; empty: none
+  std::vector<TextureRule> texture_rules;  ///< per texture space; default Subdivision
   PolygonList faces;                       ///< no holes
   std::vector<Crease> creases;             ///< by face, then edge
   std::vector<Trim> trims;                 ///< by face
@@ -59,12 +60,12 @@ struct SubdivisionSurface {
   bool operator==(const SubdivisionSurface&) const = default;
 };
 
-/// Marks of a vertex, `cusp|conic|corner [level N] | dart`: how subdivision treats it.
+/// Vertex mark, `cusp|conic|corner [level N] | dart`: the subdivision rule of the vertex.
 struct VertexMark {
   enum class Kind : std::uint8_t { Cusp, Conic, Corner, Dart };
   std::uint32_t vertex = 0;
   Kind kind = Kind::Corner;
-  std::optional<int> level;  ///< the mark holds for that many subdivisions; unset: for ever
+  std::optional<int> level;  ///< number of subdivisions the mark applies to; unset: all
   bool operator==(const VertexMark&) const = default;
 };
 

@@ -79,7 +79,7 @@ TEST(Highlights, AreReciprocalButForTheCosine) {
               1e-5f);
 }
 
-TEST(Highlights, OfWardReflectNoMoreThanArrives) {
+TEST(Highlights, WardConservesEnergy) {
   for (const float shiny : {2.0f, 5.0f, 15.0f})
     for (const double cosine : {1.0, .7, .3, .1}) {
       const miVector from = reversed(as_c(cosine_direction(cosine, 0)));
@@ -111,7 +111,7 @@ TEST(Highlights, OfWardAreAsWideAsItsDirections) {
             mi_ward_glossy(&down, &u, &kNormal, 7));
 }
 
-TEST(PhaseFunction, IntegratesToOneAndLeansAhead) {
+TEST(PhaseFunction, IntegratesToOneWithForwardMean) {
   const miVector along = {0, 0, 1};
   for (const float k : {-.9f, -.4f, 0.0f, .5f, .95f}) {
     double whole = 0, mean_cosine = 0;
@@ -129,7 +129,7 @@ TEST(PhaseFunction, IntegratesToOneAndLeansAhead) {
   EXPECT_NEAR(mi_schlick_scatter(&along, &ahead, 0), 1 / (4 * M_PI), 1e-6);
 }
 
-TEST(PhaseFunction, FirstLobeIsChosenAsOftenAsAsked) {
+TEST(PhaseFunction, FirstLobeIsChosenWithItsProbability) {
   BareState bare;
   int first = 0;
   for (int i = 0; i < 10000; ++i) {
@@ -139,13 +139,13 @@ TEST(PhaseFunction, FirstLobeIsChosenAsOftenAsAsked) {
   EXPECT_NEAR(first, 3000, 4 * 46);
 }
 
-TEST(Colours, LuminanceWeighsAsTheOptionsSay) {
+TEST(Colours, LuminanceUsesTheWeightsOfTheOptions) {
   BareState bare("luminance weight .5 .25 .25");
   const miColor c = {1, 2, 4, 1};
   EXPECT_NEAR(mi_luminance(&bare.state(), &c), 2, 1e-6f);
 }
 
-TEST(Colours, WhiteIsD65AndComesBack) {
+TEST(Colours, WhiteIsD65AndRoundTrips) {
   miColor c = {1, 1, 1, .5f};
   mi_colorprofile_internal_to_ciexyz(&c);
   EXPECT_NEAR(c.r, .9505f, 1e-4f);

@@ -80,7 +80,7 @@ TEST(Directions, ANormalOnTheOtherSideChangesNothing) {
   EXPECT_NEAR(from_front.z, from_behind.z, 1e-6f);
 }
 
-TEST(Directions, DiffuseOnesMatchTheCosine) {
+TEST(Directions, DiffuseDirectionsMatchTheCosine) {
   BareState bare;
   bare.look_down(.6f, .8f);
   for (const float side : {1.0f, -1.0f})
@@ -94,7 +94,7 @@ TEST(Directions, DiffuseOnesMatchTheCosine) {
         [&](const Vec3& w) { return std::max(0.0f, side * w.z) * kInvPi; }, kDraws, 11));
 }
 
-TEST(Directions, GlossyOnesMatchTheirDensity) {
+TEST(Directions, GlossyDirectionsMatchTheirDensity) {
   BareState bare;
   bare.look_down(.6f, .8f);
   const Vec3 wo(-.6f, 0, .8f);
@@ -115,7 +115,7 @@ TEST(Directions, GlossyOnesMatchTheirDensity) {
       [&](const Vec3& w) { return WardLobe(3, 9).pdf(wo, w); }, kDraws, 13));
 }
 
-TEST(Directions, TransmittedGlossyOnesSpreadAboutTheRefractedOne) {
+TEST(Directions, TransmittedGlossyDirectionsSurroundTheRefractedOne) {
   BareState bare;
   bare.look_down(.6f, .8f);
   for (const float ior : {1.0f, 1.5f}) {
@@ -143,7 +143,7 @@ TEST(Directions, NarrowLobesAreMirrors) {
   }
 }
 
-TEST(Directions, ScatteredOnesMatchThePhaseFunction) {
+TEST(Directions, ScatteredDirectionsMatchThePhaseFunction) {
   BareState bare;
   bare.look_down(.6f, .8f);
   int pixel = 0;

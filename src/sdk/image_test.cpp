@@ -73,7 +73,7 @@ TEST(ShaderImages, AreWrittenAndReadBack) {
   write_and_read("c.png", miIMG_TYPE_RGB_16, miIMG_FORMAT_FROM_EXT, .5f / 65535 + 1e-6f);
 }
 
-TEST(ShaderImages, AreWrittenInTheFormatAskedForWhateverTheirName) {
+TEST(ShaderImages, AreWrittenInTheRequestedFormat) {
   const Writable writable;
   miImg_file file;
   ASSERT_TRUE(mi_img_create(&file, "shadow.map", miIMG_TYPE_S_FP, miIMG_FORMAT_EXR, 2, 2));
@@ -103,7 +103,7 @@ TEST(ShaderImages, AreRefusedOutsideOfTheFoldersOfScenes) {
   EXPECT_FALSE(mi_img_create(&file, "a.png", miIMG_TYPE_RGB, miIMG_FORMAT_PNG, 2, 2));
 }
 
-TEST(ShaderImages, ThatAreMissingDoNotOpen) {
+TEST(ShaderImages, MissingImagesDoNotOpen) {
   const Writable writable;
   testing::BareState bare;
   set_current_host(&bare.host());
@@ -114,7 +114,7 @@ TEST(ShaderImages, ThatAreMissingDoNotOpen) {
   EXPECT_EQ(file.error, miIMG_ERR_NOTOPEN);
 }
 
-TEST(ShaderImages, KeepWhatTheirTypeHolds) {
+TEST(ShaderImages, KeepTheRangeOfTheirType) {
   Picture depth(miIMG_TYPE_Z, 3, 2), normal(miIMG_TYPE_N, 3, 2), tag(miIMG_TYPE_TAG, 3, 2);
   Picture rgbe(miIMG_TYPE_RGBE, 3, 2);
   mi_img_put_depth(&depth, -123.25f, 2, 1);

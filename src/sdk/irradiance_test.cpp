@@ -11,7 +11,7 @@ namespace irradiance_test {
 using testing::BareState;
 
 // A diffuse environment of radiance L gives the irradiance pi L.
-TEST(Irradiance, IsThatOfTheFaceWhichIsNamed) {
+TEST(Irradiance, IsComputedForTheRequestedFace) {
   BareState bare;
   bare.look_down(0, 1);
   bare.numbers.above = Rgb(kPi);
@@ -28,7 +28,7 @@ TEST(Irradiance, IsThatOfTheFaceWhichIsNamed) {
 }
 
 // Only the surface itself blocks rays, those below it.
-TEST(AmbientOcclusion, IsTheShareOfRaysThatAreBlocked) {
+TEST(AmbientOcclusion, IsTheFractionOfBlockedRays) {
   BareState bare;
   bare.look_down(0, 1);
   miAmboccl_options options = {};

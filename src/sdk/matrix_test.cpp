@@ -20,7 +20,7 @@ TEST(Matrix, TimesItsInverseIsTheIdentity) {
   for (int i = 0; i < 16; ++i) EXPECT_NEAR(product[i], i % 5 == 0 ? 1 : 0, 1e-6f) << i;
 }
 
-TEST(Matrix, MayBeItsOwnResult) {
+TEST(Matrix, OperationsWorkInPlace) {
   miMatrix m, there_and_back;
   mi_matrix_copy(m, kPlaced);
   ASSERT_TRUE(mi_matrix_invert(m, m));
@@ -33,13 +33,13 @@ TEST(Matrix, MayBeItsOwnResult) {
   EXPECT_FALSE(mi_matrix_isident(kPlaced));
 }
 
-TEST(Matrix, OfSmallScalesHasAnInverse) {
+TEST(Matrix, SmallScalesAreInvertible) {
   miMatrix m = {1e-6f, 0, 0, 0, 0, 1e-6f, 0, 0, 0, 0, 1e-6f, 0, 1e6f, 0, 0, 1}, inverse;
   ASSERT_TRUE(mi_matrix_invert(inverse, m));
   EXPECT_NEAR(inverse[0], 1e6f, 1);
 }
 
-TEST(Matrix, ThatFlattensHasNone) {
+TEST(Matrix, SingularMatrixHasNoInverse) {
   const miMatrix flat = {1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1};
   miMatrix inverse;
   EXPECT_FALSE(mi_matrix_invert(inverse, flat));
@@ -87,7 +87,7 @@ TEST(Matrix, MovesPointsNotVectors) {
   expect_near(p, {3.5f, -2, 9.5f}, 1e-6f);
 }
 
-TEST(Matrix, DividesByWhatAProjectionLeaves) {
+TEST(Matrix, ProjectionsDivideByW) {
   const miMatrix projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -1, 0, 0, 0, 0};
   const miVector p = {2, 4, -2};
   miVector r;
@@ -105,7 +105,7 @@ TEST(Matrix, TransposedInverseKeepsNormalsSquare) {
   EXPECT_NEAR(mi_vector_dot(&t, &n), 0, 1e-5f);
 }
 
-TEST(MatrixSolve, FindsWhatSolvesTheSystem) {
+TEST(MatrixSolve, SolutionSatisfiesTheSystem) {
   const miMatrix a = {0, 2, 1, 0, 1, -1, 0, 3, 2, 0, 5, 1, 1, 1, 1, 1};
   const miScalar expected[4] = {1, -2, 3, .5f};
   miScalar b[4], x[4];

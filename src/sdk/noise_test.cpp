@@ -34,7 +34,7 @@ TEST(Noise, FunctionsReturnTheirShapeAndItsGradient) {
   }
 }
 
-TEST(Spline, IsTotal) {
+TEST(Spline, IsDefinedForAllInputs) {
   const miScalar points[4] = {1, 3, 5, 7};
   EXPECT_EQ(mi_spline(.5f, 4, points), 4);
   EXPECT_EQ(mi_spline(.5f, -1, points), 0);

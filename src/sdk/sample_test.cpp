@@ -23,7 +23,7 @@ TEST(Sample, AloneIsOneFilledPoint) {
   EXPECT_EQ(s[4], -1) << "no more than it was asked for";
 }
 
-TEST(Sample, LoopRunsAsOftenAsItSays) {
+TEST(Sample, LoopRunsTheGivenCount) {
   BareState bare;
   double s[3];
   int instance = 0, seen = 0;
@@ -35,7 +35,7 @@ TEST(Sample, LoopRunsAsOftenAsItSays) {
   EXPECT_FALSE(mi_sample(s, &instance, &bare.state(), 3, &none));
 }
 
-TEST(Sample, LoopWithoutACountGoesOn) {
+TEST(Sample, LoopWithoutACountContinues) {
   BareState bare;
   double s[2];
   int instance = 0;
@@ -46,7 +46,7 @@ TEST(Sample, LoopWithoutACountGoesOn) {
   }
 }
 
-TEST(Sample, LoopIsEvenAndItsMeanIsRight) {
+TEST(Sample, LoopIsStratifiedWithCorrectMean) {
   BareState bare;
   constexpr int kLoops = 2000;
   const miUint n = 16;
@@ -64,7 +64,7 @@ TEST(Sample, LoopIsEvenAndItsMeanIsRight) {
   EXPECT_LT(std::sqrt(square), alone / 2);
 }
 
-TEST(Sample, LoopsWithinLoopsAreUnrelated) {
+TEST(Sample, NestedLoopsAreUncorrelated) {
   BareState bare;
   const miUint outer_n = 8, inner_n = 4;
   double product = 0;
@@ -85,7 +85,7 @@ TEST(Sample, LoopsWithinLoopsAreUnrelated) {
   EXPECT_NEAR(product / count, 0, 4 / std::sqrt(500.0 * 8));
 }
 
-TEST(Random, OfTheSampleComesAgain) {
+TEST(Random, IsReproduciblePerSample) {
   BareState bare;
   bare.numbers.start(3);
   const double first = mi_par_random(&bare.state());
@@ -94,7 +94,7 @@ TEST(Random, OfTheSampleComesAgain) {
   EXPECT_EQ(mi_par_random(&bare.state()), first);
 }
 
-TEST(Random, StartsAnewFromASeed) {
+TEST(Random, SeedRestartsTheSequence) {
   mi_srandom(42);
   const float a = mi_random(), b = mi_random();
   mi_srandom(42);
@@ -107,7 +107,7 @@ TEST(Random, StartsAnewFromASeed) {
   EXPECT_NEAR(mean, .5, 4 * .29 / 100);
 }
 
-TEST(Random, OfASeedIsThatOfPosix) {
+TEST(Random, SeededSequenceMatchesPosix) {
   unsigned short ours[3] = {1, 2, 3}, theirs[3] = {1, 2, 3};
   for (int i = 0; i < 100; ++i) {
     EXPECT_NEAR(mi_erandom(ours), erand48(theirs), 1e-7);

@@ -20,7 +20,7 @@ struct Running : BareState {
   Running() { set_current_host(&host()); }
 };
 
-TEST(ShaderElements, AreZeroHoweverTheyGrew) {
+TEST(ShaderElements, AreZeroAfterGrowth) {
   ShaderElements elements;
   const miTag tag = elements.create(miSCENE_USERDATA, 8);
   auto* bytes = static_cast<unsigned char*>(elements.bytes(tag));
@@ -66,7 +66,7 @@ TEST(ShaderElements, AreOfOneFrame) {
   EXPECT_EQ(mi_db_type(tag), miSCENE_NONE);
 }
 
-TEST(ShaderElements, ThatCannotBeMadeAreNull) {
+TEST(ShaderElements, InvalidElementsAreNull) {
   Running running;
   miTag tag = 7;
   EXPECT_EQ(mi_db_create(&tag, miSCENE_NONE, 16), nullptr);

@@ -24,7 +24,7 @@ struct Space {
 const Space kSpaces[] = {SPACE(world), SPACE(camera), SPACE(object), SPACE(light)};
 #undef SPACE
 
-TEST(Spaces, LeadThereAndBack) {
+TEST(Spaces, TransformsAreInverses) {
   BareState bare;
   for (const Space& s : kSpaces) {
     SCOPED_TRACE(s.name);
@@ -69,7 +69,7 @@ TEST(Spaces, AreThoseOfTheScenesTransforms) {
   expect_near(r, origin);
 }
 
-TEST(Spaces, RasterIsWhereTheEyeRayBegan) {
+TEST(Spaces, RasterIsThePixelOfTheEyeRay) {
   BareState bare;
   for (const Vec2& raster : {Vec2(.5f, .5f), Vec2(8, 6), Vec2(15.25f, 2.5f)}) {
     const Camera::Ray ray = bare.world().camera.ray(raster);

@@ -17,7 +17,7 @@ namespace system_test {
 
 using testing::BareState;
 
-TEST(Memory, IsZeroHoweverItGrew) {
+TEST(Memory, IsZeroAfterGrowth) {
   auto* bytes = static_cast<unsigned char*>(mi_mem_allocate(1000));
   EXPECT_TRUE(std::all_of(bytes, bytes + 1000, [](int b) { return b == 0; }));
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bytes) % alignof(std::max_align_t), 0u);
@@ -34,7 +34,7 @@ TEST(Memory, IsZeroHoweverItGrew) {
   mi_mem_release(fresh);
 }
 
-TEST(Memory, ThatIsNotThereIsNull) {
+TEST(Memory, FailedAllocationIsNull) {
   EXPECT_EQ(mi_mem_test_allocate(std::numeric_limits<std::size_t>::max()), nullptr);
   EXPECT_EQ(mi_mem_test_allocate(std::size_t{1} << 60), nullptr);
 }
@@ -45,7 +45,7 @@ TEST(Memory, HoldsCopiesOfText) {
   mi_mem_release(copy);
 }
 
-TEST(Locks, LetOneThreadInAtATime) {
+TEST(Locks, AreMutuallyExclusive) {
   miLock lock;
   mi_init_lock(&lock);
   long count = 0;
@@ -96,7 +96,7 @@ TEST(Messages, OfOtherThreadsReachTheProcess) {
   EXPECT_EQ(current_host(), nullptr);
 }
 
-TEST(Abort, IsSeenByWhoAsks) {
+TEST(Abort, IsReturnedByQueries) {
   BareState bare;
   set_current_host(&bare.host());
   EXPECT_FALSE(mi_par_aborted());
@@ -104,7 +104,7 @@ TEST(Abort, IsSeenByWhoAsks) {
   EXPECT_TRUE(mi_par_aborted());
 }
 
-TEST(StringSubstitute, PutsVariablesInAndTurnsSlashes) {
+TEST(StringSubstitute, ReplacesVariablesAndBackslashes) {
   setenv("ORIEL_TEST_FOLDER", "/pictures", 1);
   char text[64];
   EXPECT_STREQ(mi_string_substitute(text, "$ORIEL_TEST_FOLDER\\a/b.tif", 64), "/pictures/a/b.tif");

@@ -241,8 +241,8 @@ TEST(Declarations, VersionsAreThoseOfTheLibrary) {
   EXPECT_EQ(spec_of("mia_lens_bokeh").version, 4);
 }
 
-// Requirements of every parameter table.
-TEST(Declarations, EveryTableIsSound) {
+// Requirements for all parameter tables.
+TEST(Declarations, AllTablesAreValid) {
   std::set<std::string> shaders;
   for (const ShaderSpec* spec : builtin_shaders().all()) {
     EXPECT_TRUE(shaders.insert(spec->name).second) << spec->name;

@@ -33,12 +33,12 @@ Transmittance shadow_transmittance(const World& world, const ShadingPoint& point
 /// Whether rays of lobes hit an object before `distance` that casts no shadow.
 ///
 /// Inputs:  lobes: one bit geom::RayMask::Shadowless*, for the kind of the rays.
-/// Checked: ObjectFlags.LightPassesWhatCastsNoShadow in tests/analytic.
+/// Checked: ObjectFlags.LightPassesObjectsThatCastNoShadow in tests/analytic.
 bool hidden_from_rays(const World& world, const ShadingPoint& point, const Vec3& wi, float distance,
                       std::uint32_t lobes, RayCounts& counts);
 
 /// Whether the hit of a lobe's ray at `distance` is in the shadow of an opaque object that such
-/// rays do not see. Checked: ObjectFlags.WhatRaysDoNotSeeCastsItsWholeShadow in tests/analytic.
+/// rays do not see. Checked: ObjectFlags.ObjectsInvisibleToRaysCastFullShadows in tests/analytic.
 bool shadowed_by_unseen(const World& world, const ShadingPoint& point, const Vec3& wi,
                         float distance, RayCounts& counts);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements of a camera in numbers: where known points fall, what planes cut away.
+// Camera statements: image positions of known points, and clipping planes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(CameraStatements, HalfTheApertureIsSeenAtTheFocalLength) {
   EXPECT_NEAR(c.middle.y, 20, .1);
 }
 
-TEST(CameraStatements, PixelsTakeTheShapeThatAspectGivesThem) {
+TEST(CameraStatements, PixelShapeFollowsFromAspect) {
   // An aspect of 2 over 40 x 40 pixels: each covers twice as much across as up.
   const Seen::Cover c = Seen("focal 2 aperture 1 aspect 2 resolution 40 40").cover();
   EXPECT_NEAR(c.area, 20 * 40, 8);
@@ -84,7 +84,7 @@ TEST(CameraStatements, AnOffsetShiftsTheFilmInPixels) {
 
 TEST(CameraStatements, AtInfinityTheApertureIsTheWidthInSceneUnits) {
   const std::string camera = "focal infinity aperture 4 aspect 1 resolution 40 40";
-  // Whatever the distance: 1 unit of 4 is 10 of 40 pixels.
+  // Independent of the distance: 1 unit of 4 is 10 of 40 pixels.
   EXPECT_NEAR(Seen(camera).cover().area, 100, 2);
   EXPECT_NEAR(Seen(camera, {{40, 1}}).cover().area, 100, 2);
 }

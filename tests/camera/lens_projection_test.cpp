@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Known points through each lens: an environment that shows directions tells where pixels look.
+// Lens projections of known points, measured with an environment that shows directions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -21,13 +21,13 @@ struct Unit : PreparedScene {
   }
 };
 
-TEST(UnitLuminance, IsOneWhereNobodySays) {
+TEST(UnitLuminance, IsOneByDefault) {
   const Unit u("");
   EXPECT_EQ(u.unit.cd_m2, 1);
   EXPECT_EQ(u.unit.by, "");
 }
 
-TEST(UnitLuminance, IsWhatTheExposureTakesItFor) {
+TEST(UnitLuminance, MatchesTheExposureShader) {
   const Unit u("lens \"mia_exposure_photographic\" ( \"cm2_factor\" 12.5 )");
   EXPECT_EQ(u.unit.cd_m2, 12.5f);
   EXPECT_EQ(u.unit.by, "mia_exposure_photographic");
@@ -35,14 +35,14 @@ TEST(UnitLuminance, IsWhatTheExposureTakesItFor) {
             "");
 }
 
-TEST(UnitLuminance, IsThatOfTheSkyWithoutAnExposure) {
+TEST(UnitLuminance, MatchesTheSkyWithoutAnExposure) {
   const Unit lux(kSky + "1 1 1 )");
   EXPECT_NEAR(lux.unit.cd_m2, 1 / kPi, 1e-6f);
   EXPECT_EQ(lux.unit.by, "mia_physicalsky");
   EXPECT_NEAR(Unit(kSky + "0 0 0 )").unit.cd_m2, 80000 / kPi, .01f);
 }
 
-TEST(UnitLuminance, DisagreementIsTold) {
+TEST(UnitLuminance, ConflictsAreReported) {
   const std::string exposure = "lens \"mia_exposure_photographic\" ( \"cm2_factor\" 1 ) ";
   EXPECT_EQ(Unit(exposure + kSky + ".318 .318 .318 )").messages(), "");
   const Unit u(exposure + kSky + "1 1 1 )");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel render on files with several render statements: which frames, and what their files are
-// called.
+// oriel render on files with several render statements: selected frames and file names.
 #include "support/program.h"
 
 namespace oriel {
@@ -8,7 +7,7 @@ namespace animation_test {
 
 class Animation : public ProgramTest {
  protected:
-  /// Three frames of a lamp that grows brighter; `second`: said before the second.
+  /// Three frames of a light with growing energy; `second`: statements before the second frame.
   static std::string scene(const std::string& camera = "", const std::string& second = "") {
     const auto lamp = [](const char* colour) {
       return std::string("incremental light \"lamp\" \"mib_light_point\" ( \"color\" ") + colour +
@@ -34,19 +33,19 @@ TEST_F(Animation, FilesCarryTheFramesNumber) {
   EXPECT_NE(text_of(file("a.exr")), text_of(file("a.0002.exr")));
 }
 
-TEST_F(Animation, OnlyTheFramesAskedForAreRendered) {
+TEST_F(Animation, OnlyRequestedFramesAreRendered) {
   write("scene.mi", scene());
   ASSERT_EQ(render({"-o", "all.#.exr"}).exit_code, 0);
   ASSERT_EQ(render({"-o", "some.#.exr", "--frames", "2..3"}).exit_code, 0);
   EXPECT_FALSE(exists("some.1.exr"));
-  // With all that was said before them.
+  // With all previous statements.
   EXPECT_EQ(text_of(file("some.2.exr")), text_of(file("all.2.exr")));
   EXPECT_EQ(text_of(file("some.3.exr")), text_of(file("all.3.exr")));
   ASSERT_EQ(render({"-o", "last.#.exr", "--frames", "1,3.."}).exit_code, 0);
   EXPECT_TRUE(exists("last.1.exr") && !exists("last.2.exr") && exists("last.3.exr"));
 }
 
-TEST_F(Animation, FramesThatCannotBeAreRefused) {
+TEST_F(Animation, InvalidFramesAreRefused) {
   write("scene.mi", scene());
   for (const char* wrong : {"0..3", "3..2", "a", "1,,2", "1...3", "-1"})
     EXPECT_EQ(render({"-o", "a.exr", std::string("--frames=") + wrong}).exit_code, 2) << wrong;
@@ -55,7 +54,7 @@ TEST_F(Animation, FramesThatCannotBeAreRefused) {
   EXPECT_NE(beyond.err.find("has 3 render statements"), std::string::npos) << beyond.err;
 }
 
-TEST_F(Animation, FilesThatAreThereMayBeLeftOut) {
+TEST_F(Animation, ExistingFilesMayBeSkipped) {
   write("scene.mi", scene());
   ASSERT_EQ(render({"-o", "a.#.exr", "--frames", "2"}).exit_code, 0);
   write("a.1.exr", "kept");
@@ -65,7 +64,7 @@ TEST_F(Animation, FilesThatAreThereMayBeLeftOut) {
   EXPECT_EQ(render({"-o", "a.#.exr", "--skip-existing"}).exit_code, 0);
 }
 
-TEST_F(Animation, FilesOfBothEyesAreThereOrNot) {
+TEST_F(Animation, ExistingFilesAreCheckedForBothEyes) {
   write("scene.mi", scene("stereo offset eye separation .1"));
   ASSERT_EQ(render({"-o", "a.#.exr"}).exit_code, 0);
   for (const char* name : {"a.1_left.exr", "a.2_left.exr", "a.2_right.exr"}) write(name, "kept");
@@ -83,7 +82,7 @@ TEST_F(Animation, CamerasNameTheirFilesFrameByFrame) {
       scene("output \"rgba\" \"exr\" \"one.exr\"",
             "incremental camera \"cam\" output output \"rgba\" \"exr\" \"two.exr\" end camera\n"));
   ASSERT_EQ(render({}).exit_code, 0);
-  // The third frame's camera says what the second's said.
+  // The camera of the third frame has the statements of the second one.
   for (const char* name : {"one.exr", "two.exr", "two.0003.exr"}) EXPECT_TRUE(exists(name)) << name;
   std::filesystem::remove(file("two.0003.exr"));
   ASSERT_EQ(render({"--frames", "3", "--skip-existing"}).exit_code, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What oriel check lists of scenes that others wrote.
+// Lists of oriel check for scenes of other programs.
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
@@ -43,7 +43,7 @@ TEST_F(CheckLists, ShadersOfEverySlotAreListedAndOnlyThoseSeenAreMagenta) {
   EXPECT_FALSE(says("unavailable shader")) << text();
 }
 
-TEST_F(CheckLists, ParametersThatAGuessUsesAreNotUnknown) {
+TEST_F(CheckLists, ParametersOfFallbackShadersAreNotUnknown) {
   std::string scene = small_scene();
   const std::string from =
       "\"mia_material_x\" ( \"diffuse\" .5 .5 .5, \"reflectivity\" .2, "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel check --report as a user calls it.
+// oriel check --report.
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
@@ -22,7 +22,7 @@ void expect_in(const std::string& page, const std::string& words) {
   EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
-TEST_F(CheckReport, SaysOfShadersAndParametersHowTheyAreFollowed) {
+TEST_F(CheckReport, ListsTheSupportOfShadersAndParameters) {
   write("scene.mi",
         "color texture \"wood\" \"gone.tif\"\n"
         "declare shader color \"house_paint\" ( color \"tone\" ) end declare\n"
@@ -40,7 +40,7 @@ TEST_F(CheckReport, SaysOfShadersAndParametersHowTheyAreFollowed) {
   EXPECT_EQ(page.find("https://"), std::string::npos);
 }
 
-TEST_F(CheckReport, HostileNamesStayText) {
+TEST_F(CheckReport, HostileNamesAreEscaped) {
   std::string quoted = kHostile;
   quoted.erase(quoted.find('"'));
   write("scene.mi", "color texture \"" + quoted + "\" \"" + quoted +
@@ -62,7 +62,7 @@ TEST_F(CheckReport, ScenesThatCannotBeRenderedHaveAReportWithoutPicture) {
   expect_in(page, "cannot be rendered");
 }
 
-TEST_F(CheckReport, TextAndPageSayTheSameOfParameters) {
+TEST_F(CheckReport, TextAndPageAgreeOnParameters) {
   write("scene.mi", small_scene());
   const RunResult r = run({"check", "scene.mi", "--json", "--report", "out.html"});
   ASSERT_EQ(r.exit_code, 0) << r.err;

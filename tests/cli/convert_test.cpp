@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel convert and oriel quick, from a model on disk to a picture that shows it.
+// oriel convert and oriel quick, from a model file to an image.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -78,8 +78,8 @@ TEST_F(ConvertTest, ItsOwnLightsAreMetered) {
   EXPECT_NEAR(shutter[1] / shutter[0], 200, 2);
 }
 
-// A camera stands where its node is, and is not moved by it twice.
-TEST_F(ConvertTest, CamerasOfGltfStandAtTheirNodes) {
+// A camera has the transform of its node, applied once.
+TEST_F(ConvertTest, GltfCamerasHaveTheTransformsOfTheirNodes) {
   write_square("square.gltf", 1000);
   ASSERT_EQ(run({"convert", "square.gltf", "square.mi"}).exit_code, 0);
   ASSERT_EQ(run({"render", "square.mi", "-q", "--size", "48x32", "-o", "square.exr"}).exit_code, 0);
@@ -95,14 +95,14 @@ TEST_F(ConvertTest, CamerasOfGltfStandAtTheirNodes) {
   EXPECT_FALSE(lit(0, 2.3f));
 }
 
-TEST_F(ConvertTest, SizeIsThatOfThePictureWhoeverHasTheCamera) {
+TEST_F(ConvertTest, SizeAppliesToAnyCamera) {
   write_square("square.gltf", 1000);
   ASSERT_EQ(run({"quick", "square.gltf", "--size", "40x10", "--samples", "1"}).exit_code, 0);
   EXPECT_EQ(read_image(file("square.png")).width, 40);
   EXPECT_EQ(read_image(file("square.png")).height, 10);
 }
 
-TEST_F(ConvertTest, AModelWithoutLightIsToldHowToGetSome) {
+TEST_F(ConvertTest, ModelWithoutLightGetsAHint) {
   write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const RunResult r = run({"convert", "dark.obj", "dark.mi"});
   EXPECT_EQ(r.exit_code, 0);
@@ -110,7 +110,7 @@ TEST_F(ConvertTest, AModelWithoutLightIsToldHowToGetSome) {
   EXPECT_EQ(shutter_of("dark.mi"), 0);
 }
 
-TEST_F(ConvertTest, ADamagedFileIsToldOfAndNoCrash) {
+TEST_F(ConvertTest, DamagedFileIsReported) {
   // The header ends in no line: assimp 5.2 reads beyond it.
   const std::string header =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
@@ -127,7 +127,7 @@ TEST_F(ConvertTest, ADamagedFileIsToldOfAndNoCrash) {
   }
 }
 
-TEST_F(ConvertTest, InARoomTheFilesCameraIsExposedForWhatItSees) {
+TEST_F(ConvertTest, FileCameraInARoomIsExposedForItsView) {
   write_room("room.gltf", .98f);
   const RunResult r = run({"convert", "--daylight", "room.gltf", "room.mi"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
@@ -136,7 +136,7 @@ TEST_F(ConvertTest, InARoomTheFilesCameraIsExposedForWhatItSees) {
   EXPECT_GT(shutter_of("room.mi"), 0);
 }
 
-TEST_F(ConvertTest, InsideOfWhatIsClosedTheFilesCameraIsPassedOver) {
+TEST_F(ConvertTest, FileCameraInsideAClosedObjectIsSkipped) {
   write_room("box.gltf", 1);
   const RunResult r = run({"quick", "box.gltf", "--size", "48x32", "--samples", "4"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
@@ -180,7 +180,7 @@ TEST_F(ConvertTest, RenderTakesModelsAsQuickDoes) {
   EXPECT_EQ(json.out.substr(0, 1), "{");
 }
 
-TEST_F(ConvertTest, TruncatedFilesSayThatTheyAre) {
+TEST_F(ConvertTest, TruncatedFilesAreReported) {
   // The header of a file of 1000 bytes.
   write("m.glb", std::string("glTF\2\0\0\0\xe8\3\0\0\x60\0\0\0JSON{\"asset\":", 29));
   write("m.ifc", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n#1=IFCPRO");
@@ -191,7 +191,7 @@ TEST_F(ConvertTest, TruncatedFilesSayThatTheyAre) {
   }
 }
 
-TEST_F(ConvertTest, UsdFilesNameAWayToConvertThem) {
+TEST_F(ConvertTest, UsdFilesGetAConversionHint) {
   write("house.usda", "#usda 1.0\n");
   for (const char* command : {"quick", "render"}) {
     const RunResult r = run({command, "house.usda"});

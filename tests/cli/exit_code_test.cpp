@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel render ends with 0 only where nothing that was asked for is missing.
+// Exit codes of oriel render: 0 only if nothing requested is missing.
 #include "support/program.h"
 
 namespace oriel {
@@ -26,7 +26,7 @@ TEST_F(ExitCodes, ACompleteSceneIsZero) {
   EXPECT_TRUE(there("out.exr"));
 }
 
-TEST_F(ExitCodes, UndefinedNamesOfRenderAreOneWithThePictureThereIs) {
+TEST_F(ExitCodes, UndefinedNamesOfRenderAreOneWithAnImage) {
   const RunResult root = render("render \"root\"", "render \"rot\"");
   EXPECT_EQ(root.exit_code, 1) << root.err;
   const RunResult camera = render("\"cam_inst\" \"opt\"", "\"cma_inst\" \"opt\"");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel explain as a user calls it.
+// oriel explain.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -54,7 +54,7 @@ TEST_F(ExplainProgram, WordsNameSurfaceMaterialAndLight) {
     EXPECT_NE(r.out.find(words), std::string::npos) << words << " in\n" << r.out;
 }
 
-TEST_F(ExplainProgram, PixelsOutsideAndScenesThatAreNotThereAreUserErrors) {
+TEST_F(ExplainProgram, InvalidPixelsAndMissingScenesAreUserErrors) {
   write("scene.mi", small_scene());
   EXPECT_EQ(run({"explain", "scene.mi", "--pixel", "48,0"}).exit_code, 1);
   EXPECT_EQ(run({"explain", "scene.mi", "--pixel", "here"}).exit_code, 2);

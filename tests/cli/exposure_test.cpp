@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manual's way to tune an exposure, and what is said of exposures that cannot be right.
+// Exposure workflow of the manual, and diagnostics of invalid exposures.
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"
@@ -12,7 +12,7 @@ namespace exposure_test {
 
 class ExposureProgram : public ProgramTest {
  protected:
-  /// The last line of what `oriel render --json` said.
+  /// The last line of the output of `oriel render --json`.
   static nlohmann::json last_line(const RunResult& r) {
     const std::string text = r.out.substr(0, r.out.find_last_not_of('\n') + 1);
     return nlohmann::json::parse(text.substr(text.rfind('\n') + 1));
@@ -22,7 +22,7 @@ class ExposureProgram : public ProgramTest {
 // acceptance: X2
 TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
   write("plain.mi", small_scene());
-  // With all its layers: the beauty is what is read.
+  // With all layers: the beauty is read.
   ASSERT_EQ(run({"render", "plain.mi", "-o", "preview.exr", "--samples", "8"}).exit_code, 0);
   write("tuned.mi", "color texture \"pv\" \"preview.exr\"\n" +
                         small_scene("finalgather on",
@@ -47,7 +47,7 @@ TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
         ASSERT_NEAR(tuned.layers[0].image.at(x, y)[k], exact[k], 1e-6f) << x << " " << y;
       }
     }
-  // Denoising has nothing to go by, and says nothing.
+  // Denoising has no noise estimate and reports nothing.
   EXPECT_EQ(run({"render", "tuned.mi", "-o", "tuned.png", "--denoise", "-q"}).exit_code, 0);
 }
 
@@ -55,7 +55,7 @@ TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
 const std::string kTwice =
     " \"mia_exposure_simple\" ( \"gain\" 2, \"compression\" 0, \"gamma\" 1 ) ";
 
-TEST_F(ExposureProgram, FloatFilesHoldWhatTheSceneAsksFor) {
+TEST_F(ExposureProgram, FloatFilesContainTheRequestedValues) {
   const std::string files =
       "output \"rgba_fp\" \"tif\" \"a.tif\" output \"rgba_fp\" \"exr\" \"a.exr\"";
   write("plain.mi", small_scene("", files));
@@ -93,7 +93,7 @@ TEST_F(ExposureProgram, FloatFilesHoldWhatTheSceneAsksFor) {
   }
 }
 
-TEST_F(ExposureProgram, GammaTwiceIsToldForOutputShadersToo) {
+TEST_F(ExposureProgram, DoubleGammaOfOutputShadersIsReported) {
   for (const char* role : {"lens", "output"}) {
     write("scene.mi",
           small_scene("gamma 2.2", std::string(role) + " \"mia_exposure_simple\" ( \"gain\" 1 )"));

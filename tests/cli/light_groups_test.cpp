@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light groups as a user meets them: oriel render --light-group, oriel recombine --light.
+// oriel render --light-group and oriel recombine --light.
 #include <nlohmann/json.hpp>
 
 #include "image/exr.h"
@@ -80,7 +80,7 @@ TEST_F(LightGroupProgram, RecombinedLightsAreStrongerAndOfOtherColours) {
   EXPECT_LT(pixel(layers("c.exr"), "light.left", 2), 1.5f * pixel(before, "light.left", 2));
 }
 
-TEST_F(LightGroupProgram, MistakesAreToldInOneLine) {
+TEST_F(LightGroupProgram, ErrorsAreReportedInOneLine) {
   for (const char* wrong : {"key", "key=", "=lamp*", "rest=lamp*", "a.b=lamp*"}) {
     const RunResult r = render({"-o", "a.exr", "--light-group", wrong});
     EXPECT_EQ(r.exit_code, 2) << wrong;

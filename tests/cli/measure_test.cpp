@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel measure and oriel falsecolor as a user calls them.
+// oriel measure and oriel falsecolor.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@
 namespace oriel {
 namespace measure_test {
 
-/// A lamp of 1000 cd, 2 over a black floor that the camera looks down at, and nothing else.
+/// A light of 1000 cd, 2 above a black floor that the camera faces.
 class MeasureProgram : public ProgramTest {
  protected:
   void write_scene(const std::string& camera = {}) const {
@@ -41,7 +41,7 @@ class MeasureProgram : public ProgramTest {
   }
 };
 
-TEST_F(MeasureProgram, PointsReadWhatTheLampBrings) {
+TEST_F(MeasureProgram, PointsMatchTheIlluminanceOfALight) {
   write_scene();
   const auto m = measure({"--at", "0,0,0", "--at", "0,0,1", "--at", "2,0,0"});
   const auto& sensors = m["illuminance"]["sensors"];
@@ -62,7 +62,7 @@ TEST_F(MeasureProgram, GridAndPlaneAreTheSameSensors) {
   EXPECT_EQ(grid["rows"], 3);
   const auto plane = measure({"--plane", "z=.5", "--spacing", "1", "--inset", ".5"})["illuminance"];
   EXPECT_EQ(plane["sensors"], grid["sensors"]);
-  // The first row is the far one; under the lamp it is brightest.
+  // The first row is the most distant one; it is brightest below the light.
   EXPECT_EQ(grid["sensors"][0]["position"], (std::vector<double>{-2, 1, .5}));
   EXPECT_NEAR(grid["max"].get<double>(), 1000 / 2.25, .05);
   const double least = 1000 * 1.5 / std::pow(4 + 1 + 2.25, 1.5);
@@ -70,7 +70,7 @@ TEST_F(MeasureProgram, GridAndPlaneAreTheSameSensors) {
   EXPECT_NEAR(grid["uniformity"].get<double>(), least / grid["mean"]["value"].get<double>(), 1e-6);
 }
 
-TEST_F(MeasureProgram, MetresChangeHowPlacesAreToldAndNoLight) {
+TEST_F(MeasureProgram, UnitsChangeLocationsOnly) {
   write_scene();
   const auto units = measure({"--plane", "z=.5", "--spacing", "2"})["illuminance"];
   const auto metres =
@@ -80,7 +80,7 @@ TEST_F(MeasureProgram, MetresChangeHowPlacesAreToldAndNoLight) {
               .1 * units["sensors"][0]["position"][0].get<double>(), 1e-6);
 }
 
-TEST_F(MeasureProgram, SpotsTellLuminanceIlluminancePlaceAndMaterial) {
+TEST_F(MeasureProgram, SpotsReportLuminanceIlluminanceLocationAndMaterial) {
   write_scene();
   const auto m = measure({"--pixel", "16,16"});
   const auto& spot = m["spots"][0];
@@ -91,7 +91,7 @@ TEST_F(MeasureProgram, SpotsTellLuminanceIlluminancePlaceAndMaterial) {
   EXPECT_EQ(run({"measure", "scene.mi", "--pixel", "32,0"}).exit_code, 1);
 }
 
-TEST_F(MeasureProgram, TextAndFileSayTheSame) {
+TEST_F(MeasureProgram, TextAndFileAgree) {
   write_scene("lens \"mia_exposure_photographic\" ( \"cm2_factor\" 2 )");
   const RunResult r =
       run({"measure", "scene.mi", "--grid", "-1,-1,0:2,0,0:0,2,0:2x2", "--csv", "a.csv"});
@@ -104,7 +104,7 @@ TEST_F(MeasureProgram, TextAndFileSayTheSame) {
       << csv;
 }
 
-TEST_F(MeasureProgram, WrongUseIsSaidInOneLine) {
+TEST_F(MeasureProgram, WrongUseIsReportedInOneLine) {
   write_scene();
   const std::vector<std::vector<std::string>> wrong = {
       {},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs of materials as a user asks for them: layers of EXR files, and what is said without any.
+// Material outputs as layers of EXR files, and messages about missing ones.
 #include "image/exr.h"
 #include "output/output_names.h"
 #include "support/program.h"
@@ -43,7 +43,7 @@ TEST_F(OutputsProgram, AllOfThemAreLayersOfTheFile) {
   EXPECT_NE(find_layer(exr.layers, "other"), nullptr);
 }
 
-TEST_F(OutputsProgram, SingleOnesCanBeAskedFor) {
+TEST_F(OutputsProgram, SingleOutputsCanBeRequested) {
   write_scene();
   ASSERT_EQ(render("refl_raw,opacity").exit_code, 0);
   const ExrFile exr = read_exr(file("a.exr"));
@@ -76,7 +76,7 @@ TEST_F(OutputsProgram, AFileGivesItsPictureBackWhateverTheFilter) {
   const RunResult r = run({"recombine", "a.exr"});
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
 }
-TEST_F(OutputsProgram, CryptomattesStandInTheFileWithTheirNames) {
+TEST_F(OutputsProgram, CryptomattesAreWrittenWithTheirNames) {
   write_scene();
   const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--cryptomatte", "--samples", "4"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
@@ -98,7 +98,7 @@ TEST_F(OutputsProgram, CryptomattesStandInTheFileWithTheirNames) {
   EXPECT_EQ(find_layer(exr.layers, "")->image.pixels, find_layer(two.layers, "")->image.pixels);
 }
 
-TEST_F(OutputsProgram, TheSceneMayAskForCryptomattes) {
+TEST_F(OutputsProgram, SceneMayEnableCryptomattes) {
   write_scene({}, "\"cryptomatte\" on");
   ASSERT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--samples", "1"}).exit_code, 0);
   EXPECT_NE(find_layer(read_exr(file("a.exr")).layers, "CryptoAsset02"), nullptr);

@@ -16,7 +16,7 @@ const char* const kLamp =
     "0 90 180\n0\n100 100 100\n";
 
 // acceptance: H6
-TEST_F(ProfileProgram, TellsFluxPeakAndWidths) {
+TEST_F(ProfileProgram, ReportsFluxPeakAndWidths) {
   write("lamp.ies", kLamp);
   const RunResult r = run({"profile", "lamp.ies", "--json"});
   ASSERT_EQ(r.exit_code, 0) << r.err;

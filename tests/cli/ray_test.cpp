@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of the old stand-alone program: typical calls and the files that come of them.
+// Command line of the original stand-alone program: typical calls and their output files.
 #include "image/exr.h"
 #include "image/files.h"
 #include "support/program.h"
@@ -7,7 +7,7 @@
 namespace oriel {
 namespace ray_test {
 
-/// A call, the files a user of the old program would look for, and what is said.
+/// A call, the files that users of the original program expect, and the messages.
 struct Call {
   const char* what;
   std::vector<std::string> arguments;
@@ -104,7 +104,7 @@ TEST_F(RayProgram, TypicalCallsLeaveTheFilesThatUsersExpect) {
   }
 }
 
-TEST_F(RayProgram, FlagsMeanWhatTheSameStatementsMean) {
+TEST_F(RayProgram, FlagsEqualTheirStatements) {
   write("scene.mi", small_scene("samples -1 -1 trace off gamma 1.8 shadow off",
                                 "window 5 6 20 15 output \"rgba\" \"exr\" \"a.exr\""));
   ASSERT_EQ(ray({"scene.mi"}).exit_code, 0);
@@ -118,7 +118,7 @@ TEST_F(RayProgram, FlagsMeanWhatTheSameStatementsMean) {
             written.layers.front().image.pixels);
 }
 
-TEST_F(RayProgram, WhatWasEchoedRendersTheSamePicture) {
+TEST_F(RayProgram, EchoedSceneRendersTheSameImage) {
   write("scene.mi", small_scene("samples -1 -1", "output \"rgba\" \"exr\" \"a.exr\""));
   ASSERT_EQ(ray({"-echo", "copy.mi", "scene.mi"}).exit_code, 0);
   const ExrFile first = read_exr(file("a.exr"));
@@ -136,7 +136,7 @@ TEST_F(RayProgram, SeveralFilesAreReadAsOne) {
   EXPECT_TRUE(exists("a.png"));
 }
 
-TEST_F(RayProgram, FilesLieInTheFolderItIsCalledFrom) {
+TEST_F(RayProgram, FilesAreWrittenToTheCurrentFolder) {
   std::filesystem::create_directory(file("scenes"));
   write("scenes/scene.mi", small_scene("samples -1 -1", "output \"rgba\" \"png\" \"a.png\""));
   EXPECT_EQ(ray({"scenes/scene.mi"}).exit_code, 0);
@@ -144,7 +144,7 @@ TEST_F(RayProgram, FilesLieInTheFolderItIsCalledFrom) {
   EXPECT_FALSE(exists("scenes/a.png"));
 }
 
-TEST_F(RayProgram, WrongUseIsToldInOneLine) {
+TEST_F(RayProgram, WrongUseIsReportedInOneLine) {
   write_scene();
   const struct {
     std::vector<std::string> arguments;
@@ -165,7 +165,7 @@ TEST_F(RayProgram, WrongUseIsToldInOneLine) {
   EXPECT_NE(missing.err.find("nowhere.mi"), std::string::npos) << missing.err;
 }
 
-TEST_F(RayProgram, HelpListsFlagsAndLevelsOfMessagesCutWhatIsSaid) {
+TEST_F(RayProgram, HelpListsFlagsAndMessageLevelsFilterOutput) {
   const RunResult help = ray({"-help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const char* flag : {"-resolution int int", "-finalgather_rebuild", "-echo", "-trace_depth"})

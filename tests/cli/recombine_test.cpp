@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel recombine as a user meets it.
+// oriel recombine.
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ class RecombineProgram : public ProgramTest {
   }
 };
 
-TEST_F(RecombineProgram, OutputsOfThePictureGiveItBack) {
+TEST_F(RecombineProgram, OutputsReproduceTheImage) {
   const RunResult r = recombined();
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_NE(r.out.find("simple   largest relative difference"), std::string::npos) << r.out;
@@ -58,7 +58,7 @@ TEST_F(RecombineProgram, OneWrongPixelIsFoundWithBothValues) {
   EXPECT_EQ(recombined({"--threshold", "2"}).exit_code, 0);
 }
 
-TEST_F(RecombineProgram, MissingLayersAreNamedWithTheWayToGetThem) {
+TEST_F(RecombineProgram, MissingLayersAreNamedWithAHint) {
   std::erase_if(layers,
                 [](const Layer& l) { return l.name == "diffuse_raw" || l.name == "other"; });
   const RunResult r = recombined();
@@ -76,7 +76,7 @@ TEST_F(RecombineProgram, LayersOfAnotherShapeAreRefused) {
   EXPECT_NE(r.err.find("refl_level has 1 channel instead of 3"), std::string::npos) << r.err;
 }
 
-TEST_F(RecombineProgram, AValueThatIsNoNumberFails) {
+TEST_F(RecombineProgram, NanFails) {
   layer("refr_raw").image.at(2, 9)[0] = std::numeric_limits<float>::quiet_NaN();
   const RunResult r = recombined({"--threshold", "1e30"});
   EXPECT_EQ(r.exit_code, 1) << r.err;
@@ -119,7 +119,7 @@ TEST_F(RecombineProgram, WrongUseIsOneLine) {
   EXPECT_NE(missing.err.find("there is no such file"), std::string::npos) << missing.err;
 }
 
-TEST_F(RecombineProgram, ARenderGivesItsPictureBack) {
+TEST_F(RecombineProgram, RenderIsReproduced) {
   write("scene.mi", small_scene());
   ASSERT_EQ(run({"render", "scene.mi", "-o", "in.exr", "--layers", "outputs", "--samples", "8"})
                 .exit_code,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel render as a user meets it: files, exit codes, interruption, threads.
+// oriel render: files, exit codes, interruption, threads.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,7 +15,7 @@ class RenderProgram : public ProgramTest {
   RenderProgram() { write("scene.mi", small_scene()); }
 };
 
-TEST_F(RenderProgram, WritesTheFilesItIsAskedFor) {
+TEST_F(RenderProgram, WritesTheRequestedFiles) {
   const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "-o", "a.png", "--samples", "2"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   const ExrFile exr = read_exr(file("a.exr"));
@@ -82,7 +82,7 @@ TEST_F(RenderProgram, JsonLinesAreJson) {
   EXPECT_EQ(last["samples"], 4);
 }
 
-TEST_F(RenderProgram, TheCacheOfTexturesIsTheUsersAndCounted) {
+TEST_F(RenderProgram, TextureCacheSizeIsConfigurableAndReported) {
   EXPECT_EQ(run({"render", "scene.mi", "-o", "a.exr", "--texture-cache", "15"}).exit_code, 2);
   write_image(file("t.tif"), Image(64, 64, 3), {});
   write("textured.mi",
@@ -109,7 +109,7 @@ TEST_F(RenderProgram, CropIsPartOfTheWholePicture) {
   EXPECT_EQ(b.at(20, 20)[3], 0);
 }
 
-TEST_F(RenderProgram, SizeAndLayersAreTheUsers) {
+TEST_F(RenderProgram, SizeAndLayersFollowTheOptions) {
   const RunResult r = run({"render", "scene.mi", "-o", "a.exr", "--samples", "1", "--size", "30x20",
                            "--layers", "normal,depth"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
@@ -125,7 +125,7 @@ TEST_F(RenderProgram, DenoiseAddsALayerAndCleansViews) {
   const ExrFile picture = read_exr(file("out.exr"));
   const Layer* clean = find_layer(picture.layers, "denoised");
   ASSERT_NE(clean, nullptr);
-  // The file alone holds all there is to know.
+  // The file alone contains all information.
   ASSERT_EQ(run({"denoise", "out.exr", "-o", "clean.exr"}).exit_code, 0);
   const Image again = read_exr_image(file("clean.exr"));
   for (std::size_t i = 0; i < again.pixel_count(); ++i)
@@ -146,7 +146,7 @@ TEST_F(RenderProgram, SetChangesTheScene) {
   EXPECT_NE(plain.pixels, mirror.pixels);
 }
 
-TEST_F(RenderProgram, SetNamesWhatItDoesNotFind) {
+TEST_F(RenderProgram, SetReportsMissingNames) {
   const RunResult element = run({"render", "scene.mi", "-o", "a.exr", "--set", "lampe.color=1"});
   EXPECT_EQ(element.exit_code, 1);
   EXPECT_NE(element.err.find("did you mean \"lamp\"?"), std::string::npos) << element.err;
@@ -167,7 +167,7 @@ TEST_F(RenderProgram, CameraOutputsAreWrittenBesideTheScene) {
   EXPECT_NE(r.err.find("OR-RN-050"), std::string::npos) << r.err;
 }
 
-TEST_F(RenderProgram, MapsLieBelowTheFolderOfTheScene) {
+TEST_F(RenderProgram, MapsAreWrittenBelowTheSceneFolder) {
   std::filesystem::create_directory(file("sub"));
   std::string scene = small_scene("finalgather on finalgather file [\"a.fgm\", \"../b.fgm\"]");
   scene.replace(scene.find("\"indirect\" \"path\""), 17, "");
@@ -208,7 +208,7 @@ TEST_F(RenderProgram, UserErrorsAreOneClearLine) {
   }
 }
 
-TEST_F(RenderProgram, SceneWithoutRenderStatementSaysSo) {
+TEST_F(RenderProgram, MissingRenderStatementIsReported) {
   write("empty.mi", "options \"o\" end options\n");
   const RunResult r = run({"render", "empty.mi", "-o", "a.exr"});
   EXPECT_EQ(r.exit_code, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C sources in a scene: refused unless the user trusts it, then compiled once and run.
+// C code in a scene: refused by default, compiled once and run if the user trusts the scene.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -107,7 +107,7 @@ TEST_F(SceneCode, FilesAndBytesAreCodeAsWell) {
   EXPECT_EQ(corner(), .75f) << r.err;
 }
 
-TEST_F(SceneCode, FilesLieBelowTheSceneOrOnTheShaderPath) {
+TEST_F(SceneCode, FilesMustBeBelowTheSceneOrTheShaderPath) {
   fs::create_directory(file("inner"));
   fs::create_directory(file("trusted"));
   write("outer.c", shader(".25"));
@@ -123,7 +123,7 @@ TEST_F(SceneCode, FilesLieBelowTheSceneOrOnTheShaderPath) {
   EXPECT_EQ(corner(), .5f) << r.err;
 }
 
-TEST_F(SceneCode, CodeThatDoesNotCompileCostsItsShaders) {
+TEST_F(SceneCode, CompileErrorsAffectOnlyTheirShaders) {
   write("scene.mi", scene(in_line("this is no C\n")));
   const RunResult r = render({"--trust-code"});
   EXPECT_EQ(r.exit_code, 1) << r.err;

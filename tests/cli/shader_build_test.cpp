@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel shader-build: sources in, a library with the shaders out, or a message that helps.
+// oriel shader-build: libraries from sources, and error messages.
 #include <dlfcn.h>
 
 #include "mi/reader.h"
@@ -96,7 +96,7 @@ TEST_F(ShaderBuildProgram, TheCompilersMessagesAreShownAndNothingIsWritten) {
   EXPECT_EQ(text_of(file("bad.so")), "an older one");
 }
 
-TEST_F(ShaderBuildProgram, AMissingCompilerIsSaid) {
+TEST_F(ShaderBuildProgram, MissingCompilerIsReported) {
   write("plain.c", kShader);
   const RunResult r = run({"shader-build", "plain.c", "--cc", "no-such-compiler"});
   EXPECT_EQ(r.exit_code, 1);
@@ -132,7 +132,7 @@ TEST_F(ShaderBuildProgram, HeadersAreFoundUnderOthersPaths) {
       << stray.err;
 }
 
-TEST_F(ShaderBuildProgram, WhatCannotBeBuiltIsSaidInOneLine) {
+TEST_F(ShaderBuildProgram, BuildErrorsAreReportedInOneLine) {
   fs::create_directory(file("empty"));
   write("notes.txt", "");
   write("a.c", kShader);

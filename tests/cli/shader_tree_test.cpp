@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel shader-build on folders of old sources: flags, helpers, what stays undefined, hints.
+// oriel shader-build on folders of old sources: flags, helpers, undefined symbols, hints.
 #include <dlfcn.h>
 
 #include "support/program.h"
@@ -79,7 +79,7 @@ TEST_F(ShaderTreeProgram, BuildsATreeWithAHelperLibraryIntoOneOrEach) {
   EXPECT_EQ(r.out, "out/old.so: 1 source\nout/sums.so: 1 source\n");
   EXPECT_FLOAT_EQ(call("out/old.so", "old_sum", 3), 7.5f);
   EXPECT_FLOAT_EQ(call("out/sums.so", "sums", 1), 8);
-  // Of the helpers a library has only what it needs.
+  // A library contains only the helpers it needs.
   EXPECT_FLOAT_EQ(call("out/sums.so", "half_of", 1), -1);
 }
 
@@ -151,7 +151,7 @@ TEST_F(ShaderTreeProgram, UndefinedSymbolsAreNamedWithTheirSources) {
 }
 
 // acceptance: I4
-TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackToTheirCaller) {
+TEST_F(ShaderTreeProgram, FunctionsWithoutReturnReturnToTheirCaller) {
   const std::string text =
       "struct Big { float x[9]; };\n"
       "static int seen;\n"
@@ -176,7 +176,7 @@ TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackToTheirCaller) {
   }
 }
 
-TEST_F(ShaderTreeProgram, FunctionsWithoutReturnGoBackInClangAsWell) {
+TEST_F(ShaderTreeProgram, FunctionsWithoutReturnReturnInClangAsWell) {
   if (std::system("clang++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no clang++ here";
   put("a.cpp",
       "static int seen;\n"
@@ -230,7 +230,7 @@ TEST_F(ShaderManifestProgram, GivesSingleSourcesTheirFlags) {
   EXPECT_FLOAT_EQ(call("m.so", "d", 1), 2);
 }
 
-TEST_F(ShaderManifestProgram, MistakesAreSaidWithFileAndLine) {
+TEST_F(ShaderManifestProgram, ErrorsHaveFileAndLine) {
   put("m/a.c", "int a;\n");
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"\nflag a.c -O1\n", "oriel-shaders.txt:2: 'flag' is no statement"},

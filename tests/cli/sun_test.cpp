@@ -59,7 +59,7 @@ class SunProgram : public ProgramTest {
 const std::string kPlace = "48.14,11.58", kTime = "2026-06-21T12:00+02:00";
 const std::string kSun = kPlace + "," + kTime;
 
-TEST_F(SunProgram, TellsPositionDirectionsAndLight) {
+TEST_F(SunProgram, ReportsPositionDirectionsAndLight) {
   const json s = sun({"--at", kPlace, "--time", kTime});
   // An hour and 15 minutes before the sun culminates at 90 - 48.14 + 23.44 degrees.
   EXPECT_NEAR(s["elevation"].get<double>(), 61.5, 1);
@@ -101,7 +101,7 @@ TEST_F(SunProgram, AtNightThereIsNoLight) {
   EXPECT_EQ(s["zenith_luminance"], 0);
 }
 
-TEST_F(SunProgram, WrongArgumentsAreToldInOneLine) {
+TEST_F(SunProgram, WrongArgumentsAreReportedInOneLine) {
   const std::vector<std::vector<std::string>> wrong = {
       {"sun", "--at", "48.14", "--time", kTime},
       {"sun", "--at", "98,11", "--time", kTime},
@@ -118,7 +118,7 @@ TEST_F(SunProgram, WrongArgumentsAreToldInOneLine) {
   }
 }
 
-TEST_F(SunProgram, RenderTurnsTheSunToWhereItStands) {
+TEST_F(SunProgram, RenderRotatesTheSun) {
   const json s = sun({"--at", kPlace, "--time", kTime});
   // z up: the card lies on the ground.
   write("scene.mi", card_scene(", \"haze\" 0"));
@@ -127,7 +127,7 @@ TEST_F(SunProgram, RenderTurnsTheSunToWhereItStands) {
   // The light's instance is turned: the light's direction is that of the world all the same.
   write("scene.mi", card_scene(", \"haze\" 0", "transform 0 0 1 0 1 0 0 0 0 1 0 0 7 8 9 1"));
   EXPECT_NEAR(rendered({"--sun", kSun}), level, 1e-3f * level);
-  // y up: the card stands and faces south, or with north turned elsewhere.
+  // y up: the card is vertical and faces south, also with a rotated north.
   write("scene.mi", card_scene(", \"y_is_up\" on"));
   const float normal = s["sun_illuminance"]["normal"];
   const float south = normal * s["direction"]["y_up"][2].get<float>();
@@ -152,7 +152,7 @@ TEST_F(SunProgram, RenderTurnsTheSkyAsWell) {
   EXPECT_EQ(rendered({"--sun", kPlace + ",2026-12-21T00:00+01:00"}), 0);
 }
 
-TEST_F(SunProgram, ScenesWithoutASunAreToldSo) {
+TEST_F(SunProgram, MissingSunIsReported) {
   write("scene.mi", small_scene());
   const RunResult r = run({"render", "scene.mi", "--sun", kSun, "-q"});
   EXPECT_EQ(r.exit_code, 1);

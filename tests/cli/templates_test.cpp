@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ready materials: listed, printed to paste, and known to every scene.
+// Material templates: list, printed text, availability in all scenes.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -48,7 +48,7 @@ class TemplatesProgram : public ProgramTest {
     return all;
   }
 
-  /// What `oriel check` says of a scene with one square for each of these materials.
+  /// Output of `oriel check` for a scene with one square per material.
   nlohmann::json checked(const std::string& definitions, const std::vector<std::string>& names) {
     std::string scene = definitions +
                         "\noptions \"opt\" object space end options\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel check, shaders, tonemap and diff as a user meets them.
+// oriel check, shaders, tonemap and diff.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -40,7 +40,7 @@ class DiffProgram : public ProgramTest {
   }
 };
 
-TEST_F(CheckProgram, TellsWhatTheSceneUsesAndLacks) {
+TEST_F(CheckProgram, ReportsUsedAndMissingParts) {
   write("scene.mi",
         small_scene("\"no such option\" 1 finalgather on") + "gui \"panel\" { } end gui\n");
   const RunResult r = run({"check", "scene.mi", "--json"});
@@ -126,7 +126,7 @@ TEST_F(TonemapProgram, Burn1Crush0IsLinearAndBurn0NeverExceedsWhite) {
 }
 
 // acceptance: X6
-TEST_F(TonemapProgram, VignettingGoesByTheFieldOfView) {
+TEST_F(TonemapProgram, VignettingDependsOnTheFieldOfView) {
   // 90 degrees over 4 pixels: their middles lie 1.5 and .5 pixels off, 2 pixels away.
   const std::vector<std::string> linear = {"--iso",   "0", "--burn",       "1",
                                            "--crush", "0", "--vignetting", "3"};
@@ -144,7 +144,7 @@ TEST_F(TonemapProgram, VignettingGoesByTheFieldOfView) {
 
 // acceptance: X2, X6
 TEST_F(TonemapProgram, MapsAsTheLensShaderOfTheRender) {
-  // The render says its field of view in the file; linear settings map pixels as their parts.
+  // The rendered file contains its field of view; linear settings scale pixels.
   write("scene.mi",
         small_scene("",
                     "lens \"mia_exposure_photographic\" ( \"film_iso\" 0, \"cm2_factor\" .5, "
@@ -202,7 +202,7 @@ TEST_F(TonemapProgram, WrongOptionsAreUsageErrors) {
   EXPECT_EQ(r.error_lines(), 1) << r.err;
 }
 
-TEST_F(DenoiseProgram, PicturesThatDoNotTellTheirNoiseAreAUserError) {
+TEST_F(DenoiseProgram, ImagesWithoutNoiseLayersAreAUserError) {
   write_image(file("in.exr"), Image(8, 8, 3, 1), {.format = SampleFormat::Float});
   const RunResult r = run({"denoise", "in.exr", "-o", "out.exr"});
   EXPECT_EQ(r.exit_code, 1);
@@ -257,7 +257,7 @@ TEST_F(DiffProgram, FlipMapHasTheErrorOfEachPixel) {
   EXPECT_EQ(run({"diff", "a.exr", "b.exr", "--flip", "nowhere/map.png"}).exit_code, 1);
 }
 
-TEST_F(DiffProgram, ValuesThatAreNoNumbersAreNeverFine) {
+TEST_F(DiffProgram, NanAlwaysFails) {
   write_grey("a.exr", 0.5f);
   write_grey("b.exr", std::nanf(""));
   EXPECT_EQ(run({"diff", "b.exr", "a.exr", "--threshold", "rmse=1"}).exit_code, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every light owes transport: every light shader on every shape.
+// Interface contract of lights: every light shader on every shape.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -142,7 +142,7 @@ TEST_P(LightContract, SamplesAreSoundAndLieOnTheLight) {
   }
 }
 
-TEST_P(ExtendedLightContract, DirectionsAreDrawnAsTheDensitySays) {
+TEST_P(ExtendedLightContract, DirectionsFollowTheDensity) {
   const double least = testing::sidak(0.01, 2 * static_cast<int>(cases().size()));
   for (const Vec3& place : {kPlaces[0], kPlaces[1]}) {
     ShadingPoint point = at(place);
@@ -208,8 +208,8 @@ TEST_P(ExtendedLightContract, MeanOfSamplesIsTheIntegralOverTheShape) {
   }
 }
 
-// The convention all lights share: a light of colour c brings pi c, whatever its shape.
-TEST(LightConvention, FlatLightsOfConstantColourBringPiTimesTheirColour) {
+// Convention of all lights: a light of colour c gives pi c, for any shape.
+TEST(LightConvention, FlatLightsOfConstantColourGivePiTimesTheirColour) {
   for (const char* shape : {"rectangle 1.5 .2 0 -.1 1 0", "rectangle 2 0 0 0 1 0",
                             "rectangle 1 0 0 .9 .6 0", "disc 0 0 -1 .8"}) {
     const testing::PreparedScene s(testing::scene_text(

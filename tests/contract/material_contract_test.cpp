@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every material shader owes transport, tried on every one in the registry.
+// Interface contract of materials: every material shader in the registry.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -122,7 +122,7 @@ TEST_P(MaterialContract, LobesAreFiniteAndTheirFramesOrthonormal) {
   }
 }
 
-TEST_P(MaterialContract, SamplesWeighWhatEvaluationOverDensitySays) {
+TEST_P(MaterialContract, SampleWeightsEqualEvaluationOverDensity) {
   std::mt19937 engine(2);
   for (int n = 0; n < 400; ++n) {
     const Case c(spec(), engine);
@@ -144,7 +144,7 @@ TEST_P(MaterialContract, SamplesWeighWhatEvaluationOverDensitySays) {
   }
 }
 
-TEST_P(MaterialContract, DirectionsAreDrawnAsTheDensitySays) {
+TEST_P(MaterialContract, DirectionsFollowTheDensity) {
   constexpr int kCases = 5;
   std::mt19937 engine(3);
   const double least = testing::sidak(0.01, kCases * 16);
@@ -195,7 +195,7 @@ Albedo albedo(const Case& c, int count, int stream) {
 }
 
 // acceptance: E1
-TEST_P(MaterialContract, NeverReturnsMoreThanArrives) {
+TEST_P(MaterialContract, ConservesEnergy) {
   std::mt19937 engine(5);
   constexpr int kMaterials = 10000;
   constexpr double kMax = 1.005;

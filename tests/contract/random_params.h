@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of any shader by its table: as declared, or random within the ranges it states.
+// Parameters of a shader from its table: declared defaults, or random values within their ranges.
 #pragma once
 
 #include <algorithm>
@@ -96,7 +96,7 @@ class ParamBlock {
     for (const ParamSpec& row : spec_.params)
       if (name == row.name && row.type == ParamType::Color) set(row, value);
   }
-  /// The texture everywhere one is asked for.
+  /// The texture for all texture parameters.
   void set_textures(const TextureNode* texture) {
     for (const ParamSpec& row : spec_.params)
       if (row.type == ParamType::ColorTexture || row.type == ParamType::ScalarTexture ||

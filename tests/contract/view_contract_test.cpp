@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environment sampling, camera rays and lens shaders: what transport and film rely on.
+// Interface contract of environment sampling, camera rays and lens shaders.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ class EnvironmentContract : public ::testing::TestWithParam<Sky> {
 };
 
 // Cells at least as fine as the light's own table, in groups: their share of the density is exact.
-TEST_P(EnvironmentContract, DirectionsAreDrawnAsTheDensitySays) {
+TEST_P(EnvironmentContract, DirectionsFollowTheDensity) {
   ASSERT_TRUE(scene_.world) << scene_.messages();
   const EnvironmentLight& sky = scene_.world->light_sampler->environment();
   ASSERT_TRUE(sky.lights());

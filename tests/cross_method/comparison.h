@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders one scene by paths, by final gathering and by photons, and tells how far they agree.
+// Renders a scene with path tracing, final gathering and photons, and compares the images.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths, final gathering and photons tell the same light.
+// Path tracing, final gathering and photons agree.
 #include "scenes.h"
 
 namespace oriel::cross_method {
@@ -14,7 +14,7 @@ struct Case {
   const char* name;
   SceneText (*scene)();
   std::uint32_t samples;  ///< of the reference, for a pixel of each of its pictures
-  double indirect = 0;    ///< tolerance of the indirect part alone; 0 = not asked
+  double indirect = 0;    ///< tolerance of the indirect part alone; 0 = not tested
 
   friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 };
@@ -33,7 +33,7 @@ void print_row(const Case& c, const Method& method, const Measured& m, const Mea
 // Behind a portal gather rays from inside end at it; its light is direct, and that of photons where
 // they stand for what comes after. Indirect light is a quarter of that picture.
 // acceptance: H2, H3, H8, L1
-TEST_P(Methods, BringTheSameLightToThePicture) {
+TEST_P(Methods, GiveTheSameImage) {
   const Case& c = GetParam();
   Comparison comparison(c.scene());
   const Measured paths = comparison.render(kPath, c.samples, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of the cross-method comparison: small rooms, each with one thing that is hard.
+// Scenes of the cross-method comparison: small rooms with one difficult feature each.
 #pragma once
 
 #include "comparison.h"
@@ -185,7 +185,7 @@ inline SceneText glowing_sphere() {
   return scene;
 }
 
-/// The room of the camera is lit through a door by a lamp in the next one.
+/// A point light in the next room lights the room of the camera through a door.
 inline SceneText two_rooms() {
   SceneText scene = start();
   room(scene, "x+");

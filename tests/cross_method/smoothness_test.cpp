@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Final gathering leaves no splotches: how far blocks of its picture are from those of the paths'.
+// Final gathering without splotches: difference of image blocks from path tracing.
 #include "scenes.h"
 
 namespace oriel::cross_method {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of numbers and of other colours: shaders/base/mib_color.cpp.
+// Colours from numbers and from other colours: shaders/base/mib_color.cpp.
 #include <fmt/format.h>
 
 #include "cases.h"

@@ -115,7 +115,7 @@ void add_reflection(Cases& all) {
                       {{"\"red\"", Rgb(1, 0, 0)}, {"\"blue\"", Rgb(0, 0, 1)}}));
   add_weights(all, "reflection", kAbove);
   add_blur(all, "reflection", full + ", single_env_sample off", &RayCounts::reflect);
-  // A lamp at distance 3: beyond max_distance the environment is seen, and near it a mix.
+  // A light at distance 3: beyond max_distance the environment is visible, near it a mix.
   const Stage below_lamp = [](const std::string& call) {
     SceneText scene = plate_of(call).uniform_sky(1);
     scene.emitter("lamp", 7).square("lamp", Vec3(0, 0, 3), 4, -kFront);
@@ -155,7 +155,7 @@ void add_refraction(Cases& all) {
   all.push_back(
       gives(shader + "ior", refracted_place(), full + ", samples 0",
             {{"0", snell(1)}, {"1", snell(1)}, {"1.5", snell(1.5f)}, {"2.5", snell(2.5f)}}));
-  // A lamp at distance 3 in the solid.
+  // A light at distance 3 in the solid.
   const Stage above_lamp = [](const std::string& call) {
     SceneText scene = plate_of(call);
     scene.emitter("lamp", 7).square("lamp", Vec3(0, 0, -3), 4, kFront);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies between camera and surface: shaders/base/mib_lens.cpp, mib_ray_marcher.cpp.
+// Lens and volume shaders: shaders/base/mib_lens.cpp, mib_ray_marcher.cpp.
 #include <fmt/format.h>
 
 #include "base_stages.h"

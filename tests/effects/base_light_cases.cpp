@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights, their shadows, and what measures them: shaders/base/mib_light.cpp,
-// mib_light_photometric.cpp, mib_shadow.cpp, mib_lightmap.cpp.
+// Lights, shadows and light maps: shaders/base/mib_light.cpp, mib_light_photometric.cpp,
+// mib_shadow.cpp, mib_lightmap.cpp.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -57,7 +57,7 @@ void add_simple(Cases& all) {
     all.push_back(gives(shader + ".atten", light(element), "color 1 1 1 1, start 1, stop 3",
                         {{"off", Rgb(1)}, {"on", Rgb(.5f)}}));
   }
-  // One unit beside the axis both the cosine of incidence and that of the spot are 2 / sqrt(5).
+  // One unit from the axis, the cosine of incidence and that of the spot are both 2 / sqrt(5).
   const float cosine = 2 / std::sqrt(5.0f);
   const Stage aside = light(spot, Vec3(1, 0, 0));
   all.push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures around the scene: shaders/base/mib_lookup.cpp, mib_lookup_cube.cpp.
+// Environment images: shaders/base/mib_lookup.cpp, mib_lookup_cube.cpp.
 #include <fmt/format.h>
 
 #include "base_stages.h"

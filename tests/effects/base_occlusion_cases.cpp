@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How open it is around a point: shaders/base/mib_occlusion.cpp.
+// Ambient occlusion: shaders/base/mib_occlusion.cpp.
 #include <fmt/format.h>
 
 #include "base_stages.h"
@@ -24,7 +24,7 @@ Stage half_open(float wall = .001f, int samples = 4096) {
     return seen(beside_wall(shown_as_light(call), wall), samples);
   };
 }
-/// The alpha of the result as grey, beside a wall.
+/// Alpha of the result as grey, next to a wall.
 Measured alpha_half_open(const std::string& call) {
   return seen(beside_wall(shown_as_light("\"mib_color_alpha\" ( \"input\" = \"o\", \"factor\" 1 )",
                                          "shader \"o\" " + call),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Patterns without pictures: shaders/base/mib_texture_procedural.cpp.
+// Procedural patterns: shaders/base/mib_texture_procedural.cpp.
 #include <fmt/format.h>
 
 #include "base_stages.h"

@@ -76,7 +76,7 @@ void add_remap(Cases& all) {
   all.push_back(gives(name + "transform", value(), input,
                       {{"2 0 0 0 0 1 0 0 0 0 1 0 .5 .25 .125 1", Vec3(1.1f, .85f, 1.025f)},
                        {"2 0 0 0 0 1 0 0 0 0 1 0 .5 .25 .125 0", in}}));
-  // 0 stands for 1. Coordinates outside 0..1 are not repeated.
+  // 0 means 1. Coordinates outside 0..1 are not repeated.
   all.push_back(
       both(gives(name + "repeat", value(), input,
                  {{"0 0 0", in}, {"4 3 2", Vec3(.2f, .8f, .8f)}, {"2 1 0", Vec3(.6f, .6f, .9f)}}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of cases; each file *_cases.cpp says of which shaders.
+// Lists of cases; each file *_cases.cpp names its shaders.
 #pragma once
 
 #include "effects.h"

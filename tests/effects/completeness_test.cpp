@@ -62,7 +62,7 @@ std::vector<ShaderCases> cases_by_shader() {
 
 class EachEffect : public ::testing::TestWithParam<ShaderCases> {};
 
-TEST_P(EachEffect, IsAsTheManualSays) {
+TEST_P(EachEffect, MatchesTheManual) {
   for (const Case& c : GetParam().cases) {
     SCOPED_TRACE(c.parameter);
     c.check();

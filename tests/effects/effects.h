@@ -23,7 +23,7 @@ using testing::text_of;
 /// measured in it.
 using Stage = std::function<Measured(const std::string& call)>;
 
-/// One parameter and a check that it acts as the manual says.
+/// One parameter and a check of its documented effect.
 struct Case {
   std::string parameter;  ///< "shader.parameter"
   std::function<void()> check;
@@ -41,19 +41,19 @@ struct Given {
 /// counts. Values may hold brackets and strings, and connections: `= "shader"`.
 std::string call_of(std::string_view shader, const std::string& parameters);
 
-/// What is measured rises from value to value, in that channel, by more than chance.
+/// The measured value increases with each parameter value, in this channel, beyond noise.
 Case rises(const std::string& parameter, Stage stage, const std::string& others,
            std::vector<std::string> values, int channel = 0);
 /// The same downward.
 Case falls(const std::string& parameter, Stage stage, const std::string& others,
            std::vector<std::string> values, int channel = 0);
-/// Each value gives what a closed form says of it.
+/// Each parameter value gives the result of a closed form.
 Case gives(const std::string& parameter, Stage stage, const std::string& others,
            std::vector<Given> values);
 /// The second value gives `factor` times what the first does, in all channels.
 Case scales(const std::string& parameter, Stage stage, const std::string& others,
             const std::string& one, const std::string& other, float factor);
-/// Any other check; `check` measures what it needs.
+/// Any other check; `check` takes the measurements.
 Case shows(const std::string& parameter, std::function<void()> check);
 
 /// A further thing to show of the same parameter.

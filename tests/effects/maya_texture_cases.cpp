@@ -122,7 +122,7 @@ void add_place2d(Cases& all) {
                          {{".9 .9 0", texel_at(Vec2(.3f, .6f))},
                           {"= \"there\"", texel_at(Vec2(.2f, .4f))}}));
   add_placement(all, name, "", by_file);
-  // The coordinate itself tells the tiles apart.
+  // The coordinate distinguishes the tiles.
   Cases exact;
   for (const Lookup& lookup : lookups()) {
     std::vector<Given> values;

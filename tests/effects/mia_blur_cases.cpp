@@ -103,7 +103,7 @@ void add_lens(Cases& all) {
     angles.push_back({fmt::format("{}", turns), Rgb(-math::cos(a) / 10, -math::sin(a) / 10, 0)});
   }
   all.push_back(lens("blade_angle", kCube, "blade_count 3", angles));
-  // Half of the square around the disc, whatever bias and blades.
+  // Half of the square around the disc, for any bias and blades.
   const std::string picture = "bias 3, blade_count 3, ";
   const Rgb left(.5f, 0, 2 / 3.0f), right(-.5f, 0, 2 / 3.0f), top(0, -.5f, 2 / 3.0f);
   all.push_back(
@@ -168,7 +168,7 @@ class Around {
  private:
   Probe probe_;
 };
-/// What is 10 degrees above the edge.
+/// Radiance 10 degrees above the edge.
 const Stage kAbove = [](const std::string& call) { return exactly(Around(call).at(toward(10))); };
 /// Red above, at and below it.
 const Stage kAboutEdge = [](const std::string& call) {

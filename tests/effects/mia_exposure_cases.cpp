@@ -112,7 +112,7 @@ void add_rows(Cases& all, const std::string& shader, const F& check) {
     }));
 }
 
-/// The shader once as lens and once as output shader: what is shown of film of `color`.
+/// The shader as lens and as output shader: displayed value for a film value of `color`.
 Rgb after_output(const std::string& lens, const std::string& output, const Rgb& color) {
   const testing::PreparedScene scene(
       testing::scene_text("material \"m\" \"test_show\" ( ) end material", {},
@@ -238,7 +238,7 @@ void add_simple(Cases& all) {
             {{"0", kColor * 2.0f}, {".1", (kColor + Rgb(.1f)) * 2.0f}, {"-.3", Rgb(1, .4f, 0)}}));
   all.push_back(
       gives(name + "gain", stage, linear, {{"0", Rgb(0)}, {"1", kColor}, {"3", kColor * 3.0f}}));
-  // After the gain: what is above the knee is squashed by the ratio, the rest stays.
+  // After the gain: values above the knee are compressed by the ratio, others are unchanged.
   const auto squashed = [](float knee, float ratio) {
     Rgb c = kColor * 2.0f;
     for (int k = 0; k < 3; ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photometric and portal lights and the visible part of lamps: mia_photometric_light.cpp,
+// Photometric and portal lights, and visible light surfaces: mia_photometric_light.cpp,
 // mia_portal_light.cpp and mia_light_surface.cpp in shaders/architectural.
 #include <fmt/format.h>
 
@@ -206,7 +206,7 @@ void add_portal(Cases& all) {
                            {{"0", lit}, {".2", lit}, {".8", dark}}),
                      gives(name + "shadow_ray_extension", card({}, .2f), "",
                            {{"0", dark}, {"-.1", dark}, {"-.5", lit}})));
-  // No direct light: photons bring it where they land first, pi of flux from a unit of area.
+  // No direct light: photons contribute it at their first hit, pi of flux per unit of area.
   all.push_back(both(gives(name + "emit_direct_photons", light, "", {{"off", lit}, {"on", dark}}),
                      shows(name + "emit_direct_photons", [] {
                        const auto power = [](const char* on) {
@@ -216,7 +216,8 @@ void add_portal(Cases& all) {
                        EXPECT_LT(power("off"), .01f * kPi);
                        EXPECT_NEAR(power("on"), kPi, .02f * kPi);
                      })));
-  // A gel before what is seen, and a factor of how bright the window looks; its light stays.
+  // Tint of the view, and a factor for the visible brightness of the window; its light is
+  // unchanged.
   const Rgb gel(.5f, .25f, 1);
   all.push_back(gives(name + "transparency", light, "visible on",
                       {{"1 1 1", lit}, {".5 .25 1", lit}, {"0 0 0", lit}}));

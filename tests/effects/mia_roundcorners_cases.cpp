@@ -46,7 +46,7 @@ const Registry& known() {
 /// Edges of a plate whose surface has its material "m" and lies at z = 0.
 enum class Edge {
   Out,    ///< at y = 2, where the plate turns down
-  In,     ///< at y = -2, where a wall goes up
+  In,     ///< at y = -2, next to a vertical wall
   Other,  ///< at x = 1, where a plate of material "n" turns down
 };
 
@@ -169,7 +169,7 @@ Cases mia_roundcorners_cases() {
                             {{"off", kUp}, {"on", rounded(kUp, Vec3(1, 0, 0), kNear, .1f)}}),
                      corner("allow_different_materials", beside(Edge::Out, kNear), world,
                             {{"off", wide(.1f)}, {"on", wide(.1f)}})));
-  // All, those that stand out, those that turn in: there the normal turns to the wall's.
+  // All, convex and concave edges: at the latter the normal turns to that of the wall.
   const Vec3 in = rounded(kUp, kY, kNear, .1f);
   all.push_back(
       both(corner("edges", beside(Edge::Out, kNear), world,

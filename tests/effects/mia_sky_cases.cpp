@@ -24,7 +24,8 @@ SceneText with_values() {
   return scene.statement("shader \"one\" \"test_show\" ( \"scalar\" 1 )")
       .statement("shader \"stars\" \"test_show\" ( \"color\" .1 .2 .3 )");
 }
-/// 80 degrees from the zenith, under the sun: cd/m2 with the sun there, beside and opposite.
+/// 80 degrees from the zenith, below the sun: cd/m2 at the azimuth of the sun, at 90 degrees and
+/// opposite.
 const Vec3 kLow = toward(10);
 constexpr float kUnderSun = 25919.56f, kBeside = 12639.49f, kOpposite = 11859.77f;
 constexpr float kZenith = 4469.6f;
@@ -82,7 +83,7 @@ void add_up(Cases& all, const std::string& name, const Rgb& seen, const Rgb& gro
 }
 
 void add_units(Cases& all, const std::string& name) {
-  // 0 0 0 stands for 80000 lux.
+  // 0 0 0 means 80000 lux.
   all.push_back(makes(name + "rgb_unit_conversion", seen_by(RayKind::FinalGather, kLow), sky_at(),
                       "1 1 1",
                       {{".318 .318 .318", [](const Rgb& c) { return c * .318f; }},
@@ -192,7 +193,7 @@ float energy_of_disc(const std::string& call) {
   const Probe probe = under(call);
   constexpr int kSteps = 1000;
   double sum = 0;  // double: many terms
-  // The glow of a sun of scale 4 ends at ten radii.
+  // The halo of a sun of scale 4 ends at ten radii.
   for (int i = 0; i < kSteps; ++i) {
     const float radii = 10 * (float(i) + .5f) / kSteps;
     sum += double(beside_sun(probe.world(), radii).y * radii);
@@ -210,7 +211,7 @@ void add_disc(Cases& all) {
                             {{"0", Rgb(0)}, {"1", kSun * .25f}, {"4", kSun}}));
   all.push_back(gives_about(name + "sun_disk_scale", disc_and_glow(2), sky_at(),
                             {{"2", kSun * .432f}, {"4", kSun * 1.024f}, {"8", kSun * 48.575f}}));
-  // The true sun's energy; its historic disc has another whatever the sun.
+  // Energy of the physical sun; the historic disc has a fixed energy for any sun.
   all.push_back(shows(name + "physically_scaled_sun", [=] {
     const auto energy = [&](const std::string& more) {
       return energy_of_disc(call_of("mia_physicalsky", sky_at() + ", " + more));
@@ -408,7 +409,7 @@ Cases mia_sky_cases() {
   add_up(all, name, shown(kUnderSun), Rgb(.2f * kLevel));
   add_disc(all);
   add_background(all);
-  // A tenth of haze at the distance: what is left is .9 to the power of 10 over the distance.
+  // A tenth of haze at the distance: the transmittance is .9 to the power of 10 over the distance.
   for (const char* role : {"volume", "lens"}) {
     const Case c = gives_about(
         name + "visibility_distance", wall_through(role), sky_at(),

@@ -12,7 +12,7 @@
 
 namespace oriel::effects {
 
-/// A value, and what it makes of what is measured with another one.
+/// A parameter value, and its expected effect on a measurement with another value.
 struct Made {
   std::string value;
   std::function<Rgb(const Rgb&)> of;
@@ -21,11 +21,11 @@ struct Made {
 /// As gives, for figures of few digits: each channel within that share of the figure.
 Case gives_about(const std::string& parameter, Stage stage, const std::string& others,
                  std::vector<Given> values, float share = 2e-3f);
-/// Each value gives what is said of the measurement with `base`.
+/// Each parameter value gives the expected result relative to `base`.
 Case makes(const std::string& parameter, Stage stage, const std::string& others,
            const std::string& base, std::vector<Made> values);
 
-/// What is measured with that value, in a stage.
+/// Measurement with this value, in a stage.
 Measured measured_with(const std::string& parameter, const Stage& stage, const std::string& others,
                        const std::string& value);
 /// Measured without chance.

@@ -178,7 +178,7 @@ void add_colour(Cases& all) {
   all.push_back(
       gives_about(name + "direct_normal_illuminance", half, kLux + ", illuminance_mode 1",
                   {{"0", Rgb(0)}, {"1000", kHalf * (1000 / y)}, {"90000", kHalf * (90000 / y)}}));
-  // The colour of 5900 K in place of the historic one, both of 127500 lux above the air.
+  // The colour of 5900 K instead of the historic one, both of 127500 lux above the atmosphere.
   const auto of_lux = [](const Rgb& c) { return c / luminance(c); };
   const Rgb warmer = of_lux(Rgb(1, .8916f, .8526f)) / of_lux(Rgb(1, .992f, .911f));
   all.push_back(

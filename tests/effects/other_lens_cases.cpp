@@ -117,14 +117,14 @@ void add_shift(Cases& all) {
   all.push_back(gives(
       name + "vertical", middle, "",
       {{"0", toward(0)}, {".25", along(Vec3(0, .25f, -1))}, {"-.5", along(Vec3(0, -.5f, -1))}}));
-  // Tilted up by the angle whose tangent is .75: what is upright lies in columns of the picture.
+  // Tilted up by the angle with tangent .75: vertical lines are in image columns.
   const std::string tilted = "1 0 0 0  0 .8 -.6 0  0 .6 .8 0  0 0 0 1";
   const Vec3 ahead(0, .6f, -.8f), above(0, .8f, .6f), right(1, 0, 0), up(0, 1, 0);
   const Stage corner = direction(Vec2(.8f), kSquare, tilted);
   all.push_back(gives(
       name + "keep_verticals", corner, "",
       {{"off", along(ahead + (right + above) * .3f)}, {"on", along(Vec3(.3f, .75f + .3f, -1))}}));
-  // The same tilt of what is upright, for a camera that is level.
+  // The same tilt of vertical lines, for a level camera.
   all.push_back(gives(name + "up", direction(Vec2(.8f), kSquare), "keep_verticals on",
                       {{"0 1 0", along(Vec3(.3f, .3f, -1))},
                        {"0 .8 -.6", along(right * .3f + Vec3(0, -.6f, -.8f) +
@@ -139,7 +139,7 @@ Rgb share_of_disc(float inside, float radius) {
 }
 
 void add_depth_of_field(Cases& all) {
-  // The picture's place is .1 inside of the edge of what glows, 4 units away.
+  // The image position is .1 inside the edge of the emitter, 4 units away.
   const Stage edge = [](const std::string& call) {
     SceneText scene;
     scene.emitter("glow", 1).square("glow", Vec3(10, 0, -4), 10, Vec3(0, 0, 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for the lights of 3ds Max: shaders/max/max_lights.cpp.
+// Approximations of 3ds Max lights: shaders/max/max_lights.cpp.
 #include "cases.h"
 #include "other_stages.h"
 

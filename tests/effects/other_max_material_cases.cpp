@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for the materials of 3ds Max: shaders/max/max_materials.cpp, max_elements.cpp.
+// Approximations of 3ds Max materials: shaders/max/max_materials.cpp, max_elements.cpp.
 #include "cases.h"
 #include "other_stages.h"
 
@@ -56,7 +56,7 @@ void add_illumination(Cases& all, const std::string& shader) {
   all.push_back(
       both(gives(name + "UseSelfIllumColor", dark, glow, {{"off", own * .5f}, {"on", color}}),
            gives(name + "UseSelfIllumColor", sun, glow, {{"off", own}, {"on", own + color}})));
-  // What glows in its own colour is not lit as well.
+  // A material with self-illumination colour is not lit.
   all.push_back(both(gives(name + "SelfIllumAmount", dark, glow,
                            {{"0", Rgb(0)}, {".25", own * .25f}, {"1", own}, {"25", own * .25f}}),
                      gives(name + "SelfIllumAmount", sun, glow, {{"0", own}, {"1", own}})));
@@ -127,7 +127,7 @@ void add_standard(Cases& all) {
                        {"\"tinted\"", kTinted},
                        {"\"glowing\"", kGlow}}));
   add_opacity(all);
-  // The places of the maps of colour, highlight, glow, opacity and reflection.
+  // Slots of the maps of colour, highlight, self-illumination, opacity and reflection.
   const std::string maps = name + "Maps", none = at_place(0, "");
   Case each =
       gives(maps, sun, "Shader \"lit\"", {{none, Rgb(.8f, .4f, 0)}, {at_place(1, "map"), kMap}});

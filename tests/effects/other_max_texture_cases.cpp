@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for the maps of 3ds Max: shaders/max/max_textures.cpp.
+// Approximations of 3ds Max maps: shaders/max/max_textures.cpp.
 #include "cases.h"
 #include "other_stages.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 using namespace other_stages;
 
-/// Colours .2 .4 .6 and white; red beside green; two shaders and three generators.
+/// Colours .2 .4 .6 and white; red next to green; two shaders and three generators.
 const std::string kMaps =
     "color texture \"pic\" [1 1 3] '336699'\n"
     "color texture \"white\" [1 1 3] 'ffffff'\n"
@@ -57,7 +57,7 @@ void add_generator(Cases& all, const std::string& shader) {
   all.push_back(gives(shader + ".MapChannel",
                       value(square_of_spaces(Vec3(.1f, .2f, 0), Vec3(.3f, .7f, 0))), "",
                       {{"1", Rgb(.1f, .2f, 0)}, {"2", Rgb(.3f, .7f, 0)}}));
-  // A turn about the middle; which way is not said. Radians, or degrees.
+  // A rotation about the middle; the direction is undocumented. Radians, or degrees.
   all.push_back(shows(shader + ".WAngle", [shader] {
     const auto turned = [&](const char* angle) {
       return value({}, Vec2(1, .5f))(call_of(shader, std::string("WAngle ") + angle)).mean;

@@ -76,7 +76,7 @@ void add_dgs(Cases& all, const std::string& shader) {
   const std::string written = ".2 .4 .6 1";
   all.push_back(gives(name + "diffuse", square_in(sun_above), "",
                       {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}, {"= \"tint\"", kTinted}}));
-  // In a white room each part brings its colour; a sun has no mirror image.
+  // In a white room each part contributes its colour; a sun has no mirror image.
   all.push_back(both(
       gives(name + "glossy", square_in(white_sky, {.samples = 16384}), "shiny 20",
             {{written, color}, {"1 0 0 1", Rgb(1, 0, 0)}}),
@@ -101,7 +101,7 @@ void add_dgs(Cases& all, const std::string& shader) {
     all.push_back(
         both(falls(name + a.own, a.own_axis, glossy + ", " + a.other, {"5", "20", "80"}),
              rises(name + a.own, a.other_axis, glossy + ", " + a.other, {"5", "20", "80"})));
-  // Of all three parts that share goes through, to what is behind.
+  // All three parts transmit this fraction of the light behind.
   all.push_back(both(gives(name + "transp", square_in(two_skies, {.samples = 16384}),
                            "diffuse .2 .2 .2, glossy .3 .3 .3, specular .5 .5 .5, shiny 50",
                            {{"0", Rgb(1)}, {".25", Rgb(.8f)}, {"1", Rgb(.2f)}}),
@@ -129,7 +129,7 @@ void add_dielectric(Cases& all) {
   const std::string name = "dielectric_material.";
   const Stage half_lit =
       square_in([](SceneText& scene) { scene.half_sky(1, kUp); }, {.samples = 32768});
-  // What is left after a unit of length, by Beer's law.
+  // Transmittance over a unit of length, by Beer's law.
   const Rgb color(.5f, .25f, 1);
   all.push_back(both(
       gives(name + "col", slab(1), "ior 1",
@@ -146,7 +146,7 @@ void add_dielectric(Cases& all) {
                        {"1", Rgb(mirrored(3))},
                        {"2", Rgb(mirrored(1.5f))},
                        {"3", Rgb(0)}}));
-  // A highlight as strong as what is mirrored; at 30 degrees Fresnel gives .041523 for 1.5.
+  // A highlight as strong as the reflection; at 30 degrees Fresnel gives .041523 for 1.5.
   const auto phong = [](float exponent) {
     return Rgb(.041523f * std::pow(std::sqrt(.75f), exponent));
   };
@@ -155,7 +155,7 @@ void add_dielectric(Cases& all) {
   add_lights(all, "dielectric_material", clear + "ior 3, phong_coef 20", mirrored(3));
 }
 
-/// The energy that brings a colour of 1 at a distance of 1: it spreads over the sphere.
+/// Energy for a colour of 1 at a distance of 1: it is distributed over the sphere.
 std::string energy(float distance) {
   return fmt::format("color {0} {0} {0} 1", 4 * kPi * sqr(distance));
 }

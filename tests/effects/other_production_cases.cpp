@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of the production library: shaders/maya/production.cpp.
+// Approximations of shaders of the production library: shaders/maya/production.cpp.
 #include "cases.h"
 #include "other_stages.h"
 #include "runtime/color_mapping.h"
@@ -117,7 +117,7 @@ Stage past(const std::string& surface, float height) {
   });
 }
 
-/// Blockers and floors that are known by what they pass or scatter.
+/// Blockers and floors with known transmittance or scattering.
 const std::string kShares =
     "shader \"clear\" \"max_StandardMaterial\" ( \"Opacity\" 0 )\n"
     "shader \"quarter\" \"max_StandardMaterial\" ( \"Opacity\" .75 )\n"
@@ -154,7 +154,7 @@ void add_ray_switch(Cases& all) {
   all.push_back(gives(name + "reflection", past("", 2), kOthers, kColors));
   all.push_back(
       gives(name + "refraction", past(", \"transp\" 1, \"ior\" 1.5", -1), kOthers, kColors));
-  // A white floor in a sphere that glows for diffuse bounces.
+  // A white floor in a sphere that emits for diffuse bounces.
   all.push_back(gives(name + "finalgather",
                       composed(
                           [](SceneText& scene, const std::string& call) {
@@ -188,7 +188,7 @@ void add_ray_switch(Cases& all) {
             {{"= \"clear\"", Rgb(1)}, {"= \"quarter\"", Rgb(.25f)}, {"= \"opaque\"", Rgb(0)}}));
   all.push_back(gives(name + "photon", scattered_photons, "eye = \"white\", default = \"white\"",
                       {{"= \"white\"", Rgb(1)}, {"= \"grey\"", Rgb(.25f)}}));
-  // Light shaders ask on behalf of no ray of that list.
+  // Light shaders are called for no ray type in that list.
   all.push_back(gives(name + "default",
                       composed(
                           [](SceneText& scene, const std::string& call) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages for materials, lights and volumes in scenes that a case composes itself.
+// Stages for materials, lights and volumes in scenes composed by the case.
 #pragma once
 
 #include "effects.h"
@@ -58,7 +58,7 @@ inline void sun_above(SceneText& scene) {
   scene.light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1");
 }
 
-/// The call as shader "inner", asked by the shader `outer` that is seen as value() shows it.
+/// The call as shader "inner", called by the shader `outer`, which is displayed as by value().
 inline Stage inside(const std::string& outer, const std::string& elements = {},
                     Vec2 place = Vec2(.5f, .5f)) {
   return [=](const std::string& call) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that scatters: shaders/physics/parti_volume.cpp.
+// Scattering media: shaders/physics/parti_volume.cpp.
 #include "cases.h"
 #include "other_stages.h"
 
@@ -46,7 +46,7 @@ Cases cases() {
                       {{"0", Rgb(1)}, {".25", Rgb(kKept)}, {".5", Rgb(kKept * kKept)}}));
   all.push_back(gives(name + "scatter", air(kAside), thin,
                       {{"0 0 0 1", Rgb(kKept)}, {".5 .25 1 1", seen(Rgb(.5f, .25f, 1))}}));
-  // A right angle tells nothing of the sign; light on its way to the eye goes forward.
+  // A right angle does not show the sign; light toward the eye is scattered forward.
   const auto lobe = [&](const char* parameter, const std::string& others) {
     const Given aside[] = {{"0", seen(Rgb(.5f))}, {".6", seen(Rgb(.5f), phase(0, .6f))}};
     const Given toward[] = {{"-.6", seen(Rgb(.5f), phase(1, -.6f))},
@@ -64,7 +64,7 @@ Cases cases() {
                       {{"0", seen(Rgb(.5f), second)},
                        {".25", seen(Rgb(.5f), .25f * first + .75f * second)},
                        {"1", seen(Rgb(.5f), first)}}));
-  // Up at 45 degrees the air ends at its height, along y.
+  // Upward at 45 degrees the medium ends at its height, along y.
   const Stage upward = air(kAside, Vec3(0, 1, -1));
   const auto left = [](float length) { return Rgb(std::exp(-kExtinction * length)); };
   const float root = std::sqrt(2.f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What photons meet by shaders in the slot `photon`: shaders/physics/dgs_material.cpp. That the
-// photons follow it is shown by PhotonTrace.TheShaderInTheSlotPhotonStandsForTheSurface.
+// Photon shaders in the slot `photon`: shaders/physics/dgs_material.cpp. Their effect on photons is
+// tested by PhotonTrace.PhotonShaderReplacesTheSurface.
 #include "cases.h"
 #include "runtime/closure.h"
 #include "runtime/material.h"
@@ -8,7 +8,7 @@
 namespace oriel::effects {
 namespace {
 
-/// What a surface says of light that comes from 40 degrees, by its lobes and by what is inside.
+/// Scattering of light from 40 degrees, by the lobes of the surface and the medium inside.
 struct Surface {
   std::vector<std::pair<LobeKind, Rgb>> levels;
   std::vector<float> numbers;  ///< widths, indices, directions, absorption

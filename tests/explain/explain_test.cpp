@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explanations of pixels: they add up to the picture, and say of simple scenes what is so.
+// Explanations of pixels: they sum to the image, and are correct for simple scenes.
 #include <array>
 
 #include "analysis/explain.h"
@@ -130,7 +130,7 @@ TEST(Explain, SharesSumThroughAFilterWithNegativeLobesAndALens) {
   }
 }
 
-TEST(Explain, LightsHaveTheSharesThatTheyHave) {
+TEST(Explain, LightsHaveTheirContributions) {
   const Prepared suns(plate(kGrey).light("strong", sun(3)).light("weak", sun(1)));
   const Explanation e = suns.at(3, 3);
   const ExplainedSurface* s = find(e, *suns.world, PathSegment::Eye, "shape0_i");
@@ -144,7 +144,7 @@ TEST(Explain, LightsHaveTheSharesThatTheyHave) {
   expect_near(s->lobes[0].weight, Rgb(.5f), 1e-5f, "albedo");
 }
 
-TEST(Explain, ShadowsNameWhoCastsThem) {
+TEST(Explain, ShadowsNameTheirBlockers) {
   const Prepared shaded(plate(kGrey)
                             .lambert("lid", 0)
                             .square("lid", Vec3(0, 0, 1), 3, kUp)
@@ -167,7 +167,7 @@ TEST(Explain, ShadowsNameWhoCastsThem) {
   }
 }
 
-TEST(Explain, MirrorsShowWhatIsSeenInThem) {
+TEST(Explain, MirrorsShowTheReflectedSurface) {
   const Prepared mirror(
       plate("\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" .8, "
             "\"brdf_90_degree_refl\" .8")
@@ -196,7 +196,7 @@ TEST(Explain, BouncesNameTheSurfaceTheyComeFrom) {
   EXPECT_NEAR(luminance(wall->total()), luminance(e.colour), 1e-4 * luminance(e.colour));
 }
 
-TEST(Explain, ParametersThatShadersGiveHaveTheirValues) {
+TEST(Explain, ConnectedParametersHaveTheirValues) {
   SceneText text;
   text.statement("shader \"there\" \"test_place\" ( \"scale\" 0 0 -.25 )")
       .material("m", "\"reflectivity\" 0, \"diffuse\" = \"there\"")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models from their file to light: colours of corners and brushed metal.
+// Renders of imported models: vertex colours and brushed metal.
 #include <fmt/format.h>
 
 #include "mi/writer.h"
@@ -52,7 +52,7 @@ Rgb light_at_middle(const std::string& content, const char* name = "m.gltf") {
   return Probe(text).direct_only().ray(kMiddle + kUp, -kUp, 1024).mean;
 }
 
-// Matte, under a sun of pi lux: what is seen is the colour.
+// Matte, under a sun of pi lux: the radiance is the colour.
 json matte(float base) {
   return {{"name", "paint"},
           {"extensions", {{"KHR_materials_specular", {{"specularFactor", 0}}}}},
@@ -90,7 +90,7 @@ TEST(ColoursOfModels, AlphaCoversWhereTheMaterialBlends) {
   }
 }
 
-/// Light that a brushed metal sends up, of a sun that stands 45 degrees from it toward x or y.
+/// Light reflected upward by a brushed metal, from a sun at 45 degrees toward x or y.
 float shine(bool along_x, float turn) {
   GltfFile file = triangle();
   file.primitive()["attributes"]["TEXCOORD_0"] =

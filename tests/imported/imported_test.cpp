@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models from their file to light: normals by pictures and clear coats against closed forms.
+// Renders of imported models: normal maps and clear coats compared with closed forms.
 #include <fmt/format.h>
 
 #include "bsdf/terminator.h"
@@ -18,7 +18,7 @@ using testing::Measured;
 using testing::Probe;
 
 const Vec3 kUp(0, 0, 1);
-/// Where three lights stand, red, green and blue, and the quaternions that turn z there.
+/// Positions of a red, a green and a blue light, and the quaternions that rotate z to them.
 const Vec3 kSuns[] = {Vec3(0, 0, 1), Vec3(.6f, 0, .8f), Vec3(0, .6f, .8f)};
 constexpr const char* kTurns[] = {"0,0,0,1", "0,0.316227766,0,0.948683298",
                                   "-0.316227766,0,0,0.948683298"};
@@ -111,7 +111,7 @@ TEST(NormalMapOfModels, LightIsTheCosineOfTheTexelsNormal) {
   Quad turned;
   turned.node = R"(,"rotation":[0,0,0.707106781,0.707106781],"scale":[3,1,1])";
   expect_light("turned", light_on(turned, Vec3(-.5f, 1.5f, 0)), Vec3(-n.y, n.x, n.z));
-  // The file's own tangents stand for the coordinates': u along y, v along x (handedness -1).
+  // Tangents in the file replace those of the coordinates: u along y, v along x (handedness -1).
   Quad tangents;
   tangents.tangents = {0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1};
   expect_light("tangents", light_on(tangents, middle), Vec3(n.y, n.x, n.z));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indirect light of a sun behind a pane of a model, by every method, against a closed form.
+// Indirect light of the sun through a glass pane of a model: every method against a closed form.
 #include "color/luminance.h"
 #include "pane_models.h"
 #include "prepare/testing/prepared_scene.h"
@@ -79,7 +79,7 @@ double wall_lux(const json& material, float thickness, const char* method) {
 // Light of the floor, which the sun reaches through the pane alone; the wall sends a little of it
 // back.
 // acceptance: M1
-TEST(ImportedPanes, EveryMethodBringsTheSameIndirectLight) {
+TEST(ImportedPanes, EveryMethodGivesTheSameIndirectLight) {
   const struct {
     const char* what;
     json material;

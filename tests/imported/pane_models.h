@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a pane of glass as each model format writes it.
+// Test support: a glass pane in each model format.
 #pragma once
 
 #include <fmt/format.h>

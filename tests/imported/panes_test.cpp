@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light through the panes of models of every format, in lux, against closed forms.
+// Light through glass panes of models in all formats, in lux, compared with closed forms.
 #include "analysis/measure.h"
 #include "image/files.h"
 #include "models/daylight.h"
@@ -265,7 +265,7 @@ TEST(ImportedPanes, Ifc4TessellationsAreRead) {
   }
 }
 
-/// Takes the sky away: what is left is the sun.
+/// Removes the sky, so that only the sun remains.
 void drop_sky(scene::Scene& scene) {
   for (scene::Element& e : scene.elements())
     if (auto* camera = std::get_if<scene::Camera>(&e)) camera->environment.clear();

@@ -104,7 +104,7 @@ TEST(CameraOutput, EveryTypeOfDataIsAFileOfItsOwn) {
   }
 }
 
-TEST(CameraOutput, WhatAFileCannotHoldIsTold) {
+TEST(CameraOutput, UnsupportedDataIsReported) {
   const TestFolder folder;
   const auto told = [&](const std::string& statement) {
     return AovValues(statement, folder.file("")).prepared.messages();
@@ -113,7 +113,7 @@ TEST(CameraOutput, WhatAFileCannotHoldIsTold) {
   EXPECT_NE(told("output \"rgba_fp\" \"png\" \"a.png\"").find("16 bits"), std::string::npos);
   EXPECT_NE(told("output \"rgba_16\" \"jpg\" \"a.jpg\"").find("8 bits"), std::string::npos);
   EXPECT_EQ(told("output \"rgba_16\" \"png\" \"a.png\""), "");
-  // Formats of the language that nobody writes name the nearest one.
+  // Unsupported formats of the language are reported with the nearest supported one.
   EXPECT_NE(told("output \"rgba\" \"pic\" \"a.pic\"").find("nearest supported format is png"),
             std::string::npos);
   EXPECT_NE(told("output \"z\" \"zt\" \"a.zt\"").find("nearest supported format is exr"),
@@ -147,7 +147,7 @@ TEST(CameraOutput, SiblingFolderWithTheSameBeginningIsOutside) {
   EXPECT_EQ(allowed_path("../scene2/a.exr", {folder.file("scene"), {folder.file("scene")}}), "");
 }
 
-TEST(CameraOutput, WhatCannotBeWrittenIsSaid) {
+TEST(CameraOutput, WriteErrorsAreReported) {
   const TestFolder folder;
   const AovValues o("output \"contour\" \"png\" \"a.png\" output \"rgba\" \"ps\" \"b.ps\"",
                     folder.file(""));
@@ -238,7 +238,7 @@ TEST(CameraOutput, FrameBuffersOfOneExrFileAreItsLayers) {
   for (const PictureFile& file : o.files) EXPECT_EQ(file.shown_layer, "");
 }
 
-TEST(CameraOutput, FrameBuffersOfUnknownNameAreToldInOneMessage) {
+TEST(CameraOutput, UnknownFrameBuffersAreReportedInOneMessage) {
   const TestFolder folder;
   const AovValues o(
       "framebuffer \"mystery\" datatype \"rgba\" filename \"a.exr\" "

@@ -11,7 +11,7 @@ namespace exposure_check_test {
 
 using testing::PreparedScene;
 
-/// What is said of a scene whose picture goes to `file`.
+/// Diagnostics of a scene with the output file `file`.
 struct Checked : PreparedScene {
   Checked(const std::string& camera_statements, const std::string& elements = {},
           const std::string& members = {}, const std::string& options = {},
@@ -33,7 +33,7 @@ struct Checked : PreparedScene {
 const std::string kSimple = "\"mia_exposure_simple\" ( )";
 const std::string kGamma22 = "gamma 2.2";
 
-TEST(ExposureCheck, GammaOfShaderAndOptionsIsToldForLensAndOutput) {
+TEST(ExposureCheck, DoubleGammaIsReportedForLensAndOutput) {
   for (const char* role : {"lens ", "output "}) {
     const Checked c(role + kSimple, {}, {}, kGamma22);
     EXPECT_NE(c.only("OR-RN-041"), nullptr) << role << c.messages();
@@ -47,7 +47,7 @@ TEST(ExposureCheck, GammaOfShaderAndOptionsIsToldForLensAndOutput) {
   }
 }
 
-TEST(ExposureCheck, FloatFilesOfMappedColoursAreToldOnce) {
+TEST(ExposureCheck, FloatFilesOfMappedColoursAreReportedOnce) {
   for (const char* role : {"lens ", "output "}) {
     Checked c(role + kSimple, {}, {}, {}, "a.exr");
     ASSERT_NE(c.only("OR-RN-066"), nullptr) << c.messages();
@@ -76,7 +76,7 @@ std::string photographic(const char* parameters) {
   return std::string("lens \"mia_exposure_photographic\" ( ") + parameters + " )";
 }
 
-TEST(ExposureCheck, UnitsThatAreNotCandelaPerSquareMetreAreTold) {
+TEST(ExposureCheck, UnitsOtherThanCandelaPerSquareMetreAreReported) {
   const std::string members = "\"sun_i\"";
   const Checked c(photographic("\"cm2_factor\" 1"), sun(".0001 .0001 .0001"), members);
   ASSERT_NE(c.only("OR-RN-044"), nullptr) << c.messages();
@@ -88,7 +88,7 @@ TEST(ExposureCheck, UnitsThatAreNotCandelaPerSquareMetreAreTold) {
        {std::pair("\"cm2_factor\" 1", ".318 .318 .318"), std::pair("\"cm2_factor\" 1", "1 1 1"),
         std::pair("\"cm2_factor\" 3183", ".0001 .0001 .0001"),
         std::pair("\"film_iso\" 0, \"cm2_factor\" 1", ".0001 .0001 .0001"),
-        // 0 0 0 stands for one over 80000 lux.
+        // 0 0 0 means one over 80000 lux.
         std::pair("\"cm2_factor\" 25465", "0 0 0")})
     EXPECT_EQ(Checked(photographic(parameters), sun(unit), members).messages(), "") << parameters;
   EXPECT_NE(Checked(photographic("\"cm2_factor\" 477"), sun(".318 .318 .318"), members)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of layers: names are unique, sets follow it, and docs/outputs.md shows it.
+// Layer table: unique names, consistent sets, and agreement with docs/outputs.md.
 #include "output/layer_table.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(LayerTable, NamesAndFileNamesAreUnique) {
   EXPECT_LE(names.size(), 64u) << "LayerSet holds no more";
 }
 
-TEST(LayerTable, SetsSayWhatSessionsStore) {
+TEST(LayerTable, SetsMatchTheStoredLayers) {
   EXPECT_FALSE(LayerSet(LayerGroup::Film).needs(LayerNeed::Outputs));
   EXPECT_TRUE(LayerSet("diffuse_raw").needs(LayerNeed::Outputs));
   EXPECT_TRUE(LayerSet("illuminance").needs(LayerNeed::Irradiance));

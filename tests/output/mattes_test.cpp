@@ -125,7 +125,7 @@ TEST(Mattes, TransparentThingsCoverByTheirOpacity) {
               .027f);
 }
 
-TEST(Mattes, LabelsAndCoverageAreThoseOfWhatCoversMost) {
+TEST(Mattes, LabelsAndCoverageAreThoseOfTheLargestCoverage) {
   const Rendered r(two_squares(), 256);
   const Image labels = layer_image(*r.session, *find_layer_spec("tag")),
               coverage = layer_image(*r.session, *find_layer_spec("coverage"));

@@ -49,7 +49,7 @@ TEST(Output, LayersHaveTheirDocumentedNames) {
   EXPECT_EQ(film_layers(*plain.session, {}).size(), 1u);
 }
 
-TEST(Output, LayersHoldWhatTheCameraSees) {
+TEST(Output, LayersContainTheViewOfTheCamera) {
   const Rendered r;
   const auto layers = film_layers(*r.session, LayerSet(LayerGroup::Film));
   const auto at = [&](const char* name) { return find_layer(layers, name)->image.at(8, 6); };
@@ -90,7 +90,7 @@ TEST(Output, ExrCarriesLayersAndSettings) {
   EXPECT_TRUE(read.has_chromaticities);
 }
 
-TEST(Output, FloatFilesHoldWhatLensShadersMakeAndExrTheLinearLayerToo) {
+TEST(Output, FloatFilesContainLensShaderResultsAndExrTheLinearLayerToo) {
   const TestFolder folder;
   const Rendered r(kExposure);
   for (const char* name : {"a.exr", "a.tif", "a.hdr"}) {
@@ -116,7 +116,7 @@ TEST(Output, FloatFilesHoldWhatLensShadersMakeAndExrTheLinearLayerToo) {
   EXPECT_EQ(find_layer(read.layers, "linear")->image.pixels,
             film_layers(*r.session, {})[0].image.pixels);
   EXPECT_EQ(find_layer(read.layers, "display"), nullptr);  // it is the picture itself
-  // Without shaders there is nothing to tell apart.
+  // Without shaders there is no difference.
   const Rendered plain;
   write_picture(file, *plain.session, {});
   EXPECT_EQ(find_layer(read_exr(file.path).layers, "linear"), nullptr);
@@ -184,7 +184,7 @@ TEST(Output, GammaNeverTouchesFloatFiles) {
   EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, {})[0].image.pixels);
 }
 
-TEST(Output, DenoisedPicturesStandBesideTheNoisyPicture) {
+TEST(Output, DenoisedImagesAreAddedToTheNoisyOnes) {
   const TestFolder folder;
   const Rendered r(kExposure);
   const Image clean(16, 12, 3, 0.125f);

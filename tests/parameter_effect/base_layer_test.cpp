@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The second reflecting layer, below the first.
+// The second reflection layer, below the first.
 #include "cases.h"
 
 namespace oriel::sensitivity {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases that show what each parameter of the architectural material changes, and what they share.
+// Cases for the effect of each parameter of the architectural material, and shared helpers.
 #pragma once
 
 #include <sstream>
@@ -16,7 +16,7 @@ using testing::SceneText;
 using testing::test_registry;
 using testing::text_of;
 
-/// One parameter and a check that changing it changes the picture as the manual says.
+/// One parameter and a check of its documented effect on the image.
 struct Case {
   const char* parameter;
   void (*check)();
@@ -75,7 +75,7 @@ inline SceneText plate_in_sun(const std::string& list, const Vec3& direction = -
   return with_sun(plate(list), direction);
 }
 
-/// The plate's middle from above at that angle: what mirrors there goes on toward +x.
+/// The middle of the plate from above at this angle: mirrored rays continue toward +x.
 inline Measured seen(const Probe& probe, float degrees = 0, int samples = 4096) {
   const float a = degrees * kPi / 180;
   const Vec3 d(std::sin(a), 0, -std::cos(a));

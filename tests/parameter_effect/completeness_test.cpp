@@ -18,7 +18,7 @@ Cases all_cases() {
   return all;
 }
 
-TEST(Sensitivity, EachParameterHasACaseAndEachCaseAParameter) {
+TEST(ParameterEffect, EachParameterHasACaseAndEachCaseAParameter) {
   std::vector<std::string> tabled, shown;
   for (const ParamSpec& row : mia_material_rows()) tabled.emplace_back(row.name);
   for (const Case& c : all_cases()) shown.emplace_back(c.parameter);
@@ -27,7 +27,7 @@ TEST(Sensitivity, EachParameterHasACaseAndEachCaseAParameter) {
 
 class EachParameter : public ::testing::TestWithParam<Case> {};
 
-TEST_P(EachParameter, ChangesThePictureAsTheManualSays) { GetParam().check(); }
+TEST_P(EachParameter, HasItsDocumentedEffect) { GetParam().check(); }
 
 INSTANTIATE_TEST_SUITE_P(MiaMaterialX, EachParameter, ::testing::ValuesIn(all_cases()),
                          [](const auto& each) { return std::string(each.param.parameter); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diffuse light, the sharing of energy, which light sources act.
+// Diffuse light, energy distribution, light selection.
 #include "cases.h"
 
 namespace oriel::sensitivity {

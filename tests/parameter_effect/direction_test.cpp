@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stretched highlights, and normals that bumps move.
+// Anisotropic highlights, and bump-mapped normals.
 #include "cases.h"
 
 namespace oriel::sensitivity {

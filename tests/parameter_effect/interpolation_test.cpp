@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflections and refractions that are traced on a grid over the picture and smoothed.
+// Reflections and refractions interpolated on an image grid.
 #include "cases.h"
 #include "prepare/testing/prepared_scene.h"
 #include "render/session.h"
@@ -12,7 +12,7 @@ namespace {
 /// a mirror, glows.
 struct Picture {
   RayCounts rays;
-  float edge = 0, beside = 0;  ///< the first column of pixels that shows the glow, the fifth
+  float edge = 0, beside = 0;  ///< the first image column with the emitter, the fifth
   float noise = 0;             ///< mean difference of a pixel from the one above, which sees alike
 
   explicit Picture(const std::string& list) {
@@ -85,14 +85,14 @@ Cases interpolation_cases() {
              kSharpReflect + "intr_refl_samples 8, intr_refl_ddist 12, intr_refl_ddist_on ";
          const Picture off(list + "off"), on(list + "on");
          EXPECT_GT(on.rays.reflect, off.rays.reflect);  // a second set of rays
-         EXPECT_GT(on.beside, off.beside + .02f);       // shows what is near more clearly
+         EXPECT_GT(on.beside, off.beside + .02f);       // shows near objects more sharply
        }},
       {"intr_refl_ddist",
        [] {
          const std::string list =
              kSharpReflect + "intr_refl_samples 8, intr_refl_ddist_on on, intr_refl_ddist ";
          const Picture none(list + "0"), near(list + "3"), half(list + "8"), all(list + "80");
-         EXPECT_NEAR(near.beside, none.beside, 1e-3f);  // the glow is 4 away and more
+         EXPECT_NEAR(near.beside, none.beside, 1e-3f);  // the emitter is at least 4 away
          EXPECT_GT(half.beside, near.beside + .02f);
          EXPECT_GT(all.beside, half.beside + .02f);
        }},

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where reflections and refractions end: distance, depth, contribution.
+// Limits of reflections and refractions: distance, depth, contribution.
 #include "cases.h"
 
 namespace oriel::sensitivity {
 namespace {
 
-/// A mirror that shows a glow of radiance 1 at distance 1, red sky beyond.
+/// A mirror that shows an emitter of radiance 1 at distance 1, red sky beyond.
 Measured glow_in_mirror(const std::string& list) {
   return seen_direct(plate(kMirror + "refl_falloff_on on, " + list)
                          .environment("\"test_sky\" ( \"above\" 1 0 0, \"below\" 1 0 0 )")
@@ -13,7 +13,7 @@ Measured glow_in_mirror(const std::string& list) {
                          .square("glow", kUp, 5, -kUp));
 }
 
-/// A glow of radiance 1 through one unit of something that bends nothing.
+/// An emitter of radiance 1 behind one unit of a medium without refraction.
 Measured glow_in_block(const std::string& list) {
   SceneText scene;
   scene.material("m", parameters(kGlass + "refr_ior 1, refr_falloff_on on, " + list))
@@ -23,7 +23,7 @@ Measured glow_in_block(const std::string& list) {
   return seen_direct(scene);
 }
 
-/// Four sheets, one below the other, and a glow of radiance 1 behind.
+/// Four parallel sheets in front of an emitter of radiance 1.
 Measured glow_behind_sheets(const std::string& list) {
   SceneText scene;
   scene.material("m", parameters(kSheet + list)).emitter("glow", 1);

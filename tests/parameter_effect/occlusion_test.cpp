@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indirect light: its weight, its rays, ambient occlusion.
+// Indirect light: weight, rays, ambient occlusion.
 #include "cases.h"
 
 namespace oriel::sensitivity {
@@ -11,7 +11,7 @@ double gathered(const std::string& list) {
   return m.each(m.counts.gather);
 }
 
-/// A white floor in a corner, at .4 from a wall of that glow, under an even sky of 1.
+/// A white floor in a corner, at .4 from a wall of this radiance, under a uniform sky of 1.
 Measured corner(const std::string& list, float glow = 0) {
   SceneText scene;
   scene.uniform_sky(1)
@@ -62,7 +62,7 @@ Cases occlusion_cases() {
        }},
       {"ao_distance",
        [] {
-         // What is farther counts as well: darker.
+         // More distant objects occlude as well: darker.
          expect_rising(
              {corner("ao_distance 20"), corner("ao_distance 1"), corner("ao_distance .5")});
          expect_equal(corner("ao_distance .3"), corner("ao_on off"));
@@ -89,7 +89,7 @@ Cases occlusion_cases() {
                         colors = corner("ao_do_details 2", 3);
          expect_equal(none, corner("ao_on off", 3));
          expect_rising({dark, colors});
-         EXPECT_LT(dark.mean.x, .7f * none.mean.x);    // a dark corner beside a bright wall
+         EXPECT_LT(dark.mean.x, .7f * none.mean.x);    // a dark corner next to a bright wall
          EXPECT_GT(colors.mean.x, .9f * none.mean.x);  // which lights it again
        }},
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes, sides, alpha and outputs.
+// Cut-outs, sides, alpha and outputs.
 #include "cases.h"
 
 namespace oriel::sensitivity {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflections and highlights: level, colour, blur, the curve over the angle, what is counted once.
+// Reflections and highlights: level, colour, blur, angle curve, no double counting.
 #include "cases.h"
 
 namespace oriel::sensitivity {
@@ -10,7 +10,7 @@ Measured level(const std::string& list, float degrees = 0) {
   return seen_direct(plate_in_sky("diffuse_weight 0, reflectivity 1, " + list), degrees);
 }
 
-/// A plate that highlights or mirrors a lamp, visible or not.
+/// A plate with a highlight or reflection of a light, visible or not.
 Measured under_lamp(const std::string& list, bool visible) {
   SceneText scene = plate(kMirror + "refl_gloss .3, " + list);
   scene.light("lamp",
@@ -27,7 +27,7 @@ Cases reflection_cases() {
       {"reflectivity",
        [] {
          expect_times(2, level("reflectivity .3"), level("reflectivity .6"));
-         // The diffuse component gets what is left.
+         // The diffuse component gets the rest.
          expect_more(seen_direct(plate_in_sun("brdf_0_degree_refl 1, reflectivity .3")),
                      seen_direct(plate_in_sun("brdf_0_degree_refl 1, reflectivity .6")));
        }},
@@ -56,7 +56,7 @@ Cases reflection_cases() {
          };
          EXPECT_EQ(rays("4"), 4);
          EXPECT_EQ(rays("32"), 32);
-         // 0: a perfect mirror whatever the gloss.
+         // 0: a perfect mirror for any gloss.
          expect_color(Spot(kMirror + "refl_gloss .15, refl_gloss_samples 0", false).centre, Rgb(1));
        }},
       {"refl_hl_only",
@@ -95,7 +95,7 @@ Cases reflection_cases() {
        [] {
          const std::string at = "brdf_0_degree_refl .1, brdf_90_degree_refl ";
          expect_rising({level(at + ".1", 85), level(at + ".5", 85), level(at + "1", 85)});
-         expect_equal(level(at + ".1"), level(at + "1"));  // facing the viewer it says nothing
+         expect_equal(level(at + ".1"), level(at + "1"));  // no effect when facing the viewer
        }},
       {"brdf_curve",
        [] {
@@ -125,7 +125,7 @@ Cases reflection_cases() {
          const Measured highlight = under_lamp("", false);
          expect_times(2, highlight, under_lamp("hl_vs_refl_balance 2", false));
          expect_times(.5f, highlight, under_lamp("hl_vs_refl_balance .5", false));
-         // Reflections as before, of lamps and of surfaces.
+         // Unchanged reflections of lights and of surfaces.
          expect_equal(under_lamp("hl_vs_refl_balance 2", true), under_lamp("", true));
          expect_color(level("brdf_0_degree_refl 1, hl_vs_refl_balance 2"), Rgb(1));
        }},

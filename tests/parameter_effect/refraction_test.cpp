@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transparency, translucency, and how light passes through solids and sheets.
+// Transparency, translucency, and transmission through solids and sheets.
 #include "cases.h"
 
 namespace oriel::sensitivity {
@@ -48,7 +48,7 @@ Cases refraction_cases() {
        [] {
          expect_times(3, before_wall(kSheet + "transparency .25"),
                       before_wall(kSheet + "transparency .75"));
-         // The diffuse component gets what is left.
+         // The diffuse component gets the rest.
          expect_times(3, seen_direct(plate_in_sun(kMatte + "transparency .75")),
                       seen_direct(plate_in_sun(kMatte + "transparency .25")));
        }},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a scene holds, preparing and tracing it ends with a message or a picture.
+// Preparation and tracing of any scene end with a message or an image.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ std::string lit(std::string_view elements) {
   return scene_text(std::string(elements) + std::string(kLight), "\"l_inst\"");
 }
 
-TEST(RenderRobustness, TheSceneAroundTheCasesIsSound) {
+TEST(RenderRobustness, BaseSceneIsValid) {
   const Outcome out = expect_sound(lit(kGrey), "plain");
   EXPECT_FALSE(out.message) << out.messages;
   EXPECT_EQ(out.hits, 72);
@@ -114,7 +114,7 @@ TEST(RenderRobustness, VerticesBeyondAllNumbersDoNotHideTheRest) {
   }
 }
 
-TEST(RenderRobustness, PolygonsWithoutAreaAreNothing) {
+TEST(RenderRobustness, ZeroAreaPolygonsAreIgnored) {
   for (const char* points : {"0 0 -3 0 0 -3 0 0 -3 0 0 -3", "0 0 -3 1 0 -3 2 0 -3 3 0 -3",
                              "0 0 -3 1 0 -3 0 0 -3 1 0 -3", "0 0 -3 1 1 -3 1 0 -3 0 1 -3"})
     for (const char* polygon :
@@ -142,7 +142,7 @@ TEST(RenderRobustness, SingularAndHugeTransformsLeaveThePicture) {
           fmt::format("{} {}", target, matrix));
 }
 
-TEST(RenderRobustness, ScenesWithPartsMissingSayWhat) {
+TEST(RenderRobustness, MissingPartsAreReported) {
   const std::string camera =
       "camera \"cam\" focal 1 aperture 1 aspect 1 resolution 8 8 end camera instance \"ci\" "
       "\"cam\" "
@@ -181,7 +181,7 @@ TEST(RenderRobustness, WithoutLightsThePictureIsBlack) {
   EXPECT_EQ(out.hits, 0);
 }
 
-TEST(RenderRobustness, CamerasOfAnyMakeArePlaced) {
+TEST(RenderRobustness, InvalidCameraValuesGiveAnImage) {
   for (const char* camera : {"focal 0",
                              "focal -1",
                              "focal 1e38",
@@ -225,7 +225,7 @@ TEST(RenderRobustness, CamerasOfAnyMakeArePlaced) {
     }
 }
 
-TEST(RenderRobustness, OverriddenSizesAreFollowedWhateverTheCameraSays) {
+TEST(RenderRobustness, SizeOverridesApplyToAllCameras) {
   for (const char* size : {"resolution 0 0", "resolution -3 5", "resolution 8 8", ""}) {
     const std::string text =
         "options \"opt\" end options camera \"cam\" focal 1 aperture 1 " + std::string(size) +
@@ -427,7 +427,7 @@ TEST(RenderRobustness, DeepPhenomenaAndLongChainsEnd) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
-TEST(RenderRobustness, ListsShorterThanTheirLabelsAreSurvived) {
+TEST(RenderRobustness, ListsShorterThanTheirLabelsDoNotCrash) {
   for (const char* list : {"[ ]", "[ \"m\" ]", "[ \"m\", \"nobody\" ]", "[ \"\" ]"})
     expect_sound(
         scene_text(object("-9 -9 -3 9 -9 -3 9 9 -3 -9 9 -3", "p 7 0 1 2 p 4000000000 0 2 3") +

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// What the renderer knows, and what it was asked.
+/// State of the test renderer, and the calls it received.
 struct Told {
   std::vector<miTag> linked = {7, 8};
   std::map<miTag, int> samples = {{7, 1}, {8, 3}, {9, 2}};
@@ -120,7 +120,7 @@ std::vector<std::pair<miTag, int>> met(LightIterator light) {
 
 using Met = std::vector<std::pair<miTag, int>>;
 
-TEST(LightIterator, GoesThroughAListOrTheObjectsOwn) {
+TEST(LightIterator, IteratesOverAListOrTheObjectsLights) {
   miState state = {};
   miTag list[2] = {9, 7};
   EXPECT_EQ(met(LightIterator(&state, list, 2)), (Met{{9, 2}, {7, 1}}));
@@ -141,7 +141,7 @@ TEST(LightIterator, AnAxisReplacesTheNormal) {
   EXPECT_EQ(told.cones, (std::vector<float>{-9, .25f}));
 }
 
-TEST(LightIterator, CopiesStandWhereTheyWereTaken) {
+TEST(LightIterator, CopiesKeepTheirPosition) {
   miState state = {};
   miTag list[3] = {7, 8, 9};
   LightIterator a(&state, list, 3);
@@ -155,7 +155,7 @@ TEST(LightIterator, CopiesStandWhereTheyWereTaken) {
   EXPECT_EQ(a->get_number_of_samples(), 0);
 }
 
-TEST(ShaderOptions, ValuesGoAndComeByType) {
+TEST(ShaderOptions, ValuesRoundTripByType) {
   using namespace mi::shader;
   EXPECT_EQ(Interface::get(-1), nullptr);
   Interface* const all = Interface::get();

@@ -83,7 +83,7 @@ TEST(SdkEnums, ImagesCountAsKnown) {
   EXPECT_EQ(miRC_IMAGE_USER, 12);
 }
 
-TEST(SdkVectors, MacrosReckonAsTheyAreNamed) {
+TEST(SdkVectors, MacrosComputeTheNamedOperation) {
   miVector a = {1, 2, 3}, b = {4, -5, 6}, c = {0, 1, 2}, r;
   EXPECT_EQ(mi_vector_dot(&a, &b), 12);
   mi_vector_prod(&r, &a, &b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// functions.txt lists what the shader headers declare, all of it and nothing else.
+// functions.txt lists exactly the functions declared in the shader headers.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -71,7 +71,7 @@ TEST(SdkFunctions, TheListIsThatOfTheHeaders) {
   }
 }
 
-TEST(SdkFunctions, EachHasALineThatSaysWhatItDoes) {
+TEST(SdkFunctions, EachHasADescription) {
   static const std::regex offered(
       "\n([^\n]*)\n(?:(?! )[\\w* ]+?\\b((?:mi|oriel|mayabase)_\\w+)|#define (mi\\w+))\\(");
   for (const auto& entry : fs::recursive_directory_iterator(kFolder)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members of the public structs stand in the order that shaders know, and enums have their values.
+// Member order of the public structs, and values of enums.
 #include <gtest/gtest.h>
 #include <mia_material_api.h>
 
@@ -99,7 +99,7 @@ TEST(SdkParameters, AFunctionsParametersAreAligned) {
 }
 
 #define S(member) AT(miState, member)
-TEST(SdkState, MembersStandInTheirOrder) {
+TEST(SdkState, MembersAreInOrder) {
   EXPECT_EQ(S(version), 0u);
   expect_order({S(version),
                 S(camera_inst),
@@ -155,7 +155,7 @@ TEST(SdkState, MembersStandInTheirOrder) {
 #undef S
 
 #define O(member) AT(miOptions, member)
-TEST(SdkOptions, MembersStandInTheirOrder) {
+TEST(SdkOptions, MembersAreInOrder) {
   expect_order({O(trace),
                 O(scanline),
                 O(motion),
@@ -236,7 +236,7 @@ TEST(SdkOptions, MembersStandInTheirOrder) {
 #undef O
 
 #define C(member) AT(miCamera, member)
-TEST(SdkCamera, MembersStandInTheirOrder) {
+TEST(SdkCamera, MembersAreInOrder) {
   expect_order({C(orthographic), C(focal),        C(aperture), C(aspect),   C(clip),
                 C(x_resolution), C(y_resolution), C(window),   C(volume),   C(environment),
                 C(lens),         C(output),       C(pass),     C(frame),    C(frame_time),
@@ -246,7 +246,7 @@ TEST(SdkCamera, MembersStandInTheirOrder) {
 #undef C
 
 #define L(member) AT(miLight, member)
-TEST(SdkLight, MembersStandInTheirOrder) {
+TEST(SdkLight, MembersAreInOrder) {
   expect_order({L(type),
                 L(area),
                 L(exponent),
@@ -291,7 +291,7 @@ TEST(SdkLight, MembersStandInTheirOrder) {
 #undef L
 
 #define I(member) AT(miInstance, member)
-TEST(SdkInstance, MembersStandInTheirOrder) {
+TEST(SdkInstance, MembersAreInOrder) {
   expect_order({I(tf.function),
                 I(tf.time),
                 I(tf.global_to_local),
@@ -334,13 +334,13 @@ TEST(SdkInstance, MembersStandInTheirOrder) {
 #undef I
 
 #define M(member) AT(miMaterial, member)
-TEST(SdkMaterial, MembersStandInTheirOrder) {
+TEST(SdkMaterial, MembersAreInOrder) {
   expect_order({M(opaque), M(shader), M(displace), M(shadow), M(volume), M(environment), M(contour),
                 M(photon), M(photonvol), M(lightmap), M(hardware)});
 }
 #undef M
 
-TEST(SdkFunction, MembersStandInTheirOrder) {
+TEST(SdkFunction, MembersAreInOrder) {
   expect_order({AT(miFunction, type), AT(miFunction, function_decl), AT(miFunction, next_function),
                 AT(miFunction, parameter_indirect), AT(miFunction, interfacephen),
                 AT(miFunction, parameter_size), AT(miFunction, result_size),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base library's bump maps: the normal that comes out, worked out by hand.
+// Bump maps of the base library: resulting normals, computed by hand.
 #include <fmt/format.h>
 
 #include "probe.h"
@@ -50,12 +50,12 @@ TEST(BaseBump, ZeroStepAndFactorAreTheirDefaults) {
   expect_vector(BumpScene::map(", \"factor\" -50").vector(), normalize(Vec3(-.4f, 0, 1)));
 }
 
-TEST(BaseBump, AlphaMayStandForIntensity) {
+TEST(BaseBump, AlphaMayReplaceIntensity) {
   expect_vector(BumpScene::map(", \"step\" .25 .25 0, \"alpha\" on").vector(),
                 normalize(Vec3(-.2f, 0, 1)));
 }
 
-TEST(BaseBump, FlagsSayWhatLiesBeyondThePicture) {
+TEST(BaseBump, FlagsSelectTheValueOutsideTheImage) {
   const auto at = [](float u, const char* more) {
     return BumpScene(fmt::format("material \"m\" \"mib_bump_map\" ( \"u\" 1 0 0, \"v\" 0 1 0, "
                                  "\"coord\" {} .5 0, \"tex\" \"t\", \"step\" .25 .25 0{} ) "

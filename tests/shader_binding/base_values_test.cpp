@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the base library's nodes, as its pages state them.
+// Results of base library nodes, as documented.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ TEST(BaseColors, InterpolateBlendsNeighbours) {
               Rgba(.5f, 0, .5f, 1));
 }
 
-TEST(BaseColors, MixDoesWhatItsModesSay) {
+TEST(BaseColors, MixFollowsItsModes) {
   const auto over = [](int mode, float weight, const char* layer = ".8 .2 .6 .5") {
     return color_of("mib_color_mix",
                     fmt::format("\"num\" 1, \"mode_0\" {}, \"weight_0\" {}, \"color_0\" {}, "
@@ -94,7 +94,7 @@ TEST(BaseColors, MixLaysUpToEightOverATransparentBase) {
   expect_near(color_of("mib_color_mix", "\"num\" 0, \"color_0\" 1 1 1 1"), Rgba(0));
 }
 
-TEST(BaseColors, SpreadTakesAColourApart) {
+TEST(BaseColors, SpreadSplitsAColour) {
   const std::string spread =
       "shader \"s\" \"mib_color_spread\" ( \"input\" .2 .4 .9 .3, \"num\" 5, \"mode_1\" 1, "
       "\"mode_2\" 2, \"mode_3\" 3, \"mode_4\" 4, \"weight_0\" 1 .5 1 1, \"weight_1\" 2 2 2 2, "
@@ -109,7 +109,7 @@ TEST(BaseColors, SpreadTakesAColourApart) {
   }
 }
 
-TEST(BaseColors, TemperaturesHaveTheLuminanceAskedFor) {
+TEST(BaseColors, TemperaturesHaveTheRequestedLuminance) {
   for (const char* shader : {"mib_cie_d", "mib_blackbody"}) {
     const auto at = [&](float kelvin) {
       return color_of(shader, fmt::format("\"temperature\" {}, \"intensity\" 2", kelvin));
@@ -124,7 +124,7 @@ TEST(BaseColors, TemperaturesHaveTheLuminanceAskedFor) {
   }
   // CIE D65 is the white of the pixels.
   expect_near(color_of("mib_cie_d", "\"temperature\" 6504, \"intensity\" 1"), Rgba(1), .005f);
-  // A connected temperature is not the one the colour was worked out for.
+  // A connected temperature differs from the one the colour was precomputed for.
   const Rgba warm = color_of("mib_blackbody", "\"temperature\" = \"t\", \"intensity\" 1",
                              "shader \"t\" \"probe_scalar\" ( \"amount\" 2800 )");
   expect_near(warm, color_of("mib_blackbody", "\"temperature\" 2800, \"intensity\" 1"));
@@ -243,7 +243,7 @@ TEST(BaseLookups, FilterLookupBlursAlongTheFootprint) {
   EXPECT_LT(at(", \"disc_r\" .05", wide, thin).r, .5f * along.r);
   // Limited to a circle it blurs upward as well.
   EXPECT_GT(at(", \"eccmax\" 1", wide, thin).g, .1f);
-  // A remap shader that shrinks what it is given shrinks the footprint.
+  // A remap shader that scales its input down scales the footprint down.
   const Rgba remapped = at(", \"remap\" \"r\"", wide, thin,
                            "\nshader \"c\" \"mib_texture_vector\" ( \"select\" 0 )\nshader \"r\" "
                            "\"mib_texture_remap\" ( \"input\" = \"c\", \"max\" .01 .01 .01 )");
@@ -375,7 +375,7 @@ TEST(BaseLookups, CubesOfASizeAreSeenFromWhereTheRayStarts) {
   expect_near(looking(far, Vec3(0, 0, -1), Vec3(2, 0, 0)), Rgba(.3f, .3f, 0, 1), 1e-3f);
 }
 
-TEST(BaseLookups, CylinderGoesFromXTowardsYAndHasNoCaps) {
+TEST(BaseLookups, CylinderRunsFromXTowardsYWithoutCaps) {
   const auto on = [](const char* more, const Vec3& d) {
     Node node("mib_lookup_cylindrical", fmt::format("\"tex\" \"t\"{}", more), kRamp);
     return looking(node, d);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders feeding shaders: results and members, promotions, chains, cycles, phenomena.
+// Shader connections: results and members, promotions, chains, cycles, phenomena.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -202,7 +202,7 @@ TEST(Phenomena, AShaderListMayTakeItsShaderFromAParameter) {
   expect_color(s.params().tint, .1f, .2f, .6f, .5f);
 }
 
-TEST(Phenomena, RootMaterialsBringAllTheirSlots) {
+TEST(Phenomena, RootMaterialsContributeAllSlots) {
   const ProbeScene s(
       "declare phenomenon material \"mat\" ( color \"c\" default .5 .5 .5, scalar \"t\" )\n"
       " shader \"surf\" \"mia_material\" ( \"diffuse\" = interface \"c\", \"transparency\" = "
@@ -259,7 +259,7 @@ TEST(Phenomena, CyclesInsideAreReportedAndEnd) {
   EXPECT_TRUE(twice.diagnostics.has("OR-RT-004")) << twice.messages();
 }
 
-TEST(Phenomena, WithoutARootTheStandInShows) {
+TEST(Phenomena, MissingRootShowsTheFallback) {
   const ProbeScene s(
       "declare phenomenon color \"empty\" ( ) shader \"x\" \"probe\" ( ) end declare\n"
       "material \"m\" \"empty\" ( ) end material");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for shaders of hosts: what scenes of theirs become, and that they are reported.
+// Approximations of host shaders: results in scenes, and reports.
 #include <cmath>
 
 #include "lights/sample_light.h"
@@ -92,7 +92,7 @@ TEST(HostShaders, SpotsFadeOverTheirPenumbra) {
   }
 }
 
-TEST(HostShaders, AmbientLightDoesNotCareForTheAngle) {
+TEST(HostShaders, AmbientLightIgnoresTheAngle) {
   for (const float shade : {0.0f, 1.0f}) {
     const ProbeScene s(lamp("\"maya_ambientlight\" ( \"color\" .5 .5 .5, \"ambientShade\" " +
                                 std::to_string(shade) + " )",
@@ -287,7 +287,7 @@ TEST(HostShaders, ColourManagementEncodesForADisplay) {
     }
 }
 
-TEST(HostShaders, AllAreReportedAndNothingOfThemIsExact) {
+TEST(HostShaders, AllAreReportedAsApproximated) {
   int count = 0;
   for (const ShaderSpec* spec : builtin_shaders().all()) {
     if (std::string_view(spec->library) != "hosts") continue;
@@ -423,7 +423,7 @@ TEST(MaxShaders, CoordinatesAreTiledAboutTheMiddle) {
   EXPECT_NEAR(uv.y, .25f, 1e-6f);
 }
 
-TEST(GuessedShaders, FamiliarNamesSayWhatAShaderIs) {
+TEST(FallbackShaders, AreChosenByName) {
   const ProbeScene s(
       "color texture \"pic\" [1 1 3] '804020'\n"
       "light \"l\" \"acme_lamp\" ( \"light_color\" 1 .5 0, \"intensity\" 3 ) origin 0 0 0 end "
@@ -460,7 +460,7 @@ TEST(GuessedShaders, FamiliarNamesSayWhatAShaderIs) {
   EXPECT_NEAR(sample->irradiance.y / kPi, 1.5f, 1e-4f);
 }
 
-TEST(GuessedShaders, NothingIsGuessedFromStrangeNamesOrAroundMisspeltOnes) {
+TEST(FallbackShaders, UnrelatedOrMisspeltNamesHaveNone) {
   const ProbeScene s(
       "material \"m\" \"acme_thing\" ( \"frobnicate\" 3, \"color\" \"text\" ) end material\n"
       "material \"n\" \"mia_materiel\" ( \"diffuse\" 1 1 1 ) end material\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand-ins for Maya's textures: where they are looked up, and what they make of it.
+// Approximations of Maya textures: coordinates and results.
 #include <cmath>
 
 #include "probe.h"
@@ -45,7 +45,7 @@ std::string name_of(const Rgba& c) {
   return std::abs(c.g - .5f) < .01f ? "outside" : "none";
 }
 
-TEST(MayaTextures, PicturesStandUprightWithUToTheRight) {
+TEST(MayaTextures, ImagesAreUprightWithUToTheRight) {
   const ProbeScene s = placed("");
   EXPECT_TRUE(s.diagnostics.all().empty()) << s.messages();
   EXPECT_EQ(name_of(tint_at(s, .25f, .25f)), "red");
@@ -206,7 +206,7 @@ TEST(MayaTextures, BumpsTiltTheNormalByTheSlopeOfTheirHeight) {
   }
 }
 
-TEST(MayaTextures, UtilitiesReckon) {
+TEST(MayaTextures, UtilityNodesMatchTheirFormulas) {
   const struct {
     const char *shader, *value;
     float r, g, b;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exposures as lens shaders of a camera: the same numbers as the pure functions behind them.
+// Exposures as lens shaders of a camera give the same values as their pure functions.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace oriel {
 namespace lens_test {
 
-/// A camera with one exposure and what it makes of a colour.
+/// A camera with one exposure, and the mapped value of a colour.
 struct Exposed : testing::PreparedScene {
   explicit Exposed(std::string_view shader)
       : PreparedScene(testing::scene_text("material \"m\" \"mib_illum_lambert\" ( ) end material",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light shaders' own numbers, and which lights a material takes.
+// Parameters of light shaders, and light selection of materials.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -82,7 +82,7 @@ TEST(LightShaders, PhysicalLightsBelowTheirThresholdAreDropped) {
   EXPECT_EQ(colour_at(light, Vec3(0, 0, 3)).x, 0);
 }
 
-/// Three lights, the first two in a group; a material and what its instance says.
+/// Three lights, the first two in a group; a material and statements of its instance.
 std::set<std::string> lights_of(std::string_view arguments, std::string_view link = {}) {
   const std::string light = "\"mib_light_point\" ( \"color\" 1 1 1 ) origin 0 0 0";
   std::string elements =
@@ -131,7 +131,7 @@ TEST(LightLists, ModesChooseAmongListLinksAndAll) {
 }
 
 // acceptance: P7
-TEST(LightLists, GroupsStandForTheirLights) {
+TEST(LightLists, GroupsExpandToTheirLights) {
   EXPECT_EQ(lights_of("\"lights\" [ \"pair\" ], \"mode\" 1"), (Names{"a", "b"}));
   EXPECT_EQ(lights_of("\"lights\" [ \"pair\" ], \"mode\" 2"), (Names{"c"}));
 }
@@ -141,7 +141,7 @@ TEST(LightLists, InstancesLinkTheirLights) {
   EXPECT_EQ(lights_of("", "light [ \"a\" ]"), (Names{"a"}));
   EXPECT_EQ(lights_of("", "light \"exclusive\" [ \"a\" ]"), (Names{"b", "c"}));
   EXPECT_EQ(lights_of("\"mode\" 0", "light [ \"a\" ]"), (Names{"a"}));
-  // A list of the material goes before the links of the instance.
+  // A list of the material takes precedence over the links of the instance.
   EXPECT_EQ(lights_of("\"lights\" [ \"c\" ], \"mode\" 0", "light [ \"a\" ]"), (Names{"c"}));
   EXPECT_EQ(lights_of("\"lights\" [ \"c\" ], \"mode\" 1", "light [ \"a\" ]"), (Names{"c"}));
 }

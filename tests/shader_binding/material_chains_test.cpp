@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials connected to materials: what closure comes out, and what is refused.
+// Materials connected to materials: resulting closures, and rejected connections.
 #include <fmt/format.h>
 
 #include "probe.h"
@@ -39,7 +39,7 @@ void expect_rgb(const Rgb& c, float r, float g, float b) {
   EXPECT_NEAR(c.z, b, 1e-6f);
 }
 
-TEST(MaterialChains, InputIsScaledAndTheRayStandsBesideIt) {
+TEST(MaterialChains, InputIsScaledAndTheRayIsAdded) {
   const Chain c(kLambert + material("\"mib_reflect\" ( \"input\" = \"l\", \"reflect\" .5 .25 0 )"));
   c.expect_silent();
   ASSERT_EQ(c.closure.count, 2);
@@ -94,7 +94,7 @@ TEST(MaterialChains, ChainsMultiply) {
   EXPECT_FALSE(c.closure.thin_walled);
 }
 
-TEST(MaterialChains, TwosidedAsksTheSideThatIsSeen) {
+TEST(MaterialChains, TwosidedUsesTheVisibleSide) {
   const std::string text =
       kLambert + material("\"mib_twosided\" ( \"front\" = \"l\", \"back\" 0 1 0 )");
   const Chain front(text), back(text, true);
@@ -152,7 +152,7 @@ TEST(MaterialChains, PhenomenaMayBeChains) {
   EXPECT_EQ(outer.closure.count, 2);
 }
 
-TEST(MaterialChains, UnknownShadersBelowAreTheStandIn) {
+TEST(MaterialChains, UnknownShadersBelowBecomeTheFallback) {
   const Chain c("shader \"u\" \"nobody_has_this\" ( )\n" +
                 material("\"mib_reflect\" ( \"input\" = \"u\", \"reflect\" .5 .5 .5 )"));
   EXPECT_NE(c.scene.only("OR-RT-001"), nullptr) << c.scene.messages();
@@ -160,7 +160,7 @@ TEST(MaterialChains, UnknownShadersBelowAreTheStandIn) {
   EXPECT_EQ(c.closure.lobes[0].kind, LobeKind::Diffuse);
 }
 
-TEST(MaterialChains, MoreLobesThanAClosureHoldsAreLeftOutAndSaid) {
+TEST(MaterialChains, ExcessLobesAreDroppedAndReported) {
   std::string text = kLambert;
   std::string below = "l";
   for (int i = 0; i < 12; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel_normal_map: the normal that comes out, worked out by hand from the bytes of the picture.
+// oriel_normal_map: resulting normals, computed by hand from the bytes of the image.
 #include <fmt/format.h>
 
 #include "probe.h"
@@ -44,7 +44,7 @@ void expect_vector(const Vec3& v, const Vec3& wanted) {
                                        << ' ' << wanted.y << ' ' << wanted.z;
 }
 
-TEST(NormalMap, PictureIsReadAsItIsStoredWhateverTheGamma) {
+TEST(NormalMap, ImageIsReadWithoutGamma) {
   expect_vector(NormalScene("").vector(), tilted());
   expect_vector(NormalScene("", kTilted, "gamma 1").vector(), tilted());
   // A colour picture is light: .8^2.2 and .6^2.2 in place of .8 and .6.
@@ -68,7 +68,7 @@ TEST(NormalMap, FrameIsSquareAndKeepsTheSideOfV) {
   expect_vector(s.vector(), normalize(u * .6f + v * .2f + Vec3(0, 0, 1)));
 }
 
-TEST(NormalMap, BumpBasisGoesBeforeDerivatives) {
+TEST(NormalMap, BumpBasisOverridesDerivatives) {
   NormalScene s("");
   s.point.bump_u[0] = Vec3(0, 5, 0);
   s.point.bump_v[0] = Vec3(-1, 0, 0);
@@ -98,7 +98,7 @@ TEST(NormalMap, ModeZeroAndListsTurnTheNormalItself) {
   expect_vector(closure.lobes[0].frame.n, tilted());
 }
 
-TEST(NormalMap, NormalStaysWhereThereIsNoFrame) {
+TEST(NormalMap, NormalIsUnchangedWithoutAFrame) {
   for (const int what : {0, 1, 2}) {
     NormalScene s("");
     if (what == 0) s.point.texture_spaces = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Written values into parameters: every type, what is converted, what is refused.
+// Binding of written values to parameters: all types, conversions, rejected values.
 #include <fmt/format.h>
 
 #include "probe.h"
@@ -64,7 +64,7 @@ TEST(Parameters, EveryTypeIsBoundAsWritten) {
   EXPECT_EQ(p.amount_half, 1);
 }
 
-TEST(Parameters, BooleansAndIntegersStandForEachOther) {
+TEST(Parameters, BooleansAndIntegersConvert) {
   for (const auto& [text, expected] : {std::pair{"1", true},
                                        {"0", false},
                                        {"on", true},
@@ -98,7 +98,7 @@ TEST(Parameters, LastOfTwoValuesWins) {
 
 TEST(Parameters, AliasesReachTheSameParameter) {
   EXPECT_EQ(ProbeScene(probe_call("\"quantity\" 4")).params().amount, 4);
-  // The spellings of the manual's running text beside those of the declaration.
+  // The spellings in the text of the manual and in the declaration.
   const testing::PreparedScene s(testing::scene_text(
       "material \"m\" \"mia_material_x\" ( \"refl_samples\" 3, \"refr_samples\" 5, "
       "\"refr_trans_w\" .25 ) end material"));
@@ -177,7 +177,7 @@ TEST(Parameters, ArraysOfLightsTakeInstancesAndGroupsOfThem) {
   EXPECT_NE(s.only("OR-RT-015")->message.find("nobody"), std::string::npos);
 }
 
-TEST(Parameters, UnknownShadersBecomeAVisibleStandIn) {
+TEST(Parameters, UnknownShadersBecomeAVisibleFallback) {
   const ProbeScene s(
       "material \"m\" \"mia_materiel_x\" ( \"diffuse\" 1 1 1 ) end material\n"
       "material \"n\" \"mia_materiel_x\" ( ) end material");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured lights in scenes: the lux they bring, how profiles turn, and what a bad one says.
+// Photometric lights in scenes: illuminance, orientation of profiles, reports of invalid profiles.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -56,7 +56,7 @@ struct OneLight {
                         before, light, transform),
             "\"li\"")) {}
   const Light& light() const { return scene.world->lights.at(0); }
-  /// Irradiance facing the light, as the middle of its shape brings it.
+  /// Irradiance facing the light, of a light at the middle of its shape.
   Rgb at(const Vec3& place, Vec2 u = Vec2(.5f)) const {
     ShadingPoint point;
     point.position = place;
@@ -211,7 +211,7 @@ TEST(PhotometricLights, ShapesSpreadAProfileOverTheirArea) {
 TEST(PhotometricLights, ABadProfileIsOneMessageWithFileLineAndAdvice) {
   const std::string path =
       written("bad.ies", "IESNA91\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 40\n0 180\n0\n100 -5\n");
-  // Asked for twice.
+  // The profile is referenced twice, by the shader and by the light.
   const OneLight light(
       "\"mib_light_photometric\" ( \"color\" 1 1 1, \"profile\" \"lp\" ) origin 0 0 0 "
       "lightprofile \"lp\"",

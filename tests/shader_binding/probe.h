@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders made for looking at what was bound: one parameter of each type, results of each type.
+// Test shaders that show bound values: one parameter of each type, results of each type.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -136,7 +136,7 @@ inline const Registry& probe_registry() {
   return registry;
 }
 
-/// A scene whose material "m" is what is looked at.
+/// A scene that shows the result of material "m".
 struct ProbeScene : testing::PreparedScene {
   explicit ProbeScene(std::string_view elements, std::string_view members = {})
       : PreparedScene(testing::scene_text(elements, members), probe_registry()) {}

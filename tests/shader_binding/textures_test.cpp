@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texture look-ups through shaders: files, pixels in the scene, procedures, coordinates, spheres.
+// Texture lookups by shaders: files, inline pixels, procedures, coordinates, spheres.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -68,13 +68,13 @@ TEST(Textures, OutsideTheUnitSquareIsTransparentBlack) {
   EXPECT_EQ(look_up(ProbeScene(lookup_at(.5f, .5f, t))).r, 1);
 }
 
-TEST(Textures, PixelsMayStandInTheScene) {
+TEST(Textures, PixelsMayBeInline) {
   const ProbeScene s(lookup_at(.75f, .5f, "color texture \"t\" [2 1 3] 'ff0000' '00ff00'"));
   EXPECT_SILENT(s);
   expect_rgb_near(look_up(s), 0, 1, 0);
 }
 
-TEST(Textures, MissingFilesAreMagentaAndSaidOnce) {
+TEST(Textures, MissingFilesAreMagentaAndReportedOnce) {
   const ProbeScene s(
       lookup_at(.5f, .5f, "color texture \"t\" \"/nowhere/at/all.png\"") +
       "\nshader \"again\" \"mib_texture_lookup\" ( \"tex\" \"t\", \"coord\" .1 .1 0 )");
@@ -101,7 +101,7 @@ TEST(Textures, ProceduresSeeTheLookUpCoordinate) {
   expect_rgb_near(look_up(s), .25f, .625f, 0);
 }
 
-TEST(Textures, AProcedureThatLooksItselfUpEnds) {
+TEST(Textures, RecursiveProceduresTerminate) {
   const ProbeScene s(lookup_at(
       .5f, .5f, "color texture \"t\" \"mib_texture_lookup\" ( \"tex\" \"t\", \"coord\" .5 .5 0 )"));
   EXPECT_TRUE(std::isfinite(look_up(s).r));

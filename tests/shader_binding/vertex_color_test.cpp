@@ -27,7 +27,7 @@ TEST(VertexColor, CoordinatesOfItsSpacesMultiplyTheColour) {
   EXPECT_FLOAT_EQ(both.a, .25f);
 }
 
-TEST(VertexColor, SpacesThatAreNotThereAreWhite) {
+TEST(VertexColor, MissingSpacesAreWhite) {
   EXPECT_EQ(color_at("\"space\" 1, \"alpha_space\" 2", 1), Rgba(1, 1, 1, 1));
   EXPECT_EQ(color_at("\"color\" .5 1 2 .5, \"space\" -1", 3), Rgba(.5f, 1, 2, .5f));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unit vectors by angles, in degrees.
+// Unit vectors from angles in degrees.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a picture with all outputs of a material that add up to it.
+// Test support: an image with all outputs of a material that sum to it.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders composed scenes with the outputs of their materials, to look at by name.
+// Renders composed scenes with the outputs of their materials, accessible by name.
 #pragma once
 
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rooms with a window under a sky, for tests of portal lights, and what the window brings by
+// Rooms with a window under a sky, for tests of portal lights, and irradiance of the window by
 // quadrature.
 #pragma once
 

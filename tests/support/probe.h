@@ -25,7 +25,7 @@ struct Measured {
   double samples = 0;
   float alpha = 0;
   float extent = 1;   ///< diagonal of the scene's bounds, scene units
-  AovValues outputs;  ///< mean results and levels, where Probe::outputs() asked for them
+  AovValues outputs;  ///< mean results and levels, if enabled by Probe::outputs()
 
   /// Mean number of rays of one kind for each path, as in `m.each(m.counts.reflect)`.
   double each(std::uint64_t count) const { return double(count) / samples; }
@@ -51,7 +51,7 @@ class Probe {
     settings_.estimator = estimator;
     return *this;
   }
-  /// Whether what glows is sampled as a light.
+  /// Whether emissive surfaces are sampled as lights.
   Probe& mesh_lights(bool on) {
     settings_.mesh_lights = on;
     return *this;
@@ -62,7 +62,7 @@ class Probe {
     settings_.paths_of_pixel = paths;
     return *this;
   }
-  /// Tells the radiance apart by the components of the first material.
+  /// Splits the radiance by the components of the first material.
   Probe& outputs() {
     outputs_ = true;
     return *this;

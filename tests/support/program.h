@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: runs the built program in a folder of its own and looks at what it did.
+// Test support: runs the built program in a temporary folder and inspects its results.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ struct RunResult {
   int error_lines() const { return static_cast<int>(std::count(err.begin(), err.end(), '\n')); }
 };
 
-/// A folder with the program in it, so to say.
+/// A temporary folder in which the program runs.
 class ProgramTest : public ::testing::Test {
  protected:
   std::string file(const std::string& name) const { return folder_.file(name); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Composes small .mi scenes from shapes and materials whose exact pictures are known.
+// Composes small .mi scenes from shapes and materials with known exact images.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ inline const Vec3 kUp(0, 0, 1);
 /// A scene under composition; every call adds one element and its instance.
 class SceneText {
  public:
-  /// Statements of the options block beside "trace on" and the method.
+  /// Statements of the options block in addition to "trace on" and the method.
   explicit SceneText(std::string options = "trace depth 8 8 12 shadow segments")
       : options_(std::move(options)) {}
 
@@ -30,7 +30,7 @@ class SceneText {
   SceneText& material(const std::string& name, const std::string& parameters);
   /// A Lambert surface.
   SceneText& lambert(const std::string& name, float albedo, const std::string& more = {});
-  /// A surface that only glows, on both sides.
+  /// A surface that only emits, on both sides.
   SceneText& emitter(const std::string& name, float radiance);
   /// Puts all instances so far into a group, and that into the root group by an instance of those
   /// flags.

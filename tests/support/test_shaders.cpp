@@ -28,7 +28,7 @@ constexpr ShaderSpec kTestSky = {
         },
 };
 
-/// "test_direction": where a ray goes, as a colour around .5.
+/// "test_direction": the ray direction as a colour around .5.
 constexpr ShaderSpec kTestDirection = {
     .name = "test_direction",
     .library = "test",
@@ -40,7 +40,7 @@ constexpr ShaderSpec kTestDirection = {
         },
 };
 
-/// "test_place": the point in world space as a colour, so that a target tells where it was hit.
+/// "test_place": the point in world space as a colour, to show the hit position.
 struct TestPlace {
   Vec3 scale;
 };

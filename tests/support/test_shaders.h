@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders of test scenes, whose values are known everywhere.
+// Test shaders with known values.
 #pragma once
 
 #include <initializer_list>

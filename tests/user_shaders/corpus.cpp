@@ -21,7 +21,7 @@ std::string text_of_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Pixels of one rendering from the lowest row up, and what it had to say.
+/// Pixels of one rendering from the lowest row up, and its messages.
 struct Shot {
   std::vector<Rgba> pixels;
   std::string messages;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: tables of shaders in corpus/, each rendered and compared with what it should show.
+// Test support: tables of the shaders in corpus/; each one is rendered and compared with expected
+// values.
 #pragma once
 
 #include <functional>
@@ -30,7 +31,7 @@ struct CorpusRow {
   float tolerance = 2e-3f;
   std::uint32_t samples = 16;
   int buffer = -1;     ///< compares this buffer of shaders instead of the picture
-  bool mean = false;   ///< compares the mean of the picture alone, of what has noise
+  bool mean = false;   ///< compares only the mean of the image, for noisy images
   bool shown = false;  ///< compares what the output shaders of the camera leave
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders in the C of the eighties: old definitions, macros, other systems' line ends.
+// Shaders in C89: old definitions, macros, line ends of other systems.
 #include <cmath>
 
 #include "corpus.h"
@@ -142,7 +142,7 @@ std::vector<CorpusRow> patterns() {
 }
 
 // acceptance: I4
-TEST(CorpusC89, ShadersOfOldCShowWhatTheyShould) {
+TEST(CorpusC89, ShadersInC89RenderCorrectly) {
   std::vector<CorpusRow> rows = illumination();
   for (CorpusRow& row : patterns()) rows.push_back(std::move(row));
   testing::run_corpus("c89", rows, "--flag=-std=gnu89");

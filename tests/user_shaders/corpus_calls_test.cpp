@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders that write passes, look textures up, bump, and call other shaders.
+// Shaders that write passes, look up textures, bump, and call other shaders.
 #include <cmath>
 
 #include "corpus.h"
@@ -70,7 +70,7 @@ CorpusRow all_passes(const std::string& name, int buffer,
 }
 
 // acceptance: I4, U6
-TEST(CorpusPasses, HoldWhatShadersPutIntoThem) {
+TEST(CorpusPasses, ContainValuesWrittenByShaders) {
   const auto even = [](float r, float g, float b) {
     return [=](double, double) { return Rgb(r, g, b); };
   };
@@ -167,7 +167,7 @@ std::vector<CorpusRow> bumps() {
 }
 
 // acceptance: I4
-TEST(CorpusTextures, AnswerLookupsOfEachKind) {
+TEST(CorpusTextures, SupportAllKindsOfLookups) {
   std::vector<CorpusRow> rows = lookups();
   rows.push_back(surface("filtered", kColumns, "\"cp_filtered\" ( \"texture\" \"columns\" )",
                          [](double x, double) { return between_columns(coordinate(x)); }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders in C++98: classes over the state, templates, containers that live as long as the frame.
+// Shaders in C++98: classes over the state, templates, containers with the lifetime of the frame.
 #include <cmath>
 
 #include "corpus.h"
@@ -38,7 +38,7 @@ std::vector<CorpusRow> illumination() {
   return rows;
 }
 
-/// A mirror below, and above the camera a ceiling that shows what was handed to it.
+/// A mirror, and above the camera a ceiling that shows its inherited user data.
 CorpusScene under_a_ceiling() {
   return {corpus_square("\"cp_carry\" ( \"share\" .5 )") +
               "material \"above\" \"cp_carried\" ( ) end material object \"ceiling\" visible trace "

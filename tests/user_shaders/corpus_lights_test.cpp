@@ -28,7 +28,7 @@ std::string board(const std::string& material, const std::string& corners) {
 }
 const std::string kWhole = "-8 -8 2 8 -8 2 8 8 2 -8 8 2", kHalf = "0 -8 2 8 -8 2 8 8 2 0 8 2";
 
-/// White under a lamp; half of it lies in the shadow of a black board.
+/// A white surface under a light; half of it is in the shadow of a black board.
 CorpusScene under(const std::string& light, const std::string& before = "") {
   return {before + "light \"lamp\" " + light +
               " end light instance \"lamp_i\" \"lamp\" end instance material \"black\" "
@@ -142,7 +142,7 @@ CorpusRow photons() {
 }
 
 // acceptance: I4
-TEST(CorpusLights, LampsShadowsAndPhotonsDoAsTheBuiltInOnes) {
+TEST(CorpusLights, LightsShadowsAndPhotonsMatchTheBuiltInOnes) {
   std::vector<CorpusRow> rows = lamps();
   for (CorpusRow& row : shadows()) rows.push_back(std::move(row));
   rows.push_back(photons());

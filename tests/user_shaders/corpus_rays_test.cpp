@@ -155,7 +155,7 @@ std::vector<CorpusRow> materials() {
 }
 
 // acceptance: I4
-TEST(CorpusRays, GoWhereTheirShadersSendThem) {
+TEST(CorpusRays, FollowTheirShaders) {
   std::vector<CorpusRow> rows;
   for (const auto& part : {lenses(), environments(), volumes(), materials()})
     rows.insert(rows.end(), part.begin(), part.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders of pictures, of samples and of geometry, and phenomena of shaders in C.
+// Output, state and geometry shaders, and phenomena of shaders in C.
 #include <cmath>
 
 #include "corpus.h"
@@ -143,7 +143,7 @@ TEST(CorpusGeometry, ShadersMakeAndMoveIt) {
 }
 
 // acceptance: I4
-TEST(CorpusPhenomena, PutShadersInCTogether) {
+TEST(CorpusPhenomena, CombineShadersInC) {
   testing::run_corpus(
       "phenomena",
       {{"parts/struct and array",

@@ -84,7 +84,7 @@ CorpusScene curls_as_text(const std::string& material) {
 }
 
 // acceptance: I4
-TEST(CorpusHair, IsWhatItsScalarsSay) {
+TEST(CorpusHair, MatchesItsScalars) {
   const std::string emitter = corpus_emitter(".9 .5 .2");
   CorpusRow curls{"curls", made("\"cp_curls\" ( \"radius\" .4 )", emitter)};
   curls.equivalent = curls_as_text(emitter);
@@ -179,7 +179,7 @@ Rgb level_squares(double x, double y, const std::vector<std::pair<double, double
 }
 
 // acceptance: I4
-TEST(CorpusPlaceholders, HoldWhatCallbacksAndFilesMake) {
+TEST(CorpusPlaceholders, ContainGeometryOfCallbacksAndFiles) {
   const std::string rooms =
       "\"cp_later\" ( \"room\" [ { \"name\" \"upper\", \"half\" 1, \"height\" 1 }, { \"name\" "
       "\"lower\", \"half\" 3, \"height\" -.5 } ] )";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders that calculate with spectra: wrapper classes, filters, dispersion and lights.
+// Shaders that compute with spectra: wrapper classes, filters, dispersion and lights.
 #include <cmath>
 
 #include "color/black_body.h"

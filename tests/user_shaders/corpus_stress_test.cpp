@@ -114,7 +114,7 @@ std::vector<CorpusRow> interface() {
 }
 
 // acceptance: I4
-TEST(CorpusStress, HardSourcesCompileAndShowWhatTheyShould) {
+TEST(CorpusStress, DifficultSourcesCompileAndRenderCorrectly) {
   std::vector<CorpusRow> rows;
   for (const auto& part : {languages(), libraries(), interface()})
     rows.insert(rows.end(), part.begin(), part.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: what of mental ray's shader interface is offered, as tables of the documentation.
+// Test support: supported parts of the mental ray shader interface, as tables of the documentation.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders that geometry shaders declare, call and connect; what other shaders read of a call.
+// Shaders that geometry shaders declare, call and connect; queries of calls by other shaders.
 #include "user_scene.h"
 
 namespace oriel::testing {
@@ -172,7 +172,7 @@ TEST(Declarations, ParametersOfACallAreFoundByName) {
 }
 
 // acceptance of old sources: a parameter without a connection takes the surface's coordinate.
-TEST(Connections, TellAConnectedParameterFromAValue) {
+TEST(Connections, DistinguishConnectionsFromValues) {
   ShaderFolder folder;
   folder.compile("g",
                  "#include <shader.h>\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where displacement shaders move the surface to.
+// Results of displacement shaders.
 #include "user_scene.h"
 
 namespace oriel {
@@ -32,7 +32,7 @@ TEST(UserDisplacement, MovesAlongTheNormalAndFromThePointThatTheShaderLeaves) {
                     "\"square_i\"", "max displace " + limit);
     return scene.pixel(4, 4);
   };
-  // Where the surface was at rest, as its texture tells, less where it is.
+  // The undisplaced position, from the texture, minus the displaced one.
   expect_near(moved("slant", "3"), Rgb(-1.5f, 0, 2), 1e-4f);
   expect_near(moved("shift", "3"), Rgb(0, -1, 1.5f), 1e-4f);
   // The bound holds for the whole way.

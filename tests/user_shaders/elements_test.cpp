@@ -123,7 +123,7 @@ TEST(Elements, NamesAndTagsAreFoundWhileRendering) {
       Rgb(1), 1e-4f);
 }
 
-/// A lamp of strength 1 above a Lambert square: a light made by a shader, with `set`.
+/// A light of intensity 1 above a Lambert square, created by a shader with `set`.
 std::string lit(const std::string& set) {
   return make(
       "miColor c = {1, 1, 1, 1}; miLight *l; miTag s;"
@@ -206,7 +206,7 @@ TEST(Elements, ATextureIsLookedUp) {
   expect_near(scene.pixel(4, 4), Rgb(1, 0, 1), 1e-3f);
 }
 
-TEST(Elements, ShadowMapsOfALightAreTakenAndIgnored) {
+TEST(Elements, ShadowMapsOfALightAreAcceptedAndIgnored) {
   const Rgb plain = shown(lit(""), kLambert, "\"square_i\" \"made\"");
   const Rgb mapped = shown(lit("l->use_shadow_maps = miTRUE; l->shadowmap_resolution = 512;"
                                "l->shadowmap_flags = miSHADOWMAP_DETAIL | miSHADOWMAP_MERGE;"
@@ -244,7 +244,7 @@ TEST(Elements, UserDataIsAttachedToInstances) {
       Rgb(6, 9, 3), 1e-4f);
 }
 
-/// A light shader that switches one of its shares off, and a material that asks for it.
+/// A light shader that disables one of its components, and a material that samples it.
 std::string maya(const std::string& language) {
   const std::string c = language == "cpp" ? "extern \"C\" " : "";
   return std::string("#include <shader.h>\n#include <mayaapi.h>\n") + c +

@@ -156,7 +156,7 @@ TEST(Examples, StainedGlassTintsTheLightByItsWayThroughThePane) {
   }
 }
 
-TEST(Examples, DuskGoesFromHorizonToZenithAndGlows) {
+TEST(Examples, DuskHasAGradientAndEmits) {
   Example example("environment", "ex_dusk.c");
   UserScene scene(
       example.folder, example.declaration + kGlow + UserScene::square("m"), "", "",
@@ -183,7 +183,7 @@ TEST(Examples, FisheyeMapsDistancesToAngles) {
   expect_near(scene.pixel(5, 4, 1024), Rgb(wanted(0), wanted(1), 0), .02f);
 }
 
-TEST(Examples, GroundFogDimsByTheDensityOnTheWay) {
+TEST(Examples, GroundFogDimsByTheIntegratedDensity) {
   Example example("volume", "ex_ground_fog.cpp");
   UserScene scene(example.folder, example.declaration + kGlow + UserScene::square("m"),
                   "\"square_i\"", "",
@@ -228,7 +228,7 @@ TEST(Examples, StairsRiseStepByStep) {
   EXPECT_NEAR(scene.pixel(4, 4).z, 0, 1e-5f);
   EXPECT_NEAR(scene.pixel(4, 6).z, -.1f, 1e-5f);
   EXPECT_NEAR(scene.pixel(5, 6, 512).y, 2.5f * 4.1f / 4, .02f);
-  // As wide as was said, and nothing below the ground.
+  // As wide as specified, and nothing below the ground.
   expect_near(scene.pixel(7, 4), Rgb(0), 0);
   expect_near(scene.pixel(4, 3), Rgb(0), 0);
 }

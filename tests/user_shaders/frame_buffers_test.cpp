@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What users' shaders write into frame buffers, in files and before output shaders.
+// Frame buffers written by user shaders, in files and before output shaders.
 #include "image/files.h"
 #include "output/output_names.h"
 #include "user_picture.h"

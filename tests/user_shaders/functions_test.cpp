@@ -21,7 +21,7 @@ const fs::path kHeaders = kSource / "include/oriel/sdk";
 
 std::vector<Offered> offered() { return offered_functions(kHeaders); }
 
-/// What shaders said of one function.
+/// Messages of shaders about one function.
 struct Covered {
   std::set<std::string> examples;  ///< source files
   int right = 0;
@@ -45,7 +45,7 @@ class SdkCoverage : public ProgramTest {
                 "--threads", "1", "-o", scene + ".png"});
   }
 
-  /// Renders a scene whose shaders shall not have anything to say but the expected.
+  /// Renders a scene whose shaders must report only expected messages.
   std::string expect_rendered(const std::string& scene) {
     const RunResult r = render(scene);
     EXPECT_EQ(r.exit_code, 0) << scene << ":\n" << r.err;
@@ -68,7 +68,7 @@ class SdkCoverage : public ProgramTest {
     return all;
   }
 
-  /// Messages have no answer: the shader says them, the program shows them.
+  /// Message functions return nothing: the shader calls them, the program shows the messages.
   void expect_messages(const std::string& shown, const std::string& example,
                        const std::map<std::string, std::string>& said) {
     std::ofstream told(file("covered.txt"), std::ios::app);
@@ -106,7 +106,7 @@ class SdkCoverage : public ProgramTest {
     }
   }
 
-  /// coverage.txt names each once, says why, and agrees with functions.txt.
+  /// coverage.txt lists each name once with a reason, and agrees with functions.txt.
   static void expect_names() {
     if (std::getenv("ORIEL_UPDATE")) CoverageTable(kHeaders).prune(kHeaders);
     const CoverageTable coverage(kHeaders);
@@ -125,7 +125,7 @@ class SdkCoverage : public ProgramTest {
       ADD_FAILURE() << name << " is not offered: coverage.txt calls it declared";
   }
 
-  /// The page with its table of counts, which stands between two marks.
+  /// The page with its table of counts between two markers.
   static std::string guide(const std::string& counts) {
     const std::string begin = "<!-- made by SdkCoverage -->\n", end = "<!-- end -->\n";
     std::string text = text_of(kGuide.string());
@@ -163,7 +163,7 @@ class SdkCoverage : public ProgramTest {
 };
 
 // acceptance: I4
-TEST_F(SdkCoverage, EveryFunctionOfferedAnswersAsItShould) {
+TEST_F(SdkCoverage, EveryFunctionReturnsTheExpectedResult) {
   std::map<std::string, std::string> said;
   for (const char* scene :
        {"vectors",   "random",      "directions",    "highlights", "spaces",   "images",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What geometry shaders make is what the same element of a scene file is.
+// Elements made by geometry shaders equal those of a scene file.
 #include "prepare/generated_geometry.h"
 #include "scene/approximation.h"
 #include "scene/element_settings.h"
@@ -287,7 +287,7 @@ TEST(GeometryShaders, FreeFormSurfacesAreThoseOfASceneFile) {
   EXPECT_GT(std::abs(coarse.pixel(4, 4).x - shader.pixel(4, 4).x), .1f);
 }
 
-/// What a shader asks for in C, as its statement reads.
+/// C calls of a shader, and the equivalent statement.
 scene::Approximation approximation(const std::string& c, const std::string& name = "s") {
   ShaderFolder folder;
   folder.compile("g",
@@ -324,7 +324,7 @@ TEST(GeometryShaders, ApproximationsAreStatementsOfASceneFile) {
                           "a.style = miAPPROX_STYLE_FINE_NO_SMOOTHING;"),
             statement("trace shadow approximate surface fine nosmoothing sharp .5 angle 15 0 5 "
                       "\"s\""));
-  // None and nothing asked for: what applies without a statement.
+  // No statement and no call: the default applies.
   EXPECT_EQ(approximation("a.cnst[0] = 1; a.style = miAPPROX_STYLE_NONE;"), scene::Approximation());
   EXPECT_EQ(approximation("miAPPROX_DEFAULT(a);"), scene::Approximation());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What states say of the primitive that was hit: its handle, its bump vectors, its derivatives.
+// State of a hit primitive: handle, bump vectors, derivatives.
 #include "user_scene.h"
 
 namespace oriel {
@@ -61,7 +61,7 @@ TEST(UserHits, TheHandleOfAPrimitiveIsStableAndItsOwn) {
   expect_near(scene.pixel(6, 2, 16), other, 0);
 }
 
-TEST(UserHits, ChildrenHaveTheHandleOfWhatTheyHit) {
+TEST(UserHits, ChildStatesHaveTheHandleOfTheirHit) {
   const ShaderFolder folder;
   folder.compile("c", kHead +
                           "DLLEXPORT miBoolean child(miColor *r, miState *state, void *p) {"
@@ -84,7 +84,7 @@ TEST(UserHits, ChildrenHaveTheHandleOfWhatTheyHit) {
   expect_near(scene.pixel(4, 4, 4), Rgb(1), 0);
 }
 
-TEST(UserHits, WithoutAHandleLightsOfBothSidesAreTaken) {
+TEST(UserHits, WithoutAHandleLightsOfBothSidesAreUsed) {
   const ShaderFolder folder;
   folder.compile("s", kHead +
                           "DLLEXPORT miBoolean sides(miColor *r, miState *state, void *p) {"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users' shaders of each kind in the picture.
+// Images of user shaders of each kind.
 #include "user_scene.h"
 
 namespace oriel {
@@ -11,7 +11,7 @@ using testing::UserScene;
 
 const char* const kHead = "#include <shader.h>\n";
 
-/// A lamp that shines from (0, 0, 3) onto the square: colour 1 without decay.
+/// A light at (0, 0, 3) above the square: colour 1 without decay.
 const std::string kLamp =
     "light \"lamp\" \"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin 0 0 3 end light "
     "instance \"lamp_i\" \"lamp\" end instance ";
@@ -39,7 +39,7 @@ TEST(UserShaders, AMaterialShowsItsColourAndReadsItsParameters) {
   EXPECT_EQ(scene.messages(), "");
 }
 
-TEST(UserShaders, ALambertLoopShowsWhatTheBuiltInOneShows) {
+TEST(UserShaders, LambertLoopEqualsTheBuiltInMaterial) {
   ShaderFolder folder;
   folder.compile("m", std::string(kHead) +
                           "struct lamb { miColor c; int i_lights; int n_lights; miTag lights[1]; };"
@@ -222,7 +222,7 @@ TEST(UserShaders, RaysOfMaterialsFindSurfacesAndTheEnvironment) {
                   "declare material \"m\" \"mirror\" ( \"level\" .5 ) end material " +
                       UserScene::square("m"),
                   "\"square_i\"", "", "environment \"sky\" ( )");
-  // Straight above the mirror the ray goes straight up.
+  // Directly above the mirror the reflected ray is vertical.
   const Rgb seen = scene.pixel(4, 4, 256);
   EXPECT_NEAR(seen.x, .5f, 1e-5f);
   EXPECT_NEAR(seen.y, .5f, .02f);
@@ -281,7 +281,7 @@ TEST(UserShaders, VolumesDimAndAddAsTheyAreWritten) {
   EXPECT_NEAR(seen.x, .5f * kept + 1 - kept, .005f);
 }
 
-TEST(UserShaders, VolumesDimTheLightOfLamps) {
+TEST(UserShaders, VolumesDimTheLightOfFiniteLights) {
   ShaderFolder folder;
   folder.compile("v", std::string(kHead) +
                           "DLLEXPORT miBoolean fog(miColor *r, miState *state, void *p) {"
@@ -302,7 +302,7 @@ TEST(UserShaders, VolumesDimTheLightOfLamps) {
   };
   const Rgb clear = seen(""), foggy = seen("volume \"fog\" ( )");
   ASSERT_GT(clear.x, .01f);
-  // Over the pixel's square unit of the ground, whose corner is below the lamp.
+  // Over the square unit of ground in the pixel, with a corner below the light.
   double all = 0, once = 0, twice = 0;
   for (double x = .005; x < 1; x += .01)
     for (double y = .005; y < 1; y += .01) {
@@ -311,10 +311,10 @@ TEST(UserShaders, VolumesDimTheLightOfLamps) {
     }
   EXPECT_NEAR(foggy.x / clear.x, once / all, .003);
   EXPECT_NEAR(foggy.y / clear.y, twice / all, .003);
-  EXPECT_NEAR(foggy.z, clear.z, 1e-5f);  // what it adds to light is left out
+  EXPECT_NEAR(foggy.z, clear.z, 1e-5f);  // light added by the volume is excluded
 }
 
-TEST(UserShaders, VolumesAreCalledForRaysThatMeetNothing) {
+TEST(UserShaders, VolumesAreCalledForRaysThatMiss) {
   ShaderFolder folder;
   folder.compile("v", std::string(kHead) +
                           "DLLEXPORT miBoolean far(miColor *r, miState *state, void *p) {"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From `link` to the last exit: what is loaded, what is called in which order, what is said when
-// something does not fit.
+// Life cycle of shader libraries from `link` to the last exit: loading, order of calls, errors.
 
 #include <algorithm>
 

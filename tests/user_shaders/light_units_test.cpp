@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light in lux as shaders of users take it.
+// Light units in user shaders: lux.
 #include "color/luminance.h"
 #include "user_picture.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `oriel render` says when a library of a scene is absent or does not load.
+// Messages of `oriel render` about missing or unloadable libraries.
 #include "support/program.h"
 
 namespace oriel {

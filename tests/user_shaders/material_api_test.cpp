@@ -16,7 +16,7 @@ using testing::UserScene;
 
 constexpr const char* kHead = "#include <shader.h>\n#include <mia_material_api.h>\n";
 
-/// A lamp at (0, 0, 3) with a shader.
+/// A light at (0, 0, 3) with a shader.
 std::string lamp(const std::string& shader, const std::string& shape = "") {
   return "light \"lamp\" " + shader + " origin 0 0 3 " + shape +
          " end light instance \"lamp_i\" \"lamp\" end instance ";
@@ -34,7 +34,7 @@ Rgb mean_output(const UserPicture& picture, const std::string& name) {
 }
 
 // acceptance: I1
-TEST(MaterialApi, BothStructsAreToldApartByTheirSize) {
+TEST(MaterialApi, StructsAreDistinguishedBySize) {
   const ShaderFolder folder;
   folder.compile(
       "ask",
@@ -220,7 +220,7 @@ TEST(MaterialApi, WrappedMaterialsKeepAlphaAndHoles) {
 }
 
 // acceptance: I3
-TEST(MaterialApi, TheSunSaysThatItIsOne) {
+TEST(MaterialApi, SunIsIdentifiedAsSun) {
   const ShaderFolder folder;
   folder.compile(
       "suns",
@@ -251,7 +251,7 @@ TEST(MaterialApi, TheSunSaysThatItIsOne) {
   expect_near(UserPicture(scene).mean(), Rgb(1, 1, 0), 1e-6f);
 }
 
-/// Light shader "tell": shines white and does STATEMENTS with `data`, the light data or null.
+/// Light shader "tell": emits white and executes STATEMENTS with `data`, the light data or null.
 std::string telling(const std::string& statements) {
   return std::string(kHead) +
          "DLLEXPORT miBoolean tell(miColor *r, miState *state, void *p) { int n = 0;"
@@ -263,7 +263,7 @@ std::string telling(const std::string& statements) {
 }
 const std::string kTell =
     "link \"tell.so\" declare shader color \"tell\" ( ) apply light end declare ";
-/// The material that the lamp lights.
+/// The material under the light.
 std::string glossy(const std::string& further = "") {
   return "material \"m\" \"mia_material_x\" ( \"diffuse\" .5 .5 .5 1, \"reflectivity\" .5, "
          "\"refl_color\" 1 1 1 1, \"refl_gloss\" .4, \"brdf_0_degree_refl\" 1, "
@@ -334,7 +334,7 @@ TEST(MaterialApi, LightsThatAreSeenShowHighlightsWhenTheyForceThem) {
 }
 
 // acceptance: I3
-TEST(MaterialApi, LightsReadGlossAndImportanceOfWhatTheyLight) {
+TEST(MaterialApi, LightsReadGlossAndImportanceOfTheMaterial) {
   const ShaderFolder folder;
   folder.compile("tell", telling("r->r = data ? data->glossiness : 0;"
                                  "r->g = data ? data->importance : 0;"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of users' shaders: which blocks are released, and what is in them.
+// Memory of user shaders: released blocks and initial contents.
 #include "user_scene.h"
 
 namespace oriel {

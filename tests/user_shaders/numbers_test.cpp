@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of shaders that are no numbers.
+// Shader results that are NaN or infinite.
 #include "user_scene.h"
 
 namespace oriel {
@@ -10,7 +10,7 @@ using testing::UserScene;
 
 const std::string kHead = "#include <shader.h>\n";
 
-TEST(UserNumbers, AShaderThatReturnsNoNumberIsNamedOnce) {
+TEST(UserNumbers, ShaderReturningNanIsReportedOnce) {
   const ShaderFolder folder;
   folder.compile("n", kHead +
                           "struct outer { miColor c; };"

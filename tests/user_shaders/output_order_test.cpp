@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output shaders run in the order of the camera's list, whoever wrote them.
+// Output shaders run in the order of the list of the camera, built-in or user-defined.
 #include <cmath>
 
 #include "user_picture.h"
@@ -47,13 +47,13 @@ std::pair<float, float> after(const std::string& list) {
           read_exr_image(folder.file("b.exr")).at(4, 4)[1]};
 }
 
-TEST(OutputOrder, ShadersInCBeforeTheExposureAreGivenLinearLight) {
+TEST(OutputOrder, ShadersInCBeforeTheExposureGetLinearLight) {
   const auto [shown, given] = after(kAdding + kExposure);
   EXPECT_NEAR(given, .0625f, 1e-6f);
   EXPECT_NEAR(shown, std::sqrt(2 * (.0625f + .25f)), 1e-5f);
 }
 
-TEST(OutputOrder, ShadersInCAfterTheExposureAreGivenWhatItMade) {
+TEST(OutputOrder, ShadersInCAfterTheExposureGetItsResult) {
   const auto [shown, given] = after(kExposure + kAdding);
   EXPECT_NEAR(given, std::sqrt(2 * .0625f), 1e-5f);
   EXPECT_NEAR(shown, std::sqrt(2 * .0625f) + .25f, 1e-5f);

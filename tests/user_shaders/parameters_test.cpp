@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of users' shaders in every form a declaration knows: arrays, structs, defaults.
+// Parameters of user shaders in all declarable forms: arrays, structs, defaults.
 #include "user_scene.h"
 
 namespace oriel {
@@ -117,7 +117,7 @@ TEST(UserParameters, AResultTooLargeForTheStackMakesTheShaderUnknown) {
   EXPECT_NE(scene.messages().find("OR-SDK-011"), std::string::npos) << scene.messages();
 }
 
-TEST(UserParameters, TheDeclarationTellsThemAsText) {
+TEST(UserParameters, DeclarationIsAvailableAsText) {
   ShaderFolder folder;
   folder.compile("p",
                  "#include <shader.h>\n#include <string.h>\n"

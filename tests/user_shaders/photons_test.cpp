@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users' shaders in maps of indirect light: gathering, photons on surfaces and out of lights.
+// User shaders and indirect light: gathering, photons at surfaces and from lights.
 #include <array>
 #include <cmath>
 
@@ -18,7 +18,7 @@ using testing::UserScene;
 
 const std::string kExamples = ORIEL_SOURCE_DIR "/examples/shaders/";
 
-/// A floor with material "m" under a lamp, between white walls.
+/// A floor with material "m" under a light, between white walls.
 std::string room(const std::string& material, const std::string& lamp) {
   return lamp +
          " end light instance \"lamp_i\" \"lamp\" end instance "
@@ -143,7 +143,7 @@ TEST(UserPhotons, MirrorsOfPhotonShadersMakeCausticsAsTheBuiltInMaterial) {
   EXPECT_EQ(own.messages(), "");
 }
 
-/// A lamp of energy 40 whose emitter sends photons into a cone of 40 degrees.
+/// A light of energy 40 with an emitter that sends photons into a cone of 40 degrees.
 std::string floodlight(const std::string& energy = "energy 40 40 40 ") {
   return "link \"photon_emitter.so\" declare shader color \"ex_floodlight_photons\" ( scalar "
          "\"angle\" default 30 ) version 1 apply emitter end declare "
@@ -166,7 +166,7 @@ TEST(UserPhotons, EmittersSendTheEnergyOfTheLightTheirOwnWay) {
     const Vec2 u = s.next_2d();
     const EmittedPhoton photon = source.emit(u, s.next_2d());
     EXPECT_EQ(photon.origin, Vec3(0, 0, 3));
-    // pi times the energy, however far it goes: as physical_light of that colour.
+    // pi times the energy at any distance, like physical_light of that colour.
     expect_near(source.power(photon, 1.5f), Rgb(40 * kPi), 1e-3f);
     cosines += -photon.direction.z / kCount;
     least = std::min(least, -photon.direction.z);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What states hand on: from the shader that casts a ray or asks a light to the shader that answers,
-// and back by state->child.
+// State inheritance: from the shader that casts a ray or samples a light to the called shader, and
+// back by state->child.
 #include "user_scene.h"
 
 namespace oriel {
@@ -102,7 +102,7 @@ const std::string kLamp =
     "light \"lamp\" \"asked\" ( ) origin 0 0 3 end light "
     "instance \"lamp_i\" \"lamp\" end instance ";
 
-TEST(UserStateFlow, LightShadersSeeTheShaderThatAsked) {
+TEST(UserStateFlow, LightShadersGetTheCallingShader) {
   const ShaderFolder folder;
   folder.compile("l", kHead + kAskedLight +
                           "DLLEXPORT miBoolean asker(miColor *r, miState *state, void *p) {"

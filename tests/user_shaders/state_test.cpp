@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State shaders around the samples of a picture.
+// State shaders, called before and after the samples of an image.
 #include "user_picture.h"
 
 namespace oriel {
@@ -53,10 +53,10 @@ TEST(UserState, IsCalledAroundEachSampleAndMayChangeItsColour) {
   EXPECT_NEAR(picture.session->film().user_buffer(4, 4, 0).r, 10, 1e-5f);
 }
 
-TEST(UserState, SeveralAreCalledInOrderAndSeeWhatMissedRaysReturn) {
+TEST(UserState, SeveralAreCalledInOrderWithTheResultsOfMissedRays) {
   ShaderFolder folder;
   folder.compile("s", kAround);
-  // No geometry: the material is not asked, the sample is black before the tints.
+  // No geometry: the material is not called, the sample is black before the tints.
   UserScene scene(folder, kDeclarations, "",
                   "state [ \"around\" ( \"tint\" 1 1 1 ) , \"around\" ( \"tint\" 1 1 1 ) ] ");
   EXPECT_EQ(scene.world->state_shaders.size(), 2u);
@@ -64,7 +64,7 @@ TEST(UserState, SeveralAreCalledInOrderAndSeeWhatMissedRaysReturn) {
   expect_near(picture.mean(), Rgb(0), 1e-6f);
 }
 
-TEST(UserState, AShaderOfAnotherKindIsToldOfAndLeftOut) {
+TEST(UserState, ShaderOfAnotherKindIsReportedAndSkipped) {
   ShaderFolder folder;
   UserScene scene(folder, "", "", "state \"mib_illum_lambert\" ( ) ");
   EXPECT_TRUE(scene.world->state_shaders.empty());

@@ -102,7 +102,7 @@ TEST(UserTags, OfMaterialsAreThoseOfTheHit) {
   expect_near(scene.pixel(4, 4, 1), Rgb(1), 0);
 }
 
-TEST(UserTags, OfLightsTellTheirShadowMaps) {
+TEST(UserTags, LightTagsGiveShadowMaps) {
   ShaderFolder folder;
   folder.compile(
       "maps", kHead +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What users' shaders keep for each thread, and that pictures do not depend on the threads.
+// Per-thread data of user shaders, and independence of images from the number of threads.
 #include "base/parallel.h"
 #include "user_picture.h"
 

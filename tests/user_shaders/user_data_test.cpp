@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// User data of the scene in the hands of shaders.
+// User data of the scene, read by shaders.
 #include <fstream>
 
 #include "user_scene.h"
@@ -58,7 +58,7 @@ Rgb shown(const std::string& data, const std::string& of_object, const std::stri
 }
 
 // acceptance: H1
-TEST(UserData, DeclaredParametersStandAsAStructWithTheirDefaults) {
+TEST(UserData, DeclaredParametersFormAStructWithDefaults) {
   expect_near(shown("data \"d\" \"pair\" ( ) ", "data \"d\"", ""), Rgb(3, 0, 4), 0);
   expect_near(shown("data \"d\" \"pair\" ( \"a\" 5, \"b\" .5, \"text\" \"\", \"s\" [ 1, 2, 3 ] ) ",
                     "data \"d\"", ""),
@@ -77,7 +77,7 @@ TEST(UserData, NothingIsAttachedWhereNothingIsWritten) {
   expect_near(shown("", "", ""), Rgb(0), 0);
 }
 
-TEST(UserQueries, BoundsOfTheObjectAndTheMembersOfTheRootAreTold) {
+TEST(UserQueries, ObjectBoundsAndRootMembersAreReturned) {
   ShaderFolder folder;
   folder.compile("q",
                  "#include <shader.h>\n"
@@ -101,7 +101,7 @@ TEST(UserQueries, BoundsOfTheObjectAndTheMembersOfTheRootAreTold) {
                   "\"o_i\" \"o\" material \"m\" transform .5 0 0 0 0 .5 0 0 0 0 .5 0 0 0 1 1 end "
                   "instance ",
                   "\"o_i\"");
-  // 2 by 4 in the object's own space, whatever the instance makes of it; camera and object.
+  // 2 by 4 in object space, for any instance transform; camera and object.
   expect_near(scene.pixel(4, 4, 1), Rgb(2, 4 + 1, 21), 1e-4f);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: whole pictures of scenes with users' shaders, and the files they become.
+// Test support: complete images of scenes with user shaders, and their output files.
 #pragma once
 
 #include "image/exr.h"
@@ -32,7 +32,7 @@ struct UserPicture {
     return read_exr(file.path).layers;
   }
 
-  /// Writes the files that the camera asks for, into the folder; returns them.
+  /// Writes the output files of the camera into the folder; returns them.
   std::vector<PictureFile> write_files(const ShaderFolder& folder) const {
     const scene::Camera* camera = find_camera(scene.scene, scene.scene.renders.back());
     const std::string root = folder.path().string();

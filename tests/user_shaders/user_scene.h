@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: scenes with shaders that are compiled as their users would.
+// Test support: scenes with shaders that are compiled in the way users compile them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,10 +22,10 @@
 
 namespace oriel::testing {
 
-/// A folder of its own that goes with the test.
+/// A temporary folder that is deleted with the test.
 class ShaderFolder : public TemporaryFolder {
  public:
-  /// Compiles source text into NAME.so; `suffix` tells the language.
+  /// Compiles source text to NAME.so; `suffix` selects the language.
   void compile(const std::string& name, const std::string& source, const std::string& suffix = "c",
                const std::string& flags = "") const {
     const std::string text = file(name + "." + suffix);

@@ -76,7 +76,7 @@ TEST(FreeFormDirection, DerivativesAreThoseOfTheValues) {
 }
 
 // Example of the specification: cubic Bezier as a matrix with step 3.
-TEST(FreeFormDirection, AMatrixCanSayBezier) {
+TEST(FreeFormDirection, MatrixBasisReproducesBezier) {
   const Direction matrix =
       make({"m", Kind::Matrix, false, 3, 3, {1, -3, 3, -1, 0, 3, -6, 3, 0, 0, 3, -3, 0, 0, 0, 1}},
            {0, 1, 2});
@@ -88,7 +88,7 @@ TEST(FreeFormDirection, AMatrixCanSayBezier) {
       EXPECT_NEAR(value(matrix, points, t, order), value(bezier, points, t, order), 1e-9);
 }
 
-TEST(FreeFormDirection, CardinalCurvesGoThroughTheirPointsAlongTheirNeighbours) {
+TEST(FreeFormDirection, CardinalCurvesInterpolateWithNeighbourTangents) {
   const Direction d = make({"c", Kind::Cardinal, false, 3, 1, {}}, {0, 1, 2});
   const std::vector<double> points = {1, 2, 5, 3, 7};
   EXPECT_NEAR(value(d, points, 0), 2, 1e-12);
@@ -103,7 +103,7 @@ TEST(FreeFormDirection, TaylorPointsAreCoefficients) {
 }
 
 // Bernstein polynomials of any degree add up to 1, and their first moment is t.
-TEST(FreeFormDirection, TheHighestDegreeStillHasItsDigits) {
+TEST(FreeFormDirection, HighestDegreeIsAccurate) {
   const Direction d = make({"b", Kind::Bezier, false, kMaxDegree, 1, {}}, {0, 1});
   std::vector<double> ones(22, 1), ramp;
   for (int i = 0; i <= kMaxDegree; ++i) ramp.push_back(i / double{kMaxDegree});
@@ -114,7 +114,7 @@ TEST(FreeFormDirection, TheHighestDegreeStillHasItsDigits) {
   }
 }
 
-TEST(FreeFormDirection, WhatDoesNotFitIsRefusedWithAReason) {
+TEST(FreeFormDirection, InvalidBasesAreRejectedWithAReason) {
   std::string fault;
   const auto refused = [&](scene::Basis basis, std::vector<float> parameters) {
     const bool made =

@@ -92,7 +92,7 @@ float largest_turn_of_normals(const Mesh& mesh) {
   return largest;
 }
 
-TEST(FreeForm, CurvatureKeepsItsDistance) {
+TEST(FreeForm, CurvatureBoundsTheDistance) {
   std::size_t before = 0;
   for (const float distance : {.1f, .02f, .004f}) {
     Model model;
@@ -108,7 +108,7 @@ TEST(FreeForm, CurvatureKeepsItsDistance) {
 
 // A plane with one bump: a low triangle count is sufficient only if triangles are concentrated
 // there.
-TEST(FreeForm, MaxSpendsItsTrianglesWhereTheyAreMissedMost) {
+TEST(FreeForm, TriangleLimitRefinesTheLargestErrorsFirst) {
   Model model;
   std::vector<scene::ControlPoint> points;
   for (int j = 0; j < 4; ++j)
@@ -134,7 +134,7 @@ TEST(FreeForm, MaxSpendsItsTrianglesWhereTheyAreMissedMost) {
   EXPECT_GT(unlimited.mesh().triangles.size(), 4 * mesh.triangles.size());
 }
 
-TEST(FreeForm, CurvatureKeepsItsAngleAndLengthItsLength) {
+TEST(FreeForm, CurvatureBoundsTheAngleAndLengthTheLength) {
   Model angle;
   angle.torus(3, 1);
   angle.approximate(criteria(0, 0, .35f));
@@ -298,7 +298,7 @@ TEST(FreeForm, ConnectedSurfacesShareTheirEdge) {
   }
 }
 
-TEST(FreeForm, SpecialPointsAndCurvesAreMetByVerticesAndEdges) {
+TEST(FreeForm, SpecialPointsAndCurvesBecomeVerticesAndEdges) {
   Model model;
   model.line("l", {.13f, .21f}, {.77f, .64f});
   scene::FreeSurface& s = model.square();
@@ -369,7 +369,7 @@ TEST(FreeForm, SurfacesHaveTheirMaterialOrLabel) {
   EXPECT_EQ(model.mesh().slots[0].label, 1u);
 }
 
-TEST(FreeForm, WhatDoesNotFitIsLeftOutWithOneMessage) {
+TEST(FreeForm, InvalidSurfacesAreSkippedWithOneMessage) {
   const auto broken = [](const std::function<void(Model&)>& damage) {
     Model model;
     model.line("l", {.2f, .2f}, {.4f, .4f});
@@ -403,7 +403,7 @@ TEST(FreeForm, WhatDoesNotFitIsLeftOutWithOneMessage) {
   EXPECT_FALSE(broken([&](Model& m) { m.group().freeform.curves[0].points[0].vertex = 999; }));
 }
 
-TEST(FreeForm, TrimsThatCrossAreToldOf) {
+TEST(FreeForm, CrossingTrimsAreReported) {
   Model model;
   model.curve("eight", {false, "line", {0, 1, 2, 3}},
               {model.point({.1f, .1f, 0}), model.point({.9f, .8f, 0}), model.point({.9f, .1f, 0}),

@@ -61,7 +61,7 @@ TEST(PlanarDelaunay, FacesCoverTheSquareOnceAndTheirCirclesAreEmpty) {
   }
 }
 
-TEST(PlanarDelaunay, FixedEdgesAppearAndStayWhateverComesAfter) {
+TEST(PlanarDelaunay, FixedEdgesPersistUnderInsertion) {
   PlanarDelaunay mesh;
   std::mt19937 random(2);
   constexpr std::int64_t n = 1 << 20;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: random objects: polygons, subdivision and free-form surfaces, hair.
+// Test support: random objects with polygons, subdivision and free-form surfaces, and hair.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace oriel::mi {
 
-/// Columns without an entry are empty, and names count in the order of their first use.
+/// Columns without an entry are empty, and names are indexed in the order of their first use.
 class RandomGeometry : protected RandomValues {
  protected:
   using RandomValues::RandomValues;
 
-  /// A column with an entry for each vertex, with gaps or not at all.
+  /// A column with one entry per vertex, optionally with gaps.
   std::vector<std::uint32_t> column(std::size_t vertices, int vectors, bool gaps) {
     std::vector<std::uint32_t> c;
     bool any = false;
@@ -115,7 +115,7 @@ class RandomGeometry : protected RandomValues {
         loop();
       }
       list.first.push_back(static_cast<std::uint32_t>(list.indices.size()));
-      // A new name is used at once: names count in the order of their first use.
+      // A new name is used at once, because names are indexed in the order of their first use.
       if (tagged) {
         list.material.push_back(static_cast<std::uint32_t>(pick(9)));
       } else if (g.materials.empty() || pick(4) == 0) {
@@ -140,7 +140,7 @@ class RandomGeometry : protected RandomValues {
     }
   }
 
-  /// Of the names that are there: a new one would have to be the next to be used.
+  /// Picks an existing name: a new one would have to be the next one used.
   std::uint32_t known_material(const scene::PolygonGroup& g, bool tagged) {
     if (tagged) return static_cast<std::uint32_t>(pick(9));
     const int named = static_cast<int>(g.materials.size());
@@ -166,7 +166,7 @@ class RandomGeometry : protected RandomValues {
         faces.indices.push_back(static_cast<std::uint32_t>(pick(vertices)));
       faces.first.push_back(static_cast<std::uint32_t>(faces.indices.size()));
       const std::uint32_t material = known_material(g, tagged);
-      // A column begins with the first face that has a material.
+      // The column starts at the first face with a material.
       if (!faces.material.empty() || material != scene::kNone) {
         faces.material.resize(static_cast<std::size_t>(face), scene::kNone);
         faces.material.push_back(material);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: random scenes, to see whether writing and reading lose anything.
+// Test support: random scenes for round-trip tests of writer and reader.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace oriel::mi {
 
-/// Scenes made of every element and every kind of value, from a seed.
+/// Random scenes from a seed, with all elements and all kinds of values.
 ///
-/// They are what a reader could have made: names count in the order of their first use, columns
-/// without an entry are empty.
+/// A scene has the form that a reader produces: names are indexed in the order of their first use,
+/// and columns without an entry are empty.
 class RandomScene : private RandomGeometry {
  public:
   explicit RandomScene(std::uint32_t seed) : RandomGeometry(seed) {}

@@ -14,7 +14,7 @@
 
 namespace oriel::mi {
 
-/// What random elements are made of.
+/// Generators for the parts of random elements.
 class RandomValues {
  protected:
   explicit RandomValues(std::uint32_t seed) : random_(seed) {}
@@ -26,7 +26,7 @@ class RandomValues {
     return words[pick(static_cast<int>(N))];
   }
 
-  /// Any float but what has no spelling.
+  /// A random finite float.
   float real() {
     for (;;) {
       const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random_()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of this folder share: read a snippet, look at the messages.
+// Test support: reads a snippet of .mi text and finds its diagnostics.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 namespace oriel::mi {
 
-/// A snippet that was read.
+/// A snippet and the diagnostics of reading it.
 struct Snippet {
   Diagnostics diagnostics;
   scene::Scene scene;
@@ -24,7 +24,7 @@ struct Snippet {
   explicit Snippet(std::string_view text, ReadOptions options = known_shaders()) {
     scene = read_text(text, std::move(options), diagnostics);
   }
-  /// All messages as a user sees them, for the output of a failing test.
+  /// All diagnostics as the user sees them, for the output of a failing test.
   std::string messages() const {
     std::string all;
     for (const Diagnostic& d : diagnostics.all()) all += diagnostics.format(d) + "\n";
@@ -35,7 +35,7 @@ struct Snippet {
     for (const Diagnostic& d : diagnostics.all()) n += d.code == code;
     return n;
   }
-  /// The first message of that code; the test fails when there is none.
+  /// The first diagnostic with this code; the test fails if there is none.
   Diagnostic message(std::string_view code) const {
     for (const Diagnostic& d : diagnostics.all())
       if (d.code == code) return d;
@@ -50,7 +50,7 @@ struct Snippet {
     return e ? *e : none;
   }
 
-  /// Options of a host that knows the shader types "s", "t" and everything beginning with "mib_".
+  /// Options of a host with the shader types "s", "t" and all that begin with "mib_".
   static ReadOptions known_shaders() {
     ReadOptions options;
     options.knows_shader = [](std::string_view type) {
@@ -60,7 +60,7 @@ struct Snippet {
   }
 };
 
-/// A test with a folder of its own.
+/// A test with its own temporary folder.
 class FolderTest : public ::testing::Test {
  protected:
   std::string write(const std::string& name, std::string_view text) {
@@ -77,7 +77,7 @@ class FolderTest : public ::testing::Test {
   const std::filesystem::path& folder_ = temporary_.path();
 };
 
-/// The value of a parameter of the shader element "x" in `shader "x" "s" ( "p" <value> )`.
+/// The value of parameter "p" of the shader element in `shader "x" "s" ( "p" <value> )`.
 inline scene::Value value_of(std::string_view value) {
   const Snippet read(fmt::format("shader \"x\" \"s\" ( \"p\" {} )", value));
   EXPECT_TRUE(read.diagnostics.all().empty()) << value << "\n" << read.messages();

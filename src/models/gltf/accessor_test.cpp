@@ -67,7 +67,7 @@ TEST(GltfAccessor, IndicesKeepAllTheirBits) {
   EXPECT_THROW(read_indices(read.document.root, read.buffers, 1), Unreadable);
 }
 
-TEST(GltfAccessor, WhatReachesBeyondItsDataIsNotRead) {
+TEST(GltfAccessor, OutOfBoundsAccessorsAreRejected) {
   const auto refused = [](const char* path, const json& value) {
     GltfFile file;
     file.add<float>({1, 2, 3, 4, 5, 6}, testing::kFloat, "VEC3", 3);
@@ -108,7 +108,7 @@ TEST(GltfAccessor, SparsePlacesAreWithinTheAccessor) {
   EXPECT_THROW(read.numbers(0), Unreadable);
 }
 
-TEST(GltfAccessor, FewBytesAreNotGigabytes) {
+TEST(GltfAccessor, LargeCountsWithoutDataAreRejected) {
   GltfFile file;
   for (int i = 0; i < 2; ++i)
     file.root["accessors"].push_back(
@@ -120,7 +120,7 @@ TEST(GltfAccessor, FewBytesAreNotGigabytes) {
   EXPECT_THROW(while (true) read.buffers.spend(std::size_t{1} << 26), Unreadable);
 }
 
-TEST(GltfBuffers, OnlyWhatLiesBesideTheModelIsRead) {
+TEST(GltfBuffers, OnlyFilesBelowTheModelFolderAreRead) {
   const testing::Folder folder;
   folder.write("a b.bin", "0123456789");
   const auto read = [&](const std::string& uri, std::size_t length) {

@@ -27,7 +27,7 @@ TEST(GltfDocument, BinaryFilesHaveTextAndBytes) {
   EXPECT_EQ(parse(made)->root, document->root);
 }
 
-TEST(GltfDocument, OtherFilesAreNone) {
+TEST(GltfDocument, OtherFilesAreRejected) {
   for (const char* text : {"", "glTF", "[", "null", "[1]", "3", R"({"meshes":{"a":{}}})"})
     EXPECT_FALSE(parse(text)) << text;
   std::string no_text("glTF\2\0\0\0....", 12);
@@ -45,7 +45,7 @@ TEST(GltfDocument, NestingIsBounded) {
   EXPECT_THROW(parse(nested(200'000).substr(0, 150'000)), Unreadable) << "though it has no end";
 }
 
-TEST(GltfJson, AnythingHasAnAnswer) {
+TEST(GltfJson, ValuesOfWrongTypeGiveDefaults) {
   const json list = json::parse(R"([1, 1.5, -1, 1e300, 1e20, "x", null, {"a": 7}])");
   EXPECT_EQ(whole(list[0]), 1u);
   for (std::size_t i = 1; i < list.size(); ++i) EXPECT_FALSE(whole(list[i])) << i;

@@ -18,7 +18,7 @@ using Points = std::array<std::array<std::int16_t, 3>, 3>;
 
 constexpr Points kTriangle{{{0, 0, 0}, {32767, 0, 0}, {0, -32767, 16384}}};
 
-/// One triangle of whole numbers, packed without loss.
+/// One triangle with integer coordinates, compressed losslessly.
 std::string packed() {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(1);
@@ -51,7 +51,7 @@ UnpackedMesh unpack(GltfFile file) {
   return unpack_draco(document.root, buffers, document.root["meshes"][0]["primitives"][0]);
 }
 
-TEST(GltfDraco, QuantizedNumbersMeanWhatTheAccessorSays) {
+TEST(GltfDraco, QuantizedValuesFollowTheAccessor) {
   for (const bool normalized : {false, true}) {
     const UnpackedMesh mesh = unpack(file_of(packed(), normalized));
     const Column& points = mesh.attributes.at("POSITION");
@@ -70,7 +70,7 @@ TEST(GltfDraco, QuantizedNumbersMeanWhatTheAccessorSays) {
   }
 }
 
-TEST(GltfDraco, WhatIsDamagedIsToldOf) {
+TEST(GltfDraco, DamagedDataIsReported) {
   const std::string data = packed();
   for (std::size_t size = 0; size + 1 < data.size(); ++size)
     EXPECT_THROW(unpack(file_of(data.substr(0, size), true)), Unreadable) << size;

@@ -37,13 +37,13 @@ std::string packed_triangles(const std::vector<std::uint32_t>& corners, std::siz
   return data;
 }
 
-TEST(GltfMeshopt, AttributesComeBack) {
+TEST(GltfMeshopt, AttributesAreDecoded) {
   std::vector<std::uint16_t> values;
   for (unsigned i = 0; i < 997 * 6; ++i) values.push_back(static_cast<std::uint16_t>(i * i % 4099));
   EXPECT_EQ(unpacked(stream(997, 12, "ATTRIBUTES"), packed(values, 12), "it"), bytes_of(values));
 }
 
-TEST(GltfMeshopt, TrianglesAndIndicesComeBack) {
+TEST(GltfMeshopt, TrianglesAndIndicesAreDecoded) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 2, 1, 3, 4, 0, 2};
   const std::string triangles = packed_triangles(corners, 5);
   const std::string read = unpacked(stream(9, 4, "TRIANGLES"), triangles, "it");
@@ -66,8 +66,8 @@ TEST(GltfMeshopt, TrianglesAndIndicesComeBack) {
 }
 
 TEST(GltfMeshopt, FiltersAreUndone) {
-  // The extension's text. Octahedral: x, y, one, and a fourth that stays; three elements, one more
-  // than fits no step of the decoder.
+  // From the text of the extension. Octahedral: x, y, one, and an unchanged fourth component. Three
+  // elements, one more than a multiple of the step size of the decoder.
   const std::vector<std::int8_t> octahedral{127, 0, 127, 5, 0, -127, 127, 6, 0, 0, 127, 7};
   const std::vector<std::int8_t> normals{127, 0, 0, 5, 0, -127, 0, 6, 0, 0, 127, 7};
   EXPECT_EQ(unpacked(stream(3, 4, "ATTRIBUTES", "OCTAHEDRAL"), packed(octahedral, 4), "it"),
@@ -76,14 +76,15 @@ TEST(GltfMeshopt, FiltersAreUndone) {
   const std::vector<std::uint32_t> exponential{0xFF000003u, 0x02FFFFFBu, 0};
   EXPECT_EQ(unpacked(stream(3, 4, "ATTRIBUTES", "EXPONENTIAL"), packed(exponential, 4), "it"),
             bytes_of(std::vector<float>{1.5f, -20, 0}));
-  // Quaternion: three of four components over sqrt(2), the missing one's index in the last.
+  // Quaternion: three of four components over sqrt(2); the last component is the index of the
+  // missing one.
   const std::vector<std::int16_t> turns{0, 0, 0, 2044 | 3};
   const std::string turned =
       unpacked(stream(1, 8, "ATTRIBUTES", "QUATERNION"), packed(turns, 8), "it");
   EXPECT_EQ(turned, bytes_of(std::vector<std::int16_t>{0, 0, 0, 32767}));
 }
 
-TEST(GltfMeshopt, WhatIsDamagedIsToldOf) {
+TEST(GltfMeshopt, DamagedDataIsReported) {
   const std::string data = packed(std::vector<float>{1, 2, 3, 4}, 4);
   for (std::size_t size = 0; size < data.size(); ++size)
     EXPECT_THROW(unpacked(stream(4, 4, "ATTRIBUTES"), std::string_view(data).substr(0, size), "it"),
@@ -93,7 +94,7 @@ TEST(GltfMeshopt, WhatIsDamagedIsToldOf) {
       EXPECT_THROW(unpacked(stream(300, 4, mode), bytes, "it"), Unreadable) << mode;
 }
 
-TEST(GltfMeshopt, SizesThatTheDecoderTakesForGrantedAreAsked) {
+TEST(GltfMeshopt, SizesAreValidatedBeforeDecoding) {
   const std::size_t large = std::size_t{1} << 50;
   for (const std::size_t stride : {std::size_t{0}, std::size_t{3}, std::size_t{260}, large})
     EXPECT_THROW(stream(4, stride, "ATTRIBUTES"), Unreadable);

@@ -16,7 +16,7 @@ using testing::json;
 using testing::Made;
 using testing::world_points;
 
-TEST(GltfNodes, InstancesStandWhereTheirAttributesSay) {
+TEST(GltfNodes, InstancesHaveTheTransformsOfTheirAttributes) {
   GltfFile file;
   file.add_triangle();
   const float half = std::sqrt(.5f);
@@ -42,7 +42,7 @@ TEST(GltfNodes, InstancesStandWhereTheirAttributesSay) {
     EXPECT_LT(length(points[i] - wanted[i]), 2e-4f) << i;
 }
 
-TEST(GltfNodes, InstancesThatCannotBeAreLeftOutAndTheMeshStays) {
+TEST(GltfNodes, InvalidInstancesAreSkippedAndTheMeshRemains) {
   for (const char* type : {"SCALAR", "VEC3"}) {
     GltfFile file;
     file.add_triangle();
@@ -58,7 +58,7 @@ TEST(GltfNodes, InstancesThatCannotBeAreLeftOutAndTheMeshStays) {
   }
 }
 
-TEST(GltfNodes, CirclesAndNodesBelowTwoAreReachedOnce) {
+TEST(GltfNodes, CyclesAndSharedNodesAreVisitedOnce) {
   GltfFile file;
   file.add_triangle();
   file.node()["children"] = {0, 1, 1, 99, -1};
@@ -70,7 +70,7 @@ TEST(GltfNodes, CirclesAndNodesBelowTwoAreReachedOnce) {
   EXPECT_EQ(world_points(*made.scene).size(), 6u);
 }
 
-TEST(GltfNodes, ChainsOfNodesAreCut) {
+TEST(GltfNodes, NodeDepthIsLimited) {
   GltfFile file;
   file.add_triangle();
   file.root["nodes"] = json::array();
@@ -83,7 +83,7 @@ TEST(GltfNodes, ChainsOfNodesAreCut) {
   EXPECT_TRUE(made.said("nodes nested deeper than 500"));
 }
 
-TEST(GltfNodes, FilesWithoutASceneShowTheirTrees) {
+TEST(GltfNodes, FilesWithoutASceneImportAllRoots) {
   GltfFile file;
   file.add_triangle();
   file.root["nodes"] =

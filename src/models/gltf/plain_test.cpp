@@ -49,7 +49,7 @@ void add_sphere(GltfFile& file, bool quantized) {
   primitive["indices"] = file.add(corners, testing::kUnsignedShort, "SCALAR", 1);
 }
 
-TEST(GltfPlain, AQuantizedSphereIsOne) {
+TEST(GltfPlain, QuantizedSphereIsDecoded) {
   for (const bool quantized : {false, true}) {
     GltfFile file;
     add_sphere(file, quantized);
@@ -103,7 +103,7 @@ TEST(GltfPlain, BuffersAndPicturesAreFoundByEscapedNames) {
   EXPECT_EQ(picture->file, "my wood.ppm");
 }
 
-TEST(GltfPlain, NamesInCapitalsAreGltf) {
+TEST(GltfPlain, UpperCaseSuffixesAreGltf) {
   GltfFile file;
   file.add_triangle();
   file.primitive()["attributes"]["COLOR_0"] = file.add<std::uint8_t>(
@@ -119,7 +119,7 @@ TEST(GltfPlain, NamesInCapitalsAreGltf) {
   }
 }
 
-TEST(GltfPlain, TheMeshesOwnWeightsMoveIt) {
+TEST(GltfPlain, MeshWeightsApplyMorphTargets) {
   GltfFile file;
   file.add_triangle();
   file.primitive()["targets"] = json::array();
@@ -134,7 +134,7 @@ TEST(GltfPlain, TheMeshesOwnWeightsMoveIt) {
   EXPECT_EQ(made.point(2), Vec3(0, 1.5f, 0));
 }
 
-TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
+TEST(GltfPlain, UnreadablePartsAreSkippedAndReported) {
   GltfFile file;
   file.add_triangle();
   json broken = file.primitive();
@@ -157,7 +157,7 @@ TEST(GltfPlain, PartsThatCannotBeReadAreLeftOutAndSaid) {
   EXPECT_TRUE(none.said("accessor 99 does not exist"));
 }
 
-TEST(GltfPlain, TrianglesWithCornersThatDoNotExistAreLeftOut) {
+TEST(GltfPlain, TrianglesWithInvalidIndicesAreSkipped) {
   GltfFile file;
   file.add_triangle();
   file.primitive()["indices"] =
@@ -181,14 +181,14 @@ TEST(GltfPlain, CoordinatesThatDoNotFitAreReplacedByTheNextSet) {
   EXPECT_EQ(made.uv(1, 1), Vec3(1, 1, 0));
 }
 
-TEST(GltfPlain, TextThatIsNestedTooDeepIsNoModel) {
+TEST(GltfPlain, TooDeeplyNestedTextIsRejected) {
   Made made;
   made.import(R"({"asset":{"version":"2.0"},"extras":)" + std::string(300'000, '['));
   EXPECT_FALSE(made.scene);
   EXPECT_TRUE(made.said("its JSON is nested too deeply"));
 }
 
-TEST(GltfPlain, RequiredExtensionsThatNobodyKnowsAreNamedOnce) {
+TEST(GltfPlain, UnsupportedRequiredExtensionsAreReportedOnce) {
   GltfFile file;
   file.add_triangle();
   file.root["extensionsUsed"] = file.root["extensionsRequired"] = {
@@ -200,7 +200,7 @@ TEST(GltfPlain, RequiredExtensionsThatNobodyKnowsAreNamedOnce) {
   EXPECT_EQ(made.diagnostics.all().size(), 1u);
 }
 
-TEST(GltfPictures, WebPGoesFirstAndBasisUniversalIsNotRead) {
+TEST(GltfPictures, WebPIsPreferredAndBasisUniversalIsSkipped) {
   GltfFile file;
   file.add_triangle();
   file.root["images"] = json::array(

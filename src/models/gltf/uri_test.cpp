@@ -27,7 +27,7 @@ TEST(GltfUri, DataIsBase64OrText) {
     EXPECT_FALSE(data_of(none)) << none;
 }
 
-TEST(GltfUri, NamesAreLookedForAsTheyAreSpeltAndAsTheyAreWritten) {
+TEST(GltfUri, NamesAreSearchedDecodedAndAsWritten) {
   const testing::Folder folder;
   folder.write("a b.bin", "x");
   folder.write("50%25.bin", "x");
@@ -37,7 +37,7 @@ TEST(GltfUri, NamesAreLookedForAsTheyAreSpeltAndAsTheyAreWritten) {
   EXPECT_EQ(file_name("none%20.bin", where), "none .bin");
 }
 
-TEST(GltfUri, OnlyNamesBelowTheFolderStayThere) {
+TEST(GltfUri, NamesThatLeaveTheFolderAreRejected) {
   for (const char* name : {"a.bin", "sub/a.bin", "./a.bin", "..a"}) EXPECT_TRUE(stays_below(name));
   for (const char* name : {"", "/etc/passwd", "../a.bin", "sub/../../a.bin", ".."})
     EXPECT_FALSE(stays_below(name)) << name;

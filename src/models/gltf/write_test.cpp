@@ -44,7 +44,7 @@ GltfFile scene_file() {
   return file;
 }
 
-/// What a scene is after it was written and read.
+/// The scene after writing and reading.
 void write_and_read(const Made& from, Made& to) {
   ASSERT_TRUE(from.scene);
   Diagnostics notes;
@@ -56,7 +56,7 @@ void write_and_read(const Made& from, Made& to) {
 }
 
 // acceptance: M5
-TEST(GltfWrite, GeometryCamerasAndLightsComeBack) {
+TEST(GltfWrite, GeometryCamerasAndLightsRoundTrip) {
   Made from, to;
   from.import(scene_file().text());
   write_and_read(from, to);
@@ -102,7 +102,7 @@ TEST(GltfWrite, GeometryCamerasAndLightsComeBack) {
 }
 
 // acceptance: M5
-TEST(GltfWrite, MaterialsComeBack) {
+TEST(GltfWrite, MaterialsRoundTrip) {
   const json volume = {
       {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
       {"KHR_materials_ior", {{"ior", 1.4}}},

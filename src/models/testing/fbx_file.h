@@ -13,26 +13,26 @@
 
 namespace oriel::models::testing {
 
-/// A property of three numbers.
+/// A property with three numbers.
 inline std::string property(const char* name, const std::array<double, 3>& v) {
   return fmt::format("P: \"{}\", \"Vector3D\", \"Vector\", \"\",{},{},{}\n", name, v[0], v[1],
                      v[2]);
 }
 
-/// A file of nodes, of which the first is a triangle (0,0,0) (100,0,0) (0,100,0).
+/// A file with nodes; the first one is a triangle (0,0,0) (100,0,0) (0,100,0).
 struct FbxFile {
   double unit = 1;                            ///< in centimetres
   std::array<int, 6> axes{1, 1, 2, 1, 0, 1};  ///< up, front, right: axis and sign of each
   std::string triangle;                       ///< properties of its node "chair"
-  const char* light = "P: \"LightType\", \"enum\", \"\", \"\",1\n";  ///< what the sun is
+  const char* light = "P: \"LightType\", \"enum\", \"\", \"\",1\n";  ///< type of the sun
   std::string lens = "P: \"FieldOfView\", \"FieldOfView\", \"\", \"A\",40\n";
-  std::string camera, sun;  ///< of "eye" and "sun", none where empty
+  std::string camera, sun;  ///< of "eye" and "sun"; empty: no such node
   std::string layers;       ///< of the triangle
   std::string creator, definitions;
   std::string more;   ///< further objects
-  std::string links;  ///< and their connections
+  std::string links;  ///< connections of the further objects
 
-  /// A layer that gives the triangle the node's first material.
+  /// A layer that assigns the first material of the node to the triangle.
   static std::string one_material() {
     return "LayerElementMaterial: 0 {\nVersion: 101\nName: \"\"\nMappingInformationType: "
            "\"AllSame\"\nReferenceInformationType: \"IndexToDirect\"\nMaterials: *1 { a: 0 }\n}\n"
@@ -79,14 +79,14 @@ struct FbxFile {
   }
 };
 
-/// From the space of an instance right below the root to the world.
+/// From the space of an instance directly below the root to world space.
 inline Mat4 to_world(const scene::Scene& scene, const char* instance) {
   const auto* placed = scene.get<scene::Instance>(instance);
   EXPECT_TRUE(placed) << instance;
   return placed ? placed->transform.value_or(Mat4()).inverse() : Mat4();
 }
 
-/// Where a camera looks in the world.
+/// World direction of a camera.
 inline Vec3 view_of(const scene::Scene& scene, const char* instance) {
   return transform_vector(Vec3(0, 0, -1), to_world(scene, instance));
 }

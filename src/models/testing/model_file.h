@@ -57,7 +57,7 @@ struct Quad {
   Corners uv0{0, 1, 1, 1, 1, 0, 0, 0}, uv1{0, 1, 1, 1, 1, 0, 0, 0};
   std::vector<float> tangents;  ///< x y z w of the corners; none unless written
   std::string material, node, more;
-  std::string nodes;  ///< further ones, each with a comma before it
+  std::string nodes;  ///< further nodes, each with a preceding comma
   std::string scene = "0";
 
   std::string text() const {
@@ -102,7 +102,7 @@ struct Quad {
   }
 };
 
-/// `materials`: of m.mtl beside it.
+/// `materials`: contents of m.mtl in the same folder.
 inline scene::Scene imported(const std::string& name, const std::string& content,
                              const std::string& materials = "") {
   const Folder folder;
@@ -114,7 +114,8 @@ inline scene::Scene imported(const std::string& name, const std::string& content
   return scene ? std::move(*scene) : scene::Scene();
 }
 
-/// The only call of a material's surface, also if it refers to a shader element; null: none.
+/// The only call in the surface shaders of a material, also by reference to a shader element; null:
+/// none.
 inline const scene::ShaderUse* surface_of(const scene::Scene& scene, const char* material) {
   const auto* m = scene.get<scene::Material>(material);
   if (!m || m->shaders.size() != 1) return nullptr;
@@ -123,7 +124,7 @@ inline const scene::ShaderUse* surface_of(const scene::Scene& scene, const char*
   return element && element->functions.size() == 1 ? &element->functions[0] : nullptr;
 }
 
-/// Numbers of a parameter of the only call of a material; empty: not set.
+/// Numbers of a parameter of the only shader call of a material; empty: not set.
 inline std::vector<double> set_in(const scene::Scene& scene, const char* material,
                                   const char* parameter) {
   const scene::ShaderUse* surface = surface_of(scene, material);

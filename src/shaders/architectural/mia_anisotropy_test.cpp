@@ -169,7 +169,7 @@ TEST(MiaAnisotropy, TheChannelChoosesTheBaseDirection) {
 }
 
 // acceptance: A3
-TEST(MiaAnisotropy, NoughtStretchesAsTheLeastRatioDoes) {
+TEST(MiaAnisotropy, ZeroActsAsTheMinimumRatio) {
   P p = brushed(0, 0.1f);
   const Fit f = fit_lobe(p, LobeKind::GlossyReflection),
             least = fit_lobe(brushed(.1f, .1f), LobeKind::GlossyReflection);

@@ -111,7 +111,7 @@ struct MiaLevels {
 /// Source:  manual 1.4.2, written as equations. Thin walls in Fresnel mode reflect like a pane with
 ///          two faces, R = 2r/(1+r), because one sheet represents both. The position of the base
 ///          layer is a guess, since its parameters are undocumented.
-/// Checked: MiaLevels.*, MaterialContract.NeverReturnsMoreThanArrives.
+/// Checked: MiaLevels.*, MaterialContract.ConservesEnergy.
 MiaLevels mia_levels(const MiaMaterialParams& p, float cos_view, bool back_side);
 
 extern const ShaderSpec kMiaMaterial;

@@ -179,7 +179,7 @@ TEST(MiaLevels, WithoutConservationNothingIsReduced) {
 }
 
 // acceptance: E1
-TEST(MiaLevels, SumToAtMostOneWhateverTheParameters) {
+TEST(MiaLevels, SumToAtMostOneForAnyParameters) {
   RandomMaterial random(5);
   for (int n = 0; n < 50000; ++n) {
     P p = random.next();
@@ -230,7 +230,7 @@ TEST(MiaLevels, FresnelModeReflectsByTheIndexAlone) {
 }
 
 // acceptance: E5
-TEST(MiaLevels, CustomCurveFollowsItsTableWhateverTheIndex) {
+TEST(MiaLevels, CustomCurveFollowsItsTableForAnyIndex) {
   P p = declared_defaults();
   constexpr AngleRow kRows[] = {{0, .2}, {45, .201724}, {60, .225}, {75, .378942}, {85, .707076}};
   for (const float ior : {1.0f, 1.5f, 3.0f}) {
@@ -357,7 +357,7 @@ TEST(MiaMaterial, SideOfTheSurfaceDecidesEnteringOrLeaving) {
 }
 
 // acceptance: T2
-TEST(MiaMaterial, ThinWallsDoNotBendFromEitherSide) {
+TEST(MiaMaterial, ThinWallsDoNotRefract) {
   P p = with_constant_curve(0, 1);
   p.thin_walled = true;
   for (const bool back : {false, true}) {
@@ -448,14 +448,14 @@ TEST(MiaMaterial, FullCutOutHasNeitherLobesNorEmission) {
 }
 
 // acceptance: B4
-TEST(MiaMaterial, AdditionalColourIsAddedAsItIs) {
+TEST(MiaMaterial, AdditionalColourIsAddedUnchanged) {
   P p = declared_defaults();
   p.additional_color = Rgba(3, 0.5f, 0, 0);
   expect_rgb(shade(p, seen_from(Vec3(0, 0, 1))).emission, 3, 0.5, 0);
 }
 
 // acceptance: B2
-TEST(MiaMaterial, StandardBumpComesOnTopAndMaySpareTheDiffuseComponent) {
+TEST(MiaMaterial, StandardBumpIsAddedAndMayExcludeDiffuse) {
   P p = with_constant_curve(0.5f, 0);
   p.bump_mode = 2;
   p.overall_bump = Vec3(0.3f, 0, 0);

@@ -12,7 +12,7 @@ extern const ShaderSpec kMiaPhysicalSky;
 extern const ShaderSpec kMiaCieSky;
 
 /// Direction to the sun: that of the light instance, else `direction`, else straight up. Checked:
-/// Sky.TheSunsInstanceBeatsTheDirection
+/// Sky.SunInstanceOverridesTheDirection
 Vec3 direction_to_sun(LightRef sun, const Vec3& direction, bool y_is_up, const World& world);
 
 }  // namespace oriel

@@ -18,7 +18,8 @@ namespace oriel {
 ///          to scattering points.
 /// Source:  parameters of the vendor's declaration. Interpreting `scatter` as a share, and y as up,
 ///          are guesses. Henyey, Greenstein, Astrophysical Journal 93, 1941.
-/// Checked: PartiVolume.*, ScatteringAir.* in tests/analytic (Chandrasekhar's H, slabs by photons).
+/// Checked: PartiVolume.*, ScatteringMedium.* in tests/analytic (Chandrasekhar's H, slabs by
+/// photons).
 extern const ShaderSpec kPartiVolume;
 /// Accepted without effect; photons are scattered by the volume shader of the camera.
 extern const ShaderSpec kPartiVolumePhoton;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exposures at work in a render: previews without rendering, lens and output copies, side channels.
+// Exposure shaders in renders: previews without rendering, lens and output copies, side channels.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using testing::PreparedScene;
 
 constexpr int kWidth = 16, kHeight = 12;
 
-/// A lit square that fills the picture; `gather` asks for maps.
+/// A lit square that fills the image; `gather` enables indirect light maps.
 std::string scene_with(const std::string& camera, const std::string& before = {},
                        bool gather = false) {
   return testing::scene_text(
@@ -78,7 +78,7 @@ TEST(Preview, IsMappedWithoutRendering) {
   const std::string texture = save_film(plain, folder);
   const lens::SimpleExposure exposure({.gain = 2, .knee = .3f});
   for (const char* role : {"lens ", "output "}) {
-    // Maps the scene asks for are not made either.
+    // Maps that the scene enables are not computed either.
     const Rendered r(
         scene_with(role + kCurved + ", \"preview\" \"pv\", \"use_preview\" on )", texture, true));
     EXPECT_EQ(r.scene.messages(), "");
@@ -92,7 +92,7 @@ TEST(Preview, IsMappedWithoutRendering) {
 }
 
 // acceptance: X2
-TEST(Preview, ShowsWhatRenderingWouldShow) {
+TEST(Preview, EqualsARender) {
   const TestFolder folder;
   const std::string photographic =
       "lens \"mia_exposure_photographic\" ( \"film_iso\" 0, \"cm2_factor\" 2, \"vignetting\" 3, "
@@ -117,7 +117,7 @@ TEST(Preview, ShowsWhatRenderingWouldShow) {
 }
 
 // acceptance: X2
-TEST(Preview, OfAnotherSizeIsStretchedAndOffIsOff) {
+TEST(Preview, OtherSizesAreStretchedAndOffDisablesIt) {
   const std::string texture = "color texture \"pv\" [2 1 3] 'ff0000' '0000ff'";
   const Rendered r(
       scene_with("lens " + kLinear + ", \"preview\" \"pv\", \"use_preview\" on )", texture));
@@ -128,7 +128,7 @@ TEST(Preview, OfAnotherSizeIsStretchedAndOffIsOff) {
   EXPECT_GT(off.session->rays().eye, 0u);
 }
 
-TEST(Preview, ThatCannotBeReadIsSaidAndTheSceneRendered) {
+TEST(Preview, UnreadablePreviewIsReportedAndTheSceneRendered) {
   const Rendered r(scene_with("lens " + kLinear + ", \"preview\" \"pv\", \"use_preview\" on )",
                               "color texture \"pv\" \"/nowhere/at/all.exr\""));
   EXPECT_TRUE(r.scene.diagnostics.has("OR-RT-020"));
@@ -137,7 +137,7 @@ TEST(Preview, ThatCannotBeReadIsSaidAndTheSceneRendered) {
 
 // A finished picture behind the scene, in light and back: with every step of the exposure at work,
 // and from pixel to pixel another vignetting.
-TEST(ReverseExposure, PlateBehindTheSceneComesOutAsItWas) {
+TEST(ReverseExposure, BackgroundPlateIsUnchanged) {
   const std::string camera =
       "\"cm2_factor\" 2, \"whitepoint\" 1 .9 .7, \"f_number\" 4, \"vignetting\" 3, "
       "\"burn_highlights\" .2, \"crush_blacks\" .3, \"saturation\" 1.2";
@@ -181,7 +181,7 @@ std::string photographic(double factor, int mode, const char* channel = "raw") {
 }
 
 // acceptance: X8
-TEST(SideChannel, Mode1MapsAnewWhatTheLensShaderWasGiven) {
+TEST(SideChannel, Mode1RemapsTheLensShaderInput) {
   // The lens' copy maps wildly otherwise: nothing of that is left.
   const Rendered r(scene_with("lens " + photographic(9, 1) + " output " + photographic(.5, 1)));
   EXPECT_EQ(r.scene.messages(), "");
@@ -196,7 +196,7 @@ TEST(SideChannel, Mode1MapsAnewWhatTheLensShaderWasGiven) {
 }
 
 // acceptance: X8
-TEST(SideChannel, Mode2PutsBackWhatTheLensShaderWasGiven) {
+TEST(SideChannel, Mode2RestoresTheLensShaderInput) {
   const Rendered r(scene_with("lens " + photographic(9, 2) + " output " + photographic(9, 2) +
                               " output " + kLinear + " )"));
   const Image shown = r.picture();
@@ -214,7 +214,7 @@ TEST(SideChannel, Mode0MapsThePicture) {
 }
 
 // acceptance: X8
-TEST(SideChannel, NobodyFillsIsSaidAndMapsThePicture) {
+TEST(SideChannel, UnfilledChannelIsReportedAndTheImageMapped) {
   const Rendered r(
       scene_with("lens " + photographic(1, 1, "other") + " output " + photographic(.5, 1)));
   EXPECT_NE(r.scene.only("OR-RN-056"), nullptr) << r.scene.messages();
@@ -241,7 +241,7 @@ TEST(SideChannel, IsAFrameBufferThatCanBeWritten) {
 }
 
 TEST(LensList, TheLastShaderMapsFirst) {
-  // Each asks the next one for the colour of the ray: (c + .1) * 3, not c * 3 + .1.
+  // Each shader calls the next one for the colour of the ray: (c + .1) * 3, not c * 3 + .1.
   const Rendered r(
       scene_with("lens \"mia_exposure_simple\" ( \"gain\" 3, \"compression\" 0, \"gamma\" 1 ) "
                  "\"mia_exposure_simple\" ( \"pedestal\" .1, \"compression\" 0, \"gamma\" 1 )"));

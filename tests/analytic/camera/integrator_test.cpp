@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of integrators, and their table.
+// Interface of integrators, and their table.
 #include "render/integrator.h"
 
 #include <set>
@@ -12,7 +12,7 @@
 namespace oriel::testing {
 namespace integrator_test {
 
-/// Sees its ray's direction, whatever the scene.
+/// Returns the ray direction, for any scene.
 class DirectionIntegrator final : public Integrator {
  public:
   void trace(const Camera::Ray& eye, Vec2, float paths_of_pixel, PathRecord& record,
@@ -37,7 +37,7 @@ TEST(Integrators, EachMethodOfTheOptionsHasOneRow) {
   EXPECT_EQ(find_integrator("bidirectional"), nullptr);
 }
 
-TEST(Integrators, SamplesOfTheCameraShowWhatTheIntegratorReturns) {
+TEST(Integrators, CameraSamplesShowTheResultOfTheIntegrator) {
   SceneText text;
   text.lambert("grey", .5f).camera("focal 1 aperture 1 aspect 1 resolution 8 8");
   const Probe probe = probe_of(text);

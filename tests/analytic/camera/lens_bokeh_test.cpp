@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// mia_lens_bokeh: blur discs of the size that thin lenses have, their shapes, kernels, ray counts.
+// mia_lens_bokeh: size and shape of blur discs, kernels, ray counts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(LensBokeh, BlurDiscsHaveTheRadiusOfAThinLens) {
     double z, radius;
   };
   for (const Row& row : {Row{4, 1}, Row{4, .6}, Row{8, .5}, Row{1, .3}, Row{1.5, .8}}) {
-    const double side = 0.1 * row.z;  // 12 pixels wherever it stands
+    const double side = 0.1 * row.z;  // 12 pixels at any distance
     const Rendered r(emission_at(
         row.z, side, bokeh(fmt::format("\"plane\" {}, \"radius\" {}", kPlane, row.radius))));
     const double pixel = kPlane / kSize;  // of the plane in focus
@@ -97,7 +97,7 @@ TEST(LensBokeh, BlurDiscsHaveTheRadiusOfAThinLens) {
 }
 
 // acceptance: K1
-TEST(LensBokeh, ThingsAtThePlaneAreSharp) {
+TEST(LensBokeh, PointsInTheFocalPlaneAreSharp) {
   const Rendered sharp(emission_at(2, .2, bokeh("\"plane\" 2, \"radius\" 1")));
   const Rendered pinhole(emission_at(2, .2, {}));
   for (int y = -20; y < 20; ++y)
@@ -202,7 +202,7 @@ TEST(LensBokeh, SamplesAreRaysOfEachEyeRay) {
 }
 
 // acceptance: K4
-TEST(LensBokeh, OffIsNoLens) {
+TEST(LensBokeh, OffHasNoEffect) {
   const Rendered off(emission_at(4, .4, bokeh("\"on\" off, \"plane\" 2")), 4);
   const Rendered plain(emission_at(4, .4, {}), 4);
   EXPECT_EQ(off.session->rays().eye, plain.session->rays().eye);
@@ -246,7 +246,7 @@ TEST(LensBokeh, ExposuresInTheSameListStillMap) {
 }
 
 TEST(LensBokeh, ScaledCamerasBlurInSceneUnits) {
-  // The instance's matrix goes from world to camera: here the camera is twice as large.
+  // The instance matrix maps world to camera space: here the camera is twice as large.
   std::string text = emission_at(4, .4, bokeh("\"plane\" 2, \"radius\" 1"));
   const std::string plain = "instance \"cam_i\" \"cam\" end";
   text.replace(text.find(plain), plain.size(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One scene, three ways to find its light: they must show the same picture.
+// Three estimators of the light in one scene must give the same image.
 #include "support/probe.h"
 
 namespace oriel::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the records of further bounces are placed.
+// Placement of the records of further bounces.
 #include "transport/gather/gather_bounces.h"
 
 #include "support/probe.h"
@@ -18,7 +18,7 @@ GatherPoint floor_point(const World& world, const Vec3& place) {
 }
 
 // Two closed rooms: no ray leads from one to the other.
-TEST(GatherBounces, EveryRoomThatIsSeenHasRecordsHoweverManyPointsAreSeen) {
+TEST(GatherBounces, VisibleRoomsHaveRecordsForAnyPointCount) {
   SceneText scene;
   const Vec3 there(20, 0, 0);
   scene.lambert("grey", .5f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the options of final gathering do to a picture, each against what it must bring.
+// Effects of the final gathering options, compared with expected values.
 #include "base/parallel.h"
 #include "support/picture.h"
 
@@ -62,7 +62,7 @@ TEST(GatherOptions, ScaleActsOnAllAndSecondaryScaleOnFurtherBounces) {
 }
 
 // acceptance: H2
-TEST(GatherOptions, FalloffSeesTheSkyInPlaceOfWhatIsFar) {
+TEST(GatherOptions, RaysBeyondTheFalloffSeeTheSky) {
   // Behind .01 there is nothing but the sky: the floor shows albedo times its radiance.
   EXPECT_NEAR(gathered("finalgather falloff .001 .01").mean.x, .5f, .01f);
   const float all = gathered("").mean.x, near = gathered("finalgather falloff 1 2").mean.x,
@@ -73,7 +73,7 @@ TEST(GatherOptions, FalloffSeesTheSkyInPlaceOfWhatIsFar) {
 }
 
 // acceptance: H2
-TEST(GatherOptions, RaysDensityAndRadiiSetHowManyThereAre) {
+TEST(GatherOptions, RaysDensityAndRadiiSetThePointCount) {
   const auto usual = gathered("finalgather accuracy 100");
   EXPECT_GT(gathered("finalgather accuracy 400").rays.gather, 2 * usual.rays.gather);
   EXPECT_EQ(gathered("\"finalgather rays\" 400").rays.gather,
@@ -108,7 +108,7 @@ TEST(GatherOptions, EveryModeBringsTheLightAndStrictnessShows) {
 }
 
 // acceptance: H2
-TEST(GatherOptions, FilterTakesSpecklesWithTheirLight) {
+TEST(GatherOptions, FilterRemovesSpecklesAndTheirEnergy) {
   // A small glowing thing is a lone bright ray to most points.
   const auto mean = [](int filter) {
     SceneText s(

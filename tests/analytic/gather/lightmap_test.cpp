@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders of light maps: what they measure, and that pictures come out without the maps.
+// Light map shaders: measured light, and rendering without the maps.
 #include "mi/reader.h"
 #include "support/probe.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps of indirect light in files, passes that are watched and interrupted.
+// Indirect light maps in files, and passes that are observed and interrupted.
 #include <filesystem>
 #include <fstream>
 
@@ -9,7 +9,7 @@
 namespace oriel::testing {
 namespace map_files_test {
 
-/// A lamp in a grey box, with statements of its options.
+/// A point light in a grey box, with option statements.
 std::string lit_box(const std::string& options) {
   SceneText s("trace depth 4 4 8 photon trace depth 5 5 8 " + options);
   s.lambert("grey", .5f)
@@ -81,7 +81,7 @@ TEST(MapFiles, GatherPointsAreKeptExtendedAndFrozen) {
 }
 
 // acceptance: H2
-TEST(MapFiles, ForeignMapIsRefusedAndMadeAnew) {
+TEST(MapFiles, IncompatibleMapIsRecomputed) {
   const TestFolder folder;
   const MapFiles files{.photons = folder.file("x.phm"), .gather = {folder.file("x.fgm")}};
   for (const std::string& path : {files.photons, files.gather[0]})
@@ -94,7 +94,7 @@ TEST(MapFiles, ForeignMapIsRefusedAndMadeAnew) {
 }
 
 // acceptance: H3
-TEST(MapFiles, PhotonsAreReadInPlaceOfSent) {
+TEST(MapFiles, PhotonsAreReadInsteadOfEmitted) {
   const TestFolder folder;
   const MapFiles files{.photons = folder.file("box.phm"), .gather = {}};
   const Rendered made = render("globillum on", files);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of the manual that hold by paths, by final gathering and by photons alike.
+// Statements of the manual that hold for path tracing, final gathering and photons.
 #include "support/picture.h"
 #include "support/portal_scenes.h"
 #include "transport/photon/photon_trace.h"
@@ -32,7 +32,7 @@ TEST(GatherQuality, ActsUnderFinalGatheringBelowOneAsWell) {
     EXPECT_NEAR(g.rays / one.rays / double(quality), 1, .08) << quality;
     EXPECT_NEAR(g.mean.x, .5f, .01f);
   }
-  // With a weight never fewer than the options ask for.
+  // With a weight, the options are the minimum.
   EXPECT_EQ(gathered_card("\"fg_quality\" .25, \"fg_quality_w\" 2").rays, one.rays);
 }
 
@@ -45,7 +45,7 @@ TEST(IndirectMultiplier, ScalesGatheredLight) {
 
 // acceptance: P5
 TEST(MagicWall, ScattersPhotonsAsAnyWall) {
-  // A lamp behind the culled wall's front, which looks away from the camera.
+  // A light in front of the culled wall, which faces away from the camera.
   const auto photons = [](bool culled) {
     SceneText scene;
     scene.lambert("floor", .5f)

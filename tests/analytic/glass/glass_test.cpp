@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solid and thin glass: where refracted rays go, how much light goes with them.
+// Solid and thin glass: directions of refracted rays and their transmittance.
 #include <numbers>
 
 #include "support/probe.h"
@@ -28,7 +28,7 @@ Measured rising(const SceneText& scene, double degrees, int samples, float from 
 const char* const kGlass =
     "\"diffuse_weight\" 0, \"reflectivity\" 1, \"transparency\" 1, \"refr_ior\" 1.5, "
     "\"brdf_fresnel\" on, \"refl_depth\" 0, \"refr_depth\" 0, \"refl_cutoff\" 0, \"refr_cutoff\" 0";
-/// No interface at all, only what is in it.
+/// No interface, only the medium inside.
 const char* const kGel =
     "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1, "
     "\"refr_depth\" 0";
@@ -157,7 +157,7 @@ TEST(Glass, FadesToBlackWithoutAColourAndRaysStopThere) {
         .box("gel", Vec3(-5, -5, 0), Vec3(5, 5, d));
     const Measured m = rising(scene, 0, 64);
     expect_exact(fmt::format("fading over {} of 1", d), m, std::max(0.0f, 1 - d));
-    // Beyond the distance nothing is met: neither surface nor sky is asked for.
+    // Beyond the distance neither surfaces nor the sky are evaluated.
     EXPECT_EQ(m.counts.environment, d < 1 ? 64u : 0u);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes that glow: what they bring by samples, by rays alone, and by closed forms.
+// Emissive meshes: light sampling, rays alone, and closed forms agree.
 #include "lights/light_sampler.h"
 #include "support/probe.h"
 
@@ -35,7 +35,7 @@ void add_grid(SceneText& scene, const std::string& material, float x, float y, f
   scene.mesh(material, points, faces, {});
 }
 
-/// Form factor from a surface element to a parallel rectangle whose corner stands over it.
+/// Form factor from a surface element to a parallel rectangle with a corner above it.
 /// Source: Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-4.
 float corner_factor(float a, float b, float h) {
   const float x = a / h, y = b / h, p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
@@ -68,7 +68,7 @@ const Registry& step_registry() {
   return registry;
 }
 
-/// Mesh lights are there, they agree with rays alone and with what is exact, and err less.
+/// Mesh lights exist, agree with rays alone and with the exact value, and have less error.
 void expect_glow(const std::string& name, const SceneText& scene, float exact,
                  std::size_t triangles, float tolerance = 0) {
   Probe probe(scene);
@@ -81,7 +81,7 @@ void expect_glow(const std::string& name, const SceneText& scene, float exact,
   figure(name, exact, sampled.mean.x, sampled.error.x);
 }
 
-TEST(Emission, RectanglesBringTheirFormFactor) {
+TEST(Emission, RectanglesMatchTheirFormFactor) {
   const float exact = .5f * kRadiance * 4 * corner_factor(.2f, .2f, 1);
   SceneText one = floor_scene();
   one.square("glow", Vec3(0, 0, 1), .2f, -kUp);
@@ -91,7 +91,7 @@ TEST(Emission, RectanglesBringTheirFormFactor) {
   expect_glow("rectangle of 10082 triangles", many, exact, 10082);
 }
 
-TEST(Emission, AnAreaLightOfTheSameRadianceBringsTheSame) {
+TEST(Emission, EqualsAnAreaLightOfEqualRadiance) {
   SceneText mesh = floor_scene();
   mesh.square("glow", Vec3(.5f, .3f, 1), .2f, -kUp);
   SceneText lamp = floor_scene();
@@ -103,7 +103,7 @@ TEST(Emission, AnAreaLightOfTheSameRadianceBringsTheSame) {
               Probe(lamp).onto(Vec3(0), kUp, 0, 1 << 14), .01f);
 }
 
-TEST(Emission, DiscsBringTheirFormFactor) {
+TEST(Emission, DiscsMatchTheirFormFactor) {
   SceneText scene = floor_scene();
   std::vector<Vec3> rim;
   for (int i = 0; i < 256; ++i) {
@@ -114,7 +114,7 @@ TEST(Emission, DiscsBringTheirFormFactor) {
   expect_glow("disc", scene, .5f * kRadiance * .09f / (.09f + 2.25f), 254, 2e-4f);
 }
 
-TEST(Emission, SpheresBringTheirFormFactor) {
+TEST(Emission, SpheresMatchTheirFormFactor) {
   // As seen from the floor below the centre: (R / d)^2. A polyhedron is a little smaller.
   SceneText scene = floor_scene();
   scene.sphere("glow", Vec3(0, 0, 1), .1f, 48);
@@ -133,7 +133,7 @@ TEST(Emission, TexturesKeepTheirLight) {
   const Measured sampled = probe.onto(Vec3(0), kUp, 0, 1 << 13);
   Probe rays(ramp);
   expect_same("ramp", sampled, rays.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 17), .03f);
-  // Half a square glows, an edge between the places that are asked.
+  // Half of a square emits, with an edge between the sample positions.
   for (const float edge : {.05f, .19f}) {
     SceneText half = floor_scene();
     half.statement(fmt::format("shader \"step\" \"test_step\" ( \"edge\" {} )", edge))
@@ -149,7 +149,7 @@ TEST(Emission, TexturesKeepTheirLight) {
   }
 }
 
-TEST(Emission, BothSidesGlowAndOneSideWhereItSaysSo) {
+TEST(Emission, EmitsFromBothSidesOrOne) {
   // A horizontal plate between two floors.
   const auto seen = [](const std::string& material, bool above, bool sampled) {
     SceneText scene = floor_scene();
@@ -219,7 +219,7 @@ TEST(Emission, GlassAndHolesBeforeItPassWhatRaysFind) {
   }
 }
 
-TEST(Emission, FlagsAndCopiesMeanWhatTheyDo) {
+TEST(Emission, FlagsAndInstancesApply) {
   for (const char* flag : {"finalgather 4", "finalgather 8", "reflection 4", "reflection 8",
                            "shadow off", "visible off"}) {
     SceneText scene = floor_scene(
@@ -249,7 +249,7 @@ TEST(Emission, FlagsAndCopiesMeanWhatTheyDo) {
   expect_same("copies", sampled, probe.mesh_lights(false).onto(Vec3(0), kUp, 0, 1 << 18), .02f);
 }
 
-TEST(Emission, RoomsThatGlowAllOverAreLeftToRays) {
+TEST(Emission, RoomsWithEmissiveWallsUseRaysOnly) {
   SceneText scene;
   scene.material("wall", "\"reflectivity\" 0, \"diffuse\" .5 .5 .5, \"additional_color\" 1 1 1")
       .box("wall", Vec3(-1, -1, -1), Vec3(1, 1, 1), true);

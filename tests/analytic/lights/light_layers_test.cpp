@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Groups of lights as layers: they sum to the beauty, and each is what its lights bring.
+// Light groups as layers: they sum to the beauty, and each has the light of its group.
 #include <algorithm>
 
 #include "image/relight.h"
@@ -20,7 +20,8 @@ struct Room {
 
 const std::string kFewPhotons = "globillum photons 4000 caustic photons 500";
 
-/// A room with a window (portal), a group of two lamps, a spot, a glowing bulb and a glass box.
+/// A room with a portal window, a group of two point lights, a spot, an emissive mesh and a glass
+/// box.
 std::string text_of(const Room& r) {
   SceneText scene(r.options);
   scene.camera("focal 1 aperture 1.6 aspect 1 resolution 12 12")
@@ -106,7 +107,7 @@ void expect_sum(const std::vector<Layer>& layers, const std::string& what) {
     }
 }
 
-TEST(LightLayers, TheySumToTheBeautyByEveryMethod) {
+TEST(LightLayers, SumToTheBeautyInEveryMethod) {
   for (const char* method : {"path", "fg", "photons", "fg+photons"}) {
     const std::vector<Layer> layers = rendered({.method = method}, 4);
     EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"key", "glow", "sky", "rest"}));
@@ -139,7 +140,7 @@ TEST(LightLayers, WithoutItsLightsTheBeautyIsLessByTheLayer) {
     if (!exact) cases.erase(cases.begin() + 1, cases.end());
     for (const Case& c : cases) {
       auto groups = kGroups;
-      if (!c.off.bulb) groups.erase(groups.begin() + 1);  // it glows no more
+      if (!c.off.bulb) groups.erase(groups.begin() + 1);  // it no longer emits
       const auto without = rendered(c.off, samples, groups);
       const Rgb whole = mean(with, ""), left = mean(without, ""), part = mean(with, c.layer);
       for (int k = 0; k < 3; ++k)
@@ -149,7 +150,7 @@ TEST(LightLayers, WithoutItsLightsTheBeautyIsLessByTheLayer) {
   }
 }
 
-TEST(LightLayers, TheFirstGroupThatMatchesHasTheLight) {
+TEST(LightLayers, LightBelongsToTheFirstMatchingGroup) {
   const auto layers = rendered({}, 2, {{"a", {"lamp1_i"}}, {"all", {"*"}}});
   EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"a", "all", "rest"}));
   EXPECT_GT(mean(layers, "light.a").x, 1e-3f);
@@ -174,7 +175,7 @@ TEST(LightLayers, GroupsOfInstancesAndOptionsNameLights) {
     EXPECT_EQ(layers.of_light[i] == 0, scene.world->lights[i].name == "spot_i") << i;
 }
 
-TEST(LightLayers, PatternsThatMatchNothingAreToldWithTheNearestName) {
+TEST(LightLayers, UnmatchedPatternsAreReportedWithTheNearestName) {
   PrepareOptions options;
   options.light_groups = {{"key", {"lump1_i", "grey*", "lamp*"}}};
   const testing::PreparedScene scene(text_of({}), test_registry(), options);
@@ -185,7 +186,7 @@ TEST(LightLayers, PatternsThatMatchNothingAreToldWithTheNearestName) {
       << scene.messages();
 }
 
-TEST(LightLayers, PortalsGoWithTheSkyUnlessTheyAreNamed) {
+TEST(LightLayers, PortalsBelongToTheSkyGroupUnlessNamed) {
   const auto sky = rendered({}, 16, {{"sky", {"environment"}}});
   const auto apart = rendered({}, 16, {{"sky", {"environment"}}, {"window", {"window_i"}}});
   const Rgb together = mean(apart, "light.sky") + mean(apart, "light.window");
@@ -195,7 +196,7 @@ TEST(LightLayers, PortalsGoWithTheSkyUnlessTheyAreNamed) {
   EXPECT_GT(mean(apart, "light.sky").x, .02f) << "seen through it";
 }
 
-TEST(LightLayers, TheyChangeNothingElse) {
+TEST(LightLayers, OtherLayersAreUnchanged) {
   const auto with = rendered({}, 2), without = rendered({}, 2, {});
   const auto &a = find_layer(with, "")->image.pixels, &b = find_layer(without, "")->image.pixels;
   ASSERT_EQ(a.size(), b.size());

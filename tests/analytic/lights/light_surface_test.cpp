@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The visible part of lamps, and lights that leave out highlights or diffuse light.
+// Visible part of lights, and lights without highlights or diffuse light.
 #include <fstream>
 
 #include "support/probe.h"
@@ -22,7 +22,7 @@ Rgb seen(const Probe& probe, const Vec3& place, RayKind kind = RayKind::Eye) {
   return Rgb(-1);
 }
 
-/// A lamp of 50 cd that shines down only, in an instance moved to (1, 2, 3).
+/// A light of 50 cd, directed downward, in an instance moved to (1, 2, 3).
 SceneText lamp_scene(const std::string& parameters) {
   const std::string path = ::testing::TempDir() + "/oriel-down.ies";
   std::ofstream(path) << "IESNA91\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 40\n0 90\n0\n50 50\n";
@@ -66,7 +66,7 @@ TEST(LightSurface, GatherAndReflectionRaysSeeTheirShares) {
   expect_rgb(seen(probe, Vec3(0), RayKind::Refract), Vec3(4));
   expect_rgb(seen(probe, Vec3(0), RayKind::FinalGather), Vec3(1));
   expect_rgb(seen(probe, Vec3(0), RayKind::Reflect), Vec3(2));
-  // In pictures: a wide ceiling that glows over a white floor and over a mirror.
+  // In images: a wide emissive ceiling over a white floor and over a mirror.
   for (const float share : {0.0f, .5f, 1.0f}) {
     SceneText scene;
     scene
@@ -90,9 +90,9 @@ TEST(LightSurface, GatherAndReflectionRaysSeeTheirShares) {
 }
 
 // acceptance: G3
-TEST(LightSurface, AnEvaluationPointMakesABulbGlowEvenly) {
+TEST(LightSurface, EvaluationPointMakesEmissionUniform) {
   const float radius = .1f;
-  // At the point seen: the upper half is dark, for the lamp shines down.
+  // At the shaded point: the upper half is dark, because the light is directed downward.
   const Probe here(lamp_scene(kLights + "\"intensity\" 0"));
   const float bright = 50 / sqr(radius) / kPi;
   expect_rgb(seen(here, kLamp - Vec3(0, 0, radius)), Vec3(bright, bright / 2, 0));

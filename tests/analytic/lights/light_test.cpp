@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Form factors: what shapes that glow bring to a white card, and to the other side of a sheet.
+// Form factors of light shapes on a white card, and transmission through a sheet.
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -19,7 +19,7 @@ void expect_form(const std::string& name, const SceneText& scene, double e_over_
                static_cast<float>(e_over_l / kPi));
 }
 
-TEST(FormFactor, GlowingSquaresAreFoundByLobes) {
+TEST(FormFactor, EmissiveSquaresAreFoundByLobeSampling) {
   const auto above = [](float half, float height, const Vec3& shift = Vec3(0)) {
     SceneText scene = card();
     scene.emitter("glow", 1).square("glow", Vec3(0, 0, height) + shift, half, -kUp);
@@ -74,7 +74,7 @@ TEST(FormFactor, SkyThroughAWindowAndOverAWall) {
   expect_form("half sky", half, kPi / 2);
 }
 
-/// physical_light of energy 4 pi^2 brings pi L with L = 1 / area' (see runtime/light.h).
+/// physical_light of energy 4 pi^2 gives pi L with L = 1 / area' (see runtime/light.h).
 std::string physical(float energy) {
   return fmt::format("\"physical_light\" ( \"color\" {0} {0} {0} )", energy);
 }
@@ -94,7 +94,7 @@ TEST(AreaLight, PointLightDecaysBySquare) {
 }
 
 // acceptance: H4, H6
-TEST(AreaLight, ShapesBringTheirFormFactors) {
+TEST(AreaLight, ShapesMatchTheirFormFactors) {
   // Energy c: a point light brings pi c / (4 pi d^2); as a shape its radiance is c / (4 area), with
   // the projected area for spheres (pi R^2) and of cylinders (pi R times the half length).
   struct Case {
@@ -138,7 +138,7 @@ TEST(AreaLight, FarShapesActAsPoints) {
 }
 
 // acceptance: H6
-TEST(AreaLight, CylinderIsThatOfItsStripes) {
+TEST(AreaLight, CylinderEqualsItsStrips) {
   // Infinite cylinder of radiance L, radius R at height d over the card: E = pi L R / d.
   SceneText scene = card();
   constexpr float kHalf = 400, kRadius = .2f;
@@ -152,7 +152,7 @@ TEST(AreaLight, CylinderIsThatOfItsStripes) {
 }
 
 TEST(AreaLight, LightBehindAPaneIsFoundOnce) {
-  // A thin pane of R = 2r / (1 + r) between card and lamp, and one that the lamp is in front of.
+  // A thin pane of R = 2r / (1 + r) between card and light, and a pane behind the light.
   for (const float pane : {.6f, 1.2f})
     for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
       SceneText scene = card();

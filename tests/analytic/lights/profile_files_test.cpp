@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light profiles written by others: what is read of them against their tables, integrated by hand.
-// See tests/data/ies/NOTICE.txt for where they come from.
+// Light profiles of manufacturers, compared with their tables integrated by hand. Origin of the
+// files: tests/data/ies/NOTICE.txt.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ TEST(ProfileFiles, OnePlaneOfCandelaIsTurnedAboutTheAxis) {
 
 // acceptance: H6
 TEST(ProfileFiles, BothFormatsOfOneLuminaireAreTheSame) {
-  // 1000 cd for 1000 lm of a lamp of 1000 lm: the numbers of both files are candela.
+  // 1000 cd per 1000 lm, for a flux of 1000 lm: the numbers in both files are candela.
   const ProfileData data = read("dummy.ldt");
   const LightProfile a(read("dummy.ies").table), b(data.table);
   EXPECT_EQ(data.report.format, "EULUMDAT");

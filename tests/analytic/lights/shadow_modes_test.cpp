@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shadow modes and shadow shaders: what is asked in which order, and what passes.
+// Shadow modes and shadow shaders: order of calls, and transmittance.
 #include <mutex>
 
 #include "support/probe.h"
@@ -15,7 +15,7 @@ struct TestStep {
 };
 constexpr ParamSpec kTestStepRows[] = {{ORIEL_PARAM(TestStep, scale), .fallback = {1}},
                                        {ORIEL_PARAM(TestStep, less)}};
-/// What it was asked for, in order.
+/// Recorded calls, in order.
 struct StepLog {
   std::mutex mutex;
   std::vector<float> heights;
@@ -94,7 +94,7 @@ TEST(ShadowModes, OffLetsLightThroughEverything) {
     add_filter(scene, "filter", "\"test_step\" ( \"scale\" .5 )");
     scene.square("filter", Vec3(0, 0, 2), 5, kUp);
     EXPECT_EQ(probe_of(scene).direct_only().onto(Vec3(0), kUp, 40, 64).mean.x, exact) << mode;
-    // Nothing is asked, with nothing to decide or behind what is opaque.
+    // No calls if nothing has to be decided, or behind an opaque surface.
     EXPECT_TRUE(step_log().heights.empty()) << mode;
   }
 }
@@ -121,7 +121,7 @@ TEST(ShadowModes, ABlockerThatBecomesOpaqueEndsTheShadowRay) {
 }
 
 // acceptance: H6
-TEST(ShadowModes, SortAndSegmentsAskFromThePointToTheLight) {
+TEST(ShadowModes, SortAndSegmentsCallShadersFromPointToLight) {
   for (const char* mode : {"sort", "segments"})
     for (const bool half_first : {true, false}) {
       SceneText scene = lit_card(mode);
@@ -259,13 +259,13 @@ TEST(ShadowShader, MediaInTheSlotAreAbsorbedByThickness) {
   }
 }
 
-/// What is filtered: a surface that glows at .2 and returns nothing else, or one that has holes.
+/// Filtered surface: emits .2 and returns nothing else, or has cut-outs.
 const char* const kGlow = "\"reflectivity\" 0, \"diffuse\" 0 0 0, \"additional_color\" .2 .2 .2";
 const char* const kFilter =
     "\"mib_shadow_transparency\" ( \"color\" 1 1 1, \"transp\" .5 .25 .75 )";
 
 // acceptance: H6
-TEST(ShadowShader, RaysBehindADiffuseBouncePassWhatShadowRaysPass) {
+TEST(ShadowShader, RaysAfterADiffuseBounceHaveTheTransmittanceOfShadowRays) {
   for (const bool lamp : {false, true})
     for (const float opacity : {1.0f, .5f})
       for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
@@ -300,7 +300,7 @@ TEST(ShadowShader, RaysBehindADiffuseBouncePassWhatShadowRaysPass) {
 }
 
 // acceptance: H6
-TEST(ShadowShader, PhotonsPassWhatShadowRaysPass) {
+TEST(ShadowShader, PhotonsHaveTheTransmittanceOfShadowRays) {
   // A box that lets light out: each photon that meets it passes, is scattered back, or is lost.
   for (const float albedo : {0.0f, .3f, .6f}) {
     SceneText scene = in_mode("on");
@@ -344,7 +344,7 @@ TEST(ShadowShader, PhotonsAreAbsorbedByMediaOfTheSlotAsShadowRaysAre) {
   }
 }
 
-TEST(ShadowShader, WhatPassesIsDirectLightAndInNoMap) {
+TEST(ShadowShader, TransmittedLightIsDirectAndNotInMaps) {
   SceneText scene = in_mode("on");
   add_filter(scene, "filter", kFilter);
   scene.material("grey", "\"reflectivity\" 0, \"diffuse\" .5 .5 .5")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The axis along which a brushed plate stretches what it reflects, refracts and highlights: fitted
-// to rendered light, for each source of the base direction.
+// Anisotropy axis of reflections, refractions and highlights, fitted to rendered light for each
+// source of the base direction.
 #include <cmath>
 
 #include "shaders/architectural/mia_material.h"

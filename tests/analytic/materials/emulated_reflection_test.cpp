@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflections without rays: soft ones made of what final gathering found.
+// Reflections without rays, computed from final gathering results.
 #include <gtest/gtest.h>
 
 #include "prepare/testing/prepared_scene.h"
@@ -48,14 +48,14 @@ constexpr auto kGather = scene::IndirectMethod::FinalGather;
 constexpr auto kPath = scene::IndirectMethod::Path;
 
 // acceptance: R5
-TEST(EmulatedReflection, BleedsTheColourOfWhatLiesInItsDirectionWithoutRays) {
+TEST(EmulatedReflection, UsesGatheredColourWithoutRays) {
   const Board emulated("\"refl_gloss\" 0, \"refl_hl_only\" on", kGather);
   EXPECT_EQ(emulated.session->rays().reflect, 0u);
-  // Seen from the middle, the upper half mirrors what is above, the lower half what is below.
+  // Viewed from the middle, the upper half mirrors the objects above, the lower half those below.
   const Rgb up = emulated.reflection(2, 7), down = emulated.reflection(9, 14);
   EXPECT_GT(up.z, 1.15f * up.x);
   EXPECT_GT(down.x, 1.15f * down.z);
-  // As bright as reflection rays find it, within what nine numbers can tell of a direction.
+  // As bright as with reflection rays, within the resolution of nine coefficients.
   const Board traced("\"refl_gloss\" 0, \"refl_gloss_samples\" 64", kPath);
   const Rgb real = traced.reflection(2, 14), soft = emulated.reflection(2, 14);
   EXPECT_NEAR(soft.x / real.x, 1, 0.15f);
@@ -71,7 +71,7 @@ TEST(EmulatedReflection, ShowsHighlightsAloneWithoutFinalGathering) {
 
 // acceptance: R7
 TEST(EmulatedReflection, TakesOverWhereTheMaterialsDepthEnds) {
-  // Two boards face each other: beyond depth 1 the second shows what was gathered, not nothing.
+  // Two facing boards: beyond depth 1 the second one shows gathered light, not black.
   const auto facing = [](scene::IndirectMethod method) {
     SceneText s("trace depth 4 4 8 finalgather on finalgather accuracy 200");
     s.uniform_sky(1)

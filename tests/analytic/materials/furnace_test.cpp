@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy: what stands in an even glow can not shine brighter than it, and closed rooms sum up
-// their bounces.
+// Energy conservation: furnace tests, and sums of bounces in closed rooms.
 #include <random>
 
 #include "support/probe.h"
@@ -113,7 +112,7 @@ TEST(Furnace, ClosedRoomSumsItsBounces) {
 }
 
 // A mirror, a cut-out and a glossy thing inside change nothing in a room where all is equal.
-TEST(Furnace, LosslessThingsInAClosedRoomChangeNothing) {
+TEST(Furnace, LosslessObjectsDoNotChangeAClosedRoom) {
   const char* things[] = {
       "\"reflectivity\" 1, \"diffuse\" 1 1 1, \"refl_is_metal\" on, \"brdf_0_degree_refl\" 1",
       "\"reflectivity\" 1, \"diffuse\" 1 1 1, \"refl_is_metal\" on, \"brdf_0_degree_refl\" 1, "

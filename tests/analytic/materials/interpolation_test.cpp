@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interpolated reflections: grids of the densities the manual names, smoother with more points,
-// sharp within the detail distance, and no dearer than a mirror.
+// Interpolated reflections: documented grid densities, smoothing with more points, detail distance,
+// and cost compared with a mirror.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -130,7 +130,7 @@ TEST(Interpolation, DetailRaysKeepNearThingsClear) {
   const Rendered with(smooth + ", \"intr_refl_ddist_on\" on, \"intr_refl_ddist\" 2");
   EXPECT_GE(without.width_of_edge(kNear), 6);
   EXPECT_GE(with.width_of_edge(kFar), 6);
-  // The board stands .1 above the mirror: what is traced has 95 % of the weight there.
+  // The board is .1 above the mirror: traced light has a weight of 95 % there.
   float steepest = 0;
   for (int x = 1; x < 64; ++x)
     steepest = std::max(steepest, std::abs(with.at(x, kNear) - with.at(x - 1, kNear)));

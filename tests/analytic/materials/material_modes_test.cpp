@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of the manual's material chapter where parameters and modes meet.
+// Statements of the material chapter of the manual about combinations of parameters and modes.
 #include "bsdf/fresnel.h"
 #include "runtime/texture_direction.h"
 #include "support/picture.h"
@@ -72,7 +72,7 @@ TEST(BumpInputs, TheSecondIsAddedOnTopOfTheFirst) {
 }
 
 // acceptance: B2
-TEST(BumpInputs, DiffuseIsSparedTheSecondAlone) {
+TEST(BumpInputs, DiffuseMayIgnoreTheSecond) {
   const Vec3 first = normalize(Vec3(.3f, 0, 1));
   SceneText scene;
   scene.statement("shader \"lean\" \"test_lean\" ( \"by\" 0 .8 0 )")
@@ -117,7 +117,7 @@ Rgb below_glass(const std::string& options, const std::string& glass, const std:
 }
 
 // acceptance: T9
-TEST(CausticsOfPaths, LeaveTransparentShadowsWhereNoPhotonBringsTheLight) {
+TEST(CausticsOfPaths, TransparentShadowsRemainWithoutPhotons) {
   const std::string lights[] = {
       "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction 0 0 -1",
       "\"mib_light_point\" ( \"color\" 1 1 1, \"shadow\" on ) origin 0 0 3",
@@ -131,7 +131,7 @@ TEST(CausticsOfPaths, LeaveTransparentShadowsWhereNoPhotonBringsTheLight) {
   }
 }
 
-/// A plate that shows a visible lamp as highlight or mirrored; seen where the mirror would show it.
+/// A plate with a visible light as highlight or reflection, viewed in the mirror direction.
 SceneText lamp_on(const std::string& material, const std::string& options = "") {
   SceneText scene("trace depth 8 8 12 shadow segments " + options);
   scene
@@ -149,7 +149,7 @@ SceneText lamp_on(const std::string& material, const std::string& options = "") 
 
 // acceptance: R5
 TEST(VisibleAreaLights, KeepTheHighlightThatNoReflectionReplaces) {
-  // From 30 degrees: the mirrored ray misses the lamp, a wide highlight does not.
+  // From 30 degrees: the mirrored ray misses the light, a wide highlight does not.
   const auto seen = [](const std::string& material) {
     return Probe(lamp_on(material)).onto(Vec3(0), kUp, 30, 4096, 2).mean.x;
   };
@@ -160,7 +160,7 @@ TEST(VisibleAreaLights, KeepTheHighlightThatNoReflectionReplaces) {
 }
 
 // acceptance: R7
-TEST(VisibleAreaLights, KeepItBeyondTheMaterialsOwnDepth) {
+TEST(VisibleAreaLights, KeepTheHighlightBeyondTheMaterialDepth) {
   // A mirror that shows the plate; at the plate, one reflection deep, the material stops.
   const auto seen = [](const std::string& material) {
     SceneText scene = lamp_on("\"refl_gloss_samples\" 0, " + material);
@@ -177,7 +177,7 @@ TEST(VisibleAreaLights, KeepItBeyondTheMaterialsOwnDepth) {
 }
 
 // acceptance: T4
-TEST(ThinWalls, FadeWhatIsSeenThroughThem) {
+TEST(ThinWalls, FadeTheTransmittedView) {
   for (const bool coloured : {false, true}) {
     SceneText scene;
     scene.emitter("glow", 2)
@@ -200,7 +200,7 @@ TEST(ThinWalls, FadeWhatIsSeenThroughThem) {
 
 // acceptance: T10
 TEST(TranslucentSolids, ShineThroughWithoutIndirectLight) {
-  // Two Lambert transmissions of level .6 * .9 between wide faces: pi E goes in, its square leaves.
+  // Two Lambert transmissions of level .6 * .9 between wide faces: pi E enters, its square leaves.
   SceneText scene;
   scene
       .material("m",
@@ -306,7 +306,7 @@ TEST(VolumesOfMaterials, DimLightThatPassesThem) {
 
 // acceptance: T14
 TEST(VolumesOfMaterials, DimLightThatDoesNotLeaveThem) {
-  // Ground and lamp lie within the fog, one unit apart: a quarter of its full density.
+  // Ground and light are in the fog, one unit apart: a quarter of its full density.
   for (const bool on : {false, true}) {
     SceneText scene = fog_box("\"cutout_opacity\" 0", on);
     scene.lambert("floor", .5f)
@@ -319,7 +319,7 @@ TEST(VolumesOfMaterials, DimLightThatDoesNotLeaveThem) {
 }
 
 // acceptance: T14
-TEST(VolumesOfMaterials, SurroundWhatStandsInThem) {
+TEST(VolumesOfMaterials, AffectObjectsInside) {
   // Eye and wall lie inside of the fog, and no ray meets its hull before the wall.
   SceneText scene = fog_box("\"cutout_opacity\" 0");
   scene.emitter("glow", 2).square("glow", Vec3(0, 0, -.5f), 3, kUp);
@@ -371,7 +371,7 @@ std::string turned_spaces(const std::vector<float>& turns, const std::string& pl
 }
 
 // acceptance: A3
-TEST(TextureDirection, IsTheGradientOfEachSpaceWhereverTheObjectStands) {
+TEST(TextureDirection, IsTheGradientOfEachSpaceForAnyTransform) {
   // Alone the object is carried to world space, twice it stays in its own.
   for (const bool twice : {false, true}) {
     // World to object: a quarter turn about z.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Occlusion on gathered light: as on light that paths find.
+// Occlusion of gathered light equals occlusion with path tracing.
 #include "support/picture.h"
 
 namespace oriel::testing {
@@ -49,7 +49,7 @@ TEST(GatheredOcclusion, ActsAsOnPaths) {
 }
 
 // acceptance: O2, O3
-TEST(GatheredOcclusion, DarkensOrBringsTheNeighboursLight) {
+TEST(GatheredOcclusion, DarkensOrAddsTheLightOfNeighbours) {
   const float none = floor_level("", "fg", 2), dims = floor_level(details(1), "fg", 2),
               colors = floor_level(details(2), "fg", 2);
   EXPECT_LT(dims, .99f * none);

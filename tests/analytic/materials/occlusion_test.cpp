@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ambient occlusion: shares of free sky in closed form, and on which light it acts how.
+// Ambient occlusion: closed forms of unoccluded fractions, and the kinds of light it affects.
 #include <limits>
 
 #include "support/probe.h"
@@ -43,7 +43,7 @@ float corner_occlusion(float k) {
 }
 
 // acceptance: O1
-TEST(Occlusion, SlabTakesItsClosedFormShare) {
+TEST(Occlusion, SlabMatchesItsClosedForm) {
   constexpr float kHeight = .4f;
   for (const float k : {.05f, .25f, .5f, .8f, .95f}) {
     SceneText scene = floor_with(ambient_alone(kHeight / k));
@@ -54,7 +54,7 @@ TEST(Occlusion, SlabTakesItsClosedFormShare) {
 }
 
 // acceptance: O1
-TEST(Occlusion, CornerTakesItsClosedFormShare) {
+TEST(Occlusion, CornerMatchesItsClosedForm) {
   constexpr float kAside = .4f;
   for (const float k : {.02f, .1f, .3f, .6f, .9f}) {
     SceneText scene = floor_with(ambient_alone(kAside / k));
@@ -90,7 +90,7 @@ TEST(Occlusion, DistanceZeroIsAnyDistance) {
 }
 
 // acceptance: O1
-TEST(Occlusion, ShortRaysEndBeforeWhatIsFartherAway) {
+TEST(Occlusion, ShortRaysIgnoreDistantObjects) {
   // Balls all around, none near: short rays do not look at them, which saves their time.
   SceneText scene;
   scene.lambert("grey", .5f).square("grey", Vec3(0), kFar, kUp);
@@ -115,7 +115,7 @@ TEST(Occlusion, ShortRaysEndBeforeWhatIsFartherAway) {
 }
 
 // acceptance: O1
-TEST(Occlusion, SamplesAreTheMostRaysOfAPixel) {
+TEST(Occlusion, SamplesAreTheMaximumRaysPerPixel) {
   for (const int samples : {1, 16, 64}) {
     SceneText scene = floor_with(fmt::format("\"ao_samples\" {}, {}", samples, ambient_alone(10)));
     const Probe probe(scene);
@@ -135,7 +135,7 @@ TEST(Occlusion, SamplesAreTheMostRaysOfAPixel) {
   }
 }
 
-/// A floor of albedo .6 under a slab that glows with radiance 1, a lamp between the two.
+/// A floor of albedo .6 under an emissive slab of radiance 1, with a point light between them.
 struct UnderSlab {
   static constexpr float kHeight = .4f, kAlbedo = .6f;
   /// The slab is .4 of the distance away: share of free sky.
@@ -188,8 +188,8 @@ TEST(Occlusion, DetailsMultiplyIndirectLightAlone) {
 }
 
 // acceptance: O2
-TEST(Occlusion, DetailsDimTheSkyHoweverItIsFound) {
-  // A black wall hides half of an even sky; what is left is dimmed by how near the wall is.
+TEST(Occlusion, DetailsDimTheSkyInAllEstimators) {
+  // A black wall hides half of a uniform sky; the rest is dimmed by the distance of the wall.
   constexpr float kAside = .4f, kDark = .3f, kEnd = 1e5f;
   const float free = 1 - corner_occlusion(kAside);
   for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
@@ -229,7 +229,7 @@ TEST(Occlusion, DarknessOfColoursIsByChannel) {
 }
 
 // acceptance: O3
-TEST(Occlusion, GlowingBallBrightensTheFloorBelowIt) {
+TEST(Occlusion, EmissiveBallBrightensTheFloorBelow) {
   const auto floor_below = [](int details) {
     SceneText scene = floor_with(
         fmt::format("\"ao_do_details\" {}, \"ao_distance\" 2, \"ao_dark\" .1 .1 .1", details));
@@ -237,7 +237,7 @@ TEST(Occlusion, GlowingBallBrightensTheFloorBelowIt) {
     return Probe(scene).onto(Vec3(0), kUp, 80, 65536, .4f);
   };
   const Measured none = floor_below(0), dark = floor_below(1), colours = floor_below(2);
-  // Details 1 has a dark spot under what glows, details 2 has none.
+  // Details 1 has a dark spot under the emitter, details 2 has none.
   EXPECT_LT(dark.mean.x, .75f * none.mean.x);
   EXPECT_GT(colours.mean.x, 1.25f * dark.mean.x);
   EXPECT_GT(colours.mean.x, .9f * none.mean.x);
@@ -310,7 +310,7 @@ TEST(Occlusion, NeedsIndirectOrAmbientLight) {
 }
 
 // acceptance: O4
-TEST(Occlusion, WithoutSamplesOrSwitchedOffThereIsNone) {
+TEST(Occlusion, IsAbsentWithoutSamplesOrWhenOff) {
   const auto picture = [](const std::string& occlusion) {
     SceneText scene;
     scene.uniform_sky(1).lambert("m", .7f, occlusion).box("m", Vec3(-1, -1, -3), Vec3(1, 1, -2));
@@ -407,7 +407,7 @@ TEST(Occlusion, ColouredDetailsWithoutDarknessAreTheLightThatIsThere) {
 }
 
 // acceptance: O5
-TEST(Occlusion, DarknessAboveOneTakesNoMoreThanAll) {
+TEST(Occlusion, DarknessAboveOneIsClamped) {
   SceneText scene;
   scene
       .lambert("floor", .6f,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The physics library's materials, glossy and occlusion nodes, lens and volume shaders.
+// Physics library: materials, glossy and occlusion nodes, lens and volume shaders.
 #include "runtime/color_mapping.h"
 #include "support/picture.h"
 #include "support/probe.h"
@@ -19,7 +19,7 @@ Measured seen(const SceneText& scene, float degrees = 0, int samples = 16384) {
 }
 
 TEST(Physics, DgsAddsItsThreeParts) {
-  // In a white room each part brings its colour.
+  // In a white room each part contributes its colour.
   for (const char* shader : {"dgs_material", "path_material"}) {
     const std::string call = fmt::format(
         "\"{}\" ( \"diffuse\" .1 .2 .3, \"glossy\" .3 .2 .1, \"specular\" .2 .2 .2, \"shiny\" 20 )",
@@ -28,7 +28,7 @@ TEST(Physics, DgsAddsItsThreeParts) {
   }
 }
 
-TEST(Physics, DgsSharesItsPartsWithWhatIsBehind) {
+TEST(Physics, DgsSharesItsPartsWithTheTransmittedLight) {
   SceneText scene = plate(
       "\"dgs_material\" ( \"diffuse\" .2 .2 .2, \"glossy\" .3 .3 .3, \"specular\" .5 .5 .5, "
       "\"shiny\" 50, \"transp\" .25 )");
@@ -57,12 +57,12 @@ TEST(Physics, DielectricIsGlassThatAbsorbsByLength) {
       .box("m", Vec3(-20, -20, -1), Vec3(20, 20, 0))
       .uniform_sky(1);
   const Measured m = Probe(scene).onto(Vec3(0), kUp, 0, 65536);
-  // Both faces and what goes to and fro between them.
+  // Both faces and the interreflections between them.
   const float t = sqr(1 - r) * tau / (1 - sqr(r * tau));
   expect_exact("dielectric", m, Rgb(r + t * (1 + r * tau), 1, 1), .01f);
 }
 
-TEST(Physics, DielectricBetweenLiquidsGoesByTheRatioOfIndices) {
+TEST(Physics, DielectricBetweenLiquidsUsesTheIndexRatio) {
   const auto mirror = [](const char* indices) {
     SceneText scene;
     scene
@@ -77,7 +77,7 @@ TEST(Physics, DielectricBetweenLiquidsGoesByTheRatioOfIndices) {
   expect_exact("ratio", mirror("\"ior\" 3, \"ior_out\" 2"), .04f, .02f);
 }
 
-TEST(Physics, TransmatIsNotThere) {
+TEST(Physics, TransmatIsInvisible) {
   SceneText scene = plate("\"transmat\" ( )");
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" .2 .3 .4 )");
   expect_exact("transmat", seen(scene, 40), Rgb(.2f, .3f, .4f));
@@ -111,7 +111,7 @@ TEST(GlossyNodes, RefractionIsBlendedAndTellsTheBack) {
 }
 
 TEST(OcclusionNodes, HalfAHemisphereIsHalfOpen) {
-  // A wall that goes up from the edge of the point closes half of the cosine-weighted hemisphere.
+  // A wall that starts at the point occludes half of the cosine-weighted hemisphere.
   const auto open = [](const std::string& call, float wall) {
     SceneText scene = plate(call);
     scene.lambert("wall", .5f);
@@ -176,7 +176,7 @@ TEST(VolumeNodes, FogIsFullAtItsDistance) {
   expect_exact("full", at(20), Rgb(.2f, .4f, .6f));
 }
 
-/// Air before a wall that glows, in the light of a sun that shines along x.
+/// A medium in front of an emissive wall, lit by a sun along x.
 SceneText airy(const std::string& air, float distance = 4) {
   SceneText scene;
   scene.emitter("glow", 1)
@@ -190,7 +190,7 @@ Measured along_z(const SceneText& scene) {
   return Probe(scene).direct_only().ray(Vec3(0), Vec3(0, 0, -1), 16384);
 }
 
-TEST(PartiVolume, ScattersOnceWhatItTakesAway) {
+TEST(PartiVolume, ScattersTheExtinctLightOnce) {
   const float kept = std::exp(-.25f * 4);
   expect_exact("dims", along_z(airy("\"extinction\" .25")), kept);
   // At a right angle an even phase sends 1 / 4 pi of the irradiance, which is pi x colour.
@@ -213,7 +213,7 @@ TEST(PartiVolume, ForwardLobesShineAgainstTheLight) {
                 fmt::format("\"mib_light_infinite\" ( \"color\" 9 9 9 ) direction {}", direction));
     return along_z(scene).mean.x;
   };
-  // Light that comes toward the eye goes on to it.
+  // Light toward the eye continues to it.
   EXPECT_GT(facing("0 0 1"), 3 * facing("0 0 -1"));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base library's ray nodes: what is seen through and in them, and what light passes.
+// Ray nodes of the base library: visible radiance, and transmission of light.
 #include "bsdf/highlights.h"
 #include "support/probe.h"
 
@@ -39,7 +39,7 @@ TEST(RayNodes, ReflectWithoutTracingSeesTheEnvironmentAlone) {
   }
 }
 
-TEST(RayNodes, TransparencyOpacityAndContinueShowWhatIsBehind) {
+TEST(RayNodes, TransparencyOpacityAndContinueShowTheBackground) {
   const Rgb k(.2f, .5f, 1);
   const Rgb expected = (Rgb(1) - k) * .5f + k * .2f;
   for (const char* call : {"\"mib_transparency\" ( \"input\" = \"l\", \"transp\" .2 .5 1 )",
@@ -94,7 +94,7 @@ TEST(RayNodes, ChainsPassLightAsTheirPartsDo) {
   expect_exact("seen", seen(plate(transparent)), .8f * (.5f * .5f + .5f * .2f) + .2f);
 }
 
-/// A block of glass, 1 thick, over a ground that tells where it is hit.
+/// A glass block of thickness 1 above a ground that shows the hit position.
 Measured through_glass(const std::string& material_statement) {
   SceneText scene;
   scene.statement(material_statement)

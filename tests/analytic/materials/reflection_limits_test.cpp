@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where reflections end: at a distance, at a depth, and beside the highlights of light sources.
+// Limits of reflections by distance and depth, and highlights of lights at these limits.
 #include <atomic>
 
 #include "support/probe.h"
@@ -77,7 +77,7 @@ TEST(ReflectionFalloff, RaysEndThere) {
 }
 
 // acceptance: R6
-TEST(ReflectionFalloff, ReflectedLampsFadeAndHighlightsDoNot) {
+TEST(ReflectionFalloff, ReflectedLightsFadeAndHighlightsDoNot) {
   const auto plate = [](const std::string& material, bool visible, Estimator e, float height) {
     SceneText scene;
     scene.material("m", material)
@@ -201,7 +201,7 @@ TEST(ReflectionDepth, AtTheLimitHighlightsStay) {
   }
 }
 
-/// "test_asked": white, and counts how often it is asked.
+/// "test_asked": white, and counts its calls.
 std::atomic<int> times_asked{0};
 constexpr ShaderSpec kTestAsked = {
     .name = "test_asked",
@@ -238,7 +238,7 @@ TEST(ReflectionFalloff, SurfacesBeyondAreNotReached) {
   EXPECT_EQ(asked(2.1f, {}), 64);
 }
 
-/// A plate under a square lamp, told apart into reflection and highlight.
+/// A plate under a square light, split into reflection and highlight.
 Measured told_apart(const std::string& material, bool visible, Estimator e = Estimator::Mis) {
   SceneText scene;
   scene.material("m", material)
@@ -252,7 +252,7 @@ Measured told_apart(const std::string& material, bool visible, Estimator e = Est
 }
 
 // acceptance: R10
-TEST(Highlight, OutputsHoldReflectionOrHighlightAndBothOnlyWhenAsked) {
+TEST(Highlight, OutputsContainReflectionOrHighlightAndBothOnRequest) {
   for (const float gloss : {.1f, .4f})
     for (const Estimator e : {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly}) {
       Measured seen = told_apart(metal(gloss), true, e);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors, metals, highlights of lights that are seen or not, and holes in materials.
+// Mirrors, metals, highlights of visible and invisible lights, and cut-outs.
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -126,7 +126,7 @@ TEST(Metal, DiffuseColoursReflectionsAndReflectivityBlends) {
   }
 }
 
-/// A glossy plate under a square lamp that it mirrors.
+/// A glossy plate under a square light that it mirrors.
 Measured plate_under_lamp(const std::string& material, bool visible,
                           Estimator estimator = Estimator::Mis, const std::string& pane = {}) {
   SceneText scene;
@@ -172,7 +172,7 @@ TEST(Highlight, MirrorRaysOfABlurredSurfaceShowAVisibleLightOnce) {
 }
 
 // acceptance: R9
-TEST(Highlight, BalanceScalesHighlightsAloneAndBothCanBeAskedFor) {
+TEST(Highlight, BalanceScalesHighlightsOnlyAndBothCanBeEnabled) {
   const Measured plain = plate_under_lamp(metal(.3f), true);
   const auto scaled = [&](float by) {
     Measured m = plain;
@@ -229,7 +229,7 @@ TEST(Highlight, SkyBehindThinGlassIsCountedOnce) {
 
 // acceptance: B3
 TEST(CutOut, HolesAreOpenForEveryKindOfRay) {
-  // A mesh that exists to .4, mirrors where it does, and has a glow of 2 behind it.
+  // A mirror with cut-out opacity .4 in front of an emitter of radiance 2.
   const std::string fence = std::string(kMirror) + ", \"cutout_opacity\" .4";
   const auto behind_fence = [&](SceneText scene) {
     scene.material("fence", fence).emitter("glow", 2);
@@ -240,12 +240,12 @@ TEST(CutOut, HolesAreOpenForEveryKindOfRay) {
     return scene;
   };
   const Vec3 up = kUp;
-  // The camera sees .6 of the glow, and in the mirror of the rest nothing.
+  // The camera sees .6 of the emitter, and nothing in the mirror.
   expect_exact("cut-out seen",
                Probe(fence_and_glow(behind_fence(SceneText()))).ray(Vec3(0), up, 16384), 1.2f);
   SceneText mirror = behind_fence(SceneText());
   mirror.material("mirror", kMirror).square("mirror", Vec3(0), 5, kUp);
-  // Back and forth between the mirror and the fence: .6 (1 + .4 + .4^2 ...) = 1 of the glow.
+  // Interreflections of mirror and fence: .6 (1 + .4 + .4^2 ...) = 1 of the emitter.
   mirror = fence_and_glow(mirror);
   const Measured m = Probe(mirror).ray(Vec3(0, 0, 1), -up, 1 << 17);
   EXPECT_NEAR(m.mean.x, 2 * (1 - std::pow(.4f, 4)), .06f);  // trace depth 8

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounded edges against the normals of a true fillet, told by a material that shows its bump.
+// Rounded edges compared with the normals of a fillet, shown by a material that outputs its bump.
 #include "bsdf/terminator.h"
 #include "support/probe.h"
 
 namespace oriel::testing {
 namespace roundcorners_test {
 
-/// "test_normal": a material that glows in the colour (n + 1) / 2 of the vector it is given.
+/// "test_normal": a material with the emission (n + 1) / 2 for its input vector n.
 struct TestNormal {
   Vec3 normal;
 };
@@ -101,7 +101,7 @@ TEST(RoundCorners, RightAngledEdgesHaveTheNormalsOfTheirFillet) {
 TEST(RoundCorners, FlatterAndSteeperEdgesTurnByHalfTheirAngleToo) {
   for (const float degrees : {30.0f, 60.0f, 90.0f, 120.0f})
     for (const bool inward : {false, true}) {
-      // A plate from x = -1 to 0 and one that goes on from there, turned down or up.
+      // A plate from x = -1 to 0 and an adjacent one, tilted down or up.
       const float a = degrees * kPi / 180 * (inward ? 1.0f : -1.0f);
       const Vec3 along(std::cos(a), 0, std::sin(a)), y(0, 2, 0);
       SceneText scene = rounded("\"radius\" .1, \"bump_mode\" 6");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that only show the shadows on them, against closed forms.
+// Shadow catchers compared with closed forms.
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -21,7 +21,7 @@ Measured seen(const std::string& material, float x) {
   return Probe(floor_of(material)).onto(Vec3(x, 0, 0), Vec3(0, 0, 1), 0, 256);
 }
 
-TEST(ShadowCatchers, UseBackgroundDarkensWhatLiesBehindInShadows) {
+TEST(ShadowCatchers, UseBackgroundDarkensTheBackgroundInShadows) {
   for (const float mask : {1.0f, .25f}) {
     const std::string shader = fmt::format(
         "\"adskMayaUseBackground\" ( \"specularColor\" 0 0 0, \"shadowMask\" {} )", mask);

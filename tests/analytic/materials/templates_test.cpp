@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes of templates.mi for glass and liquids, measured in scenes with the file in them.
+// Glass and liquid templates of templates.mi, measured in scenes that include the file.
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -42,7 +42,7 @@ Measured rising(const SceneText& scene, double degrees, int samples = 1 << 16) {
   return Probe(scene).ray(d * -.5f, d, samples);
 }
 
-// The template says .08 .3 .75 at 0.1; two faces of index 1.5 pass .96 each.
+// The template has .08 .3 .75 at 0.1; two faces of index 1.5 transmit .96 each.
 // acceptance: T13
 TEST(Templates, ColouredGlassHasItsColourAtTheDistanceAndItsPowersElsewhere) {
   for (const float thick : {.05f, .1f, .2f}) {
@@ -55,7 +55,7 @@ TEST(Templates, ColouredGlassHasItsColourAtTheDistanceAndItsPowersElsewhere) {
 }
 
 // acceptance: T13
-TEST(Templates, WaterBendsTheViewAsWaterAndDeepensWithTheWay) {
+TEST(Templates, WaterRefractsAndDarkensWithDistance) {
   for (const double degrees : {30.0, 60.0}) {
     const double outside = std::sin(degrees * kRadians), inner = std::asin(outside / 1.33);
     SceneText scene = with_templates();

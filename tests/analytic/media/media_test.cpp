@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Media in one another, solids that are translucent, and what shows behind in alpha.
+// Nested media, translucent solids, and alpha of backgrounds.
 #include <numbers>
 
 #include "support/probe.h"
@@ -82,7 +82,7 @@ TEST(NestedMedia, PathThroughGlassAndWaterIsThatOfSnell) {
       const double seen = target * m.mean.x / m.mean.z * std::pow(water.z / water.x, 1.5 / c133);
       EXPECT_NEAR(seen, x, 1e-4 * std::max(x, .1)) << name;
       figure("place on the target, " + name, x, seen, 0);
-      // What is not reflected at the three surfaces, less what the water takes.
+      // The light not reflected at the three surfaces, minus the absorption of the water.
       const double passed = (1 - fresnel(sine, 1, 1.5)) * (1 - fresnel(sine, 1.5, 1.33)) *
                             (1 - fresnel(sine, 1.33, 1));
       const double exact = passed * std::pow(water.z, 1.5 / c133) * target;
@@ -93,8 +93,8 @@ TEST(NestedMedia, PathThroughGlassAndWaterIsThatOfSnell) {
 }
 
 // acceptance: T11
-TEST(NestedMedia, WaterReflectsTotallyWhatGlassWouldLetOut) {
-  // From within the water to the air: critical at 48.75 degrees.
+TEST(NestedMedia, WaterReflectsTotallyAtAnglesThatGlassTransmits) {
+  // From water to air: critical angle 48.75 degrees.
   for (const double degrees : {30.0, 40.0, 49.5, 60.0}) {
     SceneText scene = tank(Rgb(1), Rgb(1), 100);
     scene.emitter("glow", 1).square("glow", Vec3(0, 0, 3), 200, -kUp);
@@ -155,7 +155,7 @@ std::string wax(float translucent) {
 }
 
 // acceptance: T10
-TEST(Translucency, SolidBringsTheLightOfItsBackToItsFront) {
+TEST(Translucency, SolidTransmitsLightFromBackToFront) {
   // A wide slab, lit by a sun behind it. Of the transparency 1, `a` passes straight, b is
   // translucent: the sun through the back onto the front's inside, and the glow of the back.
   for (const float b : {.25f, .6f, 1.0f}) {
@@ -172,7 +172,7 @@ TEST(Translucency, SolidBringsTheLightOfItsBackToItsFront) {
 
 // acceptance: T10
 TEST(Translucency, SolidUnderASkyBehindIt) {
-  // As before with an even sky: each way is one of four, and all bring a share of 1.
+  // As before with a uniform sky: one of four paths each, and all contribute 1.
   for (const float b : {.25f, .6f, 1.0f}) {
     const float a = 1 - b;
     SceneText scene("trace depth 8 8 12 shadow segments");
@@ -249,7 +249,7 @@ TEST(PropagateAlpha, ShowsTheAlphaBehindTransparencyOnlyWhenOn) {
 }
 
 // acceptance: T12
-TEST(PropagateAlpha, EverySheetOnTheWayMustLetItThrough) {
+TEST(PropagateAlpha, AllSheetsMustPropagateIt) {
   const auto alpha = [](const char* first, const char* second) {
     SceneText scene("trace depth 8 8 12 shadow segments");
     scene.material("a", kSheet + "\"transparency\" 1, \"propagate_alpha\" " + first)
@@ -264,7 +264,7 @@ TEST(PropagateAlpha, EverySheetOnTheWayMustLetItThrough) {
 }
 
 // acceptance: T12, B3
-TEST(PropagateAlpha, CutOutsShowTheBackgroundsWhateverItSays) {
+TEST(PropagateAlpha, CutOutsAlwaysShowTheBackgroundAlpha) {
   for (const char* propagate : {"on", "off"}) {
     const std::string fence = fmt::format(
         "\"reflectivity\" 0, \"cutout_opacity\" .25, \"propagate_alpha\" {}", propagate);
@@ -298,7 +298,7 @@ TEST(NestedMedia, EachAbsorbsOverItsOwnThickness) {
   expect_exact("two layers from above", probe.ray(Vec3(0, 0, 5), Vec3(0, 0, -1), 64), both);
   expect_exact("two layers from below", probe.ray(Vec3(0, 0, -5), Vec3(0, 0, 1), 64), both);
 
-  // As shadow rays pass them: a lamp above, the floor below.
+  // For shadow rays: a light above, the floor below.
   const auto floor_under = [&](bool layers) {
     SceneText lit;
     lit.lambert("floor", 1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Air that scatters light more than once, and what dims light on its way.
+// Media with multiple scattering, and attenuation of light.
 #include <array>
 #include <numeric>
 
@@ -9,11 +9,11 @@
 namespace oriel::testing {
 namespace volume_test {
 
-const Vec3 kUp(0, 1, 0);  // the air ends along y
+const Vec3 kUp(0, 1, 0);  // the medium ends along y
 
 const char* const kSun = "\"mib_light_infinite\" ( \"color\" 1 1 1 ) direction 0 -1 0";
 
-/// Below the height the air, over a black ground; a sun from straight above of irradiance pi.
+/// A medium up to a height above a black ground; a sun from straight above with irradiance pi.
 SceneText slab(float depth, float albedo, float g, const char* light = kSun) {
   SceneText scene;
   return scene.material("black", "\"reflectivity\" 0, \"diffuse\" 0 0 0")
@@ -51,7 +51,7 @@ double chandrasekhar_h(double albedo, double mu) {
   return at(mu);
 }
 
-TEST(ScatteringAir, DeepAirReflectsAsChandrasekharFound) {
+TEST(ScatteringMedium, DeepMediumReflectsAsChandrasekharFound) {
   EXPECT_NEAR(chandrasekhar_h(1, 1), 2.9078, .005);  // his table XI
   for (const float albedo : {.5f, .9f}) {
     const Probe probe(slab(30, albedo, 0));
@@ -100,12 +100,12 @@ Shares walk_slab(float depth, float albedo, float g, int photons) {
   return s;
 }
 
-TEST(ScatteringAir, SlabsLetThroughWhatPhotonsDo) {
+TEST(ScatteringMedium, SlabTransmissionMatchesPhotons) {
   for (const float g : {0.0f, .75f, -.4f})
     for (const float albedo : {.6f, 1.0f}) {
       const float depth = 2;
       const Shares exact = walk_slab(depth, albedo, g, 1 << 17);
-      // A card on the ground, so small that the air does not see it, seen from close by.
+      // A card on the ground, too small to affect the medium, viewed from a short distance.
       SceneText scene = slab(depth, albedo, g);
       scene.lambert("card", 1).square("card", Vec3(0, 1e-3f, 0), .005f, kUp);
       const Measured m = Probe(scene).onto(Vec3(0, 1e-3f, 0), kUp, 0, 1 << 15, 1e-3f);
@@ -118,7 +118,7 @@ TEST(ScatteringAir, SlabsLetThroughWhatPhotonsDo) {
     }
 }
 
-TEST(ScatteringAir, PhotonsAreScatteredAsPathsAre) {
+TEST(ScatteringMedium, PhotonsScatterLikePaths) {
   for (const float g : {0.0f, .75f}) {
     const float depth = 2, albedo = .9f;
     const Shares exact = walk_slab(depth, albedo, g, 1 << 17);
@@ -137,8 +137,8 @@ TEST(ScatteringAir, PhotonsAreScatteredAsPathsAre) {
   }
 }
 
-TEST(ScatteringAir, AFurnaceStaysEven) {
-  // A sky all around, air that takes nothing, and white ground: all is as bright.
+TEST(ScatteringMedium, FurnaceIsUniform) {
+  // A surrounding sky, a medium without absorption and a white ground: uniform radiance.
   SceneText scene;
   scene.lambert("white", 1)
       .square("white", Vec3(0), 4000, kUp)
@@ -182,7 +182,7 @@ Measured along_z(const SceneText& scene) {
 
 TEST(RayMarcher, IntegratesAShaderAlongTheRay) {
   const char* const kPlace = "shader \"s\" \"test_place\" ( \"scale\" 0 0 -.25 )";
-  // int_0^4 z / 4 dz = 2, beside the glow of .5; the trapezoid rule has it whatever the places.
+  // int_0^4 z / 4 dz = 2, plus the emission of .5; the trapezoid rule is exact for any step.
   for (const char* parameters : {"\"num\" 0", "\"num\" 2", "\"num\" 7", "\"distance\" .3"})
     expect_exact(parameters, along_z(marched(kPlace, parameters)), Rgb(.5f, .5f, 2.5f));
 }

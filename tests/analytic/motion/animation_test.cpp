@@ -134,7 +134,7 @@ TEST(Animation, ObjectsAndInstancesChange) {
   expect_change("incremental object \"block\" " + after.block + " end object", after, 1);
   after = {};
   after.block_place = kMoved;
-  // A mesh that stands alone is in world space; it is made again to be somewhere else.
+  // A mesh with a single instance is in world space and is rebuilt after a move.
   expect_change(std::string("incremental instance \"block_i\" ") + kMoved + " end instance", after);
   after = {};
   after.block_place += " hide on";
@@ -144,7 +144,7 @@ TEST(Animation, ObjectsAndInstancesChange) {
   expect_change("incremental instance \"block_i\" material \"grey\" end instance", after);
 }
 
-TEST(Animation, InstancesComeAndGo) {
+TEST(Animation, InstancesAppearAndDisappear) {
   Parts two;
   two.more_instances =
       std::string("instance \"second\" \"block\" material \"grey\" ") + kMoved + " end instance\n";
@@ -156,7 +156,7 @@ TEST(Animation, InstancesComeAndGo) {
   expect_change(
       "delete \"second\" incremental instgroup \"root\" " + Parts{}.group + " end instgroup", {}, 2,
       two);
-  // The one that was not alone goes elsewhere.
+  // The object with several instances moves.
   Parts moved = two;
   moved.block_place = "transform 1 0 0 0 0 1 0 0 0 0 1 0 .1 -.3 3 1";
   expect_change("incremental instance \"block_i\" " + moved.block_place + " end instance", moved, 2,
@@ -179,7 +179,7 @@ TEST(Animation, MotionChanges) {
       2, before);
 }
 
-TEST(Animation, TouchMakesAnObjectAgainAndTheSamePicture) {
+TEST(Animation, TouchRebuildsAnObjectWithTheSameImage) {
   const auto twice = frames(Parts{}.str() + "touch \"block\" render \"root\" \"cam_i\" \"opt\"\n" +
                             "render \"root\" \"cam_i\" \"opt\"\n");
   ASSERT_EQ(twice.size(), 3u);

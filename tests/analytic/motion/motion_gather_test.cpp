@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Final gathering on what moves: its points go along.
+// Final gathering on moving objects: gather points move with them.
 #include "motion_scenes.h"
 
 namespace oriel::testing {
@@ -22,7 +22,7 @@ Image court(const char* shutter, const std::string& way) {
   return rendered(text.replace(text.find(path), path.size(), "\"indirect\" \"scene\""), 16);
 }
 
-TEST(MovingGather, WhatGoesAlongLooksAsIfItStood) {
+TEST(MovingGather, SceneMovingWithTheCameraEqualsAStaticOne) {
   const Image still = court("", "");
   const Image moving = court("shutter 1", moves_by(1.2f, .3f));
   double sum = 0, difference = 0;

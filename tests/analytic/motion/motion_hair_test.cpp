@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hair that moves, against the share of time that a straight one covers a pixel.
+// Moving hair, compared with the fraction of time that a straight hair covers a pixel.
 #include "motion_scenes.h"
 
 namespace oriel::testing {
@@ -42,7 +42,7 @@ TEST(MotionBlur, AMovingHairCoversEachPixelForItsShareOfTheTime) {
                     0, 1, kRadius);
 }
 
-TEST(MotionBlur, TheShutterCutsItsPieceOutOfTheWayOfAHair) {
+TEST(MotionBlur, ShutterLimitsTheMotionOfHair) {
   expect_streak(rendered(hair_streak("shutter .25 .75", 3, {{12.5f, 0, 0}})), -8, 12.5, .25, .75,
                 kRadius);
   expect_streak(rendered(hair_streak("shutter -.5 .5", 1, {{12.5f, 0, 0}})), -8, 12.5, -.5, .5,
@@ -68,13 +68,13 @@ TEST(MotionBlur, HairMovesWithItsInstance) {
   }
 }
 
-TEST(MotionBlur, AClosedShutterShowsHairThatStands) {
+TEST(MotionBlur, ClosedShutterShowsStaticHair) {
   const Image still = rendered(hair_streak("", 1, {}), 16);
   for (const char* closed : {"shutter 0 0", "shutter 1 motion off", ""})
     EXPECT_EQ(rendered(hair_streak(closed, 1, {{12.5f, 0, 0}}), 16).pixels, still.pixels) << closed;
 }
 
-TEST(MotionLayer, TellsTheWayOfHair) {
+TEST(MotionLayer, ContainsTheMotionOfHair) {
   for (const bool of_hair : {false, true}) {
     const Vec3 found = motion_layer(hair_streak("shutter .5", 3, {{12.5f, 2, -1}}, of_hair));
     EXPECT_LT(length(found - Vec3(6.25f, 1, .5f)), 1e-4f) << found;

@@ -12,7 +12,7 @@ namespace motion_light_test {
 constexpr Estimator kEstimators[] = {Estimator::Mis, Estimator::LightOnly, Estimator::BsdfOnly};
 constexpr const char* kShutter = "trace depth 8 8 12 shadow segments motion steps 15 shutter 1";
 
-/// What a light's instance says to stand there.
+/// Instance statements for the position of a light.
 std::string text_of(const Mat4& to_world) {
   const Mat4 m = to_world.inverse();
   std::string text;
@@ -65,7 +65,7 @@ std::string lamp(float area, const std::string& shape) {
                      shape);
 }
 
-TEST(MovingLights, BringTheMeanOfTheirFormFactorsByEachEstimator) {
+TEST(MovingLights, MatchTheMeanFormFactorInEachEstimator) {
   const auto unit = [](double x, double y, double half_x, double half_y) {
     return M_PI * form_factor(x - half_x, x + half_x, y - half_y, y + half_y);
   };
@@ -100,7 +100,7 @@ TEST(MovingLights, AreTheMeanOfStillPicturesAndRaysFindWhatSamplesBring) {
                  {"sphere .4 3 3", kPi * .16f},
                  {"cylinder .5 0 .1 .3 3 3", kPi * .15f}};
   const Vec3 axis(1, 2, -.5f), by(.8f, -.4f, .3f);
-  // About where the lamp is, which turns toward the card and away from it.
+  // Near the light, which rotates toward the card and away from it.
   const auto at = [&](float time) {
     return turn(kUp, 0, Vec3(0, 0, -1)) * turn(axis, 80 * time, Vec3(0, 0, 1) + by * time);
   };
@@ -118,7 +118,7 @@ TEST(MovingLights, AreTheMeanOfStillPicturesAndRaysFindWhatSamplesBring) {
     for (int k = 0; k < 3; ++k) stills.error[k] = std::sqrt(stills.error[k]);
     for (const Estimator e : kEstimators) {
       SceneText scene = card();
-      // The instance's origin goes straight: it is where the lamp is.
+      // The origin of the instance moves on a straight line: the position of the light.
       std::string element = lamp(s.area, s.shape);
       element.replace(element.find("0 0 1"), 5, "0 0 0");
       scene.light("lamp", element,
@@ -127,7 +127,7 @@ TEST(MovingLights, AreTheMeanOfStillPicturesAndRaysFindWhatSamplesBring) {
       const Measured m = on_card(Probe(scene).estimator(e), 1 << 16);
       const float error = std::hypot(m.error.x, stills.error.x);
       EXPECT_LT(error, .012f * stills.mean.x) << s.shape;
-      // Between steps of 6 degrees the lamp is smaller by up to 1 - cos(3 degrees).
+      // Between steps of 6 degrees the light shrinks by up to 1 - cos(3 degrees).
       EXPECT_NEAR(m.mean.x, stills.mean.x, 4 * error + .0015f * stills.mean.x)
           << s.shape << " estimator " << static_cast<int>(e);
       figure(std::string("moving light, ") + s.shape, stills.mean.x, m.mean.x, error);
@@ -135,7 +135,7 @@ TEST(MovingLights, AreTheMeanOfStillPicturesAndRaysFindWhatSamplesBring) {
   }
 }
 
-TEST(MovingLights, GlowingMeshesBringTheMeanOfTheirFormFactors) {
+TEST(MovingLights, EmissiveMeshesMatchTheMeanFormFactor) {
   const float exact =
       mean_over_time([](double t) { return form_factor(2 * t - .5, 2 * t + .5, -t - .5, .5 - t); });
   for (const bool sampled : {true, false}) {
@@ -155,7 +155,7 @@ TEST(MovingLights, GlowingMeshesBringTheMeanOfTheirFormFactors) {
               on_card(Probe(turning).mesh_lights(false), 1 << 18), .01f);
 }
 
-/// Where portals go: on, round, and what they become.
+/// Motions of portals: translation, rotation and deformation.
 std::vector<Mat4> portal_ways() {
   Mat4 wider;
   wider.setScale(Vec3(1, 1.5f, .7f));
@@ -177,7 +177,7 @@ TEST(MovingPortals, WithTheSkyAroundThemAddUpToOne) {
     }
 }
 
-TEST(MovingPortals, BringTheMeanOfTheirFormFactors) {
+TEST(MovingPortals, MatchTheMeanFormFactor) {
   const float exact = mean_over_time(
       [](double t) { return form_factor(.8 * t - 1, .8 * t + 1, -.4 * t - 1, 1 - .4 * t); });
   for (const Estimator e : {Estimator::Mis, Estimator::LightOnly}) {
@@ -192,7 +192,7 @@ TEST(MovingPortals, BringTheMeanOfTheirFormFactors) {
   }
 }
 
-/// The room of the portals' tests, which goes that way while the shutter is open.
+/// The room of the portal tests, with this motion while the shutter is open.
 Probe moving_room(const char* environment, const Mat4& way, bool portals, float albedo = .5f) {
   SceneText scene = room(environment, albedo);
   if (portals) add_window(scene);
@@ -203,7 +203,7 @@ Probe moving_room(const char* environment, const Mat4& way, bool portals, float 
 }
 
 TEST(MovingPortals, RoomsThatMoveHaveTheLightOfTheirOpenWindow) {
-  // On the floor, and where the lamp is seen through the window.
+  // On the floor, and at the light as seen through the window.
   const struct {
     const char* environment;
     Vec3 eye, direction;

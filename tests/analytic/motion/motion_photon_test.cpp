@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photons of moving lights and about moving objects: their map is the mean over the shutter, as
-// that of paths, within 4 standard errors (one in 16000 by chance).
+// Photons of moving lights and on moving objects: the map is the mean over the shutter, and agrees
+// with path tracing within 4 standard errors (one failure in 16000 by chance).
 #include "base/parallel.h"
 #include "motion_scenes.h"
 #include "transport/indirect_caches.h"
@@ -94,7 +94,7 @@ std::string physical(float energy) {
 
 constexpr const char* kPanel = " origin 0 0 0 direction 0 0 -1 rectangle 1 0 0 0 1 0 3 3";
 
-TEST(MovingPhotons, OfALampAndBehindABlockerAreTheMeanOfPaths) {
+TEST(MovingPhotons, OfALightAndBehindABlockerMatchPathTracing) {
   const struct {
     const char* name;
     std::string element, flags, blocker_flags;
@@ -112,7 +112,7 @@ TEST(MovingPhotons, OfALampAndBehindABlockerAreTheMeanOfPaths) {
   for (const auto& c : kCases) {
     SceneText scene(kOptions);
     scene.lambert("white", .7f).lambert("dark", .1f).box("white", Vec3(-2), Vec3(2), true);
-    // Most of what the lamp sends down meets this first, while it is there.
+    // Most of the downward photons of the light hit this object while it is present.
     scene.polygon("dark", {{-2, -.8f, .8f}, {-.4f, -.8f, .8f}, {-.4f, .8f, .8f}, {-2, .8f, .8f}},
                   c.blocker_flags);
     scene.light("lamp", c.element, c.flags);
@@ -150,7 +150,7 @@ TEST(MovingPhotons, OfASunThatTurnsStillCoverTheScene) {
   scene.lambert("white", .7f)
       .square("white", Vec3(0), 2, kUp)
       .square("white", Vec3(1, 0, 1), 1, Vec3(-1, 0, 0));
-  // Turned about an axis far away, where its instance stands.
+  // Rotated about a distant axis at the origin of its instance.
   Mat4 from, to;
   from.setTranslation(Vec3(100, -50, 20));
   to.setAxisAngle(Vec3(0, 1, 0), -1.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves along a strip of pixels, and what rays see of it while the shutter is open.
+// Scenes with motion along a strip of pixels, and their expected radiance over the shutter time.
 #pragma once
 
 #include "output/output.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion blur against closed forms: streaks, turning bars, moving cameras, shadows and mirrors.
+// Motion blur compared with closed forms: streaks, rotating bars, moving cameras, shadows, mirrors.
 #include "lights/light_sampler.h"
 #include "motion_scenes.h"
 
@@ -39,7 +39,7 @@ TEST(MotionBlur, VectorsAndTransformsAddUp) {
   expect_streak(rendered(vector_streak("shutter 1", {{5, 0, 0}}, moves_by(7.5f))), -8, 12.5);
 }
 
-TEST(MotionBlur, TheShutterCutsItsPieceOutOfTheWay) {
+TEST(MotionBlur, ShutterLimitsTheMotion) {
   expect_streak(rendered(streak("shutter .25 .75", moves_by(12.5f))), -8, 12.5, .25, .75);
   expect_streak(rendered(streak("shutter delay .5 shutter 1", moves_by(12.5f))), -8, 12.5, .5, 1);
   expect_streak(rendered(vector_streak("shutter 0 1.5", {{12.5f, 0, 0}})), -8, 12.5, 0, 1.5);
@@ -52,16 +52,16 @@ TEST(MotionBlur, AClosedShutterIsAStillPicture) {
     EXPECT_EQ(rendered(streak(closed, moves_by(12.5f)), 16).pixels, still.pixels) << closed;
   EXPECT_EQ(rendered(streak("shutter 1", moves_by(12.5f) + " motion off"), 16).pixels,
             still.pixels);
-  // And at another time than the first it shows what stands there then.
+  // At a later time it shows the object at that time.
   const Image half = rendered(streak("shutter .5 .5", moves_by(16)), 16);
   for (int i = 0; i < 40; ++i) EXPECT_NEAR(half.at(i, 2)[0], covered(i - 20, 0, 0), 1e-5) << i;
 }
 
-TEST(MotionBlur, SeveralVectorsFollowABentWay) {
+TEST(MotionBlur, SeveralVectorsFollowACurve) {
   // Right by 8 in the first half, up out of the picture and right in the second.
   const Image image = rendered(vector_streak("shutter 1", {{8, 0, 0}, {16, 40, 0}}));
   for (int i = 0; i < 20; ++i) {
-    // While it goes up the middle row sees it for a twentieth of that half.
+    // While moving up, the middle row sees it for a twentieth of that half.
     double exact = covered(i - 20, -8, 8, 0, 1) / 2;
     for (int k = 0; k < 20000; ++k) {
       const double t = (k + .5) / 20000, y = 40 * t, x = 8 * t;
@@ -73,12 +73,12 @@ TEST(MotionBlur, SeveralVectorsFollowABentWay) {
   }
 }
 
-TEST(MotionBlur, AMovingCameraBlursWhatStands) {
+TEST(MotionBlur, MovingCameraBlursStaticObjects) {
   SceneText scene("shutter 1");
   scene.emitter("glow", 1).polygon("glow", square_at(-8));
   scene.camera(kStrip, shift(0) + " " + moves_by(-12.5f));
   expect_streak(rendered(scene), -8, 12.5);
-  // What goes along with the camera is sharp, while it is in the picture.
+  // An object that moves with the camera is sharp while it is in the image.
   SceneText along("shutter 1 motion steps 4");
   along.emitter("glow", 1).polygon("glow", square_at(-8), moves_by(30, 7));
   along.camera(kStrip, shift(0) + " " + moves_by(30, 7));
@@ -111,7 +111,7 @@ TEST(MotionBlur, ATurningBarDarkensWithTheRadius) {
   EXPECT_GT(seen(round, outside, {0, 0, -1}).mean.x, .01f);
 }
 
-TEST(MotionBlur, ShadowsAreAsLongDarkAsTheirBlockerIsThere) {
+TEST(MotionBlur, ShadowsDarkenByTheTimeOfTheirBlocker) {
   SceneText scene("shutter 1");
   scene.lambert("white", 1).lambert("dark", 0).square("white", Vec3(0), 20, {0, 0, 1});
   scene.polygon("dark", {{-6, -1, 2}, {-4, -1, 2}, {-4, 1, 2}, {-6, 1, 2}}, moves_by(10));
@@ -125,7 +125,7 @@ TEST(MotionBlur, ShadowsAreAsLongDarkAsTheirBlockerIsThere) {
   }
 }
 
-TEST(MotionBlur, MirrorsShowWhatMovesAtTheSameTime) {
+TEST(MotionBlur, MirrorsShowMotionAtTheSameTime) {
   SceneText scene("trace depth 4 4 8 shutter 1");
   scene.emitter("glow", 1)
       .material("mirror",
@@ -143,7 +143,7 @@ TEST(MotionBlur, MirrorsShowWhatMovesAtTheSameTime) {
   }
 }
 
-TEST(MotionBlur, MovingLightsLightFromWhereTheyAre) {
+TEST(MotionBlur, MovingLightsIlluminateAtRayTime) {
   const auto lit = [](const std::string& light, const std::string& flags) {
     SceneText scene("shutter 1");
     scene.lambert("white", 1).square("white", Vec3(0), 20, {0, 0, 1}).light("lamp", light, flags);
@@ -174,7 +174,7 @@ TEST(MotionBlur, MovingLightsLightFromWhereTheyAre) {
               4 * seen_light.error.x + 1e-3f * seen_still.mean.x);
 }
 
-TEST(MotionBlur, WhatGlowsAndMovesIsSampledWhereItIs) {
+TEST(MotionBlur, MovingEmissionIsSampledAtRayTime) {
   SceneText scene("shutter 1 motion steps 3");
   scene.lambert("white", 1).square("white", Vec3(0), .01f, {0, 0, 1}).emitter("glow", 1);
   scene.polygon("glow", {{-3, -1, 1}, {-3, 1, 1}, {-1, 1, 1}, {-1, -1, 1}}, moves_by(4, 0, .5f));
@@ -207,7 +207,7 @@ TEST(MotionBlur, LensesOfAMovingCameraMoveWithIt) {
   EXPECT_LT(difference, 1e-3 * sum);
 }
 
-TEST(MotionLayer, TellsTheWayOnThePicture) {
+TEST(MotionLayer, ContainsTheMotionInTheImage) {
   const auto expect = [](const SceneText& scene, const Vec3& exact) {
     const Vec3 found = motion_layer(scene);
     EXPECT_LT(length(found - exact), 1e-4f) << found << " is not " << exact;

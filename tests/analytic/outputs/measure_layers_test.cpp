@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layer of illuminance: what a meter reads on the first surface, whatever that is made of.
+// Illuminance layer: irradiance of the first surface, independent of its material.
 #include "output/output.h"
 #include "support/picture.h"
 #include "support/probe.h"
@@ -7,7 +7,7 @@
 namespace oriel::testing {
 namespace measure_layers_test {
 
-/// A plate facing the camera under an even sky of 100 and a lamp of 1000 cd at 2 before it.
+/// A plate facing the camera under a uniform sky of 100, with a light of 1000 cd 2 in front of it.
 constexpr double kExact = 100 * kPi + 250;
 
 SceneText plate(const std::string& material, const std::string& options) {

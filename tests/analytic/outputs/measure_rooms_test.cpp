@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light meters in rooms with a window: portals change nothing, and gathering finds what paths find.
+// Irradiance sensors in rooms with a window: portals do not change readings; methods agree.
 #include "analysis/measure.h"
 #include "color/luminance.h"
 #include "output/output.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light meters in places where illuminance is known in closed form.
+// Irradiance sensors at points with illuminance in closed form.
 #include "analysis/measure.h"
 #include "color/luminance.h"
 #include "support/probe.h"
@@ -12,7 +12,7 @@ constexpr float kFar = 2000;  ///< how wide boards are that hide the rest of the
 /// Standard errors in half an interval: Student's factor for many batches, rounded down.
 constexpr double kErrorsInInterval = 1.95;
 
-/// |reading - exact| <= 4 standard errors, of a reading that is precise enough to say something.
+/// |reading - exact| <= 4 standard errors, for a reading that is precise enough.
 void expect_reads(const std::string& name, const Reading& r, double exact,
                   double precision = .006) {
   EXPECT_NEAR(r.value, exact, 4 / kErrorsInInterval * r.half_width + kRounding * exact) << name;
@@ -39,7 +39,7 @@ SceneText& board_with_hole(SceneText& scene, float z, float half, const Vec3& c 
   return scene;
 }
 
-TEST(Measure, EvenSkyBringsPiTimesItsLuminance) {
+TEST(Measure, UniformSkyGivesPiTimesItsLuminance) {
   SceneText open;
   open.uniform_sky(1000).lambert("dark", 0).square("dark", Vec3(0, 0, -5), 1, kUp);
   expect_reads("uniform sky, 1000 cd/m2", measure(open, kMeter), 1000 * kPi);
@@ -51,7 +51,7 @@ TEST(Measure, EvenSkyBringsPiTimesItsLuminance) {
   expect_reads("half hidden by a wall", measure(wall, kMeter), 1000 * kPi / 2);
 }
 
-TEST(Measure, WindowsBringTheirFormFactor) {
+TEST(Measure, WindowsMatchTheirFormFactor) {
   SceneText window;
   window.uniform_sky(1000).lambert("dark", 0);
   board_with_hole(window, 1, .5f);
@@ -83,7 +83,7 @@ TEST(Measure, ASquareAtTheFootOfAWallLightsItByItsFormFactor) {
                .011);
 }
 
-TEST(Measure, LampsBringWhatTheirShapesDo) {
+TEST(Measure, FiniteLightsMatchTheirShapes) {
   // A physical light of colour c sends pi c in all: 1000 cd are c = 4000.
   const auto lamp = [](const std::string& element, float color) {
     SceneText scene;
@@ -97,7 +97,7 @@ TEST(Measure, LampsBringWhatTheirShapesDo) {
     expect_reads("at 60 degrees", measure(above, tilted), 500 / (d * d));
     EXPECT_EQ(measure(above, {Vec3(0), -kUp}).value, 0);
   }
-  // Shapes that glow on both sides, L = 1000.
+  // Shapes that emit on both sides, L = 1000.
   SceneText disc, ball;
   std::vector<Vec3> rim;
   for (int i = 0; i < 360; ++i) {
@@ -139,7 +139,7 @@ TEST(Measure, OvercastSkyThroughARoundRoofLight) {
   }
 }
 
-TEST(Measure, SunThroughAHoleBringsItsFlux) {
+TEST(Measure, SunThroughAHoleMatchesItsFlux) {
   // 92372 lx facing the sun at 45 degrees through 1 m2 of a horizontal board.
   const Vec3 to_sun = normalize(Vec3(1, 0, 1));
   SceneText scene;

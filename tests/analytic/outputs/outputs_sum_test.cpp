@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random scenes of random materials: their outputs put the picture together, for any threads.
+// Random materials in random scenes: outputs sum to the image, for any number of threads.
 #include <tbb/global_control.h>
 
 #include <random>
@@ -135,7 +135,7 @@ float product_error(const Picture& p, const std::string& result, const std::stri
 }
 
 // acceptance: U2, U3
-TEST(Outputs, PutThePictureTogetherWhateverItIsOf) {
+TEST(Outputs, LayersSumToTheImage) {
   constexpr int kScenes = 60;
   float worst_product = 0, worst_simple = 0, worst_complex = 0;
   for (int n = 0; n < kScenes; ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs of the material: which light is in which.
+// Outputs of the material: the light paths in each of them.
 #include "image/recombine.h"
 #include "output/output_names.h"
 #include "support/picture.h"
@@ -24,7 +24,7 @@ constexpr const char* kGlossy =
     "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" .8, \"refl_gloss\" .3";
 
 // acceptance: U1
-TEST(Outputs, AllOfThemAreThere) {
+TEST(Outputs, AllLayersExist) {
   const Picture p(plate(kLambert).light("sun", kSun), 4);
   ASSERT_EQ(material_output_names().size(), 25u) << "the manual's 24 and `other`";
   for (const std::string& name : material_output_names()) {
@@ -55,7 +55,7 @@ TEST(Outputs, AreaLightsThatRaysFindAreDirectLight) {
   }
 }
 
-// A surface that only glows shows what the outputs of another material are there.
+// An emissive surface has the outputs of another material at the same place.
 TEST(Outputs, ConnectionsTakeEachOfThem) {
   constexpr const char* kShown =
       "\"reflectivity\" .4, \"brdf_0_degree_refl\" 1, "
@@ -151,7 +151,7 @@ TEST(Outputs, AddedColourPassesStraightThrough) {
   expect_near_color(p.mean("add_result"), Rgb(.3f, .2f, .1f), 1e-6f, "the parameter");
 }
 
-TEST(Outputs, LightThatNoMaterialBringsIsOther) {
+TEST(Outputs, LightWithoutAMaterialIsOther) {
   SceneText scene;
   scene.uniform_sky(.7f).camera("focal 1 aperture .2 aspect 1 resolution 6 6");
   const Picture p(scene);
@@ -161,8 +161,8 @@ TEST(Outputs, LightThatNoMaterialBringsIsOther) {
 }
 
 // acceptance: U2
-TEST(Outputs, WhatReflectionsShowIsReflectionWhateverLitIt) {
-  // A mirror shows a wall that is lit, glossy and glows: all of it is what the mirror reflects.
+TEST(Outputs, ReflectedLightIsReflectionForAnyLight) {
+  // A mirror shows a lit, glossy, emissive wall: all of it is reflection.
   SceneText scene = plate("\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1");
   scene
       .material("wall",
@@ -211,7 +211,7 @@ std::string textured_plate(const std::string& options) {
       "instance \"plate_i\" \"plate\" material \"m\" end instance\n");
   scene.light("sun", kSun).camera("focal 1 aperture 1 aspect 1 resolution 16 4");
   std::string text = scene.str();
-  // The composed scene lists what it made itself.
+  // The composed scene lists its own outputs.
   text.insert(text.find("\"cam_i\"", text.find("instgroup")), "\"plate_i\" ");
   return text;
 }
@@ -278,7 +278,7 @@ TEST(Outputs, OpacityIsBlackWhereAllIsOpaque) {
 }
 
 // acceptance: U2, O2
-TEST(Outputs, OcclusionStandsBetweenRawAndResultOfIndirectLight) {
+TEST(Outputs, OcclusionScalesRawIndirectLightToItsResult) {
   // A slab at .4 of the distance occludes .36; it is seen through by nothing, the sky is aside.
   for (const int details : {0, 1}) {
     SceneText scene = plate(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First hits of photons against direct light, for every kind of light.
+// First hits of photons compared with direct light, for all kinds of lights.
 #include "lights/light_sampler.h"
 #include "lights/photon_source.h"
 
@@ -106,7 +106,7 @@ SceneText stage() {
 
 // acceptance: H4
 // acceptance: S14
-TEST(PhotonEmission, FirstHitsBringWhatDirectLightBrings) {
+TEST(PhotonEmission, FirstHitsMatchDirectLight) {
   const struct {
     const char* name;
     std::string element;
@@ -153,7 +153,7 @@ TEST(PhotonEmission, FirstHitsBringWhatDirectLightBrings) {
   }
 }
 
-/// A lopsided lamp, mostly downward, and its element.
+/// An asymmetric light, mostly downward, and its element.
 std::string measured_lamp() {
   const std::string path = ::testing::TempDir() + "/oriel-emission.ies";
   std::ofstream(path) << "IESNA91\nTILT=NONE\n1 -1 1 5 3 1 2 0 0 0 1 1 40\n0 30 60 90 180\n"
@@ -206,7 +206,7 @@ TEST(PhotonEmission, MeasuredLightsSendByTheirProfile) {
     }
     EXPECT_GT(power, 0) << c.name;
   }
-  // The flux asked for is what leaves, in the unit of pi per colour.
+  // The requested flux is emitted, in units of pi per colour.
   SceneText scene = stage();
   scene.statement(measured_lamp()).light("lamp", mia + "origin 0 0 1");
   const Probe probe(scene);
@@ -214,7 +214,7 @@ TEST(PhotonEmission, MeasuredLightsSendByTheirProfile) {
 }
 
 // acceptance: H4
-TEST(PhotonEmission, EnvironmentBringsWhatItBringsDirectly) {
+TEST(PhotonEmission, EnvironmentMatchesItsDirectLight) {
   for (const bool half : {false, true}) {
     SceneText scene = stage();
     if (half)
@@ -232,7 +232,7 @@ TEST(PhotonEmission, EnvironmentBringsWhatItBringsDirectly) {
 }
 
 // acceptance: S14
-TEST(PhotonEmission, ABoxToAimAtChangesOnlyWherePhotonsGo) {
+TEST(PhotonEmission, BoundingBoxChangesOnlyPhotonDirections) {
   SceneText scene = stage();
   scene.light("sun", "\"mib_light_infinite\" ( \"color\" 2 2 2 ) direction .3 .2 -1");
   const Probe probe(scene);
@@ -252,7 +252,7 @@ TEST(PhotonEmission, ABoxToAimAtChangesOnlyWherePhotonsGo) {
 }
 
 // acceptance: S14
-TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
+TEST(PhotonEmission, SunPhotonsInTheBoxMatchItsIrradiance) {
   // The box is in the light's space, which is turned by a quarter and moved.
   const std::string box = ", \"photon_bbox_min\" -.5 -1.6 -.2, \"photon_bbox_max\" .7 -.3 .2";
   const std::string turned = "transform 0 -1 0 0  1 0 0 0  0 0 1 0  0 -.8 0 1";
@@ -275,7 +275,7 @@ TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
       const Vec3 corner(2.8f, -2.8f, 2);
       EXPECT_EQ(by_photons(source, {corner, Vec3(.1f, 0, 0), Vec3(0, .1f, 0)}, 4096).mean, 0);
     }
-  // Without it the light's own energy is what they carry.
+  // Without it photons carry the energy of the light.
   SceneText scene = stage();
   scene.light("sun", "\"mia_physicalsun\" ( ) direction 0 0 -1 energy 7 7 7");
   const Probe probe(scene);
@@ -284,7 +284,7 @@ TEST(PhotonEmission, TheSunsPhotonsGoToItsBoxAsStrongAsItsLight) {
 }
 
 // acceptance: S14
-TEST(PhotonEmission, TheSunsPhotonsGoThroughItsBoxAndNowhereElse) {
+TEST(PhotonEmission, SunPhotonsPassOnlyThroughTheirBox) {
   // A window of 2 x 1 x .02, turned by 30 degrees about z in the light's space.
   const float c = std::cos(kPi / 6), s = std::sin(kPi / 6);
   SceneText scene = stage();

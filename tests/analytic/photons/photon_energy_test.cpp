@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lights send photons: by their energy statement, by being on, by standing above the horizon.
+// Conditions for lights to emit photons: energy statement, switched on, above the horizon.
 #include "render/session.h"
 #include "support/picture.h"
 #include "support/portal_scenes.h"
@@ -42,7 +42,7 @@ TEST(PhotonEnergy, ScenesThatAskForPhotonsGetThemOfLightsWithEnergy) {
   EXPECT_GT(photons(kPoint + "energy 1 1 1", true), 0u);
   EXPECT_EQ(photons(kPoint + "energy 0 0 0", true), 0u);
   EXPECT_GT(photons(kPoint + "energy 0 0 .1", true), 0u);
-  // Asked for by name, photons are another way to the light that is there.
+  // If selected by name, photons compute the existing light in another way.
   EXPECT_GT(photons(kPoint, false), 0u);
   EXPECT_EQ(photons(kPoint + "energy 0 0 0", false), 0u);
 }
@@ -110,7 +110,7 @@ TEST(PhotonEnergy, MultipliersSidesAndTintsActOnPhotons) {
   EXPECT_LT(low.y, .99f * one.y);
 }
 
-/// A scene that asks for photons itself, and what is said of it.
+/// A scene that enables photons itself, and its diagnostics.
 std::vector<Diagnostic> said_of(const std::string& lights, const std::string& method) {
   const std::string text =
       "options \"opt\" object space trace on globillum on " + method +
@@ -128,7 +128,7 @@ std::vector<Diagnostic> said_of(const std::string& lights, const std::string& me
   return diagnostics.all();
 }
 
-TEST(PhotonEnergy, LightsWithoutItAreToldOnce) {
+TEST(PhotonEnergy, LightsWithoutEnergyAreReportedOnce) {
   const auto lights = [](const std::string& energy) {
     return "light \"a\" " + kPoint + energy + " end light light \"b\" " + kPoint + energy +
            " end light instance \"a_i\" \"a\" end instance instance \"b_i\" \"b\" end instance ";

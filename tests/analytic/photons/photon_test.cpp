@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Photon maps against closed forms of closed rooms, glass and mirrors, and against paths.
+// Photon maps compared with closed forms of closed rooms, glass and mirrors, and with path tracing.
 #include "transport/photon/photon_trace.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ void expect_balanced(const PhotonBalance& b) {
 // acceptance: H3
 TEST(PhotonTrace, EnergyIsStoredAbsorbedOrEscapes) {
   SceneText scene;
-  // A room of coloured walls with a hole, a shelf, and a lamp that is not in the middle.
+  // A room of coloured walls with a hole, a shelf, and an off-centre light.
   scene.material("red", "\"reflectivity\" 0, \"diffuse\" .8 .5 .3")
       .lambert("grey", .6f)
       .polygon("red", {Vec3(-2, -2, -2), Vec3(2, -2, -2), Vec3(2, 2, -2), Vec3(-2, 2, -2)})
@@ -145,7 +145,7 @@ void expect_same_indirect(const std::string& name, const Indirect& i, float tole
 }
 
 // acceptance: H3
-TEST(PhotonTrace, PhotonsAndPathsTellTheSameIndirectLight) {
+TEST(PhotonTrace, PhotonsAndPathsGiveTheSameIndirectLight) {
   const std::pair<const char*, std::string> kLights[] = {
       {"rectangle", physical(100) + " origin 0 0 1.9 direction 0 0 -1 rectangle 1 0 0 0 1 0 3 3"},
       {"point without decay",
@@ -164,7 +164,7 @@ TEST(PhotonTrace, PhotonsAndPathsTellTheSameIndirectLight) {
 }
 
 // acceptance: H3
-TEST(PhotonTrace, PhotonsAndPathsTellTheSameCaustics) {
+TEST(PhotonTrace, PhotonsAndPathsGiveTheSameCaustics) {
   const struct {
     const char* name;
     std::string material;
@@ -188,7 +188,7 @@ TEST(PhotonTrace, PhotonsAndPathsTellTheSameCaustics) {
   };
   for (const auto& c : kCases) {
     SceneText scene("trace depth 8 8 12 shadow segments caustic on");
-    // Paths that find the lamp through bent rays, as they do where photons bring its light.
+    // Paths that find the light by refracted rays, as photons do.
     scene.method("scene")
         .lambert("floor", .5f)
         .material("thing", c.material)
@@ -220,7 +220,7 @@ TEST(PhotonTrace, OpaqueThingsReflectWhicheverWayTheirNormalsPoint) {
     const Traced t = trace(Probe(scene), {.each = emitting(0, 1 << 16)});
     return power_of(t.maps.caustic) / t.balance.emitted.y;
   };
-  // The plate leans so that the light goes on downward.
+  // The plate is tilted so that the light continues downward.
   const Vec3 along = normalize(Vec3(1.7320508f, 0, -1)), onward = normalize(Vec3(.2f, 0, -1));
   const Vec3 normal = normalize(onward - along);
   const float exact = bsdf::fresnel_dielectric(-dot(along, normal), 1.5f);
@@ -230,7 +230,7 @@ TEST(PhotonTrace, OpaqueThingsReflectWhicheverWayTheirNormalsPoint) {
 }
 
 // acceptance: H3
-TEST(PhotonTrace, TheShaderInTheSlotPhotonStandsForTheSurface) {
+TEST(PhotonTrace, PhotonShaderReplacesTheSurface) {
   // Of what falls on a black plate its photon shader scatters .3 and mirrors .5 into the open.
   const auto escaped = [](const std::string& photon) {
     SceneText scene;
@@ -282,7 +282,7 @@ TEST(PhotonTrace, MapsDoNotDependOnThreads) {
   EXPECT_GT(one.caustic.size(), 100u);
 }
 
-TEST(PhotonTrace, CountsLimitWhatIsStoredAndSent) {
+TEST(PhotonTrace, CountsLimitStoredAndEmittedPhotons) {
   SceneText scene;
   scene.lambert("grey", .5f).box("grey", Vec3(-2), Vec3(2), true);
   scene.light("lamp", physical(100) + " origin 0 0 0");
@@ -331,7 +331,7 @@ TEST(PhotonTrace, TraceDepthEndsPhotons) {
   EXPECT_NEAR(t.balance.stopped.y, 12.5 * kPi, .03 * 12.5 * kPi);
 }
 
-/// A floor of 6 x 6 at z = 0 under a downward lamp far away; caustics are on.
+/// A floor of 6 x 6 at z = 0 under a distant downward light; caustics are on.
 SceneText lit_floor(const std::string& light) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
   scene.lambert("floor", .5f).square("floor", Vec3(0), 3, kUp);
@@ -431,7 +431,7 @@ TEST(PhotonTrace, NestedMediaAbsorbOverTheirOwnThickness) {
 
 TEST(PhotonTrace, MirrorsMakeCausticsAndDiffuseBouncesDoNot) {
   SceneText scene("trace depth 8 8 12 shadow segments caustic on");
-  // The lamp shines on a mirror that turns its light to the wall.
+  // The light shines on a mirror that reflects it to the wall.
   scene.lambert("wall", .5f)
       .material("mirror",
                 "\"reflectivity\" 1, \"diffuse_weight\" 0, \"brdf_0_degree_refl\" 1, "

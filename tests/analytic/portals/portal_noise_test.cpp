@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What portals are for: less noise in a room that the sky lights through a window.
+// Portals reduce the noise in a room that the sky lights through a window.
 #include "base/parallel.h"
 #include "color/luminance.h"
 #include "support/portal_scenes.h"

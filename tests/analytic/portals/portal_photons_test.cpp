@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Portal lights and the indirect light behind them: photons, and the sky as a bounce.
+// Indirect light of portals: photons, and the sky as a bounce.
 #include "support/portal_scenes.h"
 #include "transport/photon/photon_trace.h"
 
@@ -52,7 +52,7 @@ TEST(Portal, PhotonsAgreeWithItsDirectLight) {
 }
 
 // acceptance: L7
-TEST(Portal, DirectPhotonsStandForItsDirectLight) {
+TEST(Portal, DirectPhotonsReplaceItsDirectLight) {
   const auto trace = [](const std::string& parameters, bool sky) {
     SceneText scene = room(kSky, .001f);
     const Probe probe = probe_of(add_window(scene, 1, parameters));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visible portals from far away: the threshold is for their light, not for how they look.
+// Visible portals at a large distance: the threshold applies to their light, not to visibility.
 #include "support/portal_scenes.h"
 
 namespace oriel::testing {
@@ -9,7 +9,7 @@ const std::string kMirror =
     "\"diffuse_weight\" 0, \"reflectivity\" 1, \"brdf_0_degree_refl\" 1, "
     "\"brdf_90_degree_refl\" 1";
 
-/// A white card of 1 m2 at x = 0 that looks along +x, with what is seen of it from `distance`.
+/// A white card of 1 m2 at x = 0 facing +x, viewed from `distance`.
 SceneText card(const std::string& threshold, float distance, const std::string& more = {}) {
   SceneText scene;
   add_portal(scene, "card", Vec3(0), 1, 1,
@@ -28,7 +28,7 @@ const Vec3 kOut(-1, 0, 0);
 
 // The card's colour at the point is 1 / (pi d^2): .005, the default threshold, at 7.98 m.
 // acceptance: L5
-TEST(PortalSeen, FromAnyDistanceIsAsBrightAsTheLawOfPhysicsSays) {
+TEST(PortalSeen, RadianceIsIndependentOfDistance) {
   for (const float distance : {4.0f, 8.0f, 40.0f, 1000.0f}) {
     const Vec3 eye(distance, .1f, .1f);
     const std::string name = fmt::format("{} m", distance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Portal lights: the environment through a window, against quadrature, closed forms and paths.
+// Portal lights compared with quadrature, closed forms and path tracing.
 #include "support/portal_scenes.h"
 
 namespace oriel::testing {
@@ -25,7 +25,7 @@ void expect_within(const std::string& name, const Measured& m, const Rgb& exact,
 }
 
 // acceptance: L1
-TEST(Portal, BringsTheSkyThroughTheWindowToEveryWall) {
+TEST(Portal, SkyThroughTheWindowReachesEveryWall) {
   for (const char* environment : {kSky, kLamps})
     for (const int n : {1, 4}) {
       SceneText scene = room(environment, 1);
@@ -59,7 +59,7 @@ TEST(Portal, PathsWithAndWithoutItAreTheSame) {
   }
 }
 
-TEST(Portal, WhatItLeavesOpenIsFoundBesideIt) {
+TEST(Portal, UncoveredOpeningsAreSampledByRays) {
   const Opening o;
   const float middle = (o.y0 + o.y1) / 2;
   for (const char* environment : {kSky, kLamps}) {
@@ -202,7 +202,7 @@ TEST(Portal, StrengthTintSideAndThreshold) {
 }
 
 // acceptance: L4
-TEST(Portal, AsksTheCamerasEnvironmentItsOwnOrIsAWhiteCard) {
+TEST(Portal, UsesCameraOrOwnEnvironmentOrWhite) {
   const std::string own = "\"custom_environment\" \"own\"";
   const auto with_own = [&](const std::string& parameters) {
     Bench b(parameters, 3);
@@ -224,7 +224,7 @@ TEST(Portal, AsksTheCamerasEnvironmentItsOwnOrIsAWhiteCard) {
 }
 
 // acceptance: L4, S9
-TEST(Portal, LooksUpAsGatherRaysDoUnlessTold) {
+TEST(Portal, LooksUpTheEnvironmentLikeGatherRaysByDefault) {
   const std::string lamps = "\"test_lamps\" ( \"hidden\" 1 2 3 )";
   for (const bool gather : {true, false}) {
     SceneText scene = room(lamps, 1);
@@ -280,7 +280,7 @@ TEST(Portal, TransparencyIsForTheViewAlone) {
     expect_exact("view through a gel", gel[1], seen);
     expect_exact("mirrored through a gel", gel[2], seen);
     const auto white = at("\"transparency\" 1 1 1, \"tint_color\" 2 2 2" + on, false);
-    // The visible surface is as bright as what it sends, the sky behind a hidden one is itself.
+    // A visible surface has the radiance of its emission; a hidden one shows the sky.
     expect_exact("strong portal seen", white[1], visible ? l * 2 : l);
     expect_exact("strong portal mirrored", white[2], visible ? l * 2 : l);
     // In a glossy surface window and room are seen together; the room does not change.
@@ -294,7 +294,7 @@ TEST(Portal, TransparencyIsForTheViewAlone) {
   }
 }
 
-// Glossy surfaces find the window once, whatever finds it.
+// Glossy surfaces count the window once, in all estimators.
 // acceptance: L2, L5
 TEST(Portal, GlossySurfacesShowTheWindowOnce) {
   const auto seen = [](bool portal, const std::string& parameters, Estimator e) {
@@ -328,7 +328,7 @@ TEST(Portal, ShadowRaysBeginInsideOrOutside) {
   expect_exact("board inside", card(.2f, ""), 0);
   expect_exact("board inside, skipped", card(.2f, "\"shadow_ray_extension\" -.5"), kForm);
   expect_exact("board inside, not skipped", card(.6f, "\"shadow_ray_extension\" -.3"), 0);
-  // Beside it paths bring the same: rays that end at the portal find nothing more.
+  // Paths give the same next to it: rays that end at the portal add nothing.
   Bench b("\"shadow_ray_extension\" -.1");
   expect_exact("whole sky", probe_of(b.scene).onto(Vec3(1, 0, 0), Vec3(-1, 0, 0), 0, 1 << 16, .05f),
                1);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a window brings to every wall of a room: portals against light that is followed from the
-// sky.
+// Irradiance of a window on all walls of a room: portals compared with light tracing from the sky.
 #include <array>
 
 #include "base/parallel.h"
@@ -56,7 +55,7 @@ Vec3 around(const Vec3& n, Vec2 u) {
          frame.n * std::sqrt(std::max(0.0f, 1 - u.x));
 }
 
-/// Directions into the room that bring much of the light.
+/// Directions into the room with most of the light.
 struct Cone {
   Vec3 axis{1, 0, 0};
   float cosine = 1;

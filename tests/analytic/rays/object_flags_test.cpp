@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flags of objects: which rays leave them, and what photons do at them.
+// Object flags: rays that objects emit, and photons at objects.
 #include "support/probe.h"
 #include "transport/gather/gather_points.h"
 #include "transport/photon/photon_trace.h"
@@ -36,7 +36,7 @@ const char* const kGrey = "\"reflectivity\" 0, \"diffuse\" .6 .6 .6";
 const char* const kGel =
     "\"diffuse_weight\" 0, \"reflectivity\" 0, \"transparency\" 1, \"refr_ior\" 1";
 
-/// What is seen of a plate from above, in even light of 1 from above and .5 from below.
+/// Radiance of a plate from above, in uniform light of 1 from above and .5 from below.
 Measured seen(const std::string& material, const std::string& flags, bool sun = false) {
   SceneText scene;
   scene.environment("\"test_sky\" ( \"above\" 1 1 1, \"below\" .5 .5 .5, \"up\" 0 0 1 )");
@@ -72,8 +72,8 @@ TEST(ObjectFlags, WithoutSendingGatherRaysAnObjectHasDirectLightAlone) {
   expect_exact("all of it", seen(kGrey, "reflection 8 refraction 8", true), .6f * 1.25f);
 }
 
-TEST(ObjectFlags, ObjectsThatRaysDoNotSeeAreNotThere) {
-  // A plate that glows over another.
+TEST(ObjectFlags, ObjectsInvisibleToRaysAreNotHit) {
+  // An emissive plate over another one.
   const auto below = [](const std::string& material, const std::string& flags) {
     SceneText scene;
     scene.uniform_sky(1).emitter("glow", 4).material("m", material);
@@ -110,7 +110,7 @@ Measured below_black(const std::string& material, const std::string& flags, bool
 }
 
 // acceptance: H3
-TEST(ObjectFlags, LightPassesWhatCastsNoShadow) {
+TEST(ObjectFlags, LightPassesObjectsThatCastNoShadow) {
   for (const char* material : {kGlossy, kGrey}) {
     const Measured open = below_black(material, "", false);
     EXPECT_GT(open.mean.x, .05f) << material;
@@ -122,7 +122,7 @@ TEST(ObjectFlags, LightPassesWhatCastsNoShadow) {
 }
 
 // acceptance: H3
-TEST(ObjectFlags, WhatRaysDoNotSeeCastsItsWholeShadow) {
+TEST(ObjectFlags, ObjectsInvisibleToRaysCastFullShadows) {
   for (const char* material : {kGlossy, kGrey}) {
     expect_exact(material, below_black(material, kUnseen, false), 0);
     expect_same(material, below_black(material, kUnseen, true), below_black(material, "", true));
@@ -139,7 +139,7 @@ double power_of(const PhotonMap& map) {
   for (const Photon& p : map.photons()) sum += p.power.y;
   return sum;
 }
-/// A lamp in a cell of gel that refracts, or of nothing, in a room of albedo 1/2.
+/// A light in a cell of tinted refracting sheets, or of nothing, in a room of albedo 1/2.
 struct Room {
   std::string options, cell_flags, room_flags;
   bool cell = false;
@@ -221,7 +221,7 @@ TEST(ObjectFlags, EachMapFollowsItsOwnFlagsWhereBothAreMade) {
   }
 }
 
-TEST(ObjectFlags, OptionsSpeakForObjectsThatDoNot) {
+TEST(ObjectFlags, OptionsApplyToObjectsWithoutFlags) {
   EXPECT_TRUE(trace({.options = "globillum 8"}, true, false).maps.global.empty());
   EXPECT_TRUE(trace({.options = "globillum 4"}, true, false).maps.global.empty());
   EXPECT_FALSE(trace({.options = "globillum 3"}, true, false).maps.global.empty());

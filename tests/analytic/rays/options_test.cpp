@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls that the camera looks through, the weight and rays of indirect light, lists of lights.
+// One-sided walls, weight and rays of indirect light, light lists.
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -8,7 +8,7 @@ namespace options_test {
 // acceptance: P5
 TEST(MagicWall, IsInvisibleToTheCameraFromBehindOnly) {
   for (const bool culled : {false, true}) {
-    // The wall at y = 1 looks into the room (-y); beyond it glows the other end.
+    // The wall at y = 1 faces into the room (-y); the emissive end wall is behind it.
     const auto room = [&] {
       SceneText scene;
       scene.uniform_sky(.125f)
@@ -86,7 +86,7 @@ TEST(MagicWall, ShadowsAndBouncesFromBothSides) {
   }
 }
 
-/// A card with a lamp, a sky and a glow, by the parts of its radiance.
+/// A card with a light, a sky and an emitter, split into parts of its radiance.
 Measured lit_card(const std::string& more, Estimator e = Estimator::Mis) {
   SceneText scene;
   scene.uniform_sky(.4f)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many rays a material asks for, and that the picture is the same however many.
+// Number of rays of a material; the image is the same for any number.
 #include <functional>
 
 #include "support/probe.h"
@@ -7,7 +7,7 @@
 namespace oriel::testing {
 namespace ray_count_test {
 
-/// Reflects that share whatever the angle, and nothing else.
+/// Reflects this fraction for all angles, and nothing else.
 std::string reflecting(float level, const std::string& more = {}) {
   return fmt::format(
       "\"diffuse_weight\" 0, \"reflectivity\" {}, \"brdf_0_degree_refl\" 1, "
@@ -30,7 +30,7 @@ Measured plate(const std::string& material, float paths, int samples = 64) {
 }
 
 // acceptance: R3
-TEST(SampleCounts, AreTheMostRaysOfAPixelAndFallWithTheLevel) {
+TEST(SampleCounts, AreTheMaximumRaysPerPixelAndFallWithTheLevel) {
   for (const int count : {1, 8, 30, 128}) {
     const auto glossy = [&](float level, float paths) {
       const Measured m = plate(
@@ -100,7 +100,7 @@ TEST(SampleCounts, OcclusionRaysAreThoseOfThePixelToo) {
     }
 }
 
-/// A sheet that is everything at once between a lamp, a sky, a glow above and one below.
+/// A sheet with all lobes between a light, a sky, an emitter above and one below.
 SceneText crossroads() {
   SceneText scene;
   scene.environment("\"test_sky\" ( \"above\" .5 .7 1, \"below\" .3 .2 .1, \"up\" .3 .1 1 )")
@@ -152,7 +152,7 @@ TEST(CutOff, TracesWhatContributesMoreAndNothingElse) {
       EXPECT_EQ(passed.counts.refract, traced ? 64u : 0u) << level;
     }
   }
-  // Without being told: one percent.
+  // Default: one percent.
   EXPECT_EQ(plate(reflecting(.0099f), 1e6f).counts.reflect, 0u);
   EXPECT_EQ(plate(reflecting(.0101f), 1e6f).counts.reflect, 64u);
   EXPECT_EQ(plate(passing(.0099f), 1e6f).counts.refract, 0u);
@@ -160,7 +160,7 @@ TEST(CutOff, TracesWhatContributesMoreAndNothingElse) {
 }
 
 // acceptance: R8
-TEST(CutOff, CountsWhatIsLeftOfThePixelAfterAllSurfaces) {
+TEST(CutOff, UsesTheThroughputOfThePixel) {
   const auto bounces = [](float level, float cutoff) {
     SceneText scene("trace depth 20 20 20 shadow on");
     scene.material("m", reflecting(level, fmt::format("\"refl_cutoff\" {}", cutoff)))
@@ -189,8 +189,8 @@ TEST(CutOff, CountsWhatIsLeftOfThePixelAfterAllSurfaces) {
 }
 
 // acceptance: R8
-TEST(CutOff, LeavesTheLightOfDiffuseBouncesAlone) {
-  // A card under a weak mirror that faces a glow below the card's plane.
+TEST(CutOff, DoesNotAffectDiffuseBounces) {
+  // A card under a weak mirror that faces an emitter below the plane of the card.
   const auto light = [](float cutoff) {
     SceneText scene;
     scene.material("m", reflecting(.05f, fmt::format("\"refl_cutoff\" {}", cutoff)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which kind of ray each shader of a scene is asked by.
+// Ray types with which each shader of a scene is called.
 #include <atomic>
 #include <initializer_list>
 
@@ -62,7 +62,7 @@ const Registry& registry() {
   return all;
 }
 
-/// A prepared scene of which nothing was asked yet.
+/// A prepared scene before any shader call.
 Probe kind_probe_of(const SceneText& scene) {
   Probe probe(scene.str(), registry());
   for (auto& kinds : asked) kinds = 0;
@@ -79,7 +79,7 @@ Probe kind_probe_of(const SceneText& scene) {
   return failure;
 }
 
-/// A black surface "seen" whose glow is the probe shader of that slot.
+/// A black surface "seen" with the probe shader of that slot as its emission.
 SceneText with_target(int slot = 0, const char* options = "trace depth 8 8 12 shadow segments") {
   SceneText scene(options);
   return scene.statement(fmt::format("shader \"kind{0}\" \"test_kind\" ( \"slot\" {0} )", slot))
@@ -144,7 +144,7 @@ TEST(RayKinds, AreNumberedAsMiRayType) {
 }
 
 // acceptance: H5
-TEST(RayKinds, SurfacesTellEyeRaysFromMirrorsGlassAndGathering) {
+TEST(RayKinds, SurfacesDistinguishRayTypes) {
   const SceneText direct = with_target().square("seen", Vec3(0), 2, kUp);
   expect_exact("eye", kind_probe_of(direct).onto(Vec3(0), kUp, 20, 64), 1.0f);
   EXPECT_TRUE(was_asked_by(0, {RayKind::Eye}));
@@ -178,7 +178,7 @@ TEST(RayKinds, ShadersMayShowEachKindAnotherColour) {
 }
 
 // acceptance: H5
-TEST(RayKinds, LightsAreAskedForLightOrSeen) {
+TEST(RayKinds, LightsAreCalledForLightOrVisibility) {
   const auto lit = [](const char* flags, const char* plate) {
     SceneText scene;
     scene.material("plate", plate)
@@ -203,7 +203,7 @@ TEST(RayKinds, LightsAreAskedForLightOrSeen) {
 }
 
 // acceptance: H5
-TEST(RayKinds, BlockersAreAskedForTheirShadow) {
+TEST(RayKinds, BlockersAreCalledForShadowRays) {
   SceneText scene = with_target(1);
   scene.statement("shader \"kind2\" \"test_kind\" ( \"slot\" 2 )")
       .statement(
@@ -228,7 +228,7 @@ TEST(RayKinds, BlockersAreAskedForTheirShadow) {
 }
 
 // acceptance: H5
-TEST(RayKinds, EnvironmentsAreAskedByTheRayThatMetNothing) {
+TEST(RayKinds, EnvironmentsAreCalledByRaysThatMiss) {
   const auto seen = [](const char* plate, const char* options = "trace depth 8 8 12",
                        float noise = .01f) {
     SceneText scene(options);
@@ -253,7 +253,7 @@ TEST(RayKinds, EnvironmentsAreAskedByTheRayThatMetNothing) {
 }
 
 // acceptance: H5
-TEST(RayKinds, LensesVolumesAndOutputsHaveTheirs) {
+TEST(RayKinds, LensesVolumesAndOutputsHaveTheirRayTypes) {
   SceneText scene;
   scene.emitter("glow", 1)
       .square("glow", Vec3(0, 0, -1), 5, kUp)
@@ -272,7 +272,7 @@ TEST(RayKinds, LensesVolumesAndOutputsHaveTheirs) {
 }
 
 // acceptance: H5
-TEST(RayKinds, DisplacementsAreAskedAsSuch) {
+TEST(RayKinds, DisplacementsHaveTheirRayType) {
   for (auto& kinds : asked) kinds = 0;
   SceneText scene;
   scene
@@ -354,7 +354,7 @@ TEST(RayKinds, PhotonsAreOfTheirLastScattering) {
 }
 
 // acceptance: H5
-TEST(RayKinds, AirIsAskedByLightAndScattersPhotons) {
+TEST(RayKinds, VolumesAreCalledForLightAndPhotons) {
   const char* const camera = "focal 1 aperture 1 aspect 1 resolution 8 8 volume ";
   SceneText lit;
   lit.lambert("plate", .5f)
@@ -377,14 +377,14 @@ TEST(RayKinds, AirIsAskedByLightAndScattersPhotons) {
 }
 
 // acceptance: H5
-TEST(RayKinds, EmittersAreToldForWhichMap) {
+TEST(RayKinds, EmittersGetTheMapType) {
   const char* const emitter = "emitter \"test_kind\" ( \"slot\" 2, \"color\" 3 3 3 )";
   photons_on(kMirror, false, emitter);
   EXPECT_TRUE(was_asked_by(2, {RayKind::PhotonEmitGlobillum}));
   photons_on(kMirror, true, emitter);
   EXPECT_TRUE(was_asked_by(2, {RayKind::PhotonEmitCaustic}));
   EXPECT_TRUE(was_asked_by(1, {}));
-  // Without an emitter photons carry what the light's shader brings as direct light.
+  // Without an emitter, photons carry the direct light of the light shader.
   photons_on(kMirror, true);
   EXPECT_TRUE(was_asked_by(1, {RayKind::Light}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sun, sky and exposures whose parameters other shaders give: another value for each direction.
+// Sun, sky and exposures with parameters connected to shaders, evaluated per direction.
 #include "lights/photon_source.h"
 #include "runtime/color_mapping.h"
 #include "sky/physical_sky.h"
@@ -52,7 +52,7 @@ TEST(ConnectedSky, StarsLightTheSceneInEveryMode) {
       .square("card", Vec3(0), 1, kUp);
   const Probe probe(scene);
   expect_exact("card under stars", probe.onto(Vec3(0), kUp, 20, 1 << 15), 2);
-  // Photons and gather rays ask as final gathering does.
+  // Photons and gather rays use the same shader calls as final gathering.
   const PhotonSource source(probe.world());
   for (int i = 0; i < 64; ++i) {
     sampling::Sampler s(0, 0, static_cast<std::uint32_t>(i));
@@ -125,7 +125,7 @@ TEST(ConnectedExposure, GainsOfAShaderAreThoseOfThePixel) {
   }
 }
 
-TEST(ConnectedSky, TheCieSkyAnswersForEachDirectionAsWell) {
+TEST(ConnectedSky, CieSkyIsEvaluatedPerDirection) {
   SceneText scene;
   scene.statement(side(500, 2000))
       .environment(

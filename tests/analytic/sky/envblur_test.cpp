@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blurred look-ups of an environment against many rays that look it up sharp.
+// Blurred environment lookups compared with many sharp lookups.
 #include <atomic>
 
 #include "support/probe.h"
@@ -7,7 +7,7 @@
 namespace oriel::testing {
 namespace envblur_test {
 
-/// "test_lamps": a dim gradient and round lamps of several sizes. Counts how often it is asked.
+/// "test_lamps": a dim gradient and round bright spots of several sizes. Counts its calls.
 std::atomic<int> lamps_asked{0};
 Rgba lamps(const Vec3& d) {
   const struct {
@@ -43,7 +43,7 @@ const Registry& registry() {
   return all;
 }
 
-/// The lamps blurred, by a map of few samples unless `parameters` say more.
+/// The spots, blurred with a map of few samples by default.
 std::string blurred(const std::string& parameters) {
   const char* coarse =
       parameters.find("resolution") == std::string::npos ? "\"resolution\" 100" : "";
@@ -52,7 +52,7 @@ std::string blurred(const std::string& parameters) {
                      parameters);
 }
 
-/// A plate that only reflects, under the lamps.
+/// A plate that only reflects, under the spots.
 SceneText plate(const std::string& reflection, const std::string& environment) {
   SceneText scene;
   scene.statement("shader \"lamps\" \"test_lamps\" ()")
@@ -93,7 +93,7 @@ TEST(EnvBlur, NoBlurIsTheEnvironmentItself) {
 }
 
 // acceptance: V1
-TEST(EnvBlur, ConstantsStayAndMeansAreKept) {
+TEST(EnvBlur, KeepsConstantsAndMeans) {
   SceneText even = plate("", "");
   even.statement("shader \"even\" \"test_sky\" ( \"above\" .3 .2 .1, \"below\" .3 .2 .1 )");
   for (const float blur : {.3f, 1.0f}) {
@@ -119,7 +119,7 @@ TEST(EnvBlur, ConstantsStayAndMeansAreKept) {
 }
 
 // acceptance: V2
-TEST(EnvBlur, TabulatesOnceAndAsksNoMore) {
+TEST(EnvBlur, TabulatesTheEnvironmentOnce) {
   for (const auto& [resolution, side] : {std::pair(100, 48), std::pair(200, 96)}) {
     lamps_asked = 0;
     const Probe probe(plate("\"refl_gloss\" .3, \"single_env_sample\" on",
@@ -242,7 +242,7 @@ TEST(EnvBlur, LightOfDiffuseSurfacesStays) {
   }
 }
 
-TEST(EnvBlur, StandsInMaterialsAndTakesTheCamerasEnvironmentByDefault) {
+TEST(EnvBlur, WorksInMaterialsWithTheCameraEnvironmentByDefault) {
   const std::string lamps_shader = "shader \"lamps\" \"test_lamps\" ()";
   const auto with = [&](const std::string& inside, const std::string& camera) {
     SceneText scene;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environments that materials bring along instead of the camera's.
+// Environments of materials that replace the environment of the camera.
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -24,7 +24,7 @@ SceneText under_camera_sky() {
 }
 
 // acceptance: B5
-TEST(MaterialEnvironment, IsWhatItsRaysFindWhateverTheLobe) {
+TEST(MaterialEnvironment, IsSeenByRaysOfAllLobes) {
   struct Case {
     const char* name;
     std::string parameters;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sun's disc in glossy reflections and blurred environments; vignetting of parallel views; more
-// rays through a lens than were allowed.
+// The solar disc in glossy reflections and blurred environments; vignetting of orthographic views;
+// lenses with more rays than the limit.
 #include "mi/reader.h"
 #include "render/eye_rays.h"
 #include "runtime/color_mapping.h"
@@ -77,7 +77,7 @@ TEST(SkyDisc, AGlossyMetalShowsItsDisc) {
   EXPECT_EQ(seen("1", true).mean, seen("0", true).mean);
 }
 
-TEST(SkyDisc, ASunThatIsNotDirectionalIsTold) {
+TEST(SkyDisc, NonDirectionalSunIsReported) {
   Diagnostics diagnostics;
   SceneText scene;
   scene.light("sun", "\"mia_physicalsun\" ( ) origin 0 0 1");

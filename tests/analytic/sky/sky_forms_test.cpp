@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The skies in all the places where they may stand: environment, background, lens, volume, texture;
-// and with the levels that a scene gives.
+// Sky shaders as environment, background, lens, volume and texture, and with luminance levels of
+// the scene.
 #include "sky/cie_sky.h"
 #include "sky/daylight.h"
 #include "sky/physical_sky.h"
@@ -28,7 +28,7 @@ float luminance_of(const Measured& m) {
 }
 
 // acceptance: S10
-TEST(Sky, TheSunsInstanceBeatsTheDirection) {
+TEST(Sky, SunInstanceOverridesTheDirection) {
   // The light's own space is turned: x of the file is y of the world.
   const Vec3 to_sun = sky_direction(50, 90);
   SceneText scene;
@@ -91,7 +91,7 @@ TEST(Sky, AnEmptyBackgroundIsTransparentBlackBehindTheSceneOnly) {
 
 // acceptance: S12
 TEST(Sky, AerialPerspectiveIsTenPercentAtItsDistance) {
-  // A wall that glows with 1, 100 away; half way a mirror shows it another 50 behind.
+  // An emissive wall of radiance 1 at distance 100; halfway a mirror shows it another 50 behind.
   const std::string fog = sky("\"visibility_distance\" 100");
   const auto scene_with = [](const std::string& role, const std::string& options = "") {
     SceneText scene("trace depth 8 8 12 shadow segments " + options);
@@ -116,7 +116,7 @@ TEST(Sky, AerialPerspectiveIsTenPercentAtItsDistance) {
     const Probe probe(scene_with(role + " " + fog));
     expect_exact("wall through " + role, probe.ray(Vec3(0), x, 64), hazed(1, x, 100));
     expect_exact("wall from half way, " + role, probe.ray(Vec3(50, 0, 0), x, 64), hazed(1, x, 50));
-    // What the sky shows holds its air already.
+    // The visible sky includes its aerial perspective.
     expect_exact("sky through " + role, probe.ray(Vec3(0), sky_direction(10, 200), 64),
                  model.radiance(sky_direction(10, 200)));
   }
@@ -162,7 +162,7 @@ TEST(Sky, AerialPerspectiveGrowsWithHaze) {
 }
 
 // acceptance: S9
-TEST(Sky, TheDiscIsSeenButLightsNothing) {
+TEST(Sky, DiscIsVisibleWithoutIllumination) {
   const auto probe_of = [](const std::string& more) {
     SceneText scene;
     scene.environment(sky(more)).material("mirror", kMirror).lambert("card", .5f);
@@ -277,7 +277,7 @@ TEST(Sky, TheCieSkyTakesTheSunsInstance) {
     expect_exact("CIE sky", Probe(scene).ray(Vec3(0), d, 64), expected.radiance(d));
 }
 
-TEST(Sky, AsATextureItAnswersAlongTheRay) {
+TEST(Sky, AsATextureItUsesTheRayDirection) {
   SceneText scene;
   scene.statement("shader \"blue\" " + sky("\"use_background\" on"))
       .material("screen",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What uniform and physical skies, and the sun, bring to a white card.
+// Irradiance of uniform and physical skies, and of the sun, on a white card.
 #include "support/probe.h"
 
 namespace oriel::testing {
@@ -37,7 +37,7 @@ TEST(Sky, UniformSkyOverACardFollowsThePiConvention) {
 
 // The night colour is a floor of the whole sphere: with nothing above it the sky is uniform.
 // acceptance: S1
-TEST(Sky, ConversionsScaleAsTheManualSays) {
+TEST(Sky, ConversionsScaleAsDocumented) {
   const auto card = [](const std::string& units) {
     SceneText scene;
     scene.environment(sky(sun_direction(45) + ", \"haze\" 1" + (units.empty() ? "" : ", " + units)))

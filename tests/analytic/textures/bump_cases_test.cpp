@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bump modes and cut-outs in the picture: normals read off mirrors and lit cards, holes off every
-// kind of ray.
+// Bump modes and cut-outs in images: normals from mirrors and lit cards, cut-outs for all ray
+// types.
 #include "bsdf/terminator.h"
 #include "support/probe.h"
 
@@ -55,7 +55,7 @@ Vec3 mirroring_normal(const std::string& bump) {
   return normalize(m.mean * 2 - Rgb(1) + kUp);
 }
 
-/// What three suns bring to the diffuse component, and what they would bring to a normal n.
+/// Diffuse light of three suns, and the expected light for a normal n.
 const Vec3 kSuns[] = {Vec3(0, 0, 1), Vec3(.6f, 0, .8f), Vec3(0, .6f, .8f)};
 Rgb diffuse_light(const std::string& bump) {
   SceneText scene = plate("\"diffuse\" 1 1 1, \"reflectivity\" 0, " + bump);
@@ -84,7 +84,7 @@ const Vec3 kInWorld[] = {Vec3(-.3f, .1f, .8f), Vec3(-.3f, .1f, .8f), Vec3(-.1f, 
                          Vec3(-.1f, -.3f, .8f)};
 
 // acceptance: B1, B2
-TEST(BumpModes, NineModesByTwoInputsGiveTheNormalsWorkedOutByHand) {
+TEST(BumpModes, NineModesByTwoInputsMatchAnalyticNormals) {
   for (int mode = 0; mode <= 8; ++mode)
     for (const char* input : {"overall_bump", "standard_bump"}) {
       const std::string name = fmt::format("bump_mode {}, {}", mode, input);
@@ -104,7 +104,7 @@ TEST(BumpModes, NineModesByTwoInputsGiveTheNormalsWorkedOutByHand) {
 }
 
 // acceptance: B2
-TEST(BumpModes, StandardComesOnTopOfOverall) {
+TEST(BumpModes, StandardIsAddedToOverall) {
   const auto bump = [](int mode) {
     return fmt::format("\"bump_mode\" {}, \"overall_bump\" .4 0 .2, \"standard_bump\" 0 .3 .5",
                        mode);
@@ -114,7 +114,7 @@ TEST(BumpModes, StandardComesOnTopOfOverall) {
   expect_vector(mirroring_normal(bump(2)), both, "added, mirrored");
   expect_vector(diffuse_light(bump(2) + ", \"no_diffuse_bump\" on"), light_on(overall),
                 "added, diffuse without standard");
-  // A set normal replaces what was there before.
+  // A set normal replaces the previous one.
   expect_vector(mirroring_normal(bump(6)), normalize(Vec3(0, .3f, .5f)), "set, mirrored");
 }
 
@@ -141,7 +141,7 @@ TEST(BumpModes, SparedDiffuseLightStaysAndTheReflectionTurns) {
   expect_vector(spared[Aov::Reflection], bumped[Aov::Reflection], "reflection");
 }
 
-/// A fence with round holes about whole numbers, at z = 1, before a glow of 2.
+/// A fence with round holes at integer positions, at z = 1, in front of an emitter of radiance 2.
 SceneText fence(const std::string& more = {}) {
   SceneText scene("trace depth 4 4 8 shadow segments");
   scene.statement("shader \"links\" \"test_links\" ()")
@@ -194,7 +194,7 @@ TEST(ChainLink, EveryKindOfRayPassesItsHolesAndNothingElse) {
   EXPECT_NEAR(at(blurred, Vec3(.5f, .5f, .5f), -kUp, 4096).mean.x, 0, .01f);
   EXPECT_NEAR(at(blurred, Vec3(.3f, 0, .5f), -kUp, 4096).mean.x, 1, .1f);
 
-  // Rays of diffuse bounces find the holes' share of the glow, as near the card as this.
+  // Rays of diffuse bounces see the emitter through the holes, this close to the card.
   SceneText gathered = fence();
   gathered.lambert("card", 1)
       .square("card", Vec3(0, 0, 0), .05f, kUp)
@@ -223,7 +223,7 @@ TEST(ChainLink, DiffersFromTransparencyOfTheSameMap) {
     return Probe(scene.str(), registry()).ray(Vec3(x, 0, 0), kUp, 1 << 12).mean.x;
   };
   const char* const cut = "\"cutout_opacity\" = \"links\"";
-  // Half mirrors the sky of 1, half of what is left passes a glow of 2.
+  // Half mirrors the sky of 1; half of the rest transmits an emitter of 2.
   EXPECT_NEAR(measure(cut, 0), 2, 1e-4f);
   EXPECT_NEAR(measure("\"transparency\" 1", 0), .5f + .5f * 2, .01f);
   EXPECT_NEAR(measure(cut, .5f), .5f, 1e-4f);

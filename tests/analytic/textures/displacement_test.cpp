@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacement shaders of materials, on meshes whose displaced form is known; environments of
-// materials.
+// Displacement shaders on meshes with known displaced shape; environments of materials.
 #include <cmath>
 #include <functional>
 
@@ -239,7 +238,7 @@ TEST(Displacement, SplitEdgesMoveTogetherAndStaySplit) {
     geom::Ray ray;
     ray.org = Vec3(.5f) + Vec3(a.x - .5f, a.y - .5f, b.x - .5f) * .8f;
     ray.dir = sampling::sample_uniform_sphere(sampler.next_2d());
-    // The scene's square lies further away: only what is near counts.
+    // The square of the scene is further away: only near objects matter.
     ray.tfar = 3;
     geom::Hit hit;
     escaped += !s.world->accel->intersect(ray, hit);
@@ -322,7 +321,7 @@ TEST(Displacement, OptionsSwitchItOff) {
 }
 
 // acceptance: B5
-TEST(Displacement, MaxDisplaceClampsAndSaysSo) {
+TEST(Displacement, MaxDisplaceClampsAndIsReported) {
   const std::string material = displaced_material("lifted", height("\"base\" .25"));
   const Displaced object(material + plane().object("max displace .1"));
   EXPECT_NEAR(object.below(.4f, .4f).p.z, .1f, kRoundingOfPlaces);

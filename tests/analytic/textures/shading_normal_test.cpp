@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shading normals that differ from the surface: no light through it, no black or glowing rims.
+// Shading normals that differ from geometric normals: no light leaks, no dark or bright rims.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ void expect_rims(const char* material, float least, float most) {
   EXPECT_EQ(seen, 360);
 }
 
-TEST(ShadingNormal, RimsOfCoarseBallsAreNeitherBlackNorGlow) {
+TEST(ShadingNormal, RimsOfCoarseSpheresHaveNoArtifacts) {
   const std::string metal =
       "\"diffuse\" 1 1 1, \"refl_is_metal\" on, \"reflectivity\" 1, \"brdf_0_degree_refl\" 1, "
       "\"refl_depth\" 0, \"refl_cutoff\" 0, ";
@@ -64,7 +64,7 @@ TEST(ShadingNormal, TheEdgeOfShadowFallsSoftlyOnCoarseBalls) {
       .sphere("m", Vec3(0), 1, 8)
       .light("sun", "\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) direction -1 0 0");
   const Probe probe = std::move(Probe(scene).direct_only());
-  // Around the equator, away from the light: what is lit last.
+  // Around the equator, away from the light: the terminator.
   float before = 0, steepest = 0;
   for (float degrees = 60; degrees <= 110; degrees += .25f) {
     const float a = degrees * kPi / 180;

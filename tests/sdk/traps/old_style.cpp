@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What C++ shaders of the time do, and a strict header would stumble over.
+// Old C++ idioms that strict headers could break.
 #include <math.h>
 #include <cmath>
 #define min(a, b) ((a) < (b) ? (a) : (b))
