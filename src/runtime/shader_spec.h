@@ -3,6 +3,7 @@
 // explicitly in shaders/registry.cpp.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -202,6 +203,9 @@ struct LensRole {
   Rgb (*map_color)(const Call&, const LensCall&, const Rgb&) = nullptr;
   /// Further requests of `map_color`. Null: none.
   LensTraits (*traits)(const ShaderNode&) = nullptr;
+  /// Passes the numeric parameters of an exposure to `set`, for the metadata of files.
+  void (*settings)(const ShaderNode&,
+                   const std::function<void(const char* name, float value)>& set) = nullptr;
   /// Bends an eye ray of the camera through a lens; u is uniform in [0,1)^2. Returns the weight of
   /// the radiance along the ray.
   Rgb (*bend_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
