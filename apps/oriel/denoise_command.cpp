@@ -43,7 +43,7 @@ int run_denoise(const DenoiseArguments& a) {
   }
   ExrOptions options;
   options.metadata = file.metadata;
-  options.metadata["oriel.denoised"] = fmt::format("{:.6g}", a.strength);
+  options.metadata["oriel.denoised"] = a.strength;
   write_exr(a.output, {{"", std::move(names), std::move(image)}}, options);
   return kExitDone;
 }

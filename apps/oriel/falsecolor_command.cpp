@@ -53,10 +53,7 @@ Shown read_shown(const FalseColorArguments& a) {
     throw UserError(fmt::format(
         "'{}' has no layer {}{}", a.input, name,
         name == kIlluminanceLayer ? "; oriel render --layers illuminance makes it" : ""));
-  const auto said = file.metadata.find(kUnitLuminanceKey);
-  return {luminance_of(
-              beauty, said == file.metadata.end() ? 1 : std::strtof(said->second.c_str(), nullptr)),
-          unit};
+  return {luminance_of(beauty, number_attribute(file, kUnitLuminanceKey).value_or(1)), unit};
 }
 
 ValueScale scale_for(const FalseColorArguments& a, const Image& values) {

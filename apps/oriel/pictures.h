@@ -15,11 +15,7 @@ Image read_named_picture(const std::string& path);
 /// shaders, of others what they show. Errors as of read_named_picture().
 Image read_linear_picture(const std::string& path);
 
-/// Metadata of EXR files: the angle that the picture's width spans, degrees; of perspective
-/// cameras.
-inline constexpr const char* kFieldOfViewKey = "oriel.fieldOfView";
-
-/// cd/m2 of one unit of a pixel; of files with layers in lux or cd/m2.
+/// Attribute of EXR files: cd/m2 of one unit of a pixel; of files with layers in lux or cd/m2.
 inline constexpr const char* kUnitLuminanceKey = "oriel.unitLuminance";
 inline constexpr const char* kIlluminanceLayer = "illuminance";
 inline constexpr const char* kLuminanceLayer = "luminance";

@@ -83,9 +83,9 @@ Command add_render_command(CLI::App& program) {
   app->add_option(
          "--light-group", a->light_groups,
          "Light group: names of lights (wildcards * and ?, separated by commas; instances, "
-         "instgroups, emissive objects or environment). Layer light.NAME of EXR "
-         "files contains all their light with its bounces, light.rest the remaining light; the "
-         "layers sum to the beauty; light.indirect is there where maps from files, "
+         "instgroups, emissive objects or environment). Layer light_NAME of EXR "
+         "files contains all their light with its bounces, light_rest the remaining light; the "
+         "layers sum to the beauty; light_indirect is there where maps from files, "
          "interpolated reflections or users' shaders do not know. Repeat for more; the "
          "first that matches "
          "has the light. In scenes: option \"light group NAME\" \"PATTERN,...\"")
@@ -98,6 +98,18 @@ Command add_render_command(CLI::App& program) {
                 "Cryptomatte layers of objects, materials and assets in EXR files; "
                 "--cryptomatte=N stores N names per pixel (default 6). In scenes: option "
                 "\"cryptomatte\" on");
+  app->add_option("--exr", a->exr,
+                  fmt::format("Colour in EXR files: half (default; float where a layer has values "
+                              "beyond 65504) or float, and compression: {} (default zip; dwaa and "
+                              "dwab are lossy for colour). Data layers are always float and exact",
+                              fmt::join(kExrCompressionNames, ", ")))
+      ->type_name("half|float,COMPRESSION");
+  app->add_option("--bits", a->bits,
+                  "Bits per channel of PNG and TIFF files: 8 or 16 (default: 8, TIFF 16)")
+      ->check(CLI::IsMember({8, 16}));
+  app->add_flag("--timestamps", a->timestamps,
+                "Write date (capDate) and render time into EXR files, which then differ between "
+                "runs. SOURCE_DATE_EPOCH sets the date without this option");
   app->add_flag("--linear", a->linear,
                 "Skip lens and output shaders: all files contain linear light. By default files "
                 "show their result, and EXR files contain linear light as layer \"linear\"");

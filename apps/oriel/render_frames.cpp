@@ -15,6 +15,7 @@
 #include "output/exposure_check.h"
 #include "output/matte_layers.h"
 #include "output/output_names.h"
+#include "output/picture_metadata.h"
 #include "pictures.h"
 #include "progress_line.h"
 #include "render/indirect_plan.h"
@@ -162,7 +163,7 @@ class FrameRenderer {
       diagnostics_.note("OR-RN-060", {},
                         "light from maps in files, of interpolated reflections and of shaders that "
                         "bring finished colours does not know its light group: it is layer "
-                        "light.indirect");
+                        "light_indirect");
     if (a_.denoise && !world_->preview) denoised_ = denoised_beauty(*session_);
     write_files();
     end_shaders();
@@ -194,6 +195,10 @@ class FrameRenderer {
     for (PictureFile& file : files_) {
       if (plan_.layers) file.layers = *plan_.layers;
       file.unmapped |= a_.linear;
+      if (a_.bits > 0 && is_for_display(file))
+        file.samples = a_.bits == 16 ? SampleFormat::U16 : SampleFormat::U8;
+      if (plan_.precision) file.precision = *plan_.precision;
+      if (plan_.compression) file.compression = *plan_.compression;
     }
   }
 
@@ -208,14 +213,18 @@ class FrameRenderer {
                        [&](const PictureFile& f) { return needs(f, need); });
   }
 
-  /// cd/m2; computed only where a layer uses it.
+  /// cd/m2 of a pixel unit. Contradictions of the scene are reported only if a layer depends on it.
   float unit_of_pixels() {
-    if (!has_photometric_layers()) return 1;
+    unit_is_known_ = true;
     if (a_.unit_luminance) return *a_.unit_luminance;
     NodeList exposures;
     for (const PictureFile& file : files_)
       exposures.insert(exposures.end(), file.shaders.begin(), file.shaders.end());
-    return unit_luminance(*world_, exposures, diagnostics_).cd_m2;
+    Diagnostics unused;
+    const UnitLuminance unit =
+        unit_luminance(*world_, exposures, has_photometric_layers() ? diagnostics_ : unused);
+    unit_is_known_ = !unit.by.empty();
+    return unit.cd_m2;
   }
 
   /// Maps that the options name, below the scene's folder alone.
@@ -295,7 +304,6 @@ class FrameRenderer {
 
   void write_files() {
     const Clock::time_point start = Clock::now();
-    const std::map<std::string, std::string> metadata = describe();
     Image clean;
     if (denoised_.empty() && !a_.keep_outliers &&
         std::any_of(files_.begin(), files_.end(), is_for_display))
@@ -306,7 +314,7 @@ class FrameRenderer {
         const Image* colors = !denoised_.empty()                       ? &denoised_
                               : is_for_display(file) && !clean.empty() ? &clean
                                                                        : nullptr;
-        write_picture(file, *session_, metadata, colors);
+        write_picture(file, *session_, describe(file), colors);
       } catch (const std::runtime_error& error) {
         report_unwritable(file.path, error.what(), scene_.renders.back());
       }
@@ -315,33 +323,32 @@ class FrameRenderer {
     write_seconds_ = seconds_since(start);
   }
 
-  /// No times in here: the same command gives the same file.
-  std::map<std::string, std::string> describe() const {
+  /// Attributes of EXR files. Without --timestamps the same command gives the same bytes.
+  std::map<std::string, ExrValue> describe(const PictureFile& file) const {
     const RenderBudget& b = session_->budget();
     const Progress p = session_->progress();
-    const Window& w = session_->window();
-    std::map<std::string, std::string> m = {
-        {"software", "Oriel " ORIEL_VERSION},
-        {"oriel.scene", fs::path(a_.scene.path).filename().string()},
-        {"oriel.indirect", plan_indirect(session_->world().options).name()},
-        {"oriel.seed", fmt::format("{}", a_.seed)},
-        {"oriel.samples", fmt::format("{:.6g}", p.mean_samples)},
-        {"oriel.maxSamples", fmt::format("{}", b.max_samples)},
-        {"oriel.noiseTarget", fmt::format("{:.6g}", b.noise)},
-        {"oriel.window", fmt::format("{} {} {} {}", w.x0, w.y0, w.x1 - 1, w.y1 - 1)}};
-    const oriel::Camera& c = world_->camera;
-    if (!c.orthographic)
-      m[kFieldOfViewKey] =
-          fmt::format("{:.9g}", 2 * math::atan(c.aperture / (2 * c.focal)) * 180 / kPi);
-    if (has_photometric_layers())
-      m[kUnitLuminanceKey] = fmt::format("{:.9g}", session_->unit_luminance());
+    std::map<std::string, ExrValue> m = picture_metadata(*world_, file.shaders);
+    m["software"] = std::string("Oriel " ORIEL_VERSION);
+    m["oriel.scene"] = fs::path(a_.scene.path).filename().string();
+    m["oriel.indirect"] = std::string(plan_indirect(session_->world().options).name());
+    m["oriel.seed"] = static_cast<int>(a_.seed);
+    m["oriel.samples"] = static_cast<float>(p.mean_samples);
+    m["oriel.maxSamples"] = static_cast<int>(b.max_samples);
+    m["oriel.noiseTarget"] = static_cast<float>(b.noise);
+    if (unit_is_known_) m["whiteLuminance"] = session_->unit_luminance();
+    if (has_photometric_layers()) m[kUnitLuminanceKey] = session_->unit_luminance();
     if (session_->film().light_layers() > 0)
       m["oriel.lightGroups"] = fmt::format("{}", fmt::join(world_->light_layers.names, " "));
-    if (p.noise) m["oriel.noise"] = fmt::format("{:.6g}", *p.noise);
+    if (p.noise) m["oriel.noise"] = static_cast<float>(*p.noise);
     if (!a_.scene.edits.empty())
       m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
     if (!a_.sun.empty())
       m["oriel.sun"] = fmt::format("{} north {:.6g}", a_.sun, a_.north.value_or(0));
+    if (const auto date = capture_date(a_.timestamps)) {
+      m["capDate"] = *date;
+      m["utcOffset"] = 0.0f;
+    }
+    if (a_.timestamps) m["oriel.renderSeconds"] = static_cast<float>(p.elapsed);
     return m;
   }
 
@@ -405,6 +412,7 @@ class FrameRenderer {
   std::set<std::string> unwritable_;
   Clock::time_point last_write_;
   double write_seconds_ = 0;
+  bool unit_is_known_ = false;  ///< cd/m2 of a pixel unit
 };
 
 }  // namespace

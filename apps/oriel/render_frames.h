@@ -37,6 +37,9 @@ struct RenderArguments {
   bool denoise = false, linear = false, json = false, quiet = false;
   bool keep_outliers = false;
   float clamp = 0;  ///< SessionSettings::clamp
+  std::string exr;  ///< precision and compression of EXR files
+  bool timestamps = false;
+  int bits = 0;  ///< per channel of PNG and TIFF files; 0 = their default
 };
 
 /// What the arguments mean, checked before anything is read.
@@ -47,6 +50,8 @@ struct RenderPlan {
   std::optional<scene::IndirectMethod> gi;
   std::optional<sky::SolarPosition> sun;
   std::optional<int> matte_ranks;
+  std::optional<ExrPrecision> precision;
+  std::optional<ExrCompression> compression;
   FrameList frames;
   /// Where scenes read maps and write files; unset: in the scene's folder.
   std::optional<OutputRoots> roots;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <filesystem>
 
 #include "numbers.h"
@@ -53,6 +55,27 @@ scene::LightGroup parse_light_group(const std::string& text) {
   return group;
 }
 
+/// "half,dwaa": precision and compression in any order.
+void parse_exr(const std::string& text, RenderPlan& plan) {
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    const auto& names = kExrCompressionNames;
+    const auto known = std::find(names.begin(), names.end(), word);
+    if (word == "half")
+      plan.precision = ExrPrecision::HalfIfFits;
+    else if (word == "float")
+      plan.precision = ExrPrecision::Float;
+    else if (known != names.end())
+      plan.compression = static_cast<ExrCompression>(known - names.begin());
+    else
+      throw UsageError(fmt::format("--exr {}: unknown \"{}\"; write half or float, and {}", text,
+                                   word, fmt::join(names, ", ")));
+  }
+}
+
 }  // namespace
 
 RenderPlan render_plan(const RenderArguments& a) {
@@ -89,6 +112,7 @@ RenderPlan render_plan(const RenderArguments& a) {
       throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMaxMatteRanks));
     plan.matte_ranks = ranks[0];
   }
+  if (!a.exr.empty()) parse_exr(a.exr, plan);
   if (a.texture_cache && !(*a.texture_cache >= 16))
     throw UsageError("--texture-cache: at least 16 megabytes");
   if (a.denoise && a.samples && *a.samples < 2)

@@ -3,9 +3,12 @@
 
 #include <ImfChannelList.h>
 #include <ImfChromaticities.h>
+#include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
+#include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
@@ -15,7 +18,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -42,9 +48,49 @@ std::string full_name(const std::string& layer, const std::string& channel) {
 }
 
 /// Depth and ids require all 32 bits.
-bool stays_float(const std::string& name) {
-  return name.starts_with("Crypto") || name == "Z" || name == "ZBack" ||
-         (name.size() > 2 && name.compare(name.size() - 2, 2, ".Z") == 0);
+bool is_exact(const Layer& layer) {
+  return layer.exact || layer.name.starts_with("Crypto") || layer.name == "Z" ||
+         layer.name == "ZBack" || layer.name == "depth";
+}
+
+bool is_lossy(ExrCompression c) { return c == ExrCompression::Dwaa || c == ExrCompression::Dwab; }
+
+Imf::Compression imf_compression(ExrCompression c) {
+  constexpr Imf::Compression kOf[] = {
+      Imf::NO_COMPRESSION,  Imf::RLE_COMPRESSION,  Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
+      Imf::PIZ_COMPRESSION, Imf::DWAA_COMPRESSION, Imf::DWAB_COMPRESSION};
+  return kOf[static_cast<std::size_t>(c)];
+}
+
+void insert_attribute(Imf::Header& header, const std::string& name, const ExrValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value))
+    header.insert(name, Imf::StringAttribute(*text));
+  else if (const auto* whole = std::get_if<int>(&value))
+    header.insert(name, Imf::IntAttribute(*whole));
+  else if (const auto* number = std::get_if<float>(&value))
+    header.insert(name, Imf::FloatAttribute(*number));
+  else {
+    Imath::M44f matrix;
+    const auto& from = std::get<ExrMatrix>(value);
+    std::copy(from.begin(), from.end(), matrix.getValue());
+    header.insert(name, Imf::M44fAttribute(matrix));
+  }
+}
+
+/// Whether the layer is stored with 16 bits per channel.
+bool is_half(const Layer& layer, const ExrOptions& options) {
+  if (options.precision == ExrPrecision::Float || is_exact(layer)) return false;
+  if (options.precision == ExrPrecision::Half || is_lossy(options.compression)) return true;
+  return std::none_of(layer.image.pixels.begin(), layer.image.pixels.end(),
+                      [](float v) { return std::abs(v) > kLargestHalf; });
+}
+
+/// Name of a channel in the file. Lower case protects exact layers from lossy compression.
+std::string file_channel(const Layer& layer, int channel, ExrCompression compression) {
+  std::string name = layer.channel_names[static_cast<std::size_t>(channel)];
+  if (is_lossy(compression) && is_exact(layer))
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return full_name(layer.name, name);
 }
 
 void check_layers(const std::string& path, const std::vector<Layer>& layers) {
@@ -72,25 +118,27 @@ void check_layers(const std::string& path, const std::vector<Layer>& layers) {
 void write_file(const std::string& path, const std::vector<Layer>& layers,
                 const ExrOptions& options) {
   const Image& first = layers.front().image;
-  Imf::Header header(first.width, first.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  const ExrWindow w = options.window.value_or(ExrWindow{0, 0, first.width, first.height});
+  Imf::Header header(Imath::Box2i({0, 0}, {first.width - 1, first.height - 1}),
+                     Imath::Box2i({w.x0, w.y0}, {w.x1 - 1, w.y1 - 1}));
+  header.compression() = imf_compression(options.compression);
   Imf::addChromaticities(header, Imf::Chromaticities());  // default: Rec. 709, D65
-  for (const auto& [key, value] : options.metadata) header.insert(key, Imf::StringAttribute(value));
+  for (const auto& [key, value] : options.metadata) insert_attribute(header, key, value);
 
   // OpenEXR writes the type of the slice, so convert to half here.
   std::vector<std::vector<half>> halves(layers.size());
   Imf::FrameBuffer frame;
   for (std::size_t l = 0; l < layers.size(); ++l) {
     const Image& image = layers[l].image;
-    if (options.half) {
+    const bool as_half = is_half(layers[l], options);
+    if (as_half) {
       // Clamp to the range of half: an infinity would spread in later filters.
       halves[l].resize(image.pixels.size());
       std::transform(image.pixels.begin(), image.pixels.end(), halves[l].begin(),
                      [](float v) { return half(std::clamp(v, -kLargestHalf, kLargestHalf)); });
     }
     for (int c = 0; c < image.channels; ++c) {
-      const std::string name = full_name(layers[l].name, layers[l].channel_names[c]);
-      const bool as_half = options.half && !stays_float(name);
+      const std::string name = file_channel(layers[l], c, options.compression);
       const Imf::PixelType type = as_half ? Imf::HALF : Imf::FLOAT;
       const std::size_t size = as_half ? sizeof(half) : sizeof(float);
       const void* base = as_half ? static_cast<const void*>(halves[l].data() + c)
@@ -103,7 +151,7 @@ void write_file(const std::string& path, const std::vector<Layer>& layers,
   }
   Imf::OutputFile file(path.c_str(), header, std::max(0, options.threads));
   file.setFrameBuffer(frame);
-  file.writePixels(first.height);
+  file.writePixels(w.y1 - w.y0);
 }
 
 struct Extent {
@@ -138,7 +186,7 @@ std::vector<Layer> layers_of(const Imf::ChannelList& list) {
   for (Layer& layer : layers)
     std::stable_sort(layer.channel_names.begin(), layer.channel_names.end(),
                      [](const std::string& a, const std::string& b) {
-                       const std::string order = "RGBA";
+                       const std::string order = "RrGgBbAa";
                        const auto rank = [&](const std::string& s) {
                          return s.size() == 1 ? std::min(order.find(s), order.size())
                                               : order.size();
@@ -212,9 +260,23 @@ void read_part(const std::string& path, Imf::MultiPartInputFile& file, int index
 }
 
 void read_header(const Imf::Header& header, ExrFile& out) {
-  for (auto i = header.begin(); i != header.end(); ++i)
+  const std::set<std::string> of_pixels = {
+      "pixelAspectRatio",   "screenWindowWidth", "chunkCount", "version", "name", "type",
+      "dwaCompressionLevel"};
+  for (auto i = header.begin(); i != header.end(); ++i) {
+    if (of_pixels.contains(i.name())) continue;
     if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
       out.metadata[i.name()] = text->value();
+    else if (const auto* whole = dynamic_cast<const Imf::IntAttribute*>(&i.attribute()))
+      out.metadata[i.name()] = whole->value();
+    else if (const auto* number = dynamic_cast<const Imf::FloatAttribute*>(&i.attribute()))
+      out.metadata[i.name()] = number->value();
+    else if (const auto* m = dynamic_cast<const Imf::M44fAttribute*>(&i.attribute())) {
+      ExrMatrix values;
+      std::copy_n(m->value().getValue(), values.size(), values.begin());
+      out.metadata[i.name()] = values;
+    }
+  }
   if (!Imf::hasChromaticities(header)) return;
   const Imf::Chromaticities& c = Imf::chromaticities(header);
   const float xy[8] = {c.red.x,  c.red.y,  c.green.x, c.green.y,
@@ -224,6 +286,25 @@ void read_header(const Imf::Header& header, ExrFile& out) {
 }
 
 }  // namespace
+
+std::optional<std::string> text_attribute(const ExrFile& file, const std::string& name) {
+  const auto found = file.metadata.find(name);
+  if (found == file.metadata.end()) return std::nullopt;
+  const auto* text = std::get_if<std::string>(&found->second);
+  return text ? std::optional(*text) : std::nullopt;
+}
+
+std::optional<float> number_attribute(const ExrFile& file, const std::string& name) {
+  const auto found = file.metadata.find(name);
+  if (found == file.metadata.end()) return std::nullopt;
+  if (const auto* number = std::get_if<float>(&found->second)) return *number;
+  if (const auto* whole = std::get_if<int>(&found->second)) return static_cast<float>(*whole);
+  const auto* text = std::get_if<std::string>(&found->second);
+  if (!text) return std::nullopt;
+  char* end = nullptr;
+  const float value = std::strtof(text->c_str(), &end);
+  return end == text->c_str() ? std::nullopt : std::optional(value);
+}
 
 void write_exr(const std::string& path, const std::vector<Layer>& layers,
                const ExrOptions& options) {

@@ -4,6 +4,7 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +36,11 @@ TEST(Exr, LayersAndMetadataRoundTripExactly) {
   const std::string path = folder.file("a.exr");
   const std::vector<Layer> layers = three_layers();
   ExrOptions options;
-  options.metadata = {{"oriel:samples", "64"}, {"oriel:scene", "room.mi"}};
+  const ExrMatrix matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  options.metadata = {{"oriel.samples", 64.5f},
+                      {"oriel.seed", 7},
+                      {"oriel.scene", std::string("room.mi")},
+                      {"worldToCamera", matrix}};
   write_exr(path, layers, options);
 
   const ExrFile back = read_exr(path);
@@ -47,8 +52,11 @@ TEST(Exr, LayersAndMetadataRoundTripExactly) {
     EXPECT_EQ(got->channel_names, want.channel_names);
     EXPECT_EQ(got->image.pixels, want.image.pixels);
   }
-  EXPECT_EQ(back.metadata.at("oriel:samples"), "64");
-  EXPECT_EQ(back.metadata.at("oriel:scene"), "room.mi");
+  EXPECT_EQ(back.metadata, options.metadata);
+  EXPECT_EQ(number_attribute(back, "oriel.samples"), 64.5f);
+  EXPECT_EQ(number_attribute(back, "oriel.seed"), 7.0f);
+  EXPECT_EQ(text_attribute(back, "oriel.scene"), "room.mi");
+  EXPECT_EQ(number_attribute(back, "oriel.scene"), std::nullopt);
   EXPECT_EQ(folder.count(), 1) << "no temporary file is left";
 }
 
@@ -67,7 +75,7 @@ TEST(Exr, HalfAppliesToColourNotDepth) {
   std::vector<Layer> layers = three_layers();
   layers[0].image.pixels[0] = 1e9f;
   ExrOptions options;
-  options.half = true;
+  options.precision = ExrPrecision::Half;
   write_exr(folder.file("a.exr"), layers, options);
   const ExrFile back = read_exr(folder.file("a.exr"));
   EXPECT_EQ(find_layer(back.layers, "Z")->image.pixels, layers[2].image.pixels);
@@ -75,6 +83,63 @@ TEST(Exr, HalfAppliesToColourNotDepth) {
   EXPECT_EQ(colour.pixels[0], 65504.0f) << "too large a value becomes the largest half";
   for (std::size_t i = 1; i < colour.pixels.size(); ++i)
     ASSERT_NEAR(colour.pixels[i], layers[0].image.pixels[i], 50 * 0x1p-11f);
+}
+
+TEST(Exr, HalfIfFitsKeepsLayersBeyondItsRangeInFloat) {
+  const TestFolder folder;
+  std::vector<Layer> layers = three_layers();
+  layers[0].image.pixels[0] = 65505;
+  write_exr(folder.file("a.exr"), layers, {.precision = ExrPrecision::HalfIfFits});
+  const ExrFile back = read_exr(folder.file("a.exr"));
+  EXPECT_EQ(find_layer(back.layers, "")->image.pixels, layers[0].image.pixels);
+  const Image& colour = find_layer(back.layers, "diffuse_result")->image;
+  EXPECT_NE(colour.pixels, layers[1].image.pixels) << "16 bits";
+  for (std::size_t i = 0; i < colour.pixels.size(); ++i)
+    ASSERT_NEAR(colour.pixels[i], layers[1].image.pixels[i], 50 * 0x1p-11f);
+}
+
+// acceptance: M9
+TEST(Exr, EveryCompressionKeepsExactLayersAndDwaLosesColourOnly) {
+  const TestFolder folder;
+  std::vector<Layer> layers = three_layers();
+  // Names that OpenEXR compresses with loss by DWAA and DWAB: R, G, B and Y.
+  layers.push_back({"variance", {"R", "G", "B"}, noise(33, 21, 3, 4), true});
+  layers.push_back({"normal", {"X", "Y", "Z"}, noise(33, 21, 3, 5), true});
+  layers.push_back({"CryptoObject00", {"r", "g", "b", "a"}, noise(33, 21, 4, 6)});
+  for (std::size_t c = 0; c < kExrCompressionNames.size(); ++c) {
+    const auto compression = static_cast<ExrCompression>(c);
+    const bool lossy = kExrCompressionNames[c].starts_with("dwa");
+    for (const ExrPrecision precision : {ExrPrecision::Float, ExrPrecision::HalfIfFits}) {
+      write_exr(folder.file("a.exr"), layers, {.precision = precision, .compression = compression});
+      const ExrFile back = read_exr(folder.file("a.exr"));
+      for (const Layer& want : layers) {
+        const Layer* got = find_layer(back.layers, want.name);
+        ASSERT_NE(got, nullptr) << want.name;
+        const bool exact = want.exact || want.name == "Z" || want.name == "CryptoObject00";
+        if (exact || (!lossy && precision == ExrPrecision::Float))
+          EXPECT_EQ(got->image.pixels, want.image.pixels)
+              << want.name << " " << kExrCompressionNames[c];
+        else
+          EXPECT_NE(got->image.pixels, want.image.pixels)
+              << want.name << " " << kExrCompressionNames[c];
+      }
+    }
+  }
+}
+
+TEST(Exr, DataWindowIsWrittenInTheDisplayWindow) {
+  const TestFolder folder;
+  const std::vector<Layer> layers = three_layers();
+  write_exr(folder.file("a.exr"), layers, {.window = ExrWindow{5, 3, 20, 9}});
+  Imf::InputFile file(folder.file("a.exr").c_str());
+  EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {32, 20}));
+  EXPECT_EQ(file.header().dataWindow(), Imath::Box2i({5, 3}, {19, 8}));
+  const Image image = read_exr_image(folder.file("a.exr"));
+  for (int y = 0; y < 21; ++y)
+    for (int x = 0; x < 33; ++x) {
+      const bool inside = x >= 5 && x < 20 && y >= 3 && y < 9;
+      ASSERT_EQ(image.at(x, y)[2], inside ? layers[0].image.at(x, y)[2] : 0) << x << " " << y;
+    }
 }
 
 TEST(Exr, SameLayersGiveTheSameBytes) {

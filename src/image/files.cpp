@@ -25,11 +25,19 @@ void write_plain_exr(const std::string& path, const Image& image, const FileOpti
   static const std::vector<std::string> names[] = {
       {"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
   ExrOptions exr;
-  exr.half = options.format == SampleFormat::Half;
+  if (options.format == SampleFormat::Half) exr.precision = ExrPrecision::Half;
   write_exr(path, {{"", names[image.channels - 1], image}}, exr);
 }
 
 }  // namespace
+
+void apply_ocio(Image& image, const OcioTransform& transform) {
+  try {
+    files_module().apply_ocio(image, transform);
+  } catch (const std::exception& e) {
+    throw std::runtime_error(std::string("cannot apply the OpenColorIO transform: ") + e.what());
+  }
+}
 
 Image read_image(const std::string& path) {
   const std::string extension = extension_of(path);
@@ -51,6 +59,7 @@ void write_image(const std::string& path, const Image& image, const FileOptions&
     PngOptions png;
     png.bits = options.format == SampleFormat::U8 ? 8 : 16;
     png.dither = options.dither;
+    if (options.srgb) png.encoding = PngEncoding::Srgb;
     return write_png(path, image, png);
   }
   try {

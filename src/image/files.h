@@ -21,6 +21,7 @@ struct FileOptions {
   SampleFormat format = SampleFormat::U8;
   int jpeg_quality = 95;  ///< 1 ... 100
   bool dither = false;    ///< for 8-bit pictures
+  bool srgb = false;      ///< PNG: records that values are colours encoded for sRGB displays
 };
 
 /// Reads up to four channels of the first picture in the file.
@@ -37,6 +38,22 @@ Image read_image(const std::string& path);
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: Files.*
 void write_image(const std::string& path, const Image& image, const FileOptions& options = {});
+
+/// A transform of OpenColorIO. Empty names are the defaults of the configuration.
+struct OcioTransform {
+  std::string config;  ///< path of a configuration; empty = the environment variable OCIO
+  std::string display, view;
+  std::string space;  ///< of the input; empty = linear Rec. 709 if it has a known name there,
+                      ///< otherwise the role scene_linear
+  std::string lut;    ///< a file (.cube, .clf, ...) instead of display and view
+};
+
+/// Applies the transform to the colour channels, unassociated from alpha.
+///
+/// Errors:  std::runtime_error with the reason: no configuration, unknown display, view or space
+///          (with the known names), unreadable file.
+/// Checked: Tonemap.OpenColorIoAppliesViewsOfAConfiguration, Tonemap.LookUpTablesAreApplied
+void apply_ocio(Image& image, const OcioTransform& transform);
 
 /// Whether the files module is loaded in this process.
 bool image_module_is_open();

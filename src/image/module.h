@@ -24,11 +24,13 @@ class FilesModule {
   virtual void write(const std::string& path, const Image& image, const FileOptions& options) = 0;
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
 
+  virtual void apply_ocio(Image& image, const OcioTransform& transform) = 0;
+
   virtual void set_cache_megabytes(float megabytes) = 0;
   virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 2;
+inline constexpr int kFilesModuleVersion = 3;
 /// The only exported symbol of the module. It returns null when the version differs. The object is
 /// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);

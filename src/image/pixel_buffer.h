@@ -35,6 +35,7 @@ struct Layer {
   std::string name;
   std::vector<std::string> channel_names;  ///< as many as image.channels
   Image image;
+  bool exact = false;  ///< data, not colour: files contain it in 32 bits and without loss
 };
 
 /// The layer with the given name, or null.

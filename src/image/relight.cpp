@@ -13,7 +13,13 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kKept = {"Z", "normal", "albedo", "samples"};
 
-bool is_light(const Layer& layer) { return layer.name.starts_with(kLightLayerPrefix); }
+/// Files of earlier versions have nested names.
+constexpr std::string_view kOldPrefix = "light.";
+static_assert(kOldPrefix.size() == kLightLayerPrefix.size());
+
+bool is_light(const Layer& layer) {
+  return layer.name.starts_with(kLightLayerPrefix) || layer.name.starts_with(kOldPrefix);
+}
 
 }  // namespace
 

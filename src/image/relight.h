@@ -11,8 +11,8 @@
 
 namespace oriel {
 
-/// Light layers are named `light.key`; their sum is the beauty.
-inline constexpr std::string_view kLightLayerPrefix = "light.";
+/// Light layers are named `light_key`; their sum is the beauty.
+inline constexpr std::string_view kLightLayerPrefix = "light_";
 
 /// The names of the light groups without the prefix, in file order.
 std::vector<std::string> light_layer_names(const std::vector<Layer>& layers);

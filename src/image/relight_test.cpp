@@ -17,8 +17,8 @@ std::vector<Layer> picture() {
   std::vector<Layer> layers = {{"", {"R", "G", "B", "A"}, Image(4, 2, 4, .5f)},
                                {"Z", {""}, Image(4, 2, 1, 7)},
                                {"variance", kRgb, Image(4, 2, 3, .01f)},
-                               {"light.key", kRgb, Image(4, 2, 3, 2)},
-                               {"light.rest", kRgb, Image(4, 2, 3, 1)}};
+                               {"light_key", kRgb, Image(4, 2, 3, 2)},
+                               {"light_rest", kRgb, Image(4, 2, 3, 1)}};
   return layers;
 }
 
@@ -31,8 +31,8 @@ TEST(Relight, TheBeautyIsTheSumOfTheScaledGroups) {
     EXPECT_EQ(beauty.pixels[4 * i + 2], 5);
     EXPECT_EQ(beauty.pixels[4 * i + 3], .5f) << "alpha stays";
   }
-  EXPECT_EQ(find_layer(out, "light.key")->image.pixels[2], 4);
-  EXPECT_EQ(find_layer(out, "light.rest")->image.pixels[2], 1);
+  EXPECT_EQ(find_layer(out, "light_key")->image.pixels[2], 4);
+  EXPECT_EQ(find_layer(out, "light_rest")->image.pixels[2], 1);
   EXPECT_NE(find_layer(out, "Z"), nullptr);
   EXPECT_EQ(find_layer(out, "variance"), nullptr) << "of another picture";
   // Gains of the same group multiply, and the result can be relit again.
@@ -60,7 +60,7 @@ TEST(Relight, InvalidSettingsAreReportedWithTheGroups) {
   EXPECT_NE(message(picture(), "kye").find("key, rest"), std::string::npos);
   auto layers = picture();
   layers[3].image = Image(3, 3, 3);
-  EXPECT_NE(message(layers, "key").find("light.key"), std::string::npos);
+  EXPECT_NE(message(layers, "key").find("light_key"), std::string::npos);
   layers.resize(3);
   EXPECT_NE(message(layers, "key").find("--light-group"), std::string::npos);
   layers.erase(layers.begin());

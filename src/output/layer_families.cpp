@@ -54,13 +54,13 @@ void add_user_buffer_layers(const RenderSession& session, std::vector<Layer>& la
     if (!buffer.name.empty() && !session.film().is_written(slot)) continue;
     std::string name = buffer.name.empty() ? fmt::format("fb{}", buffer.number) : buffer.name;
     const bool is_output = material_output_index(name) >= 0;
-    if (!is_output && is_taken(name)) name = "fb." + name;
+    if (!is_output && is_taken(name)) name = "fb_" + name;
     Image image = film_user_buffer(session, slot);
-    std::vector<std::string> channels = image.channels == 1 ? std::vector<std::string>{""}
+    std::vector<std::string> channels = image.channels == 1 ? std::vector<std::string>{"X"}
                                         : image.channels == 3
                                             ? std::vector<std::string>{"X", "Y", "Z"}
                                             : channels_alone(image);
-    Layer layer{std::move(name), std::move(channels), std::move(image)};
+    Layer layer{std::move(name), std::move(channels), std::move(image), true};
     const auto same = std::find_if(layers.begin(), layers.end(),
                                    [&](const Layer& l) { return l.name == layer.name; });
     if (same == layers.end())

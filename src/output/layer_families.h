@@ -9,8 +9,8 @@
 
 namespace oriel {
 
-/// `light.NAME` of each light group and `light.rest`, which sum to the beauty; also
-/// `light.indirect` if some light has an unknown group.
+/// `light_NAME` of each light group and `light_rest`, which sum to the beauty; also
+/// `light_indirect` if some light has an unknown group.
 void add_light_layers(const RenderSession& session, std::vector<Layer>& layers);
 
 /// User buffers that shaders wrote: by name, or fbN by number. A name of another layer becomes

@@ -16,7 +16,7 @@ namespace {
 
 using Session = RenderSession;
 
-const std::vector<std::string> kColor = {"R", "G", "B"}, kVector = {"X", "Y", "Z"}, kNumber = {""};
+const std::vector<std::string> kColor = {"R", "G", "B"}, kVector = {"X", "Y", "Z"}, kNumber = {"X"};
 
 void store(float* to, const Vec3& v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 
@@ -32,7 +32,7 @@ void add_film_rows(std::vector<LayerSpec>& rows) {
   rows.push_back(
       {.name = "depth",
        .exr = "Z",
-       .channels = kNumber,
+       .channels = {""},
        .group = film,
        .type = "z",
        .view = PixelView::Depth,
@@ -61,7 +61,8 @@ void add_film_rows(std::vector<LayerSpec>& rows) {
                   .channels = kColor,
                   .group = film,
                   .about = "variance of the mean of the beauty",
-                  .value = pixel_value<&P::variance>});
+                  .value = pixel_value<&P::variance>,
+                  .statistics = true});
   rows.push_back({.name = "samples",
                   .exr = "samples",
                   .channels = kNumber,
@@ -84,7 +85,8 @@ void add_film_rows(std::vector<LayerSpec>& rows) {
                   .group = film,
                   .about = "half the difference of two halves of the samples, from 8 samples on",
                   .value = pixel_value<&P::split_difference>,
-                  .exists = [](const Session& s) { return s.film().has_split_samples(); }});
+                  .exists = [](const Session& s) { return s.film().has_split_samples(); },
+                  .statistics = true});
 }
 
 void add_measured_rows(std::vector<LayerSpec>& rows) {
@@ -150,10 +152,10 @@ void add_material_rows(std::vector<LayerSpec>& rows) {
 
 void add_scene_rows(std::vector<LayerSpec>& rows) {
   const auto has_mattes = [](const Session& s) { return s.mattes() != nullptr; };
-  rows.push_back({.name = "light.NAME",
+  rows.push_back({.name = "light_NAME",
                   .group = LayerGroup::Always,
                   .need = LayerNeed::LightLayers,
-                  .about = "light of a group (`--light-group`); `light.rest` is the other light",
+                  .about = "light of a group (`--light-group`); `light_rest` is the other light",
                   .expand = add_light_layers});
   rows.push_back({.name = "tag",
                   .exr = "tag",

@@ -59,6 +59,10 @@ struct LayerSpec {
   bool (*exists)(const RenderSession& session) = nullptr;
   /// Appends the layers of a family.
   void (*expand)(const RenderSession& session, std::vector<Layer>& layers) = nullptr;
+  bool statistics = false;  ///< colour channels that are not a colour
+
+  /// Layer::exact of the layer: all but colours.
+  bool is_exact() const { return statistics || channels.size() != 3 || channels.front() != "R"; }
 };
 
 /// All rows in the order of the layers in a file.

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
+#include <string_view>
 
 #include "image/cryptomatte.h"
 #include "output/layer_table.h"
@@ -26,10 +29,37 @@ std::vector<std::string> names_of(const RenderSession& session, MatteKind kind) 
   const World& world = session.world();
   std::vector<std::string> names;
   if (kind == MatteKind::Asset) return session.mattes()->names().assets;
-  if (kind == MatteKind::Object)
-    for (const InstanceData& i : world.instances) names.push_back(i.name);
-  else
-    for (const Material& m : world.materials) names.push_back(m.name);
+  if (kind == MatteKind::Object) return session.mattes()->names().objects;
+  for (const Material& m : world.materials) names.push_back(m.name);
+  return names;
+}
+
+/// The name without `_inst` or `_inst_N`; unchanged if nothing would remain.
+std::string without_suffix(const std::string& name) {
+  constexpr std::string_view kSuffix = "_inst";
+  const std::size_t at = name.rfind(kSuffix);
+  if (at == std::string::npos || at == 0) return name;
+  std::string_view rest = std::string_view(name).substr(at + kSuffix.size());
+  if (rest.empty()) return name.substr(0, at);
+  if (rest.front() == '_') rest.remove_prefix(1);
+  const bool number = !rest.empty() && rest.find_first_not_of("0123456789") == rest.npos;
+  return number ? name.substr(0, at) : name;
+}
+
+/// Object names from names and elements of the instances.
+std::vector<std::string> object_names(const std::vector<std::string>& instances,
+                                      const std::vector<std::string>& elements) {
+  std::map<std::string, std::set<std::string>> elements_of;
+  std::set<std::string> ambiguous;
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    std::string name = without_suffix(instances[i]);
+    if (!elements_of[name].insert(elements[i]).second) ambiguous.insert(std::move(name));
+  }
+  std::vector<std::string> names;
+  for (const std::string& instance : instances) {
+    std::string name = without_suffix(instance);
+    names.push_back(ambiguous.contains(name) ? instance : std::move(name));
+  }
   return names;
 }
 
@@ -69,13 +99,16 @@ Image ranked(const RenderSession& session, MatteKind kind, int ranks) {
 MatteNames matte_names(const scene::Scene& scene, const World& world, int depth) {
   MatteNames names;
   names.depth = depth;
+  std::vector<std::string> instances;
   for (const InstanceData& data : world.instances) {
     const auto* instance = scene.get<scene::Instance>(data.name);
     const auto* object = instance ? scene.get<scene::Object>(instance->element) : nullptr;
+    instances.push_back(data.name);
     names.assets.push_back(object ? object->name : data.name);
     const std::uint32_t label = instance ? scene::settings_of(*instance).label : 0;
     names.labels.push_back(label == 0 && object ? scene::settings_of(*object).label : label);
   }
+  names.objects = object_names(instances, names.assets);
   return names;
 }
 

@@ -12,8 +12,14 @@
 
 namespace oriel {
 
-/// Names of the instances of the world. The object name is the name of the instance; the asset,
-/// shared by all instances of an object element, is the name of that element.
+/// Names of the instances of the world.
+///
+/// Model:   the asset, shared by all instances of an object element, is the name of that element.
+///          The object name is the name of the instance without the suffix `_inst` or `_inst_N`
+///          that exporters add. The pieces of a mesh that was split by material thus share a name.
+///          If two instances of one element would share a name, all instances keep their full
+///          names.
+/// Checked: Mattes.ObjectNames*
 MatteNames matte_names(const scene::Scene& scene, const World& world, int depth);
 
 /// CryptoObject00, 01..., CryptoMaterial00..., CryptoAsset00..., as many as depth requires (two

@@ -198,6 +198,7 @@ PictureFile picture_file(const std::string& path) {
   file.samples = file.float_pixels                 ? SampleFormat::Float
                  : type == "tif" || type == "tiff" ? SampleFormat::U16
                                                    : SampleFormat::U8;
+  file.precision = ExrPrecision::HalfIfFits;
   return file;
 }
 
@@ -217,7 +218,7 @@ std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& lay
     if (row.expand)
       row.expand(session, out);
     else
-      out.push_back({row.exr, row.channels, layer_image(session, row)});
+      out.push_back({row.exr, row.channels, layer_image(session, row), row.is_exact()});
   }
   return out;
 }
@@ -228,8 +229,7 @@ Image denoised_beauty(const RenderSession& session) {
 }
 
 Image beauty_without_outliers(const RenderSession& session) {
-  constexpr double kMinSamples = 16;  // below, errors are guesses
-  if (session.world().preview || session.film().mean_samples() < kMinSamples) return {};
+  if (session.world().preview || session.film().mean_samples() < kMinOutlierSamples) return {};
   const auto layers = film_layers(session, LayerSet("halves") | LayerSet("variance"));
   return spread_outliers(denoise_input(layers));
 }
@@ -263,15 +263,19 @@ ViewOptions view_options(const scene::RenderOptions& options) {
 }
 
 void write_picture(const PictureFile& file, const RenderSession& session,
-                   const std::map<std::string, std::string>& metadata, const Image* denoised) {
+                   const std::map<std::string, ExrValue>& metadata, const Image* denoised) {
   const std::string type = file_type(file);
   if (type.empty())
     throw std::runtime_error("cannot write '" + file.path +
                              "': the file name has no extension that selects the file type");
   if (type == "exr") {
     ExrOptions exr;
-    exr.half = file.samples == SampleFormat::Half;
+    exr.precision = file.precision;
+    exr.compression = file.compression;
     exr.metadata = metadata;
+    const Window& w = session.window();
+    const int height = session.world().camera.height;
+    exr.window = ExrWindow{w.x0, height - w.y1, w.x1, height - w.y0};
     const std::size_t threads =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     exr.threads = threads > 1 ? static_cast<int>(threads) : 0;
@@ -279,13 +283,13 @@ void write_picture(const PictureFile& file, const RenderSession& session,
     if (shows_user_buffer(file, session)) {
       Image image = user_buffer_image(file, session, denoised);
       std::vector<std::string> channels = channels_alone(image);
-      layers.push_back({"", std::move(channels), std::move(image)});
+      layers.push_back({"", std::move(channels), std::move(image), true});
       return write_exr(file.path, layers, exr);
     }
     if (const LayerSpec* shown = find_layer_spec(file.shown_layer)) {
       Image image = layer_image(session, *shown);
-      layers.push_back(
-          {"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames, std::move(image)});
+      layers.push_back({"", image.channels == 1 ? std::vector<std::string>{"Y"} : kRgbNames,
+                        std::move(image), shown->is_exact()});
       return write_exr(file.path, layers, exr);
     }
     const bool mapped = is_mapped(file, session.world());
@@ -296,7 +300,7 @@ void write_picture(const PictureFile& file, const RenderSession& session,
       layers.push_back({std::string(kLinearLayer), layers.front().channel_names,
                         std::exchange(layers.front().image, std::move(shown))});
     }
-    exr.metadata.merge(cryptomatte_metadata(session));
+    for (auto& [key, value] : cryptomatte_metadata(session)) exr.metadata[key] = value;
     if (denoised) layers.push_back({kDenoisedLayer, kRgbNames, *denoised});
     return write_exr(file.path, layers, exr);
   }
@@ -304,6 +308,7 @@ void write_picture(const PictureFile& file, const RenderSession& session,
   options.format = file.samples;
   options.dither = session.world().options.dither;
   options.jpeg_quality = file.quality;
+  options.srgb = shows_colour(file.view) && file.user_buffer < 0 && file.shown_layer.empty();
   write_as(type, file, file_image(file, session, denoised), options);
 }
 

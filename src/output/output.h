@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/exr.h"
 #include "image/files.h"
 #include "image/pixel_buffer.h"
 #include "image/view.h"
@@ -17,14 +18,14 @@ namespace oriel {
 
 // Conventions
 //   Files cover the full frame. Pixels outside of the rendered window are 0, so that pictures of
-//   several windows can be added.
+//   several windows can be added; in EXR files they are outside of the data window.
 
 /// One file to write.
 struct PictureFile {
   std::string path;
   std::string format = {};  ///< file type as an extension ("png"); empty: from the path
   PixelView view = PixelView::ColorAlpha;
-  /// for EXR; other types use the nearest format that they support
+  /// for types other than EXR, which use the nearest format that they support
   SampleFormat samples = SampleFormat::Float;
   bool float_pixels = false;  ///< disables the view: gamma, clipping and dither of the options
   bool unmapped = false;      ///< linear: without lens and output shaders, for side channels
@@ -36,9 +37,12 @@ struct PictureFile {
   bool only_user_buffer = false;  ///< the file has no other content
   NodeList shaders = {};          ///< output shaders that run on the content of the file
   int quality = 95;               ///< for JPEG
+  ExrPrecision precision = ExrPrecision::Float;
+  ExrCompression compression = ExrCompression::Zip;
 };
 
-/// File for `path` with the defaults of `-o`: EXR float, HDR linear, TIFF 16 bit, others 8 bit.
+/// File for `path` with the defaults of `-o`: EXR with colour in half (float where a layer exceeds
+/// its range), HDR linear, TIFF 16 bit, others 8 bit.
 PictureFile picture_file(const std::string& path);
 
 /// The beauty (R, G, B, A) first, then the layers in the order of layer_table(), without those that
@@ -48,8 +52,11 @@ std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& lay
 /// The denoised beauty, RGB; passes the film data to denoise() (denoise/denoise.h).
 Image denoised_beauty(const RenderSession& session);
 
+/// Minimum samples per pixel to find outliers; with fewer, errors are too uncertain.
+inline constexpr float kMinOutlierSamples = 16;
+
 /// The linear colours that pictures for display show without denoising: spread_outliers() of the
-/// beauty. Empty below 16 samples per pixel.
+/// beauty. Empty below kMinOutlierSamples.
 Image beauty_without_outliers(const RenderSession& session);
 
 /// The picture for display: the display buffer if lens shaders map colours, else the film; then the
@@ -87,7 +94,7 @@ ViewOptions view_options(const scene::RenderOptions& options);
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: Output.* in output_test.cpp
 void write_picture(const PictureFile& file, const RenderSession& session,
-                   const std::map<std::string, std::string>& metadata,
+                   const std::map<std::string, ExrValue>& metadata,
                    const Image* denoised = nullptr);
 
 }  // namespace oriel

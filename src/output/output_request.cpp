@@ -275,6 +275,8 @@ class RequestReader {
     const bool is_integer = type.samples == SampleFormat::U8 || type.samples == SampleFormat::U16;
     if (file.float_pixels && is_integer) file.samples = SampleFormat::Float;
     if (!is_integer) file.float_pixels = true;
+    const bool half = file.samples == SampleFormat::Half;
+    file.precision = half ? ExrPrecision::Half : ExrPrecision::Float;
     report_loss(words.empty() ? std::string{} : words.front(), type, file);
     return true;
   }

@@ -20,6 +20,7 @@ enum class MatteKind : std::uint8_t { Object, Material, Asset };
 
 /// What World does not keep of its instances, one entry for each.
 struct MatteNames {
+  std::vector<std::string> objects;   ///< see matte_names() in output/matte_layers.h
   std::vector<std::string> assets;    ///< the object element that an instance shows
   std::vector<std::uint32_t> labels;  ///< its `tag`, 0 where none is written
   int depth = kMatteRanks;            ///< ranks that Cryptomatte layers hold; 0: no such layers

@@ -3,6 +3,7 @@
 // shaders/registry.cpp lists one ShaderSpec per shader.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -203,8 +204,11 @@ struct LensRole {
   Rgb (*map_color)(const Call&, const LensCall&, const Rgb&) = nullptr;
   /// Further requests of `map_color`. Null: none.
   LensTraits (*traits)(const ShaderNode&) = nullptr;
-  /// Refracts a camera ray through a lens; u is uniform in [0,1)^2. Returns the weight of the
-  /// radiance along the ray.
+  /// Passes the numeric parameters of an exposure to `set`, for the metadata of files.
+  void (*settings)(const ShaderNode&,
+                   const std::function<void(const char* name, float value)>& set) = nullptr;
+  /// Refracts a camera ray through a lens; u is uniform in [0,1)^2. Returns the weight of
+  /// the radiance along the ray.
   Rgb (*bend_ray)(const Call&, const Camera&, const Vec2& u, Camera::Ray&) = nullptr;
   /// Number of rays that replace each camera ray, by constant parameters; 0 = the lens is off.
   int (*ray_count)(const ShaderNode&) = nullptr;

@@ -23,12 +23,14 @@ class ExposureProgram : public ProgramTest {
 TEST_F(ExposureProgram, PreviewIsThePictureRenderedBeforeMappedAnew) {
   write("plain.mi", small_scene());
   // With all layers: the beauty is read.
-  ASSERT_EQ(run({"render", "plain.mi", "-o", "preview.exr", "--samples", "8"}).exit_code, 0);
+  ASSERT_EQ(run({"render", "plain.mi", "-o", "preview.exr", "--samples", "8", "--exr", "float"})
+                .exit_code,
+            0);
   write("tuned.mi", "color texture \"pv\" \"preview.exr\"\n" +
                         small_scene("finalgather on",
                                     "lens \"mia_exposure_simple\" ( \"gain\" 3, \"gamma\" 1.8, "
                                     "\"preview\" \"pv\", \"use_preview\" on )"));
-  const RunResult r = run({"render", "tuned.mi", "-o", "tuned.exr", "--json"});
+  const RunResult r = run({"render", "tuned.mi", "-o", "tuned.exr", "--json", "--exr", "float"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.error_lines(), 0) << r.err;
   EXPECT_EQ(last_line(r)["rays"], 0);
@@ -80,7 +82,9 @@ TEST_F(ExposureProgram, FloatFilesContainTheRequestedValues) {
     ASSERT_NE(find_layer(written.layers, "linear"), nullptr);
     EXPECT_EQ(find_layer(written.layers, "linear")->image.pixels, light.pixels);
     // So does a file of another name, and its linear layer is what the tools read.
-    ASSERT_EQ(run({"render", "mapped.mi", "-o", "b.exr", "--samples", "4", "-q"}).exit_code, 0);
+    ASSERT_EQ(run({"render", "mapped.mi", "-o", "b.exr", "--samples", "4", "-q", "--exr", "float"})
+                  .exit_code,
+              0);
     is_light_times("b.exr", 2);
     ASSERT_EQ(run({"tonemap", "b.exr", "-o", "c.exr", "--simple", "--gain", "1", "--compression",
                    "0", "--gamma", "1"})

@@ -86,9 +86,11 @@ TEST_F(OutputsProgram, CryptomattesAreWrittenWithTheirNames) {
       EXPECT_NE(find_layer(exr.layers, std::string(type) + rank), nullptr) << type << rank;
   std::string manifests;
   for (const auto& [key, value] : exr.metadata)
-    if (key.starts_with("cryptomatte/") && key.ends_with("/manifest")) manifests += value;
-  for (const char* name : {"\"floor_inst\":", "\"floor\":", "\"grey\":"})
+    if (key.starts_with("cryptomatte/") && key.ends_with("/manifest"))
+      manifests += std::get<std::string>(value);
+  for (const char* name : {"\"floor\":", "\"grey\":"})
     EXPECT_NE(manifests.find(name), std::string::npos) << manifests;
+  EXPECT_EQ(manifests.find("_inst"), std::string::npos) << manifests;
 
   ASSERT_EQ(
       run({"render", "scene.mi", "-o", "b.exr", "--cryptomatte=2", "--samples", "4"}).exit_code, 0);

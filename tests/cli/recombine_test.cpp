@@ -85,10 +85,15 @@ TEST_F(RecombineProgram, NanFails) {
   EXPECT_TRUE(nlohmann::json::parse(json.out)["complex"]["largest"].is_null()) << json.out;
 }
 
-TEST_F(RecombineProgram, HalfFloatsAreRecognised) {
-  const RunResult r = recombined({}, {.half = true});
-  EXPECT_EQ(r.exit_code, 1);
-  EXPECT_NE(r.out.find("16-bit floats"), std::string::npos) << r.out;
+TEST_F(RecombineProgram, HalfFilesHaveTheThresholdOfTheirPrecision) {
+  const RunResult r = recombined({}, {.precision = ExrPrecision::Half});
+  EXPECT_EQ(r.exit_code, 0) << r.out;
+  EXPECT_NE(r.out.find("0 of 240 pixels above 0.003"), std::string::npos) << r.out;
+  EXPECT_EQ(recombined({"--threshold", "1e-4"}, {.precision = ExrPrecision::Half}).exit_code, 1);
+  layer("spec_result").image.at(17, 3)[1] += .1f + layer("").image.at(17, 3)[1];
+  const RunResult wrong = recombined({}, {.precision = ExrPrecision::Half});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.out.find("--exr float"), std::string::npos) << wrong.out;
 }
 
 TEST_F(RecombineProgram, ThreePicturesAreWritten) {
@@ -136,7 +141,8 @@ TEST_F(RecombineProgram, FrameBuffersHoldTheLayersOfTheirNames) {
                                 "framebuffer \"spec_raw\" filename \"two.exr\" "
                                 "framebuffer \"opacity\" filename \"two.exr\" "));
   ASSERT_EQ(run({"render", "scene.mi", "--samples", "8"}).exit_code, 0);
-  ASSERT_EQ(run({"render", "scene.mi", "-o", "in.exr", "--layers", "outputs", "--samples", "8"})
+  ASSERT_EQ(run({"render", "scene.mi", "-o", "in.exr", "--layers", "outputs", "--samples", "8",
+                 "--exr", "float"})
                 .exit_code,
             0);
   const ExrFile all = read_exr(file("in.exr"));

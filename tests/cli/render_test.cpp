@@ -20,8 +20,8 @@ TEST_F(RenderProgram, WritesTheRequestedFiles) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   const ExrFile exr = read_exr(file("a.exr"));
   EXPECT_EQ(exr.layers[0].image.width, 48);
-  EXPECT_EQ(exr.metadata.at("oriel.scene"), "scene.mi");
-  EXPECT_EQ(exr.metadata.at("oriel.samples"), "2");
+  EXPECT_EQ(text_attribute(exr, "oriel.scene"), "scene.mi");
+  EXPECT_EQ(number_attribute(exr, "oriel.samples"), 2.0f);
   EXPECT_EQ(read_image(file("a.png")).height, 32);
 }
 
@@ -119,8 +119,8 @@ TEST_F(RenderProgram, SizeAndLayersFollowTheOptions) {
 }
 
 TEST_F(RenderProgram, DenoiseAddsALayerAndCleansViews) {
-  const RunResult r =
-      run({"render", "scene.mi", "--samples", "8", "--denoise", "-o", "out.exr", "-o", "out.png"});
+  const RunResult r = run({"render", "scene.mi", "--samples", "8", "--denoise", "-o", "out.exr",
+                           "-o", "out.png", "--exr", "float"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const ExrFile picture = read_exr(file("out.exr"));
   const Layer* clean = find_layer(picture.layers, "denoised");
@@ -177,7 +177,7 @@ TEST_F(RenderProgram, MapsAreWrittenBelowTheSceneFolder) {
   EXPECT_NE(r.err.find("OR-RN-043"), std::string::npos) << r.err;
   EXPECT_TRUE(std::filesystem::exists(file("sub/a.fgm")));
   EXPECT_FALSE(std::filesystem::exists(file("b.fgm")));
-  EXPECT_EQ(read_exr(file("a.exr")).metadata.at("oriel.indirect"), "fg");
+  EXPECT_EQ(text_attribute(read_exr(file("a.exr")), "oriel.indirect"), "fg");
 }
 
 TEST_F(RenderProgram, UserErrorsAreOneClearLine) {

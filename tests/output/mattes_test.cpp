@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 
 #include "image/cryptomatte.h"
@@ -113,6 +115,30 @@ TEST(Mattes, AssetsGatherTheInstancesOfAnObject) {
                   r.coverage(layers, "CryptoObject", "left", x, y) +
                       r.coverage(layers, "CryptoObject", "again", x, y),
                   1e-5f);
+}
+
+TEST(Mattes, ObjectNamesLackTheSuffixOfExporters) {
+  const auto names_of = [](std::string text,
+                           const std::vector<std::array<const char*, 2>>& renamed) {
+    for (const auto& [from, to] : renamed)
+      for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += 20)
+        text.replace(at, std::string(from).size(), to);
+    const PreparedScene s(text);
+    std::vector<std::string> names = matte_names(s.scene, *s.world, 6).objects;
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  // "left" and "right" are pieces of one mesh; "again" is another instance of an object.
+  EXPECT_EQ(names_of(two_squares(), {{"\"left\"", "\"chair_inst\""},
+                                     {"\"right\"", "\"chair_inst_2\""},
+                                     {"\"again\"", "\"copy_inst\""}}),
+            (Names{"chair", "chair", "copy"}));
+  // Two instances of one object stay distinct.
+  EXPECT_EQ(names_of(two_squares(), {{"\"left\"", "\"plate_inst\""},
+                                     {"\"again\"", "\"plate_inst_2\""},
+                                     {"\"right\"", "\"card_instance\""}}),
+            (Names{"card_instance", "plate_inst", "plate_inst_2"}));
 }
 
 TEST(Mattes, TransparentThingsCoverByTheirOpacity) {

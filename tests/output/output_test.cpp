@@ -35,6 +35,13 @@ struct Rendered {
   }
 };
 
+/// picture_file() with EXR in 32 bits.
+PictureFile float_file(const std::string& path) {
+  PictureFile file = picture_file(path);
+  file.precision = ExrPrecision::Float;
+  return file;
+}
+
 constexpr const char* kExposure =
     "lens \"mia_exposure_simple\" ( \"gain\" 2, \"compression\" 0, \"gamma\" 2 )";
 
@@ -78,15 +85,15 @@ TEST(Output, CropShowsTheSamePixelsAndNothingElse) {
 TEST(Output, ExrCarriesLayersAndSettings) {
   const TestFolder folder;
   const Rendered r(kExposure);
-  PictureFile file = picture_file(folder.file("a.exr"));
+  PictureFile file = float_file(folder.file("a.exr"));
   file.layers = LayerSet("normal") | LayerSet("display");
   file.unmapped = true;
-  write_picture(file, *r.session, {{"oriel.seed", "7"}});
+  write_picture(file, *r.session, {{"oriel.seed", 7}});
   const ExrFile read = read_exr(file.path);
   ASSERT_EQ(read.layers.size(), 3u);
   EXPECT_EQ(read.layers[0].image.pixels, film_layers(*r.session, {})[0].image.pixels);
   EXPECT_NE(find_layer(read.layers, "display"), nullptr);
-  EXPECT_EQ(read.metadata.at("oriel.seed"), "7");
+  EXPECT_EQ(number_attribute(read, "oriel.seed"), 7.0f);
   EXPECT_TRUE(read.has_chromaticities);
 }
 
@@ -94,7 +101,7 @@ TEST(Output, FloatFilesContainLensShaderResultsAndExrTheLinearLayerToo) {
   const TestFolder folder;
   const Rendered r(kExposure);
   for (const char* name : {"a.exr", "a.tif", "a.hdr"}) {
-    PictureFile file = picture_file(folder.file(name));
+    PictureFile file = float_file(folder.file(name));
     file.float_pixels = true;
     file.samples = SampleFormat::Float;
     write_picture(file, *r.session, {});
@@ -109,7 +116,7 @@ TEST(Output, FloatFilesContainLensShaderResultsAndExrTheLinearLayerToo) {
     write_picture(file, *r.session, {});
     EXPECT_NEAR(read_image(file.path).at(4, 6)[1], r.session->film().pixel(4, 6).beauty.g, 8e-3f);
   }
-  const PictureFile file = picture_file(folder.file("b.exr"));
+  const PictureFile file = float_file(folder.file("b.exr"));
   write_picture(file, *r.session, {});
   const ExrFile read = read_exr(file.path);
   ASSERT_NE(find_layer(read.layers, "linear"), nullptr);
@@ -125,7 +132,7 @@ TEST(Output, FloatFilesContainLensShaderResultsAndExrTheLinearLayerToo) {
 TEST(Output, ViewsShowTheDisplayBufferWhereLensShadersMapColours) {
   const TestFolder folder;
   const Rendered r(kExposure);
-  write_picture(picture_file(folder.file("a.png")), *r.session, {});
+  write_picture(float_file(folder.file("a.png")), *r.session, {});
   const Image view = read_image(folder.file("a.png"));
   const Film& film = r.session->film();
   for (int x = 0; x < 16; ++x)
@@ -141,7 +148,7 @@ TEST(Output, ViewsShowTheDisplayBufferWhereLensShadersMapColours) {
 TEST(Output, ViewsTakeTheGammaOfTheOptions) {
   const TestFolder folder;
   const Rendered r({}, "gamma 2");
-  write_picture(picture_file(folder.file("a.png")), *r.session, {});
+  write_picture(float_file(folder.file("a.png")), *r.session, {});
   const Image view = read_image(folder.file("a.png"));
   const Rgba film = r.session->film().pixel(5, 5).beauty;
   EXPECT_NEAR(view.at(5, 5)[0], std::sqrt(film.r), 0.5f / 255 + 1e-5f);
@@ -150,7 +157,7 @@ TEST(Output, ViewsTakeTheGammaOfTheOptions) {
 TEST(Output, IntensityIsTheWeightedSumOfTheColour) {
   const TestFolder folder;
   const Rendered r;
-  PictureFile file = picture_file(folder.file("a.tif"));
+  PictureFile file = float_file(folder.file("a.tif"));
   file.view = PixelView::Intensity;
   file.samples = SampleFormat::Float;
   file.float_pixels = true;
@@ -179,7 +186,7 @@ TEST(Output, ViewsFitColourAndAlphaAsTheOptionsSay) {
 TEST(Output, GammaNeverTouchesFloatFiles) {
   const TestFolder folder;
   const Rendered with({}, "gamma 2"), without;
-  PictureFile file = picture_file(folder.file("a.exr"));
+  PictureFile file = float_file(folder.file("a.exr"));
   write_picture(file, *with.session, {});
   EXPECT_EQ(read_exr_image(file.path).pixels, film_layers(*without.session, {})[0].image.pixels);
 }
@@ -188,7 +195,7 @@ TEST(Output, DenoisedImagesAreAddedToTheNoisyOnes) {
   const TestFolder folder;
   const Rendered r(kExposure);
   const Image clean(16, 12, 3, 0.125f);
-  PictureFile file = picture_file(folder.file("a.exr"));
+  PictureFile file = float_file(folder.file("a.exr"));
   write_picture(file, *r.session, {}, &clean);
   const ExrFile read = read_exr(file.path);
   EXPECT_EQ(find_linear_beauty(read.layers)->image.pixels,
@@ -196,9 +203,9 @@ TEST(Output, DenoisedImagesAreAddedToTheNoisyOnes) {
   ASSERT_NE(find_layer(read.layers, "denoised"), nullptr);
   EXPECT_EQ(find_layer(read.layers, "denoised")->image.pixels, clean.pixels);
   // Gain 2 and gamma 2: the root of a quarter.
-  write_picture(picture_file(folder.file("a.png")), *r.session, {}, &clean);
+  write_picture(float_file(folder.file("a.png")), *r.session, {}, &clean);
   EXPECT_NEAR(read_image(folder.file("a.png")).at(5, 5)[1], 0.5f, 0.01f);
-  write_picture(picture_file(folder.file("a.hdr")), *r.session, {}, &clean);
+  write_picture(float_file(folder.file("a.hdr")), *r.session, {}, &clean);
   EXPECT_NEAR(read_image(folder.file("a.hdr")).at(5, 5)[1], 0.5f, 0.01f);
 }
 
@@ -222,7 +229,7 @@ TEST(Output, OutputShadersActOnAllFilesAndLeaveTheLinearLayerAlone) {
   const Image shown = shown_image(*r.session, shaders);
   const Image plain = shown_image(*r.session, {});
   EXPECT_NEAR(shown.at(4, 4)[1], plain.at(4, 4)[1] / 2, 1e-6f);
-  PictureFile file = picture_file(folder.file("a.exr"));
+  PictureFile file = float_file(folder.file("a.exr"));
   file.shaders = shaders;
   write_picture(file, *r.session, {});
   EXPECT_NEAR(read_exr_image(file.path).at(4, 4)[1], plain.at(4, 4)[1] / 2, 1e-6f);
@@ -234,7 +241,7 @@ TEST(Output, OutputShadersActOnAllFilesAndLeaveTheLinearLayerAlone) {
 TEST(Output, FormatMayDifferFromTheSuffix) {
   const TestFolder folder;
   const Rendered r;
-  PictureFile file = picture_file(folder.file("a.pic"));
+  PictureFile file = float_file(folder.file("a.pic"));
   file.format = "png";
   write_picture(file, *r.session, {});
   const auto bytes = bytes_of(file.path);

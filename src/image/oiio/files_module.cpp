@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files module: all code that requires OpenImageIO, behind one exported function.
+#include <OpenImageIO/color.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "image/dither.h"
 #include "image/module.h"
@@ -47,8 +58,94 @@ Image dithered(Image image) {
   return image;
 }
 
+/// "a, b, c" for messages.
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Fails with the known names unless `name` is one of them.
+void check_name(const char* what, const std::string& name, const std::vector<std::string>& known) {
+  if (!contains(known, name))
+    throw std::runtime_error(std::string("unknown ") + what + " \"" + name +
+                             "\"; the configuration has " + joined(known));
+}
+
+/// The name of linear Rec. 709 in a configuration: usual names, then the role scene_linear.
+std::string linear_space(const OIIO::ColorConfig& config) {
+  for (const char* name : {"Linear Rec.709 (sRGB)", "Linear Rec.709", "lin_rec709", "lin_srgb",
+                           "Utility - Linear - sRGB", "Utility - Linear - Rec.709"})
+    if (contains(config.getColorSpaceNames(), name)) return name;
+  return "scene_linear";
+}
+
+/// A configuration without views in a temporary file, for look-up tables, which OpenColorIO only
+/// applies within some configuration.
+class PlainConfig {
+ public:
+  PlainConfig() {
+    constexpr std::string_view kText =
+        "ocio_profile_version: 2\nroles:\n  scene_linear: lin\n  default: lin\n"
+        "file_rules:\n  - !<Rule> {name: Default, colorspace: lin}\n"
+        "displays:\n  Screen:\n    - !<View> {name: Plain, colorspace: lin}\n"
+        "active_displays: []\nactive_views: []\n"
+        "colorspaces:\n  - !<ColorSpace>\n    name: lin\n";
+    path_ = (std::filesystem::temp_directory_path() / "oriel-ocio-XXXXXX").string();
+    const int file = mkstemp(path_.data());
+    if (file < 0 || write(file, kText.data(), kText.size()) != static_cast<ssize_t>(kText.size()))
+      throw std::runtime_error("the temporary folder is not writable");
+    close(file);
+  }
+  ~PlainConfig() { unlink(path_.c_str()); }
+  PlainConfig(const PlainConfig&) = delete;
+  PlainConfig& operator=(const PlainConfig&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 class Module final : public FilesModule {
  public:
+  void apply_ocio(Image& image, const OcioTransform& t) override {
+    OIIO::ImageBuf buffer(
+        OIIO::ImageSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT),
+        image.pixels.data());
+    std::optional<PlainConfig> plain;
+    const char* of_environment = std::getenv("OCIO");
+    if (t.config.empty() && !(of_environment && *of_environment)) {
+      if (t.lut.empty())
+        throw std::runtime_error("the environment variable OCIO names no configuration");
+      plain.emplace();
+    }
+    OIIO::ColorConfig config(plain ? plain->path() : t.config);
+    if (config.error()) fail(config.geterror());
+    bool done = false;
+    if (!t.lut.empty()) {
+      // OpenColorIO searches relative names in the folder of the configuration.
+      const std::string path = std::filesystem::absolute(t.lut).string();
+      done = OIIO::ImageBufAlgo::ociofiletransform(buffer, buffer, path, true, false, &config);
+    } else {
+      if (config.getDisplayNames().empty())
+        throw std::runtime_error("the configuration has no display");
+      const std::string display = t.display.empty() ? config.getDefaultDisplayName() : t.display;
+      check_name("display", display, config.getDisplayNames());
+      const std::string view = t.view.empty() ? config.getDefaultViewName(display) : t.view;
+      check_name("view", view, config.getViewNames(display));
+      const std::string space = t.space.empty() ? linear_space(config) : t.space;
+      if (!t.space.empty() && !contains(config.getRoles(), space))
+        check_name("colour space", space, config.getColorSpaceNames());
+      done = OIIO::ImageBufAlgo::ociodisplay(buffer, buffer, display, view, space, "", true, "", "",
+                                             &config);
+    }
+    if (!done) fail(buffer.geterror());
+  }
+
   Image read(const std::string& path) override {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);

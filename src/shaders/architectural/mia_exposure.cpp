@@ -91,6 +91,7 @@ struct ExposureState final : ShaderState {
   Exposure exposure;
 };
 using PhotographicState = ExposureState<lens::PhotographicExposure, lens::PhotographicParameters>;
+using SetNumber = std::function<void(const char* name, float value)>;
 using SimpleState = ExposureState<lens::SimpleExposure, lens::SimpleParameters>;
 
 }  // namespace
@@ -120,6 +121,22 @@ const ShaderSpec kMiaExposurePhotographic = {
                                 .side_channel = p.side_channel,
                                 .luminance = p.film_iso > 0 ? p.cm2_factor : 0,
                                 .gamma = p.gamma};
+            },
+        .settings =
+            [](const ShaderNode& node, const SetNumber& set) {
+              const auto p = photographic_parameters(node.constants<Photographic>());
+              set("cm2_factor", p.cm2_factor);
+              set("whitepoint.r", p.whitepoint.x);
+              set("whitepoint.g", p.whitepoint.y);
+              set("whitepoint.b", p.whitepoint.z);
+              set("film_iso", p.film_iso);
+              set("camera_shutter", p.camera_shutter);
+              set("f_number", p.f_number);
+              set("vignetting", p.vignetting);
+              set("burn_highlights", p.burn_highlights);
+              set("crush_blacks", p.crush_blacks);
+              set("saturation", p.saturation);
+              set("gamma", p.gamma);
             },
     },
     .binding =
@@ -151,6 +168,15 @@ const ShaderSpec kMiaExposureSimple = {
               const auto& p = node.constants<Simple>();
               return LensTraits{.preview = p.use_preview ? p.preview.texture : nullptr,
                                 .gamma = p.gamma};
+            },
+        .settings =
+            [](const ShaderNode& node, const SetNumber& set) {
+              const auto& p = node.constants<Simple>();
+              set("pedestal", p.pedestal);
+              set("gain", p.gain);
+              set("knee", p.knee);
+              set("compression", p.compression);
+              set("gamma", p.gamma);
             },
     },
     .binding =

@@ -112,7 +112,7 @@ TEST(LightLayers, SumToTheBeautyInEveryMethod) {
     const std::vector<Layer> layers = rendered({.method = method}, 4);
     EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"key", "glow", "sky", "rest"}));
     expect_sum(layers, method);
-    for (const char* name : {"light.key", "light.glow", "light.sky", "light.rest"})
+    for (const char* name : {"light_key", "light_glow", "light_sky", "light_rest"})
       EXPECT_GT(mean(layers, name).y, 1e-4f) << method << ' ' << name;
   }
 }
@@ -133,7 +133,7 @@ TEST(LightLayers, WithoutItsLightsTheBeautyIsLessByTheLayer) {
     const bool exact = all.method == "path";
     const std::uint32_t samples = exact ? 192 : 16;
     const auto with = rendered(all, samples);
-    std::vector<Case> cases = {{"light.key", all}, {"light.glow", all}, {"light.rest", all}};
+    std::vector<Case> cases = {{"light_key", all}, {"light_glow", all}, {"light_rest", all}};
     cases[0].off.lamps = false;
     cases[1].off.bulb = false;
     cases[2].off.spot = false;
@@ -153,9 +153,9 @@ TEST(LightLayers, WithoutItsLightsTheBeautyIsLessByTheLayer) {
 TEST(LightLayers, LightBelongsToTheFirstMatchingGroup) {
   const auto layers = rendered({}, 2, {{"a", {"lamp1_i"}}, {"all", {"*"}}});
   EXPECT_EQ(light_layer_names(layers), (std::vector<std::string>{"a", "all", "rest"}));
-  EXPECT_GT(mean(layers, "light.a").x, 1e-3f);
-  EXPECT_GT(mean(layers, "light.all").x, 1e-3f);
-  EXPECT_EQ(mean(layers, "light.rest"), Rgb(0)) << "* has everything";
+  EXPECT_GT(mean(layers, "light_a").x, 1e-3f);
+  EXPECT_GT(mean(layers, "light_all").x, 1e-3f);
+  EXPECT_EQ(mean(layers, "light_rest"), Rgb(0)) << "* has everything";
   expect_sum(layers, "a and all");
 }
 
@@ -189,11 +189,11 @@ TEST(LightLayers, UnmatchedPatternsAreReportedWithTheNearestName) {
 TEST(LightLayers, PortalsBelongToTheSkyGroupUnlessNamed) {
   const auto sky = rendered({}, 16, {{"sky", {"environment"}}});
   const auto apart = rendered({}, 16, {{"sky", {"environment"}}, {"window", {"window_i"}}});
-  const Rgb together = mean(apart, "light.sky") + mean(apart, "light.window");
+  const Rgb together = mean(apart, "light_sky") + mean(apart, "light_window");
   for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(together[k], mean(sky, "light.sky")[k], 1e-4f * together[k]);
-  EXPECT_GT(mean(apart, "light.window").x, .02f);
-  EXPECT_GT(mean(apart, "light.sky").x, .02f) << "seen through it";
+    EXPECT_NEAR(together[k], mean(sky, "light_sky")[k], 1e-4f * together[k]);
+  EXPECT_GT(mean(apart, "light_window").x, .02f);
+  EXPECT_GT(mean(apart, "light_sky").x, .02f) << "seen through it";
 }
 
 TEST(LightLayers, OtherLayersAreUnchanged) {
