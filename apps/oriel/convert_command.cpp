@@ -44,7 +44,7 @@ int run_convert(const ConvertArguments& a) {
   if (suffix != ".mi" && suffix != ".glb")
     throw UsageError(fmt::format("{}: the name of the result ends in .mi or .glb", a.output));
   if (fs::exists(a.output) && fs::equivalent(a.model, a.output))
-    throw UsageError("the result would overwrite what it is made of");
+    throw UsageError("the result would overwrite its input");
   convert_model(a, a.output);
   return kExitDone;
 }

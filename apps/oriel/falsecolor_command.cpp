@@ -52,7 +52,7 @@ Shown read_shown(const FalseColorArguments& a) {
   if (name != kLuminanceLayer)
     throw UserError(fmt::format(
         "'{}' has no layer {}{}", a.input, name,
-        name == kIlluminanceLayer ? "; oriel render --layers illuminance makes it" : ""));
+        name == kIlluminanceLayer ? "; it is written by oriel render --layers illuminance" : ""));
   const auto said = file.metadata.find(kUnitLuminanceKey);
   return {luminance_of(
               beauty, said == file.metadata.end() ? 1 : std::strtof(said->second.c_str(), nullptr)),

@@ -172,7 +172,7 @@ const RayFlag& find_flag(const std::string& name) {
   if (begin_so.empty()) {
     const std::vector<std::string> names = flag_names();
     const std::string near = nearest_name(name, names);
-    throw UsageError(fmt::format("there is no flag -{}{}", name,
+    throw UsageError(fmt::format("unknown flag -{}{}", name,
                                  near.empty() ? "" : fmt::format("; did you mean -{}?", near)));
   }
   std::string choices;

@@ -198,10 +198,8 @@ int run_recombine(const RecombineArguments& a) {
 Command add_recombine_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "recombine",
-      "Rebuild a render from its layers and compare: from material outputs, or, "
-      "where "
-      "these are not there, from its light groups. With --light: the picture under other strengths "
-      "of its light groups");
+      "Rebuild a render from its layers and compare: from material outputs or, if there are none, "
+      "from light groups. With --light: the picture with other strengths of its light groups");
   auto a = std::make_shared<RecombineArguments>();
   app->add_option("IN", a->input, "EXR file of oriel render --layers outputs or --light-group")
       ->required();

@@ -24,7 +24,7 @@ struct Edit {
 Edit split_edit(const scene::Scene& scene, const std::string& edit) {
   const std::size_t equals = edit.find('=');
   if (equals == std::string::npos || edit.find('.') > equals)
-    throw UsageError(fmt::format("--set {}: write element.parameter=value", edit));
+    throw UsageError(fmt::format("--set {}: expected element.parameter=value", edit));
   const std::string left = edit.substr(0, equals);
   for (std::size_t dot = left.rfind('.'); dot != std::string::npos && dot > 0;
        dot = left.rfind('.', dot - 1))
@@ -165,8 +165,8 @@ void apply_edit(scene::Scene& scene, const std::string& text, const Registry& re
   if (auto* material = std::get_if<scene::Material>(element)) list = &material->shaders;
   if (auto* light = std::get_if<scene::Light>(element)) list = &light->shaders;
   if (!list)
-    throw UserError(
-        fmt::format("--set: \"{}\" is no shader, material, light or options block", edit.element));
+    throw UserError(fmt::format("--set: \"{}\" is not a shader, material, light or options block",
+                                edit.element));
   std::vector<std::string> candidates;
   if (set_in_list(scene, *list, edit, registry, candidates)) return;
   const std::string near = nearest_name(edit.parameter, candidates);

@@ -36,7 +36,7 @@ std::string output_name(const ShaderBuildArguments& a) {
 std::vector<std::string> standards_of(const ShaderBuildArguments& a) {
   std::vector<std::string> standards = a.standards;
   for (const std::string& word : a.one_dash) {
-    if (!word.starts_with("td=")) throw UsageError(fmt::format("there is no option -s{}", word));
+    if (!word.starts_with("td=")) throw UsageError(fmt::format("unknown option -s{}", word));
     standards.push_back(word.substr(3));
   }
   return standards;

@@ -70,8 +70,9 @@ void ShaderManifest::read(const std::vector<std::string>& words, const std::stri
     for (const std::string& path : rest)
       (keyword == "include" ? include_folders_ : helpers_).push_back(placed(path));
   } else {
-    throw UserError(fmt::format("{}: '{}' is no statement; there are flags, skip, include, helper",
-                                where, keyword));
+    throw UserError(
+        fmt::format("{}: unknown statement '{}'; the statements are flags, skip, include, helper",
+                    where, keyword));
   }
 }
 

@@ -150,7 +150,7 @@ std::span<const char> Cursor::binary(std::size_t bytes) {
     return {payload, bytes};
   }
   diagnostics_->error(code::kBadBinary, where(),
-                      fmt::format("the binary block here should hold {} bytes", bytes));
+                      fmt::format("expected a binary block of {} bytes", bytes));
   next();
   return {};
 }

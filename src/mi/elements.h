@@ -66,7 +66,7 @@ void keep_brackets(Parse& parse, std::string& text);
 /// Tokens up to one of `words` or `end`; groups in brackets are taken whole.
 std::string keep_until_word(Parse& parse, std::span<const std::string_view> words);
 /// `gui`, `registry`, `colorprofile`, `spectrum` elements.
-void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at);
+void read_uninterpreted_element(Parse& parse, std::string_view kind, SourceLocation at);
 scene::UninterpretedStatement read_gui(Parse& parse, SourceLocation at);
 
 // commands.cpp

@@ -18,7 +18,7 @@ namespace oriel {
 ///          match belongs to the first. Portals that show the scene's environment and that no
 ///          pattern matches go with the environment.
 /// Inputs:  leaves: those the world was made of; groups: with sound names; emits: by instance of
-///          the world, how it glows.
+///          the world, its emission.
 /// Errors:  OR-RN-057 a pattern that matches nothing; OR-RN-058 too many groups, the last ones are
 ///          left out.
 /// Checked: LightLayers.* in tests/analytic/lights/light_layers_test.cpp

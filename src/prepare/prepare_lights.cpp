@@ -78,8 +78,8 @@ void place_area(const scene::Light& element, const Mat4& to_world,
     if (leaf != leaves.end() && place_on_object(*leaf->object(), leaf->local_to_world, light))
       return;
     diagnostics.warning("OR-RN-021", element.where,
-                        fmt::format("area light \"{}\" names \"{}\", which is no instance of an "
-                                    "object with polygons; it is rendered as a point light",
+                        fmt::format("area light \"{}\" names \"{}\", which is not an instance of "
+                                    "an object with polygons; it is rendered as a point light",
                                     element.name, name));
     return;
   } else if (area.keyword == "user") {

@@ -29,7 +29,8 @@ struct BindingReport {
 /// Binds shader lists into `world`. Keep one per World: named shaders are shared.
 ///
 /// Errors: OR-RT-nnn diagnostics; an unknown shader becomes what its parameters' names say, or a
-///         visible stand-in (magenta); a parameter that is unknown or of the wrong type is skipped.
+///         visible placeholder (magenta); a parameter that is unknown or of the wrong type is
+///         skipped.
 class Binder {
  public:
   /// `lights_by_name` maps light instances and groups of them to indices into World::lights.
@@ -87,13 +88,13 @@ class Binder {
   Resolved resolve(const std::string& dotted, SourceLocation where, Scope* scope);
   const scene::Value* interface_value(const std::string& name, const Scope& scope) const;
 
-  // Shaders of other programs (binder_stand_ins.cpp):
+  // Fallback shaders (binder_fallbacks.cpp):
   /// A shader that is not there, by the names of its parameters where they say something.
   const ShaderNode* bind_unknown(const std::string& type, const std::vector<scene::Argument>& args,
                                  SourceLocation where, Scope* scope);
-  /// Applies the defaults of the scene's own declaration to a stand-in.
+  /// Applies the defaults of the scene's own declaration to a fallback shader.
   void bind_declared(ShaderNode& node, const std::vector<scene::ParamDecl>& declared);
-  /// An argument of a stand-in that has no such parameter: binds what it is made of, or notes it.
+  /// Handles an argument that the fallback shader does not declare: binds its inputs, or notes it.
   void bind_parts(ShaderNode& node, const scene::Argument& argument, Scope* scope);
   /// Binds an unknown parameter that is connected to a material to the material input of a shader
   /// that passes it through. False: the argument is no such connection.

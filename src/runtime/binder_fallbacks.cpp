@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shaders of other programs: stand-ins bound by the scene's own declarations, whose structs and
-// arrays come apart into plain parameters; and fallbacks for unavailable shaders.
+// Shaders of other programs: fallback shaders bound by the scene's own declarations, whose structs
+// and arrays come apart into plain parameters; and fallbacks for unavailable shaders.
 #include <fmt/format.h>
 
 #include <algorithm>

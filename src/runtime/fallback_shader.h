@@ -11,9 +11,8 @@ namespace oriel {
 extern const ShaderSpec kFallbackShader;
 
 /// A material, a light, a texture or an environment, whichever it is asked for: a colour, looked up
-/// in a texture where there is one; as a material with transparency, highlight, mirror and glow, or
-/// what lies under it.
-/// Checked: GuessedShaders.* in tests/shader_binding.
+/// in a texture where there is one; as a material with transparency, highlight, mirror and
+/// emission, or what lies under it. Checked: GuessedShaders.* in tests/shader_binding.
 extern const ShaderSpec kApproximateMaterial;
 
 /// Whether it is one of the two; that the shader is missing has been reported then (OR-RT-001).

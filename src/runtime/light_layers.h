@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose light is kept apart: groups of lights that a user named.
+// Light layers: groups of lights whose contributions are stored separately.
 #pragma once
 
 #include <algorithm>

@@ -144,12 +144,13 @@ struct EyeSample {
 /// The finished picture in the hands of an output shader.
 class OutputPicture;
 
-/// What the air on a ray's way does to the light that a surface sends along it: `kept` of it
-/// arrives, and `added` comes on top. `scattered` is the weight of the light that comes to `place`,
-/// on the way, from where `onward` (unit) points, and is turned to the ray there: one example of
-/// many, drawn by chance; not in `added`, black where there is none.
+/// Effect of a volume on the light of one path segment.
+///
+/// Model:   radiance = transmittance x radiance of the far end + `added` + `scattered` x radiance
+///          that arrives at `place` from direction `onward` (unit). `place` is one random sample on
+///          the segment; `scattered` is black if there is none, and is not included in `added`.
 struct VolumeValue {
-  Rgb kept{1}, added{0}, scattered{0};
+  Rgb transmittance{1}, added{0}, scattered{0};
   Vec3 place{0}, onward{0};
 };
 
@@ -222,8 +223,8 @@ struct PhotonRole {
 /// Acts as a volume.
 struct VolumeRole {
   /// Between call.point's ray origin and the surface at its ray_length. Rays of kind Light end at
-  /// the lit point and begin at the light, or infinitely far away: only `kept` counts. Rays of
-  /// photons are passed in the direction of eye rays; `added` is ignored for them.
+  /// the lit point and begin at the light, or infinitely far away: only `transmittance` counts.
+  /// Rays of photons are passed in the direction of eye rays; `added` is ignored for them.
   VolumeValue (*evaluate)(const Call&) = nullptr;
   /// Whether it is evaluated for rays of kind Light, by constant parameters. Null: it is not.
   bool (*dims_light)(const ShaderNode&) = nullptr;
@@ -293,8 +294,8 @@ bool same_but_for_case(std::string_view a, std::string_view b);
 class Registry {
  public:
   explicit Registry(std::vector<const ShaderSpec*> specs) : specs_(std::move(specs)) {}
-  /// Names of stand-ins match whatever their case. `adskMayaX`, as Maya 2012 to 2017 write it, is
-  /// `maya_x`.
+  /// Names of fallback shaders match whatever their case. `adskMayaX`, as Maya 2012 to 2017 write
+  /// it, is `maya_x`.
   const ShaderSpec* find(std::string_view name) const;
   const std::vector<const ShaderSpec*>& all() const { return specs_; }
   void add(const ShaderSpec* spec) { specs_.push_back(spec); }

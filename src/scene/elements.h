@@ -180,12 +180,12 @@ struct UserData {
 };
 
 /// An element this renderer only keeps: gui, colorprofile, spectrum, registry...
-struct KeptElement {
+struct UninterpretedElement {
   std::string kind;
   std::string name;
   std::string text;  ///< everything between the name and the end, tokens separated by blanks
   SourceLocation where;
-  bool operator==(const KeptElement&) const = default;
+  bool operator==(const UninterpretedElement&) const = default;
 };
 
 /// render "root" "camera instance" "options"
