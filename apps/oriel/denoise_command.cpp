@@ -60,7 +60,8 @@ Command add_denoise_command(CLI::App& program) {
                   "Strength of denoising (default 1); larger values blur more")
       ->check(CLI::Range(0.1f, 10.0f))
       ->capture_default_str();
-  app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  app->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
+      ->check(CLI::Range(0, 4096));
   return {app, [a] { return run_denoise(*a); }};
 }
 

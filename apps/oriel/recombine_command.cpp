@@ -85,7 +85,7 @@ Image larger_difference(const Recombination& r, const Image& beauty) {
 LightGain parse_gain(const std::string& text) {
   const auto refuse = [&] {
     return UsageError(fmt::format(
-        "--light {}: write NAME=FACTOR, NAME=FACTOR,WARMTH or NAME=RED,GREEN,BLUE", text));
+        "--light {}: expected NAME=FACTOR, NAME=FACTOR,WARMTH or NAME=RED,GREEN,BLUE", text));
   };
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0) throw refuse();
@@ -117,7 +117,7 @@ LightGain parse_gain(const std::string& text) {
 
 /// The picture under other strengths of its lights.
 int run_relight(const RecombineArguments& a, const ExrFile& picture) {
-  if (a.output.empty()) throw UsageError("--light: name the file to write with -o FILE.exr");
+  if (a.output.empty()) throw UsageError("--light requires -o FILE.exr");
   std::vector<LightGain> gains;
   for (const std::string& text : a.lights) gains.push_back(parse_gain(text));
   std::vector<Layer> layers;
@@ -155,7 +155,7 @@ int compare_lights(const RecombineArguments& a, const std::vector<Layer>& layers
 
 int run_recombine(const RecombineArguments& a) {
   if (!a.output.empty() && std::filesystem::path(a.output).extension() != ".exr")
-    throw UsageError(fmt::format("-o {}: the layers go into an .exr file", a.output));
+    throw UsageError(fmt::format("-o {}: layers require an .exr file", a.output));
   const ExrFile picture = read_picture(a.input);
   if (!a.lights.empty()) return run_relight(a, picture);
   const std::vector<Layer>& layers = picture.layers;
@@ -214,7 +214,7 @@ Command add_recombine_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->type_name("NAME=FACTOR[,WARMTH]|R,G,B");
   app->add_option("--threshold", a->threshold,
-                  "Exit with code 1 if a pixel differs by more than this share")
+                  "Maximum relative difference of a pixel; exit code 1 if it is exceeded")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app->add_flag("--json", a->json, "Print one line of JSON");

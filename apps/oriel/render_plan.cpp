@@ -7,6 +7,7 @@
 
 #include "numbers.h"
 #include "render/integrator.h"
+#include "suggest.h"
 #include "sun_scene.h"
 
 namespace oriel::app {
@@ -19,7 +20,14 @@ std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
   if (const IntegratorSpec* spec = find_integrator(text)) return spec->method;
   std::vector<std::string> names;
   for (const IntegratorSpec& spec : integrators()) names.emplace_back(spec.name);
-  throw UsageError(fmt::format("--gi {}: use {}", text, fmt::join(names, ", ")));
+  throw UsageError(fmt::format("--gi {}: {}", text, expected_one_of(text, names)));
+}
+
+UsageError unknown_layer(const std::string& name) {
+  std::vector<std::string> names = {"beauty"};
+  for (const std::string& layer : layer_names()) names.push_back(layer);
+  names.insert(names.end(), {"outputs", "all"});
+  return UsageError(fmt::format("--layers {}: {}", name, expected_one_of(name, names)));
 }
 
 LayerSet parse_layers(const std::string& text) {
@@ -33,8 +41,7 @@ LayerSet parse_layers(const std::string& text) {
     else if (name == "outputs")
       layers |= LayerSet(LayerGroup::Outputs);
     else if (layer.empty() && name != "beauty" && name != "alpha")
-      throw UsageError(fmt::format("--layers {}: beauty, {}, outputs or all", name,
-                                   fmt::join(layer_names(), ", ")));
+      throw unknown_layer(name);
     layers |= layer;
     at = end + 1;
   }

@@ -26,7 +26,7 @@ struct ShaderBuildArguments {
 std::string output_name(const ShaderBuildArguments& a) {
   if (a.each) return a.output.empty() ? "." : a.output;
   if (!a.output.empty()) return a.output;
-  if (a.paths.size() != 1) throw UsageError("-o is needed for more than one folder or source");
+  if (a.paths.size() != 1) throw UsageError("-o is required for more than one folder or source");
   // "shaders/" and "." have a last part, too.
   const fs::path path = fs::canonical(a.paths[0]);
   return (fs::is_directory(path) ? path.filename() : path.stem()).string() + ".so";

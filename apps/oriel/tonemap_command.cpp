@@ -14,6 +14,7 @@
 #include "image/files.h"
 #include "image/view.h"
 #include "pictures.h"
+#include "suggest.h"
 #include "tone/display_views.h"
 #include "tone/exposure.h"
 
@@ -35,7 +36,7 @@ Rgb parse_color(const std::string& text) {
   Rgb c(0);
   char rest = 0;
   if (std::sscanf(text.c_str(), "%f%*[ ,]%f%*[ ,]%f%c", &c.x, &c.y, &c.z, &rest) != 3)
-    throw UsageError(fmt::format("--whitepoint {}: write three numbers, r,g,b", text));
+    throw UsageError(fmt::format("--whitepoint {}: expected three numbers, r,g,b", text));
   return c;
 }
 
@@ -62,7 +63,7 @@ class PixelCosine {
     if (a.photographic.vignetting == 0) return;
     const float degrees = a.field_of_view ? *a.field_of_view : field_of_view(a.input);
     if (!(degrees > 0 && degrees < 180))
-      throw UsageError("--fov: the angle that the picture's width spans, between 0 and 180");
+      throw UsageError("--fov: expected the horizontal field of view, between 0 and 180 degrees");
     per_pixel_ = 2 * math::tan(degrees * kPi / 360) / width_;
   }
   float operator()(int x, int y) const {
@@ -120,7 +121,7 @@ Image read_picture(const TonemapArguments& a) {
   std::vector<Layer> layers;
   if (std::filesystem::path(a.input).extension() == ".exr") layers = read_exr(a.input).layers;
   const Layer* layer = find_layer(layers, a.layer);
-  if (!layer) throw UserError(fmt::format("'{}' has no layer {}", a.input, a.layer));
+  if (!layer) throw missing_layer(a.input, a.layer, layers);
   return layer->image;
 }
 
@@ -146,39 +147,40 @@ Command add_tonemap_command(CLI::App& program) {
       "tonemap", "Tone-map a linear picture by mia_exposure_photographic (or _simple)");
   auto a = std::make_shared<TonemapArguments>();
   app->add_option("IN", a->input, "Linear picture, usually EXR")->required();
-  app->add_option("-o,--output", a->output, "The picture to write, type by suffix")->required();
-  app->add_option("--layer", a->layer,
-                  "Layer of an EXR file, as \"denoised\"; default: the beauty");
+  app->add_option("-o,--output", a->output, "Picture to write; the suffix sets the type")
+      ->required();
+  app->add_option("--layer", a->layer, "Layer of an EXR file, e.g. denoised (default: the beauty)");
   CLI::Option* gamma = app->add_option("--gamma", a->gamma, "Display gamma")->capture_default_str();
 
   auto& p = a->photographic;
   p.vignetting = 0;  // a picture alone does not say where its camera's axis was
   const std::string photographic = "Photographic exposure";
   std::vector<CLI::Option*> of_photographic = {
-      app->add_option("--iso", p.film_iso, "Film speed; 0: --cm2 is a plain gain"),
+      app->add_option("--iso", p.film_iso, "Film speed; 0 = --cm2 is a plain gain"),
       app->add_option("--shutter", p.camera_shutter, "Shutter time is one over this, in seconds"),
       app->add_option("--f-number", p.f_number, "Aperture"),
       app->add_option("--cm2", p.cm2_factor, "cd/m2 per pixel unit"),
       app->add_option("--vignetting", p.vignetting,
-                      "Exponent of the cosine (0 = none; 3 = like a camera)"),
+                      "Exponent of the cosine, 0 = none, 3 = natural"),
       app->add_option(
              "--fov", a->field_of_view,
              "Horizontal field of view in degrees (default: from EXR files of oriel render)")
           ->type_name("DEGREES"),
-      app->add_option("--burn", p.burn_highlights, "1 linear ... 0 never over-exposed"),
-      app->add_option("--crush", p.crush_blacks, "0 linear ... darker shadows"),
-      app->add_option("--saturation", p.saturation, "0 = grey, 1 = unchanged"),
+      app->add_option("--burn", p.burn_highlights,
+                      "Compression of highlights, 1 = linear, 0 = never over-exposed"),
+      app->add_option("--crush", p.crush_blacks, "Darkening of shadows, 0 = linear"),
+      app->add_option("--saturation", p.saturation, "Saturation, 0 = grey, 1 = unchanged"),
       app->add_option("--whitepoint", a->whitepoint, "Colour that becomes neutral, r,g,b")};
-  CLI::Option* simple = app->add_flag("--simple", a->simple, "Simple exposure instead");
+  CLI::Option* simple = app->add_flag("--simple", a->simple, "Use the simple exposure");
   auto& s = a->plain;
   const std::vector<CLI::Option*> of_simple = {
-      app->add_option("--pedestal", s.pedestal, "Added first"),
-      app->add_option("--gain", s.gain, "Multiplies"),
+      app->add_option("--pedestal", s.pedestal, "Offset that is added first"),
+      app->add_option("--gain", s.gain, "Factor"),
       app->add_option("--knee", s.knee, "Luminance at which compression begins"),
       app->add_option("--compression", s.compression, "Ratio above the knee"),
       app->add_option("--knee-curve", a->curve,
-                      "`ratio`, or `asymptotic`: smooth and never above 1")
-          ->check(CLI::IsMember({"ratio", "asymptotic"}))
+                      "Curve above the knee: ratio, or asymptotic (smooth, never above 1)")
+          ->check(one_of({"ratio", "asymptotic"}))
           ->type_name("CURVE")};
   for (CLI::Option* option : of_simple)
     option->group("Simple exposure")->needs(simple)->capture_default_str();
@@ -186,7 +188,7 @@ Command add_tonemap_command(CLI::App& program) {
       app->add_option(
              "--view", a->view,
              "Apply the exposure above, then the display transform agx or neutral (PBR Neutral)")
-          ->check(CLI::IsMember({"agx", "neutral"}))
+          ->check(one_of({"agx", "neutral"}))
           ->type_name("VIEW")
           ->excludes(simple)
           ->excludes(gamma);

@@ -26,11 +26,13 @@ class FormTable {
   const Form* find(std::string_view keyword) const;
   bool is_prefix(std::string_view words) const;        ///< of a keyword with more words
   bool starts_statement(std::string_view word) const;  ///< first word of any keyword, or other
-  std::span<const std::string> names() const { return names_; }
+  /// The keyword or first word nearest to `keyword`; empty: none is near.
+  std::string nearest(std::string_view keyword) const;
+  /// Words that follow the keyword in the longer keywords of the table.
+  std::vector<std::string> continuations(std::string_view keyword) const;
 
  private:
   std::vector<Form> forms_;
-  std::vector<std::string> names_;
   std::set<std::string, std::less<>> prefixes_, first_words_;
 };
 

@@ -325,9 +325,12 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
     std::vector<std::string> names;
     for (const scene::Leaf& leaf : leaves)
       if (leaf.kind == scene::LeafKind::Camera) names.push_back(leaf.instance().name);
+    const std::string near = did_you_mean(name, names);
     diagnostics.error("OR-RN-001", {}, fmt::format("there is no camera \"{}\"", name),
-                      names.empty() ? "the rendered group holds no camera instance"
-                                    : fmt::format("cameras: {}", fmt::join(names, ", ")));
+                      names.empty() ? "the rendered group contains no camera instance"
+                      : near.empty()
+                          ? fmt::format("cameras: {}", fmt::join(names, ", "))
+                          : fmt::format("{} (cameras: {})", near, fmt::join(names, ", ")));
     return false;
   }
   camera.middle = world.shutter.middle();
