@@ -45,6 +45,46 @@ Stage lit(From from = From::Above, float degrees = 0) {
   };
 }
 
+/// What a white layer shows at that distance from the edge of a shadow, on the lit side: the
+/// profile of Christensen and Burley 2015 with d = radius / 8, cut off at the radius, by
+/// quadrature. Of a circle around the point, acos(distance / r) / pi lies in the shadow.
+float beside_shadow(double distance, double radius) {
+  constexpr int kSteps = 4000;
+  const double d = radius / 8;
+  double all = 0, lit = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double r = radius * (i + .5) / kSteps;
+    const double share = std::exp(-r / d) + std::exp(-r / (3 * d));
+    all += share;
+    lit += share * (r > distance ? 1 - std::acos(distance / r) / double{kPi} : 1);
+  }
+  return static_cast<float>(lit / all);
+}
+
+constexpr float kBesideShadow = .1f;
+
+/// A body with its upper side at z = 0 and that thickness, 0 = a single sheet, of which a black
+/// square shades the half x < -kBesideShadow from the sun above or below; seen at the origin.
+Stage half_shaded(From from, float thickness) {
+  return [=](const std::string& call) {
+    const float side = from == From::Below ? -1.0f : 1.0f;
+    SceneText scene;
+    scene
+        .statement(kInputs + "shader \"s\" " + call +
+                   "\nmaterial \"m\" = \"s\" shadow = \"s\" end material")
+        .lambert("black", 0)
+        .square("black", Vec3(-9 - kBesideShadow, 0, 2 * side), 9, Vec3(0, 0, side));
+    if (thickness > 0)
+      scene.box("m", Vec3(-9, -9, -thickness), Vec3(9, 9, 0));
+    else
+      scene.plate("m");
+    scene.light("sun", fmt::format("\"mib_light_infinite\" ( \"color\" 1 1 1, \"shadow\" on ) "
+                                   "direction 0 0 {}",
+                                   -side));
+    return Probe(scene.str(), known_shaders()).onto(Vec3(0), Vec3(0, 0, 1), 0, 20000);
+  };
+}
+
 const Rgb kColor(.5f, .25f, 1);
 
 /// One layer: `color`, `weight` and its share of what `stage` shows; `others` switch the rest off.
@@ -183,6 +223,43 @@ void add_physical(Cases& all) {
                       {{"= \"shown\"", kMayaTint}, {"= \"dull\"", Rgb(.5f)}}));
 }
 
+/// Radii of the layers of one shader; `others` leave one white layer of weight 1.
+void add_radius(Cases& all, const std::string& parameter, const std::string& others) {
+  const Stage sheet = half_shaded(From::Above, 0), solid = half_shaded(From::Above, 2);
+  const std::vector<Given> values = {{"0", Rgb(1)},
+                                     {".4", Rgb(beside_shadow(kBesideShadow, .4))},
+                                     {"1.6", Rgb(beside_shadow(kBesideShadow, 1.6))}};
+  all.push_back(
+      both(gives(parameter, sheet, others, values), gives(parameter, solid, others, values)));
+}
+void add_back(Cases& all, const std::string& shader, const std::string& others) {
+  const std::string name = shader + ".";
+  const std::string call = others + "back_sss_color 1 1 1, back_sss_weight 1, ";
+  // The light of the lower side fades with the thickness of .5.
+  const Stage below = half_shaded(From::Below, .5f);
+  all.push_back(gives(name + "back_sss_depth", below, call,
+                      {{"1", Rgb(.5f)}, {"2", Rgb(.75f)}, {"5", Rgb(.9f)}}));
+  all.push_back(gives(name + "back_sss_radius", below, call + "back_sss_depth 5",
+                      {{"0", Rgb(.9f)},
+                       {".4", Rgb(.9f * beside_shadow(kBesideShadow, .4))},
+                       {"1.6", Rgb(.9f * beside_shadow(kBesideShadow, 1.6))}}));
+}
+void add_radii(Cases& all, const std::string& shader, bool has_mid) {
+  const std::string name = shader + ".", diffuse = "diffuse_weight 0, ",
+                    front = "front_sss_weight 0, ", back = "back_sss_weight 0, ",
+                    mid = has_mid ? "mid_sss_weight 0, " : "";
+  const std::string white = "front_sss_color 1 1 1, front_sss_weight 1, ";
+  add_radius(all, name + "front_sss_radius", diffuse + mid + back + white);
+  if (has_mid)
+    add_radius(all, name + "mid_sss_radius",
+               diffuse + front + back + "mid_sss_color 1 1 1, mid_sss_weight 1, ");
+  add_back(all, shader, diffuse + front + mid);
+  all.push_back(gives(name + "scale_conversion", half_shaded(From::Above, 0),
+                      diffuse + mid + back + white + "front_sss_radius .8",
+                      {{".5", Rgb(beside_shadow(kBesideShadow, .4))},
+                       {"2", Rgb(beside_shadow(kBesideShadow, 1.6))}}));
+}
+
 Cases cases() {
   Cases all;
   const std::string simple = "misss_fast_simple_maya", skin = "misss_fast_skin_maya";
@@ -205,7 +282,10 @@ Cases cases() {
                            front + "mid_sss_weight 0, front_sss_color 1 1 1, front_sss_weight .8",
                            {{"0", Rgb(.8f)}, {".5", Rgb(.9f)}, {"1", Rgb(1)}}));
   add_skin(all, "misss_skin_specular", "");
+  add_radii(all, simple, false);
+  add_radii(all, skin, true);
   add_layers(all, "misss_fast_shader", false);
+  add_radii(all, "misss_fast_shader", false);
   add_layers(all, "misss_fast_shader2", false);
   add_physical(all);
   const std::string lambert = "misss_lambert_gamma.";

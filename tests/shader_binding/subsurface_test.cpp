@@ -45,7 +45,8 @@ TEST(Subsurface, PhenomenaWithGroupedParametersAreTheirLayers) {
   EXPECT_EQ(c.lobes[2].roughness, 40);
   EXPECT_NEAR(c.emission.x, .07f, 1e-6f);
   EXPECT_EQ(s.report.binding.fallbacks.count("misss_fast_simple_phen"), 1u);
-  EXPECT_EQ(s.report.binding.ignored.count("misss_fast_simple_maya.front_sss_radius"), 1u);
+  EXPECT_EQ(s.report.binding.approximated.count("misss_fast_simple_maya.front_sss_radius"), 1u);
+  EXPECT_EQ(s.report.binding.ignored.count("misss_fast_simple_maya.lightmap_gamma"), 1u);
 }
 
 TEST(Subsurface, LightMapShadersLeaveThePictureAsItIs) {

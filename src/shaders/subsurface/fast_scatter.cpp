@@ -4,6 +4,7 @@
 #include "runtime/bump.h"
 #include "runtime/closure.h"
 #include "runtime/shade_input.h"
+#include "shaders/subsurface/scatter_light.h"
 #include "shaders/subsurface/scatter_params.h"
 #include "shaders/subsurface/subsurface.h"
 
@@ -35,8 +36,8 @@ constexpr auto kScatterMidRows = about({
      .doc = "Colour of the second scattering layer."},
     {ORIEL_PARAM(ScatterParams, mid_sss_weight), .fallback = {.5f}, .min = 0, .max = 1,
      .doc = "Weight of the second scattering layer."},
-    {ORIEL_PARAM(ScatterParams, mid_sss_radius), .unit = "scene units",
-     .doc = "Scatter radius of the second scattering layer.", .support = Support::Ignored},
+    {ORIEL_PARAM(ScatterParams, mid_sss_radius), .min = 0, .unit = "scene units",
+     .doc = "Scatter radius of the second scattering layer; 0 = none."},
 });
 constexpr auto kScatterBackRows = about({
     {ORIEL_PARAM(ScatterParams, back_sss_color), .fallback = {.8f, .4f, .1f},
@@ -65,12 +66,12 @@ constexpr auto kScatterInputRows = about({
     {ORIEL_PARAM(ScatterParams, output_sss_only), .doc = "Whether the diffuse layer is left out."},
 });
 constexpr auto kScatterRadiusRows = about({
-    {ORIEL_PARAM(ScatterParams, front_sss_radius), .unit = "scene units",
-     .doc = "Scatter radius of the front.", .support = Support::Ignored},
-    {ORIEL_PARAM(ScatterParams, back_sss_radius), .unit = "scene units",
-     .doc = "Scatter radius of the back.", .support = Support::Ignored},
-    {ORIEL_PARAM(ScatterParams, back_sss_depth), .unit = "scene units",
-     .doc = "Depth of light from the back.", .support = Support::Ignored},
+    {ORIEL_PARAM(ScatterParams, front_sss_radius), .min = 0, .unit = "scene units",
+     .doc = "Scatter radius of the front; 0 = none."},
+    {ORIEL_PARAM(ScatterParams, back_sss_radius), .min = 0, .unit = "scene units",
+     .doc = "Scatter radius of the back."},
+    {ORIEL_PARAM(ScatterParams, back_sss_depth), .min = 0, .unit = "scene units",
+     .doc = "Thickness that light from the back passes; 0 = thin walls only."},
 });
 constexpr auto kScatterMapRows = about({
     {ORIEL_PARAM(ScatterParams, lightmap_size), .doc = "Size of the light map.",
@@ -81,8 +82,8 @@ constexpr auto kScatterMapRows = about({
      .support = Support::Ignored},
     {ORIEL_PARAM(ScatterParams, indirect), .doc = "Whether indirect light is scattered.",
      .support = Support::Ignored},
-    {ORIEL_PARAM(ScatterParams, scale_conversion), .doc = "Scale of radii.",
-     .support = Support::Ignored},
+    {ORIEL_PARAM(ScatterParams, scale_conversion), .fallback = {1}, .min = 0,
+     .doc = "Factor of radii and depth."},
     {ORIEL_PARAM(ScatterParams, scatter_bias), .doc = "Direction of scattering.",
      .support = Support::Ignored},
     {ORIEL_PARAM(ScatterParams, falloff), .doc = "Shape of the profile.",
@@ -137,6 +138,35 @@ bool has_input(const Call& call, std::size_t offset) {
   return call.node && call.node->material_input(offset);
 }
 
+/// What the closure reflects where light enters, after layers with a radius were added as light.
+struct ScatterSum {
+  const Call& call;
+  Closure& closure;
+  Rgb factor;
+  float scale;
+  Rgb reflected{0};
+
+  void add(const Rgb& layer, float radius) {
+    if (is_black(layer)) return;
+    if (!(radius * scale > 0) || !scatters_below(call.point)) {
+      reflected += layer;
+      return;
+    }
+    closure.emission += layer * factor * scattered_light(call.point, radius * scale);
+    closure.albedo += layer * factor;
+  }
+  void add_back(const Rgb& layer, float radius, float depth, const Vec3& normal) {
+    if (is_black(layer)) return;
+    if (!(depth * scale > 0) || !scatters_below(call.point))
+      return add_scatter(LobeKind::Translucency, LobeType::Translucency, layer * factor, normal,
+                         closure);
+    closure.emission +=
+        layer * factor *
+        back_scattered_light(call.point, std::max(0.0f, radius * scale), depth * scale);
+    closure.albedo += layer * factor;
+  }
+};
+
 template <unsigned kLayers>
 void fill_scatter(const Call& call, Closure& closure) {
   const auto& p = call.as<ScatterParams>();
@@ -149,15 +179,18 @@ void fill_scatter(const Call& call, Closure& closure) {
     for (Rgb& l : layers) l *= clamped(p.overall_color);
   Rgb factor = composition(layers, p.screen_composit);
   if (kLayers & kSkin) factor *= add_skin_specular(call, p, normal, closure);
-  Rgb reflected = layers[1] + layers[2];
-  if (kLayers & kOverall) closure.emission += rgb(p.ambient) * (reflected + layers[0]) * factor;
+  if (kLayers & kOverall)
+    closure.emission += rgb(p.ambient) * (layers[0] + layers[1] + layers[2]) * factor;
+  ScatterSum sum{call, closure, factor, p.scale_conversion > 0 ? p.scale_conversion : 1};
+  sum.add(layers[1], p.front_sss_radius);
+  sum.add(layers[2], p.mid_sss_radius);
   if (has_input(call, offsetof(ScatterParams, diffuse_illum)))
     shade_input(call, offsetof(ScatterParams, diffuse_illum), p.diffuse_illum, layers[0] * factor,
                 closure);
   else
-    reflected += layers[0];
-  add_scatter(LobeKind::Diffuse, LobeType::Diffuse, reflected * factor, normal, closure);
-  add_scatter(LobeKind::Translucency, LobeType::Translucency, layers[3] * factor, normal, closure);
+    sum.reflected += layers[0];
+  add_scatter(LobeKind::Diffuse, LobeType::Diffuse, sum.reflected * factor, normal, closure);
+  sum.add_back(layers[3], p.back_sss_radius, p.back_sss_depth, normal);
   if (has_input(call, offsetof(ScatterParams, specular_illum)))
     shade_input(call, offsetof(ScatterParams, specular_illum), p.specular_illum, Rgb(1), closure);
   if (!(kLayers & kPhong) || is_black(rgb(p.specular))) return;
@@ -193,17 +226,16 @@ constexpr ShaderSpec scattering(const char* name, const char* doc, const char* a
 
 const ShaderSpec kMisssFastSimple = scattering<kOverall | kPhong>(
     "misss_fast_simple_maya",
-    "Fallback for the simple subsurface material: diffuse layers without scatter radius.",
+    "Fallback for the simple subsurface material: layers of a diffusion profile.",
     "misss_fast_simple_phen misss_fast_simple_phen_d misss_fast_simple", kFastSimpleRows);
 const ShaderSpec kMisssFastSkin = scattering<kOverall | kMid | kSkin>(
     "misss_fast_skin_maya",
-    "Fallback for the skin material: diffuse layers without scatter radius, highlights, "
-    "reflection.",
+    "Fallback for the skin material: layers of a diffusion profile, highlights, reflection.",
     "misss_fast_skin_phen misss_fast_skin_phen_d misss_fast_skin misss_mia_skin2_phen "
     "misss_mia_skin2_phen_d misss_mia_skin2_surface_phen misss_mia_skin",
     kFastSkinRows);
 const ShaderSpec kMisssFastShader = scattering<0>(
-    "misss_fast_shader", "Fallback for the scattering component: layers without scatter radius.",
+    "misss_fast_shader", "Fallback for the scattering component: layers of a diffusion profile.",
     "misss_fast_shader_x", kFastShaderRows);
 const ShaderSpec kMisssFastShader2 =
     scattering<0>("misss_fast_shader2",

@@ -11,16 +11,18 @@ namespace oriel {
 // Conventions
 //   Scenes declare these shaders themselves. Names of shaders and parameters are those of the
 //   mental ray shader reference; parameters grouped in structs are found by their own names.
-//   All are approximations, which `oriel check` reports: light is scattered where it enters, the
-//   limit of a normalised diffusion profile for small radii (P. Christensen, B. Burley,
-//   "Approximate Reflectance Profiles for Efficient Subsurface Scattering", 2015). The mean
-//   brightness under even light is that of the profile; radii have no effect, and light does not
-//   pass through closed bodies. Light maps are not written.
-//   Checked: tests/effects/subsurface_cases.cpp, Subsurface.* in tests/shader_binding.
+//   All are approximations, which `oriel check` reports. A layer with a radius shows the light of
+//   its neighbourhood by a normalised diffusion profile, and a back layer with a depth the light of
+//   the other side (scatter_light.h), in place of the light maps of mental ray, which are not
+//   written. That light is in the output add_result, and its light group is unknown. Layers without
+//   a radius, diffuse bounces and photons scatter light where it enters; the mean brightness is the
+//   same.
+//   Checked: tests/effects/subsurface_cases.cpp, Subsurface.* in tests/shader_binding,
+//            SubsurfaceScattering.* in tests/analytic.
 
 /// Model:   the layers reflect colour x weight, in sum at most 1 per channel: with
-///          `screen_composit` 1 - product(1 - layer), else min(1, sum). Back scattering is diffuse
-///          transmission from the other side of a thin wall.
+///          `screen_composit` 1 - product(1 - layer), else min(1, sum). A back layer without
+///          a depth is diffuse transmission through a thin wall.
 extern const ShaderSpec kMisssFastSimple, kMisssFastSkin, kMisssFastShader, kMisssFastShader2;
 
 /// Reflectance of a half space by diffusion theory, added to the input `material`.
