@@ -78,7 +78,7 @@ void BuildHints::read(const std::string& messages) {
 
 void BuildHints::missing_header(const std::string& name) {
   if (name == "windows.h")
-    return add("windows.h belongs to Windows: put its include between #ifdef _WIN32 and #endif");
+    return add("windows.h belongs to Windows: enclose its include in #ifdef _WIN32 and #endif");
   for (const char* old : {"iostream.h", "fstream.h", "iomanip.h", "strstream.h"})
     if (name == old)
       return add(

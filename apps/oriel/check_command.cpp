@@ -58,7 +58,7 @@ std::map<std::string, int> kept_constructs(const scene::Scene& scene) {
       count_inert("camera", scene::camera_table(), c->other, kept);
     if (const auto* l = std::get_if<scene::Light>(&element))
       count_inert("light", scene::light_table(), l->other, kept);
-    if (const auto* k = std::get_if<scene::KeptElement>(&element)) ++kept[k->kind];
+    if (const auto* k = std::get_if<scene::UninterpretedElement>(&element)) ++kept[k->kind];
     if (const auto* o = std::get_if<scene::Options>(&element)) count(o->uninterpreted, "options");
     if (const auto* c = std::get_if<scene::Camera>(&element)) count(c->uninterpreted, "camera");
     if (const auto* i = std::get_if<scene::Instance>(&element)) count(i->uninterpreted, "instance");
@@ -117,13 +117,13 @@ void list_shaders(const CheckedScene& checked, json& result) {
   for (const json& shader : used) {
     const std::string type = shader["type"];
     calls[type] = shader["calls"];
-    if (shader.value("stands_in", false)) fallbacks[type] = shader["calls"];
+    if (shader.value("fallback", false)) fallbacks[type] = shader["calls"];
     if (shader["status"] == "unknown")
       (shader["magenta"] ? magenta : without_effect).push_back(type);
   }
   result["used_shaders"] = used;
   result["shaders"] = calls;
-  result["stand_ins"] = fallbacks;
+  result["fallbacks"] = fallbacks;
   result["missing"]["shaders"] = magenta;
   result["missing"]["shaders_without_effect"] = without_effect;
   result["textures"] = used_textures(checked);
@@ -220,7 +220,7 @@ void print_names(const char* title, const json& names) {
 
 void print_shaders(const json& r) {
   print_counts("shaders, calls of each", r["shaders"]);
-  print_counts("shaders of other programs, approximated by stand-ins", r["stand_ins"]);
+  print_counts("shaders of other programs, approximated by fallback shaders", r["fallbacks"]);
   print_names("missing shaders, shown magenta", r["missing"]["shaders"]);
   print_names("missing shaders, without effect", r["missing"]["shaders_without_effect"]);
 }

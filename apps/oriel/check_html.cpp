@@ -135,7 +135,7 @@ std::string scene_words(const json& facts) {
 /// What to do where a parameter is not followed exactly.
 const char* remedy(const std::string& support) {
   if (support == "approximated") return "Compare the picture with an old one.";
-  if (support == "ignored") return "Leave it out, or reach its effect by other parameters.";
+  if (support == "ignored") return "Remove it, or use other parameters for its effect.";
   return support == "unknown" ? "Correct the name or leave it out." : "";
 }
 
@@ -146,7 +146,7 @@ std::string shader(const json& s) {
   if (s.contains("note")) html += "<p class=\"muted\">" + text(s, "note") + "</p>\n";
   const json& parameters = list_of(s, "parameters");
   if (parameters.empty()) return html;
-  Table table({"parameter", "", "value", "written", "place", "why, and what to do"});
+  Table table({"parameter", "", "value", "written", "place", "reason and remedy"});
   for (const json& p : parameters) {
     const std::string support = p.value("support", "");
     std::string why = text(p, "reason");
@@ -275,7 +275,7 @@ std::string check_html(const json& facts, const std::string& picture, const std:
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\">\n<title>{0}: what Oriel makes of it</title>\n"
+      "style-src 'unsafe-inline'\">\n<title>{0}: Oriel report</title>\n"
       "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
       name, kStyle);
   html += scene_words(facts);

@@ -172,8 +172,8 @@ void judge(const ShaderSpec& spec, const std::string& name, json& entry) {
   if (p->support != Support::Exact) entry["reason"] = p->doc;
 }
 
-std::string worst_of(const json& parameters, bool stands_in) {
-  std::string worst = stands_in ? "approximated" : "exact";
+std::string worst_of(const json& parameters, bool is_fallback) {
+  std::string worst = is_fallback ? "approximated" : "exact";
   for (const json& p : parameters) {
     if (p["support"] == "ignored" || p["support"] == "unknown") return "ignored";
     if (p["support"] == "approximated") worst = "approximated";
@@ -185,7 +185,7 @@ std::string worst_of(const json& parameters, bool stands_in) {
 void judge_foreign(const CheckedScene& c, const std::string& type, bool shows, json& entry) {
   if (c.scene.find_phenomenon(type)) {
     entry["status"] = "phenomenon";
-    entry["note"] = "put together in the scene; its shaders are listed by themselves";
+    entry["note"] = "defined in the scene; its shaders are listed separately";
   } else if (c.host.registry().find(type)) {
     entry["status"] = "native";
     entry["note"] = "of a C library that is linked and trusted";
@@ -233,7 +233,7 @@ json used_shaders(const CheckedScene& c) {
       entry["status"] = worst_of(entry["parameters"], spec->fallback.is_fallback);
       entry["library"] = spec->library;
       entry["doc"] = spec->doc;
-      entry["stands_in"] = spec->fallback.is_fallback;
+      entry["fallback"] = spec->fallback.is_fallback;
       if (spec->fallback.is_fallback)
         entry["note"] = "replaces a shader of another program; based on its public description";
     }

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "command.h"
 #include "convert_model.h"
+#include "suggest.h"
 
 namespace oriel::app {
 namespace {
@@ -44,7 +45,7 @@ int run_convert(const ConvertArguments& a) {
   if (suffix != ".mi" && suffix != ".glb")
     throw UsageError(fmt::format("{}: the name of the result ends in .mi or .glb", a.output));
   if (fs::exists(a.output) && fs::equivalent(a.model, a.output))
-    throw UsageError("the result would overwrite what it is made of");
+    throw UsageError("the result would overwrite its input");
   convert_model(a, a.output);
   return kExitDone;
 }
@@ -52,7 +53,7 @@ int run_convert(const ConvertArguments& a) {
 int run_quick(QuickArguments a) {
   const ThreadLimit limit(a.threads);
   if (a.output.empty()) a.output = fs::path(a.model).stem().string() + ".png";
-  if (is_mi(a.model)) throw UsageError("for scenes there is oriel render");
+  if (is_mi(a.model)) throw UsageError("the input is a scene; use oriel render");
   const fs::path scene = fs::path(a.output).replace_extension(".mi");
   if (fs::exists(scene) && fs::equivalent(a.model, scene))
     throw UsageError("the scene would overwrite the model");
@@ -62,33 +63,35 @@ int run_quick(QuickArguments a) {
   CLI::App program;
   const Command render = add_render_command(program);
   std::vector<std::string> words = a.render_words(scene.string());
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // as CLI11 expects them
   program.parse(words);
   return render.run();
 }
 
 void add_shared(CLI::App& command, ConvertArguments& a) {
-  command.add_option("MODEL", a.model, "glTF, GLB, OBJ, FBX, Collada, IFC, ... ")
+  command.add_option("MODEL", a.model, "Model: glTF, GLB, OBJ, FBX, Collada, IFC, ...")
       ->required()
       ->check(CLI::ExistingFile);
-  command.add_option("--up", a.up, "axis of the model that points up; else as its format has it")
-      ->check(CLI::IsMember({"y", "z"}));
+  command.add_option("--up", a.up, "Axis of the model that points up (default: from the format)")
+      ->check(one_of({"y", "z"}));
   command.add_option("--size", a.size,
-                     "picture, WIDTHxHEIGHT pixels; else that of the model's camera, or 960x640");
+                     "Size of the picture, WIDTHxHEIGHT in pixels (default: from the model's "
+                     "camera, else 960x640)");
   command
-      .add_option("--sun", a.sun,
-                  "where the sun stands: degrees clockwise from behind the model, degrees above "
-                  "the horizon")
+      .add_option(
+          "--sun", a.sun,
+          "Direction of the sun: degrees clockwise from behind the model, degrees above the "
+          "horizon")
       ->expected(2)
       ->delimiter(',');
-  command.add_option("--sky", a.sky, "latitude-longitude picture (.hdr, .exr) as environment")
+  command.add_option("--sky", a.sky, "Latitude-longitude picture (.hdr, .exr) as environment")
       ->check(CLI::ExistingFile);
   command.add_option("--sky-rotation", a.sky_rotation,
-                     "rotation of --sky about the vertical in degrees (0)");
-  command.add_flag("-q,--quiet", a.quiet, "only warnings and errors");
+                     "Rotation of --sky about the vertical in degrees (default 0)");
+  command.add_flag("-q,--quiet", a.quiet, "Only warnings and errors");
   command
       .add_option("--emission-scale", a.emission_scale,
-                  "factor of the emission of materials (683 for Blender's files, else 1)")
+                  "Factor of the emission of materials (default 683 for files of Blender, else 1)")
       ->check(CLI::NonNegativeNumber);
 }
 
@@ -96,31 +99,33 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
 
 Command add_convert_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "convert", "convert a model of another program to a .mi scene, or a scene to glTF");
+      "convert", "Convert a model of another program to a .mi scene, or a scene to glTF");
   auto a = std::make_shared<ConvertArguments>();
   add_shared(*command, *a);
-  command->add_option("SCENE", a->output, "file to write: NAME.mi, or NAME.glb for glTF")
+  command->add_option("SCENE", a->output, "File to write: NAME.mi, or NAME.glb for glTF")
       ->required();
-  command->add_flag("--daylight", a->daylight, "add sun, sky, ground and exposure");
+  command->add_flag("--daylight", a->daylight, "Add sun, sky, ground and exposure");
   return {command, [a] { return run_convert(*a); }};
 }
 
 Command add_quick_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "quick", "a picture of a model in daylight; its scene is kept beside it as .mi");
+      "quick", "Render a model in daylight; also writes its scene beside the picture (.mi)");
   auto a = std::make_shared<QuickArguments>();
   add_shared(*command, *a);
-  command->add_option("-o,--output", a->output, "picture to write; MODEL's name with .png");
-  command->add_option("--samples", a->samples, "samples per pixel (64, unless --time or --noise)")
+  command->add_option("-o,--output", a->output,
+                      "Picture to write (default: name of the model with .png)");
+  command
+      ->add_option("--samples", a->samples,
+                   "Samples per pixel (default 64, unless --time or --noise is given)")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--time", a->time, "time limit in seconds");
-  command->add_option("--noise", a->noise, "noise target, as of oriel render");
-  command->add_option("--layers", a->layers, "layers of EXR files, as of oriel render");
+  command->add_option("--time", a->time, "Time limit in seconds (default none)");
+  command->add_option("--noise", a->noise, "Noise target, as in oriel render");
+  command->add_option("--layers", a->layers, "Layers of EXR files, as in oriel render");
   command->add_flag("--cryptomatte{6}", a->cryptomatte, "Cryptomatte layers of EXR files");
-  command->add_flag("--json", a->json, "progress as lines of JSON on stdout");
-  command->add_flag("--denoise,!--no-denoise", a->denoise, "take the rest of the noise out")
-      ->capture_default_str();
-  command->add_option("--threads", a->threads, "Threads to use, 0 = all")
+  command->add_flag("--json", a->json, "Print progress as lines of JSON");
+  command->add_flag("--denoise,!--no-denoise", a->denoise, "Denoise the picture (default on)");
+  command->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
       ->check(CLI::Range(0, 4096));
   return {command, [a] { return run_quick(*a); }};
 }

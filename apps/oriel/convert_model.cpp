@@ -134,8 +134,10 @@ class Conversion {
       models::add_exposure(scene_, kFNumber, shutter);
       write();
     } else {
-      diagnostics_.note("OR-MD-007", {}, "no light of the model reaches what its camera sees",
-                        "--daylight adds sun and sky");
+      diagnostics_.note(
+          "OR-MD-007", {},
+          "the lights of the model do not illuminate the view of its camera; no exposure is set",
+          "--daylight adds sun and sky");
       printer_.print_new();
     }
   }
@@ -145,10 +147,11 @@ class Conversion {
     if (shutter > models::kSunnyShutter * kRoom) {
       models::add_exposure(scene_, models::kSunnyFNumber, shutter);
     } else {
-      diagnostics_.warning("OR-MD-013", {},
-                           "next to no daylight comes to what the file's camera sees; the model is "
-                           "shown from its front",
-                           "the file's camera stays in the scene");
+      diagnostics_.warning(
+          "OR-MD-013", {},
+          "the view of the file's camera receives almost no daylight; the model is "
+          "rendered from its front",
+          "the scene still contains the file's camera");
       Diagnostics heard_already;
       read(heard_already);
       models::add_camera(scene_, options);

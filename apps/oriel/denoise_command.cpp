@@ -25,7 +25,8 @@ struct DenoiseArguments {
 int run_denoise(const DenoiseArguments& a) {
   if (!is_linear_file(a.output))
     throw UsageError(fmt::format(
-        "-o {}: the result is linear, so it goes to .exr or .hdr; then oriel tonemap", a.output));
+        "-o {}: the result is linear and requires .exr or .hdr; convert it by oriel tonemap",
+        a.output));
   if (!std::filesystem::is_regular_file(a.input))
     throw UserError(fmt::format("cannot read '{}': there is no such file", a.input));
   const ThreadLimit limit(a.threads);
@@ -33,7 +34,7 @@ int run_denoise(const DenoiseArguments& a) {
   const DenoiseInput input = denoise_input(file.layers);
   if (!input.color || (!input.variance && !input.half_difference))
     throw UserError(fmt::format(
-        "{}: has no layer 'variance' or 'halves' that tells the noise; render with all layers",
+        "{}: the noise estimate is missing (layer 'variance' or 'halves'); render with all layers",
         a.input));
   Image image = denoise(input, {.strength = a.strength});
   std::vector<std::string> names = find_linear_beauty(file.layers)->channel_names;
@@ -59,7 +60,8 @@ Command add_denoise_command(CLI::App& program) {
                   "Strength of denoising (default 1); larger values blur more")
       ->check(CLI::Range(0.1f, 10.0f))
       ->capture_default_str();
-  app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  app->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
+      ->check(CLI::Range(0, 4096));
   return {app, [a] { return run_denoise(*a); }};
 }
 

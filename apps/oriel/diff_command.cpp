@@ -13,6 +13,7 @@
 #include "image/flip.h"
 #include "pictures.h"
 #include "scene_file.h"
+#include "suggest.h"
 
 namespace oriel::app {
 namespace {
@@ -56,9 +57,13 @@ Threshold parse_threshold(const std::string& text) {
       equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
   const bool known =
       std::find(std::begin(kMetrics), std::end(kMetrics), metric) != std::end(kMetrics);
-  if (!known || !end || end == text.c_str() + equals + 1 || *end || !(value >= 0))
-    throw UsageError(fmt::format(
-        "--threshold {}: write metric=value, metric one of rmse, relmse, mean, max, flip", text));
+  if (!known)
+    throw UsageError(
+        fmt::format("--threshold {}: {}", text,
+                    expected_one_of(metric, {std::begin(kMetrics), std::end(kMetrics)})));
+  if (!end || end == text.c_str() + equals + 1 || *end || !(value >= 0))
+    throw UsageError(
+        fmt::format("--threshold {}: expected METRIC=VALUE with a value of 0 or more", text));
   return {metric, value};
 }
 

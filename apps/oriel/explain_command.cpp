@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel explain: says in words how the colour of a pixel came about.
+// oriel explain: lists the surfaces and lights that contribute to the colour of a pixel.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -19,7 +19,7 @@
 namespace oriel::app {
 namespace {
 
-/// Of a pixel alone; the scene's own budgets are for pictures and may be few.
+/// More than most scenes set, because only one pixel is rendered.
 constexpr std::uint32_t kSamples = 256;
 
 struct ExplainArguments {
@@ -35,7 +35,7 @@ Pixel parse_pixel(const std::string& text) {
   Pixel pixel{};
   char rest = 0;
   if (std::sscanf(text.c_str(), "%6d,%6d%c", &pixel.x, &pixel.y, &rest) != 2)
-    throw UsageError(fmt::format("--pixel {}: write X,Y from the upper left", text));
+    throw UsageError(fmt::format("--pixel {}: expected X,Y, counted from the upper left", text));
   return pixel;
 }
 
@@ -105,17 +105,19 @@ Command add_explain_command(CLI::App& program) {
   auto a = std::make_shared<ExplainArguments>();
   RenderArguments& r = a->render;
   add_scene_arguments(*app, r.scene);
-  app->add_option("--pixel", a->pixel, "The pixel, from the upper left, 0,0")
+  app->add_option("--pixel", a->pixel, "Pixel, counted from the upper left (0,0)")
       ->required()
       ->type_name("X,Y");
   app->add_option("--samples", r.samples, fmt::format("Number of samples (default {})", kSamples));
   app->add_option("--gi", r.gi, "Method of indirect light, as in oriel render");
   app->add_option("--size", r.size, "Size of the picture, as in oriel render")->type_name("WxH");
-  app->add_option("--sun", r.sun, "As in oriel render")->type_name("LAT,LON,TIME");
-  app->add_option("--north", r.north, "As in oriel render");
+  app->add_option("--sun", r.sun, "Position of the sun, as in oriel render")
+      ->type_name("LAT,LON,TIME");
+  app->add_option("--north", r.north, "Direction of north, as in oriel render");
   app->add_option("--camera", r.camera, "Camera instance to use");
   app->add_option("--seed", r.seed, "Random seed (default 0)");
-  app->add_option("--threads", r.threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  app->add_option("--threads", r.threads, "Number of threads, 0 = all (default 0)")
+      ->check(CLI::Range(0, 4096));
   app->add_flag("--json", r.json, "Print one line of JSON");
   app->add_flag("-q,--quiet", r.quiet, "No progress");
   return {app, [a] { return run_explain(*a); }};

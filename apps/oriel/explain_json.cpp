@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An explanation as data, and the names that words use as well.
+// JSON of an explanation, and names that its text uses, too.
 #include <fmt/format.h>
 
 #include "color/luminance.h"
@@ -17,25 +17,25 @@ json lobes_json(const ExplainedSurface& s) {
   json lobes = json::array();
   for (const ExplainedLobe& lobe : s.lobes)
     lobes.push_back({{"kind", lobe_name(lobe.kind)},
-                     {"level", explain_json_of(lobe.weight)},
+                     {"weight", explain_json_of(lobe.weight)},
                      {"roughness", lobe.roughness},
                      {"eta", lobe.eta}});
   return lobes;
 }
 
-json lamps_json(const ExplainReport& r, const ExplainedSurface& s) {
-  json lamps = json::array();
-  for (const ExplainedLamp& lamp : s.lamps) {
-    const double all = luminance(lamp.unshadowed), arrived = luminance(lamp.arrived);
+json lights_json(const ExplainReport& r, const ExplainedSurface& s) {
+  json lights = json::array();
+  for (const ExplainedLightSource& light : s.lights) {
+    const double all = luminance(light.unshadowed), unoccluded = luminance(light.unoccluded);
     json blockers = json::object();
-    for (const auto& [instance, lost] : lamp.blockers)
+    for (const auto& [instance, lost] : light.blockers)
       blockers[instance_name(r.world, instance)] = all > 0 ? lost / all : 0;
-    lamps.push_back({{"light", lamp_name(r.world, lamp.light)},
-                     {"faces_away", all <= 0},
-                     {"shadowed", all > 0 ? 1 - arrived / all : 0},
-                     {"blockers", blockers}});
+    lights.push_back({{"light", light_name(r.world, light.light)},
+                      {"faces_away", all <= 0},
+                      {"shadowed", all > 0 ? 1 - unoccluded / all : 0},
+                      {"blockers", blockers}});
   }
-  return lamps;
+  return lights;
 }
 
 json surface_json(const ExplainReport& r, std::size_t index) {
@@ -48,28 +48,28 @@ json surface_json(const ExplainReport& r, std::size_t index) {
                      {"variance", l.variance}});
   json out = {{"light", light}};
   if (index == 0) return out;
-  out["way"] = segment_name(s.way);
+  out["segment"] = segment_name(s.segment);
   out["from"] = s.from;
   out["instance"] = instance_name(r.world, s.instance);
   out["material"] = s.material->name;
-  out["met"] = s.met;
+  out["hits_per_sample"] = s.hits;
   out["position"] = explain_json_of(s.position);
   out["normal"] = explain_json_of(s.normal);
   out["distance"] = s.distance;
   out["cosine"] = s.cosine;
   out["back_side"] = s.back_side;
-  out["bounces"] = s.behind;
+  out["diffuse_bounce"] = s.behind;
   if (s.behind) return out;
   out["lobes"] = lobes_json(s);
   out["emission"] = explain_json_of(s.emission);
   out["opacity"] = s.opacity;
-  out["lamps"] = lamps_json(r, s);
+  out["lights"] = lights_json(r, s);
   out["records"] = s.records;
   out["photons"] = s.photons;
   for (const ExplainedParameter& p : s.parameters)
     out["parameters"][p.name] = {{"shader", p.source}, {"values", p.values}};
   if (s.occlusion.samples > 0)
-    out["occlusion"] = {{"distance", s.occlusion.distance}, {"free", s.free}};
+    out["occlusion"] = {{"distance", s.occlusion.distance}, {"unoccluded", s.free}};
   return out;
 }
 
@@ -79,7 +79,7 @@ std::string instance_name(const World& world, int instance) {
   return instance < 0 ? "nothing" : world.instances[static_cast<std::size_t>(instance)].name;
 }
 
-std::string lamp_name(const World& world, int light) {
+std::string light_name(const World& world, int light) {
   return light < 0 ? "the environment" : world.lights[static_cast<std::size_t>(light)].name;
 }
 
@@ -99,17 +99,17 @@ const char* lobe_name(LobeKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-const char* segment_name(PathSegment way) {
+const char* segment_name(PathSegment segment) {
   constexpr const char* kNames[] = {"eye",        "diffuse",    "translucency",
                                     "reflection", "refraction", "straight"};
-  return kNames[static_cast<std::size_t>(way)];
+  return kNames[static_cast<std::size_t>(segment)];
 }
 
-const char* output_name(Aov component) {
+const char* output_name(Aov aov) {
   constexpr const char* kNames[] = {"diffuse_result", "spec_result",    "refl_result",
                                     "refr_result",    "tran_result",    "indirect_result",
                                     "add_result",     "opacity_result", "other"};
-  return kNames[static_cast<std::size_t>(component)];
+  return kNames[static_cast<std::size_t>(aov)];
 }
 
 std::string material_name(const Material* material) {
@@ -128,7 +128,7 @@ json explain_json(const ExplainReport& r) {
               {"shown", explain_json_of(e.shown)},
               {"indirect", r.plan.name()},
               {"unit_luminance", r.unit.cd_m2},
-              {"unit_luminance_by", r.unit.by},
+              {"unit_luminance_source", r.unit.by},
               {"unexplained", explain_json_of(e.unexplained)}};
   for (std::size_t i = 0; i < kAovs; ++i) {
     const auto c = static_cast<Aov>(i);

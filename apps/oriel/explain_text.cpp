@@ -13,17 +13,17 @@
 namespace oriel::app {
 namespace {
 
-/// Less of the pixel is left out, and counted at the end.
+/// Smaller contributions are not listed; their sum is printed at the end.
 constexpr double kSmall = .01;
-/// Seen through so many mirrors and panes, surfaces are named without their own light.
+/// Maximum nesting depth; the light of deeper surfaces is not listed.
 constexpr int kDeepest = 6;
 
-/// A line of the tree: a share of the pixel, words, and where it goes on.
+/// A line of the tree: a share of the pixel, its description, and the surface listed below it.
 struct Item {
   Rgb light{0};
   std::string words;
-  std::size_t surface = 0;  ///< whose own items follow; 0 = none
-  bool plain = true;        ///< one light, followed by its tint
+  std::size_t surface = 0;  ///< its items are listed below; 0 = none
+  bool plain = true;        ///< a single contribution; its tint is printed
 };
 
 class Writer {
@@ -54,56 +54,55 @@ class Writer {
          e_.samples);
     const double unexplained = share(e_.unexplained);
     if (std::abs(unexplained) > kSmall)
-      line("{:.0f} % of it is what lens and state shaders made of what they were given",
-           100 * unexplained);
+      line("lens and state shaders changed the colour by {:+.0f} %", 100 * unexplained);
   }
 
-  /// What the eye meets: one surface, several at an edge, nothing.
+  /// Surfaces that camera rays hit: none, one, or several at an edge.
   void first_surfaces() {
     std::vector<std::size_t> firsts;
     for (std::size_t i = 1; i < e_.surfaces.size(); ++i)
       if (e_.surfaces[i].from == 0) firsts.push_back(i);
     std::sort(firsts.begin(), firsts.end(), [&](std::size_t a, std::size_t b) {
-      return e_.surfaces[a].met > e_.surfaces[b].met;
+      return e_.surfaces[a].hits > e_.surfaces[b].hits;
     });
-    if (firsts.empty()) line("\nThe camera sees no surface there.");
+    if (firsts.empty()) line("\nThe camera sees no surface in this pixel.");
     if (firsts.size() > 1)
       line("\nThe pixel lies on an edge: the camera sees {} surfaces.", firsts.size());
     for (const std::size_t i : firsts)
-      if (e_.surfaces[i].met > kSmall) surface(e_.surfaces[i]);
+      if (e_.surfaces[i].hits > kSmall) surface(e_.surfaces[i]);
   }
 
   void surface(const ExplainedSurface& s) {
     line("\nThe camera sees {}{}.", instance_name(r_.world, s.instance),
-         s.met < 1 - kSmall ? fmt::format(" ({:.0f} % of the pixel)", 100 * s.met) : "");
+         s.hits < 1 - kSmall ? fmt::format(" ({:.0f} % of the pixel)", 100 * s.hits) : "");
     line("  material   {}", material_name(s.material));
-    line("  place      {}, {:.4g} away, seen {} at {:.0f} degrees from its normal {}",
-         text_of(s.position), s.distance, s.back_side > .5f ? "from behind" : "from its front",
+    line("  position   {}, {:.4g} away, {} side, {:.0f} degrees from the normal {}",
+         text_of(s.position), s.distance, s.back_side > .5f ? "back" : "front",
          math::acos(clamp(s.cosine, -1, 1)) * 180 / kPi, text_of(s.normal));
     std::string lobes;
     for (const ExplainedLobe& lobe : s.lobes)
       if (!is_black(lobe.weight)) lobes += (lobes.empty() ? "" : "; ") + lobe_words(lobe);
     if (!is_black(s.emission))
-      lobes += (lobes.empty() ? "" : "; ") + fmt::format("glows {}", text_of(s.emission));
-    line("  it is      {}", lobes.empty() ? "black" : lobes);
-    if (s.opacity < 1 - kSmall) line("  cut-out    {:.0f} % of it is there", 100 * s.opacity);
+      lobes += (lobes.empty() ? "" : "; ") + fmt::format("emission {}", text_of(s.emission));
+    line("  lobes      {}", lobes.empty() ? "none" : lobes);
+    if (s.opacity < 1 - kSmall) line("  opacity    {:.0f} %", 100 * s.opacity);
     for (const ExplainedParameter& p : s.parameters)
-      line("  by shader  {} = {:.3g} of {}", p.name, fmt::join(p.values, " "), p.source);
+      line("  input      {} = {:.3g} from {}", p.name, fmt::join(p.values, " "), p.source);
     if (s.occlusion.samples > 0)
-      line("  occlusion  {:.0f} % of what it faces{} is open{}", 100 * s.free,
+      line("  occlusion  {:.0f} % of the hemisphere is unoccluded{}{}", 100 * s.free,
            s.occlusion.distance > 0 ? fmt::format(" within {:.3g}", s.occlusion.distance) : "",
-           s.occlusion.details > 0 ? "; the rest dims its indirect light" : "");
+           s.occlusion.details > 0 ? "; occlusion reduces the indirect light" : "");
   }
 
   void light() {
-    if (!(whole_ > 0)) return line("\nIt is black: no light comes to the camera.");
-    line("\nIts light:");
+    if (!(whole_ > 0)) return line("\nThe pixel is black: no light reaches the camera.");
+    line("\nLight:");
     const double left_out = 1 - tree(0, 1, 0);
     if (std::abs(left_out - share(e_.unexplained)) > kSmall)
-      line("  {:>3.0f} %  in small shares", 100 * (left_out - share(e_.unexplained)));
+      line("  {:>3.0f} %  in contributions below 1 %", 100 * (left_out - share(e_.unexplained)));
   }
 
-  /// Writes the items of a surface; returns the share that they are in all.
+  /// Writes the items of a surface; returns the sum of their shares.
   double tree(std::size_t index, int indent, int depth) {
     std::vector<Item> items = items_of(index);
     std::sort(items.begin(), items.end(),
@@ -112,13 +111,13 @@ class Writer {
     for (const Item& item : items) {
       const double part = share(item.light);
       if (part < kSmall) continue;
-      const bool goes_on = item.surface > 0 && depth < kDeepest;
+      const bool expand = item.surface > 0 && depth < kDeepest;
       // The first surface is already printed: its light is not indented.
-      const bool is_told = index == 0 && item.surface > 0 && part > 1 - kSmall;
-      if (!is_told)
+      const bool is_printed = index == 0 && item.surface > 0 && part > 1 - kSmall;
+      if (!is_printed)
         line("{:{}}{:>3.0f} %  {}{}", "", indent * 2, 100 * part, item.words,
              item.surface == 0 && item.plain ? tint(item.light) : "");
-      written += goes_on ? tree(item.surface, indent + (is_told ? 0 : 3), depth + 1) : part;
+      written += expand ? tree(item.surface, indent + (is_printed ? 0 : 3), depth + 1) : part;
     }
     return written;
   }
@@ -146,7 +145,7 @@ class Writer {
     return items;
   }
 
-  /// Light of other surfaces on a diffuse one, in one line.
+  /// Indirect light that a surface scatters diffusely, in one line.
   Item bounced(std::vector<std::size_t> from) const {
     std::sort(from.begin(), from.end(), [&](std::size_t a, std::size_t b) {
       return luminance(e_.surfaces[a].total()) > luminance(e_.surfaces[b].total());
@@ -162,18 +161,18 @@ class Writer {
                                     instance_name(r_.world, e_.surfaces[i].instance),
                                     100 * share(light), tint(light)));
     }
-    item.words = "light that other surfaces throw on it";
+    item.words = "indirect light from other surfaces";
     if (!names.empty()) item.words += fmt::format(": {}", fmt::join(names, "; "));
     return item;
   }
 
-  /// Lights that bring nothing to what the camera sees first, and why.
+  /// Lights without contribution to the first surfaces, with the reason.
   void darkness() {
     for (const ExplainedSurface& s : e_.surfaces) {
-      if (s.way != PathSegment::Eye || s.instance < 0 || s.met <= kSmall) continue;
+      if (s.segment != PathSegment::Eye || s.instance < 0 || s.hits <= kSmall) continue;
       std::vector<std::string> dark = lost_lights(r_, s);
       if (dark.empty()) continue;
-      line("\nLights that bring {} nothing:", instance_name(r_.world, s.instance));
+      line("\nLights without contribution to {}:", instance_name(r_.world, s.instance));
       constexpr std::size_t kMax = 12;
       for (std::size_t i = 0; i < std::min(kMax, dark.size()); ++i) line("  {}", dark[i]);
       if (dark.size() > kMax) line("  and {} more", dark.size() - kMax);
@@ -190,8 +189,7 @@ class Writer {
       items.push_back({sum, e_.sources[i], 0});
     }
     const std::string words = list(std::move(items));
-    if (!words.empty())
-      line("\nBy source, with all that mirrors and bounces bring of it: {}", words);
+    if (!words.empty()) line("\nLight by source, including reflections and bounces: {}", words);
   }
 
   void layers() {
@@ -199,7 +197,7 @@ class Writer {
     for (std::size_t i = 0; i < kAovs; ++i)
       items.push_back({e_.parts[i], output_name(static_cast<Aov>(i)), 0});
     const std::string words = list(std::move(items));
-    if (!words.empty()) line("By layer: {}", words);
+    if (!words.empty()) line("Light by layer: {}", words);
   }
 
   std::string list(std::vector<Item> items) const {
@@ -213,12 +211,11 @@ class Writer {
   }
 
   void exposure() {
-    line("\nExposure: {:.4g} cd/m2; one unit of a pixel is {:.4g} cd/m2 ({}).",
-         whole_ * r_.unit.cd_m2, r_.unit.cd_m2,
-         r_.unit.by.empty() ? "the scene does not say, so 1 is taken" : r_.unit.by);
-    if (e_.mappings.empty()) line("  No tone mapper: the colour is shown as it is.");
+    line("\nExposure: {:.4g} cd/m2; one pixel unit is {:.4g} cd/m2 ({}).", whole_ * r_.unit.cd_m2,
+         r_.unit.cd_m2, r_.unit.by.empty() ? "default; the scene does not define it" : r_.unit.by);
+    if (e_.mappings.empty()) line("  No tone mapper: the displayed colour is the rendered colour.");
     for (const ExplainedMapping& m : e_.mappings) {
-      line("  {} shader {}: {} becomes {}", m.output ? "output" : "lens", m.shader->spec().name,
+      line("  {} shader {} maps {} to {}", m.output ? "output" : "lens", m.shader->spec().name,
            text_of(m.before), text_of(m.after));
       line("    {}", constants_of(*m.shader));
     }
@@ -227,16 +224,16 @@ class Writer {
   void noise() {
     const double error = std::sqrt(noise_of_mean(e_.variance));
     if (!(whole_ > 0) || e_.samples < 2) return;
-    line("\nNoise: {:.2g} % of the luminance is the standard error after {} samples.",
+    line("\nNoise: standard error {:.2g} % of the luminance after {} samples.",
          100 * error / whole_, e_.samples);
     double all = 0;
     for (const double v : e_.noise) all += v;
-    if (error < 1e-4 * whole_ || !(all > 0)) return line("  There is next to none.");
+    if (error < 1e-4 * whole_ || !(all > 0)) return line("  The noise is negligible.");
     const auto most = std::max_element(e_.noise.begin(), e_.noise.end());
     const auto part = static_cast<Aov>(most - e_.noise.begin());
-    line("  {:.0f} % of it is in {}. {}", 100 * *most / all, output_name(part),
+    line("  {:.0f} % of the variance is in {}. {}", 100 * *most / all, output_name(part),
          noise_advice(r_, part));
-    line("  Half the noise takes four times the samples.");
+    line("  Half the noise requires four times the samples.");
   }
 
   bool is_environment(std::size_t source) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An explanation of a pixel in words, and as data for machines.
+// The explanation of a pixel as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@
 
 namespace oriel::app {
 
-/// An explanation and what its words need beside it.
+/// An explanation with the data that its text refers to.
 struct ExplainReport {
   const Explanation& facts;
   const World& world;
@@ -19,20 +19,20 @@ struct ExplainReport {
   UnitLuminance unit;
 };
 
-/// Paragraphs, lines of at most 100 characters where names allow. Shares are of the pixel's
-/// luminance, sorted; those below a hundredth are left out.
+/// Text of the report. Shares are fractions of the luminance of the pixel, the largest first;
+/// shares below 1 % are not listed.
 /// Checked: tests/cli/explain_test.cpp
 std::string explain_text(const ExplainReport& report);
 
 nlohmann::json explain_json(const ExplainReport& report);
 
-// Words that both use.
+// Names used by both.
 std::string instance_name(const World& world, int instance);
-std::string lamp_name(const World& world, int light);
+std::string light_name(const World& world, int light);
 const char* lobe_name(LobeKind kind);
-const char* segment_name(PathSegment way);
-/// The output of materials that a component is, "other" for what belongs to none.
-const char* output_name(Aov component);
+const char* segment_name(PathSegment segment);
+/// Name of the material output of an AOV; "other" if there is none.
+const char* output_name(Aov aov);
 /// The element and shader of a material: "wood (mia_material_x)".
 std::string material_name(const Material* material);
 

@@ -14,17 +14,18 @@ namespace {
 constexpr double kAll = .995;  ///< a share that is called all
 constexpr double kSome = .01;
 
-/// Whose light a source is: of it alone, or of others that share its name but for digits.
-bool is_of(const std::string& source, const std::string& lamp) {
-  if (!source.ends_with('*')) return source == lamp;
-  return lamp.compare(0, source.size() - 1, source, 0, source.size() - 1) == 0;
+/// Whether a source contains the light: by its name, or by a name that ends with * (see
+/// separate_light_layers).
+bool is_of(const std::string& source, const std::string& light) {
+  if (!source.ends_with('*')) return source == light;
+  return light.compare(0, source.size() - 1, source, 0, source.size() - 1) == 0;
 }
 
 std::string main_blocker(const World& world, const std::map<int, double>& blockers) {
   const auto most = std::max_element(blockers.begin(), blockers.end(),
                                      [](auto& a, auto& b) { return a.second < b.second; });
   if (most == blockers.end() || most->first < 0) return {};
-  return fmt::format(", {}by {}", blockers.size() > 1 ? "most " : "",
+  return fmt::format("{} by {}", blockers.size() > 1 ? ", mostly" : "",
                      instance_name(world, most->first));
 }
 
@@ -47,7 +48,7 @@ std::string value_text(const ParamSpec& p, const std::byte* at) {
 
 std::string text_of(const Rgb& c) { return fmt::format("{:.3g} {:.3g} {:.3g}", c.x, c.y, c.z); }
 std::string text_of(const Vec3& v) {
-  // A place at 1e-9 is one at 0.
+  // Rounding errors are printed as 0.
   const auto number = [](float f) { return std::abs(f) < 1e-5f ? 0.0f : f; };
   return fmt::format("{:.3g} {:.3g} {:.3g}", number(v.x), number(v.y), number(v.z));
 }
@@ -56,7 +57,7 @@ std::string tint(const Rgb& c) {
   constexpr float kGrey = .25f;  // of the greatest channel
   const float most = max_component(c), least = std::min({c.x, c.y, c.z});
   if (!(most > 0) || (most - least) / most < kGrey) return {};
-  // Where the middle channel stands between the others tells the hue between two of them.
+  // The middle channel, relative to the others, determines the hue.
   const float middle = (c.x + c.y + c.z - most - least - least) / (most - least);
   const bool mixed = middle > .6f;
   const char* hue = "";
@@ -92,13 +93,13 @@ std::string light_words(Aov part, const std::string& source, bool environment) {
     case Aov::Reflection:
       return "reflection of " + who;
     case Aov::Refraction:
-      return who + ", seen through it";
+      return "transmission of " + who;
     case Aov::Translucency:
-      return "light of " + who + " from its other side";
+      return "light of " + who + " from the other side";
     case Aov::Indirect:
       return "indirect light of " + who;
     case Aov::Added:
-      return "its own glow";
+      return "emission";
     default:
       return who + ", seen directly";
   }
@@ -106,23 +107,22 @@ std::string light_words(Aov part, const std::string& source, bool environment) {
 
 std::string shadow_words(const ExplainReport& r, const ExplainedSurface& s,
                          const std::string& source) {
-  double all = 0, arrived = 0;
+  double all = 0, unoccluded = 0;
   std::map<int, double> blockers;
-  for (const ExplainedLamp& lamp : s.lamps) {
-    if (lamp.light < 0 || !is_of(source, lamp_name(r.world, lamp.light))) continue;
-    all += luminance(lamp.unshadowed), arrived += luminance(lamp.arrived);
-    for (const auto& [instance, lost] : lamp.blockers) blockers[instance] += lost;
+  for (const ExplainedLightSource& light : s.lights) {
+    if (light.light < 0 || !is_of(source, light_name(r.world, light.light))) continue;
+    all += luminance(light.unshadowed), unoccluded += luminance(light.unoccluded);
+    for (const auto& [instance, lost] : light.blockers) blockers[instance] += lost;
   }
-  const double lost = all > 0 ? 1 - arrived / all : 0;
+  const double lost = all > 0 ? 1 - unoccluded / all : 0;
   if (lost < kSome) return {};
-  return fmt::format("; {:.0f} % of what it sends there is shadowed{}", 100 * lost,
-                     main_blocker(r.world, blockers));
+  return fmt::format("; {:.0f} % shadowed{}", 100 * lost, main_blocker(r.world, blockers));
 }
 
 std::string map_words(const ExplainedSurface& s) {
   std::string words;
-  if (s.records > 0) words = fmt::format(" (of {:.0f} gathered points)", s.records);
-  if (s.photons > 0) words += fmt::format(" (of {:.0f} photons)", s.photons);
+  if (s.records > 0) words = fmt::format(" ({:.0f} gather points)", s.records);
+  if (s.photons > 0) words += fmt::format(" ({:.0f} photons)", s.photons);
   return words;
 }
 
@@ -130,13 +130,13 @@ std::string seen_words(const World& world, const ExplainedSurface& s) {
   const std::string what =
       fmt::format("{} (material {}), {:.3g} away", instance_name(world, s.instance),
                   s.material->name, s.distance);
-  switch (s.way) {
+  switch (s.segment) {
     case PathSegment::Reflection:
       return "reflection of " + what;
     case PathSegment::Refraction:
-      return "what refraction shows: " + what;
+      return "refraction of " + what;
     case PathSegment::Straight:
-      return "seen through it: " + what;
+      return "behind it: " + what;
     default:
       return what;
   }
@@ -144,15 +144,14 @@ std::string seen_words(const World& world, const ExplainedSurface& s) {
 
 std::vector<std::string> lost_lights(const ExplainReport& r, const ExplainedSurface& s) {
   std::vector<std::string> lost;
-  for (const ExplainedLamp& lamp : s.lamps) {
-    const double all = luminance(lamp.unshadowed);
-    const std::string name = lamp_name(r.world, lamp.light);
+  for (const ExplainedLightSource& light : s.lights) {
+    const double all = luminance(light.unshadowed);
+    const std::string name = light_name(r.world, light.light);
     if (!(all > 0)) {
-      // The surface may have no lobe that this light could show on.
-      if (lamp.light >= 0)
-        lost.push_back(name + ": it does not face the light, or shows none of it");
-    } else if (luminance(lamp.arrived) <= (1 - kAll) * all) {
-      lost.push_back(fmt::format("{}: in shadow{}", name, main_blocker(r.world, lamp.blockers)));
+      if (light.light >= 0)
+        lost.push_back(name + ": the surface faces away from it, or has no lobe for it");
+    } else if (luminance(light.unoccluded) <= (1 - kAll) * all) {
+      lost.push_back(fmt::format("{}: shadowed{}", name, main_blocker(r.world, light.blockers)));
     }
   }
   return lost;
@@ -163,7 +162,7 @@ std::string constants_of(const ShaderNode& node) {
   const std::byte* constants = &node.constants<std::byte>();
   for (const ParamSpec& p : node.spec().params) {
     if (node.connected(p.offset)) {
-      words.push_back(fmt::format("{} by a shader", p.name));
+      words.push_back(fmt::format("{} from a shader", p.name));
       continue;
     }
     if (const std::string text = value_text(p, constants + p.offset); !text.empty())
@@ -173,7 +172,7 @@ std::string constants_of(const ShaderNode& node) {
 }
 
 double noise_of_mean(const Rgb& variance) {
-  // The channels of a path rise and fall together.
+  // The channels of a path are fully correlated.
   const double deviation =
       luminance(Rgb(std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z)));
   return deviation * deviation;
@@ -182,22 +181,23 @@ double noise_of_mean(const Rgb& variance) {
 std::string noise_advice(const ExplainReport& r, Aov part) {
   switch (part) {
     case Aov::Indirect:
-      return r.plan.gather || r.plan.global
-                 ? "More gather rays or photons make the maps smoother."
-                 : "Its rays seldom find the light: --gi fg gathers it once for many pixels, and "
-                   "portals in windows lead rays to the sky.";
+      return r.plan.gather || r.plan.global ? "Increase the number of gather rays or photons."
+                                            : "Few paths find the light. Use --gi fg, whose gather "
+                                              "points many pixels share, or "
+                                              "add portals to windows.";
     case Aov::Diffuse:
-      return "Large lights, half hidden, are seen by chance: only more samples help.";
+      return "It comes from partly occluded lights. Increase the number of samples.";
     case Aov::Specular:
     case Aov::Reflection:
-      return "Glossy rays find different things: raise the material's reflection samples "
-             "(refl_gloss_samples), or let it interpolate.";
+      return "It comes from glossy reflection. Increase refl_gloss_samples of the material, or "
+             "interpolate the reflection.";
     case Aov::Refraction:
-      return "Rays behind it find different things: raise refr_gloss_samples where it is frosted.";
+      return "It comes from glossy refraction. Increase refr_gloss_samples of the material.";
     case Aov::Translucency:
-      return "Light from the other side is found by chance: only more samples help.";
+      return "It comes from light on the other side. Increase the number of samples.";
     default:
-      return "The pixel's samples see different things: an edge, or a lens out of focus.";
+      return "The samples see different surfaces: an edge, or defocus. Increase the number of "
+             "samples.";
   }
 }
 

@@ -49,10 +49,7 @@ Shown read_shown(const FalseColorArguments& a) {
                                                      : "";
   if (const Layer* layer = find_layer(file.layers, name))
     return {luminance_of(layer->image, 1), unit};
-  if (name != kLuminanceLayer)
-    throw UserError(fmt::format(
-        "'{}' has no layer {}{}", a.input, name,
-        name == kIlluminanceLayer ? "; oriel render --layers illuminance makes it" : ""));
+  if (name != kLuminanceLayer) throw missing_layer(a.input, name, file.layers);
   return {luminance_of(beauty, number_attribute(file, kUnitLuminanceKey).value_or(1)), unit};
 }
 
@@ -63,7 +60,7 @@ ValueScale scale_for(const FalseColorArguments& a, const Image& values) {
   char rest = 0;
   if (std::sscanf(a.range.c_str(), "%f,%f%c", &scale.low, &scale.high, &rest) != 2 ||
       !(scale.low < scale.high) || (a.logarithmic && !(scale.low > 0)))
-    throw UsageError(fmt::format("--range {}: write LOW,HIGH{}", a.range,
+    throw UsageError(fmt::format("--range {}: expected LOW,HIGH{}", a.range,
                                  a.logarithmic ? ", above 0 with --log" : ""));
   return scale;
 }
@@ -85,12 +82,14 @@ Command add_falsecolor_command(CLI::App& program) {
   auto a = std::make_shared<FalseColorArguments>();
   app->add_option("IN", a->input, "EXR file of oriel render --layers illuminance,luminance")
       ->required();
-  app->add_option("-o,--output", a->output, "The picture to write, type by suffix")->required();
+  app->add_option("-o,--output", a->output, "Picture to write; the suffix sets the type")
+      ->required();
   app->add_option("--layer", a->layer, "Layer (default: illuminance, else luminance)");
-  app->add_option("--range", a->range, "Values of the darkest and the brightest colour")
+  app->add_option("--range", a->range,
+                  "Values of the darkest and the brightest colour (default: from the picture)")
       ->type_name("LOW,HIGH");
-  app->add_flag("--log", a->logarithmic, "Equal steps of colour are equal factors");
-  app->add_flag("--isolines", a->isolines, "Lines where values pass those of the legend");
+  app->add_flag("--log", a->logarithmic, "Logarithmic scale");
+  app->add_flag("--isolines", a->isolines, "Contour lines of the values in the legend");
   return {app, [a] { return run_falsecolor(*a); }};
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBlock = 8;  // pixels
 
-/// Mean luminance of the pixels of a block that see something; 0: none does.
+/// Mean luminance of the finite pixels of a block; 0: there are none.
 double block_mean(const Film& film, int left, int top) {
   double sum = 0;
   int seen = 0;
@@ -36,8 +36,7 @@ float metered_shutter(scene::Scene& scene, float f_number) {
   int lit = 0;
   quick_look(scene, {}, kLook, [&](const QuickLookResult& look) {
     const Film& film = look.session.film();
-    // A pixel that light reaches by rare paths is black or far too bright: a block of them is
-    // neither.
+    // Blocks, because light of rare paths makes single pixels black or far too bright.
     for (int top = 0; top < film.height(); top += kBlock)
       for (int left = 0; left < film.width(); left += kBlock) {
         const double value = block_mean(film, left, top);

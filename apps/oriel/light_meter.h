@@ -6,11 +6,12 @@
 
 namespace oriel::app {
 
-/// The shutter (1/s) that photographs the last frame at ISO 100 and that f-number; 0 where the
-/// picture is black or there is none.
+/// Shutter (1/s) that exposes the last frame correctly at ISO 100 and that f-number; 0 if the
+/// picture is black or cannot be rendered.
 ///
-/// Model:   a small picture by paths; the mean log luminance of blocks of its pixels, black ones
-///          apart, is what a meter with the constant K = 12.5 cd/m2 s would read. Pixels are cd/m2.
+/// Model:   a small path-traced picture in cd/m2. The reading is the mean log luminance of blocks
+/// of
+///          its pixels without black blocks, for a meter constant K = 12.5 cd/m2 s.
 /// Source:  ISO 2720:1974: L S t = K N^2.
 /// Checked: ConvertTest.ItsOwnLightsAreMetered in tests/cli/convert_test.cpp
 float metered_shutter(scene::Scene& scene, float f_number);

@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "convert_model.h"
+#include "suggest.h"
 
 namespace {
 
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
     if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
     for (const Command& command : commands)
       if (command.app->parsed()) chosen = command.app->get_name();
-    return usage_error(first_line(e.what()), chosen);
+    return usage_error(usage_message(program, e, {argv + 1, argv + argc}), chosen);
   } catch (const UsageError& e) {
     return usage_error(e.what(), chosen);
   } catch (const std::bad_alloc&) {

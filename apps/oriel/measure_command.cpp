@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// oriel measure: what light meters read in a scene, on a grid, at points, through pixels.
+// oriel measure: illuminance on a grid or at points, and luminance of pixels.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -38,21 +38,21 @@ struct MeasureArguments {
   bool json = false;
 };
 
-/// A reading through a pixel, and of the surface that is seen there.
+/// Readings of a pixel and of its visible surface.
 struct SpotReading {
   int x, y;
   Spot spot;
   Reading luminance, illuminance;
 };
 
-/// All that was measured.
+/// The result of a run.
 struct Measurement {
   UnitLuminance unit;
-  float length_unit = 1;  ///< metres of a scene unit where they are known
+  float length_unit = 1;  ///< metres per scene unit; 1 = not given
   Places places;
   std::vector<Reading> readings;
   std::vector<SpotReading> spots;
-  double open_sky = 0;  ///< lux of open ground where only the sky gives light; else 0
+  double open_sky = 0;  ///< lux of open ground if only the sky emits light; else 0
 };
 
 double parse_precision(const std::string& text) {
@@ -60,7 +60,8 @@ double parse_precision(const std::string& text) {
   const double value = std::strtod(text.c_str(), &end);
   const bool percent = *end == '%' && end[1] == 0;
   if (end == text.c_str() || (*end != 0 && !percent) || !(value > 0))
-    throw UsageError(fmt::format("--precision {}: write a share above 0, as 2% or 0.02", text));
+    throw UsageError(
+        fmt::format("--precision {}: expected a positive fraction, as 2% or 0.02", text));
   return percent ? value / 100 : value;
 }
 
@@ -68,16 +69,16 @@ void check(MeasureArguments& a) {
   const PlaceArguments& p = a.places;
   a.request.precision = parse_precision(a.precision);
   if (p.points.empty() && p.grid.empty() && p.plane.empty() && a.pixels.empty())
-    throw UsageError("nothing to measure: --grid, --plane, --at or --pixel says where");
-  if (p.plane.empty() && !p.inset.empty()) throw UsageError("--inset: only with --plane");
+    throw UsageError("nothing to measure: --grid, --plane, --at or --pixel is required");
+  if (p.plane.empty() && !p.inset.empty()) throw UsageError("--inset requires --plane");
   if (p.plane.empty() && p.grid.empty() && !p.spacing.empty())
-    throw UsageError("--spacing: only with --plane or --grid");
+    throw UsageError("--spacing requires --plane or --grid");
   if (p.meters_per_unit && !(*p.meters_per_unit > 0))
-    throw UsageError("--meters-per-unit: more than 0");
+    throw UsageError("--meters-per-unit: expected a positive number");
   if (a.unit_luminance && !(*a.unit_luminance > 0))
-    throw UsageError("--unit-luminance: more than 0");
-  if (!(a.request.seconds >= 0)) throw UsageError("--time: more than 0 seconds");
-  if (a.north && a.sun.empty()) throw UsageError("--north: only with --sun");
+    throw UsageError("--unit-luminance: expected a positive number");
+  if (!(a.request.seconds >= 0)) throw UsageError("--time: expected a positive number of seconds");
+  if (a.north && a.sun.empty()) throw UsageError("--north requires --sun");
 }
 
 std::vector<Vec2> corners_of(const std::vector<std::string>& pixels, const Camera& camera) {
@@ -86,7 +87,7 @@ std::vector<Vec2> corners_of(const std::vector<std::string>& pixels, const Camer
     int x = 0, y = 0;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%6d,%6d%c", &x, &y, &rest) != 2)
-      throw UsageError(fmt::format("--pixel {}: write X,Y", text));
+      throw UsageError(fmt::format("--pixel {}: expected X,Y", text));
     if (x < 0 || y < 0 || x >= camera.width || y >= camera.height)
       throw UserError(fmt::format("--pixel {}: the picture has {} x {} pixels", text, camera.width,
                                   camera.height));
@@ -95,7 +96,7 @@ std::vector<Vec2> corners_of(const std::vector<std::string>& pixels, const Camer
   return corners;
 }
 
-/// Lux of open level ground where the environment is the only source.
+/// Lux of open level ground if the environment is the only source; else 0.
 double open_sky(const World& world, float unit, const Vec3& up) {
   for (const Light& light : world.lights)
     if (!light.portal) return 0;
@@ -106,7 +107,7 @@ std::vector<SpotReading> read_spots(const MeasureArguments& a, const World& worl
   const std::vector<Vec2> corners = corners_of(a.pixels, world.camera);
   const auto luminances = measure_luminance(world, corners, unit, a.request, &interrupted());
   std::vector<SpotReading> spots;
-  std::vector<IrradianceSensor> meters;
+  std::vector<IrradianceSensor> sensors;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const int y = world.camera.height - 1 - static_cast<int>(corners[i].y);
     spots.push_back({static_cast<int>(corners[i].x),
@@ -114,9 +115,9 @@ std::vector<SpotReading> read_spots(const MeasureArguments& a, const World& worl
                      find_spot(world, corners[i] + Vec2(.5f)),
                      luminances[i],
                      {}});
-    if (spots.back().spot.surface) meters.push_back(spots.back().spot.sensor);
+    if (spots.back().spot.surface) sensors.push_back(spots.back().spot.sensor);
   }
-  const auto lux = measure_illuminance(world, meters, unit, a.request, {}, &interrupted());
+  const auto lux = measure_illuminance(world, sensors, unit, a.request, {}, &interrupted());
   std::size_t next = 0;
   for (SpotReading& s : spots)
     if (s.spot.surface) s.illuminance = lux[next++];
@@ -131,10 +132,10 @@ json json_of(const Reading& r) {
 }
 json json_of(const Vec3& v, float unit = 1) { return {v.x * unit, v.y * unit, v.z * unit}; }
 
-/// Of the sensors together.
+/// Statistics of all sensors.
 struct Summary {
   Reading mean;
-  std::size_t least = 0, most = 0;  ///< which sensors
+  std::size_t least = 0, most = 0;  ///< indices of sensors
   int imprecise = 0;
 
   explicit Summary(const std::vector<Reading>& readings) : mean(mean_reading(readings)) {
@@ -148,14 +149,14 @@ struct Summary {
 
 json json_of(const Measurement& m) {
   json out = {{"unit_luminance", m.unit.cd_m2},
-              {"unit_luminance_by", m.unit.by},
+              {"unit_luminance_source", m.unit.by},
               {"meters_per_unit", m.length_unit}};
   if (!m.readings.empty()) {
     json sensors = json::array();
     for (std::size_t i = 0; i < m.readings.size(); ++i) {
       json sensor = json_of(m.readings[i]);
-      sensor["position"] = json_of(m.places.meters[i].position, m.length_unit);
-      sensor["normal"] = json_of(m.places.meters[i].normal);
+      sensor["position"] = json_of(m.places.sensors[i].position, m.length_unit);
+      sensor["normal"] = json_of(m.places.sensors[i].normal);
       sensors.push_back(sensor);
     }
     const Summary s(m.readings);
@@ -187,7 +188,7 @@ json json_of(const Measurement& m) {
   return out;
 }
 
-/// As many digits as the interval leaves.
+/// With the digits that are significant by the interval.
 std::string text_of(const Reading& r) {
   const double width = std::max(r.half_width, 1e-3 * std::abs(r.value));
   const int digits =
@@ -215,15 +216,15 @@ void print_grid(const Measurement& m) {
 void print_illuminance(const Measurement& m, double precision, const char* length) {
   const std::size_t n = m.readings.size();
   if (m.places.columns > 0) {
-    fmt::print("lux, {} x {} sensors, {:.4g} x {:.4g} {} apart, first from {} to {}\n",
+    fmt::print("lux, {} x {} sensors, spacing {:.4g} x {:.4g} {}, from {} to {}\n",
                m.places.columns, m.places.rows, m.places.spacing[0] * m.length_unit,
                m.places.spacing[1] * m.length_unit, length,
-               place_text(m.places.meters.front().position, m.length_unit),
-               place_text(m.places.meters.back().position, m.length_unit));
+               place_text(m.places.sensors.front().position, m.length_unit),
+               place_text(m.places.sensors.back().position, m.length_unit));
     print_grid(m);
   } else {
     for (std::size_t i = 0; i < n; ++i)
-      fmt::print("{:<28}{} lux\n", place_text(m.places.meters[i].position, m.length_unit),
+      fmt::print("{:<28}{} lux\n", place_text(m.places.sensors[i].position, m.length_unit),
                  text_of(m.readings[i]));
   }
   const Summary s(m.readings);
@@ -231,9 +232,9 @@ void print_illuminance(const Measurement& m, double precision, const char* lengt
   if (n > 1) {
     fmt::print("{:<12}{} lux\n", "mean", text_of(s.mean));
     fmt::print("{:<12}{} lux at {}\n", "min", text_of(m.readings[s.least]),
-               place_text(m.places.meters[s.least].position, m.length_unit));
+               place_text(m.places.sensors[s.least].position, m.length_unit));
     fmt::print("{:<12}{} lux at {}\n", "max", text_of(m.readings[s.most]),
-               place_text(m.places.meters[s.most].position, m.length_unit));
+               place_text(m.places.sensors[s.most].position, m.length_unit));
     fmt::print("{:<12}{:.3f} (min / mean)\n", "uniformity",
                s.mean.value > 0 ? least / s.mean.value : 0);
   }
@@ -241,8 +242,9 @@ void print_illuminance(const Measurement& m, double precision, const char* lengt
     fmt::print("{:<12}{:.2f} % of {:.0f} lux under the open sky\n", "daylight",
                100 * s.mean.value / m.open_sky, m.open_sky);
   if (s.imprecise > 0)
-    fmt::print("{} of {} sensors are not within {:.3g} %: more --time or --max-samples\n",
-               s.imprecise, n, 100 * precision);
+    fmt::print(
+        "{} of {} sensors exceed a relative error of {:.3g} %: increase --time or --max-samples\n",
+        s.imprecise, n, 100 * precision);
 }
 
 void print_spot(const SpotReading& r, float unit, const char* length) {
@@ -250,7 +252,7 @@ void print_spot(const SpotReading& r, float unit, const char* length) {
   fmt::print("  {:<12}{} cd/m2\n", "luminance", text_of(r.luminance));
   if (!r.spot.surface) return fmt::print("  no surface\n");
   fmt::print("  {:<12}{} lux\n", "illuminance", text_of(r.illuminance));
-  fmt::print("  {:<12}{}, {:.4g} {} away\n", "place", place_text(r.spot.sensor.position, unit),
+  fmt::print("  {:<12}{}, {:.4g} {} away\n", "position", place_text(r.spot.sensor.position, unit),
              r.spot.distance * unit, length);
   fmt::print("  {:<12}{} of {}\n", "material", r.spot.material, r.spot.instance);
 }
@@ -259,7 +261,7 @@ void write_csv(const std::string& path, const Measurement& m) {
   std::ofstream file(path);
   file << "x,y,z,nx,ny,nz,lux,half_width,samples\n";
   for (std::size_t i = 0; i < m.readings.size(); ++i) {
-    const Vec3 p = m.places.meters[i].position * m.length_unit, n = m.places.meters[i].normal;
+    const Vec3 p = m.places.sensors[i].position * m.length_unit, n = m.places.sensors[i].normal;
     const Reading& r = m.readings[i];
     file << fmt::format("{},{},{},{},{},{},{:.7g},{:.4g},{}\n", p.x, p.y, p.z, n.x, n.y, n.z,
                         r.value, r.half_width, r.samples);
@@ -267,12 +269,12 @@ void write_csv(const std::string& path, const Measurement& m) {
   if (!file.flush()) throw UserError(fmt::format("cannot write '{}'", path));
 }
 
-/// The scene's first frame made ready, with all that its shaders need while they run.
+/// The first frame of the scene, prepared, with the objects that its shaders use.
 struct LoadedScene {
   scene::Scene scene;
   std::optional<SceneCode> code;
   std::optional<sdk::Host> host;
-  std::unique_ptr<World> world;  ///< null: it cannot be measured
+  std::unique_ptr<World> world;  ///< null: an error was reported
 
   ~LoadedScene() {
     if (host) host->end_frame();
@@ -324,19 +326,19 @@ int run_measure(MeasureArguments& a) {
   catch_interrupts();
   m.places = find_places(a.places, world->accel->bounds());
   m.readings =
-      measure_illuminance(*world, m.places.meters, m.unit.cd_m2, a.request, {}, &interrupted());
+      measure_illuminance(*world, m.places.sensors, m.unit.cd_m2, a.request, {}, &interrupted());
   m.spots = read_spots(a, *world, m.unit.cd_m2);
   loaded.host->end_frame();
   printer.print_new();
   if (interrupted()) return kExitFailed;
-  if (!m.places.meters.empty())
-    m.open_sky = open_sky(*world, m.unit.cd_m2, m.places.meters.front().normal);
+  if (!m.places.sensors.empty())
+    m.open_sky = open_sky(*world, m.unit.cd_m2, m.places.sensors.front().normal);
   if (!a.csv.empty()) write_csv(a.csv, m);
   if (a.json) return print_json(json_of(m)), kExitDone;
 
   const char* length = a.places.meters_per_unit ? "m" : "scene units";
-  fmt::print("one unit of a pixel is {:.6g} cd/m2 ({})\n", m.unit.cd_m2,
-             m.unit.by.empty() ? "the scene does not say" : m.unit.by);
+  fmt::print("one pixel unit is {:.6g} cd/m2 ({})\n", m.unit.cd_m2,
+             m.unit.by.empty() ? "default; the scene does not define it" : m.unit.by);
   if (!m.readings.empty()) print_illuminance(m, a.request.precision, length);
   for (const SpotReading& spot : m.spots) print_spot(spot, m.length_unit, length);
   return kExitDone;
@@ -347,14 +349,15 @@ int run_measure(MeasureArguments& a) {
 Command add_measure_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "measure",
-      "Measure light: lux of sensors on a grid or at points, cd/m2 through pixels, each with a "
-      "95 % interval");
+      "Measure light: lux of sensors on a grid or at points, cd/m2 of pixels, each with its 95 % "
+      "confidence interval");
   auto a = std::make_shared<MeasureArguments>();
   add_scene_arguments(*app, a->scene);
   PlaceArguments& p = a->places;
   CLI::Option* grid =
-      app->add_option("--grid", p.grid,
-                      "Rectangle of sensors: corner, two edges, numbers; 0,0,.85:4,0,0:0,3,0:8x6")
+      app->add_option(
+             "--grid", p.grid,
+             "Rectangle of sensors: corner, two edges, numbers, e.g. 0,0,.85:4,0,0:0,3,0:8x6")
           ->type_name("ORIGIN:U:V[:NUxNV]");
   CLI::Option* plane =
       app->add_option(
@@ -362,9 +365,10 @@ Command add_measure_command(CLI::App& program) {
              "Horizontal or vertical grid of sensors through the bounding box, e.g. z=0.85")
           ->type_name("AXIS=VALUE")
           ->excludes(grid);
-  app->add_option("--spacing", p.spacing, "Distance of sensors, of --plane and --grid");
-  app->add_option("--inset", p.inset, "Distance of --plane from the sides of the bounding box");
-  app->add_option("--at", p.points, "One sensor; repeat for more")
+  app->add_option("--spacing", p.spacing, "Distance between sensors of --plane and --grid");
+  app->add_option("--inset", p.inset,
+                  "Distance of --plane from the sides of the bounding box (default 0)");
+  app->add_option("--at", p.points, "One sensor; repeatable")
       ->allow_extra_args(false)
       ->type_name("X,Y,Z")
       ->excludes(grid)
@@ -373,18 +377,19 @@ Command add_measure_command(CLI::App& program) {
                   "Direction of the sensors (default: normal of the plane or grid; 0,0,1 for --at)")
       ->type_name("X,Y,Z");
   app->add_option("--pixel", a->pixels,
-                  "Luminance through a pixel, counted from the upper left, 0,0; repeatable")
+                  "Luminance of a pixel, counted from the upper left (0,0); repeatable")
       ->allow_extra_args(false)
       ->type_name("X,Y");
-  app->add_option("--precision", a->precision, "Relative error of each reading at 95 % confidence")
-      ->capture_default_str();
-  app->add_option("--floor", a->request.floor, "Lux (cd/m2) that are precise enough anywhere")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app->add_option("--max-samples", a->request.max_samples, "Maximum number of paths per reading")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app->add_option("--time", a->request.seconds, "Seconds for all sensors, and for all pixels");
+  app->add_option("--precision", a->precision,
+                  "Relative error of each reading at 95 % confidence (default 2%)");
+  app->add_option("--floor", a->request.floor,
+                  "Sufficient absolute error in lux and cd/m2 (default 0.1)")
+      ->check(CLI::NonNegativeNumber);
+  app->add_option("--max-samples", a->request.max_samples,
+                  "Maximum number of paths per reading (default 1048576)")
+      ->check(CLI::PositiveNumber);
+  app->add_option("--time", a->request.seconds,
+                  "Time limit in seconds, for all sensors and again for all pixels (default none)");
   app->add_option(
       "--unit-luminance", a->unit_luminance,
       "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
@@ -392,12 +397,14 @@ Command add_measure_command(CLI::App& program) {
       "--meters-per-unit", p.meters_per_unit,
       "Metres per scene unit. Positions are printed in metres, and lengths may be given as 0.5m. "
       "Does not change the light: the falloff of lights uses scene units");
-  app->add_option("--sun", a->sun, "As in oriel render")->type_name("LAT,LON,TIME");
-  app->add_option("--north", a->north, "As in oriel render");
+  app->add_option("--sun", a->sun, "Position of the sun, as in oriel render")
+      ->type_name("LAT,LON,TIME");
+  app->add_option("--north", a->north, "Direction of north, as in oriel render");
   app->add_option("--camera", a->camera, "Camera instance to use");
-  app->add_option("--csv", a->csv, "CSV file to write: one line per sensor");
+  app->add_option("--csv", a->csv, "CSV file to write, one line per sensor");
   app->add_option("--seed", a->request.seed, "Random seed (default 0)");
-  app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  app->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
+      ->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Print one line of JSON");
   return {app, [a] { return run_measure(*a); }};
 }

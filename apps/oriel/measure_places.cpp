@@ -11,7 +11,7 @@
 namespace oriel::app {
 namespace {
 
-/// More than these are a slip of the spacing, not a plan.
+/// More sensors are rejected: the spacing is probably in the wrong unit.
 constexpr double kMaxSensors = 1e6;
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -31,7 +31,7 @@ std::optional<float> number(const std::string& text) {
   return value;
 }
 
-/// A length in scene units: "0.5", or "0.5m" where --meters-per-unit is known.
+/// A length in scene units: "0.5", or "0.5m" if --meters-per-unit is given.
 float parse_length(const std::string& option, std::string text,
                    const std::optional<float>& meters_per_unit) {
   float unit = 1;
@@ -39,18 +39,18 @@ float parse_length(const std::string& option, std::string text,
   if (text.ends_with('m')) {
     if (!meters_per_unit)
       throw UsageError(
-          fmt::format("{} {}: a length in metres needs --meters-per-unit", option, whole));
+          fmt::format("{} {}: a length in metres requires --meters-per-unit", option, whole));
     unit = 1 / *meters_per_unit;
     text.pop_back();
   }
   const auto value = number(text);
   if (!value)
-    throw UsageError(
-        fmt::format("{} {}: write a length in scene units, or in metres as 0.5m", option, whole));
+    throw UsageError(fmt::format("{} {}: expected a length in scene units, or in metres as 0.5m",
+                                 option, whole));
   return *value * unit;
 }
 
-/// A rectangle of sensors in the middle of its cells.
+/// A rectangle of nu x nv cells, each with a sensor in its centre.
 struct Rectangle {
   Vec3 origin, u, v;
   int nu, nv;
@@ -62,7 +62,7 @@ int cells(double length, float spacing) {
 
 Places lay_out(const Rectangle& r, const Vec3& normal) {
   if (double(r.nu) * double(r.nv) > kMaxSensors)
-    throw UsageError(fmt::format("{} x {} sensors: more than a million", r.nu, r.nv));
+    throw UsageError(fmt::format("{} x {} sensors: the maximum is one million", r.nu, r.nv));
   Places places;
   places.columns = r.nu, places.rows = r.nv;
   places.spacing[0] = length(r.u) / static_cast<float>(r.nu);
@@ -71,24 +71,25 @@ Places lay_out(const Rectangle& r, const Vec3& normal) {
     for (int i = 0; i < r.nu; ++i) {
       const float a = (static_cast<float>(i) + .5f) / static_cast<float>(r.nu);
       const float b = (static_cast<float>(j) + .5f) / static_cast<float>(r.nv);
-      places.meters.push_back({r.origin + r.u * a + r.v * b, normal});
+      places.sensors.push_back({r.origin + r.u * a + r.v * b, normal});
     }
   return places;
 }
 
 float positive_spacing(const PlaceArguments& a) {
   const float spacing = parse_length("--spacing", a.spacing, a.meters_per_unit);
-  if (!(spacing > 0)) throw UsageError(fmt::format("--spacing {}: more than 0", a.spacing));
+  if (!(spacing > 0))
+    throw UsageError(fmt::format("--spacing {}: expected a positive length", a.spacing));
   return spacing;
 }
 
 Rectangle grid_of(const PlaceArguments& a) {
   const std::vector<std::string> parts = split(a.grid, ':');
   const auto wrong = [&] {
-    return UsageError(
-        fmt::format("--grid {}: write ORIGIN:U:V:NUxNV, a corner, two edges from it and how many "
-                    "sensors along each, as 0,0,0.85:4,0,0:0,3,0:8x6; or --spacing for NUxNV",
-                    a.grid));
+    return UsageError(fmt::format(
+        "--grid {}: expected ORIGIN:U:V:NUxNV (a corner, two edges, and the number of "
+        "sensors along each), as 0,0,0.85:4,0,0:0,3,0:8x6; or --spacing instead of NUxNV",
+        a.grid));
   };
   if (parts.size() < 3 || parts.size() > 4) throw wrong();
   Rectangle r{parse_vector("--grid", parts[0]), parse_vector("--grid", parts[1]),
@@ -108,22 +109,24 @@ Rectangle grid_of(const PlaceArguments& a) {
   return r;
 }
 
-/// The plane through the scene's box, `inset` away from its sides.
+/// The plane through the bounding box of the scene, `inset` away from its sides.
 Rectangle plane_of(const PlaceArguments& a, const geom::Box3& box, Vec3& up) {
   const std::string axes = "xyz";
   const std::size_t axis = a.plane.size() > 2 && a.plane[1] == '=' ? axes.find(a.plane[0]) : 3;
-  if (axis > 2) throw UsageError(fmt::format("--plane {}: write AXIS=VALUE, as z=0.85", a.plane));
-  if (a.spacing.empty()) throw UsageError("--plane: needs --spacing");
+  if (axis > 2)
+    throw UsageError(fmt::format("--plane {}: expected AXIS=VALUE, as z=0.85", a.plane));
+  if (a.spacing.empty()) throw UsageError("--plane requires --spacing");
   const float height = parse_length("--plane", a.plane.substr(2), a.meters_per_unit);
   const float inset = a.inset.empty() ? 0 : parse_length("--inset", a.inset, a.meters_per_unit);
   const float spacing = positive_spacing(a);
-  if (box.isEmpty()) throw UsageError("--plane: the scene has no geometry to lay it through");
+  if (box.isEmpty())
+    throw UsageError("--plane: the scene has no geometry, so the plane has no extent");
   // Such that u x v points along the axis.
   const auto at = static_cast<int>(axis);
   const int first = (at + 1) % 3, second = (at + 2) % 3;
   const Vec3 lo = box.min + Vec3(inset), size = box.max - box.min - Vec3(2 * inset);
   if (!(size[first] > 0 && size[second] > 0))
-    throw UsageError(fmt::format("--inset {}: leaves nothing of the plane", a.inset));
+    throw UsageError(fmt::format("--inset {}: the plane is empty; use a smaller value", a.inset));
   up = Vec3(0);
   up[at] = 1;
   Rectangle r{lo, Vec3(0), Vec3(0), cells(size[first], spacing), cells(size[second], spacing)};
@@ -144,7 +147,7 @@ Vec3 parse_vector(const std::string& option, const std::string& text) {
     good = value.has_value();
     if (good) v[k] = *value;
   }
-  if (!good) throw UsageError(fmt::format("{} {}: write three numbers, X,Y,Z", option, text));
+  if (!good) throw UsageError(fmt::format("{} {}: expected three numbers, X,Y,Z", option, text));
   return v;
 }
 
@@ -159,13 +162,13 @@ Places find_places(const PlaceArguments& a, const geom::Box3& scene) {
   }
   if (!a.normal.empty()) {
     normal = parse_vector("--normal", a.normal);
-    if (length(normal) == 0) throw UsageError("--normal 0,0,0: has no direction");
+    if (length(normal) == 0) throw UsageError("--normal 0,0,0: expected a non-zero vector");
     normal = normalize(normal);
   }
   if (rectangle) return lay_out(*rectangle, normal);
   Places places;
   for (const std::string& point : a.points)
-    places.meters.push_back({parse_vector("--at", point), normal});
+    places.sensors.push_back({parse_vector("--at", point), normal});
   return places;
 }
 

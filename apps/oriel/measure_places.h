@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where light is measured: the sensors that the options of `oriel measure` ask for.
+// The sensors that the options of `oriel measure` define.
 #pragma once
 
 #include <optional>
@@ -20,15 +20,15 @@ struct PlaceArguments {
   std::optional<float> meters_per_unit;
 };
 
-/// Sensors row by row, as they lie in the plan: columns along the first edge, rows from the far end
-/// of the second edge to its near one. Single points have neither.
+/// Sensors row by row, in the order of a plan: columns along the first edge, rows from the far end
+/// of the second edge to the near one. Single points have no columns and rows.
 struct Places {
-  std::vector<IrradianceSensor> meters;
+  std::vector<IrradianceSensor> sensors;
   int columns = 0, rows = 0;
   float spacing[2] = {0, 0};  ///< along both edges, scene units
 };
 
-/// Inputs:  scene: its box, which --plane is laid through.
+/// Inputs:  scene: the bounding box, which limits --plane.
 /// Errors:  UsageError that names the option.
 Places find_places(const PlaceArguments& arguments, const geom::Box3& scene);
 

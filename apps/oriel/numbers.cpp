@@ -25,7 +25,7 @@ std::vector<int> parse_integers(const std::string& text, char separator) {
 PictureSize parse_size(const std::string& text) {
   const std::vector<int> size = parse_integers(text, 'x');
   if (size.size() != 2 || size[0] < 1 || size[1] < 1 || size[0] > 65536 || size[1] > 65536)
-    throw UsageError(fmt::format("--size {}: write WIDTHxHEIGHT in pixels", text));
+    throw UsageError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels", text));
   return {size[0], size[1]};
 }
 

@@ -56,7 +56,7 @@ void set_program(const RayCall& call, RayPlan& plan) {
   if (name == "verbose" || name == "v")
     plan.level = is_boolean ? (on ? kLevelAll : kLevelErrors) : static_cast<int>(number);
   if (name == "threads") {
-    if (number < 0 || number > 4096) throw UsageError("-threads: 0 (all) to 4096");
+    if (number < 0 || number > 4096) throw UsageError("-threads: expected 0 (all) to 4096");
     plan.render.threads = static_cast<int>(number);
   }
   if (name == "render") plan.renders = on;
@@ -213,9 +213,9 @@ void apply(const RayPlan& plan, scene::Scene& scene) {
 
 void print_flags() {
   fmt::print(
-      "oriel ray [flags] [SCENE...]\n\nRenders .mi scenes as scripts for mental ray's "
-      "stand-alone program ask; without a scene it\nreads standard input. Flags may be "
-      "shortened where one alone begins so. Files lie in the\ncurrent folder.\n\n");
+      "oriel ray [flags] [SCENE...]\n\nRenders .mi scenes by the command line of mental ray's "
+      "stand-alone program. Without a\nscene, reads standard input. Unambiguous prefixes of flags "
+      "are accepted. Pictures are written to\nthe current folder.\n\n");
   for (const RayFlag& flag : ray_flags())
     fmt::print("  {:<44} {}{}\n", "-" + flag.name + (flag.form.empty() ? "" : " " + flag.form),
                flag.meaning,

@@ -11,6 +11,7 @@
 #include "base/diagnostic.h"
 #include "command.h"
 #include "scene/option_table.h"
+#include "suggest.h"
 
 namespace oriel::app {
 namespace {
@@ -172,12 +173,12 @@ const RayFlag& find_flag(const std::string& name) {
   if (begin_so.empty()) {
     const std::vector<std::string> names = flag_names();
     const std::string near = nearest_name(name, names);
-    throw UsageError(fmt::format("there is no flag -{}{}", name,
+    throw UsageError(fmt::format("unknown flag -{}{}", name,
                                  near.empty() ? "" : fmt::format("; did you mean -{}?", near)));
   }
   std::string choices;
   for (const RayFlag* flag : begin_so) choices += " -" + flag->name;
-  throw UsageError(fmt::format("-{} may be any of{}", name, choices));
+  throw UsageError(fmt::format("-{} is ambiguous:{}", name, choices));
 }
 
 bool read_number(const std::string& word, double& number) {
@@ -221,6 +222,16 @@ bool is_word_of(std::string_view form, std::string_view word) {
   return false;
 }
 
+std::vector<std::string> words_of(const std::string& form) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; (at = form.find_first_not_of(" |[]", at)) != form.npos;) {
+    const std::size_t end = std::min(form.find_first_of(" |[]", at), form.size());
+    words.push_back(form.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
 class LineReader {
  public:
   explicit LineReader(std::span<const std::string> arguments) : rest_(arguments) {}
@@ -246,7 +257,8 @@ class LineReader {
     std::string form = flag.form;
     lengthen_keyword(call, form);
     if (take(call, form)) return call;
-    throw UsageError(fmt::format("-{}: {} follows", flag.name, form.empty() ? "nothing" : form));
+    throw UsageError(fmt::format("-{}: expected {}{}", flag.name, form.empty() ? "no value" : form,
+                                 rest_.empty() ? "" : suggestion(rest_.front(), words_of(form))));
   }
 
   /// "filter clip", "finalgather accuracy view": statements of their own in the language.
@@ -290,7 +302,7 @@ class LineReader {
       rest_ = rest_.subspan(1);
     }
     if (rest_.empty())
-      throw UsageError(fmt::format("-{}: its values end with --", call.flag->name));
+      throw UsageError(fmt::format("-{}: the list of values must end with --", call.flag->name));
     rest_ = rest_.subspan(1);
   }
 
@@ -305,7 +317,7 @@ class LineReader {
         rest_ = rest_.subspan(1);
     };
     skip();
-    if (rest_.empty() || is_flag(rest_.front())) throw UsageError("-echo: a file name follows");
+    if (rest_.empty() || is_flag(rest_.front())) throw UsageError("-echo: expected a file name");
     call.words.push_back(rest_.front());
     rest_ = rest_.subspan(1);
     skip();

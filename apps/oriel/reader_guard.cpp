@@ -26,8 +26,8 @@ void leave(int) {
 
 ReaderGuard::ReaderGuard(const std::string& path) : stack_(kStack) {
   const auto end = fmt::format_to_n(message, kLongest,
-                                    "oriel: error: '{}' is no model that can be read: the reader "
-                                    "broke on it; the file is damaged [OR-MD-001]\n",
+                                    "oriel: error: '{}' cannot be read: the importer failed; the "
+                                    "file is probably damaged [OR-MD-001]\n",
                                     path.substr(0, kLongest / 2));
   message_size = std::min(end.size, kLongest);
   stack_t stack{};

@@ -99,7 +99,7 @@ Image larger_difference(const Recombination& r, const Image& beauty) {
 LightGain parse_gain(const std::string& text) {
   const auto refuse = [&] {
     return UsageError(fmt::format(
-        "--light {}: write NAME=FACTOR, NAME=FACTOR,WARMTH or NAME=RED,GREEN,BLUE", text));
+        "--light {}: expected NAME=FACTOR, NAME=FACTOR,WARMTH or NAME=RED,GREEN,BLUE", text));
   };
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0) throw refuse();
@@ -131,7 +131,7 @@ LightGain parse_gain(const std::string& text) {
 
 /// The picture under other strengths of its lights.
 int run_relight(const RecombineArguments& a, const ExrFile& picture) {
-  if (a.output.empty()) throw UsageError("--light: name the file to write with -o FILE.exr");
+  if (a.output.empty()) throw UsageError("--light requires -o FILE.exr");
   std::vector<LightGain> gains;
   for (const std::string& text : a.lights) gains.push_back(parse_gain(text));
   std::vector<Layer> layers;
@@ -170,7 +170,7 @@ int compare_lights(const RecombineArguments& a, const std::vector<Layer>& layers
 
 int run_recombine(const RecombineArguments& a) {
   if (!a.output.empty() && std::filesystem::path(a.output).extension() != ".exr")
-    throw UsageError(fmt::format("-o {}: the layers go into an .exr file", a.output));
+    throw UsageError(fmt::format("-o {}: layers require an .exr file", a.output));
   const ExrFile picture = read_picture(a.input);
   if (!a.lights.empty()) return run_relight(a, picture);
   const std::vector<Layer>& layers = picture.layers;
@@ -214,10 +214,8 @@ int run_recombine(const RecombineArguments& a) {
 Command add_recombine_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "recombine",
-      "Rebuild a render from its layers and compare: from material outputs, or, "
-      "where "
-      "these are not there, from its light groups. With --light: the picture under other strengths "
-      "of its light groups");
+      "Rebuild a render from its layers and compare: from material outputs or, if there are none, "
+      "from light groups. With --light: the picture with other strengths of its light groups");
   auto a = std::make_shared<RecombineArguments>();
   app->add_option("IN", a->input, "EXR file of oriel render --layers outputs or --light-group")
       ->required();

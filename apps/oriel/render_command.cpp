@@ -53,19 +53,23 @@ Command add_render_command(CLI::App& program) {
          "frame number: out.####.exr; without #, the second frame is out.0002.exr")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  app->add_option("--samples", a->samples, "Samples of every pixel");
+  app->add_option("--samples", a->samples, "Samples per pixel (default: from the scene)");
   app->add_option("--noise", a->noise,
                   "Stop when the estimated noise of the picture is below this, e.g. 0.02");
-  app->add_option("--time", a->time, "Time limit in seconds");
+  app->add_option("--time", a->time, "Time limit in seconds (default none)");
   app->add_option("--frames", a->frames,
-                  "Render statements to render, counted from 1: 1..20, 3,7,12..15 or 8..")
+                  "Frames (render statements) to render, counted from 1: 1..20, 3,7,12..15 or 8.. "
+                  "(default all)")
       ->type_name("A..B");
   app->add_flag("--skip-existing", a->skip_existing,
                 "Skip frames whose files all exist, complete or not");
-  app->add_option("--gi", a->gi, "Indirect light: path, fg, photons, fg+photons or scene");
-  app->add_option("--size", a->size, "Size of the picture")->type_name("WxH");
+  app->add_option(
+      "--gi", a->gi,
+      "Method of indirect light: path, fg, photons, fg+photons or scene (default scene)");
+  app->add_option("--size", a->size, "Size of the picture (default: from the camera)")
+      ->type_name("WxH");
   app->add_option("--crop", a->crop,
-                  "Window to render, in pixels from the lower left, ends included")
+                  "Window to render, in pixels from the lower left, ends included (default all)")
       ->type_name("XL,YL,XH,YH");
   app->add_option(
          "--sun", a->sun,
@@ -74,7 +78,8 @@ Command add_render_command(CLI::App& program) {
   app->add_option(
       "--north", a->north,
       "North for --sun: degrees clockwise from +Y, seen from above (from -Z if y is up)");
-  app->add_option("--camera", a->camera, "Camera instance to use");
+  app->add_option("--camera", a->camera,
+                  "Camera instance to use (default: that of the render statement)");
   app->add_option(
       "--layers", a->layers,
       fmt::format(
@@ -85,10 +90,10 @@ Command add_render_command(CLI::App& program) {
          "Light group: names of lights (wildcards * and ?, separated by commas; instances, "
          "instgroups, emissive objects or environment). Layer light_NAME of EXR "
          "files contains all their light with its bounces, light_rest the remaining light; the "
-         "layers sum to the beauty; light_indirect is there where maps from files, "
-         "interpolated reflections or users' shaders do not know. Repeat for more; the "
-         "first that matches "
-         "has the light. In scenes: option \"light group NAME\" \"PATTERN,...\"")
+         "layers sum to the beauty; light_indirect contains light of unknown groups (from map "
+         "files, "
+         "interpolated reflections and users' shaders). Repeatable; a light belongs to the first "
+         "group that matches. In scenes: option \"light group NAME\" \"PATTERN,...\"")
       ->allow_extra_args(false)
       ->type_name("NAME=PATTERN,...");
   app->add_option(
@@ -113,13 +118,15 @@ Command add_render_command(CLI::App& program) {
   app->add_flag("--linear", a->linear,
                 "Skip lens and output shaders: all files contain linear light. By default files "
                 "show their result, and EXR files contain linear light as layer \"linear\"");
-  app->add_flag("--keep-outliers", a->keep_outliers,
-                "Show pixels that single rare samples make far too bright. By default pictures for "
-                "display spread their light over the neighbourhood; EXR files always keep them");
+  app->add_flag(
+      "--keep-outliers", a->keep_outliers,
+      "Do not filter outliers (pixels that are far too bright because of rare samples). By "
+      "default, pictures for display spread their light over the neighbourhood; EXR files "
+      "always contain them");
   app->add_option(
          "--clamp", a->clamp,
-         "Maximum brightness of a sample, in pixel units (default: none). Removes noise and "
-         "light")
+         "Maximum brightness of a sample, in pixel units (default: none). Reduces noise, and "
+         "loses light")
       ->check(CLI::PositiveNumber);
   app->add_flag("--denoise", a->denoise,
                 "Denoise the finished pictures; in EXR files as a separate layer");
@@ -127,7 +134,8 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")
       ->type_name("MB");
-  app->add_option("--threads", a->threads, "Threads to use, 0 = all")->check(CLI::Range(0, 4096));
+  app->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
+      ->check(CLI::Range(0, 4096));
   app->add_flag("--json", a->json, "Print lines of JSON");
   app->add_flag("-q,--quiet", a->quiet, "Only warnings and errors");
   return {app, [a] { return run_render(*a); }};

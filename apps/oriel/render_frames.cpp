@@ -160,10 +160,11 @@ class FrameRenderer {
     line_.clear();
     if (reason == StopReason::MapsOnly) return end_shaders(), finish(reason), true;
     if (session_->film().light_layers() > 0 && session_->has_unknown_light())
-      diagnostics_.note("OR-RN-060", {},
-                        "light from maps in files, of interpolated reflections and of shaders that "
-                        "bring finished colours does not know its light group: it is layer "
-                        "light_indirect");
+      diagnostics_.note(
+          "OR-RN-060", {},
+          "the light group of light from map files, of interpolated reflections and of "
+          "shaders that return finished colours is unknown; it is in the layer "
+          "light_indirect");
     if (a_.denoise && !world_->preview) denoised_ = denoised_beauty(*session_);
     write_files();
     end_shaders();
@@ -233,10 +234,10 @@ class FrameRenderer {
       const std::string path = allowed_path(file, roots_);
       if (path.empty())
         diagnostics_.warning("OR-RN-043", {},
-                             fmt::format("the map \"{}\" is left out: it lies outside of the "
-                                         "scene's folder",
+                             fmt::format("the map \"{}\" is outside of the scene's folder; "
+                                         "it is ignored",
                                          file),
-                             "move the scene or name a file below its folder");
+                             "move the file into the folder of the scene");
       return path;
     };
     const scene::RenderOptions& o = world_->options;

@@ -9,6 +9,7 @@
 
 #include "numbers.h"
 #include "render/integrator.h"
+#include "suggest.h"
 #include "sun_scene.h"
 
 namespace oriel::app {
@@ -21,7 +22,14 @@ std::optional<scene::IndirectMethod> parse_gi(const std::string& text) {
   if (const IntegratorSpec* spec = find_integrator(text)) return spec->method;
   std::vector<std::string> names;
   for (const IntegratorSpec& spec : integrators()) names.emplace_back(spec.name);
-  throw UsageError(fmt::format("--gi {}: use {}", text, fmt::join(names, ", ")));
+  throw UsageError(fmt::format("--gi {}: {}", text, expected_one_of(text, names)));
+}
+
+UsageError unknown_layer(const std::string& name) {
+  std::vector<std::string> names = {"beauty"};
+  for (const std::string& layer : layer_names()) names.push_back(layer);
+  names.insert(names.end(), {"outputs", "all"});
+  return UsageError(fmt::format("--layers {}: {}", name, expected_one_of(name, names)));
 }
 
 LayerSet parse_layers(const std::string& text) {
@@ -35,15 +43,14 @@ LayerSet parse_layers(const std::string& text) {
     else if (name == "outputs")
       layers |= LayerSet(LayerGroup::Outputs);
     else if (layer.empty() && name != "beauty" && name != "alpha")
-      throw UsageError(fmt::format("--layers {}: beauty, {}, outputs or all", name,
-                                   fmt::join(layer_names(), ", ")));
+      throw unknown_layer(name);
     layers |= layer;
     at = end + 1;
   }
   return layers;
 }
 
-/// "key=lamp*,spot_??".
+/// "key=window*,spot_??".
 scene::LightGroup parse_light_group(const std::string& text) {
   const std::size_t equals = text.find('=');
   scene::LightGroup group{text.substr(0, equals), {}};
@@ -51,7 +58,7 @@ scene::LightGroup parse_light_group(const std::string& text) {
   const std::string complaint = scene::light_group_complaint(group);
   if (!complaint.empty())
     throw UsageError(
-        fmt::format("--light-group {}: {}; write NAME=PATTERN,PATTERN,...", text, complaint));
+        fmt::format("--light-group {}: {}; expected NAME=PATTERN,PATTERN,...", text, complaint));
   return group;
 }
 
@@ -90,41 +97,44 @@ RenderPlan render_plan(const RenderArguments& a) {
     const std::vector<int> crop = parse_integers(a.crop, ',');
     if (crop.size() != 4 || crop[2] < crop[0] || crop[3] < crop[1])
       throw UsageError(fmt::format(
-          "--crop {}: write XL,YL,XH,YH in pixels from the lower left, ends included", a.crop));
+          "--crop {}: expected XL,YL,XH,YH in pixels from the lower left, ends included", a.crop));
     plan.session.crop = Window{crop[0], crop[1], crop[2] + 1, crop[3] + 1};
   }
   for (const std::string& text : a.light_groups)
     scene::set_light_group(plan.prepare.light_groups, parse_light_group(text));
   if (plan.prepare.light_groups.size() > scene::kMaxLightGroups)
-    throw UsageError(fmt::format("--light-group: at most {} groups", scene::kMaxLightGroups));
+    throw UsageError(
+        fmt::format("--light-group: the maximum is {} groups", scene::kMaxLightGroups));
   if (!a.frames.empty()) plan.frames = FrameList(a.frames);
   if (!a.sun.empty()) plan.sun = read_sun("--sun", a.sun);
-  if (a.north && !plan.sun) throw UsageError("--north: only with --sun");
+  if (a.north && !plan.sun) throw UsageError("--north requires --sun");
   if (!a.layers.empty()) plan.layers = parse_layers(a.layers);
   if (a.unit_luminance && !(*a.unit_luminance > 0))
-    throw UsageError("--unit-luminance: more than 0");
-  if (a.samples && *a.samples == 0) throw UsageError("--samples: at least 1");
-  if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: more than 0");
-  if (a.time && !(*a.time > 0)) throw UsageError("--time: more than 0 seconds");
+    throw UsageError("--unit-luminance: expected a positive number");
+  if (a.samples && *a.samples == 0) throw UsageError("--samples: expected at least 1");
+  if (a.noise && !(*a.noise > 0)) throw UsageError("--noise: expected a positive number");
+  if (a.time && !(*a.time > 0)) throw UsageError("--time: expected a positive number of seconds");
   if (!a.cryptomatte.empty()) {
     const std::vector<int> ranks = parse_integers(a.cryptomatte, ',');
     if (ranks.size() != 1 || ranks[0] > kMaxMatteRanks)
-      throw UsageError(fmt::format("--cryptomatte: 0 to {} names a pixel", kMaxMatteRanks));
+      throw UsageError(
+          fmt::format("--cryptomatte: expected 0 to {} names per pixel", kMaxMatteRanks));
     plan.matte_ranks = ranks[0];
   }
   if (!a.exr.empty()) parse_exr(a.exr, plan);
   if (a.texture_cache && !(*a.texture_cache >= 16))
-    throw UsageError("--texture-cache: at least 16 megabytes");
+    throw UsageError("--texture-cache: expected at least 16 MB");
   if (a.denoise && a.samples && *a.samples < 2)
-    throw UsageError("--denoise: needs at least 2 samples to know the noise");
+    throw UsageError("--denoise requires at least 2 samples to estimate the noise");
   plan.session.budget = {a.samples, a.noise, a.time};
   plan.session.seed = a.seed;
   for (const std::string& output : a.outputs) {
     const fs::path folder = fs::path(output).parent_path();
     if (!has_writable_suffix(output))
-      throw UsageError(fmt::format(
-          "-o {}: the suffix tells the file type: exr, hdr, png, jpg, tif, tga, bmp, ppm, ...",
-          output));
+      throw UsageError(
+          fmt::format("-o {}: unknown file type; the suffix must be one of exr, hdr, png, jpg, "
+                      "tif, tga, bmp, ppm, ...",
+                      output));
     if (!folder.empty() && !fs::is_directory(folder))
       throw UserError(
           fmt::format("cannot write '{}': there is no folder '{}'", output, folder.string()));

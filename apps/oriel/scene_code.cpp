@@ -113,10 +113,11 @@ bool SceneCode::make_cache(SourceLocation where) {
   const bool own = !base.empty() && stat(folder.c_str(), &about) == 0 && S_ISDIR(about.st_mode) &&
                    about.st_uid == geteuid() && (about.st_mode & (S_IWGRP | S_IWOTH)) == 0;
   if (!own) {
-    diagnostics_.error("OR-SDK-031", where,
-                       fmt::format("there is no folder of your own for compiled code{}",
-                                   base.empty() ? "" : ": " + folder.string()),
-                       "HOME or XDG_CACHE_HOME names it; nobody else may write there");
+    diagnostics_.error(
+        "OR-SDK-031", where,
+        fmt::format("the cache folder for compiled code is missing or writable by others{}",
+                    base.empty() ? "" : ": " + folder.string()),
+        "set XDG_CACHE_HOME (or HOME) to a folder that only you can write");
     return false;
   }
   cache_ = folder;

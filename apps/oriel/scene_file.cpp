@@ -9,6 +9,7 @@
 
 #include "scene/option_table.h"
 #include "shaders/registry.h"
+#include "suggest.h"
 #include "templates.h"
 
 namespace oriel::app {
@@ -24,7 +25,7 @@ struct Edit {
 Edit split_edit(const scene::Scene& scene, const std::string& edit) {
   const std::size_t equals = edit.find('=');
   if (equals == std::string::npos || edit.find('.') > equals)
-    throw UsageError(fmt::format("--set {}: write element.parameter=value", edit));
+    throw UsageError(fmt::format("--set {}: expected element.parameter=value", edit));
   const std::string left = edit.substr(0, equals);
   for (std::size_t dot = left.rfind('.'); dot != std::string::npos && dot > 0;
        dot = left.rfind('.', dot - 1))
@@ -112,7 +113,13 @@ void set_option(scene::Options& options, const Edit& edit) {
   const scene::StatementRow* row = scene::option_table().find(edit.parameter);
   if (const auto* string_option = scene::option_table().find(fmt::format("\"{}\"", edit.parameter)))
     row = string_option;
-  if (!row) throw UserError(fmt::format("--set: there is no option \"{}\"", edit.parameter));
+  if (!row) {
+    std::vector<std::string> names;
+    for (const scene::StatementRow& known : scene::option_table().rows())
+      names.push_back(scene::name_of(known));
+    throw UserError(fmt::format("--set: there is no option \"{}\"{}", edit.parameter,
+                                suggestion(edit.parameter, names)));
+  }
   statement.quoted = scene::is_string_option(*row);
   Value value = parse_value(edit.value);
   value.bare = value.kind == Value::Kind::Text && !statement.quoted;
@@ -123,7 +130,7 @@ void set_option(scene::Options& options, const Edit& edit) {
 }  // namespace
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("SCENE", arguments.path, "The .mi file")->required();
+  command.add_option("SCENE", arguments.path, "Scene file (.mi)")->required();
   command
       .add_option("-I,--include", arguments.include_paths,
                   "Search folder for include files; repeatable")
@@ -165,8 +172,8 @@ void apply_edit(scene::Scene& scene, const std::string& text, const Registry& re
   if (auto* material = std::get_if<scene::Material>(element)) list = &material->shaders;
   if (auto* light = std::get_if<scene::Light>(element)) list = &light->shaders;
   if (!list)
-    throw UserError(
-        fmt::format("--set: \"{}\" is no shader, material, light or options block", edit.element));
+    throw UserError(fmt::format("--set: \"{}\" is not a shader, material, light or options block",
+                                edit.element));
   std::vector<std::string> candidates;
   if (set_in_list(scene, *list, edit, registry, candidates)) return;
   const std::string near = nearest_name(edit.parameter, candidates);

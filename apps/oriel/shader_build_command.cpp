@@ -26,7 +26,7 @@ struct ShaderBuildArguments {
 std::string output_name(const ShaderBuildArguments& a) {
   if (a.each) return a.output.empty() ? "." : a.output;
   if (!a.output.empty()) return a.output;
-  if (a.paths.size() != 1) throw UsageError("-o is needed for more than one folder or source");
+  if (a.paths.size() != 1) throw UsageError("-o is required for more than one folder or source");
   // "shaders/" and "." have a last part, too.
   const fs::path path = fs::canonical(a.paths[0]);
   return (fs::is_directory(path) ? path.filename() : path.stem()).string() + ".so";
@@ -36,7 +36,7 @@ std::string output_name(const ShaderBuildArguments& a) {
 std::vector<std::string> standards_of(const ShaderBuildArguments& a) {
   std::vector<std::string> standards = a.standards;
   for (const std::string& word : a.one_dash) {
-    if (!word.starts_with("td=")) throw UsageError(fmt::format("there is no option -s{}", word));
+    if (!word.starts_with("td=")) throw UsageError(fmt::format("unknown option -s{}", word));
     standards.push_back(word.substr(3));
   }
   return standards;

@@ -97,7 +97,7 @@ void archive_objects(const std::vector<CompiledSource>& sources, const std::stri
   const std::string log = work + "/ar.log";
   if (archiver.run(words, log)) return;
   fmt::print(stderr, "{}", file_text(log));
-  throw UserError("the helpers could not be put into an archive; nothing was written");
+  throw UserError("the archive of the helpers could not be made; nothing was written");
 }
 
 }  // namespace oriel::app

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "command.h"
+#include "suggest.h"
 
 namespace oriel::app {
 namespace {
@@ -56,7 +57,7 @@ ShaderManifest::ShaderManifest(const fs::path& file)
 void ShaderManifest::read(const std::vector<std::string>& words, const std::string& where) {
   const std::string& keyword = words[0];
   if (words.size() < (keyword == "flags" ? 3u : 2u))
-    throw UserError(fmt::format("{}: '{}' needs {}", where, keyword,
+    throw UserError(fmt::format("{}: '{}' requires {}", where, keyword,
                                 keyword == "flags" ? "a pattern and words" : "a path or pattern"));
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (keyword == "flags") {
@@ -70,8 +71,8 @@ void ShaderManifest::read(const std::vector<std::string>& words, const std::stri
     for (const std::string& path : rest)
       (keyword == "include" ? include_folders_ : helpers_).push_back(placed(path));
   } else {
-    throw UserError(fmt::format("{}: '{}' is no statement; there are flags, skip, include, helper",
-                                where, keyword));
+    throw UserError(fmt::format("{}: unknown statement '{}': {}", where, keyword,
+                                expected_one_of(keyword, {"flags", "skip", "include", "helper"})));
   }
 }
 

@@ -74,7 +74,7 @@ std::vector<std::string> find_shader_sources(const std::vector<std::string>& pat
     if (!fs::exists(path)) throw UserError(fmt::format("there is no '{}'", path));
     if (!fs::is_directory(path)) {
       if (!is_source(path))
-        throw UserError(fmt::format("'{}' is no source (.c, .cpp, .cc, .cxx)", path));
+        throw UserError(fmt::format("'{}' is not a source file (.c, .cpp, .cc, .cxx)", path));
       sources.push_back(path);
       continue;
     }

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "scene_file.h"
 #include "shaders/registry.h"
+#include "suggest.h"
 #include "templates.h"
 
 namespace oriel::app {
@@ -113,8 +114,8 @@ int run_shaders(const ShadersArguments& a) {
   } else if (!a.library.empty()) {
     const auto& libraries = builtin_packages();
     if (std::find(libraries.begin(), libraries.end(), a.library) == libraries.end())
-      throw UserError(fmt::format("there is no library \"{}\"; there are {}", a.library,
-                                  fmt::join(libraries, ", ")));
+      throw UserError(fmt::format("there is no library \"{}\": {}", a.library,
+                                  expected_one_of(a.library, libraries)));
     fmt::print("{}", mi_declarations(registry, a.library));
   } else if (!a.name.empty()) {
     const ShaderSpec& spec = find_shader(registry, a.name);

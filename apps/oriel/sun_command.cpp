@@ -93,7 +93,7 @@ Command add_sun_command(CLI::App& program) {
   app->add_option("--time", a->time, "Date and time with zone, e.g. 2026-06-21T12:00+02:00")
       ->required()
       ->type_name("TIME");
-  app->add_option("--haze", a->haze, "As in mia_physicalsun and mia_physicalsky")
+  app->add_option("--haze", a->haze, "Haze, as in mia_physicalsun and mia_physicalsky")
       ->check(CLI::Range(0.0f, 15.0f))
       ->capture_default_str();
   app->add_option("--north", a->north,

@@ -119,9 +119,8 @@ void turn_sun(scene::Scene& scene, const std::string& root, const sky::SolarPosi
     const Vec3 local = normalize(transform_vector(-to_sun, leaf.world_to_local));
     const auto [known, added] = directions.try_emplace(leaf.light()->name, local);
     if (!added && length(known->second - local) > 1e-4f)
-      throw UserError(fmt::format(
-          "--sun: light \"{}\" stands in several instances that are turned against each other",
-          leaf.light()->name));
+      throw UserError(fmt::format("--sun: the instances of light \"{}\" have different rotations",
+                                  leaf.light()->name));
   }
   for (const auto& [name, direction] : directions)
     scene.get<scene::Light>(name)->direction = direction;

@@ -34,7 +34,7 @@ std::vector<Template> read_templates() {
   const fs::path path = fs::path(data_folder()) / kFile;
   std::ifstream file(path);
   if (!file)
-    throw UserError(fmt::format("the templates are not there: cannot read {}", path.string()));
+    throw UserError(fmt::format("the templates are missing: cannot read {}", path.string()));
   std::ostringstream text;
   text << file.rdbuf();
   return parse_templates(text.str());

@@ -20,6 +20,7 @@
 #include "output/output.h"
 #include "output/picture_metadata.h"
 #include "pictures.h"
+#include "suggest.h"
 #include "tone/display_views.h"
 #include "tone/exposure.h"
 
@@ -49,7 +50,7 @@ Rgb parse_color(const std::string& text) {
   Rgb c(0);
   char rest = 0;
   if (std::sscanf(text.c_str(), "%f%*[ ,]%f%*[ ,]%f%c", &c.x, &c.y, &c.z, &rest) != 3)
-    throw UsageError(fmt::format("--whitepoint {}: write three numbers, r,g,b", text));
+    throw UsageError(fmt::format("--whitepoint {}: expected three numbers, r,g,b", text));
   return c;
 }
 
@@ -76,7 +77,7 @@ class PixelCosine {
     if (a.photographic.vignetting == 0) return;
     const float degrees = a.field_of_view ? *a.field_of_view : field_of_view(a.input);
     if (!(degrees > 0 && degrees < 180))
-      throw UsageError("--fov: the angle that the picture's width spans, between 0 and 180");
+      throw UsageError("--fov: expected the horizontal field of view, between 0 and 180 degrees");
     per_pixel_ = 2 * math::tan(degrees * kPi / 360) / width_;
   }
   float operator()(int x, int y) const {
@@ -208,7 +209,7 @@ void expose(Image& image, TonemapArguments& a) {
 Image choose_picture(const TonemapArguments& a, const ExrFile& file) {
   if (!a.layer.empty()) {
     const Layer* layer = find_layer(file.layers, a.layer);
-    if (!layer) throw UserError(fmt::format("'{}' has no layer {}", a.input, a.layer));
+    if (!layer) throw missing_layer(a.input, a.layer, file.layers);
     return layer->image;
   }
   const Layer* beauty = find_linear_beauty(file.layers);
@@ -393,7 +394,7 @@ Command add_tonemap_command(CLI::App& program) {
   const auto plain = add_simple(*app, *a);
   plain.for_each([&](CLI::Option* option) { option->needs(simple); });
   app->add_option("--knee-curve", a->curve, "ratio, or asymptotic: smooth and never above 1")
-      ->check(CLI::IsMember({"ratio", "asymptotic"}))
+      ->check(one_of({"ratio", "asymptotic"}))
       ->type_name("CURVE")
       ->group("Simple exposure")
       ->needs(simple)

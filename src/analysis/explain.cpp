@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-/// Name without trailing digits: "lamp_12" and "lamp_3" become "lamp_*".
+/// Name without trailing digits: "key_12" and "key_3" become "key_*".
 std::string family_of(const std::string& name) {
   std::size_t end = name.size();
   while (end > 0 && name[end - 1] >= '0' && name[end - 1] <= '9') --end;
@@ -23,12 +23,12 @@ std::vector<std::string> layer_names(const std::vector<std::string>& names, std:
                                      bool& families) {
   const std::set<std::string> each(names.begin(), names.end());
   families = each.size() > most;
-  std::set<std::string> kept = each;
+  std::set<std::string> unique = each;
   if (families) {
-    kept.clear();
-    for (const std::string& name : each) kept.insert(family_of(name));
+    unique.clear();
+    for (const std::string& name : each) unique.insert(family_of(name));
   }
-  std::vector<std::string> list(kept.begin(), kept.end());
+  std::vector<std::string> list(unique.begin(), unique.end());
   if (list.size() > most) list.resize(most);
   return list;
 }
@@ -122,8 +122,8 @@ Explanation explain_pixel(World& world, const SessionSettings& picture, int x, i
   e.variance = pixel.variance;
   e.shown = film.shown(0, 0);
   e.sources = world.light_layers.names;
-  e.sources.emplace_back("light without a separate source");
-  e.sources.emplace_back("light of unknown source");
+  e.sources.emplace_back("other lights");
+  e.sources.emplace_back("unknown source");
   const Film::Shares shares = film.shares_of(0, 0);
   observer.write_to(shares.positive, shares.negative, e);
   e.unexplained = e.colour - e.total(0);

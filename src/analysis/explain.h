@@ -16,7 +16,7 @@ namespace oriel {
 //   Colours are radiance in pixel units before exposure, and are shares of the colour of the pixel:
 //   the light of all surfaces plus `unexplained` is that colour.
 
-/// How paths reached a surface.
+/// Kind of path segment that leads to a surface.
 enum class PathSegment : std::uint8_t {
   Eye,           ///< from the camera
   Diffuse,       ///< diffuse reflection at the previous surface
@@ -25,7 +25,6 @@ enum class PathSegment : std::uint8_t {
   Refraction,  ///< through a refracting interface
   Straight     ///< through a thin wall, undeflected
 };
-inline constexpr std::size_t kWays = 6;
 
 /// Light of one type from one source at a surface.
 struct ExplainedLight {
@@ -35,10 +34,10 @@ struct ExplainedLight {
   double variance = 0;  ///< variance of the luminance of one sample
 };
 
-/// Direct light of one light source at a surface.
-struct ExplainedLamp {
-  int light = -1;  ///< index into World::lights; -1 = the environment
-  Rgb unshadowed{0}, arrived{0};
+/// Samples of one light at a surface.
+struct ExplainedLightSource {
+  int light = -1;                    ///< index into World::lights; -1 = the environment
+  Rgb unshadowed{0}, unoccluded{0};  ///< sums of samples, without and with occlusion
   std::uint64_t samples = 0;
   std::map<int, double> blockers;  ///< luminance occluded by each instance (first occluder)
 };
@@ -59,11 +58,11 @@ struct ExplainedParameter {
 
 /// A surface that paths reached from the camera or from another surface.
 struct ExplainedSurface {
-  PathSegment way = PathSegment::Eye;
+  PathSegment segment = PathSegment::Eye;
   std::size_t from = 0;  ///< index into Explanation::surfaces
   int instance = -1;     ///< index into World::instances; -1 = the camera
   const Material* material = nullptr;
-  double met = 0;  ///< mean number of paths per sample that hit it
+  double hits = 0;  ///< mean number of paths per sample that hit it
   Vec3 position{0}, normal{0};
   float distance = 0;   ///< along the last ray
   float cosine = 0;     ///< of the view direction and the shading normal
@@ -73,7 +72,7 @@ struct ExplainedSurface {
   float opacity = 1;
   std::vector<ExplainedParameter> parameters;
   std::vector<ExplainedLight> light;
-  std::vector<ExplainedLamp> lamps;
+  std::vector<ExplainedLightSource> lights;
   double records = 0, photons = 0;  ///< mean number of records and photons used per lookup
   double free = 1;                  ///< mean result of occlusion queries
   Occlusion occlusion;              ///< samples 0: not queried
@@ -116,10 +115,8 @@ void separate_light_layers(World& world);
 ///
 /// Model:   renders a session of one pixel with an ExplainObserver. Its samples are those of a
 ///          picture with the same sample count, and its maps are those of the whole picture.
-/// Inputs:  picture: budget, seed, window and map files of the picture; x, y: from the upper left
-/// of
-///          the picture; outputs: output shaders of the camera, of which the exposures are
-///          evaluated.
+/// Inputs:  picture: budget, seed, window and map files of the picture; x, y: counted from the
+///          upper left; outputs: output shaders of the camera; its exposures are evaluated.
 /// Checked: Explain.* in tests/explain/explain_test.cpp, tests/cli/explain_test.cpp
 Explanation explain_pixel(World& world, const SessionSettings& picture, int x, int y,
                           const NodeList& outputs, const Progressive::Callbacks& callbacks = {},

@@ -14,7 +14,7 @@ namespace {
 
 using Sums = Imath::Vec3<double>;  // double: sums of many samples
 
-PathSegment way_by(LobeKind kind) {
+PathSegment segment_of_lobe(LobeKind kind) {
   switch (kind) {
     case LobeKind::Diffuse:
       return PathSegment::Diffuse;
@@ -31,9 +31,9 @@ PathSegment way_by(LobeKind kind) {
   }
 }
 
-/// The light-path AOV at a surface for light that it scatters in direction `way`.
-Aov part_by(PathSegment way, Aov here) {
-  switch (way) {
+/// The light-path AOV at a surface for light that it scatters into `segment`.
+Aov part_by(PathSegment segment, Aov here) {
+  switch (segment) {
     case PathSegment::Diffuse:
       return here == Aov::Diffuse ? here : Aov::Indirect;
     case PathSegment::Translucency:
@@ -102,10 +102,10 @@ Rgb to_rgb(const Sums& sum, double by) {
 
 ExplainObserver::ExplainObserver(const World& world) : world_(world), surfaces_(1) {}
 
-void ExplainObserver::Sum::keep(int kind) {
+void ExplainObserver::Sum::end_sample(int kind) {
   light[static_cast<std::size_t>(kind)] += Sums(current);
-  const double bright = luminance(current);
-  squares += bright * bright;
+  const double value = luminance(current);
+  squares += value * value;
   current = Rgb(0);
 }
 
@@ -116,12 +116,12 @@ void ExplainObserver::begin_sample(bool negative) {
 
 void ExplainObserver::end_sample(const Rgb& radiance) {
   const bool counts = is_finite(radiance);  // as PixelMeans::add
-  const auto keep = [&](Sum& sum) {
+  const auto end = [&](Sum& sum) {
     if (!counts) sum.current = Rgb(0);
-    sum.keep(kind_);
+    sum.end_sample(kind_);
   };
-  for (const std::size_t light : touched_) keep(lights_[light].sum);
-  for (Sum& part : parts_) keep(part);
+  for (const std::size_t light : touched_) end(lights_[light].sum);
+  for (Sum& part : parts_) end(part);
   touched_.clear();
   ++samples_[static_cast<std::size_t>(kind_)];
 }
@@ -132,26 +132,26 @@ std::size_t ExplainObserver::depth_of(std::size_t surface) const {
   return depth;
 }
 
-std::size_t ExplainObserver::child(std::size_t from, PathSegment way, const ShadingPoint& point,
+std::size_t ExplainObserver::child(std::size_t from, PathSegment segment, const ShadingPoint& point,
                                    const Material& material) {
   for (const std::size_t c : surfaces_[from].children) {
     const ExplainedSurface& s = surfaces_[c].facts;
-    if (s.way == way && s.instance == point.instance && s.material == &material) return c;
+    if (s.segment == segment && s.instance == point.instance && s.material == &material) return c;
   }
   if (surfaces_.size() >= kMaxSurfaces || depth_of(from) >= kMaxDepth) return from;
-  const std::size_t made = surfaces_.size();
-  surfaces_[from].children.push_back(made);
+  const std::size_t added = surfaces_.size();
+  surfaces_[from].children.push_back(added);
   Surface& s = surfaces_.emplace_back();
-  s.facts.way = way;
+  s.facts.segment = segment;
   s.facts.from = from;
   s.facts.instance = point.instance;
   s.facts.material = &material;
-  s.facts.behind = way == PathSegment::Diffuse || way == PathSegment::Translucency;
+  s.facts.behind = segment == PathSegment::Diffuse || segment == PathSegment::Translucency;
   s.facts.opacity = 0;
-  return made;
+  return added;
 }
 
-void ExplainObserver::note_lobes(const Closure& closure, ExplainedSurface& s) const {
+void ExplainObserver::add_lobes(const Closure& closure, ExplainedSurface& s) const {
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
     const bool rough = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Translucency;
@@ -169,11 +169,11 @@ PathObserver::Place ExplainObserver::on_hit(Place from, ShadingPoint& point,
                                             const Material& material, const Closure& closure) {
   const std::size_t before = surface_of(from);
   if (surfaces_[before].facts.behind) return from;
-  const std::size_t at = child(before, way_of(from), point, material);
+  const std::size_t at = child(before, segment_of(from), point, material);
   if (at == before) return static_cast<Place>(at << 3);
   Surface& s = surfaces_[at];
   ExplainedSurface& f = s.facts;
-  if (s.met++ == 0 && !f.behind) f.parameters = parameters_at(material, point);
+  if (s.hits++ == 0 && !f.behind) f.parameters = parameters_at(material, point);
   f.position += point.position;
   f.normal += point.normal;
   f.distance += point.ray_length;
@@ -181,25 +181,25 @@ PathObserver::Place ExplainObserver::on_hit(Place from, ShadingPoint& point,
   f.back_side += point.back_side ? 1.0f : 0.0f;
   f.emission += closure.emission;
   f.opacity += closure.opacity;
-  note_lobes(closure, f);
+  add_lobes(closure, f);
   return static_cast<Place>(at << 3);
 }
 
 PathObserver::Place ExplainObserver::on_scatter(Place at, LobeKind kind) {
   if (surfaces_[surface_of(at)].facts.behind) return at;
-  return static_cast<Place>(surface_of(at) << 3) | static_cast<Place>(way_by(kind));
+  return static_cast<Place>(surface_of(at) << 3) | static_cast<Place>(segment_of_lobe(kind));
 }
 
 void ExplainObserver::on_light(Place at, const LightPart& part, std::size_t layer,
                                const Rgb& radiance) {
   if (is_black(radiance)) return;
   std::size_t surface = surface_of(at);
-  const Rgb weighed = radiance * weight_;
-  parts_[static_cast<std::size_t>(part.of_first)].current += weighed;
-  Aov own = part_by(way_of(at), part.here);
+  const Rgb weighted = radiance * weight_;
+  parts_[static_cast<std::size_t>(part.of_first)].current += weighted;
+  Aov own = part_by(segment_of(at), part.here);
   if (surfaces_[surface].facts.behind) {
-    const PathSegment way = surfaces_[surface].facts.way;
-    own = part_by(way, Aov::Indirect);
+    const PathSegment segment = surfaces_[surface].facts.segment;
+    own = part_by(segment, Aov::Indirect);
     // Emission that a scattered ray hits counts as a light source, like light samples of it.
     if (part.here == Aov::Added && layer != world_.light_layers.unknown())
       surface = surfaces_[surface].facts.from;
@@ -215,7 +215,7 @@ void ExplainObserver::on_light(Place at, const LightPart& part, std::size_t laye
   } else {
     light = *same;
   }
-  lights_[light].sum.current += weighed;
+  lights_[light].sum.current += weighted;
   touched_.push_back(light);
 }
 
@@ -233,19 +233,19 @@ void ExplainObserver::on_light_sample(Place at, const ShadingPoint& point,
                                       const LightSampleEvent& event) {
   const std::size_t surface = surface_of(at);
   if (surface == 0 || surfaces_[surface].facts.behind) return;
-  std::vector<ExplainedLamp>& lamps = surfaces_[surface].facts.lamps;
-  auto lamp = std::find_if(lamps.begin(), lamps.end(),
-                           [&](const ExplainedLamp& l) { return l.light == event.light; });
-  if (lamp == lamps.end()) {
-    lamps.emplace_back().light = event.light;
-    lamp = lamps.end() - 1;
+  std::vector<ExplainedLightSource>& lights = surfaces_[surface].facts.lights;
+  auto light = std::find_if(lights.begin(), lights.end(),
+                            [&](const ExplainedLightSource& l) { return l.light == event.light; });
+  if (light == lights.end()) {
+    lights.emplace_back().light = event.light;
+    light = lights.end() - 1;
   }
-  const Rgb arrived = event.unshadowed * event.open;
-  ++lamp->samples;
-  lamp->unshadowed += event.unshadowed;
-  lamp->arrived += arrived;
-  const double lost = luminance(event.unshadowed - arrived);
-  if (lost > 0) lamp->blockers[blocker(point, event)] += lost;
+  const Rgb unoccluded = event.unshadowed * event.open;
+  ++light->samples;
+  light->unshadowed += event.unshadowed;
+  light->unoccluded += unoccluded;
+  const double lost = luminance(event.unshadowed - unoccluded);
+  if (lost > 0) light->blockers[blocker(point, event)] += lost;
 }
 
 void ExplainObserver::on_lookup(Place at, int records, int photons) {
@@ -253,7 +253,7 @@ void ExplainObserver::on_lookup(Place at, int records, int photons) {
   if (s.facts.behind) return;
   s.facts.records += records;
   s.facts.photons += photons;
-  ++s.look_ups;
+  ++s.lookups;
 }
 
 void ExplainObserver::on_occlusion(Place at, const Occlusion& occlusion, float free) {
@@ -271,20 +271,20 @@ void ExplainObserver::write_to(float positive, float negative, Explanation& e) c
     return to_rgb(s.light[0], by[0]) + to_rgb(s.light[1], by[1]);
   };
   const auto variance = [&](const Sum& s) {
-    const double bright = luminance(to_rgb(s.light[0] + s.light[1], 1 / all));
-    return std::max(0.0, s.squares / all - bright * bright);
+    const double value = luminance(to_rgb(s.light[0] + s.light[1], 1 / all));
+    return std::max(0.0, s.squares / all - value * value);
   };
   for (const Surface& s : surfaces_) {
     ExplainedSurface f = s.facts;
-    const float met = 1 / std::max(1.0f, static_cast<float>(s.met));
-    f.met = static_cast<double>(s.met) / all;
-    f.position *= met;
-    f.normal = s.met > 0 ? normalize(f.normal) : f.normal;
-    for (float* sum : {&f.distance, &f.cosine, &f.back_side, &f.opacity}) *sum *= met;
-    f.emission *= met;
-    for (ExplainedLobe& lobe : f.lobes) lobe.weight *= met;
-    const double looked = std::max<double>(1, static_cast<double>(s.look_ups));
-    f.records /= looked, f.photons /= looked;
+    const float per_hit = 1 / std::max(1.0f, static_cast<float>(s.hits));
+    f.hits = static_cast<double>(s.hits) / all;
+    f.position *= per_hit;
+    f.normal = s.hits > 0 ? normalize(f.normal) : f.normal;
+    for (float* sum : {&f.distance, &f.cosine, &f.back_side, &f.opacity}) *sum *= per_hit;
+    f.emission *= per_hit;
+    for (ExplainedLobe& lobe : f.lobes) lobe.weight *= per_hit;
+    const double lookups = std::max<double>(1, static_cast<double>(s.lookups));
+    f.records /= lookups, f.photons /= lookups;
     if (s.occlusions > 0) f.free /= static_cast<double>(s.occlusions);
     for (const std::size_t i : s.lights)
       f.light.push_back(

@@ -41,7 +41,7 @@ class ExplainObserver final : public PathObserver {
     std::array<Imath::Vec3<double>, 2> light{Imath::Vec3<double>(0.0), Imath::Vec3<double>(0.0)};
     double squares = 0;  ///< of luminance
     Rgb current{0};      ///< of the current sample
-    void keep(int kind);
+    void end_sample(int kind);
   };
   struct Light {
     Aov part;
@@ -49,18 +49,18 @@ class ExplainObserver final : public PathObserver {
     Sum sum;
   };
   struct Surface {
-    ExplainedSurface facts;  ///< sums, to be divided by `met` for means
-    std::uint64_t met = 0, look_ups = 0, occlusions = 0;
+    ExplainedSurface facts;  ///< sums, to be divided by `hits` for means
+    std::uint64_t hits = 0, lookups = 0, occlusions = 0;
     std::vector<std::size_t> lights, children;
   };
   static constexpr std::size_t kMaxSurfaces = 1 << 14, kMaxDepth = 24;
 
   static std::size_t surface_of(Place p) { return p >> 3; }
-  static PathSegment way_of(Place p) { return static_cast<PathSegment>(p & 7); }
-  std::size_t child(std::size_t from, PathSegment way, const ShadingPoint& point,
+  static PathSegment segment_of(Place p) { return static_cast<PathSegment>(p & 7); }
+  std::size_t child(std::size_t from, PathSegment segment, const ShadingPoint& point,
                     const Material& material);
   std::size_t depth_of(std::size_t surface) const;
-  void note_lobes(const Closure& closure, ExplainedSurface& s) const;
+  void add_lobes(const Closure& closure, ExplainedSurface& s) const;
   int blocker(const ShadingPoint& point, const LightSampleEvent& event) const;
 
   const World& world_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
 namespace oriel {
@@ -11,16 +12,19 @@ namespace {
 
 constexpr std::string_view kSeverityNames[] = {"note", "warning", "error"};
 
+/// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`.
+/// Source:  F. Damerau, CACM 7(3), 1964, in the restricted form: no part is edited twice.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before.swap(last);
+    last.swap(row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row[b.size()];
@@ -87,6 +91,24 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
     }
   }
   return best;
+}
+
+std::string nearest_file(const std::string& missing) {
+  constexpr std::size_t kMaxFiles = 10000;
+  const std::filesystem::path path(missing);
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code error;
+  std::vector<std::string> names;
+  for (std::filesystem::directory_iterator file(folder, error), end;
+       !error && file != end && names.size() < kMaxFiles; file.increment(error))
+    names.push_back(file->path().filename().string());
+  std::sort(names.begin(), names.end());  // the order of a folder is not defined
+  return nearest_name(path.filename().string(), names);
+}
+
+std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
+  const std::string near = nearest_name(name, candidates);
+  return near.empty() ? "" : fmt::format("did you mean \"{}\"?", near);
 }
 
 }  // namespace oriel

@@ -73,8 +73,14 @@ class Diagnostics {
   std::vector<Diagnostic> all_;
 };
 
-/// The candidate with the smallest edit distance to `name`; empty if all are too different (more
-/// than a third of the length) to be typing errors.
+/// The candidate with the smallest edit distance to `name`, where a swap of neighbours counts one;
+/// empty if all are too different (more than a third of the length) to be typing errors.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+/// The name in the folder of a missing file that is nearest to its name; empty as above.
+std::string nearest_file(const std::string& missing);
+
+/// The hint "did you mean "NAME"?" with the nearest candidate; empty as above.
+std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace oriel

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <fstream>
+
+#include "base/temporary_folder.h"
+
 namespace oriel {
 namespace diagnostic_test {
 
@@ -27,6 +32,26 @@ TEST(NearestName, FindsTyposAndRejectsUnrelatedNames) {
   const std::string names[] = {"refl_gloss", "diffuse", "reflectivity"};
   EXPECT_EQ(nearest_name("refl_glos", names), "refl_gloss");
   EXPECT_EQ(nearest_name("zzz", names), "");
+}
+
+TEST(NearestName, SwappedNeighboursCountOnce) {
+  // Two edits of four letters are too many.
+  EXPECT_EQ(nearest_name("siez", std::array<std::string, 1>{"size"}), "size");
+  EXPECT_EQ(nearest_name("sieg", std::array<std::string, 1>{"size"}), "");
+}
+
+TEST(NearestName, TheLimitGrowsWithTheLength) {
+  const std::array<std::string, 1> names = {"abcdefghi"};
+  EXPECT_EQ(nearest_name("xbcxefgxi", names), "abcdefghi");
+  EXPECT_EQ(nearest_name("xbxdxfgxi", names), "");
+}
+
+TEST(NearestName, FilesAreThoseOfTheFolder) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "wood.png") << "x";
+  EXPECT_EQ(nearest_file((folder.path() / "wod.png").string()), "wood.png");
+  EXPECT_EQ(nearest_file((folder.path() / "stone.png").string()), "");
+  EXPECT_EQ(nearest_file((folder.path() / "none" / "wod.png").string()), "");
 }
 
 }  // namespace diagnostic_test

@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "base/diagnostic.h"
 #include "base/math.h"
 #include "color/luminance.h"
 
@@ -48,7 +49,9 @@ std::vector<Layer> relight(const std::vector<Layer>& layers, const std::vector<L
     if (std::find(names.begin(), names.end(), gain.name) == names.end()) {
       std::string list;
       for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-      throw std::runtime_error("unknown light group \"" + gain.name + "\": " + list);
+      const std::string near = nearest_name(gain.name, names);
+      throw std::runtime_error("unknown light group \"" + gain.name + "\": expected one of " +
+                               list + (near.empty() ? "" : "; did you mean " + near + "?"));
     }
   std::vector<Layer> out{*beauty};
   Image sum = beauty->image;

@@ -12,10 +12,10 @@
 namespace oriel {
 namespace light_tree_test {
 
-std::vector<LightBounds> random_lamps(int n, std::uint32_t seed) {
+std::vector<LightBounds> random_lights(int n, std::uint32_t seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<float> u(0, 1);
-  std::vector<LightBounds> lamps;
+  std::vector<LightBounds> lights;
   for (int i = 0; i < n; ++i) {
     LightBounds b;
     const Vec3 centre(10 * u(engine), 10 * u(engine), 3 * u(engine));
@@ -27,9 +27,9 @@ std::vector<LightBounds> random_lamps(int n, std::uint32_t seed) {
     }
     b.falling = u(engine);
     b.even = i % 5 == 0 ? u(engine) : 0;
-    lamps.push_back(b);
+    lights.push_back(b);
   }
-  return lamps;
+  return lights;
 }
 
 std::vector<int> numbered(int n) {
@@ -43,11 +43,11 @@ const LitPoint kPoints[] = {{Vec3(5, 5, 0), Vec3(0, 0, 1)},
                             {Vec3(20, 3, 1), Vec3(-1, 0, 0)},
                             {Vec3(5, 5, 1.5f), Vec3(0, .6f, .8f)}};
 
-TEST(LightTree, ChancesOfLampsThatShineAllAroundSumToOne) {
+TEST(LightTree, ChancesOfLightsThatShineAllAroundSumToOne) {
   for (const int n : {1, 2, 7, 100, 1000}) {
-    std::vector<LightBounds> lamps = random_lamps(n, 3);
-    for (LightBounds& lamp : lamps) lamp.normals = {};
-    const LightTree tree(lamps, numbered(n));
+    std::vector<LightBounds> lights = random_lights(n, 3);
+    for (LightBounds& light : lights) light.normals = {};
+    const LightTree tree(lights, numbered(n));
     for (const LitPoint& point : kPoints) {
       double sum = 0;
       for (int i = 0; i < n; ++i)
@@ -59,13 +59,13 @@ TEST(LightTree, ChancesOfLampsThatShineAllAroundSumToOne) {
 
 TEST(LightTree, SampleFrequenciesMatchThePmf) {
   const int n = 50, draws = 200000;
-  const LightTree tree(random_lamps(n, 4), numbered(n));
+  const LightTree tree(random_lights(n, 4), numbered(n));
   for (const LitPoint& point : kPoints) {
     std::vector<int> count(n);
     for (int k = 0; k < draws; ++k) {
       float u = (static_cast<float>(k) + .5f) / draws;
       const auto choice = tree.choose(point, u);
-      if (!choice) continue;  // a group of lamps none of which shines there
+      if (!choice) continue;  // a group of lights none of which shines there
       EXPECT_FLOAT_EQ(choice->probability, tree.probability(point, choice->light));
       EXPECT_GE(u, 0);
       EXPECT_LT(u, 1);
@@ -80,18 +80,19 @@ TEST(LightTree, SampleFrequenciesMatchThePmf) {
 
 TEST(LightTree, LightsThatReachThePointHavePositiveProbability) {
   const int n = 200;
-  const std::vector<LightBounds> lamps = random_lamps(n, 5);
-  const LightTree tree(lamps, numbered(n));
+  const std::vector<LightBounds> lights = random_lights(n, 5);
+  const LightTree tree(lights, numbered(n));
   for (const LitPoint& point : kPoints)
     for (int i = 0; i < n; ++i) {
-      const LightBounds& lamp = lamps[static_cast<std::size_t>(i)];
+      const LightBounds& light = lights[static_cast<std::size_t>(i)];
       bool shines = false;
       for (int corner = 0; corner < 8; ++corner) {
         Vec3 place;
-        for (int k = 0; k < 3; ++k) place[k] = corner >> k & 1 ? lamp.box.max[k] : lamp.box.min[k];
+        for (int k = 0; k < 3; ++k)
+          place[k] = corner >> k & 1 ? light.box.max[k] : light.box.min[k];
         const Vec3 way = point.position - place;
-        const bool out =
-            lamp.normals.all() || dot(normalize(way), lamp.normals.axis) > lamp.cos_reach + 1e-4f;
+        const bool out = light.normals.all() ||
+                         dot(normalize(way), light.normals.axis) > light.cos_reach + 1e-4f;
         const bool front = point.normal == Vec3(0) || dot(way, point.normal) < -1e-4f;
         shines |= out && front;
       }
@@ -101,17 +102,17 @@ TEST(LightTree, LightsThatReachThePointHavePositiveProbability) {
     }
 }
 
-TEST(LightTree, NearLampsAreChosenByTheirShareOfLight) {
+TEST(LightTree, NearLightsAreChosenByTheirShareOfLight) {
   // Four alike at distances 1, 2, 3, 4 above a floor: shares go with the irradiance.
-  std::vector<LightBounds> lamps(4);
+  std::vector<LightBounds> lights(4);
   double total = 0;
   for (int i = 0; i < 4; ++i) {
-    auto& lamp = lamps[static_cast<std::size_t>(i)];
-    lamp.box = geom::Box3(Vec3(0, 0, static_cast<float>(i + 1)));
-    lamp.falling = 1;
+    auto& light = lights[static_cast<std::size_t>(i)];
+    light.box = geom::Box3(Vec3(0, 0, static_cast<float>(i + 1)));
+    light.falling = 1;
     total += 1.0 / ((i + 1) * (i + 1));
   }
-  const LightTree tree(lamps, numbered(4));
+  const LightTree tree(lights, numbered(4));
   const LitPoint point{Vec3(0), Vec3(0, 0, 1)};
   for (int i = 0; i < 4; ++i)
     EXPECT_NEAR(
@@ -120,33 +121,33 @@ TEST(LightTree, NearLampsAreChosenByTheirShareOfLight) {
         << i;
 }
 
-TEST(LightTree, ManyLampsInOnePlaceAreSplitEvenly) {
-  std::vector<LightBounds> lamps(300);
-  for (LightBounds& lamp : lamps) lamp.box = geom::Box3(Vec3(0)), lamp.falling = 1;
-  const LightTree tree(lamps, numbered(300));
+TEST(LightTree, ManyLightsInOnePlaceAreSplitEvenly) {
+  std::vector<LightBounds> lights(300);
+  for (LightBounds& light : lights) light.box = geom::Box3(Vec3(0)), light.falling = 1;
+  const LightTree tree(lights, numbered(300));
   for (int i = 0; i < 300; ++i)
     EXPECT_NEAR(tree.probability({Vec3(1, 2, 3), Vec3(0)}, i), 1 / 300.0f, 1e-3f / 300);
 }
 
 TEST(LightTree, RaysMeetTheBoxesThatTheyCross) {
   const int n = 300;
-  const std::vector<LightBounds> lamps = random_lamps(n, 6);
-  const LightTree tree(lamps, numbered(n));
+  const std::vector<LightBounds> lights = random_lights(n, 6);
+  const LightTree tree(lights, numbered(n));
   std::mt19937 engine(7);
   std::uniform_real_distribution<float> u(-1, 1);
   int met = 0;
   for (int k = 0; k < 2000; ++k) {
     const Vec3 from(5 + 6 * u(engine), 5 + 6 * u(engine), 1.5f + 2 * u(engine));
-    // Through the middle of a lamp, beyond it, and short of it.
+    // Through the middle of a light, beyond it, and short of it.
     const int aim = k % n;
-    const Vec3 to = lamps[static_cast<std::size_t>(aim)].box.center() - from;
+    const Vec3 to = lights[static_cast<std::size_t>(aim)].box.center() - from;
     std::vector<int> found;
     tree.for_each_on_way(from, normalize(to), length(to) * 1.01f,
                          [&](int light) { found.push_back(light); });
     EXPECT_TRUE(std::find(found.begin(), found.end(), aim) != found.end());
     met += static_cast<int>(found.size());
     bool again = false;
-    const Vec3 half = lamps[static_cast<std::size_t>(aim)].box.size();
+    const Vec3 half = lights[static_cast<std::size_t>(aim)].box.size();
     tree.for_each_on_way(from, normalize(to), std::max(0.0f, length(to) - length(half)) * .99f,
                          [&](int light) { again |= light == aim; });
     EXPECT_FALSE(again);

@@ -14,7 +14,7 @@ struct Triangles {
   std::vector<LightBounds> bounds;
 };
 
-/// Of two instances, every second primitive of the second one glows.
+/// Of two instances, every second primitive of the second one emits.
 Triangles random_triangles(std::uint32_t n, std::uint32_t seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<float> u;
@@ -77,7 +77,7 @@ TEST(MeshLights, NonEmissiveTrianglesAreNeverSampled) {
   const LitPoint lit{Vec3(5, 5, -1), Vec3(0)};
   EXPECT_GT(lights.probability(lit, 1, 0), 0);
   EXPECT_EQ(lights.probability(lit, 1, 1), 0) << "a triangle between";
-  EXPECT_EQ(lights.probability(lit, 2, 0), 0) << "an instance that does not glow";
+  EXPECT_EQ(lights.probability(lit, 2, 0), 0) << "an instance that does not emit";
   EXPECT_FALSE(MeshLights().choose(lit, Vec2(.5f)));
   EXPECT_EQ(MeshLights().probability(lit, 0, 0), 0);
 }

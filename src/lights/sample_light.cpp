@@ -104,8 +104,8 @@ Rgb volume_transmittance(const World& world, const NodeList& volume, const Vec3&
   for (const ShaderNode* node : volume)
     if (const ShaderSpec& spec = node->spec();
         spec.volume.dims_light && spec.volume.dims_light(*node))
-      kept *=
-          node->with_params(way, [&](const Call& call) { return spec.volume.evaluate(call); }).kept;
+      kept *= node->with_params(way, [&](const Call& call) { return spec.volume.evaluate(call); })
+                  .transmittance;
   return kept;
 }
 

@@ -120,7 +120,7 @@ using ElementReader = std::function<void(Parse&, SourceLocation)>;
 
 const std::map<std::string, ElementReader, std::less<>>& element_readers() {
   const auto uninterpreted = [](std::string_view kind) {
-    return [kind](Parse& p, SourceLocation at) { read_kept_element(p, kind, at); };
+    return [kind](Parse& p, SourceLocation at) { read_uninterpreted_element(p, kind, at); };
   };
   const auto texture = [](std::string_view word) {
     return [word](Parse& p, SourceLocation at) { read_texture(p, word, at); };

@@ -33,8 +33,11 @@ bool Cursor::open(const std::string& path) {
   auto source = Source::load(path, options_->limits.file_size, reason);
   if (!source) {
     const std::uint32_t file = diagnostics_->add_file(path);
+    std::error_code error;
+    const std::string near = std::filesystem::exists(path, error) ? "" : nearest_file(path);
     diagnostics_->error(code::kUnreadable, {file, 0, 0},
-                        fmt::format("cannot read {}: {}", path, reason));
+                        fmt::format("cannot read {}: {}", path, reason),
+                        near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
     open_text("", path);
     return false;
   }
@@ -150,7 +153,7 @@ std::span<const char> Cursor::binary(std::size_t bytes) {
     return {payload, bytes};
   }
   diagnostics_->error(code::kBadBinary, where(),
-                      fmt::format("the binary block here should hold {} bytes", bytes));
+                      fmt::format("expected a binary block of {} bytes", bytes));
   next();
   return {};
 }

@@ -50,7 +50,7 @@ void Cursor::include(const Token& command) {
   while (*q != close && *q != '\n' && *q != '\r' && *q != 0) ++q;
   if ((*p != '"' && !angled) || *q != close || q == begin) {
     lexer.set_position(*p == 0 ? p : q);
-    diagnostics_->error(code::kSyntax, at, "$include needs a \"file\" or <file>");
+    diagnostics_->error(code::kSyntax, at, "$include requires a \"file\" or <file>");
     return;
   }
   lexer.set_position(q + 1);
@@ -169,7 +169,7 @@ void Cursor::conditional(const Token& command) {
   if (!variable.is_name()) {
     set_raw(variable.raw.data());
     return diagnostics_->error(code::kSyntax, at,
-                               fmt::format("${} needs the name of a variable", command.text));
+                               fmt::format("${} requires the name of a variable", command.text));
   }
   const bool defined = variables_.contains(variable.str());
   ++depth;

@@ -66,7 +66,7 @@ void keep_brackets(Parse& parse, std::string& text);
 /// Returns the tokens up to one of `words` or `end`. Groups in brackets are not split.
 std::string keep_until_word(Parse& parse, std::span<const std::string_view> words);
 /// `gui`, `registry`, `colorprofile`, `spectrum` elements.
-void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at);
+void read_uninterpreted_element(Parse& parse, std::string_view kind, SourceLocation at);
 scene::UninterpretedStatement read_gui(Parse& parse, SourceLocation at);
 
 // commands.cpp

@@ -233,7 +233,7 @@ void GroupReader::read_mesh_name(std::uint32_t& material) {
     const SourceLocation at = parse_.in.where();
     const std::string name = parse_.in.next().str();
     if (parse_.tagged) {
-      parse_.warn(code::kSyntax, at, "a tagged object takes labels, not names of materials",
+      parse_.warn(code::kSyntax, at, "a tagged object requires labels, not names of materials",
                   "the instance's material list is indexed by the label");
       return;
     }

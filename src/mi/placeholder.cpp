@@ -110,7 +110,7 @@ void load(Parse& parse, const PendingPlaceholder& placeholder) {
   // An unreadable file was already reported.
   if (!from.elements().empty())
     parse.warn(code::kNoContent, placeholder.where,
-               fmt::format("\"{}\" holds nothing that \"{}\" could stand for", placeholder.file,
+               fmt::format("\"{}\" contains no element that can replace \"{}\"", placeholder.file,
                            placeholder.name));
 }
 

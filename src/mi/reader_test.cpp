@@ -407,7 +407,7 @@ TEST(Commands, RegistriesLinkEchoAndReadFiles) {
   EXPECT_EQ(read.scene.commands[0].values[0].text, "x.so");
   EXPECT_EQ(read.scene.commands[1].keyword, "echo");
   EXPECT_EQ(read.scene.packages, std::vector<std::string>{"base.mi"});
-  const std::string& text = read.get<scene::KeptElement>("r").text;
+  const std::string& text = read.get<scene::UninterpretedElement>("r").text;
   EXPECT_NE(text.find("value \"v\""), std::string::npos) << text;
   EXPECT_NE(text.find("one two"), std::string::npos) << text;
   EXPECT_EQ(text.find("link"), std::string::npos) << text;

@@ -32,7 +32,7 @@ class Resolver {
 
   void visit(const scene::Options&) {}
   void visit(const scene::LightProfile&) {}
-  void visit(const scene::KeptElement&) {}
+  void visit(const scene::UninterpretedElement&) {}
   void visit(const scene::Assembly&) {}
   void visit(const scene::UserData&) {}
   void visit(const scene::ShaderElement& e) { list(e.functions); }

@@ -28,7 +28,7 @@ void check_value(Parse& parse, const ParamDecl& declared, const Value& value,
   if (value.kind == Value::Kind::Numbers && value.numbers.size() > number_count(declared.type) &&
       declared.type != ParamType::Array)
     parse.warn(code::kTooManyValues, value.where,
-               fmt::format("parameter \"{}\" of shader \"{}\" has {} numbers, a {} takes {}",
+               fmt::format("parameter \"{}\" of shader \"{}\" has {} numbers; a {} has {}",
                            declared.name, shader, value.numbers.size(),
                            scene::type_name(declared.type), number_count(declared.type)),
                "the rest is ignored");

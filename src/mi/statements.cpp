@@ -88,6 +88,28 @@ void read_statement_values(Parse& parse, const Form& form, Statement& statement)
   }
 }
 
+// "filter bax", "trace dpeth": a word after a statement that starts none and is near a word of its
+// form, or of a longer keyword.
+void skip_misspelt_word(Parse& parse, const FormTable& table, const Form& form) {
+  const Token token = parse.in.peek();
+  if (token.kind != Token::Kind::Word || token.text == "end" ||
+      table.starts_statement(token.text) || Parse::starts_element(token))
+    return;
+  std::vector<std::string> words = table.continuations(form.keyword);
+  for (std::string_view rest = form.words; !rest.empty();) {
+    const std::size_t bar = std::min(rest.find('|'), rest.size());
+    words.emplace_back(rest.substr(0, bar));
+    rest.remove_prefix(std::min(bar + 1, rest.size()));
+  }
+  const std::string near = nearest_name(token.text, words);
+  if (near.empty()) return;
+  parse.warn(code::kUnknownStatement, parse.in.where(),
+             fmt::format("unknown value {} of '{}' was skipped", parse.shown(token), form.keyword),
+             "did you mean " + near + "?");
+  parse.in.next();
+  skip_statement(parse, table);
+}
+
 }  // namespace
 
 FormTable::FormTable(const scene::StatementTable& rows, std::span<const std::string_view> others)
@@ -101,7 +123,6 @@ FormTable::FormTable(std::vector<Form> forms, std::span<const std::string_view> 
   std::sort(forms_.begin(), forms_.end(),
             [](const Form& a, const Form& b) { return a.keyword < b.keyword; });
   for (const Form& form : forms_) {
-    names_.push_back(form.keyword);
     first_words_.insert(form.keyword.substr(0, form.keyword.find(' ')));
     for (auto blank = form.keyword.find(' '); blank != std::string::npos;
          blank = form.keyword.find(' ', blank + 1))
@@ -114,6 +135,20 @@ const Form* FormTable::find(std::string_view keyword) const {
       std::lower_bound(forms_.begin(), forms_.end(), keyword,
                        [](const Form& form, std::string_view k) { return form.keyword < k; });
   return found != forms_.end() && found->keyword == keyword ? &*found : nullptr;
+}
+
+std::string FormTable::nearest(std::string_view keyword) const {
+  std::vector<std::string> names(first_words_.begin(), first_words_.end());
+  for (const Form& form : forms_) names.push_back(form.keyword);
+  return nearest_name(keyword, names);
+}
+
+std::vector<std::string> FormTable::continuations(std::string_view keyword) const {
+  std::vector<std::string> words;
+  const std::string begin = std::string(keyword) + ' ';
+  for (const Form& form : forms_)
+    if (form.keyword.starts_with(begin)) words.push_back(form.keyword.substr(begin.size()));
+  return words;
 }
 
 bool FormTable::is_prefix(std::string_view words) const { return prefixes_.contains(words); }
@@ -153,7 +188,7 @@ std::optional<Statement> read_statement(Parse& parse, const FormTable& table,
   }
   const Form* form = table.find(statement.keyword);
   if (!form) {
-    const std::string near = nearest_name(statement.keyword, table.names());
+    const std::string near = table.nearest(statement.keyword);
     parse.warn(code::kUnknownStatement, statement.where,
                fmt::format("unknown statement {} in {} was skipped", parse.shown(first), element),
                near.empty() ? "" : "did you mean " + near + "?");
@@ -161,6 +196,7 @@ std::optional<Statement> read_statement(Parse& parse, const FormTable& table,
     return std::nullopt;
   }
   read_statement_values(parse, *form, statement);
+  skip_misspelt_word(parse, table, *form);
   return statement;
 }
 

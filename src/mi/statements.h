@@ -24,13 +24,15 @@ class FormTable {
   explicit FormTable(const scene::StatementTable& rows,
                      std::span<const std::string_view> others = {});
   const Form* find(std::string_view keyword) const;
-  bool is_prefix(std::string_view words) const;        ///< begins a longer keyword
-  bool starts_statement(std::string_view word) const;  ///< first word of a keyword, or in `others`
-  std::span<const std::string> names() const { return names_; }
+  bool is_prefix(std::string_view words) const;        ///< of a keyword with more words
+  bool starts_statement(std::string_view word) const;  ///< first word of any keyword, or other
+  /// The keyword or first word nearest to `keyword`; empty: none is near.
+  std::string nearest(std::string_view keyword) const;
+  /// Words that follow the keyword in the longer keywords of the table.
+  std::vector<std::string> continuations(std::string_view keyword) const;
 
  private:
   std::vector<Form> forms_;
-  std::vector<std::string> names_;
   std::set<std::string, std::less<>> prefixes_, first_words_;
 };
 

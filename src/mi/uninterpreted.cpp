@@ -113,8 +113,8 @@ scene::UninterpretedStatement read_gui(Parse& parse, SourceLocation at) {
   return uninterpreted;
 }
 
-void read_kept_element(Parse& parse, std::string_view kind, SourceLocation at) {
-  parse.element<scene::KeptElement>(kind, at, [&](scene::KeptElement& element) {
+void read_uninterpreted_element(Parse& parse, std::string_view kind, SourceLocation at) {
+  parse.element<scene::UninterpretedElement>(kind, at, [&](scene::UninterpretedElement& element) {
     element.kind = kind;
     if (kind == "gui") {
       std::string text;

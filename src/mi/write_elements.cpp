@@ -372,7 +372,7 @@ void write_element(TextSink& out, const scene::UserData& data, int depth) {
   out.put('\n');
 }
 
-void write_element(TextSink& out, const scene::KeptElement& element, int depth) {
+void write_element(TextSink& out, const scene::UninterpretedElement& element, int depth) {
   begin(out, element.kind, element.name);
   out.put(' ');
   out.put(element.text);

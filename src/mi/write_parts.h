@@ -71,6 +71,6 @@ void write_element(TextSink& out, const scene::InstanceGroup& group, int depth);
 void write_element(TextSink& out, const scene::ShaderElement& shader, int depth);
 void write_element(TextSink& out, const scene::Assembly& assembly, int depth);
 void write_element(TextSink& out, const scene::UserData& data, int depth);
-void write_element(TextSink& out, const scene::KeptElement& element, int depth);
+void write_element(TextSink& out, const scene::UninterpretedElement& element, int depth);
 
 }  // namespace oriel::mi

@@ -106,7 +106,7 @@ std::string TextureMaker::picture(const aiScene& model, const std::string& writt
         "OR-MD-004", {},
         fmt::format("material \"{}\": image \"{}\" does not exist; the texture is ignored", user,
                     written),
-        "put the file into the folder of the model");
+        "copy the file into the folder of the model");
     return {};
   }
   scene::Texture texture;

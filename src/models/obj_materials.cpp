@@ -94,7 +94,7 @@ void mend_obj_materials(aiScene& model, const std::string& path, Diagnostics& di
       diagnostics.warning(
           "OR-MD-015", {},
           fmt::format("the material file \"{}\" does not exist; its materials are grey", name),
-          "put it beside the model");
+          "copy it beside the model");
       continue;
     }
     std::ifstream file(beside);

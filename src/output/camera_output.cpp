@@ -35,7 +35,7 @@ class ShaderReader {
       } else if (node->spec().output) {
         nodes.push_back(node);
       } else if (!node->spec().fallback.is_fallback &&
-                 // substitutes of host shaders such as buffers and glow
+                 // substitutes of host shaders such as buffers and shader glow
                  !is_substitute(node->spec()))
         diagnostics_.warning(
             "OR-RN-052", output.where,

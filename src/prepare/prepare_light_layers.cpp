@@ -54,7 +54,7 @@ class GroupFinder {
         const std::string near = nearest(plain, names);
         diagnostics.warning(
             "OR-RN-057", {},
-            fmt::format("no light, glowing object or group of them matches \"{}\" of light group "
+            fmt::format("no light, emissive object or group of them matches \"{}\" of light group "
                         "\"{}\"",
                         pattern, groups_[g].name),
             fmt::format("the nearest name is \"{}\"", near));

@@ -78,8 +78,8 @@ void place_area(const scene::Light& element, const Mat4& to_world,
     if (leaf != leaves.end() && place_on_object(*leaf->object(), leaf->local_to_world, light))
       return;
     diagnostics.warning("OR-RN-021", element.where,
-                        fmt::format("area light \"{}\" names \"{}\", which is no instance of an "
-                                    "object with polygons; it is rendered as a point light",
+                        fmt::format("area light \"{}\" names \"{}\", which is not an instance of "
+                                    "an object with polygons; it is rendered as a point light",
                                     element.name, name));
     return;
   } else if (area.keyword == "user") {
@@ -325,9 +325,12 @@ bool place_camera(const scene::Scene& scene, const std::vector<scene::Leaf>& lea
     std::vector<std::string> names;
     for (const scene::Leaf& leaf : leaves)
       if (leaf.kind == scene::LeafKind::Camera) names.push_back(leaf.instance().name);
+    const std::string near = did_you_mean(name, names);
     diagnostics.error("OR-RN-001", {}, fmt::format("there is no camera \"{}\"", name),
-                      names.empty() ? "the rendered group holds no camera instance"
-                                    : fmt::format("cameras: {}", fmt::join(names, ", ")));
+                      names.empty() ? "the rendered group contains no camera instance"
+                      : near.empty()
+                          ? fmt::format("cameras: {}", fmt::join(names, ", "))
+                          : fmt::format("{} (cameras: {})", near, fmt::join(names, ", ")));
     return false;
   }
   camera.middle = world.shutter.middle();

@@ -42,10 +42,11 @@ UnitLuminance unit_luminance(const World& world, const NodeList& outputs,
   if (!put.by.empty() && std::abs(taken.cd_m2 / put.cd_m2 - 1) > kUnitTolerance)
     diagnostics.warning(
         "OR-RN-045", {},
-        fmt::format("{} takes one unit of a pixel for {:.4g} cd/m2, {} makes it {:.4g}: lux and "
-                    "cd/m2 are by the first",
-                    taken.by, taken.cd_m2, put.by, put.cd_m2),
-        fmt::format("--unit-luminance {:.6g} measures by the second", put.cd_m2));
+        fmt::format(
+            "one pixel unit is {1:.4g} cd/m2 by {0}, but {3:.4g} cd/m2 by {2}; the first is "
+            "used",
+            taken.by, taken.cd_m2, put.by, put.cd_m2),
+        fmt::format("--unit-luminance {:.6g} uses the second", put.cd_m2));
   return taken;
 }
 

@@ -339,8 +339,8 @@ Material Binder::bind_material(const scene::Material& material, Scope* scope) {
       list && !list->empty() && world_.options.lightmap != scene::MapMode::Off)
     diagnostics_.warning(
         "OR-RT-045", material.where,
-        fmt::format("material \"{}\" asks for a light map; none is made", material.name),
-        "the picture is lit as a whole and needs none; textures that were painted before are read");
+        fmt::format("material \"{}\" requests a light map; it is not written", material.name),
+        "rendering does not require it; existing light map textures are read");
   const auto transmits = [](const ShaderNode* node) {
     return node->spec().material.may_transmit && node->spec().material.may_transmit(*node);
   };

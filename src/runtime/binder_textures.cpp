@@ -45,8 +45,13 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
   const auto* element = scene_.get<scene::Texture>(name);
   if (!element) {
     if (const ShaderNode* node = find_named(name, nullptr)) return procedure(node);
-    if (!scene_.find(name))
-      diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name));
+    if (!scene_.find(name)) {
+      std::vector<std::string> names;
+      for (const scene::Element& e : scene_.elements())
+        if (std::holds_alternative<scene::Texture>(e)) names.push_back(scene::name_of(e));
+      diagnostics_.warning("OR-RT-014", where, fmt::format("there is no texture \"{}\"", name),
+                           did_you_mean(name, names));
+    }
     return textures_[name] = nullptr;
   }
   // Null while its procedure is bound, so that a procedure that looks itself up finds nothing.

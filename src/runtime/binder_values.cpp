@@ -274,7 +274,7 @@ bool Binder::reaches(const ShaderNode& node, const ShaderNode* source, SourceLoc
   const int length = length_of(source) + 1;
   if (length > kLongestChain) {
     diagnostics_.error("OR-RT-009", where,
-                       fmt::format("behind \"{}\" stands a chain of more than {} shaders",
+                       fmt::format("more than {1} shaders are connected in a chain to \"{0}\"",
                                    node.spec().name, kLongestChain),
                        "the declared default is used here");
     return false;
@@ -289,7 +289,7 @@ bool Binder::afford(ShaderNode& node, float cost, SourceLocation where) {
   constexpr float kMaxEvaluations = 1e5f;
   if (node.cost_ + cost > kMaxEvaluations) {
     diagnostics_.error("OR-RT-007", where,
-                       fmt::format("connections of \"{}\" would run more than {} shaders",
+                       fmt::format("connections of \"{}\" would evaluate more than {} shaders",
                                    node.spec().name, static_cast<int>(kMaxEvaluations)),
                        "the declared default is used here");
     return false;

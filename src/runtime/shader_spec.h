@@ -146,12 +146,13 @@ struct EyeSample {
 /// The finished picture, for output shaders.
 class OutputPicture;
 
-/// The effect of a medium on a ray segment: it transmits the fraction `kept` of the light behind
-/// it, and emits `added`. `scattered` is the weight of one sampled scattering event at `place` on
-/// the segment: light from the direction `onward` (unit) is scattered along the ray. It is not
-/// included in `added`; black = no event.
+/// Effect of a volume on the light of one path segment.
+///
+/// Model:   radiance = transmittance x radiance of the far end + `added` + `scattered` x radiance
+///          that arrives at `place` from direction `onward` (unit). `place` is one random sample on
+///          the segment; `scattered` is black if there is none, and is not included in `added`.
 struct VolumeValue {
-  Rgb kept{1}, added{0}, scattered{0};
+  Rgb transmittance{1}, added{0}, scattered{0};
   Vec3 place{0}, onward{0};
 };
 
@@ -226,9 +227,9 @@ struct PhotonRole {
 
 /// Acts as a volume.
 struct VolumeRole {
-  /// For the segment between call.point's ray origin and the surface at its ray_length. Rays of
-  /// kind Light end at the lit point and begin at the light, or at infinity; only `kept` is used.
-  /// Photons have the direction of camera rays; `added` is ignored for them.
+  /// Between call.point's ray origin and the surface at its ray_length. Rays of kind Light end at
+  /// the lit point and begin at the light, or infinitely far away: only `transmittance` counts.
+  /// Rays of photons are passed in the direction of eye rays; `added` is ignored for them.
   VolumeValue (*evaluate)(const Call&) = nullptr;
   /// Whether it is evaluated for rays of kind Light, by constant parameters. Null: no.
   bool (*dims_light)(const ShaderNode&) = nullptr;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "scene/asset_path.h"
 
 namespace oriel {
@@ -21,7 +23,7 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
   node->filter_ = element.filter.value_or(1.0f);
   // Vector textures do not contain light.
   if (element.type == scene::ParamType::VectorTexture) gamma = 1;
-  std::string why;
+  std::string why, file;  // file: that does not exist
   if (!element.pixels.empty() && element.size.size() >= 2) {
     const int components = element.size.size() > 2 ? element.size[2] : 3;
     node->own_ =
@@ -29,16 +31,22 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element, Te
     node->texture_ = node->own_.get();
     if (!node->texture_) why = "its pixels do not fill the size written";
   } else {
-    const TextureSystem::Opened opened =
-        system.open(scene::find_asset(element.file, element.directory), gamma);
+    const std::string path = scene::find_asset(element.file, element.directory);
+    const TextureSystem::Opened opened = system.open(path, gamma);
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) file = path;
     node->texture_ = opened.texture;
     if (!opened.texture)
       why = opened.message.empty() ? "it could not be opened before" : opened.message;
   }
-  if (!why.empty())
+  if (!why.empty()) {
+    std::string hint = "it is shown in magenta";
+    if (const std::string near = file.empty() ? "" : nearest_file(file); !near.empty())
+      hint = fmt::format("did you mean \"{}\"? {}", near, hint);
     diagnostics.warning("OR-RT-020", element.where,
                         fmt::format("texture \"{}\" cannot be read: {}", element.name, why),
-                        "it is shown in magenta");
+                        std::move(hint));
+  }
   return node;
 }
 

@@ -181,12 +181,12 @@ struct UserData {
 };
 
 /// An uninterpreted element: gui, colorprofile, spectrum, registry...
-struct KeptElement {
+struct UninterpretedElement {
   std::string kind;
   std::string name;
   std::string text;  ///< source between the name and the end, tokens separated by blanks
   SourceLocation where;
-  bool operator==(const KeptElement&) const = default;
+  bool operator==(const UninterpretedElement&) const = default;
 };
 
 /// render "root" "camera instance" "options"

@@ -120,7 +120,7 @@ class Flattener {
       else if (!std::holds_alternative<Instance>(element(member)))
         diagnostics_.error(
             "OR-SC-303", group.where,
-            fmt::format("group '{}' names '{}', which is no instance", group.name, name),
+            fmt::format("group '{}' names '{}', which is not an instance", group.name, name),
             "groups hold instances: make one of this element and name that");
       else
         info->members.push_back(member);
@@ -133,7 +133,7 @@ class Flattener {
     diagnostics_.warning(
         "OR-SC-306", instance.where,
         fmt::format("the transform of '{}' is singular; identity is used", instance.name),
-        "an instance needs a matrix with a thickness in every direction");
+        "an instance requires an invertible matrix");
     return true;
   }
 
@@ -162,7 +162,7 @@ class Flattener {
     diagnostics_.error("OR-SC-303", instance.where,
                        fmt::format("instance '{}' places '{}', which cannot be placed",
                                    instance.name, instance.element),
-                       "an instance takes an object, light, camera, group or geometry shader");
+                       "an instance contains an object, light, camera, group or geometry shader");
     return kNoElement;
   }
 

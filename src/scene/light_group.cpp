@@ -40,13 +40,13 @@ bool matches(std::string_view pattern, std::string_view name) {
 }
 
 std::string light_group_complaint(const LightGroup& group) {
-  if (group.name.empty()) return "a group of lights needs a name";
+  if (group.name.empty()) return "a light group requires a name";
   if (!std::all_of(group.name.begin(), group.name.end(),
                    [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; }))
-    return "the name of a group of lights is made of letters, digits, _ and -";
+    return "the name of a light group consists of letters, digits, _ and -";
   if (group.name == kRestGroup || group.name == kIndirectGroup)
-    return "the name \"" + group.name + "\" is taken by what no group has";
-  if (group.patterns.empty()) return "a group of lights needs names of lights, or patterns";
+    return "the name \"" + group.name + "\" is reserved for light outside of groups";
+  if (group.patterns.empty()) return "a light group requires names of lights, or patterns";
   return {};
 }
 

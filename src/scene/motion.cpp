@@ -38,10 +38,10 @@ Linear rotation_of(Linear m) {
   return m;
 }
 
-/// The way of one instance within its parent.
-class Way {
+/// The motion of one instance within its parent.
+class InstanceMotion {
  public:
-  Way(const Matrix& from, const Matrix& to) : from_(from), to_(to) {
+  InstanceMotion(const Matrix& from, const Matrix& to) : from_(from), to_(to) {
     const Linear turn = linear_part(from).inverse() * linear_part(to);
     turns_ = turn.determinant() > 0;
     if (!turns_) return;
@@ -51,7 +51,7 @@ class Way {
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) r[row][column] = rotation[row][column];
     const Imath::Quatd q = Imath::extractQuat(r);
-    // Of the two ways round the shorter.
+    // Of the two motions round the shorter.
     const double sign = q.r < 0 ? -1 : 1;
     const double sine = q.v.length();
     half_angle_ = math::atan2(sine, sign * q.r);
@@ -82,22 +82,22 @@ class Way {
   double half_angle_ = 0;
 };
 
-Way way_of(const Instance& instance, bool moves) {
+InstanceMotion motion_of(const Instance& instance, bool moves) {
   const Matrix from = matrix_of(instance.transform).inverse();
   return {from, moves && instance.motion_transform ? matrix_of(instance.motion_transform).inverse()
                                                    : from};
 }
 
-/// Ways of the chain, outermost first.
-std::vector<Mat4> follow(const std::vector<Way>& ways, const Shutter& shutter) {
+/// Transforms of a chain of motions, outermost first, at the times of the shutter.
+std::vector<Mat4> follow(const std::vector<InstanceMotion>& motions, const Shutter& shutter) {
   std::vector<Mat4> path;
   const int begin = shutter.first * shutter.steps, end = shutter.last * shutter.steps;
   const int pieces = end - begin;
   path.reserve(static_cast<std::size_t>(pieces) + 1);
   for (int i = begin; i <= end; ++i) {
     Matrix m;
-    for (const Way& way : ways)
-      m = way.at(static_cast<double>(i) / static_cast<double>(shutter.steps)) * m;
+    for (const InstanceMotion& motion : motions)
+      m = motion.at(static_cast<double>(i) / static_cast<double>(shutter.steps)) * m;
     path.emplace_back(m);
   }
   return path;
@@ -139,16 +139,16 @@ Shutter shutter_of(const MotionOptions& options) {
 
 std::vector<Mat4> motion_path(const Leaf& leaf, const Shutter& shutter) {
   if (!shutter.on || !leaf.motion_world_to_local) return {};
-  std::vector<Way> ways;
-  ways.reserve(leaf.chain.size());
+  std::vector<InstanceMotion> motions;
+  motions.reserve(leaf.chain.size());
   for (std::size_t i = 0; i < leaf.chain.size(); ++i)
-    ways.push_back(way_of(*leaf.chain[i], i >= leaf.first_moving));
-  return follow(ways, shutter);
+    motions.push_back(motion_of(*leaf.chain[i], i >= leaf.first_moving));
+  return follow(motions, shutter);
 }
 
 std::vector<Mat4> motion_path(const Instance& instance, const Shutter& shutter) {
   if (!shutter.on || !instance.motion_transform) return {};
-  return follow({way_of(instance, true)}, shutter);
+  return follow({motion_of(instance, true)}, shutter);
 }
 
 }  // namespace oriel::scene

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/option_table.h"
 
@@ -111,6 +112,25 @@ class Interpreter {
                          near.empty() ? "" : fmt::format("did you mean '{}'?", near));
   }
 
+  /// "; did you mean box?" for a value that is near a word of the row.
+  static std::string nearest_word(const Statement& s, const StatementRow& row) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : std::string(row.form) + " ") {
+      const bool letter = c != ' ' && c != '|' && c != '[' && c != ']';
+      if (letter)
+        word += c;
+      else if (!word.empty())
+        words.push_back(std::exchange(word, {}));
+    }
+    for (const Value& value : s.values) {
+      const std::string near =
+          value.kind == Value::Kind::Text ? nearest_name(value.text, words) : "";
+      if (!near.empty() && near != value.text) return fmt::format("; did you mean {}?", near);
+    }
+    return {};
+  }
+
   void report_misfit(const Statement& s, const StatementRow& row, std::span<FormItem> values) {
     std::string found;
     for (const FormItem& item : values) found += ' ' + describe(item);
@@ -118,7 +138,8 @@ class Interpreter {
     diagnostics_.report(s.quoted ? Severity::Note : Severity::Warning,
                         s.quoted ? "OR-SC-103" : "OR-SC-101", s.where,
                         fmt::format("{}{} is ignored", name_of(row), found),
-                        fmt::format("expected: {} {} ({})", name_of(row), row.form, row.meaning));
+                        fmt::format("expected: {} {} ({}){}", name_of(row), row.form, row.meaning,
+                                    nearest_word(s, row)));
   }
 
   RenderOptions& options_;

@@ -34,7 +34,7 @@ struct Phenomenon {
 
 using Element =
     std::variant<Options, Camera, Light, Material, Texture, LightProfile, Object, Instance,
-                 InstanceGroup, ShaderElement, Assembly, UserData, KeptElement>;
+                 InstanceGroup, ShaderElement, Assembly, UserData, UninterpretedElement>;
 
 /// Name of an element of any kind.
 const std::string& name_of(const Element& element);

@@ -121,7 +121,7 @@ struct TypeOf {
   miScene_types operator()(const scene::ShaderElement&) const { return miSCENE_FUNCTION; }
   miScene_types operator()(const scene::Assembly&) const { return miSCENE_ASSEMBLY; }
   miScene_types operator()(const scene::UserData&) const { return miSCENE_USERDATA; }
-  miScene_types operator()(const scene::KeptElement&) const { return miSCENE_NONE; }
+  miScene_types operator()(const scene::UninterpretedElement&) const { return miSCENE_NONE; }
 };
 
 bool is_declared(const Host& host, const std::string& name) {

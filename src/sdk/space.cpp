@@ -16,22 +16,22 @@ using oriel::sdk::context;
 using oriel::sdk::vec;
 
 /// Matrices between internal space and another one, in both directions; null if they are equal.
-struct Way {
+struct SpaceTransform {
   const Mat4* to = nullptr;
   const Mat4* from = nullptr;
-  Way reversed() const { return {from, to}; }
+  SpaceTransform reversed() const { return {from, to}; }
 };
 
-Way to_world(const miState* /*state*/) { return {}; }
+SpaceTransform to_world(const miState* /*state*/) { return {}; }
 
-Way to_camera(const miState* state) {
+SpaceTransform to_camera(const miState* state) {
   const oriel::World* world = context(state).world;
   if (!world) return {};
   return {&world->camera.to_camera, &world->camera.to_world};
 }
 
 // By tag first, since shaders may set another instance.
-Way to_object(const miState* state) {
+SpaceTransform to_object(const miState* state) {
   const oriel::sdk::Context& c = context(state);
   if (c.host && state->instance != miNULLTAG)
     if (const oriel::InstanceData* instance = c.host->instance(state->instance);
@@ -40,7 +40,7 @@ Way to_object(const miState* state) {
   return {c.point->to_object, c.point->to_world};
 }
 
-Way to_light(const miState* state) {
+SpaceTransform to_light(const miState* state) {
   const oriel::sdk::Context& c = context(state);
   const int index = c.host->light(state->light_instance);
   if (index < 0) return {};  // also without a world
@@ -48,14 +48,15 @@ Way to_light(const miState* state) {
   return {&light.to_local, &light.to_world};
 }
 
-void move_point(const Way& way, miVector* result, const miVector* in) {
-  *result = way.to ? oriel::sdk::as_c(oriel::transform_point(vec(*in), *way.to)) : *in;
+void move_point(const SpaceTransform& transform, miVector* result, const miVector* in) {
+  *result = transform.to ? oriel::sdk::as_c(oriel::transform_point(vec(*in), *transform.to)) : *in;
 }
-void move_vector(const Way& way, miVector* result, const miVector* in) {
-  *result = way.to ? oriel::sdk::as_c(oriel::transform_vector(vec(*in), *way.to)) : *in;
+void move_vector(const SpaceTransform& transform, miVector* result, const miVector* in) {
+  *result = transform.to ? oriel::sdk::as_c(oriel::transform_vector(vec(*in), *transform.to)) : *in;
 }
-void move_normal(const Way& way, miVector* result, const miVector* in) {
-  *result = way.from ? oriel::sdk::as_c(oriel::transform_normal(vec(*in), *way.from)) : *in;
+void move_normal(const SpaceTransform& transform, miVector* result, const miVector* in) {
+  *result =
+      transform.from ? oriel::sdk::as_c(oriel::transform_normal(vec(*in), *transform.from)) : *in;
 }
 
 }  // namespace

@@ -41,6 +41,9 @@ TEST_F(ExplainProgram, SharesSumToThePixelOfTheRenderedFile) {
     }
     EXPECT_EQ(e["surfaces"][1]["instance"], "floor_inst");
     EXPECT_EQ(e["surfaces"][1]["material"], "grey");
+    EXPECT_EQ(e["surfaces"][1]["segment"], "eye");
+    EXPECT_EQ(e["surfaces"][1]["lobes"][0]["weight"].size(), 3u);
+    EXPECT_EQ(e["surfaces"][1]["lights"][0]["light"], "lamp_inst");
   }
 }
 
@@ -48,9 +51,9 @@ TEST_F(ExplainProgram, WordsNameSurfaceMaterialAndLight) {
   write("scene.mi", small_scene());
   const RunResult r = run({"explain", "scene.mi", "--pixel", "20,28", "--samples", "16", "-q"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
-  for (const char* words :
-       {"pixel 20,28:", "The camera sees floor_inst.", "grey (mia_material_x)",
-        "direct light of lamp_inst", "diffuse 0.", "By layer: diffuse_result", "No tone mapper"})
+  for (const char* words : {"pixel 20,28:", "The camera sees floor_inst.", "grey (mia_material_x)",
+                            "direct light of lamp_inst", "diffuse 0.",
+                            "Light by layer: diffuse_result", "No tone mapper"})
     EXPECT_NE(r.out.find(words), std::string::npos) << words << " in\n" << r.out;
 }
 

@@ -150,10 +150,10 @@ TEST_F(RayProgram, WrongUseIsReportedInOneLine) {
     std::vector<std::string> arguments;
     const char* says;
   } wrong[] = {{{"-resolutoin", "8", "8", "scene.mi"}, "did you mean -resolution?"},
-               {{"-resolution", "8", "scene.mi"}, "-resolution: int int follows"},
-               {{"-sha", "on", "scene.mi"}, "may be any of"},
-               {{"-shadow", "maybe", "scene.mi"}, "-shadow: off|on|sort|segments follows"},
-               {{"-hosts", "a", "scene.mi"}, "end with --"}};
+               {{"-resolution", "8", "scene.mi"}, "-resolution: expected int int"},
+               {{"-sha", "on", "scene.mi"}, "is ambiguous:"},
+               {{"-shadow", "maybe", "scene.mi"}, "-shadow: expected off|on|sort|segments"},
+               {{"-hosts", "a", "scene.mi"}, "must end with --"}};
   for (const auto& w : wrong) {
     const RunResult r = ray(w.arguments);
     EXPECT_EQ(r.exit_code, 2) << w.says;

@@ -233,8 +233,8 @@ TEST_F(ShaderManifestProgram, GivesSingleSourcesTheirFlags) {
 TEST_F(ShaderManifestProgram, ErrorsHaveFileAndLine) {
   put("m/a.c", "int a;\n");
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
-           {"\nflag a.c -O1\n", "oriel-shaders.txt:2: 'flag' is no statement"},
-           {"flags a.c\n", "oriel-shaders.txt:1: 'flags' needs a pattern and words"},
+           {"\nflag a.c -O1\n", "oriel-shaders.txt:2: unknown statement 'flag'"},
+           {"flags a.c\n", "oriel-shaders.txt:1: 'flags' requires a pattern and words"},
            {"flags a.c '-O1\n", "oriel-shaders.txt:1: a quote is not closed"},
            {"include nowhere\n", "there is no '"}}) {
     write("m/oriel-shaders.txt", text);

@@ -38,6 +38,7 @@ Cases other_physics_cases();
 Cases other_production_cases();
 Cases other_volume_cases();
 Cases photon_slot_cases();
+Cases subsurface_cases();
 
 inline std::vector<Cases (*)()> case_lists() {
   return {
@@ -57,6 +58,7 @@ inline std::vector<Cases (*)()> case_lists() {
       other_max_texture_cases, other_oriel_cases,
       other_physics_cases,     other_production_cases,
       other_volume_cases,      photon_slot_cases,
+      subsurface_cases,
   };
 }
 

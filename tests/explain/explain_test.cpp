@@ -32,10 +32,10 @@ struct Prepared {
 };
 
 /// The surface of that instance which paths came to that way; fails where there is none.
-const ExplainedSurface* find(const Explanation& e, const World& world, PathSegment way,
+const ExplainedSurface* find(const Explanation& e, const World& world, PathSegment segment,
                              const std::string& instance) {
   for (const ExplainedSurface& s : e.surfaces)
-    if (s.way == way && s.instance >= 0 &&
+    if (s.segment == segment && s.instance >= 0 &&
         world.instances[static_cast<std::size_t>(s.instance)].name == instance)
       return &s;
   return nullptr;
@@ -138,7 +138,7 @@ TEST(Explain, LightsHaveTheirContributions) {
   expect_near(light_of(e, *s, Aov::Diffuse, "strong_i"), Rgb(1.5f), 1e-5f, "albedo x 3");
   expect_near(light_of(e, *s, Aov::Diffuse, "weak_i"), Rgb(.5f), 1e-5f, "albedo x 1");
   EXPECT_NEAR(s->distance, 1, .01);
-  EXPECT_NEAR(s->met, 1, 1e-6);
+  EXPECT_NEAR(s->hits, 1, 1e-6);
   ASSERT_EQ(s->lobes.size(), 1u);
   EXPECT_EQ(s->lobes[0].kind, LobeKind::Diffuse);
   expect_near(s->lobes[0].weight, Rgb(.5f), 1e-5f, "albedo");
@@ -153,9 +153,9 @@ TEST(Explain, ShadowsNameTheirBlockers) {
   const Explanation e = shaded.at(3, 3);
   const ExplainedSurface* s = find(e, *shaded.world, PathSegment::Eye, "shape0_i");
   ASSERT_NE(s, nullptr);
-  ASSERT_EQ(s->lamps.size(), 2u);
-  for (const ExplainedLamp& lamp : s->lamps) {
-    EXPECT_EQ(lamp.arrived, Rgb(0));
+  ASSERT_EQ(s->lights.size(), 2u);
+  for (const ExplainedLightSource& lamp : s->lights) {
+    EXPECT_EQ(lamp.unoccluded, Rgb(0));
     if (shaded.world->lights[static_cast<std::size_t>(lamp.light)].name == "below_i") {
       EXPECT_EQ(lamp.unshadowed, Rgb(0)) << "the surface faces away";
       continue;

@@ -10,7 +10,7 @@
 namespace oriel {
 namespace {
 
-struct Lamp {
+struct MaxLightParams {
   bool On;
   Rgba Color;
   float Multiplier;
@@ -28,49 +28,50 @@ struct Lamp {
 };
 
 constexpr auto kDefaultRows = about({
-    {ORIEL_PARAM(Lamp, Color), .fallback = {1, 1, 1}, .doc = "Colour."},
-    {ORIEL_PARAM(Lamp, Multiplier), .fallback = {1}, .doc = "Colour factor."},
+    {ORIEL_PARAM(MaxLightParams, Color), .fallback = {1, 1, 1}, .doc = "Colour."},
+    {ORIEL_PARAM(MaxLightParams, Multiplier), .fallback = {1}, .doc = "Colour factor."},
 });
 constexpr auto kRows = joined(
     kDefaultRows,
     about({
-        {ORIEL_PARAM(Lamp, On), .fallback = {1}, .doc = "Whether the light is on."},
-        {ORIEL_PARAM(Lamp, AffectDiffuse), .fallback = {1},
+        {ORIEL_PARAM(MaxLightParams, On), .fallback = {1}, .doc = "Whether the light is on."},
+        {ORIEL_PARAM(MaxLightParams, AffectDiffuse), .fallback = {1},
          .doc = "Whether the light lights diffuse surfaces."},
-        {ORIEL_PARAM(Lamp, AffectSpecular), .fallback = {1},
+        {ORIEL_PARAM(MaxLightParams, AffectSpecular), .fallback = {1},
          .doc = "Whether the light makes highlights."},
-        {ORIEL_PARAM(Lamp, UseNearAttenuation),
+        {ORIEL_PARAM(MaxLightParams, UseNearAttenuation),
          .doc = "Whether the near attenuation is on: zero up to NearStart."},
-        {ORIEL_PARAM(Lamp, NearStart), .unit = "scene units",
+        {ORIEL_PARAM(MaxLightParams, NearStart), .unit = "scene units",
          .doc = "Distance up to which the light is zero."},
-        {ORIEL_PARAM(Lamp, NearEnd), .unit = "scene units",
+        {ORIEL_PARAM(MaxLightParams, NearEnd), .unit = "scene units",
          .doc = "Distance from which the light has full intensity."},
-        {ORIEL_PARAM(Lamp, UseFarAttenuation),
+        {ORIEL_PARAM(MaxLightParams, UseFarAttenuation),
          .doc = "Whether the far attenuation is on: zero from FarEnd."},
-        {ORIEL_PARAM(Lamp, FarStart), .unit = "scene units",
+        {ORIEL_PARAM(MaxLightParams, FarStart), .unit = "scene units",
          .doc = "Distance up to which the light has full intensity."},
-        {ORIEL_PARAM(Lamp, FarEnd), .unit = "scene units",
+        {ORIEL_PARAM(MaxLightParams, FarEnd), .unit = "scene units",
          .doc = "Distance from which the light is zero."},
-        {ORIEL_PARAM(Lamp, Decay), .min = 0, .max = 2,
+        {ORIEL_PARAM(MaxLightParams, Decay), .min = 0, .max = 2,
          .doc = "Exponent of the distance decay beyond DecayRadius."},
-        {ORIEL_PARAM(Lamp, DecayRadius), .unit = "scene units",
+        {ORIEL_PARAM(MaxLightParams, DecayRadius), .unit = "scene units",
          .doc = "Distance at which decay starts."},
-        {ORIEL_PARAM(Lamp, CastShadows), .fallback = {1},
+        {ORIEL_PARAM(MaxLightParams, CastShadows), .fallback = {1},
          .doc = "Whether the light casts shadows."},
-        {ORIEL_PARAM(Lamp, ShadowColor), .doc = "Shadow colour.", .support = Support::Ignored},
-        {ORIEL_PARAM(Lamp, ShadowDensity), .fallback = {1}, .doc = "Density of shadows."},
+        {ORIEL_PARAM(MaxLightParams, ShadowColor), .doc = "Shadow colour.",
+         .support = Support::Ignored},
+        {ORIEL_PARAM(MaxLightParams, ShadowDensity), .fallback = {1}, .doc = "Density of shadows."},
     }));
 constexpr auto kConeRows =
     joined(kRows, about({
-                      {ORIEL_PARAM(Lamp, HotSpot), .fallback = {43}, .unit = "degrees",
+                      {ORIEL_PARAM(MaxLightParams, HotSpot), .fallback = {43}, .unit = "degrees",
                        .doc = "Width of the cone of full intensity."},
-                      {ORIEL_PARAM(Lamp, Falloff), .fallback = {45}, .unit = "degrees",
+                      {ORIEL_PARAM(MaxLightParams, Falloff), .fallback = {45}, .unit = "degrees",
                        .doc = "Width of the cone of falloff."},
                   }));
 
-LightValue plain(const Lamp& p) { return {rgb(p.Color) * p.Multiplier, false, 0}; }
+LightValue plain(const MaxLightParams& p) { return {rgb(p.Color) * p.Multiplier, false, 0}; }
 
-LightValue lamp(const Lamp& p, float distance) {
+LightValue light_value(const MaxLightParams& p, float distance) {
   if (!p.On) return {};
   LightValue value = plain(p);
   value.shadow = p.CastShadows;
@@ -87,8 +88,8 @@ LightValue lamp(const Lamp& p, float distance) {
 }
 
 LightValue spot(const Call& call, const LightCall& l) {
-  const auto& p = call.as<Lamp>();
-  LightValue value = lamp(p, l.distance);
+  const auto& p = call.as<MaxLightParams>();
+  LightValue value = light_value(p, l.distance);
   if (!in_spread(l.light, l.direction)) return {};
   if (!l.light.has_direction && l.light.spread < -1) return value;
   const float inner = angle_of(p.HotSpot) / 2, outer = std::max(inner, angle_of(p.Falloff) / 2);
@@ -104,23 +105,27 @@ constexpr ShaderSpec light(const char* name, const char* doc, std::span<const Pa
           .apply = kApplyLight,
           .doc = doc,
           .params = rows,
-          .params_size = sizeof(Lamp),
+          .params_size = sizeof(MaxLightParams),
           .light = {.evaluate = value},
           .fallback = {.is_fallback = true}};
 }
 
-constexpr ShaderSpec kDefault =
-    light("max_DefaultLight", "Fallback for the default light of scenes without lights.",
-          kDefaultRows, [](const Call& call, const LightCall&) { return plain(call.as<Lamp>()); });
+constexpr ShaderSpec kDefault = light(
+    "max_DefaultLight", "Fallback for the default light of scenes without lights.", kDefaultRows,
+    [](const Call& call, const LightCall&) { return plain(call.as<MaxLightParams>()); });
 
 constexpr ShaderSpec kNodes[] = {
     kDefault,
     renamed(kDefault, "adsk_Light_Default"),
     light("max_OmniLight", "Fallback for the omni light of 3ds Max.", kRows,
-          [](const Call& call, const LightCall& l) { return lamp(call.as<Lamp>(), l.distance); }),
+          [](const Call& call, const LightCall& l) {
+            return light_value(call.as<MaxLightParams>(), l.distance);
+          }),
     light("max_SpotLight", "Fallback for the spot light of 3ds Max.", kConeRows, spot),
     light("max_DirectionalLight", "Fallback for the directional light of 3ds Max.", kRows,
-          [](const Call& call, const LightCall& l) { return lamp(call.as<Lamp>(), l.distance); }),
+          [](const Call& call, const LightCall& l) {
+            return light_value(call.as<MaxLightParams>(), l.distance);
+          }),
 };
 
 }  // namespace

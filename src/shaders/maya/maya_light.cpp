@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-struct Lamp {
+struct MayaLightParams {
   Rgba color;
   float intensity;
   bool useRayTraceShadows;
@@ -24,42 +24,45 @@ struct Lamp {
 };
 
 constexpr auto kCommonRows = about({
-    {ORIEL_PARAM(Lamp, color), .fallback = {1, 1, 1}, .doc = "Colour."},
-    {ORIEL_PARAM(Lamp, intensity), .fallback = {1}, .doc = "Colour factor."},
-    {ORIEL_PARAM(Lamp, useRayTraceShadows), .fallback = {1},
+    {ORIEL_PARAM(MayaLightParams, color), .fallback = {1, 1, 1}, .doc = "Colour."},
+    {ORIEL_PARAM(MayaLightParams, intensity), .fallback = {1}, .doc = "Colour factor."},
+    {ORIEL_PARAM(MayaLightParams, useRayTraceShadows), .fallback = {1},
      .doc = "Whether the light casts shadows."},
-    {ORIEL_PARAM(Lamp, shadowColor),
+    {ORIEL_PARAM(MayaLightParams, shadowColor),
      .doc = "Fraction transmitted by opaque occluders; the mean of the channels is used."},
-    {ORIEL_PARAM(Lamp, emitDiffuse), .fallback = {1},
+    {ORIEL_PARAM(MayaLightParams, emitDiffuse), .fallback = {1},
      .doc = "Whether the light lights diffuse surfaces."},
 });
-constexpr auto kRows = joined(kCommonRows, about({{ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
-                                                   .doc = "Whether the light makes highlights."}}));
+constexpr auto kRows =
+    joined(kCommonRows, about({{ORIEL_PARAM(MayaLightParams, emitSpecular), .fallback = {1},
+                                .doc = "Whether the light makes highlights."}}));
 constexpr auto kDirectionalRows =
-    joined(kRows, about({{ORIEL_PARAM(Lamp, lightAngle), .min = 0, .unit = "radians",
+    joined(kRows, about({{ORIEL_PARAM(MayaLightParams, lightAngle), .min = 0, .unit = "radians",
                           .doc = "Angular width of the light source."}}));
 constexpr auto kAmbientRows = joined(
     kCommonRows,
     about({
-        {ORIEL_PARAM(Lamp, emitSpecular), .fallback = {1},
+        {ORIEL_PARAM(MayaLightParams, emitSpecular), .fallback = {1},
          .doc = "Highlights of the light; ambient light has none.", .support = Support::Ignored},
-        {ORIEL_PARAM(Lamp, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
+        {ORIEL_PARAM(MayaLightParams, ambientShade), .fallback = {.45f}, .min = 0, .max = 1,
          .doc = "Fraction that is directional from the light's position; the rest ignores the "
                 "surface orientation."},
     }));
-constexpr auto kPointRows = joined(kRows, about({{ORIEL_PARAM(Lamp, decayRate), .min = 0, .max = 3,
-                                                  .doc = "Exponent of the distance decay."}}));
-constexpr auto kSpotRows =
-    joined(kPointRows,
-           about({
-               {ORIEL_PARAM(Lamp, coneAngle), .fallback = {.698132f}, .min = 0, .unit = "radians",
-                .doc = "Width of the cone; values above a full turn are degrees."},
-               {ORIEL_PARAM(Lamp, penumbraAngle), .unit = "radians",
-                .doc = "Width of the penumbra: outside the cone, inside it if negative."},
-               {ORIEL_PARAM(Lamp, dropoff), .min = 0, .doc = "Exponent of the cosine to the axis."},
-           }));
+constexpr auto kPointRows =
+    joined(kRows, about({{ORIEL_PARAM(MayaLightParams, decayRate), .min = 0, .max = 3,
+                          .doc = "Exponent of the distance decay."}}));
+constexpr auto kSpotRows = joined(
+    kPointRows,
+    about({
+        {ORIEL_PARAM(MayaLightParams, coneAngle), .fallback = {.698132f}, .min = 0,
+         .unit = "radians", .doc = "Width of the cone; values above a full turn are degrees."},
+        {ORIEL_PARAM(MayaLightParams, penumbraAngle), .unit = "radians",
+         .doc = "Width of the penumbra: outside the cone, inside it if negative."},
+        {ORIEL_PARAM(MayaLightParams, dropoff), .min = 0,
+         .doc = "Exponent of the cosine to the axis."},
+    }));
 
-LightValue lamp(const Lamp& p) {
+LightValue light_value(const MayaLightParams& p) {
   const Rgba& s = p.shadowColor;
   LightValue value{rgb(p.color) * p.intensity, p.useRayTraceShadows,
                    clamp01((s.r + s.g + s.b) / 3)};
@@ -68,15 +71,15 @@ LightValue lamp(const Lamp& p) {
   return value;
 }
 
-LightValue point_light(const Lamp& p, float distance) {
-  LightValue value = lamp(p);
+LightValue point_light(const MayaLightParams& p, float distance) {
+  LightValue value = light_value(p);
   if (p.decayRate > 0)
     value.colour *= math::pow(std::max(distance, 1e-6f), -static_cast<float>(p.decayRate));
   return value;
 }
 
 /// 1 inside the cone, 0 outside of it and of the cone of the element, with a penumbra in between.
-float cone_share(const Lamp& p, const LightCall& l) {
+float cone_share(const MayaLightParams& p, const LightCall& l) {
   if (!in_spread(l.light, l.direction)) return 0;
   if (!l.light.has_direction && l.light.spread < -1) return 1;
   const float half = angle_of(p.coneAngle) / 2, rim = angle_of(p.penumbraAngle);
@@ -87,7 +90,7 @@ float cone_share(const Lamp& p, const LightCall& l) {
   return outer > inner ? clamp01((outer - angle) / (outer - inner)) : 1;
 }
 
-LightValue spot_light(const Lamp& p, const LightCall& l) {
+LightValue spot_light(const MayaLightParams& p, const LightCall& l) {
   LightValue value = point_light(p, l.distance);
   value.colour *= cone_share(p, l);
   if (p.dropoff > 0)
@@ -99,8 +102,8 @@ LightValue spot_light(const Lamp& p, const LightCall& l) {
 LightValue ambient_light(const Call& call, const LightCall& l) {
   /// Minimum cosine of the division, which bounds the samples.
   constexpr float kMinCosine = 0.05f;
-  const auto& p = call.as<Lamp>();
-  LightValue value = lamp(p);
+  const auto& p = call.as<MayaLightParams>();
+  LightValue value = light_value(p);
   const float cosine = std::max(kMinCosine, -dot(call.point.normal, l.direction));
   const float shade = clamp01(p.ambientShade);
   value.colour *= shade + (1 - shade) / cosine;
@@ -112,7 +115,7 @@ constexpr ShaderSpec kLight = {
     .name = "",
     .library = "hosts",
     .apply = kApplyLight,
-    .params_size = sizeof(Lamp),
+    .params_size = sizeof(MayaLightParams),
     .fallback = {.is_fallback = true},
 };
 
@@ -127,17 +130,17 @@ constexpr ShaderSpec light(const char* name, const char* doc, std::span<const Pa
 }
 
 LightValue point_value(const Call& call, const LightCall& l) {
-  return point_light(call.as<Lamp>(), l.distance);
+  return point_light(call.as<MayaLightParams>(), l.distance);
 }
 
 }  // namespace
 
 const ShaderSpec kMayaDirectionallight = [] {
-  ShaderSpec spec =
-      light("maya_directionallight", "Fallback for Maya's directional light.", kDirectionalRows,
-            [](const Call& call, const LightCall&) { return lamp(call.as<Lamp>()); });
+  ShaderSpec spec = light(
+      "maya_directionallight", "Fallback for Maya's directional light.", kDirectionalRows,
+      [](const Call& call, const LightCall&) { return light_value(call.as<MayaLightParams>()); });
   spec.light.cone = [](const void* params) {
-    return std::max(0.0f, angle_of(static_cast<const Lamp*>(params)->lightAngle) / 2);
+    return std::max(0.0f, angle_of(static_cast<const MayaLightParams*>(params)->lightAngle) / 2);
   };
   return spec;
 }();
@@ -148,14 +151,14 @@ const ShaderSpec kMayaPointlight =
 const ShaderSpec kMayaVolumelight = light(
     "maya_volumelight", "Fallback for Maya's volumeLight: a point light.", kPointRows, point_value);
 
-const ShaderSpec kMayaSpotlight =
-    light("maya_spotlight", "Fallback for the spot light of 3ds Max.", kSpotRows,
-          [](const Call& call, const LightCall& l) { return spot_light(call.as<Lamp>(), l); });
+const ShaderSpec kMayaSpotlight = light(
+    "maya_spotlight", "Fallback for the spot light of 3ds Max.", kSpotRows,
+    [](const Call& call, const LightCall& l) { return spot_light(call.as<MayaLightParams>(), l); });
 
 const ShaderSpec kMayaArealight = light("maya_arealight", "Fallback for Maya's areaLight.",
                                         kPointRows, [](const Call& call, const LightCall& l) {
                                           LightValue value =
-                                              point_light(call.as<Lamp>(), l.distance);
+                                              point_light(call.as<MayaLightParams>(), l.distance);
                                           value.colour *= l.emitter_cos;
                                           return value;
                                         });

@@ -14,7 +14,7 @@
 namespace oriel {
 namespace {
 
-struct Air {
+struct PartiVolumeParams {
   int mode;
   Rgba scatter;
   float extinction, r, g1, g2, nonuniform, height, min_step_len, max_step_len, light_dist;
@@ -26,40 +26,41 @@ struct Air {
 constexpr Support kNone = Support::Ignored;
 
 constexpr ParamSpec kPartiVolumeRows[] = {
-    {ORIEL_PARAM(Air, mode), .min = 0, .max = 1, .doc = "Extent: 0 everywhere, 1 below height.",
-     .declared_default = false},
-    {ORIEL_PARAM(Air, scatter),
+    {ORIEL_PARAM(PartiVolumeParams, mode), .min = 0, .max = 1,
+     .doc = "Extent: 0 everywhere, 1 below height.", .declared_default = false},
+    {ORIEL_PARAM(PartiVolumeParams, scatter),
      .doc = "Scattering albedo: the fraction of the extinction that is scattered.",
      .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(Air, extinction), .min = 0, .unit = "per scene unit",
+    {ORIEL_PARAM(PartiVolumeParams, extinction), .min = 0, .unit = "per scene unit",
      .doc = "Extinction coefficient.", .declared_default = false},
-    {ORIEL_PARAM(Air, r), .min = 0, .max = 1, .doc = "Weight of the first lobe.",
+    {ORIEL_PARAM(PartiVolumeParams, r), .min = 0, .max = 1, .doc = "Weight of the first lobe.",
      .declared_default = false},
-    {ORIEL_PARAM(Air, g1), .min = -1, .max = 1,
+    {ORIEL_PARAM(PartiVolumeParams, g1), .min = -1, .max = 1,
      .doc = "Anisotropy of the first lobe; above 0 = forward.", .declared_default = false},
-    {ORIEL_PARAM(Air, g2), .min = -1, .max = 1,
+    {ORIEL_PARAM(PartiVolumeParams, g2), .min = -1, .max = 1,
      .doc = "Anisotropy of the second lobe; above 0 = forward.", .declared_default = false},
-    {ORIEL_PARAM(Air, nonuniform),
+    {ORIEL_PARAM(PartiVolumeParams, nonuniform),
      .doc = "Non-uniformity of the medium; ignored, the medium is homogeneous.", .support = kNone,
      .declared_default = false},
-    {ORIEL_PARAM(Air, height), .unit = "scene units", .doc = "Upper end of the medium, along y.",
-     .support = Support::Approximated, .declared_default = false},
-    {ORIEL_PARAM(Air, min_step_len),
+    {ORIEL_PARAM(PartiVolumeParams, height), .unit = "scene units",
+     .doc = "Upper end of the medium, along y.", .support = Support::Approximated,
+     .declared_default = false},
+    {ORIEL_PARAM(PartiVolumeParams, min_step_len),
      .doc = "Minimum step; ignored, positions are sampled randomly.", .support = kNone,
      .declared_default = false},
-    {ORIEL_PARAM(Air, max_step_len),
+    {ORIEL_PARAM(PartiVolumeParams, max_step_len),
      .doc = "Maximum step; ignored, positions are sampled randomly.", .support = kNone,
      .declared_default = false},
-    {ORIEL_PARAM(Air, light_dist),
+    {ORIEL_PARAM(PartiVolumeParams, light_dist),
      .doc = "Step near lights; ignored, positions are sampled randomly.", .support = kNone,
      .declared_default = false},
-    {ORIEL_PARAM(Air, min_level),
+    {ORIEL_PARAM(PartiVolumeParams, min_level),
      .doc = "Depth from which photons are stored; ignored, none are stored.", .support = kNone,
      .declared_default = false},
-    {ORIEL_PARAM(Air, no_globil_where_direct),
+    {ORIEL_PARAM(PartiVolumeParams, no_globil_where_direct),
      .doc = "Whether photons are skipped where there is direct light.", .support = kNone,
      .declared_default = false},
-    {ORIEL_PARAM(Air, lights), .doc = "Lights to scatter; empty = all lights.",
+    {ORIEL_PARAM(PartiVolumeParams, lights), .doc = "Lights to scatter; empty = all lights.",
      .declared_default = false},
 };
 
@@ -85,7 +86,7 @@ struct Stretch {
   float length() const { return std::max(0.0f, end - begin); }
 };
 
-Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) {
+Stretch within(const PartiVolumeParams& p, const Vec3& origin, const Vec3& way, float length) {
   Stretch s{0, length};
   if (std::isinf(length) && p.mode != 1) return {};  // an infinite medium would be opaque
   if (p.mode != 1) return s;
@@ -100,7 +101,7 @@ Stretch within(const Air& p, const Vec3& origin, const Vec3& way, float length) 
 }
 
 /// Transmittance from a point to the light, if the medium is not a volume shader of light rays.
-float dimmed(const Air& p, float way, const Vec3& place, const Vec3& wi) {
+float dimmed(const PartiVolumeParams& p, float way, const Vec3& place, const Vec3& wi) {
   if (std::isfinite(way)) return math::exp(-p.extinction * within(p, place, wi, way).length());
   if (p.mode != 1) return 1;  // an infinite medium would be opaque
   if (!(wi.y > 0)) return 0;
@@ -108,7 +109,7 @@ float dimmed(const Air& p, float way, const Vec3& place, const Vec3& wi) {
 }
 
 /// Light of one source scattered towards the viewer at a point, per unit of scattering.
-Rgb scattered(const Air& p, int index, bool dims, ShadingPoint& point) {
+Rgb scattered(const PartiVolumeParams& p, int index, bool dims, ShadingPoint& point) {
   const auto arriving = point.tracer->light(index, point);
   if (!arriving) return Rgb(0);
   // Forward scattering continues the direction of the light, so the cosine is 1 if the light is
@@ -123,7 +124,7 @@ Rgb scattered(const Air& p, int index, bool dims, ShadingPoint& point) {
 }
 
 /// Samples the phase functions: a direction about `forward`.
-Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
+Vec3 turned(const PartiVolumeParams& p, const Vec3& forward, const Vec2& u, float u_lobe) {
   constexpr float kMax = 0.99f;
   const float g = clamp(u_lobe < clamp01(p.r) ? p.g1 : p.g2, -kMax, kMax);
   float cosine = 1 - 2 * u.x;
@@ -138,7 +139,7 @@ Vec3 turned(const Air& p, const Vec3& forward, const Vec2& u, float u_lobe) {
 }
 
 VolumeValue evaluate_medium(const Call& call) {
-  const auto& p = call.as<Air>();
+  const auto& p = call.as<PartiVolumeParams>();
   const ShadingPoint& eye = call.point;
   const bool light = eye.ray_kind == RayKind::Light;
   // Light rays of infinite lights have no origin, so start at the point.
@@ -147,7 +148,7 @@ VolumeValue evaluate_medium(const Call& call) {
   const float depth = p.extinction * s.length();
   if (!(depth > 0)) return {};
   VolumeValue out;
-  out.kept = Rgb(math::exp(-depth));
+  out.transmittance = Rgb(math::exp(-depth));
   if (light || !eye.tracer || !eye.world || is_black(rgb(p.scatter))) return out;
   // Samples a point in proportion to transmittance.
   const float taken = -math::expm1(-depth);
@@ -181,7 +182,7 @@ const ShaderSpec kPartiVolume = {
     .apply = kApplyVolume,
     .doc = "Absorbing and scattering medium.",
     .params = kPartiVolumeRows,
-    .params_size = sizeof(Air),
+    .params_size = sizeof(PartiVolumeParams),
     .volume = {.evaluate = evaluate_medium,
                .dims_light = [](const ShaderNode&) { return true; },
                .acts_on_endless_rays = true},
@@ -194,7 +195,7 @@ const ShaderSpec kPartiVolumePhoton = {
     .apply = kApplyPhoton,
     .doc = "Accepted and ignored; photons are scattered by the camera's volume shader.",
     .params = kPhotonRows,
-    .params_size = sizeof(Air),
+    .params_size = sizeof(PartiVolumeParams),
     .volume = {.evaluate = evaluate_medium},
 };
 

@@ -101,7 +101,7 @@ std::string refusal(const Header& h, std::uint64_t size) {
   const std::uint64_t record = std::uint64_t{h.floats} * sizeof(float);
   if (h.floats != numbers_of_record() || h.zero != 0 ||
       size != sizeof(Header) + h.records * record + sizeof(std::uint64_t))
-    return "is damaged: its size does not fit what it says";
+    return "is damaged: its size does not match its header";
   return {};
 }
 

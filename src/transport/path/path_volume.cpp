@@ -21,12 +21,12 @@ bool Path::pass_volume(const NodeList& nodes, ShadingPoint& way, bool endless) {
     add(aov_.on_way(), light_.throughput * volume.added, layer_of_rest());
     const float turned = scatters ? max_component(volume.scattered) : 0;
     if (!(turned > 0)) {
-      dim(volume.kept);
+      dim(volume.transmittance);
       continue;
     }
-    const float p = turned / (turned + max_component(volume.kept));
+    const float p = turned / (turned + max_component(volume.transmittance));
     if (way.tracer->next().x >= p) {
-      dim(volume.kept / (1 - p));
+      dim(volume.transmittance / (1 - p));
       continue;
     }
     light_.throughput *= volume.scattered * indirect_factor() / p;

@@ -21,21 +21,21 @@ class PhotonChoice final : public PhotonNext {
     const bool diffuse =
         kind == RayKind::PhotonReflectDiffuse || kind == RayKind::PhotonTransmitDiffuse;
     if ((diffuse && !globillum_) || max_component(energy) <= 0) return false;
-    ++ways;
-    if (ways > 1 && sampler_.next_1d() * static_cast<float>(ways) >= 1) return true;
-    way = {kind, energy, normalize(direction)};
+    ++requests;
+    if (requests > 1 && sampler_.next_1d() * static_cast<float>(requests) >= 1) return true;
+    scattering = {kind, energy, normalize(direction)};
     return true;
   }
   Vec2 next() override { return sampler_.next_2d(); }
 
-  struct Way {
+  struct Scattering {
     RayKind kind = RayKind::PhotonAbsorb;
     Rgb energy{0};
     Vec3 direction{0, 0, 1};
   };
   std::optional<Rgb> stored;
-  Way way;
-  int ways = 0;
+  Scattering scattering;
+  int requests = 0;
 
  private:
   sampling::Sampler& sampler_;

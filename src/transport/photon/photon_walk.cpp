@@ -138,14 +138,14 @@ bool PhotonWalk::pass_volume(const Vec3& end, float length) {
     const float most = max_component(now);
     if (!(most > 0)) return false;
     float turned = max_component(value.scattered * now) / most;
-    float kept = max_component(value.kept * now) / most;
+    float kept = max_component(value.transmittance * now) / most;
     if (turned == 0 && kept == 1) continue;
     const float all = std::max(1.0f, turned + kept);
     turned /= all, kept /= all;
     const float u = tracer.next().x;
     if (u >= turned + kept) return absorb(), false;
     if (u >= turned) {
-      lose(factor_ * value.kept / kept);
+      lose(factor_ * value.transmittance / kept);
       continue;
     }
     lose(factor_ * value.scattered / turned);
@@ -318,12 +318,12 @@ bool PhotonWalk::ask_shaders(const Closure& closure, const Material& material, S
     node->with_params(
         point, [&](const Call& call) { node->spec().photon.scatter(call, arriving, choice); });
   if (choice.stored && seen && visibility(point) & kReceivesCaustics) store(point, *choice.stored);
-  const PhotonChoice::Way& chosen = choice.way;
-  if (choice.ways == 0) return absorb(), false;
+  const PhotonChoice::Scattering& chosen = choice.scattering;
+  if (choice.requests == 0) return absorb(), false;
   const bool refracts = chosen.kind >= RayKind::PhotonTransmitSpecular &&
                         chosen.kind <= RayKind::PhotonTransmitDiffuse;
   const bool straight = chosen.kind == RayKind::PhotonTransparent;
-  const Rgb energy = chosen.energy * static_cast<float>(choice.ways);
+  const Rgb energy = chosen.energy * static_cast<float>(choice.requests);
   Rgb left(0);
   for (int i = 0; i < 3; ++i) left[i] = emitted_[i] > 0 ? energy[i] / emitted_[i] : 0;
   lose(left);
