@@ -40,6 +40,28 @@ std::vector<std::string> layer_names_beside_outputs() {
   return names;
 }
 
+void add_picture_options(CLI::App& app, RenderArguments& a) {
+  app.add_flag("--cryptomatte{6}", a.cryptomatte,
+               "Cryptomatte layers of objects, materials and assets in EXR files; "
+               "--cryptomatte=N stores N names per pixel (default 6). In scenes: option "
+               "\"cryptomatte\" on");
+  app.add_flag("--linear", a.linear,
+               "Skip lens and output shaders: all files contain linear light. By default files "
+               "show their result, and EXR files contain linear light as layer \"linear\"");
+  app.add_flag(
+      "--keep-outliers", a.keep_outliers,
+      "Do not filter outliers (pixels that are far too bright because of rare samples). By "
+      "default, pictures for display spread their light over the neighbourhood; EXR files "
+      "always contain them");
+  app.add_option(
+         "--clamp", a.clamp,
+         "Maximum brightness of a sample, in pixel units (default: none). Reduces noise, and "
+         "loses light")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--denoise", a.denoise,
+               "Denoise the finished pictures; in EXR files as a separate layer");
+}
+
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
@@ -99,25 +121,7 @@ Command add_render_command(CLI::App& program) {
   app->add_option(
       "--unit-luminance", a->unit_luminance,
       "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
-  app->add_flag("--cryptomatte{6}", a->cryptomatte,
-                "Cryptomatte layers of objects, materials and assets in EXR files; "
-                "--cryptomatte=N stores N names per pixel (default 6). In scenes: option "
-                "\"cryptomatte\" on");
-  app->add_flag("--linear", a->linear,
-                "Skip lens and output shaders: all files contain linear light. By default files "
-                "show their result, and EXR files contain linear light as layer \"linear\"");
-  app->add_flag(
-      "--keep-outliers", a->keep_outliers,
-      "Do not filter outliers (pixels that are far too bright because of rare samples). By "
-      "default, pictures for display spread their light over the neighbourhood; EXR files "
-      "always contain them");
-  app->add_option(
-         "--clamp", a->clamp,
-         "Maximum brightness of a sample, in pixel units (default: none). Reduces noise, and "
-         "loses light")
-      ->check(CLI::PositiveNumber);
-  app->add_flag("--denoise", a->denoise,
-                "Denoise the finished pictures; in EXR files as a separate layer");
+  add_picture_options(*app, *a);
   app->add_option("--seed", a->seed, "Random seed (default 0)");
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")
