@@ -24,6 +24,7 @@ UserError missing_file(const std::string& path) {
 UserError missing_layer(const std::string& path, const std::string& name,
                         const std::vector<Layer>& layers) {
   std::vector<std::string> names;
+  names.reserve(layers.size());
   for (const Layer& layer : layers) names.push_back(layer.name);
   return UserError(fmt::format("'{}' has no layer {}{}", path, name,
                                name == kIlluminanceLayer

@@ -40,6 +40,40 @@ std::vector<std::string> layer_names_beside_outputs() {
   return names;
 }
 
+void add_picture_options(CLI::App& app, RenderArguments& a) {
+  app.add_flag("--cryptomatte{6}", a.cryptomatte,
+               "Cryptomatte layers of objects, materials and assets in EXR files; "
+               "--cryptomatte=N stores N names per pixel (default 6). In scenes: option "
+               "\"cryptomatte\" on");
+  app.add_option("--exr", a.exr,
+                 fmt::format("Colour in EXR files: half (default; float where a layer has values "
+                             "beyond 65504) or float, and compression: {} (default zip; dwaa and "
+                             "dwab are lossy for colour). Data layers are always float and exact",
+                             fmt::join(kExrCompressionNames, ", ")))
+      ->type_name("half|float,COMPRESSION");
+  app.add_option("--bits", a.bits,
+                 "Bits per channel of PNG and TIFF files: 8 or 16 (default: 8, TIFF 16)")
+      ->check(CLI::IsMember({8, 16}));
+  app.add_flag("--timestamps", a.timestamps,
+               "Write date (capDate) and render time into EXR files, which then differ between "
+               "runs. SOURCE_DATE_EPOCH sets the date without this option");
+  app.add_flag("--linear", a.linear,
+               "Skip lens and output shaders: all files contain linear light. By default files "
+               "show their result, and EXR files contain linear light as layer \"linear\"");
+  app.add_flag(
+      "--keep-outliers", a.keep_outliers,
+      "Do not filter outliers (pixels that are far too bright because of rare samples). By "
+      "default, pictures for display spread their light over the neighbourhood; EXR files "
+      "always contain them");
+  app.add_option(
+         "--clamp", a.clamp,
+         "Maximum brightness of a sample, in pixel units (default: none). Reduces noise, and "
+         "loses light")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--denoise", a.denoise,
+               "Denoise the finished pictures; in EXR files as a separate layer");
+}
+
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
@@ -99,37 +133,7 @@ Command add_render_command(CLI::App& program) {
   app->add_option(
       "--unit-luminance", a->unit_luminance,
       "cd/m2 of one pixel unit (default: from the exposure or sky of the scene, else 1)");
-  app->add_flag("--cryptomatte{6}", a->cryptomatte,
-                "Cryptomatte layers of objects, materials and assets in EXR files; "
-                "--cryptomatte=N stores N names per pixel (default 6). In scenes: option "
-                "\"cryptomatte\" on");
-  app->add_option("--exr", a->exr,
-                  fmt::format("Colour in EXR files: half (default; float where a layer has values "
-                              "beyond 65504) or float, and compression: {} (default zip; dwaa and "
-                              "dwab are lossy for colour). Data layers are always float and exact",
-                              fmt::join(kExrCompressionNames, ", ")))
-      ->type_name("half|float,COMPRESSION");
-  app->add_option("--bits", a->bits,
-                  "Bits per channel of PNG and TIFF files: 8 or 16 (default: 8, TIFF 16)")
-      ->check(CLI::IsMember({8, 16}));
-  app->add_flag("--timestamps", a->timestamps,
-                "Write date (capDate) and render time into EXR files, which then differ between "
-                "runs. SOURCE_DATE_EPOCH sets the date without this option");
-  app->add_flag("--linear", a->linear,
-                "Skip lens and output shaders: all files contain linear light. By default files "
-                "show their result, and EXR files contain linear light as layer \"linear\"");
-  app->add_flag(
-      "--keep-outliers", a->keep_outliers,
-      "Do not filter outliers (pixels that are far too bright because of rare samples). By "
-      "default, pictures for display spread their light over the neighbourhood; EXR files "
-      "always contain them");
-  app->add_option(
-         "--clamp", a->clamp,
-         "Maximum brightness of a sample, in pixel units (default: none). Reduces noise, and "
-         "loses light")
-      ->check(CLI::PositiveNumber);
-  app->add_flag("--denoise", a->denoise,
-                "Denoise the finished pictures; in EXR files as a separate layer");
+  add_picture_options(*app, *a);
   app->add_option("--seed", a->seed, "Random seed (default 0)");
   app->add_option("--texture-cache", a->texture_cache,
                   "Texture cache size in MB (default 1024, minimum 16)")

@@ -146,23 +146,29 @@ struct ScatterSum {
   float scale;
   Rgb reflected{0};
 
+  /// Scene units; 0 below, and limited above, what rays resolve.
+  float length_of(float parameter) const {
+    constexpr float kMin = 1e-6f, kMax = 1e6f;
+    const float x = parameter * scale;
+    return x > kMin ? std::min(x, kMax) : 0;
+  }
   void add(const Rgb& layer, float radius) {
     if (is_black(layer)) return;
-    if (!(radius * scale > 0) || !scatters_below(call.point)) {
+    const float spread = length_of(radius);
+    if (spread == 0 || !scatters_below(call.point)) {
       reflected += layer;
       return;
     }
-    closure.emission += layer * factor * scattered_light(call.point, radius * scale);
+    closure.emission += layer * factor * scattered_light(call.point, spread);
     closure.albedo += layer * factor;
   }
   void add_back(const Rgb& layer, float radius, float depth, const Vec3& normal) {
     if (is_black(layer)) return;
-    if (!(depth * scale > 0) || !scatters_below(call.point))
+    if (length_of(depth) == 0 || !scatters_below(call.point))
       return add_scatter(LobeKind::Translucency, LobeType::Translucency, layer * factor, normal,
                          closure);
     closure.emission +=
-        layer * factor *
-        back_scattered_light(call.point, std::max(0.0f, radius * scale), depth * scale);
+        layer * factor * back_scattered_light(call.point, length_of(radius), length_of(depth));
     closure.albedo += layer * factor;
   }
 };

@@ -73,7 +73,8 @@ void fill_physical(const Call& call, Closure& closure) {
 }  // namespace
 
 float diffusion_reflectance(float reduced_albedo, float index) {
-  const float n = std::max(1.0f, index);
+  constexpr float kMaxIndex = 3;  // the fit exceeds 1 from 5 on
+  const float n = clamp(index, 1, kMaxIndex);
   // Diffuse Fresnel reflectance inside: the fit of W. Egan, T. Hilgeman (1979) for n > 1.
   const float inside = n > 1 ? -1.440f / (n * n) + .710f / n + .668f + .0636f * n : 0;
   const float boundary = (1 + inside) / (1 - inside);
