@@ -229,8 +229,8 @@ Image choose_picture(const TonemapArguments& a, const ExrFile& file) {
 
 int run_tonemap(TonemapArguments& a) {
   if (!a.view.empty() && a.ocio.config.empty() && a.view != "agx" && a.view != "neutral")
-    throw UsageError(
-        fmt::format("--view {}: write agx or neutral, or name a configuration by --ocio", a.view));
+    throw UsageError(fmt::format("--view {}: {}; views of a configuration require --ocio", a.view,
+                                 expected_one_of(a.view, {"agx", "neutral"})));
   a.photographic.gamma = a.plain.gamma = a.gamma;
   Image image = read_named_picture(a.input);
   ExrFile file;

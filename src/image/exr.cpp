@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -77,6 +78,29 @@ void insert_attribute(Imf::Header& header, const std::string& name, const ExrVal
   }
 }
 
+/// The nearest half, ties to even. Finite values beyond its range are clamped, since an infinity
+/// would spread in later filters. Integer arithmetic, because emulated processors flush subnormal
+/// results of the conversion instruction.
+half to_half(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(std::clamp(value, -kLargestHalf, kLargestHalf));
+  const std::uint32_t sign = bits >> 16 & 0x8000u, magnitude = bits & 0x7fffffffu;
+  const std::uint32_t exponent = magnitude >> 23;
+  std::uint32_t result = 0;
+  if (std::isnan(value)) {
+    result = 0x7e00;
+  } else if (exponent >= 113) {  // at least 2^-14, the smallest normal half
+    result = (magnitude - (112u << 23) + 0xfffu + (magnitude >> 13 & 1)) >> 13;
+  } else if (exponent >= 102) {  // subnormal: multiples of 2^-24
+    const std::uint32_t mantissa = (magnitude & 0x7fffffu) | 0x800000u, shift = 126 - exponent;
+    const std::uint32_t whole = mantissa >> shift, rest = mantissa - (whole << shift);
+    const std::uint32_t tie = 1u << (shift - 1);
+    result = whole + (rest > tie || (rest == tie && (whole & 1)) ? 1 : 0);
+  }
+  half h;
+  h.setBits(static_cast<std::uint16_t>(sign | result));
+  return h;
+}
+
 /// Whether the layer is stored with 16 bits per channel.
 bool is_half(const Layer& layer, const ExrOptions& options) {
   if (options.precision == ExrPrecision::Float || is_exact(layer)) return false;
@@ -132,10 +156,8 @@ void write_file(const std::string& path, const std::vector<Layer>& layers,
     const Image& image = layers[l].image;
     const bool as_half = is_half(layers[l], options);
     if (as_half) {
-      // Clamp to the range of half: an infinity would spread in later filters.
       halves[l].resize(image.pixels.size());
-      std::transform(image.pixels.begin(), image.pixels.end(), halves[l].begin(),
-                     [](float v) { return half(std::clamp(v, -kLargestHalf, kLargestHalf)); });
+      std::transform(image.pixels.begin(), image.pixels.end(), halves[l].begin(), to_half);
     }
     for (int c = 0; c < image.channels; ++c) {
       const std::string name = file_channel(layers[l], c, options.compression);

@@ -85,6 +85,30 @@ TEST(Exr, HalfAppliesToColourNotDepth) {
     ASSERT_NEAR(colour.pixels[i], layers[0].image.pixels[i], 50 * 0x1p-11f);
 }
 
+TEST(Exr, HalvesAreRoundedToNearestAlsoBelowTheNormalRange) {
+  const TestFolder folder;
+  // Exact values, ties, and values on both sides of ties, in units of 2^-24 and near 1 and 65504.
+  std::vector<float> values = {
+      0,          0x1p-24f,        0x1p-25f,       0x1.000002p-25f, 0x1.8p-24f,
+      0x1.4p-23f, 0x1.7ffffep-24f, 0x1.ffcp-15f,   0x1.ffep-15f,    0x1p-14f,
+      5.65e-5f,   1.00048828125f,  1.00146484375f, 65503.9f,        1e-30f};
+  const std::vector<float> wanted = {
+      0,        0x1p-24f, 0,           0x1p-24f, 0x1p-23f,     0x1p-23f, 0x1p-24f, 0x1.ffcp-15f,
+      0x1p-14f, 0x1p-14f, 0x1.dap-15f, 1,        1.001953125f, 65504,    0};
+  Image image(static_cast<int>(2 * values.size()), 1, 3);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    image.pixels[6 * i] = values[i];
+    image.pixels[6 * i + 3] = -values[i];
+  }
+  write_exr(folder.file("a.exr"), {{"", {"R", "G", "B"}, image}},
+            {.precision = ExrPrecision::Half});
+  const Image back = read_exr_image(folder.file("a.exr"));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(back.pixels[6 * i], wanted[i]) << values[i];
+    EXPECT_EQ(back.pixels[6 * i + 3], -wanted[i]) << values[i];
+  }
+}
+
 TEST(Exr, HalfIfFitsKeepsLayersBeyondItsRangeInFloat) {
   const TestFolder folder;
   std::vector<Layer> layers = three_layers();

@@ -57,8 +57,8 @@ std::vector<std::string> object_names(const std::vector<std::string>& instances,
   }
   std::vector<std::string> names;
   for (const std::string& instance : instances) {
-    std::string name = without_suffix(instance);
-    names.push_back(ambiguous.contains(name) ? instance : std::move(name));
+    const std::string name = without_suffix(instance);
+    names.push_back(ambiguous.contains(name) ? instance : name);
   }
   return names;
 }

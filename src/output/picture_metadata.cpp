@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/picture_metadata.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 
@@ -11,9 +12,7 @@ namespace {
 
 ExrMatrix to_exr(const Mat4& m) {
   ExrMatrix values;
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      values[static_cast<std::size_t>(4 * row + column)] = m[row][column];
+  std::copy_n(m.getValue(), values.size(), values.begin());
   return values;
 }
 

@@ -52,10 +52,11 @@ TEST_F(Suggestions, OfValuesOfOptions) {
            Case{{"render", "scene.mi", "--layers", "beuaty"}, 2, "; did you mean beauty?"},
            Case{{"tonemap", "a.exr", "-o", "a.png", "--view", "agxx"},
                 2,
-                "--view: 'agxx': expected agx or neutral; did you mean agx?"},
+                "--view agxx: expected agx or neutral; did you mean agx?"},
            Case{{"tonemap", "a.exr", "-o", "a.png", "--view", "filmic"},
                 2,
-                "--view: 'filmic': expected agx or neutral (see"},
+                "--view filmic: expected agx or neutral; views of a configuration require --ocio "
+                "(see"},
            Case{{"diff", "a.exr", "a.exr", "--threshold", "rsme=1"}, 2, "; did you mean rmse?"},
            Case{{"shaders", "--mi", "bsae"}, 1, "; did you mean base?"},
            Case{{"render", "scene.mi", "--camera", "cam_ints"}, 1, "did you mean \"cam_inst\"?"},

@@ -58,7 +58,7 @@ TEST(UserFrameBuffers, NumberedBuffersAreLayersOfTheirKind) {
   const Layer* first = find_layer(layers, "fb3");
   ASSERT_TRUE(color && scalar && vector && first);
   EXPECT_EQ(color->channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
-  EXPECT_EQ(scalar->channel_names, (std::vector<std::string>{""}));
+  EXPECT_EQ(scalar->channel_names, (std::vector<std::string>{"X"}));
   EXPECT_EQ(vector->channel_names, (std::vector<std::string>{"X", "Y", "Z"}));
   const float wanted[] = {.1f, .2f, .4f, 1};
   for (int y = 0; y < 8; ++y)

@@ -27,6 +27,7 @@ struct UserPicture {
   std::vector<Layer> layers(const ShaderFolder& folder,
                             const LayerSet& set = LayerSet(LayerGroup::Film)) const {
     PictureFile file = picture_file((folder.path() / "picture.exr").string());
+    file.precision = ExrPrecision::Float;
     file.layers = set;
     write_picture(file, *session, {});
     return read_exr(file.path).layers;

@@ -314,7 +314,7 @@ PathResult trace_gather_ray(const World& world, const ShadingPoint& point, const
                             RayCounts& counts) {
   PathRecord record;
   trace_gather_ray(world, point, direction, reach, settings, record, sampler, counts);
-  return record;
+  return static_cast<const PathResult&>(record);
 }
 
 void trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
@@ -328,7 +328,7 @@ PathResult trace_path(const World& world, const Camera::Ray& eye, Vec2 raster,
                       const PathSettings& settings, sampling::Sampler& sampler, RayCounts& counts) {
   PathRecord record;
   trace_path(world, eye, raster, settings, record, sampler, counts);
-  return record;
+  return static_cast<const PathResult&>(record);
 }
 
 }  // namespace oriel

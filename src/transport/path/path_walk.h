@@ -31,6 +31,7 @@ class Path;
 /// Handles surfaces in place of the estimate of their light: gather points, points of grids.
 class SurfaceVisitor {
  public:
+  virtual ~SurfaceVisitor() = default;
   /// Called at each surface that the ray does not pass straight. False: the path ends here.
   virtual bool on_surface(Path& path, Closure& closure, const Material& material,
                           ShadingPoint& point) = 0;
@@ -40,9 +41,6 @@ class SurfaceVisitor {
   }
   /// Whether rays that shaders trace are visited as well; otherwise they estimate light.
   virtual bool visits_rays_of_shaders() const { return false; }
-
- protected:
-  ~SurfaceVisitor() = default;
 };
 
 /// One path, or one branch of it; a path that splits is copied. The structs below contain its

@@ -99,7 +99,7 @@ void expect_sum(const std::vector<Layer>& layers, const std::string& what) {
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {
       Rgb sum(0);
-      for (const std::string& name : names) sum += at(layers, "light." + name, x, y);
+      for (const std::string& name : names) sum += at(layers, "light_" + name, x, y);
       const Rgb beauty = at(layers, "", x, y);
       for (int k = 0; k < 3; ++k)
         ASSERT_NEAR(sum[k], beauty[k], 1e-4f * std::max(beauty[k], floor))
