@@ -90,10 +90,10 @@ TEST(Exr, HalvesAreRoundedToNearestAlsoBelowTheNormalRange) {
   // Exact values, ties, and values on both sides of ties, in units of 2^-24 and near 1 and 65504.
   std::vector<float> values = {
       0,          0x1p-24f,        0x1p-25f,       0x1.000002p-25f, 0x1.8p-24f,
-      0x1.4p-23f, 0x1.7ffffep-24f, 0x1.ffcp-15f,   0x1.ffep-15f,    0x1p-14f,
+      0x1.4p-23f, 0x1.7ffffep-24f, 0x1.ff8p-15f,   0x1.ffcp-15f,    0x1p-14f,
       5.65e-5f,   1.00048828125f,  1.00146484375f, 65503.9f,        1e-30f};
   const std::vector<float> wanted = {
-      0,        0x1p-24f, 0,           0x1p-24f, 0x1p-23f,     0x1p-23f, 0x1p-24f, 0x1.ffcp-15f,
+      0,        0x1p-24f, 0,           0x1p-24f, 0x1p-23f,     0x1p-23f, 0x1p-24f, 0x1.ff8p-15f,
       0x1p-14f, 0x1p-14f, 0x1.dap-15f, 1,        1.001953125f, 65504,    0};
   Image image(static_cast<int>(2 * values.size()), 1, 3);
   for (std::size_t i = 0; i < values.size(); ++i) {
