@@ -11,6 +11,7 @@
 #include "command.h"
 #include "image/exr.h"
 #include "image/files.h"
+#include "image/relight.h"
 #include "pictures.h"
 
 namespace oriel::app {
@@ -31,28 +32,44 @@ int run_denoise(const DenoiseArguments& a) {
     throw UserError(fmt::format("cannot read '{}': there is no such file", a.input));
   const ThreadLimit limit(a.threads);
   const ExrFile file = read_exr(a.input);
-  const DenoiseInput input = denoise_input(file.layers);
+  DenoiseInput input = denoise_input(file.layers);
   if (!input.color || (!input.variance && !input.half_difference))
     throw UserError(fmt::format(
         "{}: the noise estimate is missing (layer 'variance' or 'halves'); render with all layers",
         a.input));
-  Image image = denoise(input, {.strength = a.strength});
+  const bool exr = std::filesystem::path(a.output).extension() == ".exr";
+  const std::vector<std::string> groups =
+      exr ? light_layer_names(file.layers) : std::vector<std::string>();
+  for (const std::string& group : groups)
+    input.parts.push_back(&find_layer(file.layers, std::string(kLightLayerPrefix) + group)->image);
+  DenoisedPicture denoised = denoise_with_parts(input, {.strength = a.strength});
+  Image& image = denoised.color;
   std::vector<std::string> names = find_linear_beauty(file.layers)->channel_names;
-  if (std::filesystem::path(a.output).extension() != ".exr") {
+  if (!exr) {
     write_image(a.output, image, {.format = SampleFormat::Float});
     return kExitDone;
   }
   ExrOptions options;
   options.metadata = file.metadata;
   options.metadata["oriel.denoised"] = a.strength;
-  write_exr(a.output, {{"", std::move(names), std::move(image)}}, options);
+  std::vector<Layer> layers;
+  layers.push_back({"", std::move(names), std::move(image)});
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    layers.push_back({std::string(kLightLayerPrefix) + groups[i],
+                      {"R", "G", "B"},
+                      std::move(denoised.parts[i])});
+  write_exr(a.output, layers, options);
   return kExitDone;
 }
 
 }  // namespace
 
 Command add_denoise_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("denoise", "Denoise a render from its EXR layers");
+  CLI::App* app =
+      program.add_subcommand("denoise",
+                             "Denoise a render from its EXR layers. Light groups of the file are "
+                             "denoised with the same weights: "
+                             "they sum to the picture and can be recombined with other strengths");
   auto a = std::make_shared<DenoiseArguments>();
   app->add_option("IN", a->input, "EXR file of oriel render, with its layers")->required();
   app->add_option("-o,--output", a->output, "Linear picture to write: .exr or .hdr")->required();

@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "denoise/denoise_planes.h"
 #include "denoise/denoise_regression.h"
+#include "denoise/restore_light.h"
 
 namespace oriel {
 namespace {
 
 using denoising::Estimate;
+using denoising::for_each_value;
 using denoising::kBandwidths;
 using denoising::Noisy;
 using denoising::Planes;
@@ -22,15 +26,6 @@ constexpr int kErrorRadius = 4, kChoiceRadius = 2;
 /// Bandwidth without an error estimate: the wider one, because a picture that is its own guide fits
 /// its own noise too closely.
 constexpr int kBandwidthAlone = 1;
-
-/// f(i) for every value of every plane, in parallel.
-template <class F>
-void for_each_value(const Planes& planes, const F& f) {
-  const std::size_t rows = std::size_t(planes.height) * planes.count;
-  parallel_for(rows, [&](std::size_t row) {
-    for (std::size_t i = row * planes.width; i < (row + 1) * planes.width; ++i) f(i);
-  });
-}
 
 /// The mean of one half of the samples, with twice the variance of the whole.
 Estimate half_of(const Noisy& noisy, float sign) {
@@ -64,28 +59,89 @@ Planes excess_of_wider(const Estimate& a, const Estimate& b,
   return denoising::box_blur(excess, kErrorRadius);
 }
 
-/// Denoises each half with the other half as the guide.
-Planes cross_filtered(const Noisy& noisy, float strength) {
-  const Estimate a = half_of(noisy, 1), b = half_of(noisy, -1);
-  const auto to_a = denoising::regress(a, b, noisy.features, strength);
-  const auto to_b = denoising::regress(b, a, noisy.features, strength);
-  Planes choice = excess_of_wider(a, b, to_a, to_b);
-  for_each_value(choice, [&](std::size_t i) { choice.values[i] = choice.values[i] < 0 ? 1 : 0; });
-  choice = denoising::box_blur(choice, kChoiceRadius);
+using Corrections = std::array<Planes, kBandwidths>;
 
-  Planes out(a.mean.width, a.mean.height, 3);
+/// Averages neighbours with the weights that the noisy picture decides: either half of its samples
+/// is filtered with the other half as the guide; without halves the picture is its own guide.
+class Filter {
+ public:
+  Filter(const Noisy& noisy, float strength) : noisy_(noisy), strength_(strength) {
+    if (!noisy.half.count) {
+      guides_[0] = {noisy.mean, noisy.variance};
+      color_ = regress(noisy.mean, 0)[kBandwidthAlone];
+      return;
+    }
+    guides_ = {half_of(noisy, 1), half_of(noisy, -1)};
+    const Estimate &a = guides_[0], &b = guides_[1];
+    const Corrections to_a = regress(a.mean, 1), to_b = regress(b.mean, 0);
+    wide_ = excess_of_wider(a, b, to_a, to_b);
+    for_each_value(wide_, [&](std::size_t i) { wide_.values[i] = wide_.values[i] < 0 ? 1 : 0; });
+    wide_ = denoising::box_blur(wide_, kChoiceRadius);
+    color_ = mean_of(to_a, to_b);
+  }
+
+  /// The correction of the mean colour.
+  const Planes& color() const { return color_; }
+  /// The correction of a part of the colour, whose halves are not known.
+  Planes part(const Planes& mean) const {
+    if (!noisy_.half.count) return regress(mean, 0)[kBandwidthAlone];
+    return mean_of(regress(mean, 0), regress(mean, 1));
+  }
+
+ private:
+  Corrections regress(const Planes& mean, int guide) const {
+    // Both halves have the same variance.
+    return denoising::regress({mean, guides_[0].variance}, guides_[guide], noisy_.features,
+                              strength_);
+  }
+  Planes mean_of(const Corrections& a, const Corrections& b) const {
+    Planes out(wide_.width, wide_.height, 3);
+    for_each_value(out, [&](std::size_t i) {
+      const float wide = wide_.values[i % wide_.size()];
+      out.values[i] = ((1 - wide) * (a[0].values[i] + b[0].values[i]) +
+                       wide * (a[1].values[i] + b[1].values[i])) /
+                      2;
+    });
+    return out;
+  }
+
+  const Noisy& noisy_;
+  float strength_;
+  std::array<Estimate, 2> guides_;
+  Planes wide_;  ///< share of the wider bandwidth
+  Planes color_;
+};
+
+Planes corrected(const Planes& color, const Planes& correction, const Planes& albedo) {
+  Planes out = color;
   for_each_value(out, [&](std::size_t i) {
-    const float wide = choice.values[i % choice.size()];
-    const float narrow_correction = to_a[0].values[i] + to_b[0].values[i];
-    const float wide_correction = to_a[1].values[i] + to_b[1].values[i];
-    out.values[i] = ((1 - wide) * narrow_correction + wide * wide_correction) / 2;
+    // Clamp to non-negative values; a linear fit may be negative near a steep edge.
+    out.values[i] = std::max(color.values[i] + correction.values[i] * albedo.values[i],
+                             std::min(color.values[i], 0.0f));
   });
   return out;
 }
 
-Planes self_filtered(const Noisy& noisy, float strength) {
-  const Estimate whole{noisy.mean, noisy.variance};
-  return denoising::regress(whole, whole, noisy.features, strength)[kBandwidthAlone];
+/// Changes the parts such that they sum to the whole: each in proportion to itself.
+void make_sum(const Planes& whole, std::vector<Planes>& parts) {
+  for_each_value(whole, [&](std::size_t i) {
+    float sum = 0, magnitude = 0;
+    for (const Planes& part : parts) {
+      sum += part.values[i];
+      magnitude += std::abs(part.values[i]);
+    }
+    const float missing = whole.values[i] - sum;
+    for (Planes& part : parts)
+      part.values[i] += missing * (magnitude > 0 ? std::abs(part.values[i]) / magnitude
+                                                 : 1 / float(parts.size()));
+  });
+}
+
+void copy(const Planes& from, Image& to) {
+  parallel_for(std::size_t(to.height), [&](std::size_t y) {
+    for (int x = 0; x < to.width; ++x)
+      for (int c = 0; c < 3; ++c) to.at(x, int(y))[c] = from.row(c, int(y))[x];
+  });
 }
 
 }  // namespace
@@ -104,25 +160,27 @@ DenoiseInput denoise_input(const std::vector<Layer>& layers) {
           image("Z")};
 }
 
-Image denoise(const DenoiseInput& input, const DenoiseOptions& options) {
-  const Noisy noisy = denoising::prepare(input, options);
-  const Planes correction = noisy.half.count > 0 ? cross_filtered(noisy, options.strength)
-                                                 : self_filtered(noisy, options.strength);
-  Image out = *input.color;
-  parallel_for(std::size_t(out.height), [&](std::size_t row) {
-    for (int x = 0; x < out.width; ++x) {
-      const int y = int(row);
-      float* to = out.at(x, y);
-      for (int c = 0; c < 3; ++c) {
-        const float divisor = noisy.albedo.row(c, y)[x];
-        const float before = noisy.color.row(c, y)[x];
-        const float change = correction.row(c, y)[x];
-        // Clamp to non-negative values; a linear fit may be negative near a steep edge.
-        to[c] = std::max(before + change * divisor, std::min(before, 0.0f));
-      }
-    }
-  });
+DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptions& options) {
+  Noisy noisy = denoising::prepare(input, options);
+  const Filter filter(noisy, options.strength);
+  Planes color = corrected(noisy.color, filter.color(), noisy.albedo);
+  denoising::restore_light(noisy, color);
+  DenoisedPicture out{*input.color, {}};
+  copy(color, out.color);
+
+  for (Planes& part : noisy.parts) {
+    Planes mean = part;
+    for_each_value(mean, [&](std::size_t i) { mean.values[i] /= noisy.albedo.values[i]; });
+    part = corrected(part, filter.part(mean), noisy.albedo);
+  }
+  if (!noisy.parts.empty()) make_sum(color, noisy.parts);
+  for (const Planes& part : noisy.parts)
+    copy(part, out.parts.emplace_back(part.width, part.height, 3));
   return out;
+}
+
+Image denoise(const DenoiseInput& input, const DenoiseOptions& options) {
+  return denoise_with_parts(input, options).color;
 }
 
 }  // namespace oriel

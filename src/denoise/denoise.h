@@ -12,10 +12,11 @@ struct DenoiseInput {
   const Image* color = nullptr;  ///< linear, RGB first; further channels are copied
   /// half of (mean of one half of the samples - mean of the other)
   const Image* half_difference = nullptr;
-  const Image* variance = nullptr;  ///< variance of the mean of each pixel, RGB
-  const Image* albedo = nullptr;    ///< RGB, of the first surface
-  const Image* normal = nullptr;    ///< XYZ, 0 = no hit
-  const Image* depth = nullptr;     ///< 0 = no hit
+  const Image* variance = nullptr;       ///< variance of the mean of each pixel, RGB
+  const Image* albedo = nullptr;         ///< RGB, of the first surface
+  const Image* normal = nullptr;         ///< XYZ, 0 = no hit
+  const Image* depth = nullptr;          ///< 0 = no hit
+  std::vector<const Image*> parts = {};  ///< light groups: RGB, they sum to the colour
 };
 
 struct DenoiseOptions {
@@ -46,6 +47,14 @@ struct DenoiseOptions {
 ///          M. Zwicker, "Adaptive Rendering with Non-Local Means Filtering", TOG 31(6), 2012.
 /// Checked: Denoise.*
 Image denoise(const DenoiseInput& input, const DenoiseOptions& options = {});
+
+struct DenoisedPicture {
+  Image color;               ///< see denoise()
+  std::vector<Image> parts;  ///< of the input, RGB
+};
+/// Denoises the colour and its parts. The parts are filtered with the weights of the colour, and
+/// sum to the denoised colour within rounding.
+DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptions& options = {});
 
 /// The picture with the light of outliers spread over their neighbourhood.
 ///

@@ -58,6 +58,7 @@ void check(const DenoiseInput& input) {
   fits(input.albedo, 3, "albedo");
   fits(input.normal, 3, "normals");
   fits(input.depth, 1, "depth");
+  for (const Image* part : input.parts) fits(part, 3, "a light group");
 }
 
 Planes read_features(const DenoiseInput& input) {
@@ -100,8 +101,7 @@ Planes estimate_variance(const Noisy& n) {
   const Planes smooth = box_blur(out, kVarianceRadius);
   for (std::size_t i = 0; i < out.values.size(); ++i)
     if (told.values[i] > 0)
-      out.values[i] =
-          (out.values[i] + smooth.values[i]) / 2 * std::min(shown.values[i] / told.values[i], 2.0f);
+      out.values[i] = smooth.values[i] * std::min(shown.values[i] / told.values[i], 2.0f);
   return out;
 }
 
@@ -140,6 +140,7 @@ Noisy read_noisy(const DenoiseInput& input) {
   n.color = read(input.color, 3);
   n.half = read(input.half_difference, 3);
   n.variance = read(input.variance, 3);
+  for (const Image* part : input.parts) n.parts.push_back(read(part, 3));
   for (float& v : n.variance.values) v = std::max(v, 0.0f);
   return n;
 }

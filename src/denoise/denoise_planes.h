@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/parallel.h"
 #include "denoise/denoise.h"
 
 namespace oriel::denoising {
@@ -24,6 +25,15 @@ struct Planes {
   const float* row(int i, int y) const { return plane(i) + std::size_t(y) * width; }
 };
 
+/// f(i) for every value of every plane, in parallel.
+template <class F>
+void for_each_value(const Planes& planes, const F& f) {
+  const std::size_t rows = std::size_t(planes.height) * planes.count;
+  parallel_for(rows, [&](std::size_t row) {
+    for (std::size_t i = row * planes.width; i < (row + 1) * planes.width; ++i) f(i);
+  });
+}
+
 /// Means over squares of 2 radius + 1 pixels, clipped at the border.
 Planes box_blur(const Planes& planes, int radius);
 
@@ -32,18 +42,19 @@ inline constexpr int kFeatures = 7;
 
 /// The preprocessed input of the regression.
 struct Noisy {
-  Planes color;     ///< 3: the input, without outliers
-  Planes mean;      ///< 3: colour, or irradiance where albedo is divided out
-  Planes half;      ///< 3: half the difference of the halves; empty: not known
-  Planes variance;  ///< 3: of the mean
-  Planes features;  ///< kFeatures, scaled such that a difference of 1 is large
-  Planes albedo;    ///< 3: divisor of the mean
+  Planes color;               ///< 3: the input, without outliers
+  Planes mean;                ///< 3: colour, or irradiance where albedo is divided out
+  Planes half;                ///< 3: half the difference of the halves; empty: not known
+  Planes variance;            ///< 3: of the mean
+  Planes features;            ///< kFeatures, scaled such that a difference of 1 is large
+  Planes albedo;              ///< 3: divisor of the mean
+  std::vector<Planes> parts;  ///< 3 each: parts of the colour, not divided
 };
 
 /// Reads colours, halves and variance: replaces values that are not finite.
 Noisy read_noisy(const DenoiseInput& input);
-/// Spreads the light of outliers, see oriel::spread_outliers(); halves and variance are scaled with
-/// their pixel.
+/// Spreads the light of outliers, see oriel::spread_outliers(), and the same shares of the parts;
+/// halves and variance are scaled with their pixel.
 void spread_outliers(Noisy& n);
 /// Reads the whole input: spreads outliers, divides by albedo, estimates the variance.
 Noisy prepare(const DenoiseInput& input, const DenoiseOptions& options);

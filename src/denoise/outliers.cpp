@@ -39,70 +39,94 @@ float kept_share(const Noisy& n, int x, int y) {
       for (float& rank : brightest)
         if (b > rank) std::swap(b, rank);
     }
-  const float limit = kOutlierFactor * brightest.back();
+  // A rare sample is in one half only.
+  const float both = n.half.count ? own - std::abs(sum3(n.half, i)) : 0.0f;
+  const float limit = std::max(kOutlierFactor * brightest.back(), both);
   return own > limit ? limit / own : 1;
 }
 
-/// Adds the light to the window around a pixel, in proportion to what is there and to a tent.
-void add_around(Planes& color, const std::vector<float>& brightness, int x, int y,
-                const std::array<float, 3>& light) {
-  const float total = light[0] + light[1] + light[2];
-  for (int r = kFirstRadius;; r *= 2) {
-    const int x0 = std::max(x - r, 0), x1 = std::min(x + r, color.width - 1);
-    const int y0 = std::max(y - r, 0), y1 = std::min(y + r, color.height - 1);
-    const auto weight = [&](int u, int v) {
-      const auto distance = static_cast<float>(std::max(std::abs(u - x), std::abs(v - y)));
-      return (1 - distance / static_cast<float>(r + 1)) *
-             brightness[std::size_t(v) * color.width + u];
-    };
-    double sum = 0;  // double: up to ten thousand terms
-    for (int v = y0; v <= y1; ++v)
-      for (int u = x0; u <= x1; ++u) sum += weight(u, v);
-    const bool last = 2 * r > kLastRadius;
-    if (!last && !(total <= kMaxGain * sum)) continue;
-    // In a black neighbourhood the light stays where it is.
-    if (!(sum > 0)) {
-      for (int c = 0; c < 3; ++c) color.row(c, y)[x] += light[c];
-      return;
+/// Weights of the pixels around one, in proportion to their brightness and to a tent.
+struct Neighbourhood {
+  int x, y, radius;
+  double sum = 0;  ///< of the weights; double: up to ten thousand terms
+  const std::vector<float>& brightness;
+  int width, height;
+
+  float weight(int u, int v) const {
+    const auto distance = static_cast<float>(std::max(std::abs(u - x), std::abs(v - y)));
+    return (1 - distance / static_cast<float>(radius + 1)) *
+           brightness[std::size_t(v) * std::size_t(width) + std::size_t(u)];
+  }
+  template <class F>
+  void for_each(const F& f) const {
+    for (int v = std::max(y - radius, 0); v <= std::min(y + radius, height - 1); ++v)
+      for (int u = std::max(x - radius, 0); u <= std::min(x + radius, width - 1); ++u) f(u, v);
+  }
+};
+
+/// The smallest window that becomes brighter by at most kMaxGain, else the largest.
+Neighbourhood neighbourhood(int x, int y, float light, const std::vector<float>& brightness,
+                            int width, int height) {
+  Neighbourhood around{x, y, kFirstRadius, 0, brightness, width, height};
+  while (true) {
+    around.sum = 0;
+    around.for_each([&](int u, int v) { around.sum += around.weight(u, v); });
+    if (light <= kMaxGain * around.sum || 2 * around.radius > kLastRadius) return around;
+    around.radius *= 2;
+  }
+}
+
+/// A pixel that keeps a share of its light and spreads the rest.
+struct Outlier {
+  std::size_t pixel;
+  float kept;
+  Neighbourhood around;
+};
+
+void move_light(const std::vector<Outlier>& outliers, Planes& planes) {
+  std::vector<std::array<float, 3>> light(outliers.size());
+  for (std::size_t i = 0; i < outliers.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      float& own = planes.plane(c)[outliers[i].pixel];
+      light[i][c] = own * (1 - outliers[i].kept);
+      own -= light[i][c];
     }
-    for (int v = y0; v <= y1; ++v)
-      for (int u = x0; u <= x1; ++u) {
-        const auto share = static_cast<float>(weight(u, v) / sum);
-        for (int c = 0; c < 3; ++c) color.row(c, v)[u] += light[c] * share;
-      }
-    return;
+  for (std::size_t i = 0; i < outliers.size(); ++i) {
+    const Neighbourhood& around = outliers[i].around;
+    around.for_each([&](int u, int v) {
+      const auto share = static_cast<float>(around.weight(u, v) / around.sum);
+      for (int c = 0; c < 3; ++c) planes.row(c, v)[u] += light[i][c] * share;
+    });
   }
 }
 
 }  // namespace
 
 void spread_outliers(Noisy& n) {
-  std::vector<float> kept(n.color.size(), 1);
-  parallel_for(std::size_t(n.color.height), [&](std::size_t row) {
-    for (int x = 0; x < n.color.width; ++x)
-      kept[row * n.color.width + x] = kept_share(n, x, int(row));
+  const int width = n.color.width, height = n.color.height;
+  std::vector<float> kept(n.color.size(), 1), brightness(n.color.size());
+  parallel_for(std::size_t(height), [&](std::size_t y) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+      kept[i] = kept_share(n, int(i % width), int(y));
+      brightness[i] = std::max(sum3(n.color, i) * kept[i], 0.0f);
+    }
   });
-  struct Excess {
-    int x, y;
-    std::array<float, 3> light;
-  };
-  std::vector<Excess> all;
+  std::vector<Outlier> outliers;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (kept[i] >= 1) continue;
-    Excess& e = all.emplace_back();
-    e.x = int(i % n.color.width), e.y = int(i / n.color.width);
-    for (int c = 0; c < 3; ++c) {
-      float& own = n.color.plane(c)[i];
-      e.light[c] = own * (1 - kept[i]);
-      own -= e.light[c];
-      if (n.half.count) n.half.plane(c)[i] *= kept[i];
-      if (n.variance.count) n.variance.plane(c)[i] *= kept[i] * kept[i];
-    }
+    const float light = sum3(n.color, i) * (1 - kept[i]);
+    const Neighbourhood around =
+        neighbourhood(int(i % width), int(i / width), light, brightness, width, height);
+    // In a black neighbourhood the light stays where it is.
+    if (around.sum > 0) outliers.push_back({i, kept[i], around});
   }
-  std::vector<float> brightness(n.color.size());
-  for (std::size_t i = 0; i < brightness.size(); ++i)
-    brightness[i] = std::max(sum3(n.color, i), 0.0f);
-  for (const Excess& e : all) add_around(n.color, brightness, e.x, e.y, e.light);
+  move_light(outliers, n.color);
+  for (Planes& part : n.parts) move_light(outliers, part);
+  for (const Outlier& outlier : outliers)
+    for (int c = 0; c < 3; ++c) {
+      if (n.half.count) n.half.plane(c)[outlier.pixel] *= outlier.kept;
+      if (n.variance.count) n.variance.plane(c)[outlier.pixel] *= outlier.kept * outlier.kept;
+    }
 }
 
 }  // namespace denoising
