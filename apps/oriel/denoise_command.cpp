@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "command.h"
+#include "denoiser_option.h"
 #include "image/exr.h"
 #include "image/files.h"
 #include "image/relight.h"
@@ -20,6 +21,7 @@ namespace {
 struct DenoiseArguments {
   std::string input, output;
   float strength = 1;
+  std::string denoiser;
   int threads = 0;
 };
 
@@ -42,7 +44,10 @@ int run_denoise(const DenoiseArguments& a) {
       exr ? light_layer_names(file.layers) : std::vector<std::string>();
   for (const std::string& group : groups)
     input.parts.push_back(&find_layer(file.layers, std::string(kLightLayerPrefix) + group)->image);
-  DenoisedPicture denoised = denoise_with_parts(input, {.strength = a.strength});
+  DenoisedPicture denoised =
+      denoise_with_parts(input, {.denoiser = denoiser_of(a.denoiser), .strength = a.strength});
+  if (!denoised.note.empty())
+    fmt::print(stderr, "oriel: warning: {}; Oriel's own denoiser was used\n", denoised.note);
   Image& image = denoised.color;
   std::vector<std::string> names = find_linear_beauty(file.layers)->channel_names;
   if (!exr) {
@@ -52,6 +57,7 @@ int run_denoise(const DenoiseArguments& a) {
   ExrOptions options;
   options.metadata = file.metadata;
   options.metadata["oriel.denoised"] = a.strength;
+  options.metadata["oriel.denoiser"] = denoised.denoiser;
   std::vector<Layer> layers;
   layers.push_back({"", std::move(names), std::move(image)});
   for (std::size_t i = 0; i < groups.size(); ++i)
@@ -77,6 +83,7 @@ Command add_denoise_command(CLI::App& program) {
                   "Strength of denoising (default 1); larger values blur more")
       ->check(CLI::Range(0.1f, 10.0f))
       ->capture_default_str();
+  add_denoiser_option(*app, a->denoiser);
   app->add_option("--threads", a->threads, "Number of threads, 0 = all (default 0)")
       ->check(CLI::Range(0, 4096));
   return {app, [a] { return run_denoise(*a); }};

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "command.h"
+#include "denoiser_option.h"
 #include "image/texture.h"
 #include "render_frames.h"
 #include "render_plan.h"
@@ -72,6 +73,7 @@ void add_picture_options(CLI::App& app, RenderArguments& a) {
       ->check(CLI::PositiveNumber);
   app.add_flag("--denoise", a.denoise,
                "Denoise the finished pictures; in EXR files as a separate layer");
+  add_denoiser_option(app, a.denoiser);
 }
 
 }  // namespace

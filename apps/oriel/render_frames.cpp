@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "denoiser_option.h"
 #include "image/texture_statistics.h"
 #include "interrupt.h"
 #include "output/exposure_check.h"
@@ -165,7 +166,7 @@ class FrameRenderer {
           "the light group of light from map files, of interpolated reflections and of "
           "shaders that return finished colours is unknown; it is in the layer "
           "light_indirect");
-    if (a_.denoise && !world_->preview) denoised_ = denoised_beauty(*session_);
+    if (a_.denoise && !world_->preview) denoise();
     write_files();
     end_shaders();
     finish(reason);
@@ -303,6 +304,14 @@ class FrameRenderer {
     write_files();
   }
 
+  void denoise() {
+    DenoisedPicture picture = denoised_beauty(*session_, denoiser_of(a_.denoiser));
+    denoised_ = std::move(picture.color);
+    denoiser_ = std::move(picture.denoiser);
+    if (!picture.note.empty())
+      diagnostics_.warning("OR-RN-072", {}, picture.note, "Oriel's own denoiser was used");
+  }
+
   void write_files() {
     const Clock::time_point start = Clock::now();
     Image clean;
@@ -340,6 +349,7 @@ class FrameRenderer {
     if (has_photometric_layers()) m[kUnitLuminanceKey] = session_->unit_luminance();
     if (session_->film().light_layers() > 0)
       m["oriel.lightGroups"] = fmt::format("{}", fmt::join(world_->light_layers.names, " "));
+    if (!denoised_.empty()) m["oriel.denoiser"] = denoiser_;
     if (p.noise) m["oriel.noise"] = static_cast<float>(*p.noise);
     if (!a_.scene.edits.empty())
       m["oriel.set"] = fmt::format("{}", fmt::join(a_.scene.edits, "; "));
@@ -408,7 +418,8 @@ class FrameRenderer {
   FrameFiles frame_files_;
   std::unique_ptr<World> world_;
   std::optional<RenderSession> session_;
-  Image denoised_;  ///< empty until the render is done, or without --denoise
+  Image denoised_;        ///< empty until the render is done, or without --denoise
+  std::string denoiser_;  ///< that made it
   std::vector<PictureFile> files_;
   std::set<std::string> unwritable_;
   Clock::time_point last_write_;

@@ -35,6 +35,7 @@ struct RenderArguments {
   std::string frames;
   bool skip_existing = false;
   bool denoise = false, linear = false, json = false, quiet = false;
+  std::string denoiser;  ///< see denoiser_of()
   bool keep_outliers = false;
   float clamp = 0;  ///< SessionSettings::clamp
   std::string exr;  ///< precision and compression of EXR files

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/parallel.h"
 #include "denoise/denoise_planes.h"
 #include "denoise/denoise_regression.h"
+#include "denoise/oidn.h"
 #include "denoise/restore_light.h"
 
 namespace oriel {
@@ -18,6 +20,7 @@ using denoising::Estimate;
 using denoising::for_each_value;
 using denoising::kBandwidths;
 using denoising::Noisy;
+using denoising::Oidn;
 using denoising::Planes;
 
 /// The bandwidth is selected by the mean error within the first radius, since errors of single
@@ -122,6 +125,29 @@ Planes corrected(const Planes& color, const Planes& correction, const Planes& al
   return out;
 }
 
+struct Filtered {
+  Planes color;
+  std::vector<Planes> parts;
+};
+
+Filtered filter_by_regression(const Noisy& noisy, float strength) {
+  const Filter filter(noisy, strength);
+  Filtered out{corrected(noisy.color, filter.color(), noisy.albedo), {}};
+  for (const Planes& part : noisy.parts) {
+    Planes mean = part;
+    for_each_value(mean, [&](std::size_t i) { mean.values[i] /= noisy.albedo.values[i]; });
+    out.parts.push_back(corrected(part, filter.part(mean), noisy.albedo));
+  }
+  return out;
+}
+
+Filtered filter_by(const Oidn& oidn, const Noisy& noisy, bool has_features) {
+  const Planes* features = has_features ? &noisy.features : nullptr;
+  Filtered out{oidn.denoise(noisy.color, features), {}};
+  for (const Planes& part : noisy.parts) out.parts.push_back(oidn.denoise(part, features));
+  return out;
+}
+
 /// Changes the parts such that they sum to the whole: each in proportion to itself.
 void make_sum(const Planes& whole, std::vector<Planes>& parts) {
   for_each_value(whole, [&](std::size_t i) {
@@ -161,20 +187,34 @@ DenoiseInput denoise_input(const std::vector<Layer>& layers) {
 }
 
 DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptions& options) {
-  Noisy noisy = denoising::prepare(input, options);
-  const Filter filter(noisy, options.strength);
-  Planes color = corrected(noisy.color, filter.color(), noisy.albedo);
-  denoising::restore_light(noisy, color);
-  DenoisedPicture out{*input.color, {}};
-  copy(color, out.color);
-
-  for (Planes& part : noisy.parts) {
-    Planes mean = part;
-    for_each_value(mean, [&](std::size_t i) { mean.values[i] /= noisy.albedo.values[i]; });
-    part = corrected(part, filter.part(mean), noisy.albedo);
+  const Noisy noisy = denoising::prepare(input, options);
+  DenoisedPicture out;
+  Filtered filtered;
+  const Oidn* oidn = options.denoiser == Denoiser::Own ? nullptr : Oidn::find();
+  if (options.denoiser == Denoiser::Oidn && !oidn)
+    throw std::runtime_error(
+        "the library of Open Image Denoise was not found; install it, or set ORIEL_OIDN_LIBRARY to "
+        "its path");
+  if (oidn) {
+    try {
+      filtered = filter_by(*oidn, noisy, input.albedo && input.normal);
+      out.denoiser = oidn->name();
+    } catch (const std::runtime_error& error) {
+      if (options.denoiser == Denoiser::Oidn) throw;
+      out.note = error.what();
+      oidn = nullptr;
+    }
   }
-  if (!noisy.parts.empty()) make_sum(color, noisy.parts);
-  for (const Planes& part : noisy.parts)
+  if (!oidn) {
+    filtered = filter_by_regression(noisy, options.strength);
+    out.denoiser = "Oriel";
+  }
+  denoising::restore_light(noisy, filtered.color);
+  if (!filtered.parts.empty()) make_sum(filtered.color, filtered.parts);
+
+  out.color = *input.color;
+  copy(filtered.color, out.color);
+  for (const Planes& part : filtered.parts)
     copy(part, out.parts.emplace_back(part.width, part.height, 3));
   return out;
 }

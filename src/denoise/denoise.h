@@ -2,6 +2,9 @@
 // Denoises a path-traced picture with feature layers of its first hits.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "image/pixel_buffer.h"
 
 namespace oriel {
@@ -19,7 +22,14 @@ struct DenoiseInput {
   std::vector<const Image*> parts = {};  ///< light groups: RGB, they sum to the colour
 };
 
+enum class Denoiser {
+  Own,   ///< see denoise(); same bytes on every machine
+  Oidn,  ///< Open Image Denoise, see oidn.h
+  Best   ///< Oidn if its library is there and works, else Own
+};
+
 struct DenoiseOptions {
+  Denoiser denoiser = Denoiser::Own;
   /// Patch difference, relative to noise, up to which patches count as equal; scales both
   /// bandwidths.
   float strength = 1;
@@ -49,11 +59,16 @@ struct DenoiseOptions {
 Image denoise(const DenoiseInput& input, const DenoiseOptions& options = {});
 
 struct DenoisedPicture {
+  std::string denoiser;      ///< name and version of the one that was used
+  std::string note;          ///< why Oidn was not used although its library is there, or empty
   Image color;               ///< see denoise()
   std::vector<Image> parts;  ///< of the input, RGB
 };
 /// Denoises the colour and its parts. The parts are filtered with the weights of the colour, and
-/// sum to the denoised colour within rounding.
+/// sum to the denoised colour within rounding. With Open Image Denoise each part is denoised alone,
+/// and changed in proportion to itself such that the sum holds.
+///
+/// Errors:  as denoise(); std::runtime_error if Oidn is asked for and not there or failing.
 DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptions& options = {});
 
 /// The picture with the light of outliers spread over their neighbourhood.

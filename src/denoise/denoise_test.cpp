@@ -176,8 +176,7 @@ TEST(Denoise, PartsSumToThePictureAndKeepTheirEdges) {
                 1e-5f * out.color.pixels[i]);
   for (const auto& [part, noisy] :
        {std::pair{&out.parts[0], &one}, std::pair{&out.parts[1], &two}}) {
-    EXPECT_LT(compare(*part, noisy->truth).rmse * 2,
-              compare(noisy->color, noisy->truth).rmse);
+    EXPECT_LT(compare(*part, noisy->truth).rmse * 2, compare(noisy->color, noisy->truth).rmse);
     EXPECT_NEAR(mean_of(*part) / mean_of(noisy->color), 1, 0.01);
   }
   EXPECT_LT(mean_of(out.parts[0], 60, 0, 96, 96, 0), 0.01) << "no light of one lamp in the other";

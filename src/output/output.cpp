@@ -223,9 +223,12 @@ std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& lay
   return out;
 }
 
-Image denoised_beauty(const RenderSession& session) {
+DenoisedPicture denoised_beauty(const RenderSession& session, Denoiser denoiser) {
   const LayerSet layers = LayerSet(LayerGroup::Film) - LayerSet("display");
-  return without_alpha(denoise(denoise_input(film_layers(session, layers))));
+  const std::vector<Layer> film = film_layers(session, layers);
+  DenoisedPicture picture = denoise_with_parts(denoise_input(film), {.denoiser = denoiser});
+  picture.color = without_alpha(picture.color);
+  return picture;
 }
 
 Image beauty_without_outliers(const RenderSession& session) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "denoise/denoise.h"
 #include "image/exr.h"
 #include "image/files.h"
 #include "image/pixel_buffer.h"
@@ -49,8 +50,8 @@ PictureFile picture_file(const std::string& path);
 /// the session does not store.
 std::vector<Layer> film_layers(const RenderSession& session, const LayerSet& layers);
 
-/// The denoised beauty, RGB; passes the film data to denoise() (denoise/denoise.h).
-Image denoised_beauty(const RenderSession& session);
+/// The denoised beauty, RGB; passes the film data to denoise_with_parts() (denoise/denoise.h).
+DenoisedPicture denoised_beauty(const RenderSession& session, Denoiser denoiser);
 
 /// Minimum samples per pixel to find outliers; with fewer, errors are too uncertain.
 inline constexpr float kMinOutlierSamples = 16;

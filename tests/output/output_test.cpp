@@ -211,7 +211,8 @@ TEST(Output, DenoisedImagesAreAddedToTheNoisyOnes) {
 
 TEST(Output, DenoisedBeautyIsTheFilmsLessItsNoise) {
   const Rendered r;
-  const Image film = film_layers(*r.session, {})[0].image, clean = denoised_beauty(*r.session);
+  const Image film = film_layers(*r.session, {})[0].image,
+              clean = denoised_beauty(*r.session, Denoiser::Own).color;
   ASSERT_EQ(clean.channels, 3);
   for (std::size_t i = 0; i < clean.pixel_count(); ++i)
     EXPECT_NEAR(clean.pixels[3 * i], film.pixels[4 * i], 0.02f);
