@@ -101,7 +101,8 @@ Planes estimate_variance(const Noisy& n) {
   const Planes smooth = box_blur(out, kVarianceRadius);
   for (std::size_t i = 0; i < out.values.size(); ++i)
     if (told.values[i] > 0)
-      out.values[i] = smooth.values[i] * std::min(shown.values[i] / told.values[i], 2.0f);
+      out.values[i] =
+          (out.values[i] + smooth.values[i]) / 2 * std::min(shown.values[i] / told.values[i], 2.0f);
   return out;
 }
 
