@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/film.h"
 
+#include <bit>
 #include <limits>
 
 namespace oriel {
@@ -45,6 +46,22 @@ Rgb half_difference(const PixelMeans& means) {
   return (means.beauty - means.second) * ratio;
 }
 
+/// The change of the mean brightness when its number of samples was last doubled, and the time
+/// before. Samples are spread evenly over each first 2^k, so a change is that of an estimate with
+/// half as many well-spread samples; the halves above differ more than that.
+struct Doublings {
+  float last = 0, before = 0;
+};
+
+Doublings doublings(const PixelMeans& means) {
+  if (means.samples < kMinSplitSamples) return {};
+  // Since then the error has fallen at least as that of independent samples.
+  const float since = std::sqrt(static_cast<float>(std::bit_floor(means.samples)) /
+                                static_cast<float>(means.samples));
+  const auto& m = means.at_powers;
+  return {since * (m[0] - m[1]), since * (m[1] - m[2])};
+}
+
 /// Parts are mapped separately where their spread is kApart times that of noise alone, and together
 /// below kAlike times; in between gradually. Noise alone sometimes reaches the first limit and
 /// hardly ever the second.
@@ -70,6 +87,7 @@ void PixelMeans::add(const FilmSample& s) {
   const Rgb before = c - beauty;
   beauty += before * share;
   beauty_m2 += before * (c - beauty);
+  if (std::has_single_bit(samples)) at_powers = {brightness(beauty), at_powers[0], at_powers[1]};
   alpha += (finite_or_zero(s.alpha) - alpha) * share;
   normal += ((is_finite(s.normal) ? s.normal : Vec3(0)) - normal) * share;
   albedo += (finite_or_black(s.albedo) - albedo) * share;
@@ -202,6 +220,13 @@ Rgb Film::color_error(std::size_t i) const {
   return Rgb(std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z));
 }
 
+Rgb Film::split_difference(std::size_t i) const {
+  const Shares s = shares(i);
+  Rgb difference = half_difference(positive_[i]) * s.positive;
+  if (!negative_.empty()) difference += half_difference(negative_[i]) * s.negative;
+  return difference;
+}
+
 Film::Pixel Film::pixel(int x, int y) const {
   const std::size_t i = index(x, y);
   const PixelMeans& p = positive_[i];
@@ -218,8 +243,7 @@ Film::Pixel Film::pixel(int x, int y) const {
   out.normal = weigh(s.positive, p.normal, s.negative, m ? &m->normal : nullptr);
   const Rgb error = color_error(i);
   out.variance = error * error;
-  out.split_difference = half_difference(p) * s.positive;
-  if (m) out.split_difference += half_difference(*m) * s.negative;
+  out.split_difference = split_difference(i);
 
   // A mean of distances, not a filtered one: negative weights make no sense of them.
   const auto over_hits = [&](float PixelMeans::*value) {
@@ -364,7 +388,7 @@ Rgb Film::shown(int x, int y, const Rgb& denoised) const {
 
 bool Film::has_split_samples() const {
   for (const PixelMeans& p : positive_)
-    if (p.samples < 2 * kHalfBlock) return false;
+    if (p.samples < kMinSplitSamples) return false;
   return !positive_.empty();
 }
 
@@ -372,15 +396,22 @@ Film::Estimate Film::estimate(std::size_t i) const {
   const int x = static_cast<int>(i % static_cast<std::size_t>(width_));
   const int y = static_cast<int>(i / static_cast<std::size_t>(width_));
   const bool known = samples(i) > 1;
-  const Rgb c = color(i), e = known ? color_error(i) : Rgb(0);
-  Estimate level{brightness(c), brightness(e)};
-  if (map_) {
-    level.mean = brightness(map_(x, y, c));
-    if (level.error > 0)
-      level.error =
-          std::abs(brightness(map_(x, y, c + e)) - brightness(map_(x, y, not_negative(c - e)))) / 2;
-  }
-  if (!known) level.error = std::numeric_limits<float>::infinity();
+  const Rgb c = color(i);
+  const auto shown_change = [&](const Rgb& change) {
+    if (!map_ || change == Rgb(0)) return std::abs(brightness(change));
+    const Rgb more = map_(x, y, not_negative(c + change));
+    return std::abs(brightness(more) - brightness(map_(x, y, not_negative(c - change)))) / 2;
+  };
+  Estimate level;
+  level.mean = brightness(map_ ? map_(x, y, c) : c);
+  level.error = known ? shown_change(color_error(i)) : std::numeric_limits<float>::infinity();
+  level.doubling = level.error;
+  if (samples(i) < kMinSplitSamples) return level;
+  const Shares share = shares(i);
+  const Doublings p = doublings(positive_[i]);
+  const Doublings m = negative_.empty() ? Doublings() : doublings(negative_[i]);
+  level.doubling = shown_change(Rgb(p.last * share.positive + m.last * share.negative));
+  level.doubling_before = shown_change(Rgb(p.before * share.positive + m.before * share.negative));
   return level;
 }
 

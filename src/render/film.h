@@ -20,7 +20,8 @@ namespace oriel {
 //   Row 0 is the top row. The film covers the window that is rendered; x and y count inside it.
 //   Colours are linear and premultiplied until they are mapped for display.
 
-inline constexpr int kSubPixels = 16;  ///< parts of a pixel
+inline constexpr int kSubPixels = 16;                 ///< parts of a pixel
+inline constexpr std::uint32_t kMinSplitSamples = 8;  ///< two halves of four samples
 
 /// The part of a pixel that contains a point, given by x and y in 0..1 over the extent of its
 /// filter.
@@ -55,7 +56,10 @@ struct PixelMeans {
   std::uint32_t samples = 0, hits = 0;
   Rgb beauty{0};
   Rgb beauty_m2{0};  ///< summed squared distances from the mean
-  Rgb second{0};     ///< mean of every other block of four samples, independent of the others
+  Rgb second{0};     ///< mean of every other block of four samples
+  /// Mean brightness of the first 2^k samples, 2^(k-1) and 2^(k-2), where 2^k is the largest power
+  /// within `samples`.
+  std::array<float, 3> at_powers{};
   float alpha = 0, depth = 0, irradiance = 0;
   Vec3 normal{0};
   Rgb albedo{0};
@@ -161,14 +165,19 @@ class Film {
   using Shares = FilterShares;
   Shares shares_of(int x, int y) const { return shares(index(x, y)); }
 
-  /// Whether every pixel has two halves of at least four samples.
+  /// Whether every pixel has kMinSplitSamples.
   bool has_split_samples() const;
 
   /// Brightness for display (mean of three channels) and its standard error; for mapped colours the
   /// change of the mapped colour if the colour changes by its error. The error is infinite below
   /// two samples.
   struct Estimate {
-    float mean, error;
+    float mean = 0, error = 0;
+    /// Change of the shown brightness when the number of samples was last doubled, and at the
+    /// doubling before: an error that depends on nothing but luck, while the standard error is low
+    /// where rare samples are missing, and high where samples are spread evenly. The first is the
+    /// standard error, the second 0 below kMinSplitSamples.
+    float doubling = 0, doubling_before = 0;
   };
   Estimate estimate(std::size_t pixel) const;
 
@@ -184,6 +193,7 @@ class Film {
   Shares shares(std::size_t pixel) const;
   Rgb color(std::size_t pixel) const;
   Rgb color_error(std::size_t pixel) const;
+  Rgb split_difference(std::size_t pixel) const;
   /// A mean and its number of samples; 0 = none.
   struct Part {
     Rgb color{0};

@@ -51,6 +51,16 @@ TEST(Film, HalvesAreEveryOtherFourSamples) {
   EXPECT_NEAR(film.pixel(0, 0).split_difference.x, (6.5f - (4 * 6.5f + 2 * 13.5f) / 6) / 2, 1e-5f);
 }
 
+TEST(Film, DoublingsAreChangesOfTheMean) {
+  Film film(1, 1, box());
+  // The means of the first 4, 8 and 16 of 1, 2, 3... are 2.5, 4.5 and 8.5.
+  for (int i = 1; i <= 16; ++i) film.add(0, 0, sample_of(float(i)));
+  EXPECT_FLOAT_EQ(film.estimate(0).doubling, 4);
+  EXPECT_FLOAT_EQ(film.estimate(0).doubling_before, 2);
+  for (int i = 17; i <= 24; ++i) film.add(0, 0, sample_of(float(i)));
+  EXPECT_FLOAT_EQ(film.estimate(0).doubling, 4 * std::sqrt(16 / 24.f));
+}
+
 TEST(Film, HalvesOfFewSamplesAreNotThere) {
   Film film(2, 1, box());
   for (int i = 0; i < 8; ++i) film.add(0, 0, sample_of(1));

@@ -47,13 +47,16 @@ struct Progress {
 ///
 /// Model:   pass k takes every active pixel from the samples it has to n_k: 1, 2, 4, 8, 16, 32,
 ///          48, 64, 96, 128, 192... From min_samples on, the next pass leaves out pixels whose
-///          noise is below the target, unless a neighbour's is not; the render ends when the noise
+///          noise is below the target; the render ends when the noise
 ///          of the picture is below the target, or with RenderBudget::every_pixel that of each
 ///          pixel. Both are decided between passes from the film alone, so the picture is the same
 ///          for any number of threads.
-///          Noise of a pixel: standard error of its brightness over sqrt(L M), L its brightness
-///          and M the picture's. Dark regions may thus be noisier than bright ones, which is less
-///          visible there, and the noise does not depend on the unit of the scene.
+///          Noise of a pixel: error of its brightness over sqrt(L M), L its brightness and M the
+///          picture's. Dark regions may thus be noisier than bright ones, which is less visible
+///          there, and the noise does not depend on the unit of the scene. The error is the
+///          change of the pixel when its number of samples was last doubled. A pixel is judged by
+///          the mean square of its neighbourhood: judged by its own samples, pixels that lack a
+///          rare bright sample would stop early and stay too dark.
 /// Source:  H. Dammertz et al., "A Hierarchical Automatic Stopping Condition for Monte Carlo Global
 ///          Illumination", WSCG 2010 (error over the square root of brightness).
 /// Checked: Progressive.* in progressive_test.cpp
@@ -93,11 +96,13 @@ class Progressive {
   std::optional<StopReason> begin_pass();
   void render_tile(int tile, const std::function<std::uint64_t(const Row&)>& render_row,
                    const Callbacks& callbacks, const std::atomic<bool>* cancel);
-  /// False: the target is met.
-  bool choose_active();
-  void dilate_active();
+  /// False: the target is met. `next`: the target of the next pass, lowered if less is needed.
+  bool choose_active(std::uint32_t& next);
+  double needed_growth(const std::vector<float>& noise) const;
   void estimate(double seconds_of_run, double samples_of_run);
-  double missing_samples(const std::vector<Film::Estimate>& estimates, float picture) const;
+  std::vector<float> judged_noise(const std::vector<Film::Estimate>& estimates,
+                                  float picture) const;
+  double missing_samples(const std::vector<float>& noise) const;
   double done_share(double mean_samples) const;
   double elapsed() const;
   bool out_of_time() const;
@@ -115,15 +120,21 @@ class Progressive {
   double last_report_ = 0;
 };
 
-/// Noise of a pixel, see Progressive.
-float relative_noise(const Film::Estimate& estimate, float picture_brightness);
+/// Error of a pixel, relative to the brightness of pixel and picture, see Progressive.
+float relative_noise(float error, const Film::Estimate& estimate, float picture_brightness);
 
 /// The largest noise that a pixel contributes to the noise of the picture: a pixel that is wrong as
 /// a whole is not seen to get worse, and a few outliers must not decide when a render ends.
 inline constexpr float kMaxPixelNoise = 1;
 
-/// Noise of the picture: root of the mean over pixels of the squared relative_noise(), each at most
-/// kMaxPixelNoise. Infinite before the second sample.
+/// The error of all samples relative to the change at the last doubling of their number, as
+/// extrapolated from the last two changes: 1 of independent samples; less if evenly spread samples
+/// make the error fall faster than with the root of their number.
+float convergence_gain(const std::vector<Film::Estimate>& estimates, float picture_brightness);
+
+/// Noise of the picture: root of the mean over pixels of the squared relative_noise() of their
+/// changes, each at most kMaxPixelNoise, times convergence_gain(). Infinite before the second
+/// sample.
 float picture_noise(const std::vector<Film::Estimate>& estimates, float picture_brightness);
 
 /// Estimates of all pixels.
