@@ -89,6 +89,8 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
   command.add_option("--sky-rotation", a.sky_rotation,
                      "Rotation of --sky about the vertical in degrees (default 0)");
   command.add_flag("-q,--quiet", a.quiet, "Only warnings and errors");
+  command.add_flag("--force", a.force,
+                   "Replace a .mi file that was not written by quick or convert, or was edited");
   command
       .add_option("--emission-scale", a.emission_scale,
                   "Factor of the emission of materials (default 683 for files of Blender, else 1)")
