@@ -103,6 +103,8 @@ class Conversion {
       expose_in_daylight(options);
   }
 
+  bool is_complete() const { return !diagnostics_.has("OR-MD-023"); }
+
  private:
   void read(Diagnostics& diagnostics) {
     std::optional<scene::Scene> read;
@@ -183,6 +185,10 @@ bool is_model(const fs::path& path) {
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
-void convert_model(const ConvertArguments& a, const std::string& to) { Conversion(a, to).run(); }
+bool convert_model(const ConvertArguments& a, const std::string& to) {
+  Conversion conversion(a, to);
+  conversion.run();
+  return conversion.is_complete();
+}
 
 }  // namespace oriel::app

@@ -6,9 +6,14 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "support/files.h"
 
@@ -16,6 +21,28 @@ namespace oriel {
 namespace durable_file_test {
 
 namespace fs = std::filesystem;
+
+/// What the calls of fsync() found; they fail while `error` is not 0.
+struct Flushes {
+  int error = 0;
+  std::string target;                ///< file that is observed
+  std::vector<std::string> content;  ///< of the target at each call
+};
+Flushes flushes;
+
+}  // namespace durable_file_test
+}  // namespace oriel
+
+/// Replaces the function of the C library in this program.
+extern "C" int fsync(int file) {
+  using oriel::durable_file_test::flushes;
+  if (!flushes.target.empty()) flushes.content.push_back(oriel::text_of(flushes.target));
+  if (flushes.error != 0) return errno = flushes.error, -1;
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
+
+namespace oriel {
+namespace durable_file_test {
 
 /// Limits the size of files that this process writes; the write fails instead of a signal.
 class FileSizeLimit {
@@ -49,6 +76,21 @@ TEST(DurableFile, ReplacesTheTargetOnlyWhenCommitted) {
   EXPECT_EQ(text_of(path), "old") << "a file without commit is dropped";
   EXPECT_EQ(folder.count(), 1) << "and its temporary file is removed";
   write_durably(path, "new");
+  EXPECT_EQ(text_of(path), "new");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(DurableFile, DataAreOnTheDiskBeforeTheTargetIsReplaced) {
+  const TestFolder folder;
+  const std::string path = folder.file("a.txt");
+  write_durably(path, "old");
+  flushes = {.target = path};
+  write_durably(path, "new");
+  EXPECT_EQ(flushes.content, (std::vector<std::string>{"old", "new"}))
+      << "the file, then its folder";
+  flushes = {.error = EIO};
+  EXPECT_THROW(write_durably(path, "lost"), std::runtime_error);
+  flushes = {};
   EXPECT_EQ(text_of(path), "new");
   EXPECT_EQ(folder.count(), 1);
 }

@@ -60,7 +60,7 @@ std::string TextureMaker::relative(const std::string& path) const {
   return inside.string();
 }
 
-std::string TextureMaker::file_of(const aiScene& model, const std::string& written) {
+std::optional<std::string> TextureMaker::file_of(const aiScene& model, const std::string& written) {
   const auto [picture, index] = model.GetEmbeddedTextureAndIndex(written.c_str());
   if (!picture) {
     // Exporters write backslashes and absolute paths of their own machine.
@@ -69,28 +69,28 @@ std::string TextureMaker::file_of(const aiScene& model, const std::string& writt
          {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()})
       if (std::error_code error; fs::is_regular_file(candidate, error))
         return relative(candidate.string());
-    return {};
+    return "";
   }
-  std::error_code error;
-  if (fs::is_symlink(options_.texture_folder, error)) return {};
-  fs::create_directories(options_.texture_folder, error);
   const fs::path path =
       fs::path(options_.texture_folder) / fmt::format("texture_{}.{}", index, suffix_of(*picture));
   const std::string content =
       picture->mHeight > 0
           ? targa_of(*picture)
           : std::string(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
-  if (content.empty()) return {};
+  if (content.empty()) return "";
   try {
+    std::error_code error;
+    if (fs::is_symlink(options_.texture_folder, error))
+      throw std::runtime_error("its folder is a symbolic link");
+    fs::create_directories(options_.texture_folder, error);
     check_picture_target(path.string());
     DurableFile file(path.string());
     file.write(content);
     file.commit();
   } catch (const std::runtime_error& e) {
-    diagnostics_.warning(
-        "OR-MD-023", {},
-        fmt::format("texture '{}' cannot be written and is ignored: {}", path.string(), e.what()));
-    return {};
+    diagnostics_.error("OR-MD-023", {},
+                       fmt::format("cannot write the texture '{}': {}", path.string(), e.what()));
+    return std::nullopt;
   }
   return relative(path.string());
 }
@@ -99,7 +99,9 @@ std::string TextureMaker::picture(const aiScene& model, const std::string& writt
                                   const std::string& user) {
   const auto [known, is_new] = pictures_.try_emplace({written, holds});
   if (!is_new) return known->second;
-  const std::string file = file_of(model, written);
+  const std::optional<std::string> found = file_of(model, written);
+  if (!found) return {};
+  const std::string& file = *found;
   if (file.empty()) {
     diagnostics_.warning(
         "OR-MD-004", {},

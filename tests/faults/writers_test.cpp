@@ -3,6 +3,7 @@
 #include "fault_test.h"
 #include "image/exr.h"
 #include "image/files.h"
+#include "models/testing/model_file.h"
 
 namespace oriel {
 namespace writers_test {
@@ -66,6 +67,26 @@ TEST_F(Writers, ReportsTablesAndScenesSurviveEverySizeLimit) {
   sweep({"convert", "scene.mi", "copy.glb"}, "copy.glb");
   write("quad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   sweep({"convert", "quad.obj", "quad.mi", "--daylight", "-q"}, "quad.mi");
+}
+
+// acceptance: Z3
+TEST_F(Writers, TexturesOfModelsSurviveEverySizeLimit) {
+  Image image(64, 64, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = float(i * 7919 % 1009) / 1009;
+  write_image(file("in.png"), image);
+  write("chair.gltf", models::testing::gltf(
+                          R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}})", "",
+                          R"("textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)" +
+                              models::testing::base64(text_of(file("in.png"))) + R"("}],)"));
+  sweep({"convert", "chair.gltf", "chair.mi", "--daylight", "-q"},
+        "./chair_textures/texture_0.png");
+  EXPECT_TRUE(bytes_of(file("chair_textures/texture_0.png")) == bytes_of(file("in.png")));
+  std::filesystem::rename(file("chair_textures"), file("elsewhere"));
+  std::filesystem::create_directory_symlink("elsewhere", file("chair_textures"));
+  write("elsewhere/texture_0.png", "old");
+  EXPECT_EQ(run({"convert", "chair.gltf", "chair.mi", "--daylight"}).exit_code, 1);
+  EXPECT_EQ(text_of(file("elsewhere/texture_0.png")), "old");
 }
 
 // acceptance: Z3
