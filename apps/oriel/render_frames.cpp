@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "base/parallel.h"
@@ -314,7 +315,10 @@ class FrameRenderer {
     auto clean = std::make_shared<Image>();
     if (denoised_.empty() && !a_.keep_outliers &&
         std::any_of(files_.begin(), files_.end(), is_for_display))
-      *clean = beauty_without_outliers(*session_);
+      try {
+        *clean = beauty_without_outliers(*session_);
+      } catch (const std::bad_alloc&) {  // the pictures keep their outliers
+      }
     return [this, clean](const PictureFile& file) {
       const Image* colors = !denoised_.empty()                        ? &denoised_
                             : is_for_display(file) && !clean->empty() ? clean.get()
