@@ -132,6 +132,14 @@ void write_durably(const std::string& path, std::string_view content, mode_t per
   throw std::runtime_error(fmt::format("cannot write '{}': {}", path, e.what()));
 }
 
+std::string own_file_fault(const std::string& path, std::string_view magic, std::string_view kind) {
+  if (fs::path(path).filename().string().starts_with('.'))
+    return "names that begin with a dot are not allowed; choose another name";
+  const std::string before = first_bytes(path, magic.size());
+  if (before.empty() || before == magic) return {};
+  return fmt::format("it exists and is not a {}; remove it or choose another name", kind);
+}
+
 std::string first_bytes(const std::string& path, std::size_t count) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return {};

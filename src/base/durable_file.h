@@ -55,6 +55,10 @@ std::string target_fault(const std::string& path);
 /// Replaces the file by this content. Errors as DurableFile, with the path.
 void write_durably(const std::string& path, std::string_view content, mode_t permissions = 0666);
 
+/// Why a file of Oriel's own format, which begins with `magic`, may not be written to `path`:
+/// another file is there, or the name begins with a dot. Empty if it may. `kind` names the format.
+std::string own_file_fault(const std::string& path, std::string_view magic, std::string_view kind);
+
 /// Up to `count` first bytes of a regular file, without following a link; empty if there is none.
 std::string first_bytes(const std::string& path, std::size_t count);
 

@@ -155,6 +155,18 @@ TEST(DurableFile, NamesOfTheLargestLengthAreWritten) {
   EXPECT_THROW(write_durably(folder.file(longest + "x"), "text"), std::runtime_error);
 }
 
+TEST(DurableFile, OwnFormatsReplaceOnlyTheirOwnFiles) {
+  const TestFolder folder;
+  const auto fault = [&](const char* name) {
+    return own_file_fault(folder.file(name), "MAGIC", "map");
+  };
+  write_durably(folder.file("own"), "MAGIC and data");
+  write_durably(folder.file("other"), "MAGI");
+  write_durably(folder.file("empty"), "");
+  for (const char* name : {"own", "empty", "new"}) EXPECT_EQ(fault(name), "") << name;
+  for (const char* name : {"other", ".hidden"}) EXPECT_NE(fault(name), "") << name;
+}
+
 TEST(DurableFile, FirstBytesAreOfRegularFilesOnly) {
   const TestFolder folder;
   write_durably(folder.file("a"), "abcdef");

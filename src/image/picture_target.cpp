@@ -11,7 +11,7 @@
 namespace oriel {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 /// First bytes of picture files. Source: the specifications of the formats.
 constexpr std::array kMagics = {

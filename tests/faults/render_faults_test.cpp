@@ -46,7 +46,7 @@ TEST_F(RenderFaults, AFailingOutputKeepsTheOthersAndItsSamples) {
 // acceptance: Z1
 TEST_F(RenderFaults, AnOutputThatFailsAtFirstIsTriedAgain) {
   fs::create_directory(file("late.exr"));
-  const pid_t child = start_render({"-o", "late.exr", "-o", "good.exr", "--time", "1.5", "--json"});
+  const pid_t child = start_render({"-o", "late.exr", "-o", "good.exr", "--time", "3", "--json"});
   ASSERT_TRUE(wait_for_text("\"stage\":\"picture\""));
   fs::remove(file("late.exr"));
   const RunResult r = finish(child);
@@ -58,8 +58,7 @@ TEST_F(RenderFaults, AnOutputThatFailsAtFirstIsTriedAgain) {
 // acceptance: Z1
 TEST_F(RenderFaults, ALostFolderLeavesThePictureInTheTemporaryFolder) {
   fs::create_directory(file("out"));
-  const pid_t child =
-      start_render({"-o", "out/a.exr", "-o", "good.exr", "--time", "1.5", "--json"});
+  const pid_t child = start_render({"-o", "out/a.exr", "-o", "good.exr", "--time", "3", "--json"});
   ASSERT_TRUE(wait_for_text("\"stage\":\"picture\""));
   fs::remove(file("out"));
   write("out", "now a file");

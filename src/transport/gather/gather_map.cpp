@@ -156,10 +156,9 @@ bool save_gather_map(std::span<const GatherRecord> records, const std::string& p
   if (records.size() > kMaxGatherRecords)
     return failed(fmt::format("it has more than {} points", kMaxGatherRecords));
   try {
-    const std::string before = first_bytes(path, sizeof kMagic);
-    if (!before.empty() && before != std::string_view(kMagic, sizeof kMagic))
-      return failed(
-          "it exists and is not a final gather map of Oriel; remove it or choose another name");
+    const std::string fault =
+        own_file_fault(path, {kMagic, sizeof kMagic}, "final gather map of Oriel");
+    if (!fault.empty()) return failed(fault);
     DurableFile out(path);
     write_records(records, out);
     out.commit();

@@ -50,10 +50,9 @@ std::vector<Photon> read_photons(std::ifstream& in, std::uint64_t count, const s
 }  // namespace
 
 void save_photon_maps(const std::string& path, const PhotonMaps& maps) try {
-  const std::string before = first_bytes(path, sizeof kPhotonMagic);
-  if (!before.empty() && before != std::string_view(kPhotonMagic, sizeof kPhotonMagic))
-    throw std::runtime_error(
-        "it exists and is not a photon map of Oriel; remove it or choose another name");
+  const std::string fault =
+      own_file_fault(path, {kPhotonMagic, sizeof kPhotonMagic}, "photon map of Oriel");
+  if (!fault.empty()) throw std::runtime_error(fault);
   DurableFile out(path);
   PhotonHeader header{
       {}, kPhotonVersion, kPhotonByteOrder, maps.global.size(), maps.caustic.size()};
