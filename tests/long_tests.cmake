@@ -10,6 +10,11 @@ set_tests_properties(
   PortalRoom.HasTheLightOfAnHdrPictureOnEveryWall
   PortalRoom.HasTheLightOfThePhysicalSkyOnEveryWall
   OutputsProgram.EveryFormatThatIsNamedIsWritten
+  Writers.EveryPictureFormatSurvivesEverySizeLimit
+  RenderFaults.TheOldPictureIsThereUntilTheNewOneIsFinished
+  RenderFaults.InterruptionAfterAPassReplacesTheFile
+  RenderFaults.LiveWritesPassesToTheFileItself
+  RenderFaults.InterruptionInTheFirstPassKeepsTheOldPicture
   PhotonEmission.MeasuredLightsSendByTheirProfile
   PhotonTrace.PhotonsAndPathsGiveTheSameIndirectLight
   EnvBlur.OneLookUpIsWhatManyRaysConvergeTo

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <map>
 
+#include "base/durable_file.h"
 #include "check_html.h"
 #include "check_shaders.h"
 #include "check_thumbnail.h"
@@ -264,9 +264,7 @@ void write_report(const CheckArguments& a, const sdk::TrustedFolders& trusted, c
                   scene::Scene& scene, bool renders) {
   std::string why = "the scene cannot be read";
   const std::string picture = renders ? thumbnail(scene, trusted, why) : std::string();
-  std::ofstream file(a.report, std::ios::binary);
-  file << check_html(facts, picture, why);
-  if (!file.flush()) throw UserError(fmt::format("cannot write '{}'", a.report));
+  write_durably(a.report, check_html(facts, picture, why));
 }
 
 int run_check(const CheckArguments& a) {

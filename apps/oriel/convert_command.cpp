@@ -46,8 +46,7 @@ int run_convert(const ConvertArguments& a) {
     throw UsageError(fmt::format("{}: the name of the result ends in .mi or .glb", a.output));
   if (fs::exists(a.output) && fs::equivalent(a.model, a.output))
     throw UsageError("the result would overwrite its input");
-  convert_model(a, a.output);
-  return kExitDone;
+  return convert_model(a, a.output) ? kExitDone : kExitFailed;
 }
 
 int run_quick(QuickArguments a) {
@@ -58,14 +57,15 @@ int run_quick(QuickArguments a) {
   if (fs::exists(scene) && fs::equivalent(a.model, scene))
     throw UsageError("the scene would overwrite the model");
   a.daylight = a.sky.empty();
-  convert_model(a, scene.string());
+  const bool converted = convert_model(a, scene.string());
   // The very command that a user would type next.
   CLI::App program;
   const Command render = add_render_command(program);
   std::vector<std::string> words = a.render_words(scene.string());
   std::reverse(words.begin(), words.end());  // as CLI11 expects them
   program.parse(words);
-  return render.run();
+  const int code = render.run();
+  return converted ? code : kExitFailed;
 }
 
 void add_shared(CLI::App& command, ConvertArguments& a) {
@@ -89,6 +89,8 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
   command.add_option("--sky-rotation", a.sky_rotation,
                      "Rotation of --sky about the vertical in degrees (default 0)");
   command.add_flag("-q,--quiet", a.quiet, "Only warnings and errors");
+  command.add_flag("--force", a.force,
+                   "Replace a .mi file that was not written by quick or convert, or was edited");
   command
       .add_option("--emission-scale", a.emission_scale,
                   "Factor of the emission of materials (default 683 for files of Blender, else 1)")

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 
+#include "base/durable_file.h"
 #include "command.h"
 #include "light_meter.h"
 #include "mi/reader.h"
@@ -46,6 +46,8 @@ models::DaylightOptions daylight_options(const ConvertArguments& a) {
   return options;
 }
 
+bool is_glb(const fs::path& path) { return path.extension() == ".glb"; }
+
 scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
   SceneArguments arguments;
   arguments.path = path;
@@ -54,18 +56,15 @@ scene::Scene read_mi(const std::string& path, Diagnostics& diagnostics) {
   return mi::read_all(reader);
 }
 
-/// Whether all of it was written; beside the target and renamed over it.
-bool write_file(const std::string& path, const std::string& bytes) {
-  const std::string part = path + ".part";
-  {
-    std::ofstream file(part, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) return false;
-  }
+/// A scene may contain hours of work: it is replaced only if a conversion wrote it.
+void check_scene_target(const std::string& path, bool force) {
   std::error_code error;
-  fs::rename(part, path, error);
-  return !error;
+  if (force || is_glb(path) || !fs::exists(path, error) || fs::file_size(path, error) == 0) return;
+  if (!mi::is_unedited_scene(path))
+    throw UserError(
+        fmt::format("'{}' exists and was written or edited by someone else; it is kept: choose "
+                    "another name, or replace it with --force",
+                    path));
 }
 
 /// One conversion, with what it says.
@@ -78,6 +77,7 @@ class Conversion {
     const std::string folder = output.parent_path().empty() ? "." : output.parent_path().string();
     if (!fs::is_directory(folder))
       throw UserError(fmt::format("cannot write '{}': there is no folder '{}'", to_, folder));
+    check_scene_target(to_, a_.force);
     if (is_mi(a_.model)) {
       scene_ = read_mi(a_.model, diagnostics_);
       write();
@@ -96,12 +96,14 @@ class Conversion {
     if (a_.daylight) models::add_daylight(scene_, options);
     if (!a_.sky.empty()) models::add_sky(scene_, a_.sky, a_.sky_rotation);
     write();
-    if (fs::path(to_).extension() == ".glb") return;  // glTF has no exposure
+    if (is_glb(to_)) return;  // glTF has no exposure
     if (!a_.daylight)
       expose();
     else if (of_file)
       expose_in_daylight(options);
   }
+
+  bool is_complete() const { return !diagnostics_.has("OR-MD-023"); }
 
  private:
   void read(Diagnostics& diagnostics) {
@@ -116,9 +118,9 @@ class Conversion {
   }
 
   void write() {
-    const bool written = fs::path(to_).extension() == ".glb"
-                             ? write_file(to_, models::gltf::write_glb(scene_, diagnostics_))
-                             : mi::write_scene(scene_, to_, diagnostics_);
+    const bool glb = is_glb(to_);
+    if (glb) write_durably(to_, models::gltf::write_glb(scene_, diagnostics_));
+    const bool written = glb || mi::write_scene(scene_, to_, diagnostics_);
     printer_.print_new();
     if (!written) throw UserError(fmt::format("cannot write '{}'", to_));
   }
@@ -183,6 +185,10 @@ bool is_model(const fs::path& path) {
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
-void convert_model(const ConvertArguments& a, const std::string& to) { Conversion(a, to).run(); }
+bool convert_model(const ConvertArguments& a, const std::string& to) {
+  Conversion conversion(a, to);
+  conversion.run();
+  return conversion.is_complete();
+}
 
 }  // namespace oriel::app

@@ -17,6 +17,7 @@ struct ConvertArguments {
   std::string sky;         ///< picture of the environment; empty: none
   float sky_rotation = 0;  ///< degrees
   bool daylight = false, quiet = false;
+  bool force = false;  ///< replace a scene that the user wrote or edited
 };
 
 bool is_mi(const std::filesystem::path& path);
@@ -29,8 +30,11 @@ bool is_model(const std::filesystem::path& path);
 ///          the model's own lights a light meter exposes. In daylight the exposure is that of a
 ///          sunny day; for a camera of the file that of the meter, and where
 ///          next to no light comes, as inside of what is closed, the camera is one of our own.
-/// Errors:  UserError where something cannot be read or written; OR-MD-007, OR-MD-013.
+/// Returns: whether all textures of the model were written, too.
+/// Errors:  UserError where something cannot be read or written, or where the scene exists and is
+/// not
+///          an unedited result of a conversion; OR-MD-007, OR-MD-013.
 /// Checked: ConvertTest.*
-void convert_model(const ConvertArguments& a, const std::string& to);
+bool convert_model(const ConvertArguments& a, const std::string& to);
 
 }  // namespace oriel::app

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.h"
 
-#include <csignal>
+#include <signal.h>
 
 namespace oriel::app {
 namespace {
 
 std::atomic<bool> flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not touch it
+std::atomic<int> requests{0};
+// Otherwise a signal handler may not use them.
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void on_signal(int number) {
   flag = true;
-  std::signal(number, SIG_DFL);
+  // A closed terminal sends SIGHUP several times, and after SIGTERM.
+  if (requests++ == 0 || number == SIGHUP) return;
+  ::signal(number, SIG_DFL);
+  ::raise(number);  // takes effect when the handler returns
 }
 
 }  // namespace
@@ -19,8 +24,17 @@ void on_signal(int number) {
 std::atomic<bool>& interrupted() { return flag; }
 
 void catch_interrupts() {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    // nohup ignores SIGHUP, and this remains so.
+    if (number == SIGHUP && sigaction(number, nullptr, &before) == 0 &&
+        before.sa_handler == SIG_IGN)
+      continue;
+    sigaction(number, &action, nullptr);
+  }
 }
 
 }  // namespace oriel::app

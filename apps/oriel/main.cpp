@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "command.h"
 #include "convert_model.h"
+#include "process_streams.h"
 #include "suggest.h"
 
 namespace {
@@ -22,9 +24,7 @@ int usage_error(const std::string& message, const std::string& command) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   using namespace oriel::app;
   CLI::App program("Oriel renders mental ray scenes with the architectural shader library.",
                    "oriel");
@@ -55,7 +55,12 @@ int main(int argc, char** argv) {
       return command.run();
     }
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return program.exit(e);  // --help, --version
+    if (e.get_exit_code() == 0) {  // --help, --version
+      std::ostringstream text;
+      const int code = program.exit(e, text, text);
+      fmt::print("{}", text.str());
+      return code;
+    }
     for (const Command& command : commands)
       if (command.app->parsed()) chosen = command.app->get_name();
     return usage_error(usage_message(program, e, {argv + 1, argv + argc}), chosen);
@@ -67,4 +72,11 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "oriel: {}\n", first_line(e.what()));
   }
   return kExitFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  oriel::app::prepare_process();
+  return oriel::app::close_streams(run_program(argc, argv));
 }

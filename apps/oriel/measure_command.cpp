@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 #include "analysis/measure.h"
+#include "base/durable_file.h"
 #include "base/math.h"
 #include "base/parallel.h"
 #include "color/luminance.h"
@@ -258,15 +258,14 @@ void print_spot(const SpotReading& r, float unit, const char* length) {
 }
 
 void write_csv(const std::string& path, const Measurement& m) {
-  std::ofstream file(path);
-  file << "x,y,z,nx,ny,nz,lux,half_width,samples\n";
+  std::string text = "x,y,z,nx,ny,nz,lux,half_width,samples\n";
   for (std::size_t i = 0; i < m.readings.size(); ++i) {
     const Vec3 p = m.places.sensors[i].position * m.length_unit, n = m.places.sensors[i].normal;
     const Reading& r = m.readings[i];
-    file << fmt::format("{},{},{},{},{},{},{:.7g},{:.4g},{}\n", p.x, p.y, p.z, n.x, n.y, n.z,
+    text += fmt::format("{},{},{},{},{},{},{:.7g},{:.4g},{}\n", p.x, p.y, p.z, n.x, n.y, n.z,
                         r.value, r.half_width, r.samples);
   }
-  if (!file.flush()) throw UserError(fmt::format("cannot write '{}'", path));
+  write_durably(path, text);
 }
 
 /// The first frame of the scene, prepared, with the objects that its shaders use.

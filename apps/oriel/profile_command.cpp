@@ -4,13 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/durable_file.h"
 #include "base/math.h"
 #include "command.h"
-#include "image/atomic_file.h"
 #include "photometry/profile_file.h"
 #include "profile_plot.h"
-
-#include <fstream>
 
 namespace oriel::app {
 namespace {
@@ -117,11 +115,7 @@ int run_profile(const ProfileArguments& a) {
     if (a.plot.size() < 4 || a.plot.substr(a.plot.size() - 4) != ".svg")
       throw UsageError(fmt::format("-o {}: plots are .svg files", a.plot));
     const std::string title = data.report.luminaire.empty() ? a.file : data.report.luminaire;
-    write_atomically(a.plot, [&](const std::string& path) {
-      std::ofstream file(path);
-      file << polar_plot(profile, title);
-      if (!file.flush()) throw UserError("cannot write '" + a.plot + "'");
-    });
+    write_durably(a.plot, polar_plot(profile, title));
   }
   if (a.json)
     fmt::print(

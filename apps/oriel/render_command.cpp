@@ -92,13 +92,18 @@ Command add_render_command(CLI::App& program) {
   app->add_option("--samples", a->samples, "Samples per pixel (default: from the scene)");
   app->add_option("--noise", a->noise,
                   "Stop when the estimated noise of the picture is below this, e.g. 0.02");
-  app->add_option("--time", a->time, "Time limit in seconds (default none)");
+  app->add_option("--time", a->time,
+                  "Time limit in seconds from the start of the program, for later frames from the "
+                  "end of the one before (default none). At least one pass is completed");
   app->add_option("--frames", a->frames,
                   "Frames (render statements) to render, counted from 1: 1..20, 3,7,12..15 or 8.. "
                   "(default all)")
       ->type_name("A..B");
   app->add_flag("--skip-existing", a->skip_existing,
                 "Skip frames whose files all exist, complete or not");
+  app->add_flag("--live", a->live,
+                "Write the picture in progress to the output file itself instead of "
+                "NAME.part.exr, which replaces the file at the end");
   app->add_option(
       "--gi", a->gi,
       "Method of indirect light: path, fg, photons, fg+photons or scene (default scene)");

@@ -6,11 +6,13 @@
 
 #include <chrono>
 #include <filesystem>
-#include <set>
+#include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "base/parallel.h"
 #include "denoiser_option.h"
+#include "frame_pictures.h"
 #include "image/texture_statistics.h"
 #include "interrupt.h"
 #include "output/exposure_check.h"
@@ -18,6 +20,7 @@
 #include "output/output_names.h"
 #include "output/picture_metadata.h"
 #include "pictures.h"
+#include "process_streams.h"
 #include "progress_line.h"
 #include "render/indirect_plan.h"
 #include "render/unit_luminance.h"
@@ -64,7 +67,8 @@ class FrameRenderer {
         printer_(printer),
         code_(arguments.scene, diagnostics),
         roots_(plan.roots.value_or(roots_of(arguments.scene))),
-        line_(ProgressLine::style_for(a_.json, a_.quiet)) {}
+        line_(ProgressLine::style_for(a_.json, a_.quiet)),
+        pictures_(roots_, a_.live, diagnostics) {}
 
   /// Every frame passes here before it is rendered or not. False: it is not wanted.
   bool begin(const scene::RenderCommand& command, int frame) {
@@ -76,12 +80,13 @@ class FrameRenderer {
     return false;
   }
 
-  /// Both eyes of cameras that have two. False when there is nothing to render.
+  /// Both eyes of cameras that have two. False if the scene cannot be rendered. A frame whose files
+  /// cannot be written is skipped.
   bool render(const scene::RenderCommand& command, int frame, bool is_last) {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
     const std::vector<Eye> eyes = camera ? eyes_of(*camera) : std::vector{Eye::Middle};
     name_files(command, frame);  // an edit may have changed them
-    if (!try_files(command)) return false;
+    if (!pictures_.test(frame_files_.all(), command.where)) return true;
     for (const Eye eye : eyes)
       if (!interrupted() && !render(command, frame, eye, is_last && eye == eyes.back()))
         return false;
@@ -100,24 +105,6 @@ class FrameRenderer {
     const scene::Camera* camera = find_camera(scene_, command, plan_.prepare.camera);
     frame_files_.begin(frame, a_.outputs, camera, roots_,
                        fs::path(a_.scene.path).stem().string() + ".exr");
-  }
-
-  /// Tries to write the files of the frame before the time of rendering is spent. False: none can
-  /// be written.
-  bool try_files(const scene::RenderCommand& command) {
-    const std::vector<std::string> paths = frame_files_.all();
-    unwritable_.clear();
-    for (const std::string& path : paths) {
-      const std::string fault = output_fault(path, roots_);
-      if (!fault.empty()) report_unwritable(path, "cannot write '" + path + "': " + fault, command);
-    }
-    return unwritable_.size() < std::set(paths.begin(), paths.end()).size();
-  }
-
-  void report_unwritable(const std::string& path, std::string message,
-                         const scene::RenderCommand& command) {
-    if (unwritable_.insert(path).second)
-      diagnostics_.error("OR-RN-065", command.where, std::move(message));
   }
 
   bool render(const scene::RenderCommand& command, int frame, Eye eye, bool is_last) {
@@ -153,6 +140,7 @@ class FrameRenderer {
     settings.clamp = a_.clamp;
     settings.map_files = map_files();
     settings.diagnostics = &diagnostics_;
+    settings.started = begun_;
     session_.emplace(*world_, settings);
     last_write_ = Clock::now();
     const StopReason reason = session_->run(
@@ -166,10 +154,10 @@ class FrameRenderer {
           "the light group of light from map files, of interpolated reflections and of "
           "shaders that return finished colours is unknown; it is in the layer "
           "light_indirect");
-    if (a_.denoise && !world_->preview) denoise();
-    write_files();
+    write_pictures(reason);
     end_shaders();
     finish(reason);
+    begun_ = Clock::now();
     return true;
   }
 
@@ -301,36 +289,47 @@ class FrameRenderer {
     const double since = seconds_since(last_write_);
     if (since < kSecondsBetweenWrites || since * kWriteShare < write_seconds_) return;
     if (p.remaining && *p.remaining < kSecondsBetweenWrites) return;
-    write_files();
+    const Clock::time_point start = Clock::now();
+    pictures_.write_pass(files_, writer());
+    last_write_ = Clock::now();
+    write_seconds_ = seconds_since(start);
   }
 
-  void denoise() {
+  void write_pictures(StopReason reason) {
+    const Progress p = session_->progress();
+    const bool complete = p.pass > 0 || reason != StopReason::Cancelled;
+    state_ = complete                              ? PictureState::Complete
+             : session_->film().mean_samples() > 0 ? PictureState::FirstPass
+                                                   : PictureState::Empty;
+    if (a_.denoise && !world_->preview && complete) denoise_picture();
+    pictures_.write_final(files_, state_, writer());
+  }
+
+  void denoise_picture() try {
     DenoisedPicture picture = denoised_beauty(*session_, denoiser_of(a_.denoiser));
     denoised_ = std::move(picture.color);
     denoiser_ = std::move(picture.denoiser);
     if (!picture.note.empty())
       diagnostics_.warning("OR-RN-072", {}, picture.note, "Oriel's own denoiser was used");
+  } catch (const std::exception& e) {
+    diagnostics_.error("OR-RN-069", {}, fmt::format("the pictures are not denoised: {}", e.what()));
   }
 
-  void write_files() {
-    const Clock::time_point start = Clock::now();
-    Image clean;
+  /// Writes files of the film as it is now.
+  FramePictures::Writer writer() {
+    auto clean = std::make_shared<Image>();
     if (denoised_.empty() && !a_.keep_outliers &&
         std::any_of(files_.begin(), files_.end(), is_for_display))
-      clean = beauty_without_outliers(*session_);
-    for (const PictureFile& file : files_) {
-      if (unwritable_.contains(file.path)) continue;
       try {
-        const Image* colors = !denoised_.empty()                       ? &denoised_
-                              : is_for_display(file) && !clean.empty() ? &clean
-                                                                       : nullptr;
-        write_picture(file, *session_, describe(file), colors);
-      } catch (const std::runtime_error& error) {
-        report_unwritable(file.path, error.what(), scene_.renders.back());
+        *clean = beauty_without_outliers(*session_);
+      } catch (const std::bad_alloc&) {  // the pictures keep their outliers
       }
-    }
-    last_write_ = Clock::now();
-    write_seconds_ = seconds_since(start);
+    return [this, clean](const PictureFile& file) {
+      const Image* colors = !denoised_.empty()                        ? &denoised_
+                            : is_for_display(file) && !clean->empty() ? clean.get()
+                                                                      : nullptr;
+      write_picture(file, *session_, describe(file), colors);
+    };
   }
 
   /// Attributes of EXR files. Without --timestamps the same command gives the same bytes.
@@ -382,7 +381,7 @@ class FrameRenderer {
                             {"bytes_read", t.bytes_read},
                             {"bytes_held", t.bytes_held}};
       if (reason != StopReason::MapsOnly)
-        for (const std::string& file : written_files()) line["files"].push_back(file);
+        for (const std::string& file : pictures_.written()) line["files"].push_back(file);
       return print_json(line);
     }
     if (a_.quiet) return;
@@ -390,19 +389,16 @@ class FrameRenderer {
       fmt::print(stderr, "maps of indirect light alone, as the options ask: no picture\n");
       return;
     }
-    const std::vector<std::string> names = written_files();
+    if (state_ == PictureState::Empty) {
+      fmt::print(stderr, "interrupted before the first sample: no picture is written\n");
+      return;
+    }
+    const std::vector<std::string>& names = pictures_.written();
     if (names.empty()) return;
     fmt::print(stderr, "{}{}: {:.4g} samples{}, {}\n",
                reason == StopReason::Cancelled ? "interrupted, the picture so far: " : "",
                fmt::join(names, ", "), p.mean_samples,
                p.noise ? fmt::format(", noise {:.4f}", *p.noise) : "", duration_text(p.elapsed));
-  }
-
-  std::vector<std::string> written_files() const {
-    std::vector<std::string> names;
-    for (const PictureFile& file : files_)
-      if (!unwritable_.contains(file.path)) names.push_back(file.path);
-    return names;
   }
 
   const RenderArguments& a_;
@@ -421,7 +417,9 @@ class FrameRenderer {
   Image denoised_;        ///< empty until the render is done, or without --denoise
   std::string denoiser_;  ///< that made it
   std::vector<PictureFile> files_;
-  std::set<std::string> unwritable_;
+  FramePictures pictures_;
+  PictureState state_ = PictureState::Empty;
+  Clock::time_point begun_ = process_start();  ///< of the picture, for --time
   Clock::time_point last_write_;
   double write_seconds_ = 0;
   bool unit_is_known_ = false;  ///< cd/m2 of a pixel unit

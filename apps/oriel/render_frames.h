@@ -34,6 +34,7 @@ struct RenderArguments {
   std::optional<float> texture_cache;  ///< megabytes
   std::string frames;
   bool skip_existing = false;
+  bool live = false;  ///< passes are written to the files themselves
   bool denoise = false, linear = false, json = false, quiet = false;
   std::string denoiser;  ///< see denoiser_of()
   bool keep_outliers = false;
@@ -61,7 +62,7 @@ struct RenderPlan {
 /// Renders those frames that the plan asks for, in order.
 ///
 /// Inputs:  edit: what is done to the scene before each of them.
-/// Returns: the exit code; kExitFailed as well when Ctrl-C ended it.
+/// Returns: the exit code; kExitFailed as well when a signal ended it.
 /// Errors:  UserError when nothing is rendered at all.
 /// Checked: tests/cli
 int render_frames(mi::Reader& reader, const RenderArguments& arguments, const RenderPlan& plan,

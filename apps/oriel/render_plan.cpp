@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "denoiser_option.h"
 #include "numbers.h"
 #include "render/integrator.h"
 #include "suggest.h"
@@ -124,6 +125,10 @@ RenderPlan render_plan(const RenderArguments& a) {
   if (!a.exr.empty()) parse_exr(a.exr, plan);
   if (a.texture_cache && !(*a.texture_cache >= 16))
     throw UsageError("--texture-cache: expected at least 16 MB");
+  if (a.denoise && denoiser_of(a.denoiser) == Denoiser::Oidn && !has_oidn())
+    throw UserError(
+        "--denoiser oidn: the library of Open Image Denoise was not found; install it, or set "
+        "ORIEL_OIDN_LIBRARY to its path");
   if (a.denoise && a.samples && *a.samples < 2)
     throw UsageError("--denoise requires at least 2 samples to estimate the noise");
   plan.session.budget = {a.samples, a.noise, a.time};

@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <optional>
 
+#include "base/durable_file.h"
 #include "base/file_text.h"
-#include "image/atomic_file.h"
 #include "mi/number.h"
 #include "scene/asset_path.h"
 #include "shader_build.h"
@@ -158,8 +157,7 @@ void SceneCode::link(const scene::Statement& command, scene::Scene& scene) {
     if (!fs::exists(library, error)) {
       if (source.empty()) {
         source = cache_ / (name + ".c");
-        write_atomically(source.string(),
-                         [&](const std::string& path) { std::ofstream(path) << text; });
+        write_durably(source.string(), text);
       }
       build_shaders(
           {.sources = find_shader_sources({source.string()}), .output = library.string()});

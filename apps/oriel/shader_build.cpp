@@ -8,9 +8,10 @@
 #include <map>
 #include <set>
 
+#include "base/durable_file.h"
+#include "base/file_text.h"
 #include "base/temporary_folder.h"
 #include "command.h"
-#include "image/atomic_file.h"
 #include "include_shim.h"
 #include "shader_link.h"
 #include "shader_sources.h"
@@ -183,9 +184,7 @@ std::vector<BuiltLibrary> build_shaders(const ShaderBuild& build) {
   }
   if (build.each) fs::create_directories(build.output);
   for (std::size_t i = 0; i < built.size(); ++i)
-    write_atomically(built[i].path, [&](const std::string& path) {
-      fs::copy_file(work.file(fmt::format("{}.so", i)), path, fs::copy_options::overwrite_existing);
-    });
+    write_durably(built[i].path, file_text(work.file(fmt::format("{}.so", i))), 0777);
   print_hints(hints);
   return built;
 }

@@ -30,6 +30,10 @@ constexpr int kErrorRadius = 4, kChoiceRadius = 2;
 /// its own noise too closely.
 constexpr int kBandwidthAlone = 1;
 
+constexpr char kNoOidn[] =
+    "the library of Open Image Denoise was not found; install it, or set ORIEL_OIDN_LIBRARY to its "
+    "path";
+
 /// The mean of one half of the samples, with twice the variance of the whole.
 Estimate half_of(const Noisy& noisy, float sign) {
   Estimate e{noisy.mean, noisy.variance};
@@ -186,15 +190,14 @@ DenoiseInput denoise_input(const std::vector<Layer>& layers) {
           image("Z")};
 }
 
+bool has_oidn() { return Oidn::find() != nullptr; }
+
 DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptions& options) {
   const Noisy noisy = denoising::prepare(input, options);
   DenoisedPicture out;
   Filtered filtered;
   const Oidn* oidn = options.denoiser == Denoiser::Own ? nullptr : Oidn::find();
-  if (options.denoiser == Denoiser::Oidn && !oidn)
-    throw std::runtime_error(
-        "the library of Open Image Denoise was not found; install it, or set ORIEL_OIDN_LIBRARY to "
-        "its path");
+  if (options.denoiser == Denoiser::Oidn && !oidn) throw std::runtime_error(kNoOidn);
   if (oidn) {
     try {
       filtered = filter_by(*oidn, noisy, input.albedo && input.normal);

@@ -28,6 +28,9 @@ enum class Denoiser {
   Best   ///< Oidn if its library is there and works, else Own
 };
 
+/// Whether the library of Open Image Denoise is there.
+bool has_oidn();
+
 struct DenoiseOptions {
   Denoiser denoiser = Denoiser::Own;
   /// Patch difference, relative to noise, up to which patches count as equal; scales both

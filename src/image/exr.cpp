@@ -6,6 +6,7 @@
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfIntAttribute.h>
 #include <ImfMatrixAttribute.h>
@@ -27,7 +28,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "image/atomic_file.h"
+#include "base/durable_file.h"
+#include "image/picture_target.h"
 
 namespace oriel {
 namespace {
@@ -139,6 +141,20 @@ void check_layers(const std::string& path, const std::vector<Layer>& layers) {
   }
 }
 
+/// Writes to a file that remembers errors: the destructor of Imf::OutputFile ignores them.
+class ExrStream final : public Imf::OStream {
+ public:
+  ExrStream(DurableFile& file, const std::string& path) : OStream(path.c_str()), file_(file) {}
+  void write(const char data[], int size) override {
+    file_.write(data, static_cast<std::size_t>(size));
+  }
+  std::uint64_t tellp() override { return file_.position(); }
+  void seekp(std::uint64_t position) override { file_.seek(position); }
+
+ private:
+  DurableFile& file_;
+};
+
 void write_file(const std::string& path, const std::vector<Layer>& layers,
                 const ExrOptions& options) {
   const Image& first = layers.front().image;
@@ -171,9 +187,15 @@ void write_file(const std::string& path, const std::vector<Layer>& layers,
                                     size * image.channels, size * image.channels * image.width));
     }
   }
-  Imf::OutputFile file(path.c_str(), header, std::max(0, options.threads));
-  file.setFrameBuffer(frame);
-  file.writePixels(w.y1 - w.y0);
+  check_picture_target(path);
+  DurableFile file(path);
+  {
+    ExrStream stream(file, path);
+    Imf::OutputFile output(stream, header, std::max(0, options.threads));
+    output.setFrameBuffer(frame);
+    output.writePixels(w.y1 - w.y0);
+  }
+  file.commit();
 }
 
 struct Extent {
@@ -333,7 +355,7 @@ void write_exr(const std::string& path, const std::vector<Layer>& layers,
   check_layers(path, layers);
   try {
     if (options.threads > Imf::globalThreadCount()) Imf::setGlobalThreadCount(options.threads);
-    write_atomically(path, [&](const std::string& t) { write_file(t, layers, options); });
+    write_file(path, layers, options);
   } catch (const std::exception& e) {
     fail("write", path, e.what());
   }

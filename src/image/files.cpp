@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "image/atomic_file.h"
+#include "base/durable_file.h"
 #include "image/exr.h"
 #include "image/module.h"
+#include "image/picture_target.h"
 #include "image/png.h"
 
 namespace oriel {
@@ -53,7 +54,7 @@ Image read_image(const std::string& path) {
 void write_image(const std::string& path, const Image& image, const FileOptions& options) {
   if (image.empty() || image.channels < 1 || image.channels > 4)
     throw std::runtime_error("cannot write '" + path + "': a picture has 1 to 4 channels");
-  const std::string extension = extension_of(path);
+  const std::string extension = options.type.empty() ? extension_of(path) : "." + options.type;
   if (extension == ".exr") return write_plain_exr(path, image, options);
   if (extension == ".png") {
     PngOptions png;
@@ -63,8 +64,14 @@ void write_image(const std::string& path, const Image& image, const FileOptions&
     return write_png(path, image, png);
   }
   try {
-    FilesModule& module = files_module();
-    write_atomically(path, [&](const std::string& t) { module.write(t, image, options); });
+    if (extension.size() < 2) throw std::runtime_error("the name has no extension");
+    check_picture_target(path);
+    FileOptions typed = options;
+    typed.type = extension.substr(1);
+    const std::string content = files_module().encode(image, typed);
+    DurableFile file(path);
+    file.write(content);
+    file.commit();
   } catch (const std::exception& e) {
     throw std::runtime_error("cannot write '" + path + "': " + e.what());
   }

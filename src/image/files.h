@@ -22,6 +22,7 @@ struct FileOptions {
   int jpeg_quality = 95;  ///< 1 ... 100
   bool dither = false;    ///< for 8-bit pictures
   bool srgb = false;      ///< PNG: records that values are colours encoded for sRGB displays
+  std::string type = {};  ///< file type as an extension ("png"); empty: from the path
 };
 
 /// Reads up to four channels of the first picture in the file.
@@ -31,9 +32,10 @@ struct FileOptions {
 /// Checked: Files.*
 Image read_image(const std::string& path);
 
-/// Selects the format by the extension of `path`: .exr (half or float), .png (8 or 16 bit), and the
-/// formats of the files module: .tif, .jpg, .hdr, .tga, .bmp, .iff, .pic, ... Writes atomically.
-/// Integer formats clip to 0...1; file types without alpha drop it.
+/// Selects the format by FileOptions::type or the extension of `path`: .exr (half or float), .png
+/// (8 or 16 bit), and the formats of the files module: .tif, .jpg, .hdr, .tga, .bmp, .iff, .pic,
+/// ... The file is replaced as a whole (DurableFile), and only if it is a picture
+/// (picture_fault()). Integer formats clip to 0...1; file types without alpha drop it.
 ///
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: Files.*

@@ -21,7 +21,9 @@ class FilesModule {
 
   /// The functions throw std::runtime_error with the reason only, without the path.
   virtual Image read(const std::string& path) = 0;
-  virtual void write(const std::string& path, const Image& image, const FileOptions& options) = 0;
+  /// The content of a file of the type options.type, which must not be empty. In memory, because
+  /// the writers ignore some errors of the disk.
+  virtual std::string encode(const Image& image, const FileOptions& options) = 0;
   virtual std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) = 0;
 
   virtual void apply_ocio(Image& image, const OcioTransform& transform) = 0;
@@ -30,7 +32,7 @@ class FilesModule {
   virtual TextureStatistics texture_statistics() = 0;
 };
 
-inline constexpr int kFilesModuleVersion = 3;
+inline constexpr int kFilesModuleVersion = 4;
 /// The only exported symbol of the module. It returns null when the version differs. The object is
 /// never destroyed.
 using FilesModuleEntry = FilesModule* (*)(int version);

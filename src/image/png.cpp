@@ -12,8 +12,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "image/atomic_file.h"
+#include "base/durable_file.h"
 #include "image/dither.h"
+#include "image/picture_target.h"
 
 namespace oriel {
 namespace {
@@ -26,8 +27,8 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-File open_file(const std::string& path, const char* mode) {
-  File file(std::fopen(path.c_str(), mode));
+File open_file(const std::string& path) {
+  File file(std::fopen(path.c_str(), "rb"));
   if (!file) throw std::runtime_error("cannot open the file");
   return file;
 }
@@ -64,12 +65,24 @@ struct Session {
 
 // --- writing ---
 
-bool encode(Session& s, std::FILE* file, const Image& image, const PngOptions& options,
+void write_bytes(png_structp p, png_bytep data, std::size_t size) {
+  bool written = false;
+  try {
+    static_cast<DurableFile*>(png_get_io_ptr(p))->write(data, size);
+    written = true;
+  } catch (const std::exception&) {  // the file repeats the reason
+  }
+  if (!written) png_error(p, "the file cannot be written");
+}
+
+void flush_nothing(png_structp) {}
+
+bool encode(Session& s, DurableFile& file, const Image& image, const PngOptions& options,
             png_bytepp rows) {
   if (setjmp(png_jmpbuf(s.png))) return false;
   constexpr int kColourType[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                  PNG_COLOR_TYPE_RGB_ALPHA};
-  png_init_io(s.png, file);
+  png_set_write_fn(s.png, &file, write_bytes, flush_nothing);
   png_set_user_limits(s.png, kLargestPngSide, kLargestPngSide);
   png_set_IHDR(s.png, s.info, image.width, image.height, options.bits,
                kColourType[image.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
@@ -109,12 +122,14 @@ void write_file(const std::string& path, const Image& image, const PngOptions& o
   std::vector<png_byte> data = quantised(image, options);
   std::vector<png_bytep> rows(image.height);
   for (int y = 0; y < image.height; ++y) rows[y] = data.data() + y * row_bytes;
-  File file = open_file(path, "wb");
+  check_picture_target(path);
+  DurableFile file(path);
   Session s(false);
   if (!s.info) throw std::runtime_error("libpng initialisation failed");
-  if (!encode(s, file.get(), image, options, rows.data())) throw std::runtime_error(s.message);
-  // A full disk is reported only when the buffers are flushed.
-  if (std::fclose(file.release()) != 0) throw std::runtime_error("writing to the disk failed");
+  const bool encoded = encode(s, file, image, options, rows.data());
+  if (!encoded) file.check();
+  if (!encoded) throw std::runtime_error(s.message);
+  file.commit();
 }
 
 // --- reading ---
@@ -153,7 +168,7 @@ bool decode_pixels(Session& s, png_bytepp rows) {
 }
 
 Image read_file(const std::string& path) {
-  File file = open_file(path, "rb");
+  File file = open_file(path);
   Session s(true);
   if (!s.info) throw std::runtime_error("libpng initialisation failed");
   Shape shape{};
@@ -183,7 +198,7 @@ void write_png(const std::string& path, const Image& image, const PngOptions& op
       throw std::runtime_error("a PNG is written with 8 or 16 bits");
     if (options.encoding == PngEncoding::Gamma && !(options.gamma > 0))
       throw std::runtime_error("the gamma must be above 0");
-    write_atomically(path, [&](const std::string& t) { write_file(t, image, options); });
+    write_file(path, image, options);
   } catch (const std::exception& e) {
     throw std::runtime_error("cannot write '" + path + "': " + e.what());
   }

@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <filesystem>
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
+#include <ostream>
+#include <streambuf>
+#include <string_view>
 
+#include "base/durable_file.h"
 #include "mi/write_parts.h"
 
 namespace oriel::mi {
@@ -41,6 +45,42 @@ void write_render(TextSink& out, const scene::RenderCommand& render) {
   out.put('\n');
 }
 
+/// Source: G. Fowler, L. C. Noll, P. Vo; 64 bits, FNV-1a.
+class SceneChecksum {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  }
+  /// The last line of a file whose other lines have this checksum.
+  std::string line() const { return fmt::format("# oriel checksum {:016x}\n", hash_); }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+/// Sends a stream to a file, which remembers errors until its commit().
+class SceneFileBuffer final : public std::streambuf {
+ public:
+  explicit SceneFileBuffer(DurableFile& file) : file_(file) {}
+  const SceneChecksum& checksum() const { return checksum_; }
+
+ private:
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    const std::string_view part(text, static_cast<std::size_t>(size));
+    checksum_.add(part);
+    file_.write(part);
+    return size;
+  }
+  int overflow(int c) override {
+    const char character = traits_type::to_char_type(c);
+    xsputn(&character, 1);
+    return c;
+  }
+
+  DurableFile& file_;
+  SceneChecksum checksum_;
+};
+
 }  // namespace
 
 void write_scene(const scene::Scene& scene, std::ostream& stream) {
@@ -64,23 +104,36 @@ void write_scene(const scene::Scene& scene, std::ostream& stream) {
   for (const auto& render : scene.renders) write_render(out, render);
 }
 
-bool write_scene(const scene::Scene& scene, const std::string& path, Diagnostics& diagnostics) {
-  // Atomic: written to a temporary file, which is then renamed.
-  const std::string part = path + ".part";
-  std::error_code error;
-  {
-    std::ofstream stream(part, std::ios::binary);
-    if (stream) write_scene(scene, stream);
-    stream.close();
-    if (!stream) error = std::error_code(errno ? errno : EIO, std::generic_category());
-  }
-  if (!error) std::filesystem::rename(part, path, error);
-  if (!error) return true;
-  diagnostics.error("OR-MI-050", {},
-                    fmt::format("'{}' could not be written: {}", path, error.message()));
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
+bool write_scene(const scene::Scene& scene, const std::string& path, Diagnostics& diagnostics) try {
+  DurableFile file(path);
+  SceneFileBuffer buffer(file);
+  std::ostream stream(&buffer);
+  write_scene(scene, stream);
+  file.write(buffer.checksum().line());
+  file.commit();
+  return true;
+} catch (const std::runtime_error& e) {
+  diagnostics.error("OR-MI-050", {}, fmt::format("'{}' could not be written: {}", path, e.what()));
   return false;
+}
+
+bool is_unedited_scene(const std::string& path) {
+  if (!target_fault(path).empty()) return false;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff line = static_cast<std::streamoff>(SceneChecksum().line().size());
+  std::streamoff rest = static_cast<std::streamoff>(file.tellg()) - line;
+  if (!file || rest < 0) return false;
+  file.seekg(0);
+  SceneChecksum checksum;
+  for (std::string block(1 << 16, '\0'); rest > 0 && file;) {
+    const std::streamoff size = std::min<std::streamoff>(rest, 1 << 16);
+    file.read(block.data(), size);
+    checksum.add(std::string_view(block).substr(0, static_cast<std::size_t>(size)));
+    rest -= size;
+  }
+  std::string last(static_cast<std::size_t>(line), '\0');
+  file.read(last.data(), line);
+  return file && last == checksum.line();
 }
 
 }  // namespace oriel::mi

@@ -19,8 +19,12 @@ namespace oriel::mi {
 /// Checked: writer_test.cpp, round_trip_test.cpp
 void write_scene(const scene::Scene& scene, std::ostream& stream);
 
-/// Writes to a file. On failure returns false, reports OR-MI-050 with the reason, and leaves an
-/// existing file unchanged.
+/// Replaces the file as a whole (DurableFile). The last line is a comment with a checksum. On
+/// failure returns false, reports OR-MI-050 with the reason, and leaves an existing file unchanged.
 bool write_scene(const scene::Scene& scene, const std::string& path, Diagnostics& diagnostics);
+
+/// Whether the file was written by write_scene() and has not been edited since, by its checksum.
+/// Checked: SceneFile.* in writer_test.cpp
+bool is_unedited_scene(const std::string& path);
 
 }  // namespace oriel::mi

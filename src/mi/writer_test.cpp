@@ -5,10 +5,12 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include "mi/text_sink.h"
+#include "support/files.h"
 
 namespace oriel::mi {
 namespace writer_test {
@@ -342,6 +344,36 @@ TEST(Writer, WriteErrorIsReportedAndLeavesNoFile) {
   EXPECT_TRUE(write_scene(Scene(), path.string(), d));
   EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
   std::filesystem::remove(path);
+}
+
+TEST(SceneFile, EditsAreDetectedByTheChecksum) {
+  const TestFolder folder;
+  const std::string path = folder.file("a.mi");
+  Scene scene;
+  for (int i = 0; i < 3000; ++i) {  // more than a buffer
+    Texture t;
+    t.name = "texture_" + std::to_string(i);
+    t.file = "folder/picture.tif";
+    scene.add(std::move(t));
+  }
+  Diagnostics d;
+  ASSERT_TRUE(write_scene(scene, path, d));
+  EXPECT_TRUE(is_unedited_scene(path));
+  const std::string whole = text_of(path);
+  std::ostringstream expected;
+  write_scene(scene, expected);
+  EXPECT_EQ(whole.substr(0, whole.rfind("# oriel")), expected.str());
+  for (const std::size_t at : {std::size_t{0}, whole.size() / 2, whole.size() - 2}) {
+    std::string edited = whole;
+    edited[at] = edited[at] == 'x' ? 'y' : 'x';
+    std::ofstream(path) << edited;
+    EXPECT_FALSE(is_unedited_scene(path)) << at;
+  }
+  for (const std::string& edited : {whole + "\n", whole.substr(1), std::string("#mi\n")}) {
+    std::ofstream(path) << edited;
+    EXPECT_FALSE(is_unedited_scene(path));
+  }
+  EXPECT_FALSE(is_unedited_scene(folder.file("missing")));
 }
 
 }  // namespace writer_test

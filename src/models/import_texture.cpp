@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
+#include <stdexcept>
 #include <string_view>
 
+#include "base/durable_file.h"
+#include "image/picture_target.h"
 #include "models/import_material.h"
 #include "models/shader_call.h"
 #include "scene/asset_path.h"
@@ -19,33 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes an uncompressed picture as a 32-bit Targa file, top row first.
-bool write_targa(const aiTexture& picture, std::ostream& file) {
-  if (picture.mWidth > 0xffff || picture.mHeight > 0xffff) return false;
+/// An uncompressed picture as a 32-bit Targa file, top row first; empty if it is too large.
+std::string targa_of(const aiTexture& picture) {
+  if (picture.mWidth > 0xffff || picture.mHeight > 0xffff) return {};
   const auto low = [](unsigned n) { return static_cast<char>(n & 0xff); };
-  const char header[18] = {0,
-                           0,
-                           2,
-                           0,
-                           0,
-                           0,
-                           0,
-                           0,
-                           0,
-                           0,
-                           0,
-                           0,
-                           low(picture.mWidth),
-                           low(picture.mWidth >> 8),
-                           low(picture.mHeight),
-                           low(picture.mHeight >> 8),
-                           32,
-                           0x28};  // top row first, 8 bits alpha
-  file.write(header, sizeof header);
+  std::string file(18, '\0');
+  file[2] = 2;  // colours, uncompressed
+  file[12] = low(picture.mWidth), file[13] = low(picture.mWidth >> 8);
+  file[14] = low(picture.mHeight), file[15] = low(picture.mHeight >> 8);
+  file[16] = 32;
+  file[17] = 0x28;  // top row first, 8 bits alpha
   // aiTexel is b, g, r, a like Targa pixels.
-  file.write(reinterpret_cast<const char*>(picture.pcData),
-             static_cast<std::streamsize>(sizeof(aiTexel)) * picture.mWidth * picture.mHeight);
-  return file.good();
+  const std::size_t bytes = sizeof(aiTexel) * picture.mWidth * picture.mHeight;
+  return file.append(reinterpret_cast<const char*>(picture.pcData), bytes);
 }
 
 /// File extension from the format of a compressed picture. assimp stores only three characters, too
@@ -72,7 +60,7 @@ std::string TextureMaker::relative(const std::string& path) const {
   return inside.string();
 }
 
-std::string TextureMaker::file_of(const aiScene& model, const std::string& written) {
+std::optional<std::string> TextureMaker::file_of(const aiScene& model, const std::string& written) {
   const auto [picture, index] = model.GetEmbeddedTextureAndIndex(written.c_str());
   if (!picture) {
     // Exporters write backslashes and absolute paths of their own machine.
@@ -81,17 +69,28 @@ std::string TextureMaker::file_of(const aiScene& model, const std::string& writt
          {fs::path(folder_) / name, fs::path(folder_) / fs::path(name).filename()})
       if (std::error_code error; fs::is_regular_file(candidate, error))
         return relative(candidate.string());
-    return {};
+    return "";
   }
-  std::error_code error;
-  fs::create_directories(options_.texture_folder, error);
   const fs::path path =
       fs::path(options_.texture_folder) / fmt::format("texture_{}.{}", index, suffix_of(*picture));
-  std::ofstream file(path, std::ios::binary);
-  if (picture->mHeight > 0) {
-    if (!write_targa(*picture, file)) return {};
-  } else if (!file.write(reinterpret_cast<const char*>(picture->pcData), picture->mWidth)) {
-    return {};
+  const std::string content =
+      picture->mHeight > 0
+          ? targa_of(*picture)
+          : std::string(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
+  if (content.empty()) return "";
+  try {
+    std::error_code error;
+    if (fs::is_symlink(options_.texture_folder, error))
+      throw std::runtime_error("its folder is a symbolic link");
+    fs::create_directories(options_.texture_folder, error);
+    check_picture_target(path.string());
+    DurableFile file(path.string());
+    file.write(content);
+    file.commit();
+  } catch (const std::runtime_error& e) {
+    diagnostics_.error("OR-MD-023", {},
+                       fmt::format("cannot write the texture '{}': {}", path.string(), e.what()));
+    return std::nullopt;
   }
   return relative(path.string());
 }
@@ -100,7 +99,9 @@ std::string TextureMaker::picture(const aiScene& model, const std::string& writt
                                   const std::string& user) {
   const auto [known, is_new] = pictures_.try_emplace({written, holds});
   if (!is_new) return known->second;
-  const std::string file = file_of(model, written);
+  const std::optional<std::string> found = file_of(model, written);
+  if (!found) return {};
+  const std::string& file = *found;
   if (file.empty()) {
     diagnostics_.warning(
         "OR-MD-004", {},

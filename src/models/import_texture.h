@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -35,7 +36,8 @@ class TextureMaker {
 
  private:
   /// Path of the picture file, relative to the scene folder if it is inside; empty if not found.
-  std::string file_of(const aiScene& model, const std::string& written);
+  /// Unset: the texture cannot be written; the reason was reported. Empty: there is no such file.
+  std::optional<std::string> file_of(const aiScene& model, const std::string& written);
   std::string relative(const std::string& path) const;
   /// Name of a shader that returns the coordinates of a texture space in 0..1.
   std::string coordinate(unsigned space);

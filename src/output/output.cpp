@@ -149,21 +149,6 @@ Image file_image(const PictureFile& file, const RenderSession& session, const Im
   return file.view == PixelView::Color ? without_alpha(image) : image;
 }
 
-/// Writers select the format by extension. If the requested type differs, the file is written under
-/// another name and then renamed.
-void write_as(const std::string& type, const PictureFile& file, const Image& image,
-              const FileOptions& options) {
-  if (file_type({.path = file.path}) == type) return write_image(file.path, image, options);
-  const std::string other = file.path + ".oriel-part." + type;
-  write_image(other, image, options);
-  std::error_code error;
-  std::filesystem::rename(other, file.path, error);
-  if (error) {
-    std::filesystem::remove(other, error);
-    throw std::runtime_error("cannot write '" + file.path + "'");
-  }
-}
-
 /// The layer that a file without layers shows; null = the picture.
 const LayerSpec* shown_layer(const PictureFile& file) {
   return file.shown_layer.empty() ? layer_of_view(file.view) : find_layer_spec(file.shown_layer);
@@ -312,7 +297,8 @@ void write_picture(const PictureFile& file, const RenderSession& session,
   options.dither = session.world().options.dither;
   options.jpeg_quality = file.quality;
   options.srgb = shows_colour(file.view) && file.user_buffer < 0 && file.shown_layer.empty();
-  write_as(type, file, file_image(file, session, denoised), options);
+  options.type = type;
+  write_image(file.path, file_image(file, session, denoised), options);
 }
 
 }  // namespace oriel

@@ -3,8 +3,11 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
+#include <stdexcept>
 
+#include "base/durable_file.h"
+#include "image/picture_target.h"
+#include "output/output_request.h"
 #include "scene/asset_path.h"
 
 namespace oriel {
@@ -50,18 +53,19 @@ OutputPlace output_place(const std::string& file, const OutputRoots& roots) {
 std::string output_fault(const std::string& path, const OutputRoots& roots) {
   std::error_code error;
   const fs::path target(path), folder = target.parent_path();
-  if (fs::is_directory(target, error)) return "the path is a folder";
+  if (!has_picture_suffix(path)) return "its name has no suffix of a picture, such as .exr or .png";
+  if (std::string fault = picture_fault(path); !fault.empty()) return fault;
   if (!folder.empty() && !fs::is_directory(folder, error)) {
     if (allowed_path(path, roots).empty()) return "folder '" + folder.string() + "' does not exist";
     fs::create_directories(folder, error);
     if (error) return "its folder cannot be created: " + error.message();
   }
-  const fs::path probe = target.string() + ".oriel-test";
-  std::ofstream stream(probe);
-  const bool opened = stream.is_open();
-  stream.close();
-  if (opened) fs::remove(probe, error);
-  return opened ? std::string() : "its folder is not writable, or the name is not allowed";
+  try {
+    const DurableFile probe(path);
+    return {};
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
 }
 
 }  // namespace oriel

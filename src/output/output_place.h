@@ -29,8 +29,9 @@ struct OutputPlace {
 /// Checked: OutputPlace.* in output_place_test.cpp
 OutputPlace output_place(const std::string& file, const OutputRoots& roots);
 
-/// Creates missing folders inside a root and tests writing with an empty file, which it removes.
-/// Returns why the file cannot be written; empty if it can.
+/// Creates missing folders inside a root and tests writing with an empty temporary file.
+/// Returns why the file cannot be written; empty if it can. Names without has_picture_suffix() and
+/// files that picture_fault() protects cannot.
 std::string output_fault(const std::string& path, const OutputRoots& roots);
 
 }  // namespace oriel

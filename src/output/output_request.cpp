@@ -300,6 +300,12 @@ std::string_view writable_format(std::string_view name) {
   return format ? format->extension : std::string_view{};
 }
 
+bool has_picture_suffix(const std::string& path) {
+  const std::string suffix = suffix_of(path);
+  return find_format(suffix) || std::any_of(kNearest.begin(), kNearest.end(),
+                                            [&](const Nearest& n) { return n.format == suffix; });
+}
+
 std::optional<PictureFile> requested_file(const scene::Output& output, std::string_view statement,
                                           const OutputRoots& roots,
                                           const std::vector<UserBuffer>& user_buffers,

@@ -28,6 +28,10 @@ std::optional<PictureFile> requested_file(const scene::Output& output, std::stri
 /// The extension for the image writers of a format or suffix; empty if unsupported.
 std::string_view writable_format(std::string_view name);
 
+/// Whether the name has the suffix of a format of the .mi language or of the image writers,
+/// supported or not.
+bool has_picture_suffix(const std::string& path);
+
 std::string lower_case(std::string text);
 
 }  // namespace oriel

@@ -61,13 +61,19 @@ void note_lights_without_energy(const World& world, const PhotonSettings& settin
       "give it an energy statement; --gi photons sends photons as strong as the light");
 }
 
-/// Calls `what`; false and a warning if it fails.
-bool tried(const std::function<void()>& what, Diagnostics& diagnostics) try {
-  what();
-  return true;
+/// Empty if the photon map cannot be read.
+std::optional<PhotonMaps> read_photons(const std::string& file, Diagnostics& diagnostics) try {
+  return load_photon_maps(file);
 } catch (const std::exception& e) {
   diagnostics.warning("OR-RN-042", {}, e.what());
-  return false;
+  return std::nullopt;
+}
+
+void write_photons(const std::string& file, const PhotonMaps& photons,
+                   Diagnostics& diagnostics) try {
+  save_photon_maps(file, photons);
+} catch (const std::exception& e) {
+  diagnostics.error("OR-RN-068", {}, e.what());
 }
 
 }  // namespace
@@ -111,15 +117,17 @@ void CachedIntegrator::prepare(const IntegratorPreparation& p) {
 void CachedIntegrator::trace_photon_maps(const IntegratorPreparation& p) {
   const scene::RenderOptions& options = world_.options;
   const std::string& file = p.files.photons;
-  const bool read = !file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file) &&
-                    tried([&] { photons_ = load_photon_maps(file); }, p.diagnostics);
-  read_files_ |= read;
-  if (!read) {
+  std::optional<PhotonMaps> stored;
+  if (!file.empty() && !options.photonmap_rebuild && std::filesystem::exists(file))
+    stored = read_photons(file, p.diagnostics);
+  read_files_ |= stored.has_value();
+  if (stored) {
+    photons_ = std::move(*stored);
+  } else {
     const PhotonSettings settings = photon_settings(world_, plan_, p.seed);
     note_lights_without_energy(world_, settings, p.diagnostics);
     photons_ = trace_photons(world_, settings, p.counts, nullptr, p.monitor);
-    if (!file.empty() && !p.monitor.cancelled())
-      tried([&] { save_photon_maps(file, photons_); }, p.diagnostics);
+    if (!file.empty() && !p.monitor.cancelled()) write_photons(file, photons_, p.diagnostics);
   }
   const geom::Box3 box = world_.accel->bounds();
   if (plan_.global) maps_.global = &photons_.global;
@@ -168,7 +176,7 @@ void CachedIntegrator::gather(const IntegratorPreparation& p) {
   const std::size_t before = cache_.records().size();
   gather_for_picture(world_, p.window, passes, cache_, p.counts, p.monitor, p.after_pass);
   const bool changed = cache_.records().size() > before || options.rebuild == Rebuild::On;
-  if (!p.files.gather.empty() && changed)
+  if (!p.files.gather.empty() && changed && !p.monitor.cancelled())
     save_gather_map(cache_.records(), p.files.gather.front(), p.diagnostics);
 }
 

@@ -112,6 +112,10 @@ double Progressive::elapsed() const {
   return state_.elapsed + run.count();
 }
 
+void Progressive::begin_at(std::chrono::steady_clock::time_point start) {
+  state_.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 bool Progressive::out_of_time() const {
   return budget_.seconds > 0 && state_.pass > 0 && elapsed() >= budget_.seconds;
 }

@@ -24,7 +24,7 @@ struct RenderBudget {
   float noise = 0;  ///< target of picture_noise(); 0 = none
   /// The noise target applies to every pixel instead of the picture.
   bool every_pixel = false;
-  double seconds = 0;  ///< after the first pass; 0 = no limit
+  double seconds = 0;  ///< ends a render after its first pass; 0 = no limit
   bool operator==(const RenderBudget&) const = default;
 };
 
@@ -83,6 +83,9 @@ class Progressive {
   template <class Sample>
   StopReason run(const Sample& sample, const Callbacks& callbacks = {},
                  const std::atomic<bool>* cancel = nullptr);
+
+  /// Counts the time from then on; before the first run.
+  void begin_at(std::chrono::steady_clock::time_point start);
 
   const State& state() const { return state_; }
   Progress progress() const;

@@ -64,7 +64,8 @@ RenderSession::RenderSession(const World& world, const SessionSettings& settings
       progressive_(film_, budget_),
       map_files_(settings.map_files),
       diagnostics_(settings.diagnostics ? *settings.diagnostics : unheard_),
-      integrator_(make_integrator(world)) {
+      integrator_(make_integrator(world)),
+      started_(settings.started) {
   if (settings.mattes) mattes_.emplace(film_.width(), film_.height(), filter_, *settings.mattes);
 }
 
@@ -194,6 +195,7 @@ StopReason RenderSession::run(const Progressive::Callbacks& callbacks,
       draw(once, {}, nullptr);
       return StopReason::Cancelled;
     }
+    if (started_) progressive_.begin_at(*started_);
   }
   return draw(progressive_, callbacks, cancel);
 }

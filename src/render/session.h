@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -37,6 +38,8 @@ struct SessionSettings {
   std::optional<MatteNames> mattes = {};  ///< store the first surfaces of each pixel
   MapFiles map_files = {};
   Diagnostics* diagnostics = nullptr;  ///< for map files; must outlive the session; may be null
+  /// When the time limit and Progress::elapsed start; default: with the first pass.
+  std::optional<std::chrono::steady_clock::time_point> started = {};
 };
 
 /// Renders one world.
@@ -99,6 +102,7 @@ class RenderSession {
   Diagnostics& diagnostics_;
   std::unique_ptr<Integrator> integrator_;
   bool prepared_ = false;  ///< the integrator has its caches
+  std::optional<std::chrono::steady_clock::time_point> started_;
   RayCounts rays_;
 };
 

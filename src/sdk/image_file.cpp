@@ -100,13 +100,9 @@ SampleFormat samples_of(miImg_type type) {
   }
 }
 
-/// Writers select the format by extension, so the file is written under that extension and renamed.
-void write(const OpenFile& open, const Image& image, const oriel::FileOptions& options) {
-  if (oriel::writable_format(extension_of(open.path)) == open.extension)
-    return oriel::write_image(open.path, image, options);
-  const std::string part = open.path + ".oriel-part." + open.extension;
-  oriel::write_image(part, image, options);
-  fs::rename(part, open.path);
+void write(const OpenFile& open, const Image& image, oriel::FileOptions options) {
+  options.type = open.extension;
+  oriel::write_image(open.path, image, options);
 }
 
 }  // namespace

@@ -104,6 +104,11 @@ TEST_F(Denoisers, AMissingLibraryOfOpenImageDenoiseIsReported) {
     EXPECT_EQ(r.exit_code, 1) << library;
     EXPECT_EQ(r.error_lines(), 1) << r.err;
     EXPECT_NE(r.err.find("Open Image Denoise was not found"), std::string::npos) << r.err;
+    write("scene.mi", small_scene());
+    const RunResult render = run(
+        {"render", "scene.mi", "--samples", "8", "--denoise", "--denoiser", "oidn", "-o", "a.exr"});
+    EXPECT_EQ(render.exit_code, 1) << "before anything is rendered";
+    EXPECT_NE(render.err.find("Open Image Denoise was not found"), std::string::npos);
     EXPECT_EQ(denoise().exit_code, 0) << library;
     EXPECT_EQ(denoiser_of("out.exr"), "Oriel");
   }

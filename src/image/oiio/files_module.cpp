@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files module: all code that requires OpenImageIO, behind one exported function.
 #include <OpenImageIO/color.h>
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -110,6 +114,43 @@ class PlainConfig {
   std::string path_;
 };
 
+/// A file in memory with a path, for writers that only write to paths.
+class MemoryFile {
+ public:
+  /// Inputs:  pixel_bytes: upper bound of the content without header. The limit of the size of
+  /// files
+  ///          applies in memory, too, and these writers would not report it.
+  explicit MemoryFile(std::size_t pixel_bytes)
+      : descriptor_(::memfd_create("oriel-picture", MFD_CLOEXEC)) {
+    constexpr std::size_t kHeaderBytes = 1 << 20;
+    rlimit limit{};
+    if (descriptor_ < 0) throw std::runtime_error("not enough memory");
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && pixel_bytes + kHeaderBytes > limit.rlim_cur)
+      throw std::runtime_error("the file may exceed the size limit of this process (ulimit -f)");
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+  std::string content() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) throw std::runtime_error("the picture is lost");
+    std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+    for (std::size_t at = 0; at < bytes.size();) {
+      const ssize_t size =
+          ::pread(descriptor_, &bytes[at], bytes.size() - at, static_cast<off_t>(at));
+      if (size <= 0) throw std::runtime_error("the picture is lost");
+      at += static_cast<std::size_t>(size);
+    }
+    return bytes;
+  }
+
+ private:
+  int descriptor_;
+};
+
 class Module final : public FilesModule {
  public:
   void apply_ocio(Image& image, const OcioTransform& t) override {
@@ -159,8 +200,8 @@ class Module final : public FilesModule {
     return image;
   }
 
-  void write(const std::string& path, const Image& image, const FileOptions& options) override {
-    const auto output = OIIO::ImageOutput::create(path);
+  std::string encode(const Image& image, const FileOptions& options) override {
+    const auto output = OIIO::ImageOutput::create(options.type);
     if (!output) fail(OIIO::geterror());
     const bool no_alpha = image.channels % 2 == 0 && !output->supports("alpha");
     Image changed;
@@ -172,9 +213,18 @@ class Module final : public FilesModule {
     // Without this attribute the writer would divide colour by alpha.
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("CompressionQuality", std::clamp(options.jpeg_quality, 1, 100));
+    OIIO::Filesystem::IOVecOutput buffer;
+    std::optional<MemoryFile> file;
+    std::string path = "memory." + options.type;
+    if (output->supports("ioproxy"))
+      output->set_ioproxy(&buffer);
+    else
+      path = file.emplace(from->pixels.size() * sizeof(float)).path();
     if (!output->open(path, spec)) fail(output->geterror());
     if (!output->write_image(OIIO::TypeDesc::FLOAT, from->pixels.data())) fail(output->geterror());
     if (!output->close()) fail(output->geterror());
+    if (file) return file->content();
+    return {reinterpret_cast<const char*>(buffer.buffer().data()), buffer.buffer().size()};
   }
 
   std::unique_ptr<Texture> open_texture(const std::string& path, float gamma) override {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "image/atomic_file.h"
+#include "base/durable_file.h"
 #include "transport/gather/gather_cache.h"
 
 namespace oriel {
@@ -69,11 +69,11 @@ class Checksum {
   std::uint64_t value_ = 0xcbf29ce484222325ull;
 };
 
-void write_records(std::span<const GatherRecord> records, std::ostream& out) {
+void write_records(std::span<const GatherRecord> records, DurableFile& out) {
   Checksum sum;
   const auto write = [&](const void* data, std::size_t size) {
     sum.add(data, size);
-    out.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+    out.write(data, size);
   };
   Header header{{}, kByteOrder, kVersion, numbers_of_record(), 0, records.size()};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
@@ -85,7 +85,7 @@ void write_records(std::span<const GatherRecord> records, std::ostream& out) {
     write(numbers.data(), numbers.size() * sizeof(float));
   }
   const std::uint64_t value = sum.value();
-  out.write(reinterpret_cast<const char*>(&value), sizeof value);
+  out.write(&value, sizeof value);
 }
 
 /// Returns why the header is rejected; empty if it is valid.
@@ -156,13 +156,12 @@ bool save_gather_map(std::span<const GatherRecord> records, const std::string& p
   if (records.size() > kMaxGatherRecords)
     return failed(fmt::format("it has more than {} points", kMaxGatherRecords));
   try {
-    write_atomically(path, [&](const std::string& part) {
-      errno = 0;
-      std::ofstream out(part, std::ios::binary);
-      if (out) write_records(records, out);
-      out.close();
-      if (!out) throw std::runtime_error(std::generic_category().message(errno ? errno : EIO));
-    });
+    const std::string fault =
+        own_file_fault(path, {kMagic, sizeof kMagic}, "final gather map of Oriel");
+    if (!fault.empty()) return failed(fault);
+    DurableFile out(path);
+    write_records(records, out);
+    out.commit();
   } catch (const std::runtime_error& e) {
     return failed(e.what());
   }

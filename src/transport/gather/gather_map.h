@@ -20,7 +20,8 @@ namespace oriel {
 /// Maximum number of records of a map that is read or written.
 inline constexpr std::uint64_t kMaxGatherRecords = 1u << 23;
 
-/// Writes the records in order. A failed write leaves no partial file.
+/// Writes the records in order. Replaces the file as a whole (DurableFile), and only if it is a
+/// final gather map of Oriel or empty.
 ///
 /// Errors:  OR-TR-101; returns false.
 bool save_gather_map(std::span<const GatherRecord> records, const std::string& path,

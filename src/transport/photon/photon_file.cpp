@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "image/atomic_file.h"
+#include "base/durable_file.h"
 
 namespace oriel {
 namespace {
@@ -49,19 +49,20 @@ std::vector<Photon> read_photons(std::ifstream& in, std::uint64_t count, const s
 
 }  // namespace
 
-void save_photon_maps(const std::string& path, const PhotonMaps& maps) {
-  write_atomically(path, [&](const std::string& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
-    PhotonHeader header{
-        {}, kPhotonVersion, kPhotonByteOrder, maps.global.size(), maps.caustic.size()};
-    std::memcpy(header.magic, kPhotonMagic, sizeof(kPhotonMagic));
-    out.write(reinterpret_cast<const char*>(&header), sizeof(header));
-    for (const PhotonMap* map : {&maps.global, &maps.caustic})
-      for (const Photon& p : map->photons())
-        out.write(reinterpret_cast<const char*>(&p), static_cast<std::streamsize>(kBytesInFile));
-    out.close();
-    if (!out) throw std::runtime_error("cannot write the photon map '" + path + "'");
-  });
+void save_photon_maps(const std::string& path, const PhotonMaps& maps) try {
+  const std::string fault =
+      own_file_fault(path, {kPhotonMagic, sizeof kPhotonMagic}, "photon map of Oriel");
+  if (!fault.empty()) throw std::runtime_error(fault);
+  DurableFile out(path);
+  PhotonHeader header{
+      {}, kPhotonVersion, kPhotonByteOrder, maps.global.size(), maps.caustic.size()};
+  std::memcpy(header.magic, kPhotonMagic, sizeof(kPhotonMagic));
+  out.write(&header, sizeof(header));
+  for (const PhotonMap* map : {&maps.global, &maps.caustic})
+    for (const Photon& p : map->photons()) out.write(&p, kBytesInFile);
+  out.commit();
+} catch (const std::runtime_error& e) {
+  throw std::runtime_error("cannot write the photon map '" + path + "': " + e.what());
 }
 
 PhotonMaps load_photon_maps(const std::string& path) {

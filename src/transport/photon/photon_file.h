@@ -22,7 +22,7 @@ struct PhotonMaps {
 /// Largest number of photons a file may hold, both maps together: 6 GiB.
 inline constexpr std::uint64_t kMaxPhotonsInFile = std::uint64_t{1} << 27;
 
-/// Writes the maps; the file appears whole or not at all.
+/// Replaces the file as a whole (DurableFile), and only if it is a photon map of Oriel or empty.
 /// Errors:  std::runtime_error with path and reason.
 /// Checked: PhotonFile.RoundTripIsExact
 void save_photon_maps(const std::string& path, const PhotonMaps& maps);

@@ -88,7 +88,10 @@ TEST(MapFiles, IncompatibleMapIsRecomputed) {
     std::ofstream(path) << "mental ray map with unknown contents";
   const Rendered r =
       render(kGather + "finalgather rebuild off globillum on photonmap rebuild off", files);
-  EXPECT_EQ(r.messages, (std::vector<std::string>{"OR-RN-042", "OR-TR-102"}));
+  EXPECT_EQ(r.messages,
+            (std::vector<std::string>{"OR-RN-042", "OR-RN-068", "OR-TR-102", "OR-TR-101"}));
+  for (const std::string& path : {files.photons, files.gather[0]})
+    EXPECT_EQ(oriel::text_of(path), "mental ray map with unknown contents");
   EXPECT_TRUE(shows_light(r.picture));
   EXPECT_GT(r.gather_points, 0u);
 }
@@ -102,6 +105,20 @@ TEST(MapFiles, PhotonsAreReadInsteadOfEmitted) {
   EXPECT_EQ(read.picture.pixels, made.picture.pixels);
   EXPECT_EQ(read.rays.gather, 0u);
   EXPECT_GT(made.rays.gather, 1000u);
+}
+
+// An interrupted map lacks points in a part of the picture.
+TEST(MapFiles, InterruptedMapsDoNotReplaceCompleteOnes) {
+  const TestFolder folder;
+  const MapFiles files{.photons = folder.file("a.phm"), .gather = {folder.file("a.fgm")}};
+  const std::string options = kGather + "globillum on";
+  render(options, files);
+  const auto photons = bytes_of(files.photons), points = bytes_of(files.gather[0]);
+  for (const char* stage : {"photons", "gather points"}) {
+    EXPECT_EQ(render(options, files, stage).reason, StopReason::Cancelled);
+    EXPECT_TRUE(bytes_of(files.photons) == photons) << stage;
+    EXPECT_TRUE(bytes_of(files.gather[0]) == points) << stage;
+  }
 }
 
 // acceptance: H2, H3
