@@ -109,7 +109,8 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
   IfcText ifc;
   importer.SetIOHandler(new TextFiles(rewriting(suffix, options, ifc)));
   if (is_gltf(suffix)) {
-    GltfModel gltf = read_gltf(importer, path, steps, options.aspect.value_or(0), diagnostics);
+    GltfModel gltf = read_gltf(importer, path, steps, {options.aspect.value_or(0), options.seconds},
+                               diagnostics);
     if (!gltf.scene) {
       const bool is_nested = gltf.error.find("nested") != gltf.error.npos;
       return unreadable(truncation.empty() || is_nested ? reason_of(gltf.error) : truncation);
