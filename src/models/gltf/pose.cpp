@@ -22,9 +22,9 @@ constexpr int kMaxNodeDepth = 600;
 /// The numbers of glTF's matrices are those of matrices for row vectors, row by row.
 Mat4 matrix_of(const json& numbers) {
   Mat4 m;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      m[i][j] = number_at(numbers, static_cast<std::size_t>(4 * i + j), i == j ? 1.f : 0.f);
+  for (std::size_t k = 0; k < 16; ++k)
+    m[static_cast<int>(k / 4)][static_cast<int>(k % 4)] =
+        number_at(numbers, k, k / 4 == k % 4 ? 1.f : 0.f);
   return m;
 }
 
