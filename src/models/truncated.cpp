@@ -72,7 +72,8 @@ std::string stl(const Ends& ends) {
   const auto triangles = number_at<std::uint32_t>(ends.head, 80);
   const std::uint64_t whole = triangles ? kHeader + kTriangle * *triangles : kHeader;
   if (triangles && whole == ends.size) return {};
-  if (std::string_view(ends.head).substr(0, 5) == "solid")
+  const std::size_t first = ends.head.find_first_not_of(kSpaces);
+  if (first != ends.head.npos && std::string_view(ends.head).substr(first, 5) == "solid")
     return no_end(ends.tail.find("endsolid") != ends.tail.npos);
   return ends.size < whole ? sizes(ends.size, whole) : "";
 }
@@ -283,7 +284,12 @@ std::string truncation_of(const std::string& path, const std::string& suffix) {
   if (ends.head.starts_with("\xff\xfe") || ends.head.starts_with("\xfe\xff")) return {};
   if (suffix == ".glb" && ends.size < 12) return no_end(false);
   if (suffix == ".gltf") return no_end(has_whole_json(file_text(path)));
-  if (suffix == ".dae") return no_end(without_tail_blanks(ends.tail).ends_with("COLLADA>"));
+  if (suffix == ".dae") {
+    // Comments may follow the last tag.
+    const std::size_t last = ends.tail.rfind("</");
+    const std::size_t name = last == ends.tail.npos ? last : ends.tail.find("COLLADA", last);
+    return no_end(name != ends.tail.npos && ends.tail.find('>', name) != ends.tail.npos);
+  }
   if (suffix == ".ifc") return no_end(ends.tail.find("END-ISO-10303-21") != ends.tail.npos);
   if (suffix == ".stl") return stl(ends);
   if (suffix == ".3ds") return chunks_3ds(ends);
