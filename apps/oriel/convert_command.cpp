@@ -95,6 +95,9 @@ void add_shared(CLI::App& command, ConvertArguments& a) {
       .add_option("--emission-scale", a.emission_scale,
                   "Factor of the emission of materials (default 683 for files of Blender, else 1)")
       ->check(CLI::NonNegativeNumber);
+  command.add_option("--animation-time", a.animation_time,
+                     "Time of the first animation of a glTF file in seconds (default: none, the "
+                     "file's own pose)");
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ class Conversion {
     if (!a_.size.empty())
       how_.aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
     how_.emission_scale = a_.emission_scale;
+    how_.seconds = a_.animation_time;
     read(diagnostics_);
     const bool of_file = models::choose_camera(scene_, options, diagnostics_);
     printer_.print_new();

@@ -14,8 +14,9 @@ struct ConvertArguments {
   std::string model, output, size, up;
   std::vector<float> sun;  ///< azimuth and elevation, degrees; or empty
   std::optional<float> emission_scale;
-  std::string sky;         ///< picture of the environment; empty: none
-  float sky_rotation = 0;  ///< degrees
+  std::optional<float> animation_time;  ///< seconds
+  std::string sky;                      ///< picture of the environment; empty: none
+  float sky_rotation = 0;               ///< degrees
   bool daylight = false, quiet = false;
   bool force = false;  ///< replace a scene that the user wrote or edited
 };

@@ -13,17 +13,14 @@
 #include <unordered_set>
 #include <utility>
 
-#include "base/math.h"
-#include "base/vec.h"
+#include "models/ifc_curves.h"
+#include "models/ifc_profiles.h"
+#include "models/ifc_styles.h"
 #include "models/step_text.h"
 
 namespace oriel::models {
 namespace {
 
-using Point = std::vector<double>;  // as written; map coordinates have many digits
-
-/// Points of arcs, between its ends.
-constexpr int kArcPieces = 16;
 constexpr std::size_t kGuid = 24;  // 22 digits in quotes
 
 /// Relations and properties without anything to be seen.
@@ -144,18 +141,11 @@ constexpr Required kRequired[] = {
     {"IFCBUILDINGSTOREY", 8, ".ELEMENT."}, {"IFCSPACE", 8, ".ELEMENT."},
     {"IFCSPACE", 9, ".INTERNAL."},         {"IFCSTAIR", 8, ".NOTDEFINED."},
     {"IFCROOF", 8, ".NOTDEFINED."},        {"IFCRAMP", 8, ".NOTDEFINED."},
-    {"IFCOWNERHISTORY", 3, ".NOCHANGE."},  {"IFCSURFACESTYLERENDERING", 8, ".NOTDEFINED."}};
+    {"IFCOWNERHISTORY", 3, ".NOCHANGE."}};
 
 /// Arguments of IFC2X3; some files leave the last ones out.
 constexpr std::pair<const char*, std::size_t> kCounts[] = {
     {"IFCSITE", 14}, {"IFCBUILDING", 12}, {"IFCBUILDINGSTOREY", 10}, {"IFCSPACE", 11}};
-
-Point point_of(const std::string& list) {
-  Point p;
-  for (const std::string& number : step_list(list))
-    p.push_back(std::strtod(number.c_str(), nullptr));
-  return p;
-}
 
 std::string real(double x) {
   std::string text = fmt::format("{}", x);
@@ -163,6 +153,16 @@ std::string real(double x) {
   if (text.find('.') == text.npos) text.insert(exponent == text.npos ? text.size() : exponent, ".");
   std::replace(text.begin(), text.end(), 'e', 'E');
   return text;
+}
+
+/// A highlight by roughness r as the Phong exponent of a lobe of that width, 2/r^4 - 2.
+std::string as_exponent(const std::string& highlight) {
+  constexpr std::string_view kRoughness = "IFCSPECULARROUGHNESS(";
+  constexpr double kSmoothest = .03;
+  if (!highlight.starts_with(kRoughness)) return highlight;
+  const double r = std::strtod(highlight.c_str() + kRoughness.size(), nullptr);
+  const double width = std::clamp(r, kSmoothest, 1.0) * std::clamp(r, kSmoothest, 1.0);
+  return fmt::format("IFCSPECULAREXPONENT({})", real(2 / (width * width) - 2));
 }
 
 /// "name (count), ..." of shapes that assimp does not know.
@@ -176,6 +176,10 @@ std::string unread_shapes(const StepFile& file) {
                                                           "IFCREVOLVEDAREASOLIDTAPERED",
                                                           "IFCFIXEDREFERENCESWEPTAREASOLID",
                                                           "IFCSURFACECURVESWEPTAREASOLID",
+                                                          "IFCSECTIONEDSPINE",
+                                                          "IFCCOMPOSITEPROFILEDEF",
+                                                          "IFCDERIVEDPROFILEDEF",
+                                                          "IFCMIRROREDPROFILEDEF",
                                                           "IFCCSGSOLID"};
   std::map<std::string, int> count;
   for (const StepEntity& e : file.entities)
@@ -188,7 +192,10 @@ std::string unread_shapes(const StepFile& file) {
 
 class Rewriter {
  public:
-  explicit Rewriter(StepFile file) : file_(std::move(file)) {
+  explicit Rewriter(StepFile file)
+      : file_(std::move(file)),
+        curves_([this](const std::string& reference) { return find(reference); },
+                angle_unit(file_)) {
     for (std::size_t i = 0; i < file_.entities.size(); ++i) {
       by_id_[file_.entities[i].id] = i;
       next_ = std::max(next_, file_.entities[i].id + 1);
@@ -197,6 +204,9 @@ class Rewriter {
 
   std::string text() {
     const std::size_t count = file_.entities.size();
+    // Profiles first, because they refer to curves that are changed below.
+    for (StepEntity& entity : file_.entities)
+      if (const auto outline = profile_outline(entity, curves_)) make_outline(entity, *outline);
     for (std::size_t i = 0; i < count; ++i) {
       StepEntity entity = std::move(file_.entities[i]);
       rewrite(entity);
@@ -210,10 +220,12 @@ class Rewriter {
  private:
   /// Null where there is none of that name.
   const StepEntity* find(const std::string& reference, std::string_view name) const {
+    const StepEntity* entity = find(reference);
+    return entity && entity->name == name ? entity : nullptr;
+  }
+  const StepEntity* find(const std::string& reference) const {
     const auto found = by_id_.find(step_reference(reference));
-    if (found == by_id_.end()) return nullptr;
-    const StepEntity& entity = file_.entities[found->second];
-    return entity.name == name ? &entity : nullptr;
+    return found == by_id_.end() ? nullptr : &file_.entities[found->second];
   }
 
   std::string add(std::string name, std::vector<std::string> arguments) {
@@ -226,6 +238,10 @@ class Rewriter {
     // Rooted entities begin with their global id.
     if (e.arguments.size() >= 4 && e.arguments[0].size() == kGuid && e.arguments[1] == "$")
       e.arguments[1] = owner_history();
+    if (e.name == "IFCOPENINGSTANDARDCASE") e.name = "IFCOPENINGELEMENT";
+    constexpr std::size_t kRepresentation = 6;
+    if (e.name == "IFCVIRTUALELEMENT" && e.arguments.size() > kRepresentation)
+      e.arguments[kRepresentation] = "$";
     if (is_new_product(e.name) && e.arguments.size() >= 8) {
       e.name = "IFCBUILDINGELEMENTPROXY";
       e.arguments.resize(8);
@@ -239,16 +255,31 @@ class Rewriter {
     for (const Required& r : kRequired)
       if (e.name == r.name && r.argument < e.arguments.size() && e.arguments[r.argument] == "$")
         e.arguments[r.argument] = r.value;
+    if (e.name == "IFCSURFACESTYLERENDERING") {
+      e.arguments.resize(std::max<std::size_t>(e.arguments.size(), 9), "$");
+      e.arguments[7] = as_exponent(e.arguments[7]);
+      if (e.arguments[8] == "$") e.arguments[8] = ".NOTDEFINED.";
+    }
+    if ((e.name == "IFCEXTRUDEDAREASOLID" || e.name == "IFCREVOLVEDAREASOLID") &&
+        e.arguments.size() > 1 && e.arguments[1] == "$")
+      e.arguments[1] = origin();
     if (e.name == "IFCSURFACESTYLESHADING" && e.arguments.size() > 1) {
       e.name = "IFCSURFACESTYLERENDERING";
       e.arguments = {e.arguments[0], e.arguments[1], "$", "$", "$", "$", "$", "$", ".NOTDEFINED."};
     } else if (e.name == "IFCSTYLEDITEM" && e.arguments.size() > 1) {
       assign_styles(e);
     } else if (e.name == "IFCINDEXEDPOLYCURVE" && !e.arguments.empty()) {
-      make_polyline(e);
+      make_polyline(e, curves_.indexed_path(e));
     } else if (e.name == "IFCTRIANGULATEDFACESET" || e.name == "IFCPOLYGONALFACESET") {
       make_surface_model(e);
     }
+  }
+
+  /// The placement at the origin.
+  std::string origin() {
+    if (origin_.empty())
+      origin_ = add("IFCAXIS2PLACEMENT3D", {add_point({0.0, 0.0, 0.0}), "$", "$"});
+    return origin_;
   }
 
   std::string owner_history() {
@@ -274,78 +305,31 @@ class Rewriter {
     e.arguments[1] = fmt::format("({})", fmt::join(styles, ","));
   }
 
-  std::string add_point(const Point& p) {
+  std::string add_point(const IfcPoint& p) {
     std::vector<std::string> numbers;
     for (const double x : p) numbers.push_back(real(x));
     return add("IFCCARTESIANPOINT", {fmt::format("({})", fmt::join(numbers, ","))});
   }
 
-  /// Of a point list in two or three dimensions.
-  std::vector<Point> points_of(const std::string& reference) const {
-    std::vector<Point> points;
-    for (const char* name : {"IFCCARTESIANPOINTLIST2D", "IFCCARTESIANPOINTLIST3D"})
-      if (const StepEntity* list = find(reference, name); list && !list->arguments.empty())
-        for (const std::string& point : step_list(list->arguments[0]))
-          points.push_back(point_of(point));
-    return points;
-  }
-
-  void make_polyline(StepEntity& e) {
-    const std::vector<Point> points = points_of(e.arguments[0]);
-    std::vector<Point> path;
-    const auto go_to = [&](const Point& p) {
-      if (path.empty() || path.back() != p) path.push_back(p);
-    };
-    const auto segments =
-        e.arguments.size() > 1 ? step_list(e.arguments[1]) : std::vector<std::string>();
-    if (segments.empty()) path = points;
-    for (const std::string& segment : segments) {
-      const std::size_t open = segment.find('(');
-      if (open == segment.npos || segment.back() != ')') continue;
-      std::vector<Point> corners;
-      std::string indices = segment.substr(open);
-      if (indices.starts_with("((")) indices = indices.substr(1, indices.size() - 2);
-      for (const std::string& index : step_list(indices)) {
-        const std::size_t i = std::strtoull(index.c_str(), nullptr, 10);
-        if (i >= 1 && i <= points.size()) corners.push_back(points[i - 1]);
-      }
-      if (segment.starts_with("IFCARCINDEX") && corners.size() == 3 && corners[0].size() == 2)
-        corners = arc(corners);
-      for (const Point& p : corners) go_to(p);
-    }
+  void make_polyline(StepEntity& e, const std::vector<IfcPoint>& path) {
     std::vector<std::string> references;
     references.reserve(path.size());
-    for (const Point& p : path) references.push_back(add_point(p));
+    for (const IfcPoint& p : path) references.push_back(add_point(p));
     // A closed curve ends at its first point, not at one beside it.
     if (path.size() > 2 && path.front() == path.back()) references.back() = references.front();
     e.name = "IFCPOLYLINE";
     e.arguments = {fmt::format("({})", fmt::join(references, ","))};
   }
 
-  /// Through three points of a plane; straight if they lie in a line.
-  static std::vector<Point> arc(const std::vector<Point>& p) {
-    const double ax = p[1][0] - p[0][0], ay = p[1][1] - p[0][1];
-    const double bx = p[2][0] - p[0][0], by = p[2][1] - p[0][1];
-    const double twice = 2 * (ax * by - ay * bx);
-    if (twice == 0) return p;
-    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by;
-    const double cx = (by * aa - ay * bb) / twice, cy = (ax * bb - bx * aa) / twice;
-    const auto angle = [&](double x, double y) {
-      return math::atan2(static_cast<float>(y - cy), static_cast<float>(x - cx));
-    };
-    const double start = angle(0, 0);
-    double turn = angle(bx, by) - start;
-    // Counter-clockwise if the middle point lies to the right of the chord.
-    if (twice > 0 && turn < 0) turn += kTwoPi;
-    if (twice < 0 && turn > 0) turn -= kTwoPi;
-    std::vector<Point> path{p[0]};
-    for (int i = 1; i < kArcPieces; ++i) {
-      const auto t = static_cast<float>(turn * i / kArcPieces);
-      const double c = math::cos(t), s = math::sin(t);
-      path.push_back({p[0][0] + cx - cx * c + cy * s, p[0][1] + cy - cx * s - cy * c});
-    }
-    path.push_back(p[2]);
-    return path;
+  void make_outline(StepEntity& profile, const Outline& outline) {
+    std::vector<IfcPoint> path;
+    for (const auto& corner : outline) path.push_back({corner[0], corner[1]});
+    path.push_back(path.front());
+    StepEntity curve{next_++, {}, {}};
+    make_polyline(curve, path);
+    profile.name = "IFCARBITRARYCLOSEDPROFILEDEF";
+    profile.arguments = {".AREA.", "$", fmt::format("#{}", curve.id)};
+    added_.push_back(std::move(curve));
   }
 
   /// Triangles: Coordinates, Normals, Closed, CoordIndex, PnIndex; polygons: Coordinates, Closed,
@@ -354,7 +338,7 @@ class Rewriter {
     const bool triangles = e.name == "IFCTRIANGULATEDFACESET";
     const std::size_t list = triangles ? 3 : 2, renumbered = list + 1;
     if (e.arguments.size() <= list) return;
-    const std::vector<Point> points = points_of(e.arguments[0]);
+    const std::vector<IfcPoint> points = curves_.points(e.arguments[0]);
     std::vector<std::string> references(points.size());
     std::vector<std::string> numbers;
     if (e.arguments.size() > renumbered) numbers = step_list(e.arguments[renumbered]);
@@ -402,10 +386,11 @@ class Rewriter {
   }
 
   StepFile file_;
+  IfcCurves curves_;
   std::vector<StepEntity> added_;
   std::unordered_map<std::uint64_t, std::size_t> by_id_;
   std::uint64_t next_ = 1;
-  std::string owner_history_;
+  std::string owner_history_, origin_;
 };
 
 }  // namespace
@@ -415,6 +400,7 @@ IfcText as_ifc2x3(std::string_view text) {
   if (file.entities.empty()) return {std::string(text), {}};
   IfcText made;
   made.unread = unread_shapes(file);
+  add_styles_of_materials(file);
   made.text = Rewriter(std::move(file)).text();
   return made;
 }

@@ -64,6 +64,54 @@ TEST(IfcText, StylesOfItemsAreAssigned) {
   EXPECT_EQ(arguments(made, "IFCSURFACESTYLERENDERING"), "#9|0.8|$|$|$|$|$|$|.NOTDEFINED.");
 }
 
+// A wall of layers whose second material has a style; its shape is a boolean without one.
+TEST(IfcText, StylesOfMaterialsAreThoseOfShapes) {
+  const std::string wall =
+      "#1=IFCWALL('0000000000000000000001',$,'w',$,$,$,#2,$,$);\n"
+      "#2=IFCPRODUCTDEFINITIONSHAPE($,$,(#3));\n"
+      "#3=IFCSHAPEREPRESENTATION($,'Body','Clipping',(#4));\n"
+      "#4=IFCBOOLEANRESULT(.DIFFERENCE.,#5,#6);\n"
+      "#10=IFCMATERIAL('a',$,$);\n#11=IFCMATERIAL('b',$,$);\n#12=IFCMATERIALLAYER(#10,1.,$);\n"
+      "#13=IFCMATERIALLAYER(#11,1.,$);\n#14=IFCMATERIALLAYERSET((#12,#13),$);\n"
+      "#15=IFCRELASSOCIATESMATERIAL('0000000000000000000002',$,$,$,(#1),#14);\n"
+      "#20=IFCMATERIALDEFINITIONREPRESENTATION($,$,(#21),#11);\n"
+      "#21=IFCSTYLEDREPRESENTATION($,$,$,(#22));\n#22=IFCSTYLEDITEM($,(#23),$);\n";
+  const auto styled = [](const std::string& text) {
+    std::string found;
+    for (const StepEntity& e : parse_step(as_ifc2x3(file(text)).text).entities)
+      if (e.name == "IFCSTYLEDITEM") found += e.arguments[0] + e.arguments[1] + " ";
+    return found;
+  };
+  EXPECT_EQ(styled(wall), "$(#23) #4(#23) ");
+  // The first operand's style has precedence, and the shape's own.
+  EXPECT_EQ(styled(wall + "#30=IFCSTYLEDITEM(#5,(#31),$);\n"), "$(#23) #5(#31) #4(#31) ");
+  EXPECT_EQ(styled(wall + "#30=IFCSTYLEDITEM(#4,(#31),$);\n"), "$(#23) #4(#31) ");
+}
+
+TEST(IfcText, RoughHighlightsBecomeExponents) {
+  const std::string made =
+      as_ifc2x3(file("#1=IFCSURFACESTYLERENDERING(#9,0.,$,$,$,$,$,IFCSPECULARROUGHNESS(0.5),$);\n"))
+          .text;
+  // A Phong lobe of width alpha = r^2 has the exponent 2 / alpha^2 - 2.
+  EXPECT_EQ(arguments(made, "IFCSURFACESTYLERENDERING"),
+            "#9|0.|$|$|$|$|$|IFCSPECULAREXPONENT(30.)|.NOTDEFINED.");
+}
+
+// What is not rendered has no shape; openings of IFC4 are cut out.
+TEST(IfcText, VirtualElementsAndOpenings) {
+  const std::string made =
+      as_ifc2x3(
+          file("#1=IFCVIRTUALELEMENT('0000000000000000000001',#9,'v',$,$,#2,#3,$);\n"
+               "#4=IFCOPENINGSTANDARDCASE('0000000000000000000002',#9,'o',$,$,#2,#3,$,.OPENING.);\n"
+               "#5=IFCEXTRUDEDAREASOLID(#7,$,#8,1.);\n#9=IFCOWNERHISTORY($,$,$,$,$,$,$,0);\n"))
+          .text;
+  EXPECT_EQ(arguments(made, "IFCVIRTUALELEMENT"), "'0000000000000000000001'|#9|'v'|$|$|#2|$|$");
+  EXPECT_FALSE(arguments(made, "IFCOPENINGELEMENT").empty());
+  const std::string placed = arguments(made, "IFCAXIS2PLACEMENT3D");
+  EXPECT_EQ(placed.substr(placed.find('|')), "|$|$");
+  EXPECT_EQ(arguments(made, "IFCEXTRUDEDAREASOLID").find("|$|"), std::string::npos);
+}
+
 TEST(IfcText, CurvesOfIndicesBecomePolylines) {
   const std::string made =
       as_ifc2x3(file("#1=IFCCARTESIANPOINTLIST2D(((1.,0.),(0.,1.),(-1.,0.)));\n"

@@ -21,6 +21,8 @@ struct ImportOptions {
   /// Width by height of the picture, for cameras that define their vertical angle (glTF, Collada);
   /// unset: that of each camera, else kCameraAspect.
   std::optional<float> aspect;
+  /// Time of the first animation of glTF files; unset: the transforms of the nodes.
+  std::optional<float> seconds;
   /// Factor of the emission of materials; unset: that of the program that wrote the file.
   std::optional<float> emission_scale;
 };

@@ -19,6 +19,7 @@
 #include "models/mend_model.h"
 #include "models/obj_materials.h"
 #include "models/text_files.h"
+#include "models/truncated.h"
 #include "models/views_3ds.h"
 
 namespace oriel::models {
@@ -48,18 +49,6 @@ unsigned steps_for(const std::string& suffix) {
   return is_gltf(suffix) ? steps : steps | aiProcess_GenSmoothNormals | aiProcess_TransformUVCoords;
 }
 
-/// Whether a STEP file lacks its last line.
-bool is_cut_off(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  constexpr std::streamoff kTail = 4096;  // blanks and comments may follow
-  const std::streamoff size = file.tellg();
-  if (size <= 0) return false;
-  std::string tail(static_cast<std::size_t>(std::min(size, kTail)), '\0');
-  file.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
-  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-  return tail.find("END-ISO-10303-21") == tail.npos;
-}
-
 float aspect_of(const ImportOptions& options) { return options.aspect.value_or(kCameraAspect); }
 
 /// How text files of a format are written again before assimp reads them. It refers to `options`
@@ -76,13 +65,12 @@ TextFiles::Rewrite rewriting(const std::string& suffix, const ImportOptions& opt
   return {};
 }
 
-/// assimp looks for the end of a PLY header beyond the end of the file, without end.
-bool has_header(const std::string& ply) {
-  constexpr std::size_t kLongest = 1 << 20;  // far more than any valid header
-  std::string start(kLongest, '\0');
-  std::ifstream file(ply, std::ios::binary);
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start.find("\nend_header") != start.npos || start.find("\rend_header") != start.npos;
+/// Why assimp could not read a file.
+std::string reason_of(const std::string& error) {
+  if (error.find("mNumMeshes is 0") != error.npos || error == "No meshes remaining")
+    return "it has no surfaces that can be read";
+  if (error.starts_with("Validation failed")) return "it is damaged: " + error;
+  return error;
 }
 
 }  // namespace
@@ -113,16 +101,20 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
                       "File > Export > glTF 2.0 with cameras and punctual lights");
     return result;
   }
-  if (suffix == ".ply" && !has_header(path)) return unreadable("its header is incomplete");
-  if (suffix == ".ifc" && is_cut_off(path))
-    return unreadable("the file is truncated: it has no end");
+  const std::string truncation = truncation_of(path, suffix);
+  // A glTF text may have another fault that its reader names.
+  if (!truncation.empty() && suffix != ".gltf") return unreadable(truncation);
   Assimp::Importer importer;
   set_up(importer);
   IfcText ifc;
   importer.SetIOHandler(new TextFiles(rewriting(suffix, options, ifc)));
   if (is_gltf(suffix)) {
-    GltfModel gltf = read_gltf(importer, path, steps, options.aspect.value_or(0), diagnostics);
-    if (!gltf.scene) return unreadable(gltf.error);
+    GltfModel gltf = read_gltf(importer, path, steps, {options.aspect.value_or(0), options.seconds},
+                               diagnostics);
+    if (!gltf.scene) {
+      const bool is_nested = gltf.error.find("nested") != gltf.error.npos;
+      return unreadable(truncation.empty() || is_nested ? reason_of(gltf.error) : truncation);
+    }
     result.extras = std::move(gltf.extras);
     std::unique_ptr<aiScene> model(importer.GetOrphanedScene());
     drop_polygons_without_area(*model, diagnostics);
@@ -137,7 +129,7 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
     }));
     read = importer.ReadFile(path, steps) != nullptr;
   }
-  if (!read) return unreadable(importer.GetErrorString());
+  if (!read) return unreadable(reason_of(importer.GetErrorString()));
   if (!ifc.unread.empty())
     diagnostics.warning("OR-MD-017", {},
                         fmt::format("shapes that cannot be read are skipped: {}", ifc.unread),

@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "image/files.h"
-#include "models/testing/model_file.h"
+#include "models/testing/gltf_file.h"
 #include "support/program.h"
 
 namespace oriel {
@@ -189,6 +189,24 @@ TEST_F(ConvertTest, TruncatedFilesAreReported) {
     EXPECT_EQ(r.exit_code, 1) << name;
     EXPECT_NE(r.err.find("truncated"), std::string::npos) << r.err;
   }
+}
+
+// A node that moves from x = 0 at 0 s to x = 4 at 2 s.
+TEST_F(ConvertTest, AnimationsAreEvaluatedAtATime) {
+  models::testing::GltfFile model;
+  model.add_triangle();
+  const std::size_t times = model.add<float>({0, 2}, models::testing::kFloat, "SCALAR", 1);
+  const std::size_t places =
+      model.add<float>({0, 0, 0, 4, 0, 0}, models::testing::kFloat, "VEC3", 3);
+  model.root["animations"] = {
+      {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+       {"samplers", {{{"input", times}, {"output", places}}}}}};
+  write("m.gltf", model.text());
+  const RunResult r = run({"convert", "m.gltf", "m.mi", "--animation-time", "1.5", "-q"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const std::string scene = text_of(file("m.mi"));
+  // The transform of an instance is that from the world.
+  EXPECT_TRUE(std::regex_search(scene, std::regex("-3 -?0 -?0 1"))) << scene;
 }
 
 TEST_F(ConvertTest, UsdFilesGetAConversionHint) {

@@ -18,7 +18,9 @@ constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort 
               kUnsignedInt = 5125, kFloat = 5126;
 
 std::size_t components_of(const std::string& type) {
-  for (const auto& [name, count] : {std::pair("SCALAR", 1), {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}})
+  // MAT4 of floats has no padding; MAT2 and MAT3 are not used.
+  for (const auto& [name, count] :
+       {std::pair("SCALAR", 1), {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}})
     if (type == name) return static_cast<std::size_t>(count);
   return 0;
 }

@@ -63,13 +63,22 @@ std::string_view Buffers::buffer(std::size_t index) {
                                  : buffers_.emplace(index, load(index)).first->second;
 }
 
+std::string Buffers::excess(std::size_t size, std::size_t index, const std::string& what) const {
+  const json& written = at(member(document_.root, "buffers"), index);
+  const std::string uri = words(member(written, "uri"));
+  const std::size_t length = whole(member(written, "byteLength"), 0);
+  if (uri.empty() || uri.starts_with("data:") || size >= length)
+    return fmt::format("{} exceeds buffer {}", what, index);
+  return fmt::format("\"{}\" is truncated: {} of {} bytes", uri, size, length);
+}
+
 std::string_view Buffers::part(const json& view, const std::string& what) {
   const auto index = whole(member(view, "buffer")), length = whole(member(view, "byteLength"));
   if (!index || !length) throw Unreadable(what + " has no buffer or length");
   const std::size_t offset = whole(member(view, "byteOffset"), 0);
   const std::string_view all = buffer(*index);
   if (offset > all.size() || *length > all.size() - offset)
-    throw Unreadable(fmt::format("{} exceeds buffer {}", what, *index));
+    throw Unreadable(excess(all.size(), *index, what));
   return all.substr(offset, *length);
 }
 

@@ -31,6 +31,8 @@ class Buffers {
   std::string_view buffer(std::size_t index);
   std::string load(std::size_t index);
   /// The byte range of a buffer that a buffer view describes.
+  /// Why a part of a buffer does not exist.
+  std::string excess(std::size_t size, std::size_t index, const std::string& what) const;
   std::string_view part(const json& view, const std::string& what);
 
   const Document& document_;

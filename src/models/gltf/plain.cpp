@@ -16,6 +16,7 @@
 #include "models/gltf/plain_nodes.h"
 #include "models/gltf/plain_pictures.h"
 #include "models/gltf/plain_views.h"
+#include "models/gltf/pose.h"
 
 namespace oriel::models::gltf {
 namespace {
@@ -83,10 +84,17 @@ void keep_other_parts(const json& root, json& made) {
 }
 
 Plain plain_of(const Document& document, std::size_t content_size, const std::string& folder,
-               float aspect, Diagnostics& diagnostics) {
-  const json& root = document.root;
-  report_unsupported(root, diagnostics);
+               const PlainOptions& options, Diagnostics& diagnostics) {
+  report_unsupported(document.root, diagnostics);
   Buffers buffers(document, folder, content_size);
+  std::optional<json> with_pose;
+  try {
+    with_pose = posed(document.root, buffers, options.seconds);
+  } catch (const Unreadable& error) {
+    diagnostics.warning("OR-MD-020", {},
+                        fmt::format("skins and animations are skipped: {}", error.what()));
+  }
+  const json& root = with_pose ? *with_pose : document.root;
   PlainFile file;
   keep_other_parts(root, file.root);
   PlainMeshes meshes = plain_meshes(root, buffers, file);
@@ -111,7 +119,7 @@ Plain plain_of(const Document& document, std::size_t content_size, const std::st
     diagnostics.warning("OR-MD-022", {}, words, "export the model with PNG or JPEG pictures");
   file.root["meshes"] = std::move(meshes.meshes);
   file.root["nodes"] = std::move(nodes.nodes);
-  make_plain_views(file.root, aspect);
+  make_plain_views(file.root, options.aspect);
   file.root["scene"] = 0;
   file.root["scenes"] = json::array({{{"nodes", std::move(nodes.roots)}}});
   plain.binary = file.binary();
@@ -121,13 +129,13 @@ Plain plain_of(const Document& document, std::size_t content_size, const std::st
 
 }  // namespace
 
-std::optional<Plain> make_plain(const std::string& content, const std::string& folder, float aspect,
-                                Diagnostics& diagnostics) {
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+                                const PlainOptions& options, Diagnostics& diagnostics) {
   Plain plain;
   try {
     const auto document = parse(content);
     if (!document) return std::nullopt;
-    plain = plain_of(*document, content.size(), folder, aspect, diagnostics);
+    plain = plain_of(*document, content.size(), folder, options, diagnostics);
   } catch (const Unreadable& error) {
     plain.error = error.what();
   }

@@ -10,6 +10,11 @@
 
 namespace oriel::models::gltf {
 
+struct PlainOptions {
+  float aspect = 0;              ///< of the picture for cameras; 0 = as in the file: plain_views.h
+  std::optional<float> seconds;  ///< time of the first animation: see pose.h
+};
+
 struct Plain {
   json root;           ///< cameras, lights and materials, the latter with unique names
   std::string binary;  ///< the converted file in .glb form with a single buffer
@@ -20,14 +25,12 @@ struct Plain {
 /// instances, and does not resolve escaped file names. It reads the result of this conversion
 /// correctly.
 ///
-/// Inputs:  content: of a .gltf or .glb file; folder: location of its buffers; aspect: of the
-/// picture
-///          for cameras, 0 = as in the file, see plain_views.h.
+/// Inputs:  content: of a .gltf or .glb file; folder: location of its buffers.
 /// Returns: unset if the file is not glTF 2.0.
 /// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required
 ///          extensions, OR-MD-022 images that cannot be read.
 /// Checked: GltfPlain.*
-std::optional<Plain> make_plain(const std::string& content, const std::string& folder, float aspect,
-                                Diagnostics& diagnostics);
+std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
+                                const PlainOptions& options, Diagnostics& diagnostics);
 
 }  // namespace oriel::models::gltf

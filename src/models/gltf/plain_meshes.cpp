@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <vector>
 
+#include "base/vec.h"
 #include "models/gltf/accessor.h"
 #include "models/gltf/draco_mesh.h"
+#include "models/gltf/pose.h"
 
 namespace oriel::models::gltf {
 namespace {
@@ -60,23 +63,28 @@ class MeshMaker {
       if (const std::string name = words(member(mesh, "name")); !name.empty()) made["name"] = name;
       json& primitives = made["primitives"] = json::array();
       for (const json& primitive : member(mesh, "primitives"))
-        add(primitive, member(mesh, "weights"), primitives);
+        add(primitive, {member(mesh, "weights"), member(mesh, kJoints)}, primitives);
       result_.meshes.push_back(std::move(made));
     }
     return std::move(result_);
   }
 
  private:
-  void add(const json& primitive, const json& weights, json& primitives) {
+  /// Morph weights and joint matrices of a mesh.
+  struct Pose {
+    const json &weights, &joints;
+  };
+
+  void add(const json& primitive, const Pose& pose, json& primitives) {
     try {
-      primitives.push_back(plain(primitive, weights));
+      primitives.push_back(plain(primitive, pose));
       ++result_.read;
     } catch (const Unreadable& error) {
       if (result_.left_out++ == 0) result_.why = error.what();
     }
   }
 
-  json plain(const json& primitive, const json& weights) {
+  json plain(const json& primitive, const Pose& pose) {
     if (extension(primitive, "KHR_draco_mesh_compression").is_object()) return of_draco(primitive);
     json made = common(primitive);
     json& attributes = made["attributes"] = json::object();
@@ -84,10 +92,14 @@ class MeshMaker {
     const auto position = whole(member(written, "POSITION"));
     if (!position) throw Unreadable("a mesh has no positions");
     const std::size_t count = number_format(root_, *position).count;
+    const std::vector<Mat4> skin = skin_of(written, pose.joints, count);
     for (const auto& [name, index] : written.items()) {
       if (width_of(name) == 0 || !whole(index)) continue;
-      const auto added = moved_by(primitive, weights, name)
-                             ? morphed(primitive, weights, name, *whole(index), count)
+      const bool is_skinned =
+          !skin.empty() && (name == "POSITION" || name == "NORMAL" || name == "TANGENT");
+      const auto added = is_skinned || moved_by(primitive, pose.weights, name)
+                             ? own(morphed(primitive, pose.weights, name, *whole(index), count),
+                                   name, is_skinned ? skin : std::vector<Mat4>())
                              : shared(name, *whole(index), count);
       if (added) attributes[name] = *added;
     }
@@ -177,10 +189,66 @@ class MeshMaker {
     return false;
   }
 
+  /// The blended matrix of each vertex; none without joints.
+  std::vector<Mat4> skin_of(const json& attributes, const json& joints, std::size_t count) {
+    if (!joints.is_array() || joints.empty()) return {};
+    std::vector<Mat4> matrices, sum(count, Mat4(0.0f));
+    for (const json& joint : joints) {
+      matrices.emplace_back();
+      for (std::size_t k = 0; k < 16; ++k)
+        matrices.back()[static_cast<int>(k / 4)][static_cast<int>(k % 4)] = number_at(joint, k, 0);
+    }
+    std::vector<float> total(count, 0.0f);
+    for (int set = 0;; ++set) {
+      const auto index = whole(member(attributes, fmt::format("JOINTS_{}", set).c_str()));
+      const auto share = whole(member(attributes, fmt::format("WEIGHTS_{}", set).c_str()));
+      if (!index || !share) break;
+      const Column of = read_numbers(root_, buffers_, *index);
+      const Column weights = read_numbers(root_, buffers_, *share);
+      if (of.count() != count || weights.count() != count || of.components != 4 ||
+          weights.components != 4)
+        throw Unreadable("the joints of a mesh do not match its vertices");
+      for (std::size_t i = 0; i < count * 4; ++i) {
+        if (!(weights.values[i] > 0) || !(of.values[i] < static_cast<float>(matrices.size())))
+          continue;
+        sum[i / 4] += matrices[static_cast<std::size_t>(of.values[i])] * weights.values[i];
+        total[i / 4] += weights.values[i];
+      }
+    }
+    for (std::size_t v = 0; v < count; ++v)
+      if (total[v] > 0)
+        sum[v] *= 1 / total[v];
+      else
+        sum[v] = matrices.front();
+    return sum;
+  }
+
+  /// Adds a column that belongs to one mesh, moved by the matrices of its vertices.
+  std::optional<std::size_t> own(Column column, const std::string& name,
+                                 const std::vector<Mat4>& skin) {
+    if (column.count() == 0) return std::nullopt;
+    buffers_.spend(column.values.size() * sizeof(float));
+    for (std::size_t v = 0; v < column.count() && !skin.empty(); ++v) {
+      float* const at = &column.values[v * column.components];
+      const Vec3 from(at[0], at[1], at[2]);
+      Vec3 to;
+      if (name == "POSITION") {
+        to = from * skin[v];
+      } else if (name == "NORMAL") {
+        skin[v].inverse().transposed().multDirMatrix(from, to);
+        to.normalize();
+      } else {
+        skin[v].multDirMatrix(from, to);
+        to.normalize();
+      }
+      for (int k = 0; k < 3; ++k) at[k] = to[k];
+    }
+    return file_.add_numbers(column.values, column.components);
+  }
+
   /// Applies the morph weights of the mesh.
-  std::optional<std::size_t> morphed(const json& primitive, const json& weights,
-                                     const std::string& name, std::size_t accessor,
-                                     std::size_t count) {
+  Column morphed(const json& primitive, const json& weights, const std::string& name,
+                 std::size_t accessor, std::size_t count) {
     Column sum = column(name, accessor, count);
     const json& targets = member(primitive, "targets");
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -194,8 +262,7 @@ class MeshMaker {
         for (std::size_t k = 0; k < moved.components; ++k)
           sum.values[v * sum.components + k] += weight * moved.values[v * moved.components + k];
     }
-    if (sum.count() == 0) return std::nullopt;
-    return file_.add_numbers(sum.values, sum.components);
+    return sum;
   }
 
   struct Added {

@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "base/file_text.h"
-#include "models/gltf/plain.h"
 
 namespace oriel::models {
 
@@ -29,7 +28,7 @@ std::size_t size_in_header(const std::string& content) {
 }  // namespace
 
 GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigned steps,
-                    float aspect, Diagnostics& diagnostics) {
+                    const gltf::PlainOptions& options, Diagnostics& diagnostics) {
   GltfModel model;
   std::error_code error;
   const std::string content = fs::is_regular_file(path, error) ? file_text(path) : std::string();
@@ -38,7 +37,7 @@ GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigne
     return model;
   }
   const auto plain =
-      gltf::make_plain(content, fs::path(path).parent_path().string(), aspect, diagnostics);
+      gltf::make_plain(content, fs::path(path).parent_path().string(), options, diagnostics);
   if (!plain) {
     // glTF 1.0 or an invalid file: let assimp report the error.
     model.scene = importer.ReadFile(path, steps);

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "models/gltf/extras.h"
+#include "models/gltf/plain.h"
 
 namespace oriel::models {
 
@@ -17,9 +18,9 @@ struct GltfModel {
   std::map<std::string, GltfExtras> extras;
 };
 
-/// Inputs:  steps: post-processing flags of assimp; aspect: as of gltf::make_plain.
+/// Inputs:  steps: post-processing flags of assimp; options: as of gltf::make_plain.
 /// Errors:  as gltf::make_plain.
 GltfModel read_gltf(Assimp::Importer& importer, const std::string& path, unsigned steps,
-                    float aspect, Diagnostics& diagnostics);
+                    const gltf::PlainOptions& options, Diagnostics& diagnostics);
 
 }  // namespace oriel::models
