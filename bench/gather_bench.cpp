@@ -280,7 +280,7 @@ void compare_cost(const char* name, const std::string& plain, const std::string&
                   IndirectMethod method) {
   constexpr int kRounds = 3;
   const ThreadLimit limit(1);
-  // The plain one twice: what their ratio is off 1 by is noise.
+  // The plain one runs twice: the ratio of its times differs from 1 by noise alone.
   const Scene scenes[] = {Scene(plain, 160, 120), Scene(plain, 160, 120), Scene(other, 160, 120)};
   std::vector<double> ratios[3];
   for (int round = 0; round < kRounds; ++round) {

@@ -130,7 +130,7 @@ void compare(const char* name, std::string text, int samples) {
     replace_all(plain, fmt::format("\"{}_s\" \"mia_material_x\"", wall),
                 fmt::format("\"{}_s\" \"plain_glossy\"", wall));
   replace_all(full, "\"mia_material_x\" (", std::string("\"mia_material_x\" ( ") + kInactive);
-  // The plain one twice: what their ratio is off 1 by is noise.
+  // The plain one runs twice: the ratio of its times differs from 1 by noise alone.
   const Room rooms[] = {Room(plain), Room(plain), Room(text), Room(full)};
   std::vector<double> ratio[4];
   double mean[4] = {};

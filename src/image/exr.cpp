@@ -141,7 +141,8 @@ void check_layers(const std::string& path, const std::vector<Layer>& layers) {
   }
 }
 
-/// Writes to a file that remembers errors: the destructor of Imf::OutputFile ignores them.
+/// A stream that keeps the first write error of its file, because the destructor of Imf::OutputFile
+/// ignores errors.
 class ExrStream final : public Imf::OStream {
  public:
   ExrStream(DurableFile& file, const std::string& path) : OStream(path.c_str()), file_(file) {}

@@ -117,7 +117,7 @@ Deviation deviation(const Waves& scene, float height) {
   return worst;
 }
 
-/// How often sides of triangles occur that are not met by exactly two, by places.
+/// The number of triangle sides that do not belong to exactly two triangles.
 int open_sides(const geom::Mesh& mesh) {
   std::map<std::array<float, 6>, int> sides;
   for (const geom::Triangle& t : mesh.triangles)

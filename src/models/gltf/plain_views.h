@@ -6,7 +6,8 @@
 
 namespace oriel::models::gltf {
 
-/// Gives each node with a camera or a light one of its own and a name of its own.
+/// Copies cameras and lights that several nodes share, so that each node has its own, with a unique
+/// name.
 ///
 /// Model:   assimp finds the place of a camera or light by its node's name and knows one place for
 ///          each. Its horizontal angle is yfov times the aspect ratio; here yfov is changed so that

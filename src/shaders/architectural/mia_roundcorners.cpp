@@ -52,8 +52,8 @@ constexpr float kSameEdge = 0.866f;
 /// Tolerance of cosines for interpolated normals of flat faces.
 constexpr float kRounding = 1e-5f;
 
-/// Position on the way to an edge at which the surface is tested again: smaller facets may end
-/// before.
+/// Fraction of the distance to an edge at which the surface is tested again, since small facets may
+/// end before the edge.
 constexpr float kBefore = 0.9f;
 
 /// An edge near the point.

@@ -105,7 +105,7 @@ int GlossyGrid::height(int density) const {
 GlossyGrid::GlossyGrid(const World& world, const PathSettings& paths, std::uint32_t seed,
                        RayCounts& counts) {
   unsigned wanted = 0;
-  // Also those of shaders that others ask for their colour.
+  // All nodes: shaders of materials may call other shaders that have grids.
   for (const auto& node : world.nodes)
     if (node->spec().material.grids) wanted |= node->spec().material.grids(*node);
   if (!wanted) return;

@@ -215,7 +215,7 @@ TEST(MotionLayer, ContainsTheMotionInTheImage) {
   const std::string way = moves_by(12.5f, 2, -1);
   expect(streak("shutter 1", way), {12.5f, 2, 1});
   expect(streak("shutter .5", way), {6.25f, 1, .5f});
-  // Sharp pictures for programs that blur themselves: the whole interval.
+  // Pictures without blur, for programs that add it: the motion is that of the whole interval.
   expect(streak("shutter .5 .5", way), {12.5f, 2, 1});
   expect(streak("shutter .5 2", way), {18.75f, 3, 1.5f});
   expect(vector_streak("shutter 1", {{12.5f, 2, -1}}), {12.5f, 2, 1});
