@@ -261,6 +261,14 @@ TEST(ModelMaterial, UnlitIsMatte) {
   EXPECT_TRUE(made.said("unlit"));
 }
 
+TEST(ModelMaterial, ExtensionsThatAreNotReadAreNamed) {
+  Quad quad;
+  quad.material = R"("pbrMetallicRoughness":{})";
+  quad.more = R"("extensionsUsed":["EXT_lights_image_based","KHR_texture_transform"],)";
+  const Imported made(quad.text());
+  EXPECT_TRUE(made.said("extensions that are not read: EXT_lights_image_based; their data"));
+}
+
 TEST(ModelMaterial, SpecularGlossinessIsNotMetallic) {
   Quad quad;
   quad.more = R"("extensionsUsed":["KHR_materials_pbrSpecularGlossiness"],)";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // oriel render --noise: the render ends where its true error is the target.
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <ostream>
 #include <vector>
 
 #include "image/exr.h"
@@ -15,6 +15,7 @@ struct NoiseCase {
   const char* scene;
   const char* target;
 };
+void PrintTo(const NoiseCase& c, std::ostream* out) { *out << c.scene; }
 
 class NoiseTarget : public ProgramTest, public ::testing::WithParamInterface<NoiseCase> {
  protected:

@@ -34,15 +34,28 @@ bool is_known(const std::string& name) {
 }
 
 void report_unsupported(const json& root, Diagnostics& diagnostics) {
-  std::set<std::string> unknown;
-  for (const json& required : member(root, "extensionsRequired"))
-    if (const std::string name = words(required); !name.empty() && !is_known(name))
-      unknown.insert(name);
-  if (!unknown.empty())
+  const auto unknown = [&](const char* list) {
+    std::set<std::string> names;
+    for (const json& written : member(root, list))
+      if (const std::string name = words(written); !name.empty() && !is_known(name))
+        names.insert(name);
+    return names;
+  };
+  const std::set<std::string> required = unknown("extensionsRequired");
+  if (!required.empty())
     diagnostics.warning("OR-MD-021", {},
                         fmt::format("unsupported required extensions: {}; their data is skipped",
-                                    fmt::join(unknown, ", ")),
+                                    fmt::join(required, ", ")),
                         "export the model without them");
+  std::set<std::string> optional = unknown("extensionsUsed");
+  for (const std::string& name : required) optional.erase(name);
+  if (!optional.empty())
+    diagnostics.note("OR-MD-024", {},
+                     fmt::format("extensions that are not read: {}; their data is skipped",
+                                 fmt::join(optional, ", ")),
+                     optional.contains("EXT_lights_image_based")
+                         ? "light the model by a picture with --sky FILE.hdr"
+                         : "");
 }
 
 /// Materials are later found by name, so each gets a unique name.

@@ -28,7 +28,8 @@ struct Plain {
 /// Inputs:  content: of a .gltf or .glb file; folder: location of its buffers.
 /// Returns: unset if the file is not glTF 2.0.
 /// Errors:  OR-MD-020 parts that cannot be read, OR-MD-021 unsupported required
-///          extensions, OR-MD-022 images that cannot be read.
+///          extensions, OR-MD-024 other extensions that are not read, OR-MD-022 images that cannot
+///          be read.
 /// Checked: GltfPlain.*
 std::optional<Plain> make_plain(const std::string& content, const std::string& folder,
                                 const PlainOptions& options, Diagnostics& diagnostics);
