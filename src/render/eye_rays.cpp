@@ -162,7 +162,7 @@ PathResult trace_eye_rays(const World& world, Vec2 raster, sampling::Sampler& sa
   PathRecord record;
   trace_eye_rays(world, PathIntegrator(world), raster, PathSettings{}.paths_of_pixel, record,
                  sampler, counts);
-  return record;
+  return static_cast<const PathResult&>(record);
 }
 
 }  // namespace oriel

@@ -88,7 +88,7 @@ void UserInstance::make_ready(const ShaderNode& of) {
   const std::lock_guard guard(spec->host->shader_lock());
   // Init functions may query the parameters before they return.
   if (function || ready.load(std::memory_order_relaxed)) return;
-  Host& host = *spec->host;
+  Host& owner = *spec->host;
   const auto* own = &of.constants<std::byte>();
 
   std::size_t size = spec->c_params_size;
@@ -108,14 +108,14 @@ void UserInstance::make_ready(const ShaderNode& of) {
   parameters = values;
   function = reinterpret_cast<miFunction*>(values - offsetof(miFunction, parameters));
   function->type = miFUNCTION_C;
-  function->function_decl = host.tag_of(*spec);
+  function->function_decl = owner.tag_of(*spec);
   function->parameter_size = static_cast<int>(spec->c_params_size);
   function->result_size = static_cast<int>(spec->c_result_size);
 
   // C offset of each value of the renderer, for connections.
   std::map<std::size_t, std::pair<std::size_t, ParamType>> places;
   const auto put = [&](const CMember& m, std::size_t from, std::size_t to) {
-    store_value(host, m.type, own + from, values + to);
+    store_value(owner, m.type, own + from, values + to);
     places[from] = {to, m.type};
   };
   std::size_t end = spec->c_params_size;
@@ -143,17 +143,17 @@ void UserInstance::make_ready(const ShaderNode& of) {
     if (place == places.end()) continue;
     const auto [offset, type] = place->second;
     connections.push_back({offset, type, &c});
-    const miTag tag = host.tag_of(c.source);
+    const miTag tag = owner.tag_of(c.source);
     std::memcpy(values + size + offset, &tag, sizeof tag);
   }
   function->ghost_offs = connections.empty() ? 0 : static_cast<int>(size);
 
-  initialise(host);
+  initialise(owner);
   ready.store(true, std::memory_order_release);
 }
 
 /// Calls NAME_init once without parameters, then once per call if the shader requests it.
-void UserInstance::initialise(Host& host) {
+void UserInstance::initialise(Host& owner) {
   mi_init_lock(&lock);
   auto* shader = const_cast<UserSpec*>(spec);
   if (shader->crashed) return;
@@ -161,12 +161,12 @@ void UserInstance::initialise(Host& host) {
     shader->initialised = true;  // set before the call, so that the exit function runs in any case
     return;
   }
-  set_current_host(&host);
+  set_current_host(&owner);
   using Init = miBoolean (*)(miState*, void*, miBoolean*);
   const auto init = reinterpret_cast<Init>(shader->init);
   ShadingPoint nowhere;
-  nowhere.world = host.world();
-  StateFrame frame(host, nowhere, nullptr);
+  nowhere.world = owner.world();
+  StateFrame frame(owner, nowhere, nullptr);
   frame.state.type = miRAY_NONE;
   frame.state.shader = function;
   frame.context.shader = this;
@@ -185,7 +185,7 @@ void UserInstance::initialise(Host& host) {
     }
   });
   install_crash_handlers();
-  if (!done) host.stop_crashed(running);
+  if (!done) owner.stop_crashed(running);
 }
 
 }  // namespace oriel::sdk

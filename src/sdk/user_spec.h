@@ -99,7 +99,7 @@ struct UserInstance final : ShaderState {
   void make_ready(const ShaderNode& of);
 
  private:
-  void initialise(Host& host);
+  void initialise(Host& owner);
 };
 
 /// The call of a node; null if it is not a user shader.
