@@ -76,11 +76,14 @@ DenoisedPicture denoise_with_parts(const DenoiseInput& input, const DenoiseOptio
 
 /// The picture with the light of outliers spread over their neighbourhood.
 ///
-/// Model:   an outlier is a pixel whose error is at least kOutlierError of its value and which is
-///          kOutlierFactor times as bright as all but kOutlierPeers of its 24 neighbours: one rare
-///          sample made it. Its excess is added to the neighbourhood in proportion to brightness
-///          and nearness, so the sum of the picture does not change. The more samples, the smaller
-///          the error: the limit is the picture itself.
+/// Model:   an outlier is a pixel with an error of at least a fifth of its value that is brighter
+///          than its surface, because a rare sample made it. The brightness of a surface is that of
+///          the third brightest of the 24 neighbours, each as in the darker half of its samples,
+///          without neighbours that are known to be much brighter: these are another surface. What
+///          both halves have stays if its error shows that at least three samples made it. The
+///          excess is added to the neighbourhood in proportion to brightness and nearness, so the
+///          sum of the picture does not change. The more samples, the smaller the error: the limit
+///          is the picture itself.
 /// Inputs:  colour, and half_difference or variance; the rest is not read.
 /// Returns: RGB; pixels that no outlier changed have the bytes of the input.
 /// Errors:  as denoise().

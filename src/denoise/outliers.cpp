@@ -10,39 +10,71 @@ namespace oriel {
 namespace denoising {
 namespace {
 
-/// See oriel::spread_outliers(). A pixel that is bright in truth is so in many samples.
-constexpr float kOutlierError = 0.3f, kOutlierFactor = 1.5f;
-constexpr int kOutlierPeers = 2;
+/// See oriel::spread_outliers(). An outlier has an error of at least kOutlierError of its value,
+/// and is brighter by kOutlierFactor than all but two of the pixels around it.
+constexpr float kOutlierError = 0.2f, kOutlierFactor = 1.35f;
+constexpr int kOutlierPeers = 2, kOutlierRadius = 2;
+/// Error, relative to the value, of a pixel that fewer than three of its samples made: k equal
+/// samples among many black ones give 1/sqrt(k).
+constexpr float kRareError = 0.6f;
+/// A neighbour belongs to another surface if it is brighter by kOtherSurface and its error is below
+/// kKnownError of its value.
+constexpr float kOtherSurface = 2, kKnownError = 0.3f;
 
 /// Half the side of the window that gets the excess; it doubles from the first to the last size
 /// until the window becomes brighter by at most kMaxGain.
-constexpr int kFirstRadius = 6, kLastRadius = 48;
+constexpr int kFirstRadius = 3, kLastRadius = 48;
 constexpr float kMaxGain = 0.1f;
 
 float sum3(const Planes& p, std::size_t i) { return p.plane(0)[i] + p.plane(1)[i] + p.plane(2)[i]; }
 
-/// The share of a pixel that is no outlier; 1 = all of it.
-float kept_share(const Noisy& n, int x, int y) {
-  const std::size_t i = std::size_t(y) * n.color.width + x;
-  const float own = sum3(n.color, i);
-  float error = n.variance.count ? sum3(n.variance, i) : 0.0f;
+/// What is known of a pixel's brightness.
+struct Brightness {
+  float mean;
+  float lower;  ///< mean of the darker half of the samples: a rare sample is in one half only
+  float error;
+};
+
+Brightness brightness_of(const Noisy& n, std::size_t i) {
+  const float mean = sum3(n.color, i);
+  float lower = mean, variance = n.variance.count ? 3 * sum3(n.variance, i) : 0.0f;
   if (n.half.count) {
     const float half = std::abs(sum3(n.half, i));
-    error = std::max(error, half * half / 3);
+    lower = std::max(mean - half, 0.0f);
+    variance = std::max(variance, half * half);
   }
-  if (!(own > 0) || 3 * error < kOutlierError * kOutlierError * own * own) return 1;
-  std::array<float, kOutlierPeers + 1> brightest = {};  // in falling order
-  for (int v = std::max(y - 2, 0); v <= std::min(y + 2, n.color.height - 1); ++v)
-    for (int u = std::max(x - 2, 0); u <= std::min(x + 2, n.color.width - 1); ++u) {
-      if (u == x && v == y) continue;
-      float b = sum3(n.color, std::size_t(v) * n.color.width + u);
-      for (float& rank : brightest)
-        if (b > rank) std::swap(b, rank);
-    }
-  // A rare sample is in one half only.
-  const float both = n.half.count ? own - std::abs(sum3(n.half, i)) : 0.0f;
-  const float limit = std::max(kOutlierFactor * brightest.back(), both);
-  return own > limit ? limit / own : 1;
+  return {mean, lower, std::sqrt(variance)};
+}
+
+/// The brightness from which on a pixel is brighter than its surface.
+float limit_of(const Noisy& n, int x, int y, float lower) {
+  constexpr int kSide = 2 * kOutlierRadius + 1;
+  std::array<Brightness, kSide * kSide - 1> around;
+  std::size_t count = 0;
+  for (int v = std::max(y - kOutlierRadius, 0);
+       v <= std::min(y + kOutlierRadius, n.color.height - 1); ++v)
+    for (int u = std::max(x - kOutlierRadius, 0);
+         u <= std::min(x + kOutlierRadius, n.color.width - 1); ++u)
+      if (u != x || v != y) around[count++] = brightness_of(n, std::size_t(v) * n.color.width + u);
+  const auto end = around.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(around.begin(), end,
+            [](const Brightness& a, const Brightness& b) { return a.lower > b.lower; });
+  const float surface = std::max(kOtherSurface * lower, count ? around[count / 2].lower : 0.0f);
+  int peers = 0;
+  for (auto other = around.begin(); other != end; ++other) {
+    if (other->lower > surface && other->error < kKnownError * other->mean) continue;
+    if (++peers > kOutlierPeers) return kOutlierFactor * other->lower;
+  }
+  return 0;
+}
+
+/// The share of a pixel that is no outlier; 1 = all of it.
+float kept_share(const Noisy& n, int x, int y) {
+  const Brightness own = brightness_of(n, std::size_t(y) * n.color.width + x);
+  if (!(own.mean > 0) || own.error < kOutlierError * own.mean) return 1;
+  float limit = limit_of(n, x, y, own.lower);
+  if (n.half.count && own.error < kRareError * own.mean) limit = std::max(limit, own.lower);
+  return own.mean > limit ? limit / own.mean : 1;
 }
 
 /// Weights of the pixels around one, in proportion to their brightness and to a tent.
