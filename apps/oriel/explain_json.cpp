@@ -92,6 +92,7 @@ const char* lobe_name(LobeKind kind) {
                                     "thin transparency",
                                     "blurred thin transparency",
                                     "translucency",
+                                    "sheen",
                                     "Phong highlight",
                                     "Cook-Torrance highlight",
                                     "Ward highlight",

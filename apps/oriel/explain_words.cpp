@@ -78,8 +78,8 @@ std::string lobe_words(const ExplainedLobe& lobe) {
   const bool glossy = lobe.kind == LobeKind::GlossyReflection ||
                       lobe.kind == LobeKind::GlossyRefraction || lobe.kind == LobeKind::GlossyThin;
   if (glossy) words += fmt::format(" (roughness {:.2g})", lobe.roughness);
-  if (lobe.kind == LobeKind::Diffuse && lobe.roughness > 0)
-    words += fmt::format(" (roughness {:.2g})", lobe.roughness);
+  const bool wide = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Sheen;
+  if (wide && lobe.roughness > 0) words += fmt::format(" (roughness {:.2g})", lobe.roughness);
   return words;
 }
 

@@ -154,7 +154,8 @@ std::size_t ExplainObserver::child(std::size_t from, PathSegment segment, const 
 void ExplainObserver::add_lobes(const Closure& closure, ExplainedSurface& s) const {
   for (int i = 0; i < closure.count; ++i) {
     const Lobe& lobe = closure.lobes[i];
-    const bool rough = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Translucency;
+    const bool rough = lobe.kind == LobeKind::Diffuse || lobe.kind == LobeKind::Translucency ||
+                       lobe.kind == LobeKind::Sheen;
     const auto same = std::find_if(s.lobes.begin(), s.lobes.end(),
                                    [&](const ExplainedLobe& l) { return l.kind == lobe.kind; });
     ExplainedLobe& sum = same == s.lobes.end() ? s.lobes.emplace_back() : *same;

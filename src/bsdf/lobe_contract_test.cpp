@@ -11,6 +11,7 @@
 #include "bsdf/glossy_reflection.h"
 #include "bsdf/oren_nayar.h"
 #include "bsdf/rough_refraction.h"
+#include "bsdf/sheen.h"
 #include "bsdf/specular.h"
 #include "bsdf/translucency.h"
 #include "sampling/sampler.h"
@@ -46,6 +47,8 @@ std::vector<Case> cases() {
       make("Lambert", OrenNayar(0), true, true),
       make("OrenNayarQuarter", OrenNayar(0.25f), true, true),
       make("OrenNayarOne", OrenNayar(1), true, true),
+      make("SheenNarrow", Sheen(0.09f), true, true),
+      make("SheenWide", Sheen(0.7f), true, true),
       make("Translucency", Translucency{}, true, true),
       make("GlossySmooth", GlossyReflection(0.06f, 0.06f), false, false),
       make("GlossyMiddle", GlossyReflection(0.3f, 0.3f), false, false),
@@ -67,7 +70,7 @@ Vec3 sphere(const Vec2& u) { return sampling::sample_uniform_sphere(u); }
 
 class LobeContract : public ::testing::TestWithParam<Case> {};
 
-// The whole suite errs with probability 0.01: 13 lobes, 4 views.
+// The whole suite errs with probability 0.01: 15 lobes, 4 views.
 TEST_P(LobeContract, DrawsWhatItsDensitySays) {
   const Case& lobe = GetParam();
   const double level = testing::sidak(0.01, static_cast<int>(cases().size() * std::size(kViews)));

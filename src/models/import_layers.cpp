@@ -50,6 +50,22 @@ bool add_bump(MaterialSource& source, ShaderCall& material) {
   return true;
 }
 
+ShaderCall sheened(MaterialSource& source, ShaderCall material) {
+  const Vec3 color = source.color(AI_MATKEY_SHEEN_COLOR_FACTOR).value_or(Vec3(0));
+  if (max_component(color) <= 0) return material;
+  const float roughness = source.number(AI_MATKEY_SHEEN_ROUGHNESS_FACTOR).value_or(0);
+  ShaderCall layer("oriel_sheen");
+  layer.set("base_material", source.add("under_sheen", material).c_str());
+  source.tinted(layer, "color", source.texture(AI_MATKEY_SHEEN_COLOR_TEXTURE), color, "sheen");
+  if (const std::string map = source.data(AI_MATKEY_SHEEN_ROUGHNESS_TEXTURE); map.empty())
+    layer.set("roughness", roughness);
+  else
+    layer.connect("roughness", source.curve(source.alpha(map, "sheen_alpha"), "sheen_rough",
+                                            [&](float x) { return roughness * x; }));
+  source.needs_own_package = true;
+  return layer;
+}
+
 ShaderCall coated(MaterialSource& source, ShaderCall material) {
   const float coat = clamp01(source.number(AI_MATKEY_CLEARCOAT_FACTOR).value_or(0));
   if (coat <= 0) return material;

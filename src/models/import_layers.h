@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Additional layers of imported materials: bump and normal maps, clear coat.
+// Additional layers of imported materials: bump and normal maps, sheen, clear coat.
 #pragma once
 
 #include "models/material_source.h"
@@ -17,6 +17,12 @@ namespace oriel::models {
 /// Source:  glTF 2.0, 3.9.3; mib_bump.h for the step of a hundredth.
 /// Checked: ModelBump.*
 bool add_bump(MaterialSource& source, ShaderCall& material);
+
+/// Adds the sheen of the model, if it has one: an oriel_sheen over the material.
+///
+/// Source:  KHR_materials_sheen.
+/// Checked: ModelSheen.*
+ShaderCall sheened(MaterialSource& source, ShaderCall material);
 
 /// Adds the clear coat of the model, if it has one: the material becomes a separate shader, and the
 /// returned mib_glossy_reflection is layered over it.

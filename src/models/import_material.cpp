@@ -52,7 +52,7 @@ class MaterialMaker {
     emission();
     coverage();
     transmits_ = call_.has("transparency") || call_.has("cutout_opacity");
-    call_ = coated(m_, std::move(call_));
+    call_ = coated(m_, sheened(m_, std::move(call_)));
     leave_out(diagnostics);
     made.name = m_.name();
     made.needs_own_package = m_.needs_own_package;
@@ -99,62 +99,139 @@ class MaterialMaker {
     m_.tinted(call_, "diffuse", map, base, "base");
     call_.set("reflectivity", 1.0f).set("brdf_fresnel", false);
     call_.set("brdf_curve", kCurve).set("refr_ior", std::max(ior, 1.0f));
-    if (both.empty()) {
-      call_.set("diffuse_weight", 1 - metallic);
-      const Brushed lobe = brushed(roughness, extras_.anisotropy);
-      call_.set("refl_gloss", lobe.gloss);
-      if (stretches()) call_.set("anisotropy", lobe.ratio);
-      call_.set("brdf_0_degree_refl", lerp(f0, 1, metallic));
-      call_.set("brdf_90_degree_refl", lerp(edge, 1, metallic));
-      if (metallic <= 0)
-        call_.set("refl_color", hue);
-      else if (map.empty())
-        call_.set("refl_color", hue * (1 - metallic) + base * metallic);
-      else
-        call_.connect("refl_color", m_.add("tint", blended(hue, map, base, metallic)));
-      return;
-    }
-    const std::string metal = m_.channel(both, 2, "metallic");
-    const std::string rough = m_.channel(both, 1, "roughness");
+    brushed_reflection(roughness, both.empty() ? "" : m_.channel(both, 1, "roughness"));
+    const std::string metal = both.empty() ? "" : m_.channel(both, 2, "metallic");
     const auto by_metal = [&](const char* parameter, const char* suffix, float from, float to) {
-      call_.connect(parameter,
-                    m_.curve(metal, suffix, [&](float x) { return lerp(from, to, metallic * x); }));
+      if (metal.empty())
+        call_.set(parameter, lerp(from, to, metallic));
+      else
+        call_.connect(parameter, m_.curve(metal, suffix,
+                                          [&](float x) { return lerp(from, to, metallic * x); }));
     };
     by_metal("diffuse_weight", "diffuse_weight", 1, 0);
+    if (extras_.iridescence > 0) {
+      film_reflection(specular_color(hue * f0), map, base, metallic, metal);
+      return;
+    }
     by_metal("brdf_0_degree_refl", "f0", f0, 1);
     if (edge < 1)
       by_metal("brdf_90_degree_refl", "f90", edge, 1);
     else
       call_.set("brdf_90_degree_refl", 1.0f);
-    call_.connect("refl_gloss", m_.curve(rough, "gloss", [&](float x) {
-      return brushed(roughness * x, extras_.anisotropy).gloss;
-    }));
-    if (stretches())
-      call_.connect("anisotropy", m_.curve(rough, "stretched", [&](float x) {
-        return brushed(roughness * x, extras_.anisotropy).ratio;
-      }));
-    ShaderCall tint = blended(hue, map, base, 1);
-    tint.connect("weight_0", m_.curve(metal, "metal", [&](float x) { return metallic * x; }));
-    call_.connect("refl_color", m_.add("tint", tint));
+    set_or_connect(call_, "refl_color",
+                   reflected(specular_color(hue), map, base, metallic, metal, "tint"));
   }
 
-  /// Whether reflections are anisotropic; they then follow the texture coordinates of the tangents.
-  bool stretches() {
-    if (extras_.anisotropy <= 0) return false;
+  /// A constant colour, or the name of a shader.
+  struct Color {
+    Vec3 value{0};
+    std::string shader = {};
+  };
+  static void set_or_connect(ShaderCall& call, const char* parameter, const Color& color) {
+    if (color.shader.empty())
+      call.set(parameter, color.value);
+    else
+      call.connect(parameter, color.shader);
+  }
+
+  /// The colour of the dielectric part times the textures of KHR_materials_specular.
+  Color specular_color(const Vec3& factor) {
+    std::string colors = m_.texture(aiTextureType_UNKNOWN, kSpecularColorTexture);
+    if (const std::string map = m_.data(aiTextureType_UNKNOWN, kSpecularTexture); !map.empty()) {
+      const std::string strength = m_.alpha(map, "specular_strength");
+      colors = colors.empty() ? strength : m_.product(strength, colors, "specular_colors");
+    }
+    if (colors.empty() || factor == Vec3(1)) return {factor, colors};
+    return {factor, m_.add("specular", MaterialSource::multiplied(colors, factor))};
+  }
+
+  /// The colour of the dielectric part, with the base colour over it in proportion to metallic.
+  Color reflected(const Color& dielectric, const std::string& map, const Vec3& base, float metallic,
+                  const std::string& metal, const char* suffix) {
+    const bool constant = map.empty() && dielectric.shader.empty() && metal.empty();
+    if (metallic <= 0) return dielectric;
+    if (constant) return {dielectric.value * (1 - metallic) + base * metallic};
+    ShaderCall mix("mib_color_mix");
+    mix.set("num", 1).set("mode_0", 1);
+    set_or_connect(mix, "color_base", dielectric);
+    m_.tinted(mix, "color_0", map, base, "tinted");
+    if (!metal.empty())
+      mix.connect("weight_0", m_.curve(metal, "metal", [&](float x) { return metallic * x; }));
+    else if (metallic < 1)
+      mix.set("weight_0", metallic);
+    return {Vec3(0), m_.add(suffix, mix)};
+  }
+
+  /// A film over the reflecting surface: the colour of the reflection changes with the angle.
+  void film_reflection(const Color& dielectric, const std::string& map, const Vec3& base,
+                       float metallic, const std::string& metal) {
+    ShaderCall film("oriel_thin_film");
+    set_or_connect(film, "reflectance",
+                   reflected(dielectric, map, base, metallic, metal, "under_film"));
+    film.set("ior", extras_.film_ior);
+    if (const std::string much = m_.data(aiTextureType_UNKNOWN, kIridescenceTexture); much.empty())
+      film.set("factor", extras_.iridescence);
+    else
+      film.connect("factor", m_.curve(m_.channel(much, 0, "iridescence"), "film_factor",
+                                      [&](float x) { return extras_.iridescence * x; }));
+    const std::string thick = m_.data(aiTextureType_UNKNOWN, kIridescenceThicknessTexture);
+    if (thick.empty())
+      film.set("thickness", extras_.film_thickness);
+    else
+      film.connect("thickness",
+                   m_.curve(m_.channel(thick, 1, "film"), "film_thickness", [&](float x) {
+                     return lerp(extras_.film_least, extras_.film_thickness, x);
+                   }));
+    call_.connect("refl_color", m_.add("film", film));
+    call_.set("brdf_0_degree_refl", 1.0f).set("brdf_90_degree_refl", 1.0f);
+    m_.needs_own_package = true;
+  }
+
+  /// The lobe of the reflection; `rough` is a shader or empty.
+  void brushed_reflection(float roughness, const std::string& rough) {
+    const std::string map =
+        extras_.anisotropy > 0 ? m_.data(aiTextureType_UNKNOWN, kAnisotropyTexture) : std::string();
+    const std::string strength = map.empty() ? "" : m_.channel(map, 2, "brushed_strength");
+    // A value by the texture of roughness, or by that of the strength; by both it is mixed between
+    // the curves of no strength and of the whole.
+    const auto set = [&](const char* parameter, const std::string& suffix,
+                         float (*value)(const Brushed&)) {
+      const auto at = [&](float x, float y) {
+        return value(brushed(roughness * x, extras_.anisotropy * y));
+      };
+      const auto by_roughness = [&](float y, const char* which) {
+        return m_.curve(rough, suffix + which, [&](float x) { return at(x, y); });
+      };
+      if (rough.empty() && strength.empty()) {
+        call_.set(parameter, at(1, 1));
+      } else if (strength.empty()) {
+        call_.connect(parameter, by_roughness(1, ""));
+      } else if (rough.empty()) {
+        call_.connect(parameter, m_.curve(strength, suffix, [&](float y) { return at(1, y); }));
+      } else {
+        ShaderCall mix("mib_color_mix");
+        mix.set("num", 1).set("mode_0", 1).connect("weight_0", strength);
+        mix.connect("color_base", by_roughness(0, "_round"));
+        mix.connect("color_0", by_roughness(1, "_brushed"));
+        call_.connect(parameter, m_.add(suffix, mix));
+      }
+    };
+    set("refl_gloss", "gloss", [](const Brushed& b) { return b.gloss; });
+    if (extras_.anisotropy <= 0) return;
+    set("anisotropy", "stretched", [](const Brushed& b) { return b.ratio; });
+    // Anisotropic reflections follow the texture coordinates of the tangents.
     m_.need_a_space();
     constexpr int kDerivatives = -3;
+    const float turn = extras_.anisotropy_turn / kTwoPi;
     call_.set("anisotropy_channel", kDerivatives);
-    call_.set("anisotropy_rotation", extras_.anisotropy_turn / kTwoPi);
-    return true;
-  }
-
-  /// Mixes the base colour over another colour with a weight.
-  ShaderCall blended(const Vec3& below, const std::string& map, const Vec3& base, float weight) {
-    ShaderCall mix("mib_color_mix");
-    mix.set("num", 1).set("mode_0", 1).set("color_base", below);
-    if (weight < 1) mix.set("weight_0", weight);
-    m_.tinted(mix, "color_0", map, base, "tinted");
-    return mix;
+    if (map.empty()) {
+      call_.set("anisotropy_rotation", turn);
+      return;
+    }
+    ShaderCall angle("oriel_direction_angle");
+    angle.connect("direction", map).set("offset", turn);
+    call_.connect("anisotropy_rotation", m_.add("brushed_angle", angle));
+    m_.needs_own_package = true;
   }
 
   /// Specular reflection with the given colour at normal incidence; the hue is kept at all angles.
@@ -297,8 +374,6 @@ class MaterialMaker {
 
   void leave_out(Diagnostics& diagnostics) {
     std::vector<std::string> parts = m_.left_out;
-    if (max_component(m_.color(AI_MATKEY_SHEEN_COLOR_FACTOR).value_or(Vec3(0))) > 0)
-      parts.emplace_back("sheen");
     parts.insert(parts.end(), extras_.left_out.begin(), extras_.left_out.end());
     if (!parts.empty())
       diagnostics.note("OR-MD-003", {},

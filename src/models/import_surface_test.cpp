@@ -9,6 +9,7 @@
 #include "bsdf/gloss.h"
 #include "models/gltf/extras.h"
 #include "models/import.h"
+#include "models/lobe_width.h"
 #include "models/testing/model_file.h"
 
 namespace oriel::models {
@@ -240,14 +241,102 @@ TEST(ModelMaterial, SpecularAndEmissiveStrengthAreThoseOfTheFile) {
   quad.material =
       R"("pbrMetallicRoughness":{"metallicFactor":0},"emissiveFactor":[1,0.5,0],"extensions":{)"
       R"("KHR_materials_emissive_strength":{"emissiveStrength":8},"KHR_materials_specular":)"
-      R"({"specularFactor":0.5,"specularColorFactor":[2,1,1]},"KHR_materials_iridescence":{}})";
+      R"({"specularFactor":0.5,"specularColorFactor":[2,1,1]},"KHR_materials_dispersion":{}})";
   const Imported made(quad.text());
   EXPECT_EQ(set_in(made.scene, "oak", "additional_color"), (std::vector<double>{8, 4, 0}));
   // Facing: min(.04 colour, 1) specular; at the edge: specular.
   EXPECT_NEAR(set_in(made.scene, "oak", "brdf_0_degree_refl").at(0), .04, 1e-6);
   EXPECT_NEAR(set_in(made.scene, "oak", "brdf_90_degree_refl").at(0), .5, 1e-6);
   EXPECT_EQ(set_in(made.scene, "oak", "refl_color"), (std::vector<double>{1, .5, .5}));
-  EXPECT_TRUE(made.said("are ignored: iridescence"));
+  EXPECT_TRUE(made.said("are ignored: dispersion"));
+}
+
+TEST(ModelMaterial, TexturesOfSpecularScaleTheReflection) {
+  Quad quad;
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_specular"],)";
+  quad.material =
+      R"("pbrMetallicRoughness":{"metallicFactor":0.25,"baseColorFactor":[0.8,0.4,0.2,1]},)"
+      R"("extensions":{"KHR_materials_specular":{"specularColorFactor":[1,0.5,0.5],)"
+      R"("specularTexture":{"index":0},"specularColorTexture":{"index":0}}})";
+  const Imported made(quad.text());
+  // base colour over (alpha of the one) (colour of the other) (factor)
+  const scene::ShaderUse* mix = behind(made.scene, material_of(made.scene), "refl_color");
+  ASSERT_TRUE(mix);
+  EXPECT_EQ(argument(*mix, "weight_0")->value.numbers, std::vector<double>{.25});
+  EXPECT_NEAR(argument(*mix, "color_0")->value.numbers.at(1), .4, 1e-6);
+  const scene::ShaderUse* factor = behind(made.scene, *mix, "color_base");
+  ASSERT_TRUE(factor);
+  EXPECT_EQ(argument(*factor, "color_0")->value.numbers, (std::vector<double>{1, .5, .5}));
+  const scene::ShaderUse* product = behind(made.scene, *factor, "color_base");
+  ASSERT_TRUE(product);
+  const scene::ShaderUse* strength = behind(made.scene, *product, "color_0");
+  ASSERT_TRUE(strength);
+  EXPECT_EQ(strength->type, "mib_color_alpha");
+  EXPECT_TRUE(behind(made.scene, *product, "color_base"));
+}
+
+TEST(ModelMaterial, AnisotropyTextureTurnsAndWeakensTheLobe) {
+  Quad quad;
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_anisotropy"],)";
+  quad.material = R"("pbrMetallicRoughness":{"metallicFactor":1,"roughnessFactor":0.4},)"
+                  R"("extensions":{"KHR_materials_anisotropy":{"anisotropyStrength":0.6,)"
+                  R"("anisotropyRotation":1.57079633,"anisotropyTexture":{"index":0}}})";
+  const Imported made(quad.text());
+  const scene::ShaderUse* angle =
+      behind(made.scene, material_of(made.scene), "anisotropy_rotation");
+  ASSERT_TRUE(angle);
+  EXPECT_EQ(angle->type, "oriel_direction_angle");
+  EXPECT_NEAR(argument(*angle, "offset")->value.numbers.at(0), .25, 1e-6);
+  for (const char* parameter : {"anisotropy", "refl_gloss"}) {
+    const scene::ShaderUse* curve = behind(made.scene, material_of(made.scene), parameter);
+    ASSERT_TRUE(curve) << parameter;
+    const bool ratio = std::string(parameter) == "anisotropy";
+    const Brushed none = brushed(.4f, 0), whole = brushed(.4f, .6f);
+    EXPECT_NEAR(argument(*curve, "color_0")->value.numbers.at(0), ratio ? none.ratio : none.gloss,
+                1e-6);
+    EXPECT_NEAR(argument(*curve, "color_7")->value.numbers.at(0), ratio ? whole.ratio : whole.gloss,
+                1e-6);
+  }
+}
+
+TEST(ModelMaterial, IridescenceIsAFilmOverTheReflection) {
+  Quad quad;
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_iridescence"],)";
+  quad.material =
+      R"("pbrMetallicRoughness":{"metallicFactor":0},"extensions":{"KHR_materials_iridescence":)"
+      R"({"iridescenceFactor":0.75,"iridescenceIor":1.4,"iridescenceThicknessMinimum":200,)"
+      R"("iridescenceThicknessMaximum":500,"iridescenceThicknessTexture":{"index":0}}})";
+  const Imported made(quad.text());
+  const scene::ShaderUse* film = behind(made.scene, material_of(made.scene), "refl_color");
+  ASSERT_TRUE(film);
+  EXPECT_EQ(film->type, "oriel_thin_film");
+  EXPECT_EQ(argument(*film, "factor")->value.numbers, std::vector<double>{.75});
+  EXPECT_NEAR(argument(*film, "ior")->value.numbers.at(0), 1.4, 1e-6);
+  EXPECT_NEAR(argument(*film, "reflectance")->value.numbers.at(0), .04, 1e-6);
+  const scene::ShaderUse* thickness = behind(made.scene, *film, "thickness");
+  ASSERT_TRUE(thickness);
+  EXPECT_EQ(argument(*thickness, "color_0")->value.numbers.at(0), 200);
+  EXPECT_EQ(argument(*thickness, "color_7")->value.numbers.at(0), 500);
+  EXPECT_EQ(set_in(made.scene, "oak", "brdf_0_degree_refl"), std::vector<double>{1});
+  EXPECT_FALSE(made.said("are ignored"));
+}
+
+TEST(ModelSheen, LayersOverTheMaterial) {
+  Quad quad;
+  quad.more = std::string(kPictures) + R"("extensionsUsed":["KHR_materials_sheen"],)";
+  quad.material = R"("extensions":{"KHR_materials_sheen":{"sheenColorFactor":[0.5,0.25,1],)"
+                  R"("sheenRoughnessFactor":0.3,"sheenColorTexture":{"index":0}}})";
+  const Imported made(quad.text());
+  const scene::ShaderUse& sheen = material_of(made.scene);
+  EXPECT_EQ(sheen.type, "oriel_sheen");
+  EXPECT_NEAR(argument(sheen, "roughness")->value.numbers.at(0), .3, 1e-6);
+  const scene::ShaderUse* color = behind(made.scene, sheen, "color");
+  ASSERT_TRUE(color);
+  EXPECT_EQ(argument(*color, "color_0")->value.numbers, (std::vector<double>{.5, .25, 1}));
+  const scene::ShaderUse* base = behind(made.scene, sheen, "base_material");
+  ASSERT_TRUE(base);
+  EXPECT_EQ(base->type, "mia_material_x");
+  EXPECT_FALSE(made.said("are ignored"));
 }
 
 TEST(ModelMaterial, UnlitIsMatte) {

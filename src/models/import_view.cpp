@@ -73,6 +73,41 @@ Placed<scene::Camera> camera_of(const aiScene& model, const aiCamera& source,
           turned(own * place_of(nodes, source.mName), target_of(nodes, source.mName))};
 }
 
+namespace {
+
+/// Light that leaves a flat surface along the light's direction.
+///
+/// Model:   the number of the file is the intensity of a point light of the same flux
+/// (light_units),
+///          so the flux is 4 pi times it, and the intensity along the normal 1/pi of the flux.
+void set_area(const aiLight& source, const Vec3& color, scene::Light& light) {
+  constexpr float kOfPoint = 4;  // intensity along the normal, of that of the point light
+  const Vec3 normal = normalize(vec_of(source.mDirection));
+  const Vec3 written = vec_of(source.mUp), other(normal.y, normal.z, normal.x);
+  const Vec3 along = cross(normal, length(cross(normal, written)) > 0 ? written : other);
+  const Vec3 u = normalize(along), v = cross(normal, u);
+  ShaderCall call("physical_light");
+  call.set("color", color * (kOfPoint * kOfPoint));
+  light.shaders = {call.use()};
+  light.origin = vec_of(source.mPosition);
+  light.direction = normal;
+  light.area = scene::Statement();
+  const bool disc = source.mSize.y <= 0;
+  light.area->keyword = disc ? "disc" : "rectangle";
+  const auto put = [&](const Vec3& x) {
+    for (int k = 0; k < 3; ++k) light.area->values.push_back(numbers({x[k]}));
+  };
+  if (disc) {
+    put(normal);
+    light.area->values.push_back(numbers({source.mSize.x / 2}));
+  } else {
+    put(u * source.mSize.x);
+    put(v * source.mSize.y);
+  }
+}
+
+}  // namespace
+
 std::optional<Placed<scene::Light>> light_of(const aiLight& source, const NodePlaces& nodes) {
   scene::Light light;
   const std::optional<Vec3> target = target_of(nodes, source.mName);
@@ -94,6 +129,8 @@ std::optional<Placed<scene::Light>> light_of(const aiLight& source, const NodePl
       call.set("cone", math::cos(std::min(source.mAngleInnerCone, kPi)));
     }
     light.shaders = {call.use()};
+  } else if (source.mType == aiLightSource_AREA && length(vec_of(source.mDirection)) > 0) {
+    set_area(source, color, light);
   } else {
     return std::nullopt;
   }

@@ -44,6 +44,9 @@ bool MaterialSource::has(aiTextureType type, unsigned index) const {
 }
 
 std::string MaterialSource::file(aiTextureType type, unsigned index) const {
+  if (extras_ && type == aiTextureType_UNKNOWN)
+    if (const auto extra = extras_->files.find(index); extra != extras_->files.end())
+      return extra->second;
   return words(_AI_MATKEY_TEXTURE_BASE, type, index);
 }
 
@@ -142,6 +145,19 @@ ShaderCall MaterialSource::multiplied(const std::string& shader, const Vec3& fac
   ShaderCall mix("mib_color_mix");
   mix.set("num", 1).set("mode_0", 4).set("weight_0", 1.0f).set("color_0", factor);
   return mix.connect("color_base", shader);
+}
+
+std::string MaterialSource::product(const std::string& a, const std::string& b,
+                                    const std::string& suffix) {
+  ShaderCall mix("mib_color_mix");
+  mix.set("num", 1).set("mode_0", 4).set("weight_0", 1.0f);
+  return add(suffix, mix.connect("color_0", a).connect("color_base", b));
+}
+
+std::string MaterialSource::alpha(const std::string& shader, const std::string& suffix) {
+  ShaderCall alpha("mib_color_alpha");
+  alpha.connect("input", shader).set("factor", 1.0f);
+  return add(suffix, alpha);
 }
 
 std::string MaterialSource::channel(const std::string& shader, int which,

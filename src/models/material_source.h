@@ -71,6 +71,10 @@ class MaterialSource {
   void tinted(ShaderCall& call, const std::string& parameter, const std::string& shader,
               const Vec3& factor, const std::string& suffix);
   static ShaderCall multiplied(const std::string& shader, const Vec3& factor);
+  /// Name of a shader that multiplies two others.
+  std::string product(const std::string& a, const std::string& b, const std::string& suffix);
+  /// The alpha of a texture as grey.
+  std::string alpha(const std::string& shader, const std::string& suffix);
   /// One channel of a texture (0 red, 1 green, 2 blue) as grey.
   std::string channel(const std::string& shader, int which, const std::string& suffix);
   /// A function of the value of a grey shader, interpolated linearly between eight points from 0 to

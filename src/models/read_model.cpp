@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/read_model.h"
+#include "models/area_lights.h"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -142,6 +143,7 @@ ReadModel read_model(const std::string& path, const ImportOptions& options,
   }
   halve_cones(*model, suffix);
   if (suffix == ".obj") mend_obj_materials(*model, path, diagnostics);
+  mend_area_lights(*model, suffix, suffix == ".dae" ? utf8_of(file_text(path)) : "", diagnostics);
   mend_light_units(*model, suffix, options.emission_scale, diagnostics);
   if (suffix == ".3ds") mend_views_3ds(*model, file_text(path));
   result.scene = std::move(model);

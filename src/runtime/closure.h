@@ -26,6 +26,7 @@ enum class LobeKind : std::uint8_t {
   ThinTransmission,  ///< straight through a thin wall
   GlossyThin,        ///< blurred, through a thin wall
   Translucency,      ///< diffuse to the other side
+  Sheen,             ///< fibres of cloth; `roughness` is alpha of bsdf::Sheen
   // Light sources only, as in mental ray's illumination shaders; see bsdf/highlights.h:
   PhongHighlight,     ///< cos^`roughness` about the mirrored view
   TorranceHighlight,  ///< microfacets: `roughness` is their slope, `eta` the index

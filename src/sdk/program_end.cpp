@@ -102,22 +102,22 @@ void unwatch_library(const std::string& file_name) {
 // NOLINTBEGIN(bugprone-reserved-identifier): the C library's names
 extern "C" {
 
-[[noreturn]] void exit(int code) noexcept {
+__attribute__((noreturn)) void exit(int code) noexcept {
   code = oriel::sdk::checked_exit_code(code, __builtin_return_address(0));
   oriel::sdk::call_next<void(int)>("exit", code);
 }
 
-[[noreturn]] void quick_exit(int code) noexcept {
+__attribute__((noreturn)) void quick_exit(int code) noexcept {
   code = oriel::sdk::checked_exit_code(code, __builtin_return_address(0));
   oriel::sdk::call_next<void(int)>("quick_exit", code);
 }
 
-[[noreturn]] void _exit(int code) {
+__attribute__((noreturn)) void _exit(int code) {
   code = oriel::sdk::checked_exit_code(code, __builtin_return_address(0));
   for (;;) syscall(SYS_exit_group, code);
 }
 
-[[noreturn]] void _Exit(int code) noexcept {
+__attribute__((noreturn)) void _Exit(int code) noexcept {
   code = oriel::sdk::checked_exit_code(code, __builtin_return_address(0));
   for (;;) syscall(SYS_exit_group, code);
 }

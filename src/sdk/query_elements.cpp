@@ -24,9 +24,12 @@ scene::Attachments attachments_of(Host& host, miTag tag) {
   const bool placed = kind_of(tag) == TagKind::Instance || kind_of(tag) == TagKind::LightInstance;
   const auto* instance = instance_behind(host, tag);
   if (!instance) return {};
-  if (placed) return settings_of(*instance);
-  if (const auto* object = scene.get<scene::Object>(instance->element)) return settings_of(*object);
-  if (const auto* light = scene.get<scene::Light>(instance->element)) return settings_of(*light);
+  const auto of = [](const auto& element) {
+    return static_cast<const scene::Attachments&>(settings_of(element));
+  };
+  if (placed) return of(*instance);
+  if (const auto* object = scene.get<scene::Object>(instance->element)) return of(*object);
+  if (const auto* light = scene.get<scene::Light>(instance->element)) return of(*light);
   return {};
 }
 

@@ -32,6 +32,8 @@
 #include "shaders/base/mib_texture_filter.h"
 #include "shaders/base/mib_texture_procedural.h"
 #include "shaders/maya/host_shaders.h"
+#include "shaders/oriel/oriel_direction_angle.h"
+#include "shaders/oriel/oriel_layers.h"
 #include "shaders/oriel/oriel_lens.h"
 #include "shaders/oriel/oriel_normal_map.h"
 #include "shaders/oriel/oriel_tex_vector.h"
@@ -124,12 +126,15 @@ constexpr const ShaderSpec* kBuiltin[] = {
     &kDgsMaterialPhoton,
     &kDielectricMaterial,
     &kDielectricMaterialPhoton,
+    &kOrielDirectionAngle,
     &kOrielLensCube,
     &kOrielLensFisheye,
     &kOrielLensPanorama,
     &kOrielLensShift,
     &kOrielNormalMap,
+    &kOrielSheen,
     &kOrielTexVector,
+    &kOrielThinFilm,
     &kOrielVertexColor,
     &kOversamplingLens,
     &kPartiVolume,

@@ -8,6 +8,7 @@
 #include "bsdf/oren_nayar.h"
 #include "bsdf/phong.h"
 #include "bsdf/rough_refraction.h"
+#include "bsdf/sheen.h"
 #include "bsdf/specular.h"
 #include "bsdf/terminator.h"
 #include "bsdf/translucency.h"
@@ -33,6 +34,8 @@ auto with_bsdf(const Lobe& lobe, F&& f) {
       return f(bsdf::RoughThinTransmission(lobe.alpha_x, lobe.alpha_y, lobe.inverse_albedo));
     case LobeKind::Translucency:
       return f(bsdf::Translucency{});
+    case LobeKind::Sheen:
+      return f(bsdf::Sheen(lobe.roughness));
     default:
       return f(bsdf::OrenNayar(lobe.roughness));
   }
@@ -43,6 +46,7 @@ bool right_side(LobeKind kind, bool same_side) {
   switch (kind) {
     case LobeKind::Diffuse:
     case LobeKind::GlossyReflection:
+    case LobeKind::Sheen:
     case LobeKind::PhongHighlight:
     case LobeKind::TorranceHighlight:
     case LobeKind::WardHighlight:
@@ -97,6 +101,7 @@ LobeGroup group_of(LobeKind kind) {
       return LobeGroup::Diffuse;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
+    case LobeKind::Sheen:
     case LobeKind::PhongHighlight:
     case LobeKind::TorranceHighlight:
     case LobeKind::WardHighlight:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oriel's own textures: shaders/oriel/oriel_normal_map.cpp, oriel_tex_vector.cpp,
-// oriel_vertex_color.cpp.
+// Oriel's own textures and layers: shaders/oriel/oriel_normal_map.cpp, oriel_tex_vector.cpp,
+// oriel_vertex_color.cpp, oriel_layers.cpp, oriel_direction_angle.cpp.
+#include "bsdf/sheen.h"
+#include "bsdf/thin_film.h"
 #include "cases.h"
 #include "other_stages.h"
 #include "prepare/testing/prepared_scene.h"
@@ -96,8 +98,85 @@ void add_vertex_color(Cases& all) {
                       {{"-1", Rgb(.5f)}, {"0", Rgb(.1f)}, {"1", Rgb(.25f)}, {"2", Rgb(.5f)}}));
 }
 
+/// The call as the material of a plate under a white sky, seen at an angle; "red", "black" and
+/// "white" are matte materials.
+Stage plate_in_sky(float degrees) {
+  std::string elements;
+  for (const auto& [name, color] :
+       {std::pair("red", "1 0 0"), std::pair("black", "0 0 0"), std::pair("white", "1 1 1")})
+    elements +=
+        fmt::format("shader \"{}\" \"mib_illum_lambert\" ( \"diffuse\" {} )\n", name, color);
+  return square_in([](SceneText& scene) { scene.uniform_sky(1); }, {degrees, 16384}, elements);
+}
+
+void add_sheen(Cases& all) {
+  const std::string name = "oriel_sheen.";
+  const float cosine = std::cos(60 * kPi / 180);
+  const float half = bsdf::sheen_albedo(.25f, cosine), narrow = bsdf::sheen_albedo(.09f, cosine);
+  all.push_back(
+      gives(name + "base_material", plate_in_sky(60), "color 1 1 1 1",
+            {{"\"black\"", Rgb(half)}, {"\"red\"", Rgb(1, half, half)}, {"\"white\"", Rgb(1)}}));
+  all.push_back(gives(name + "color", plate_in_sky(60), "base_material \"white\"",
+                      {{"0 0 0 1", Rgb(1)},
+                       {"1 .5 .25 1", Rgb(1, 1 - .5f * half, 1 - .75f * half)},
+                       {"= \"tint\"", Rgb(1, 1 - .4f * half, 1 - .5f * half)}}));
+  all.push_back(gives(name + "roughness", plate_in_sky(60), "base_material \"black\"",
+                      {{".5", Rgb(half)}, {".3", Rgb(narrow)}, {"= \"tint\"", Rgb(narrow)}}));
+}
+
+void add_thin_film(Cases& all) {
+  const std::string name = "oriel_thin_film.";
+  const auto film = [](float cosine, float ior, const Rgb& base, float thickness) {
+    return bsdf::thin_film_color(cosine, ior, base, thickness);
+  };
+  const Rgb glass(.04f), copper(.9f, .6f, .4f);
+  all.push_back(gives(name + "reflectance", value(kTint), "",
+                      {{".04 .04 .04 1", film(1, 1.3f, glass, 400)},
+                       {".9 .6 .4 1", film(1, 1.3f, copper, 400)},
+                       {"= \"tint\"", film(1, 1.3f, kTinted, 400)}}));
+  const Rgb coloured = film(1, 1.3f, copper, 400);
+  all.push_back(gives(name + "factor", value(kTint), "reflectance .9 .6 .4 1",
+                      {{"0", copper},
+                       {"1", coloured},
+                       {".5", (copper + coloured) * .5f},
+                       {"= \"tint\"", copper + (coloured - copper) * .3f}}));
+  all.push_back(
+      gives(name + "ior", value(kTint), "reflectance .9 .6 .4 1",
+            {{"1", copper}, {"1.8", film(1, 1.8f, copper, 400)}, {"= \"tint\"", copper}}));
+  const std::string thick = "shader \"thick\" \"mib_color_mix\" ( \"color_base\" 250 250 250 1 )\n";
+  all.push_back(
+      gives(name + "thickness", value(thick), "reflectance .9 .6 .4 1",
+            {{"0", copper}, {"400", coloured}, {"= \"thick\"", film(1, 1.3f, copper, 250)}}));
+  // At an angle: the film is seen along a shorter difference of paths.
+  const Stage at_60 = [](const std::string& call) {
+    SceneText scene;
+    scene.statement(shown_as_light(call)).plate("m");
+    return Probe(scene.str(), known_shaders()).onto(Vec3(0), Vec3(0, 0, 1), 60, 16);
+  };
+  all.back() =
+      both(all.back(),
+           gives(name + "thickness", at_60, "reflectance .9 .6 .4 1",
+                 {{"400", film(.5f, 1.3f, copper, 400)}, {"250", film(.5f, 1.3f, copper, 250)}}));
+}
+
+void add_direction_angle(Cases& all) {
+  const std::string name = "oriel_direction_angle.";
+  all.push_back(gives(name + "direction", value(kTint), "offset .5",
+                      {{"1 .5 0 1", Rgb(.5f)},
+                       {".5 1 0 1", Rgb(.75f)},
+                       {".5 0 0 1", Rgb(.25f)},
+                       {"1 1 0 1", Rgb(.625f)},
+                       {".5 .5 0 1", Rgb(.5f)},
+                       {"= \"tint\"", Rgb(.5f + std::atan2(-.6f, .2f) / kTwoPi)}}));
+  all.push_back(gives(name + "offset", value(kTint), "direction .5 1 0 1",
+                      {{"0", Rgb(.25f)}, {".5", Rgb(.75f)}, {"= \"tint\"", Rgb(.55f)}}));
+}
+
 Cases cases() {
   Cases all;
+  add_sheen(all);
+  add_thin_film(all);
+  add_direction_angle(all);
   add_normal_map(all);
   add_vector(all);
   add_vertex_color(all);

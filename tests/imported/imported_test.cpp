@@ -2,6 +2,7 @@
 // Renders of imported models: normal maps and clear coats compared with closed forms.
 #include <fmt/format.h>
 
+#include "bsdf/sheen.h"
 #include "bsdf/terminator.h"
 #include "mi/writer.h"
 #include "models/daylight.h"
@@ -224,6 +225,42 @@ TEST(ClearCoatOfModels, LightsShineInIt) {
   const Measured m = Probe(as_scene(quad, folder)).direct_only().ray(Vec3(.5f, .5f, 1), -kUp, 64);
   const double once = .04 / (4 * alpha * alpha);
   EXPECT_NEAR(m.mean.x, once / albedo_from_normal(alpha), .01 * once);
+}
+
+/// The middle of a model with sheen in the origin, under a white sky.
+Measured sheen_in_sky(const std::string& base, float color, float roughness, float degrees) {
+  Quad quad;
+  quad.node = R"(,"translation":[-0.5,-0.5,0])";
+  quad.more = R"("extensionsUsed":["KHR_materials_sheen","KHR_materials_specular"],)";
+  quad.material = fmt::format(
+      R"({},"extensions":{{"KHR_materials_specular":{{"specularFactor":0}},"KHR_materials_sheen":)"
+      R"({{"sheenColorFactor":[{},0,0],"sheenRoughnessFactor":{}}}}})",
+      base, color, roughness);
+  const Folder folder;
+  return Probe(as_scene(quad, folder, "test_white"), registry()).onto(Vec3(0), kUp, degrees, 16384);
+}
+
+TEST(SheenOfModels, SkyAndBaseAreSharedByItsAlbedo) {
+  for (const float roughness : {.3f, .8f})
+    for (const float degrees : {0.f, 45.f, 70.f}) {
+      const float albedo = bsdf::sheen_albedo(roughness * roughness, std::cos(degrees * kPi / 180));
+      for (const float color : {1.f, .5f})
+        for (const float base : {0.f, .5f, 1.f}) {
+          const Measured m = sheen_in_sky(matte(base), color, roughness, degrees);
+          const float below = (1 - color * albedo) * base;
+          EXPECT_NEAR(m.mean.x, below + color * albedo, .012f)
+              << roughness << ' ' << degrees << ' ' << color << ' ' << base;
+          EXPECT_NEAR(m.mean.y, below, .012f) << "green gets no sheen";
+        }
+    }
+}
+
+TEST(SheenOfModels, NeverGainsLight) {
+  for (const float roughness : {0.f, .2f, 1.f})
+    for (const float degrees : {60.f, 85.f, 88.f}) {
+      const Measured m = sheen_in_sky(matte(1), 1, roughness, degrees);
+      EXPECT_LE(m.mean.x, 1.03f + 4 * m.error.x) << roughness << ' ' << degrees;
+    }
 }
 
 }  // namespace imported_test

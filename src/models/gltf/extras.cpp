@@ -17,6 +17,8 @@ using gltf::json;
 using gltf::member;
 using gltf::number;
 using gltf::number_at;
+using gltf::whole;
+using gltf::words;
 
 TextureSpace space_of(const json& texture) {
   TextureSpace space;
@@ -35,7 +37,21 @@ TextureSpace space_of(const json& texture) {
   return space;
 }
 
-GltfExtras extras_of(const json& material) {
+/// The image of a texture as assimp names it; empty if there is none.
+std::string image_of(const json& root, const json& use) {
+  const auto texture = whole(member(use, "index"));
+  const json &textures = member(root, "textures"), &images = member(root, "images");
+  if (!texture || !textures.is_array() || *texture >= textures.size()) return {};
+  const auto image = whole(member(textures[*texture], "source"));
+  if (!image || !images.is_array() || *image >= images.size()) return {};
+  if (!member(images[*image], "bufferView").is_number())
+    return words(member(images[*image], "uri"));
+  const auto embedded = [](const json& i) { return member(i, "bufferView").is_number(); };
+  const auto end = images.begin() + static_cast<std::ptrdiff_t>(*image);
+  return "*" + std::to_string(std::count_if(images.begin(), end, embedded));
+}
+
+GltfExtras extras_of(const json& root, const json& material) {
   GltfExtras extras;
   const json& pbr = member(material, "pbrMetallicRoughness");
   const json& coat = extension(material, "KHR_materials_clearcoat");
@@ -54,6 +70,16 @@ GltfExtras extras_of(const json& material) {
   use(coat, "clearcoatRoughnessTexture", AI_MATKEY_CLEARCOAT_ROUGHNESS_TEXTURE);
   use(extension(material, "KHR_materials_transmission"), "transmissionTexture",
       AI_MATKEY_TRANSMISSION_TEXTURE);
+  const json& sheen = extension(material, "KHR_materials_sheen");
+  use(sheen, "sheenColorTexture", AI_MATKEY_SHEEN_COLOR_TEXTURE);
+  use(sheen, "sheenRoughnessTexture", AI_MATKEY_SHEEN_ROUGHNESS_TEXTURE);
+  const auto use_extra = [&](const json& object, const char* name, ExtraTexture index) {
+    const json& texture = member(object, name);
+    if (std::string image = image_of(root, texture); !image.empty()) {
+      use(object, name, aiTextureType_UNKNOWN, index);
+      extras.files[index] = std::move(image);
+    }
+  };
   extras.emissive_strength =
       number(member(extension(material, "KHR_materials_emissive_strength"), "emissiveStrength"), 1);
   const json& specular = extension(material, "KHR_materials_specular");
@@ -64,16 +90,18 @@ GltfExtras extras_of(const json& material) {
   const json& brushed = extension(material, "KHR_materials_anisotropy");
   extras.anisotropy = clamp01(number(member(brushed, "anisotropyStrength"), 0));
   extras.anisotropy_turn = number(member(brushed, "anisotropyRotation"), 0);
-  if (extras.anisotropy > 0 && member(brushed, "anisotropyTexture").is_object())
-    extras.left_out.emplace_back("anisotropy texture");
-  for (const auto& [name, words] : {std::pair("KHR_materials_iridescence", "iridescence"),
-                                    std::pair("KHR_materials_dispersion", "dispersion")})
-    if (extension(material, name).is_object()) extras.left_out.emplace_back(words);
-  for (const char* name : {"specularTexture", "specularColorTexture"})
-    if (member(specular, name).is_object()) {
-      extras.left_out.emplace_back("specular texture");
-      break;
-    }
+  use_extra(brushed, "anisotropyTexture", kAnisotropyTexture);
+  use_extra(specular, "specularTexture", kSpecularTexture);
+  use_extra(specular, "specularColorTexture", kSpecularColorTexture);
+  const json& film = extension(material, "KHR_materials_iridescence");
+  extras.iridescence = clamp01(number(member(film, "iridescenceFactor"), 0));
+  extras.film_ior = std::max(1.0f, number(member(film, "iridescenceIor"), 1.3f));
+  extras.film_thickness = std::max(0.0f, number(member(film, "iridescenceThicknessMaximum"), 400));
+  extras.film_least = std::max(0.0f, number(member(film, "iridescenceThicknessMinimum"), 100));
+  use_extra(film, "iridescenceTexture", kIridescenceTexture);
+  use_extra(film, "iridescenceThicknessTexture", kIridescenceThicknessTexture);
+  if (extension(material, "KHR_materials_dispersion").is_object())
+    extras.left_out.emplace_back("dispersion");
   return extras;
 }
 
@@ -91,7 +119,7 @@ std::map<std::string, GltfExtras> gltf_extras(const json& root) {
       by_name.erase(name);
       continue;
     }
-    by_name[name] = extras_of(material);
+    by_name[name] = extras_of(root, material);
     if (materials.size() == 1) by_name[""] = by_name[name];
   }
   return by_name;

@@ -244,6 +244,7 @@ void Path::scatter(const Closure& closure, const Material& material, ShadingPoin
       break;
     case LobeKind::Mirror:
     case LobeKind::GlossyReflection:
+    case LobeKind::Sheen:
       way_.kind = RayKind::Reflect;
       ++depth_.reflections;
       break;
