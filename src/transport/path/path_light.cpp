@@ -7,6 +7,15 @@
 #include "transport/shadow.h"
 
 namespace oriel {
+namespace {
+
+/// Whether a diffuse ray ends at a portal before t. Photons carry the light of portals, so light
+/// behind them must not be added again.
+bool ends_at_portal(const World& world, const geom::Ray& ray, float t) {
+  return portals_on_way(world, ray.org, ray.dir, t, ray.time, true).ends_diffuse;
+}
+
+}  // namespace
 
 /// Whether the ray ends at a portal that it hits from inside.
 bool Path::ends_at(const Portal& portal) const {
@@ -32,10 +41,7 @@ void Path::add_found(const LightInReflection& in, float kept, const Rgb& arrivin
 /// their light includes everything behind them.
 void Path::meet_lights(float t_surface, bool& ended) {
   if (!settings_.finite_lights) {
-    // Photons carry the light of portals, so light behind them must not be added again.
-    if (way_.kind == RayKind::FinalGather)
-      ended = portals_on_way(world_, way_.ray.org, way_.ray.dir, t_surface, way_.ray.time, true)
-                  .ends_diffuse;
+    if (way_.kind == RayKind::FinalGather) ended = ends_at_portal(world_, way_.ray, t_surface);
     return;
   }
   if (caustics_are_mapped() && way_.kind != RayKind::FinalGather) return;
