@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/diagnostic.h"
+#include "base/file_access.h"
 #include "image/texture.h"
 #include "runtime/shader_node.h"
 #include "scene/elements.h"
@@ -19,8 +20,9 @@ class TextureNode {
   /// Opens a file, or the pixels in the scene file. A file that cannot be read is reported once
   /// (OR-RT-020) and replaced by magenta. `gamma` applies to colour and scalar textures; vector
   /// textures are not converted.
-  static std::unique_ptr<TextureNode> open(const scene::Texture& element, TextureSystem& system,
-                                           float gamma, Diagnostics& diagnostics);
+  static std::unique_ptr<TextureNode> open(const scene::Texture& element, const FileAccess& files,
+                                           TextureSystem& system, float gamma,
+                                           Diagnostics& diagnostics);
 
   bool missing() const { return procedure_.empty() && !texture_; }
   /// The shaders of a procedural texture; empty for pictures.
