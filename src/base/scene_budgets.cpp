@@ -9,16 +9,16 @@
 namespace oriel {
 namespace {
 
-// Memory: an instance takes about 0.7 kB, a triangle 0.1 to 0.2 kB, a photon 0.1 kB. Text is
+// Memory: an instance takes about 1 kB, a triangle 0.1 to 0.2 kB, a photon 0.1 kB. Text is
 // compressed about 5 times, repeated statements 50 times, a file of equal bytes 1000 times.
 constexpr BudgetRow kTable[kBudgets] = {
     {Budget::Text, "text", 16e9, "bytes of scene text"},
-    {Budget::Expansion, "expansion", 200, "bytes for each compressed byte"},
+    {Budget::Expansion, "expansion", 100, "bytes for each compressed byte"},
     {Budget::Includes, "includes", 100e3, "included files and placeholders"},
-    {Budget::Instances, "instances", 4e6, "placed elements"},
+    {Budget::Instances, "instances", 2e6, "placed elements"},
     {Budget::Triangles, "triangles", 16e6, "triangles of tessellation and displacement"},
-    {Budget::Pixels, "pixels", 4e9, "bytes of pixels in memory"},
-    {Budget::Photons, "photons", 20e6, "stored photons"},
+    {Budget::Pixels, "pixels", 16e9, "bytes of pixels in memory"},
+    {Budget::Photons, "photons", 5e6, "stored photons"},
     {Budget::MapPoints, "map-points", 8e6, "points or photons of a map file"},
     {Budget::TextureTile, "texture-tile", 256e6, "bytes of one texture tile"},
 };

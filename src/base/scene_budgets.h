@@ -37,7 +37,7 @@ std::span<const BudgetRow> budget_table();
 /// The values of all budgets.
 ///
 /// Source:  the defaults are estimates for a machine with 24 GB of memory.
-/// Checked: SceneBudgets.*
+/// Checked: SceneBudgets.*, tests/faults/budget_test.cpp
 class SceneBudgets {
  public:
   SceneBudgets();

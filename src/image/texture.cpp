@@ -27,7 +27,8 @@ std::atomic<bool> has_module{false};
 
 }  // namespace
 
-TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) {
+TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma,
+                                          std::uint64_t most_tile_bytes) {
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = textures_.try_emplace({path, gamma}, nullptr);
   if (!is_new) return {entry->second.get(), {}};
@@ -38,7 +39,7 @@ TextureSystem::Opened TextureSystem::open(const std::string& path, float gamma) 
     FilesModule& module = files_module();
     has_module = true;
     module.set_cache_megabytes(cache_megabytes);
-    entry->second = module.open_texture(path, gamma);
+    entry->second = module.open_texture(path, gamma, most_tile_bytes);
     return {entry->second.get(), {}};
   } catch (const std::exception& e) {
     return {nullptr, "cannot open texture '" + path + "': " + e.what()};

@@ -15,19 +15,16 @@ constexpr unsigned kChunk = 1u << 20;
 /// Short files may consist of few bytes, such as a list of zeros.
 constexpr std::uint64_t kAnyExpansion = std::uint64_t{64} << 20;
 
-std::optional<std::string> decompressed(gzFile file, std::uint64_t compressed,
-                                        const TextLimits& limits, SourceFault& fault) {
-  const std::uint64_t expanded =
-      std::max(kAnyExpansion, limits.expansion < limits.text / (compressed + 1)
-                                  ? limits.expansion * compressed
-                                  : limits.text);
+std::optional<std::string> decompressed(gzFile file, const TextLimits& limits, SourceFault& fault) {
   std::string text;
   std::size_t used = 0;
   for (;;) {
-    if (used > limits.text || used > expanded) {
-      fault.budget = used > limits.text ? Budget::Text : Budget::Expansion;
-      return std::nullopt;
-    }
+    // While reading, so that a small file cannot fill the memory before it is refused.
+    const auto compressed = static_cast<std::uint64_t>(std::max<z_off_t>(gzoffset(file), 1));
+    if (used > kAnyExpansion && used / compressed >= limits.expansion)
+      fault.budget = Budget::Expansion;
+    if (used > limits.text) fault.budget = Budget::Text;
+    if (fault.budget) return std::nullopt;
     if (text.size() < used + kChunk) text.resize(2 * used + kChunk);
     const int read = gzread(file, text.data() + used, kChunk);
     if (read <= 0) break;
@@ -53,6 +50,7 @@ bool is_gzip(const OpenFile& file) {
 
 std::optional<std::string> read_gzip(const OpenFile& file, const TextLimits& limits,
                                      SourceFault& fault) {
+  fault = {};
   const int descriptor = ::dup(file.descriptor());
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> stream(gzdopen(descriptor, "rb"), gzclose_r);
   if (!stream) {
@@ -62,7 +60,7 @@ std::optional<std::string> read_gzip(const OpenFile& file, const TextLimits& lim
   }
   gzbuffer(stream.get(), kChunk);
   try {
-    return decompressed(stream.get(), file.size(), limits, fault);
+    return decompressed(stream.get(), limits, fault);
   } catch (const std::bad_alloc&) {
     fault.reason = "not enough memory for its text";
     return std::nullopt;

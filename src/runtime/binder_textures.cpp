@@ -57,8 +57,8 @@ const TextureNode* Binder::texture(const std::string& name, SourceLocation where
   // Null while its procedure is bound, so that a procedure that looks itself up finds nothing.
   textures_[name] = nullptr;
   if (element->procedure.empty()) {
-    auto made = TextureNode::open(*element, scene_.files, world_.texture_system,
-                                  world_.options.gamma, diagnostics_);
+    auto made = TextureNode::open(*element, scene_, world_.texture_system, world_.options.gamma,
+                                  diagnostics_);
     if (made->missing()) report_.missing_textures.push_back(element->file);
     const TextureNode* kept = keep(std::move(made));
     world_.names.try_emplace(kept, name);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/asset_path.h"
+#include "scene/scene.h"
 
 namespace oriel {
 namespace {
@@ -14,7 +15,7 @@ const Rgba kMissing(1, 0, 1, 1);
 }  // namespace
 
 std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element,
-                                               const FileAccess& files, TextureSystem& system,
+                                               const scene::Scene& scene, TextureSystem& system,
                                                float gamma, Diagnostics& diagnostics) {
   std::unique_ptr<TextureNode> node(new TextureNode);
   // Every texture is filtered: mental ray's `filter` selected a pyramid for speed, and unfiltered
@@ -30,14 +31,15 @@ std::unique_ptr<TextureNode> TextureNode::open(const scene::Texture& element,
     node->texture_ = node->own_.get();
     if (!node->texture_) why = "its pixels do not fill the size written";
   } else {
-    const std::string path = scene::find_asset(element.file, element.directory, files);
-    const OpenFile source = files.open(path, FileUse::Asset);
+    const std::string path = scene::find_asset(element.file, element.directory, scene.files);
+    const OpenFile source = scene.files.open(path, FileUse::Asset);
     if (!source) {
       why = fmt::format("cannot open texture '{}': {}", path, source.reason());
       permission = source.hint();
       if (source.fault() == OpenFile::Fault::Missing) file = path;
     } else {
-      const TextureSystem::Opened opened = system.open(source.path(), gamma);
+      const TextureSystem::Opened opened =
+          system.open(source.path(), gamma, scene.budgets[Budget::TextureTile]);
       node->texture_ = opened.texture;
       if (!opened.texture)
         why = opened.message.empty() ? "it could not be opened before" : opened.message;

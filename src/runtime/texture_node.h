@@ -5,10 +5,13 @@
 #include <memory>
 
 #include "base/diagnostic.h"
-#include "base/file_access.h"
 #include "image/texture.h"
 #include "runtime/shader_node.h"
 #include "scene/elements.h"
+
+namespace oriel::scene {
+class Scene;
+}
 
 namespace oriel {
 
@@ -19,8 +22,8 @@ class TextureNode {
 
   /// Opens a file, or the pixels in the scene file. A file that cannot be read is reported once
   /// (OR-RT-020) and replaced by magenta. `gamma` applies to colour and scalar textures; vector
-  /// textures are not converted.
-  static std::unique_ptr<TextureNode> open(const scene::Texture& element, const FileAccess& files,
+  /// textures are not converted. `scene`: for its policy for files and its budgets.
+  static std::unique_ptr<TextureNode> open(const scene::Texture& element, const scene::Scene& scene,
                                            TextureSystem& system, float gamma,
                                            Diagnostics& diagnostics);
 
