@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -16,6 +17,8 @@ namespace {
 using Matrix = Imath::M44d;
 
 constexpr std::size_t kNoElement = ~std::size_t{0};
+/// Instances in all chains that are always possible; 8 MB.
+constexpr std::uint64_t kFewLinks = 1'000'000;
 // Limit for the search for a similar name, which compares with every name.
 constexpr std::size_t kMaxNamesSearched = 20'000;
 
@@ -248,7 +251,7 @@ class Flattener {
       return stop(fmt::format("the scene places more than {} elements", limits_.leaves),
                   SceneBudgets::hint(Budget::Instances));
     links_ += chain_.size();
-    if (links_ > limits_.leaves * limits_.mean_depth)
+    if (links_ > std::max(limits_.leaves * limits_.mean_depth, kFewLinks))
       return stop(fmt::format("{} placed elements have {} instances above them, more than {} each",
                               leaves_.size() + 1, links_, limits_.mean_depth),
                   SceneBudgets::hint(Budget::Instances));
